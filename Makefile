@@ -1,0 +1,38 @@
+# What a fresh checkout needs is made on the way; the second time it costs nothing.
+PYTHON ?= python3
+BIN := .venv/bin
+
+.PHONY: verify quick test check bench lock clean
+
+verify: .venv/.ready
+	$(BIN)/freewheel verify
+
+quick: .venv/.ready
+	$(BIN)/freewheel verify --quick
+
+test: .venv/.ready
+	$(BIN)/pytest -n 2 --dist loadgroup
+
+check: .venv/.ready
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+bench: .venv/.ready
+	$(BIN)/python benchmarks/plane.py
+
+.venv/.ready: requirements.txt pyproject.toml tools/system-check
+	PYTHON=$(PYTHON) tools/system-check
+	$(PYTHON) -m venv .venv
+	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
+	$(BIN)/pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	touch $@
+
+# Needs uv, which the project itself does not.
+lock:
+	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
+		--no-header --group build --group dev pyproject.toml -o requirements.txt
+
+clean:
+	rm -rf .venv .cache reports/out

@@ -1,0 +1,1 @@
+"""Accordion springs of roller clutches."""

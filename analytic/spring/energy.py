@@ -1,0 +1,174 @@
+r"""Stiffness of the free accordion spring by the energy method (Wang et al. 2023, Eqs. 1-9).
+
+The equations stand here as they must be read; the printed forms are in the errata ledger. The
+bending couple is :math:`M = F y` with y the height of the centre line above the line of the force,
+which acts in the middle of the head. Head and tail are half leaves with a quarter arc; the n - 2
+units between are a leaf with an arc of angle alpha at both ends. Every part is integrated in
+closed form. The arcs have the inner radius r as in the paper, although the centre line has
+r + b/2; `analytic.spring.frame` takes either.
+
+Range: small displacements, thin strip (b << r), head free to turn and to move sideways, tail held
+at the end of its arc, no contact between the parts.
+
+References
+----------
+.. [1] Wang et al., Trans. Nanjing Univ. Aeronaut. Astronaut. 40 (2023) 264-272, Eqs. 1-9.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def leaf_length(*, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike) -> Array:
+    r"""Straight length of a middle unit [length], in Eq. 3.
+
+    .. math:: L_2 = \frac{L_1}{\sin\alpha} + \frac{2 (r + b/2)}{\tan\alpha}
+
+    >>> round(float(leaf_length(L1=11.6, r=0.45, b=0.1, alpha=np.pi / 2)), 12)
+    11.6
+    """
+    L1, r, b, alpha = _geometry(L1, r, b, alpha)
+    return np.asarray(L1 / np.sin(alpha) + 2 * (r + b / 2) / np.tan(alpha))
+
+
+def head_moment(x: ArrayLike, theta: ArrayLike, *, L1: float, r: float) -> tuple[Array, Array]:
+    r"""Bending couple over force [length] on the head's leaf and on its arc (Eq. 1).
+
+    .. math:: M/F = x, \quad 0 \le x \le L_1/2; \qquad
+        M/F = L_1/2 + r \sin\theta, \quad 0 \le \theta \le \pi/2
+    """
+    return np.asarray(x, float), L1 / 2 + r * np.sin(theta)
+
+
+def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
+    r"""The head's :math:`\int (M/F)^2 ds` [length^3]; times F^2/(2EI) its energy (Eq. 2)."""
+    a, r = np.asarray(L1, float) / 2, np.asarray(r, float)
+    return np.asarray(a**3 / 3 + r * (np.pi / 2 * a**2 + 2 * a * r + np.pi / 4 * r**2))
+
+
+def apex_moments(
+    *, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
+) -> tuple[Array, ...]:
+    r"""T_1 ... T_(n-1) over force [length]: the couple at the apex that ends unit i.
+
+    .. math:: T_1 = L_1/2 + r, \qquad T_i = T_{i-1} + s_i\,(2A + L_2 \sin\alpha), \qquad
+        A = r (1 - \cos\alpha), \quad s_i = (-1)^{i+1}
+
+    The recursion that Eq. 3 leaves out; it follows from its last line at theta = alpha.
+    """
+    L1, r, b, alpha = _geometry(L1, r, b, alpha)
+    if n < 3:
+        raise ValueError(f"a spring needs at least 3 segments, got n={n}")
+    rise = 2 * r * (1 - np.cos(alpha)) + leaf_length(L1=L1, r=r, b=b, alpha=alpha) * np.sin(alpha)
+    T = [L1 / 2 + r]
+    for i in range(2, n):
+        T.append(T[-1] + _sign(i) * rise)
+    return tuple(T)
+
+
+def unit_flexibility(
+    i: int, T: ArrayLike, *, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
+) -> Array:
+    r"""Unit i's :math:`\int (M/F)^2 ds` [length^3] from T = T_(i-1) (Eqs. 3 and 4).
+
+    .. math::
+        M/F = T + s\,r (1-\cos\theta); \quad T + s (A + x \sin\alpha); \quad
+        T + s\,(A + L_2\sin\alpha + r(\cos(\alpha-\theta) - \cos\alpha))
+    """
+    L1, r, b, alpha = _geometry(L1, r, b, alpha)
+    T, s = np.asarray(T, float), _sign(i)
+    L2, A = leaf_length(L1=L1, r=r, b=b, alpha=alpha), r * (1 - np.cos(alpha))
+    c0 = T + s * A
+    c1 = c0 + s * L2 * np.sin(alpha)
+    leaf: Array = L2 * (c0**2 + c0 * c1 + c1**2) / 3
+    # the second arc mirrored: from its own apex couple c1 + s A it runs back with the other sign
+    return _arc(T, s, r, alpha) + leaf + _arc(c1 + s * A, -s, r, alpha)
+
+
+def tail_flexibility(n: int, T: ArrayLike, *, r: ArrayLike) -> Array:
+    r"""The tail arc's :math:`\int (M/F)^2 ds` [length^3] from T = T_(n-1) (Eqs. 5 and 6).
+
+    .. math:: M/F = T + s_n\, r (1 - \cos\theta), \quad 0 \le \theta \le \pi/2
+
+    s_n = -1 for the even n of the paper; an odd n ends on the other side and takes +1.
+    """
+    return _arc(np.asarray(T, float), _sign(n), np.asarray(r, float), np.asarray(np.pi / 2))
+
+
+def flexibility(*, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike) -> Array:
+    r""":math:`\int (M/F)^2 ds` of the whole spring [length^3], the sum of Eq. 7."""
+    T = apex_moments(n=n, L1=L1, r=r, b=b, alpha=alpha)
+    units: Any = sum(
+        unit_flexibility(i, T[i - 2], L1=L1, r=r, b=b, alpha=alpha) for i in range(2, n)
+    )
+    return np.asarray(head_flexibility(L1=L1, r=r) + units + tail_flexibility(n, T[-1], r=r))
+
+
+def strain_energy(*, F: ArrayLike, E: ArrayLike, h: ArrayLike, **geometry: Any) -> Array:
+    r"""V [force x length] under the force F (Eq. 7): :math:`F^2 \int (M/F)^2 ds / (2 E I)`."""
+    return np.asarray(F, float) ** 2 * flexibility(**geometry) / (2 * _EI(E, h, geometry["b"]))
+
+
+def deflection(*, F: ArrayLike, E: ArrayLike, h: ArrayLike, **geometry: Any) -> Array:
+    r"""Displacement [length] of the force (Eq. 8): :math:`\Delta = \partial V/\partial F`."""
+    return np.asarray(F, float) * flexibility(**geometry) / _EI(E, h, geometry["b"])
+
+
+def stiffness(
+    *,
+    n: int,
+    b: ArrayLike,
+    h: ArrayLike,
+    r: ArrayLike,
+    L1: ArrayLike,
+    alpha: ArrayLike,
+    E: ArrayLike,
+) -> Array:
+    r"""Stiffness k_1 [force/length] of the free stage (Eq. 9).
+
+    .. math:: k_1 = E I \Big/ \int (M/F)^2 ds, \qquad I = h b^3/12
+
+    >>> k_1 = stiffness(n=10, b=0.1, h=56, r=0.45, L1=11.6, alpha=np.radians(80), E=206e3)
+    >>> round(float(k_1), 5)  # N/mm; the paper prints 0.601
+    0.60096
+    """
+    return 1 / deflection(F=1.0, E=E, h=h, n=n, b=b, r=r, L1=L1, alpha=alpha)
+
+
+def bending_stress(
+    *, F: ArrayLike, b: ArrayLike, h: ArrayLike, r: ArrayLike, L1: ArrayLike
+) -> Array:
+    r"""Largest bending stress [stress] at the apex of a loop: :math:`6 F (L_1/2 + r) / (h b^2)`."""
+    F, b, h, r, L1 = (np.asarray(v, float) for v in (F, b, h, r, L1))
+    return np.asarray(6 * F * (L1 / 2 + r) / (h * b**2))
+
+
+def _arc(T: Array, s: int, r: Array, angle: Array) -> Array:
+    """Integral of (T + s r (1 - cos t))^2 r dt over 0..angle."""
+    one = angle - np.sin(angle)
+    two = 1.5 * angle - 2 * np.sin(angle) + np.sin(2 * angle) / 4
+    return np.asarray(r * (T**2 * angle + 2 * s * T * r * one + r**2 * two))
+
+
+def _sign(i: int) -> int:
+    return 1 if i % 2 else -1
+
+
+def _EI(E: ArrayLike, h: ArrayLike, b: ArrayLike) -> Array:
+    E, h, b = (np.asarray(v, float) for v in (E, h, b))
+    if not (np.all(E > 0) and np.all(h > 0) and np.all(b > 0)):
+        raise ValueError(f"E, h and b must be positive, got E={E!s} Pa, h={h!s} m, b={b!s} m")
+    return np.asarray(E * h * b**3 / 12)
+
+
+def _geometry(*lengths_and_angle: ArrayLike) -> tuple[Array, Array, Array, Array]:
+    L1, r, b, alpha = (np.asarray(v, dtype=np.float64) for v in lengths_and_angle)
+    if not (np.all(L1 > 0) and np.all(r > 0) and np.all(b > 0)):
+        raise ValueError(f"L1, r and b must be positive, got L1={L1} m, r={r} m, b={b} m")
+    if not np.all((alpha > 0) & (alpha <= np.pi / 2)):
+        raise ValueError(f"alpha must lie in (0, 90] deg, got {np.degrees(alpha)} deg")
+    return L1, r, b, alpha

@@ -1,0 +1,252 @@
+r"""Accordion spring as a plane curved frame, by the force method, for every end condition.
+
+The centre line starts in the middle of the head, the origin, and runs along y; the force acts
+along x. With P = (F_x, F_y, M_0) at the head, a section at (x, y) with tangent t carries
+
+.. math:: M = y F_x - x F_y + M_0, \qquad N = -(F_x, F_y)\cdot t, \qquad V = -(F_x, F_y)\cdot n
+
+and the head moves by :math:`d = C P`, C the unit-load integrals. Supports select what of d and P
+vanishes. Gauss points on every leaf and arc make the integrals exact to round-off.
+
+Theories, each containing the one before:
+
+"bending"  M^2/(EI), as in the paper;
+"thin"     and N^2/(EA);
+"shear"    and 6/5 V^2/(GA) (Timoshenko beam);
+"thick"    and on the arcs the exact pure bending of a curved bar, with the stretching of its
+           centre line by M/R and the turning by N/R.
+
+References
+----------
+.. [1] S. P. Timoshenko, Strength of Materials, part II, 3rd ed., Van Nostrand 1956, ch. XII
+   (curved bars: energy with the M N term).
+.. [2] S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., McGraw-Hill 1970, art. 29.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Head = Literal["free", "hinged", "guided"]
+Tail = Literal["arc", "mid-leaf"]
+Hold = Literal["clamped", "hinged"]
+Theory = Literal["bending", "thin", "shear", "thick"]
+
+SHEAR = 6 / 5  # energy factor of a rectangle
+POINTS = 20
+
+
+@dataclass(frozen=True)
+class Sections:
+    """Quadrature along the centre line: position, tangent (2, m), weight ds and curvature (m,)."""
+
+    at: Array
+    tangent: Array
+    ds: Array
+    curvature: Array
+
+
+def pieces(
+    *,
+    n: int,
+    L1: float,
+    radius: float,
+    alpha: float,
+    tail: Tail = "arc",
+    leaf: float | None = None,
+) -> Iterator[tuple[float, float]]:
+    """(length, turn) of every leaf and arc from the head on; turn [rad], positive to the left.
+
+    `leaf` is the straight length of the middle units; by default the one that makes the spring
+    symmetric, so that its loops reach L1/2 + radius on both sides of the force.
+    """
+    if n < 3:
+        raise ValueError(f"a spring needs at least 3 segments, got n={n}")
+    if not (L1 > 0 and radius > 0):
+        raise ValueError(f"L1 and radius must be positive, got L1={L1:g} m, radius={radius:g} m")
+    if not 0 < alpha <= math.pi / 2:
+        raise ValueError(f"alpha must lie in (0, 90] deg, got {math.degrees(alpha):g} deg")
+    if leaf is None:
+        leaf = L1 / math.sin(alpha) + 2 * radius / math.tan(alpha)
+    turn = -1.0
+
+    def arc(angle: float) -> tuple[float, float]:
+        return radius * angle, turn * angle
+
+    yield L1 / 2, 0.0
+    yield arc(math.pi / 2)
+    for _ in range(2, n):
+        yield arc(alpha)
+        yield leaf, 0.0
+        turn = -turn
+        yield arc(alpha)
+    yield arc(math.pi / 2)
+    if tail == "mid-leaf":
+        yield L1 / 2, 0.0
+
+
+def sections(parts: Iterator[tuple[float, float]]) -> Sections:
+    """Gauss points on all `parts`, starting at the origin along y."""
+    t, w = np.polynomial.legendre.leggauss(POINTS)
+    t, w = (t + 1) / 2, w / 2
+    start, heading = np.zeros(2), math.pi / 2
+    at, tangent, ds, curvature = [], [], [], []
+    for length, turn in parts:
+        s, k = length * t, turn / length
+        at.append(_advance(start, heading, s, k))
+        angle = heading + k * s
+        tangent.append(np.array([np.cos(angle), np.sin(angle)]))
+        ds.append(length * w)
+        curvature.append(np.full(POINTS, k))
+        start = _advance(start, heading, np.array([length]), k)[:, 0]
+        heading += turn
+    return Sections(*(np.concatenate(a, axis=-1) for a in (at, tangent, ds, curvature)))
+
+
+def flexibility(
+    line: Sections, *, b: float, h: float, E: float, nu: float, theory: Theory
+) -> Array:
+    """C (3, 3) of d = C P at the head with the other end clamped; [1/stiffness] and so on."""
+    if not (b > 0 and h > 0 and E > 0 and -1 < nu <= 0.5):
+        raise ValueError(f"needs b, h, E > 0 and nu in (-1, 0.5], got {b=} m, {h=} m, {E=}, {nu=}")
+    x, y = line.at
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    t_x, t_y = line.tangent
+    M, N, V = np.array([y, -x, one]), -np.array([t_x, t_y, zero]), np.array([t_y, -t_x, zero])
+    A, I = h * b, h * b**3 / 12  # noqa: E741
+
+    def energy(p: Array, q: Array, where: Any = slice(None)) -> Array:
+        product = np.einsum("im,jm,m->ij", p[:, where], q[:, where], line.ds[where])
+        return np.asarray(product, dtype=np.float64)
+
+    if theory == "bending":
+        return energy(M, M) / (E * I)
+    C = energy(M, M) / (E * I) + energy(N, N) / (E * A)
+    if theory == "thin":
+        return C
+    C = C + SHEAR * energy(V, V) / (E / (2 * (1 + nu)) * A)
+    if theory == "shear":
+        return C
+    for k in np.unique(line.curvature[line.curvature != 0]):
+        on = line.curvature == k
+        c_NN, c_NM, c_MM = _curved_bar(1 / abs(k), b, h, E)
+        outer = -np.sign(k) * M  # positive where it pulls the outer fibre
+        C += (c_NN - 1 / (E * A)) * energy(N, N, on) + (c_MM - 1 / (E * I)) * energy(M, M, on)
+        C += c_NM * (energy(N, outer, on) + energy(outer, N, on))
+    return C
+
+
+def stiffness(
+    *,
+    n: int,
+    b: float,
+    h: float,
+    radius: float,
+    L1: float,
+    alpha: float,
+    E: float,
+    nu: float = 0.3,
+    head: Head = "free",
+    tail: Tail = "arc",
+    hold: Hold = "clamped",
+    theory: Theory = "bending",
+    plane_strain: bool = False,
+    leaf: float | None = None,
+) -> float:
+    """Stiffness [force/length] of the head along the force.
+
+    Parameters
+    ----------
+    radius
+        Of the arcs' centre line: r + b/2, or the paper's inner radius r.
+    leaf
+        Straight length of the middle units, by default that of a symmetric spring.
+    head
+        "free" to move sideways and to turn, "hinged" (turns only) or "guided" (neither).
+    tail, hold
+        Held at the end of its "arc" or in the "mid-leaf", "clamped" there or "hinged".
+    plane_strain
+        E/(1 - nu^2) instead of E: a strip much wider than its loops.
+
+    Raises
+    ------
+    ValueError
+        For impossible geometry, and for a spring that can swing freely.
+
+    >>> strip = dict(n=10, b=0.1, h=56, L1=11.6, alpha=math.radians(80), E=206e3)
+    >>> L2 = 11.6 / math.sin(math.radians(80)) + 1.0 / math.tan(math.radians(80))
+    >>> round(stiffness(radius=0.45, leaf=L2, **strip), 5)  # N/mm, the lengths of Eqs. 1-9
+    0.60096
+    """
+    shape: dict[str, Any] = {
+        "n": n,
+        "L1": L1,
+        "radius": radius,
+        "alpha": alpha,
+        "tail": tail,
+        "leaf": leaf,
+    }
+    line = sections(pieces(**shape))
+    modulus = E / (1 - nu**2) if plane_strain else E
+    nu_effective = nu / (1 - nu) if plane_strain else nu  # keeps G = modulus / 2(1 + nu_effective)
+    C = flexibility(line, b=b, h=h, E=modulus, nu=nu_effective, theory=theory)
+    held = {"free": [], "hinged": [1], "guided": [1, 2]}[head]
+    loads = [0, *held]  # components of P that do not vanish
+    if hold == "clamped":
+        unit = np.linalg.solve(C[np.ix_(loads, loads)], np.eye(len(loads))[0])
+        return float(unit[0])
+    if head == "free":
+        raise ValueError("a hinged tail needs a hinged or guided head: the spring swings freely")
+    # A hinged tail turns by phi, which carries no moment there: w . P = 0 and d = C P + w phi.
+    x_t, y_t = end_point(**shape)
+    w = np.array([y_t, -x_t, 1.0])[loads]
+    system = np.block([[C[np.ix_(loads, loads)], w[:, None]], [w[None], np.zeros((1, 1))]])
+    return float(np.linalg.solve(system, np.eye(len(loads) + 1)[0])[0])
+
+
+def end_point(
+    *,
+    n: int,
+    L1: float,
+    radius: float,
+    alpha: float,
+    tail: Tail = "arc",
+    leaf: float | None = None,
+) -> tuple[float, float]:
+    """Where the tail is held, seen from the middle of the head [length]."""
+    at, heading = np.zeros(2), math.pi / 2
+    for length, turn in pieces(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf):
+        at = _advance(at, heading, np.array([length]), turn / length)[:, 0]
+        heading += turn
+    return float(at[0]), float(at[1])
+
+
+def free_length(*, n: int, b: float, r: float, L1: float, alpha: float) -> float:
+    """L_0 [length] over all: from the head's outer face to the tail's, leaf to leaf."""
+    return end_point(n=n, L1=L1, radius=r + b / 2, alpha=alpha, tail="mid-leaf")[0] + b
+
+
+def _advance(start: Array, heading: float, s: Array, k: float) -> Array:
+    if k == 0:
+        return start[:, None] + np.outer([math.cos(heading), math.sin(heading)], s)
+    end = heading + k * s
+    step = np.array([np.sin(end) - math.sin(heading), math.cos(heading) - np.cos(end)])
+    return start[:, None] + step / k
+
+
+def _curved_bar(R: float, b: float, h: float, E: float) -> tuple[float, float, float]:
+    """Compliances c_NN, c_NM, c_MM per length of a curved rectangular bar about its centroid.
+
+    c_MM is the plane elasticity solution of pure bending (Golovin; [2], art. 29). Winkler's bar,
+    which leaves the radial stress out, errs by 0.1 (b/R)^2 and in the other direction.
+    """
+    if not b < 2 * R:
+        raise ValueError(f"a bar of thickness b={b:g} m cannot have the radius {R:g} m")
+    A, i, o = h * b, R - b / 2, R + b / 2
+    N = (o**2 - i**2) ** 2 - 4 * i**2 * o**2 * math.log(o / i) ** 2
+    return 1 / (E * A), 1 / (E * A * R), 8 * (o**2 - i**2) / (E * h * N * R)

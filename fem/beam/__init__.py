@@ -1,0 +1,1 @@
+"""Beams and frames on a line mesh."""

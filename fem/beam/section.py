@@ -1,0 +1,150 @@
+"""Cross-sections of plane beams, and what a solved frame hands out."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csc_array
+from scipy.sparse.linalg import splu
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+DOFS = "xyr"  # displacements and rotation (counter-clockwise) of a node
+RESIDUAL_LIMIT = 1e-6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """Axial stiffness `EA`, bending stiffness `EI` and shear stiffness `GA` (shear area times G).
+
+    `GA` may be infinite (Euler-Bernoulli) for elements that allow it.
+    """
+
+    EA: float
+    EI: float
+    GA: float = math.inf
+
+    def __post_init__(self) -> None:
+        if not (self.EA > 0 and self.EI > 0 and self.GA > 0):
+            raise ValueError(f"EA, EI and GA must be positive, got {self}")
+        if not (math.isfinite(self.EA) and math.isfinite(self.EI)):
+            raise ValueError(f"EA and EI must be finite, got {self}")
+
+
+Sections = Section | Mapping[str, Section]
+Bodies = Mapping[str, Indices]
+Supports = Mapping[int, str | Mapping[str, float]]
+Loads = Mapping[int, tuple[float, float, float]]
+
+
+@dataclass(frozen=True)
+class FrameSolution:
+    """`u` (nodes, 3): displacements and rotation; `K` and `f` before the supports.
+
+    `strain_energy` [force x length] comes from the strains of the elements rather than from
+    u . K u, whose rounding the rigid motion of slender frames would amplify.
+    """
+
+    points: Array
+    u: Array
+    K: csc_array
+    f: Array
+    strain_energy: float
+    residual: float
+
+    @property
+    def potential_energy(self) -> float:
+        """Strain energy less the work of the loads, f . u [force x length].
+
+        Stationary at the solution, so that an error of u enters squared. Under loads alone (no
+        prescribed movement) it is minus half the loads' work: compliance = -2 x this / force^2.
+        """
+        return self.strain_energy - float(self.f @ self.u.ravel())
+
+    def reaction(self, node: int) -> tuple[float, float, float]:
+        """Force (x, y) and couple that the supports exert on `node`."""
+        r = (self.K @ self.u.ravel() - self.f).reshape(-1, 3)[node]
+        return float(r[0]), float(r[1]), float(r[2])
+
+
+def element_sections(count: int, sections: Sections, bodies: Bodies | None) -> list[Section]:
+    """The section of every element; ValueError for unknown bodies and bare elements."""
+    if isinstance(sections, Section):
+        return [sections] * count
+    found: list[Section | None] = [None] * count
+    for name, section in sections.items():
+        if name not in (bodies or {}):
+            raise ValueError(f"no body {name!r}; bodies: {', '.join(bodies or {}) or 'none'}")
+        for i in (bodies or {})[name]:
+            found[int(i)] = section
+    complete = [section for section in found if section is not None]
+    if len(complete) < count:
+        raise ValueError(f"{count - len(complete)} of {count} elements have no section")
+    return complete
+
+
+def solve_supported(
+    points: Array,
+    K: csc_array,
+    f: Array,
+    supports: Supports,
+    loads: Loads,
+    energy: Callable[[Array], float],
+) -> FrameSolution:
+    """Add nodal `loads`, apply `supports` and solve; three unknowns a node.
+
+    `energy` gives the strain energy of displacements (nodes, 3).
+    """
+    n = len(points)
+    f, u = f.copy(), np.zeros(3 * n)
+    for node, load in loads.items():
+        f[_rows(n, node)] += load
+    free = np.ones(3 * n, bool)
+    for node, support in supports.items():
+        items = dict.fromkeys(support, 0.0) if isinstance(support, str) else support
+        for component, value in items.items():
+            if component not in DOFS:
+                raise ValueError(f"node {node}: components are x, y, r, got {component!r}")
+            i = _rows(n, node).start + DOFS.index(component)
+            free[i], u[i] = False, value
+    _check_rigid_motions(points, free)
+    A = csc_array(K[free][:, free])
+    factor = splu(
+        A, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+    )
+    for _ in range(3):  # two refinements: slender frames are badly conditioned
+        u[free] += factor.solve((f - K @ u)[free])
+    size = np.linalg.norm(abs(K) @ abs(u)) + np.linalg.norm(f)
+    residual = float(np.linalg.norm((f - K @ u)[free]) / size) if size else 0.0
+    if not residual < RESIDUAL_LIMIT:
+        raise ArithmeticError(
+            f"the linear solve did not converge: relative residual {residual:.1e}, "
+            f"allowed {RESIDUAL_LIMIT:.0e}"
+        )
+    moved = u.reshape(-1, 3)
+    return FrameSolution(points, moved, K, f, energy(moved), residual)
+
+
+def _rows(n: int, node: int) -> slice:
+    if not 0 <= node < n:
+        raise ValueError(f"no node {node}: the frame has nodes 0 to {n - 1}")
+    return slice(3 * node, 3 * node + 3)
+
+
+def _check_rigid_motions(points: Array, free: NDArray[np.bool_]) -> None:
+    """ValueError where the supports leave the frame as a whole a rigid motion."""
+    x, y = ((points - points.mean(axis=0)) / max(np.ptp(points), 1e-300)).T
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    modes = np.stack([[one, zero, zero], [zero, one, zero], [-y, x, one]])  # mode, dof, node
+    held = modes.transpose(2, 1, 0).reshape(-1, 3)[~free]
+    _, s, v = np.linalg.svd(np.vstack([held, np.zeros((3, 3))]), full_matrices=False)
+    if s[2] < 1e-9:
+        motion = ", ".join(
+            f"{c:+.2g} {word}"
+            for c, word in zip(v[2], ("x", "y", "rotation"), strict=True)
+            if abs(c) > 1e-9
+        )
+        raise ValueError(f"the frame can move rigidly ({motion}): support it against that")

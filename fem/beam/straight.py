@@ -1,0 +1,121 @@
+"""Plane frames of straight elements with closed-form stiffness (Euler-Bernoulli, Timoshenko).
+
+Exact at the nodes for straight members under nodal loads; arcs are inscribed polygons, which
+costs an error of second order in the element length.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.sparse import coo_array, csc_array
+
+from fem.beam.section import (
+    Array,
+    Bodies,
+    FrameSolution,
+    Indices,
+    Loads,
+    Sections,
+    Supports,
+    element_sections,
+    solve_supported,
+)
+
+
+def solve_frame(
+    points: ArrayLike,
+    elements: ArrayLike,
+    *,
+    sections: Sections,
+    supports: Supports,
+    loads: Loads,
+    bodies: Bodies | None = None,
+    distributed: Mapping[int, tuple[float, float]] | None = None,
+) -> FrameSolution:
+    """Solve a plane frame.
+
+    Parameters
+    ----------
+    points, elements
+        Nodes (n, 2) and their pairs (m, 2).
+    sections
+        One section, or one for each of `bodies` (name to element numbers).
+    supports
+        Node to components "x", "y", "r", or a mapping to prescribed values.
+    loads
+        Node to force (x, y) and couple.
+    distributed
+        Element to force per length (x, y), uniform along it.
+
+    Raises
+    ------
+    ValueError
+        For unknown nodes or bodies, elements without length and frames that can move rigidly.
+    ArithmeticError
+        Where the linear solve leaves a residual above 1e-6.
+    """
+    points, elements = np.asarray(points, float), np.asarray(elements, int)
+    d = points[elements[:, 1]] - points[elements[:, 0]]
+    length = np.hypot(*d.T)
+    if length.min() <= 0:
+        raise ValueError(f"element {int(length.argmin())} has no length")
+    chosen = element_sections(len(elements), sections, bodies)
+    EA, EI, GA = np.array([(s.EA, s.EI, s.GA) for s in chosen]).T
+    k, T = _stiffness(length, EA, EI, 12 * EI / (GA * length**2)), _rotation(d / length[:, None])
+    dofs = (3 * elements[:, :, None] + np.arange(3)).reshape(-1, 6)
+    K = _assemble(np.einsum("eki,ekl,elj->eij", T, k, T), dofs, 3 * len(points))
+    f = np.zeros(3 * len(points))
+    for e, q in (distributed or {}).items():
+        L = length[e]
+        axial, across = T[e, :2, :2] @ q
+        local = np.array([axial, across, across * L / 6, axial, across, -across * L / 6]) * L / 2
+        f[dofs[e]] += T[e].T @ local
+
+    def energy(u: Array) -> float:
+        stretch, turn = _deformation(u, elements, d / length[:, None], length)
+        phi = 12 * EI / (GA * length**2)
+        bend = (4 + phi) * (turn**2).sum(axis=0) + 2 * (2 - phi) * turn[0] * turn[1]
+        return float(np.sum(EA / length * stretch**2 + EI / (length * (1 + phi)) * bend)) / 2
+
+    return solve_supported(points, K, f, supports, loads, energy)
+
+
+def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> tuple[Array, Array]:
+    """Elongation (m,) and rotations (2, m) of the ends against the turned chord."""
+    step = u[elements[:, 1], :2] - u[elements[:, 0], :2]
+    stretch = (step * tangent).sum(axis=1)
+    chord = (tangent[:, 0] * step[:, 1] - tangent[:, 1] * step[:, 0]) / L
+    return stretch, u[elements, 2].T - chord
+
+
+def _stiffness(L: Array, EA: Array, EI: Array, phi: Array) -> Array:
+    """Local stiffness (m, 6, 6); phi = 12 EI / (GA L^2) is zero without shear."""
+    k = np.zeros((L.size, 6, 6))
+    a, c = EA / L, EI / (L**3 * (1 + phi))
+    k[:, 0, 0] = k[:, 3, 3] = a
+    k[:, 0, 3] = k[:, 3, 0] = -a
+    k[:, 1, 1] = k[:, 4, 4] = 12 * c
+    k[:, 1, 4] = k[:, 4, 1] = -12 * c
+    for i, j, sign in ((1, 2, 1), (1, 5, 1), (2, 4, -1), (4, 5, -1)):
+        k[:, i, j] = k[:, j, i] = sign * 6 * L * c
+    k[:, 2, 2] = k[:, 5, 5] = (4 + phi) * L**2 * c
+    k[:, 2, 5] = k[:, 5, 2] = (2 - phi) * L**2 * c
+    return k
+
+
+def _rotation(tangent: Array) -> Array:
+    """From global to local components, (m, 6, 6)."""
+    c, s = tangent.T
+    T = np.zeros((len(tangent), 6, 6))
+    for o in (0, 3):
+        T[:, o, o] = T[:, o + 1, o + 1] = c
+        T[:, o, o + 1], T[:, o + 1, o] = s, -s
+        T[:, o + 2, o + 2] = 1
+    return T
+
+
+def _assemble(k: Array, dofs: Indices, size: int) -> csc_array:
+    rows = np.repeat(dofs, 6, axis=1).ravel()
+    columns = np.tile(dofs, (1, 6)).ravel()
+    return csc_array(coo_array((k.ravel(), (rows, columns)), shape=(size, size)))

@@ -1,0 +1,1 @@
+"""Plane elasticity: one or several bodies on a mesh of triangles or quadrilaterals."""

@@ -1,0 +1,100 @@
+"""Bases on the cells and boundaries of a plane mesh, with quadrature that costs no order."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import (
+    Basis,
+    Element,
+    ElementQuad1,
+    ElementQuad2,
+    ElementTriP1,
+    ElementTriP2,
+    ElementVector,
+    FacetBasis,
+    MeshQuad1,
+    MeshTri1,
+)
+from skfem.mesh import Mesh2D
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+ELEMENTS: dict[tuple[type, int], type[Element]] = {
+    (MeshTri1, 1): ElementTriP1,
+    (MeshTri1, 2): ElementTriP2,
+    (MeshQuad1, 1): ElementQuad1,
+    (MeshQuad1, 2): ElementQuad2,
+}
+
+
+def is_curved(mesh: Mesh2D) -> bool:
+    """Whether the cells of `mesh` have quadratic edges."""
+    return mesh.doflocs.shape[1] > mesh.nvertices
+
+
+def vector_basis(mesh: Mesh2D, degree: int | None = None) -> Basis:
+    """Displacements of the given degree; by default the degree of the mesh itself."""
+    degree = degree or (2 if is_curved(mesh) else 1)
+    shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
+    if (shape, degree) not in ELEMENTS:
+        raise ValueError(f"displacements have degree 1 or 2, got degree={degree}")
+    # Triangles: exact stiffness on straight cells, one order to spare on curved ones.
+    # Quadrilaterals: 2 or 3 Gauss points each way, the full rule of Q1 and Q2.
+    order = 2 * degree if shape is MeshQuad1 or is_curved(mesh) else 2 * (degree - 1)
+    return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), intorder=order)
+
+
+class _TraceMapping:
+    """The mesh's own mapping, but facet points find their cell coordinates without iteration.
+
+    scikit-fem inverts the curved mapping by Newton's method to 1e-12 of a cell, which round-off
+    forbids where cells are small against their distance from the origin.
+    """
+
+    def __init__(self, mesh: Mesh2D, facets: Indices, X: Array) -> None:
+        self._own = mesh.mapping()
+        self._mesh, self._facets, self._X = mesh, facets, X
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._own, name)
+
+    def invF(self, _x: Array, tind: Indices) -> Array:
+        ends = self._mesh.facets[:, self._facets]  # the facet parameter runs from row 0 to row 1
+        corner = self._mesh.t[:, tind]
+        reference = self._mesh.elem.refdom.p
+        a, b = (reference[:, np.argmax(corner == end, axis=0)] for end in ends)
+        return a[:, :, None] * (1 - self._X[0]) + b[:, :, None] * self._X[0]
+
+
+def facet_basis(
+    basis: Basis, facets: Indices, *, side: int = 0, points: Array | None = None
+) -> FacetBasis:
+    """`basis` restricted to `facets`, at Gauss points or at given facet parameters in [0, 1]."""
+    if points is None:
+        t, w = np.polynomial.legendre.leggauss(4)
+        X, W = (t[None] + 1) / 2, w / 2
+    else:
+        X, W = points[None], np.full(points.size, 1 / points.size)
+    mapping = _TraceMapping(basis.mesh, np.asarray(facets), X)
+    return FacetBasis(
+        basis.mesh, basis.elem, mapping=mapping, quadrature=(X, W), facets=facets,
+        dofs=basis.dofs, side=side,
+    )  # fmt: skip
+
+
+def named_facets(mesh: Mesh2D, name: str) -> Indices:
+    """Facets of the boundary `name`; an unknown name lists the known ones."""
+    if name not in (mesh.boundaries or {}):
+        known = ", ".join(sorted(mesh.boundaries or {})) or "none"
+        raise ValueError(f"the mesh has no boundary {name!r}; its boundaries: {known}")
+    return np.asarray(mesh.boundaries[name])
+
+
+def named_cells(mesh: Mesh2D, name: str) -> Indices:
+    """Cells of the body `name`; an unknown name lists the known ones."""
+    if name not in (mesh.subdomains or {}):
+        known = ", ".join(sorted(mesh.subdomains or {})) or "none"
+        raise ValueError(f"the mesh has no body {name!r}; its bodies: {known}")
+    return np.asarray(mesh.subdomains[name])

@@ -1,0 +1,32 @@
+"""Isotropic linear elasticity reduced to the plane."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+Assumption = Literal["plane strain", "plane stress"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Elastic:
+    """Young's modulus `E` [stress] and Poisson's ratio `nu` [1] of one body."""
+
+    E: float
+    nu: float
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.E) and self.E > 0):
+            raise ValueError(f"Young's modulus must be positive and finite, got E={self.E:g}")
+        if not -1 < self.nu < 0.5:
+            raise ValueError(f"Poisson's ratio must lie in (-1, 0.5), got nu={self.nu:g}")
+
+    def lame_constants(self, assumption: Assumption) -> tuple[float, float]:
+        """In-plane (lambda, mu) [stress] of sigma = lambda tr(eps) I + 2 mu eps."""
+        mu = self.E / (2 * (1 + self.nu))
+        if assumption == "plane stress":  # sigma_zz = 0 eliminates eps_zz
+            return self.E * self.nu / (1 - self.nu**2), mu
+        return self.E * self.nu / ((1 + self.nu) * (1 - 2 * self.nu)), mu
+
+    def normal_stress_ratio(self, assumption: Assumption) -> float:
+        """sigma_zz / (sigma_xx + sigma_yy): nu where the plane may not strain outwards, else 0."""
+        return 0.0 if assumption == "plane stress" else self.nu

@@ -1,0 +1,188 @@
+"""A solved plane problem and the quantities that are read off it.
+
+Quantities are integrals over named boundaries and bodies, or energies; stresses are evaluated at
+quadrature points from the displacement gradient, without smoothing.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.sparse import csr_matrix
+from skfem import Basis
+from skfem.helpers import sym_grad
+
+from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
+from fem.plane.supports import nearest_node
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Values at quadrature points: `x`, `u` (2, m), `stress` (4, m) and `weight` (m,).
+
+    Stress rows are xx, yy, xy, zz; `normal` (2, m) is the outward one on boundaries, else empty.
+    The weights add up to the area, or to the length of the boundary.
+    """
+
+    x: Array
+    u: Array
+    stress: Array
+    weight: Array
+    normal: Array
+
+    def mean(self, values: Array) -> float:
+        """Average of `values` (m,) over the cells or the boundary."""
+        return float(self.weight @ values / self.weight.sum())
+
+    def traction(self) -> Array:
+        """Sigma . n (2, m) on a boundary."""
+        xx, yy, xy, _ = self.stress
+        n_x, n_y = self.normal
+        return np.array([xx * n_x + xy * n_y, xy * n_x + yy * n_y])
+
+    def polar(self, centre: tuple[float, float] = (0.0, 0.0)) -> tuple[Array, Array, Array, Array]:
+        """Radial displacement, radial, hoop and shear stress (m,) about `centre`."""
+        d = self.x - np.reshape(centre, (2, 1))
+        c, s = d / np.hypot(*d)
+        xx, yy, xy, _ = self.stress
+        radial = xx * c * c + yy * s * s + 2 * xy * s * c
+        hoop = xx * s * s + yy * c * c - 2 * xy * s * c
+        shear = (yy - xx) * s * c + xy * (c * c - s * s)
+        return self.u[0] * c + self.u[1] * s, radial, hoop, shear
+
+
+@dataclass(frozen=True)
+class PlaneSolution:
+    """Displacements `u` (unknowns,) on `basis`; K u - f is the reaction of the supports.
+
+    `lam`, `mu`, `ratio` are given per cell; `residual` is the solver's relative residual.
+    """
+
+    basis: Basis
+    u: Array
+    K: csr_matrix
+    f: Array
+    lam: Array
+    mu: Array
+    ratio: Array
+    thickness: float
+    residual: float
+
+    @cached_property
+    def strain_energy(self) -> float:
+        """Half the integral of stress times strain, for the whole thickness [force x length].
+
+        From the strains, not from u . K u: in slender bodies the rounding of K times their large
+        rigid motion would drown the strains.
+        """
+        basis = self.basis
+        e = sym_grad(basis.interpolate(self.u))
+        lam, mu = self.lam[:, None], self.mu[:, None]
+        density = lam * (e[0, 0] + e[1, 1]) ** 2
+        density += 2 * mu * (e[0, 0] ** 2 + e[1, 1] ** 2 + 2 * e[0, 1] ** 2)
+        return self.thickness * float(np.sum(density * basis.dx)) / 2
+
+    @property
+    def potential_energy(self) -> float:
+        """Strain energy less the work of the loads, f . u [force x length].
+
+        Stationary at the solution, so that an error of u enters squared. Under loads alone (no
+        prescribed movement) it is minus half the loads' work: compliance = -2 x this / force^2.
+        """
+        return self.strain_energy - float(self.f @ self.u)
+
+    def reaction(self, boundary: str) -> tuple[float, float, float]:
+        """Force (x, y) and moment about the origin that the supports of `boundary` exert."""
+        return self._resultant(self._dofs(boundary))
+
+    def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
+        """Force (x, y) that an anchor at `point` exerts."""
+        x, y, _ = self._resultant(nearest_node(self.basis, point)[:, None])
+        return x, y
+
+    def displacement_at(self, point: tuple[float, float]) -> tuple[float, float]:
+        """Displacement (x, y) of the node at `point`; ValueError where there is none."""
+        x, y = self.u[nearest_node(self.basis, point)]
+        return float(x), float(y)
+
+    def on_boundary(self, name: str) -> Samples:
+        """Samples along `name`; on an internal boundary the mean of both sides."""
+        facets = named_facets(self.basis.mesh, name)
+        near = self._samples(facet_basis(self.basis, facets))
+        if np.any(self.basis.mesh.f2t[1, facets] < 0):
+            return near
+        far = self._samples(facet_basis(self.basis, facets, side=1))
+        return Samples(near.x, near.u, (near.stress + far.stress) / 2, near.weight, near.normal)
+
+    def in_body(self, name: str | None = None) -> Samples:
+        """Samples in the cells of body `name`, or everywhere."""
+        if name is None:
+            return self._samples(self.basis)
+        cells = named_cells(self.basis.mesh, name)
+        part = Basis(
+            self.basis.mesh, self.basis.elem, quadrature=self.basis.quadrature,
+            elements=cells, dofs=self.basis.dofs,
+        )  # fmt: skip
+        return self._samples(part, cells)
+
+    def mean_displacement(
+        self, boundary: str, direction: tuple[float, float] | Callable[[Array], Array]
+    ) -> float:
+        """Average of u . direction over `boundary`; the direction may be f(x) of shape (2, m)."""
+        side = self.on_boundary(boundary)
+        d = direction(side.x) if callable(direction) else np.reshape(direction, (2, 1))
+        return side.mean((side.u * d).sum(axis=0))
+
+    def cells(self) -> dict[str, Array]:
+        """Plain arrays for pictures and files.
+
+        `points` (vertices, 2), `cells` (m, 3 or 4), `displacement` (vertices, 2), and per cell
+        the mean `stress` (m, 4: xx, yy, xy, zz) and `von_mises` (m,).
+        """
+        mesh, s = self.basis.mesh, self._samples(self.basis)
+        weight = s.weight.reshape(mesh.nelements, -1)
+        stress = np.array([
+            (row.reshape(weight.shape) * weight).sum(axis=1) / weight.sum(axis=1)
+            for row in s.stress
+        ])  # fmt: skip
+        xx, yy, xy, zz = stress
+        mises = np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * xy**2)
+        return {
+            "points": mesh.doflocs[:, : mesh.nvertices].T.copy(),
+            "cells": mesh.t.T.copy(),
+            "displacement": self.u[self.basis.nodal_dofs].T.copy(),
+            "stress": stress.T.copy(),
+            "von_mises": mises,
+        }
+
+    def _samples(self, basis: Basis, cells: Indices | None = None) -> Samples:
+        at = getattr(basis, "tind", None) if cells is None else cells
+        lam, mu, ratio = (
+            (a if at is None else a[at])[:, None] for a in (self.lam, self.mu, self.ratio)
+        )
+        field = basis.interpolate(self.u)
+        e = sym_grad(field)
+        dilation = lam * (e[0, 0] + e[1, 1])
+        xx, yy, xy = dilation + 2 * mu * e[0, 0], dilation + 2 * mu * e[1, 1], 2 * mu * e[0, 1]
+        stress = np.array([xx, yy, xy, ratio * (xx + yy)])
+        normal = np.asarray(getattr(basis, "normals", np.zeros((2, 0, 0))))
+        return Samples(
+            np.asarray(basis.global_coordinates()).reshape(2, -1),
+            np.asarray(field).reshape(2, -1),
+            stress.reshape(4, -1),
+            np.asarray(basis.dx).ravel(),
+            normal.reshape(2, -1),
+        )
+
+    def _dofs(self, boundary: str) -> Indices:
+        facets = named_facets(self.basis.mesh, boundary)
+        nodes = [self.basis.nodal_dofs[:, np.unique(self.basis.mesh.facets[:, facets])]]
+        if self.basis.facet_dofs is not None and np.size(self.basis.facet_dofs):
+            nodes.append(self.basis.facet_dofs[:2, facets])
+        return np.hstack(nodes)
+
+    def _resultant(self, dofs: Indices) -> tuple[float, float, float]:
+        x, y = (self.K @ self.u - self.f)[dofs]
+        at = self.basis.doflocs[:, dofs[0]]
+        return float(x.sum()), float(y.sum()), float(at[0] @ y - at[1] @ x)

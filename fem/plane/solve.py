@@ -1,0 +1,194 @@
+"""Linear elasticity in the plane: -div sigma = b on any mesh, materials and loads by name.
+
+solve_plane(mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
+            supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 100e6})
+"""
+
+from collections.abc import Callable, Mapping
+from typing import get_args
+
+import numpy as np
+from scipy.sparse.linalg import splu
+from skfem import Basis, BilinearForm, LinearForm
+from skfem.helpers import ddot, dot, eye, sym_grad, trace
+from skfem.mesh import Mesh2D
+
+from fem.plane.discretisation import (
+    Array,
+    facet_basis,
+    named_cells,
+    named_facets,
+    vector_basis,
+)
+from fem.plane.material import Assumption, Elastic
+from fem.plane.solution import PlaneSolution
+from fem.plane.supports import (
+    Anchors,
+    Support,
+    check_rigid_motions,
+    collect,
+    free_directions,
+    nearest_node,
+)
+
+Pressure = float | Callable[[Array], Array]
+Vector = tuple[float, float] | Callable[[Array], Array]
+RESIDUAL_LIMIT = 1e-6
+
+
+@BilinearForm
+def stiffness(u, v, w):
+    eps = sym_grad(u)
+    return ddot(w.lam * eye(trace(eps), 2) + 2 * w.mu * eps, sym_grad(v))
+
+
+@LinearForm
+def push(v, w):
+    return -w.p * dot(w.n, v)
+
+
+@LinearForm
+def pull(v, w):
+    return dot(w.t, v)
+
+
+def solve_plane(
+    mesh: Mesh2D,
+    *,
+    materials: Elastic | Mapping[str, Elastic],
+    assumption: Assumption,
+    supports: Mapping[str, Support],
+    pressures: Mapping[str, Pressure] | None = None,
+    tractions: Mapping[str, Vector] | None = None,
+    body_forces: Vector | Mapping[str, Vector] | None = None,
+    point_forces: Mapping[tuple[float, float], tuple[float, float]] | None = None,
+    anchors: Anchors | None = None,
+    thickness: float = 1.0,
+    degree: int | None = None,
+) -> PlaneSolution:
+    """Solve for the displacements of one or several plane bodies.
+
+    Parameters
+    ----------
+    mesh
+        scikit-fem triangles or quadrilaterals, straight or quadratic; names in `mesh.boundaries`
+        and `mesh.subdomains`.
+    materials
+        One material, or one for each body named in `mesh.subdomains`; every cell needs one.
+    assumption
+        "plane strain" or "plane stress".
+    supports
+        Boundary name to components: "xy", "n" (a frictionless guide), or a mapping such as
+        {"x": 1e-3} or {"n": f}, where f takes points (2, m) and returns (m,) [length].
+    pressures
+        Boundary name to pressure on it, positive inwards [stress]; number or f(x).
+    tractions
+        Boundary name to traction vector [stress]; pair of numbers or f(x) of shape (2, ...).
+    body_forces
+        Force per volume on everything, or by body; pair of numbers or f(x) of shape (2, ...).
+    point_forces, anchors
+        Forces and supports at mesh nodes, by coordinates. A point force in the plane has an
+        unbounded displacement under it: take differences elsewhere.
+    thickness
+        Out-of-plane length; energies, reactions and point forces refer to it.
+    degree
+        Degree of the displacements, 1 or 2; by default that of the mesh.
+
+    Raises
+    ------
+    ValueError
+        For unknown names, missing materials, contradicting supports and unsupported bodies.
+    ArithmeticError
+        Where the linear solve leaves a residual above 1e-6 of the load.
+    """
+    if assumption not in get_args(Assumption):
+        raise ValueError(f"assumption is 'plane strain' or 'plane stress', got {assumption!r}")
+    if not thickness > 0:
+        raise ValueError(f"thickness must be positive, got {thickness:g}")
+    basis = vector_basis(mesh, degree)
+    lam, mu, ratio = _moduli(mesh, materials, assumption)
+    K = thickness * stiffness.assemble(basis, lam=_per_cell(lam, basis), mu=_per_cell(mu, basis))
+    f = thickness * (
+        _surface_load(basis, pressures or {}, tractions or {}) + _body_load(basis, body_forces)
+    )
+    for point, force in (point_forces or {}).items():
+        f[nearest_node(basis, point)] += force
+
+    conditions = collect(basis, supports, anchors or {})
+    check_rigid_motions(basis, conditions)
+    T, u0 = free_directions(basis, conditions)
+    u, residual = _solve(K, f, T, u0)
+    return PlaneSolution(basis, u, K, f, lam, mu, ratio, thickness, residual)
+
+
+def _solve(K, f, T, u0):
+    """U = T q + u0 with T'K u = T'f, refined once, and the relative residual that is left."""
+    A = (T.T @ K @ T).tocsc()
+    factor = splu(
+        A, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+    )
+    u = u0.copy()
+    for _ in range(2):
+        u = u + T @ factor.solve(T.T @ (f - K @ u))
+    left = T.T @ (f - K @ u)
+    size = np.linalg.norm(abs(K) @ abs(u)) + np.linalg.norm(f)
+    residual = float(np.linalg.norm(left) / size) if size else 0.0
+    if not residual < RESIDUAL_LIMIT:
+        raise ArithmeticError(
+            f"the linear solve did not converge: relative residual {residual:.1e}, "
+            f"allowed {RESIDUAL_LIMIT:.0e}"
+        )
+    return u, residual
+
+
+def _moduli(
+    mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic], assumption: Assumption
+) -> tuple[Array, Array, Array]:
+    """lambda, mu and sigma_zz/(sigma_xx + sigma_yy) of every cell."""
+    table = np.full((3, mesh.nelements), np.nan)
+    named = {None: materials} if isinstance(materials, Elastic) else materials
+    for body, material in named.items():
+        cells = slice(None) if body is None else named_cells(mesh, body)
+        constants = *material.lame_constants(assumption), material.normal_stress_ratio(assumption)
+        table[:, cells] = np.reshape(constants, (3, 1))
+    if bare := int(np.isnan(table[0]).sum()):
+        raise ValueError(f"{bare} of {mesh.nelements} cells have no material: name every body")
+    return table[0], table[1], table[2]
+
+
+def _per_cell(values: Array, basis: Basis) -> Array:
+    return np.repeat(values[:, None], basis.X.shape[-1], axis=1)
+
+
+def _surface_load(
+    basis: Basis, pressures: Mapping[str, Pressure], tractions: Mapping[str, Vector]
+) -> Array:
+    f = np.zeros(basis.N)
+    for name, pressure in pressures.items():
+        side = facet_basis(basis, named_facets(basis.mesh, name))
+        x = np.asarray(side.global_coordinates())
+        p = pressure(x) if callable(pressure) else pressure
+        f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]).copy())
+    for name, traction in tractions.items():
+        side = facet_basis(basis, named_facets(basis.mesh, name))
+        f += pull.assemble(side, t=_vector(traction, np.asarray(side.global_coordinates())))
+    return f
+
+
+def _body_load(basis: Basis, forces: Vector | Mapping[str, Vector] | None) -> Array:
+    f = np.zeros(basis.N)
+    named = forces if isinstance(forces, Mapping) else {None: forces} if forces else {}
+    for body, force in named.items():
+        part = basis
+        if body is not None:
+            cells = named_cells(basis.mesh, body)
+            part = Basis(
+                basis.mesh, basis.elem, quadrature=basis.quadrature, elements=cells, dofs=basis.dofs
+            )
+        f += pull.assemble(part, t=_vector(force, np.asarray(part.global_coordinates())))
+    return f
+
+
+def _vector(value: Vector, x: Array) -> Array:
+    given = value(x) if callable(value) else np.reshape(value, (2, 1, 1))
+    return np.broadcast_to(np.asarray(given, float), x.shape).copy()

@@ -1,0 +1,1 @@
+"""Geometries as meshes with named boundaries and bodies, made by gmsh in memory."""

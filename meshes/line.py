@@ -1,0 +1,54 @@
+"""Hand the line mesh of the current gmsh model over as plain arrays, in memory."""
+
+from dataclasses import dataclass
+
+import gmsh
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class LineMesh:
+    """Quadratic line elements in the plane.
+
+    `points` (n, 2); `elements` (m, 3): ends and middle node; `nodes` names single nodes and
+    `bodies` groups of elements. Middle nodes come after all ends.
+    """
+
+    points: NDArray[np.float64]
+    elements: NDArray[np.int64]
+    nodes: dict[str, int]
+    bodies: dict[str, NDArray[np.int64]]
+
+    @property
+    def chords(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+        """Points and pairs (m, 2) of the straight elements between the ends."""
+        count = int(self.elements[:, :2].max()) + 1
+        return self.points[:count], self.elements[:, :2]
+
+
+def line_mesh() -> LineMesh:
+    """The curves of the current gmsh model; physical points and curves give the names."""
+    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    place = dict(zip(tags.tolist(), coordinates.reshape(-1, 3)[:, :2], strict=True))
+    blocks, bodies, count = [], {}, 0
+    for dim, group in gmsh.model.getPhysicalGroups(1):
+        own = [
+            gmsh.model.mesh.getElements(1, curve)[2][0].reshape(-1, 3)
+            for curve in gmsh.model.getEntitiesForPhysicalGroup(dim, group)
+        ]
+        blocks += own
+        size = sum(map(len, own))
+        bodies[gmsh.model.getPhysicalName(dim, group)] = np.arange(count, count + size)
+        count += size
+    cells = np.concatenate(blocks)
+    order = np.concatenate([np.unique(cells[:, :2]), cells[:, 2]])  # ends first
+    row = np.zeros(int(tags.max()) + 1, dtype=np.int64)
+    row[order] = np.arange(order.size)
+    nodes = {}
+    for dim, group in gmsh.model.getPhysicalGroups(0):
+        point = gmsh.model.getEntitiesForPhysicalGroup(dim, group)[0]
+        nodes[gmsh.model.getPhysicalName(dim, group)] = int(
+            row[gmsh.model.mesh.getNodes(0, point)[0][0]]
+        )
+    return LineMesh(np.array([place[t] for t in order.tolist()]), row[cells], nodes, bodies)

@@ -1,0 +1,21 @@
+"""Start and end gmsh so that a mesh repeats and nothing of it stays behind."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import gmsh
+
+FRONTAL_DELAUNAY = 6
+
+
+@contextmanager
+def gmsh_session() -> Iterator[None]:
+    """One thread, a fixed algorithm, full quadratic quadrilaterals, nothing printed."""
+    gmsh.initialize(["gmsh", "-v", "0", "-nt", "1"], readConfigFiles=False, interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Terminal", 0)
+        gmsh.option.setNumber("Mesh.Algorithm", FRONTAL_DELAUNAY)
+        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 0)  # scikit-fem knows no quad8
+        yield
+    finally:
+        gmsh.finalize()

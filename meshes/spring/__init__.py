@@ -1,0 +1,1 @@
+"""Accordion springs: centre line and strip."""

@@ -1,0 +1,1 @@
+"""Writes what the verification found: pages and tables."""

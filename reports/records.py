@@ -1,0 +1,47 @@
+"""A run as plain records: what results.json holds and `results.schema.json` describes."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from verify.results import SCHEMA_VERSION, CaseResult, Report, Row
+
+
+def report_record(report: Report) -> dict[str, Any]:
+    """The whole run for results.json."""
+    return {
+        "schema": SCHEMA_VERSION,
+        "rows": [row_record(row) for row in report.rows],
+        "cases": [_case(case) for case in report.cases],
+        "papers": list(report.papers),
+        "equations": list(report.equations),
+        "errata": list(report.errata),
+        "published": list(report.published),
+        "provenance": report.provenance,
+    }
+
+
+def row_record(row: Row) -> dict[str, Any]:
+    """One row; numbers that are not finite become null, for JSON knows none."""
+    record = {"id": row.id} | {k: _plain(v) for k, v in asdict(row).items()}
+    return record | {"kind": row.kind.value, "status": row.status.value}
+
+
+def _case(case: CaseResult) -> dict[str, Any]:
+    return {
+        "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
+        "inputs": [asdict(i) for i in case.inputs], "assumptions": list(case.assumptions),
+        "readings": list(case.readings), "warnings": list(case.warnings),
+        "tables": [asdict(t) for t in case.tables], "command": case.command,
+    }  # fmt: skip
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, Mapping):
+        return {k: _plain(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(v) for v in value]
+    return value

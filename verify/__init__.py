@@ -1,0 +1,1 @@
+"""Pairs every formula with a finite-element model and judges the difference."""

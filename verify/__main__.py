@@ -1,0 +1,5 @@
+"""`python -m verify` is `freewheel`."""
+
+from verify.cli import main
+
+main()

@@ -1,0 +1,179 @@
+"""Finite-element results on disk, keyed by everything that they depend on.
+
+The key covers the case, its inputs, the level, the sources of exactly the fem and meshes modules
+that the case's `fem` function reaches, that function with the module-level names it uses, and the
+versions of the libraries. A changed formula or judging rule therefore reruns no finite elements.
+Files are JSON inside npz, written under a temporary name and renamed.
+"""
+
+import ast
+import hashlib
+import inspect
+import json
+import os
+import tempfile
+import zipfile
+from collections.abc import Iterator
+from functools import cache
+from importlib.metadata import version
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from verify.case import Case, FemResult
+from verify.inputs import Inputs
+from verify.results import Field
+
+LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
+FORMAT = 1
+
+
+def default_folder() -> Path:
+    """The cache of this checkout; FREEWHEEL_CACHE names another place."""
+    named = os.environ.get("FREEWHEEL_CACHE")
+    return Path(named) if named else Path(__file__).parent.parent / ".cache" / "fem"
+
+
+def key(case: Case, inputs: Inputs, level: int) -> str:
+    """Hexadecimal name of one result."""
+    canonical = json.dumps(inputs.model_dump(), sort_keys=True)
+    parts = [str(FORMAT), case.id, canonical, str(level), source_of(case.fem)]
+    parts += [f"{name} {version(name)}" for name in LIBRARIES]
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
+def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | None:
+    """The stored result, or None where there is none or it can't be read."""
+    path = folder / case.id / f"{key(case, inputs, level)}.npz"
+    try:
+        with np.load(path, allow_pickle=False) as data:
+            return _unpack({name: data[name] for name in data.files})
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+        return None
+
+
+def store(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> None:
+    """Write the result so that no reader ever sees half a file."""
+    path = folder / case.id / f"{key(case, inputs, level)}.npz"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".part-", suffix=".npz")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            np.savez(file, allow_pickle=False, **_pack(result))
+        Path(temporary).replace(path)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+def _pack(result: FemResult) -> dict[str, Any]:
+    head = {
+        "h": result.h,
+        "values": dict(result.values),
+        "u_it": dict(result.u_it),
+        "arrays": list(result.arrays),
+        "fields": [
+            {"name": f.name, "units": dict(f.units), "point": list(f.point_data),
+             "cell": list(f.cell_data)}
+            for f in result.fields
+        ],
+    }  # fmt: skip
+    packed: dict[str, Any] = {"head": np.array(json.dumps(head))}
+    packed |= {f"a{i}": array for i, array in enumerate(result.arrays.values())}
+    for i, f in enumerate(result.fields):
+        packed |= {f"f{i}p": f.points, f"f{i}c": f.cells}
+        packed |= {f"f{i}p{j}": a for j, a in enumerate(f.point_data.values())}
+        packed |= {f"f{i}c{j}": a for j, a in enumerate(f.cell_data.values())}
+    return packed
+
+
+def _unpack(data: dict[str, Any]) -> FemResult:
+    head = json.loads(str(data["head"]))
+    fields = tuple(
+        Field(
+            name=f["name"], units=f["units"], points=data[f"f{i}p"], cells=data[f"f{i}c"],
+            point_data={n: data[f"f{i}p{j}"] for j, n in enumerate(f["point"])},
+            cell_data={n: data[f"f{i}c{j}"] for j, n in enumerate(f["cell"])},
+        )
+        for i, f in enumerate(head["fields"])
+    )  # fmt: skip
+    arrays = {name: data[f"a{i}"] for i, name in enumerate(head["arrays"])}
+    return FemResult(
+        h=head["h"], values=head["values"], u_it=head["u_it"], arrays=arrays, fields=fields
+    )
+
+
+@cache
+def source_of(function: Any) -> str:
+    """Hash of a `fem` function: itself, the names of its module it uses, the modules it reaches."""
+    module = inspect.getmodule(function)
+    if module is None or module.__file__ is None:
+        return "unknown"
+    tree = ast.parse(Path(module.__file__).read_text("utf-8"))
+    own = {name: node for node in tree.body for name in _defined(node)}
+    used, queue = {}, [function.__name__]
+    while queue:
+        name = queue.pop()
+        if name in used or name not in own:
+            continue
+        used[name] = _plain(own[name])
+        queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
+    reached = sorted(_reached({m for n in used for m in _imported(own[n])}))
+    text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_file_hash(m)}" for m in reached)])
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _defined(node: ast.stmt) -> list[str]:
+    if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        return [node.name]
+    if isinstance(node, ast.Assign):
+        return [t.id for t in node.targets if isinstance(t, ast.Name)]
+    if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+        return [node.target.id]
+    return []
+
+
+def _imported(node: ast.AST) -> Iterator[str]:
+    """Modules of fem and meshes that `node` imports."""
+    for item in ast.walk(node):
+        names = [item.module or ""] if isinstance(item, ast.ImportFrom) else []
+        names += [alias.name for alias in item.names] if isinstance(item, ast.Import) else []
+        yield from (n for n in names if n.partition(".")[0] in ("fem", "meshes"))
+
+
+def _reached(start: set[str]) -> set[str]:
+    found: set[str] = set()
+    queue = list(start)
+    while queue:
+        name = queue.pop()
+        if name not in found:
+            found.add(name)
+            queue += _imported(_tree(name))
+    return found
+
+
+@cache
+def _tree(module: str) -> ast.Module:
+    spec = find_spec(module)
+    assert spec is not None
+    assert spec.origin is not None
+    return ast.parse(Path(spec.origin).read_text("utf-8"))
+
+
+def _file_hash(module: str) -> str:
+    return hashlib.sha256(_plain(_tree(module)).encode()).hexdigest()
+
+
+def _plain(node: ast.AST) -> str:
+    """The code without comments, layout and docstrings."""
+    node = ast.parse(ast.unparse(node))
+    for item in ast.walk(node):
+        body = getattr(item, "body", None)
+        if (
+            isinstance(body, list) and body and isinstance(body[0], ast.Expr)
+            and isinstance(body[0].value, ast.Constant) and isinstance(body[0].value.value, str)
+        ):  # fmt: skip
+            item.body = body[1:] or [ast.Pass()]  # type: ignore[attr-defined]
+    return ast.dump(node)

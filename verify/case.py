@@ -1,0 +1,92 @@
+"""What a case states: inputs, two independent models, and the checks that pair them."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from numpy.typing import NDArray
+
+from verify.inputs import Inputs
+from verify.results import Equation, Field, Row, Table
+
+Values = Mapping[str, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FemResult:
+    """Finite-element values of one level, in SI units.
+
+    `h` is the mesh size relative to anything that stays the same over the levels; `u_it` the
+    iteration or round-off uncertainty of single values; `arrays` what checks evaluate later.
+    """
+
+    h: float
+    values: Values
+    u_it: Values = field(default_factory=dict)
+    arrays: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    fields: tuple[Field, ...] = ()
+
+
+@dataclass(frozen=True)
+class Context:
+    """What a check may look at. `fem` holds the levels from coarse to fine, empty if not run."""
+
+    case: str
+    inputs: Any
+    analytic: Values
+    fem: Sequence[FemResult]
+    is_paper: bool  # printed numbers speak of the paper's inputs alone
+
+    def series(self, key: str) -> tuple[list[float], list[float]]:
+        """Mesh sizes and finite-element values of `key`, coarse to fine."""
+        return [r.h for r in self.fem], [r.values[key] for r in self.fem]
+
+
+class Check(Protocol):
+    """One claim of a case, judged by `rows`; see `verify.checks`."""
+
+    @property
+    def needs_fem(self) -> bool: ...
+
+    def rows(self, context: Context) -> list[Row]: ...
+
+    def skipped(self, case: str, reason: str) -> list[Row]: ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Output:
+    """A value of the analytic side that `check` prints: key, symbol, unit and words."""
+
+    key: str
+    symbol: str
+    unit: str
+    what: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """One subject of one paper.
+
+    `analytic(inputs)` and `fem(inputs, level)` share no code; `fem` imports meshes and fem inside
+    its body, so that formulas alone start fast. `levels` run from coarse to fine. `quick` cases
+    run in the quick round at full sharpness.
+    """
+
+    id: str
+    title: str
+    paper: str
+    place: str
+    lead: str
+    inputs: type[Inputs]
+    analytic: Callable[[Any], Values]
+    fem: Callable[[Any, int], FemResult]
+    levels: tuple[int, ...]
+    checks: tuple[Check, ...]
+    outputs: tuple[Output, ...]
+    readings: tuple[str, ...] = ()
+    assumptions: tuple[str, ...] = ()
+    quick: bool = True
+    warnings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
+    equations: Callable[[Any, Values], Sequence[Equation]] = lambda _inputs, _values: ()
+    tables: Callable[[Context], Sequence[Table]] = lambda _context: ()
+    sketch: Callable[[Any], Mapping[str, Any]] = lambda _inputs: {}

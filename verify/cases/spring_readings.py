@@ -1,0 +1,101 @@
+"""Definition search: what the garbled Eqs. 3 and 5 give under every reading of their symbols."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from verify.case import Context
+from verify.published.ledger import published
+from verify.results import Table
+
+LEAVES = {"L_1/sin α": 1.0, "2 L_1/sin α": 2.0}
+OFFSETS = {"b/2": "b", "h/2": "h"}
+RADII = ("r", "r + b/2")
+SIGNS = ("alternating", "all plus", "T and arc alternate apart")
+STARTS = {"F (L_1/2 + r)": 1.0, "F L_1/2": 0.0}
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One reading of the equations and the stiffness [N/m] it gives."""
+
+    leaf: str
+    offset: str
+    radius: str
+    signs: str
+    start: str
+    k: float
+
+    @property
+    def is_adopted(self) -> bool:
+        """The reading of `analytic.spring.energy`."""
+        return (self.leaf, self.offset, self.radius, self.signs, self.start) == (
+            "L_1/sin α", "b/2", "r", "alternating", "F (L_1/2 + r)",
+        )  # fmt: skip
+
+
+def search(q: Any) -> list[Reading]:
+    """All readings, by direct quadrature of the printed moments."""
+    found = []
+    for leaf, offset, radius, signs, start in product(LEAVES, OFFSETS, RADII, SIGNS, STARTS):
+        r = q.r if radius == "r" else q.r + q.b / 2
+        half = (q.b if OFFSETS[offset] == "b" else q.h) / 2
+        L2 = LEAVES[leaf] * q.L1 / math.sin(q.alpha) + 2 * (q.r + half) / math.tan(q.alpha)
+        f = _flexibility(q.n, q.L1 / 2, r, L2, q.alpha, signs, STARTS[start])
+        found.append(Reading(leaf, offset, radius, signs, start, q.E * q.h * q.b**3 / 12 / f))
+    return found
+
+
+def tables(context: Context) -> Sequence[Table]:
+    """The readings nearest to the printed value first; only for the paper's own numbers."""
+    if not context.is_paper:
+        return ()
+    entry = published("wang2023:k1-theory")
+    half_digit = 0.0005
+    readings = sorted(search(context.inputs), key=lambda x: abs(x.k / 1e3 - entry.value))
+    meet = [x for x in readings if abs(x.k / 1e3 - entry.value) <= half_digit]
+    rows = tuple(
+        (x.leaf, x.offset, x.radius, x.signs, x.start, round(x.k / 1e3, 5),
+         "yes" if x in meet else "", "adopted" if x.is_adopted else "")
+        for x in readings
+    )  # fmt: skip
+    return (
+        Table(
+            title=f"Readings of Eqs. 3 and 5: {len(meet)} of {len(readings)} give the printed "
+            f"{entry.printed} N/mm",
+            header=("leaf in L_2", "offset in L_2", "arc radius", "signs", "first couple",
+                    "k_1 [N/mm]", "printed digits met", ""),
+            rows=rows,
+            note="The adopted reading follows from statics (M = F y with matching ends), not from "
+            "the printed number.",
+        ),
+    )  # fmt: skip
+
+
+def _flexibility(
+    n: int, a: float, r: float, L2: float, alpha: float, signs: str, start: float
+) -> float:
+    """Integral of (M/F)^2 along the spring with the chosen signs and first couple."""
+    t, w = np.polynomial.legendre.leggauss(24)
+    t, w = (t + 1) / 2, w / 2
+
+    def over(length: float, moment: Any) -> float:
+        return float(length * (w @ np.square(moment)))
+
+    quarter, angle, x = math.pi / 2 * t, alpha * t, L2 * t
+    total = over(a, a * t) + over(r * math.pi / 2, a + r * np.sin(quarter))
+    T, A = a + start * r, r * (1 - math.cos(alpha))
+    for i in range(2, n):
+        s = 1.0 if signs == "all plus" or i % 2 else -1.0
+        # printed with a sign before T as well, which the literal reading flips together
+        T_leaf = s * T if signs == "T and arc alternate apart" else T
+        total += over(r * alpha, T + s * r * (1 - np.cos(angle)))
+        total += over(L2, T_leaf + s * (A + x * math.sin(alpha)))
+        top = T + s * (A + L2 * math.sin(alpha))
+        total += over(r * alpha, top + s * r * (np.cos(alpha - angle) - math.cos(alpha)))
+        T = top + s * A
+    return total + over(r * math.pi / 2, T - r * (1 - np.cos(quarter)))

@@ -1,0 +1,116 @@
+"""The command `freewheel`. Exit status 0 passed, 1 a row failed, 2 bad input."""
+
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")  # processes run side by side, and small solves gain nothing
+
+from cyclopts import App, CycloptsError, Parameter  # noqa: E402 - threads are counted at import
+
+app = App(
+    name="freewheel",
+    help="Settles how far the design formulas of freewheel clutches can be trusted.",
+    help_format="plaintext",
+    version="0.1.0",
+    exit_on_error=False,
+    print_error=False,
+)
+
+BAD_INPUT = 2
+
+
+@app.command
+def verify(
+    *cases: str,
+    quick: bool = False,
+    jobs: Annotated[int, Parameter(name=("--jobs", "-j"))] = 0,
+    out: Path | None = None,
+    cache: bool = True,
+) -> int:
+    """Pair every formula with finite elements, judge the rows and write the report.
+
+    Parameters
+    ----------
+    cases
+        Cases to run, all by default; see `freewheel list`.
+    quick
+        Only the cheap cases, at full sharpness; the others are skipped.
+    jobs
+        Processes, 0 for one a core.
+    out
+        Folder for the report, by default reports/out of this checkout.
+    cache
+        Reuse finite-element results of earlier runs.
+    """
+    from verify.commands import run_verify
+
+    return run_verify(cases, quick=quick, jobs=jobs, out=out, use_cache=cache)
+
+
+@app.command
+def check(
+    file: Path,
+    *,
+    fem: bool = False,
+    json: bool = False,
+    jobs: Annotated[int, Parameter(name=("--jobs", "-j"))] = 0,
+    cache: bool = True,
+) -> int:
+    """Put the parameters of a file through the formulas and warn where they leave their range.
+
+    Parameters
+    ----------
+    file
+        Parameter file (TOML): case = "ring-lame" and a table [inputs], a unit on every value.
+    fem
+        Run the finite elements too and judge the formulas on these parameters.
+    json
+        Print JSON instead of text.
+    jobs
+        Processes, 0 for one a core.
+    cache
+        Reuse finite-element results of earlier runs.
+    """
+    from verify.commands import run_check
+
+    return run_check(file, use_fem=fem, as_json=json, jobs=jobs, use_cache=cache)
+
+
+@app.command(name="list")
+def list_cases() -> int:
+    """Name the cases and what they verify."""
+    from verify.commands import run_list
+
+    return run_list()
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Entry point; ends the process with the exit status."""
+    sys.exit(run(sys.argv[1:] if arguments is None else arguments))
+
+
+def run(arguments: list[str]) -> int:
+    """Run one command line and return its exit status."""
+    try:
+        return int(app(arguments, result_action="return_value") or 0)
+    except CycloptsError as error:
+        return _complain(str(error))
+    except KeyboardInterrupt:
+        return _complain("interrupted; finished levels are kept", status=130)
+    except BrokenPipeError:  # `freewheel ... | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (ValueError, OSError) as error:
+        return _complain(str(error))
+
+
+def _complain(message: str, status: int = BAD_INPUT) -> int:
+    print(f"freewheel: {' '.join(message.split())}", file=sys.stderr)
+    return status
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,193 @@
+"""What the commands do, apart from reading the command line."""
+
+import json
+import os
+import sys
+import time
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from verify import cache, units
+from verify.case import Case
+from verify.cases.registry import CASES, find
+from verify.inputs import InputError, Inputs, build, read_parameter_file
+from verify.results import CaseResult, Report, Row, Status
+from verify.run import Job, run
+
+ROOT = Path(__file__).parent.parent
+BAD = (Status.FAIL, Status.SKIP)
+
+
+def run_list() -> int:
+    """Print the cases with their papers and inputs."""
+    for case in CASES:
+        print(f"{case.id:20} {case.title} ({case.paper}, {case.place})")
+        print(f"{'':20} inputs: {', '.join(case.inputs.model_fields)}")
+    return 0
+
+
+def run_verify(
+    names: Sequence[str], *, quick: bool, jobs: int, out: Path | None, use_cache: bool
+) -> int:
+    """Run the cases on the paper's numbers, write the report and print the verdicts."""
+    cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
+    out = out or ROOT / "reports" / "out"
+    out.mkdir(parents=True, exist_ok=True)  # a read-only place is found before the work
+    start = time.perf_counter()
+    work = [
+        Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
+    ]
+    results = _solve(work, jobs, use_cache)
+    report = _report(results, cases, time.perf_counter() - start)
+    from reports.write import write  # only the command line knows reports
+
+    written = write(report, out)
+    _print_verdicts(report, time.perf_counter() - start)
+    print(f"report: {written}")
+    failed = any(
+        row.status is Status.FAIL or (row.status is Status.SKIP and not quick)
+        for row in report.rows
+    )
+    return 1 if failed else 0
+
+
+def run_check(path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache: bool) -> int:
+    """Formulas, warnings and, if asked for, finite elements on a user's parameters."""
+    name, case, inputs = load(path)
+    job = Job(case, inputs, use_fem=use_fem)
+    (result,) = _solve([job], jobs, use_cache, quiet=as_json)
+    values = case.analytic(inputs)
+    if as_json:
+        print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
+    else:
+        _print_check(name, case, result, values, use_fem)
+    return 1 if any(row.status in BAD for row in result.rows) else 0
+
+
+def load(path: Path) -> tuple[str, Case, Inputs]:
+    """Name, case and inputs of a parameter file; InputError says in one line what is wrong."""
+    case_id, name, raw = read_parameter_file(path)
+    try:
+        case = find(case_id)
+    except ValueError as error:
+        raise InputError(f"{path}: case: {error}") from error
+    inputs = build(case.inputs, raw, str(path))
+    try:
+        case.analytic(inputs)
+    except (ValueError, ArithmeticError) as error:
+        raise InputError(f"{path}: inputs: {error}") from error
+    return name, case, inputs
+
+
+def _solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) -> list[CaseResult]:
+    folder = cache.default_folder() if use_cache else None
+    processes = jobs if jobs > 0 else os.cpu_count() or 1
+    if quiet or not any(job.use_fem for job in work) or not sys.stderr.isatty():
+        return run(work, processes=processes, cache_folder=folder)
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("finite elements", total=None)
+
+        def progress(what: str, done: int, total: int) -> None:
+            bar.update(task, description=what, completed=done, total=total)
+
+        return run(work, processes=processes, cache_folder=folder, progress=progress)
+
+
+def _report(results: list[CaseResult], cases: Sequence[Case], seconds: float) -> Report:
+    from verify.ledgers import ledgers
+    from verify.provenance import provenance
+
+    return Report(
+        cases=tuple(results),
+        provenance=provenance(ROOT, results, seconds),
+        **ledgers(results, cases),
+    )
+
+
+def _print_verdicts(report: Report, seconds: float) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console()
+    table = Table("case", "rows", *(s.value for s in Status), box=None, pad_edge=False)
+    for case in report.cases:
+        count = Counter(row.status for row in case.rows)
+        table.add_row(case.id, str(len(case.rows)), *(str(count[s] or "·") for s in Status))
+    console.print(table)
+    for row in report.rows:
+        if row.status in (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED):
+            console.print(
+                f"{row.status.value:10} {row.id}: {row.reason}", markup=False, highlight=False,
+                soft_wrap=True,
+            )  # fmt: skip
+    console.print(f"{len(report.rows)} rows in {seconds:.1f} s", highlight=False)
+
+
+def _print_check(name: str, case: Case, result: CaseResult, values: Any, use_fem: bool) -> None:
+    print(f"{name}: {case.title} ({case.id})")
+    for entry in result.inputs:
+        unit = "" if entry.unit == "1" else f" {entry.unit}"
+        print(f"  {entry.symbol:8} {entry.value}{unit}   {entry.what}")
+    print("formulas")
+    for out in case.outputs:
+        if out.key in values:
+            shown = values[out.key] / units.factor(out.unit)
+            unit = "" if out.unit == "1" else f" {out.unit}"
+            print(f"  {out.symbol:8} {shown:.6g}{unit}   {out.what}")
+    for warning in result.warnings:
+        print(f"warning: {warning}")
+    if use_fem:
+        print("formulas against finite elements")
+        for row in result.rows:
+            print(f"  {row.status.value:5} {describe(row)}")
+    else:
+        print("(freewheel check --fem judges these formulas with finite elements)")
+
+
+def describe(row: Row) -> str:
+    """One line: what was compared, by how much it differs, what was allowed."""
+    unit = "" if row.unit == "1" else f" {row.unit}"
+    parts = [row.quantity]
+    if row.analytic is not None:
+        parts.append(f"formula {row.analytic:.6g}{unit}")
+    if row.fem is not None:
+        parts.append(f"FE {row.fem:.6g}{unit}")
+    if row.difference is not None and row.tolerance is not None and row.scale:
+        parts.append(
+            f"difference {row.difference / row.scale:+.1e}, U {row.tolerance / row.scale:.1e}"
+        )
+    if row.interval is not None:
+        parts.append(f"expected {row.interval[0]:+.1e} to {row.interval[1]:+.1e}")
+    if row.reason:
+        parts.append(row.reason)
+    return "; ".join(parts)
+
+
+def _check_json(
+    name: str, case: Case, result: CaseResult, values: Any, use_fem: bool
+) -> dict[str, Any]:
+    from reports.records import row_record
+
+    return {
+        "name": name,
+        "case": case.id,
+        "inputs": {i.name: {"value": i.value, "unit": i.unit} for i in result.inputs},
+        "values": [
+            {"key": o.key, "symbol": o.symbol, "what": o.what, "unit": o.unit,
+             "value": values[o.key] / units.factor(o.unit)}
+            for o in case.outputs if o.key in values
+        ],
+        "warnings": list(result.warnings),
+        "rows": [row_record(row) for row in result.rows] if use_fem else [],
+    }  # fmt: skip

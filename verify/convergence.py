@@ -1,0 +1,158 @@
+r"""Observed order and grid convergence index of a series of values, coarse to fine.
+
+.. math:: GCI = F\,\frac{|v_3 - v_2|}{r^p - 1}
+
+from the three finest values with mesh sizes in any ratio; p solves the uneven-ratio equation.
+
+References
+----------
+.. [1] I. B. Celik et al., Procedure for estimation and reporting of uncertainty due to
+   discretization in CFD applications, J. Fluids Eng. 130 (2008) 078001.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from scipy.optimize import brentq
+
+ROUND_OFF = 1e-10  # differences below this share of the scale say nothing about an order
+FLOOR = 1e-12  # and no value is trusted beyond this share
+ORDER_LIMITS = (-20.0, 60.0)
+
+Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "diverging", "short"]
+
+
+@dataclass(frozen=True)
+class GridConvergence:
+    """How a series converges: `gci` [unit of the values], observed `order` where there is one."""
+
+    behaviour: Behaviour
+    gci: float
+    order: float | None = None
+    extrapolated: float | None = None
+
+    @property
+    def converges(self) -> bool:
+        """False where the differences grow, or where there are too few values to tell."""
+        return self.behaviour not in ("diverging", "short")
+
+
+def grid_convergence(
+    h: Sequence[float],
+    values: Sequence[float],
+    *,
+    formal: float | None,
+    scale: float,
+    u_it: float = 0.0,
+    residual: float = 0.0,
+) -> GridConvergence:
+    """Judge how `values` on meshes of size `h` converge.
+
+    Parameters
+    ----------
+    h, values
+        Mesh sizes, strictly decreasing, and what was computed on them; the last three count.
+    formal
+        The order that theory gives, or None where it gives none (no order is then used).
+    scale
+        Natural magnitude of the values, for round-off.
+    u_it
+        Iteration uncertainty of one value; `residual` is the solver's stated bound.
+
+    Raises
+    ------
+    ValueError
+        If the sizes do not decrease, the lengths differ, or a value is not finite.
+    """
+    _check(h, values)
+    floor = max(FLOOR * scale, residual)
+    if len(values) < 3:
+        return GridConvergence("short", math.inf)
+    (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
+    spread = max(v1, v2, v3) - min(v1, v2, v3)
+    fine, coarse = v1 - v2, v2 - v3
+    if max(abs(fine), abs(coarse)) < ROUND_OFF * scale:
+        return GridConvergence("round-off", max(spread, floor))
+    r21, r32 = h2 / h1, h3 / h2
+    flat = math.log(r32) / math.log(r21)  # |coarse/fine| of a series that neither grows nor shrinks
+    if flat * abs(fine) - abs(coarse) > 4 * u_it:
+        return GridConvergence("diverging", math.inf)
+    no_order = max(3 * spread, floor)
+    if u_it > 0.01 * abs(fine):
+        return GridConvergence("noisy", no_order)
+    if fine == 0:  # the last refinement changed nothing: trust the formal order, not infinity
+        return GridConvergence("round-off", max(spread, floor))
+    if fine * coarse < 0:
+        return GridConvergence("oscillating", no_order)
+    observed = observed_order(coarse / fine, r21, r32)
+    if observed < 0.5:
+        return GridConvergence("slow", no_order, observed)
+    if formal is None:
+        return GridConvergence("monotone", no_order, observed)
+    p = min(observed, formal)
+    F = 1.25 if abs(observed - formal) <= 0.5 else 3.0
+    gci = F * abs(fine) / (r21**p - 1)
+    return GridConvergence("monotone", max(gci, floor), observed, v1 + fine / (r21**observed - 1))
+
+
+def observed_order(ratio: float, r21: float, r32: float) -> float:
+    r"""Order p of three values whose differences have the positive ratio coarse/fine.
+
+    .. math:: r_{21}^p \frac{r_{32}^p - 1}{r_{21}^p - 1} = \frac{v_2 - v_3}{v_1 - v_2}
+
+    The left side grows with p, so that one bracketed root is the only one.
+    """
+
+    def excess(p: float) -> float:
+        if abs(p) < 1e-9:
+            return math.log(math.log(r32) / math.log(r21)) - math.log(ratio)
+        a, b = p * math.log(r21), p * math.log(r32)
+        return a + math.log(math.expm1(b) / math.expm1(a)) - math.log(ratio)
+
+    low, high = ORDER_LIMITS
+    if excess(high) <= 0:
+        return high
+    if excess(low) >= 0:
+        return low
+    return float(brentq(excess, low, high, xtol=1e-12))
+
+
+@dataclass(frozen=True)
+class OrderFit:
+    """Slope of log error over log size as h goes to 0, and its standard uncertainty."""
+
+    order: float
+    u: float
+
+
+def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
+    r"""Asymptotic order of positive errors against an exact value.
+
+    The pairwise slopes p_k tend to the order linearly in h, the next term of the error's series:
+    p = p_0 + c h is fitted to the last three. Its scatter and half of the last correction make
+    the standard uncertainty, so that the correction may be of first or of second order in h.
+    """
+    _check(h, errors)
+    if len(errors) < 4 or min(errors) <= 0:
+        raise ValueError(f"an order needs four positive errors, got {list(errors)}")
+    x, y = np.log(h), np.log(errors)
+    slope = np.diff(y) / np.diff(x)
+    middle = np.exp((x[1:] + x[:-1]) / 2)
+    A = np.column_stack([np.ones(3), middle[-3:]])
+    (p0, c), *_ = np.linalg.lstsq(A, slope[-3:], rcond=None)
+    scatter = float(np.linalg.norm(slope[-3:] - A @ (p0, c)))
+    covariance = scatter**2 * np.linalg.inv(A.T @ A)
+    return OrderFit(float(p0), float(math.hypot(math.sqrt(covariance[0, 0]), c * middle[-1] / 2)))
+
+
+def _check(h: Sequence[float], values: Sequence[float]) -> None:
+    if len(h) != len(values):
+        raise ValueError(f"{len(h)} mesh sizes for {len(values)} values")
+    if any(not (math.isfinite(a) and a > 0) for a in h) or any(b >= a for a, b in pairwise(h)):
+        raise ValueError(f"mesh sizes must be positive and decrease, got {list(h)}")
+    if not all(math.isfinite(v) for v in values):
+        raise ValueError(f"a value that did not converge is no number: {list(values)}")

@@ -1,0 +1,222 @@
+"""Inputs of a case: SI floats with a unit, a symbol and a range; from defaults or from a file.
+
+A parameter file is TOML:
+
+    case = "ring-lame"
+    [inputs]
+    r_i = "60 mm"
+    nu = 0.3
+"""
+
+import math
+import tomllib
+import types
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic.fields import FieldInfo
+
+from verify import units
+from verify.results import InputValue
+
+MAX_BYTES = 1_000_000
+TOP_LEVEL = ("case", "name", "inputs")
+
+
+class InputError(ValueError):
+    """Wrong input; the message is one line that names file, key, rule and value."""
+
+
+class Inputs(BaseModel):
+    """Base of every case's inputs: frozen, no unknown keys, floats in SI units."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    def display(self) -> tuple[InputValue, ...]:
+        """Every input in its own unit, in the order of the model."""
+        return tuple(
+            InputValue(
+                name=name,
+                symbol=meta(field)["symbol"] or name,
+                what=meta(field)["what"],
+                value=_shown(getattr(self, name), meta(field)["unit"]),
+                unit=meta(field)["unit"],
+            )
+            for name, field in type(self).model_fields.items()
+            if getattr(self, name) is not None
+        )
+
+
+REQUIRED = "required"
+
+
+def quantity(
+    default: str | float | None,
+    unit: str,
+    symbol: str,
+    what: str,
+    *,
+    claims: str = "",
+    omitted: float | str | None = REQUIRED,
+    **bounds: float,
+) -> Any:
+    """A float input in `unit`; bounds gt, ge, lt, le are in that unit too.
+
+    `default` is the paper's number and `claims` the printed value that it repeats ("paper:id").
+    `omitted` is what a parameter file means by leaving the input out; without it, it may not.
+    """
+    value = units.parse(default, unit) if isinstance(default, str) else default
+    limits: dict[str, Any] = {k: bound * units.factor(unit) for k, bound in bounds.items()}
+    return Field(
+        default=value, json_schema_extra=_extra(unit, symbol, what, claims, omitted), **limits
+    )
+
+
+def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: int) -> Any:
+    """A whole number; bounds gt, ge, lt, le."""
+    limits: dict[str, Any] = dict(bounds)
+    return Field(
+        default=default, json_schema_extra=_extra("1", symbol, what, claims, REQUIRED), **limits
+    )
+
+
+def _extra(unit: str, symbol: str, what: str, claims: str, omitted: Any) -> Any:
+    return {"unit": unit, "symbol": symbol, "what": what, "claims": claims, "omitted": omitted}
+
+
+def meta(field: FieldInfo) -> dict[str, Any]:
+    """Unit, symbol, description and so on of one input."""
+    extra = field.json_schema_extra
+    assert isinstance(extra, dict)
+    return dict(extra)
+
+
+def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
+    """Case id, name and raw inputs of a parameter file; InputError where it can't be read."""
+    try:
+        if path.is_dir():
+            raise InputError(f"{path}: is a directory, expected a TOML file")
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"{path}: is larger than {MAX_BYTES:,} bytes, no parameter file is")
+        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        reason = getattr(error, "strerror", None) or _one_line(str(error))
+        raise InputError(f"{path}: cannot be read: {reason}") from error
+    except RecursionError as error:
+        raise InputError(f"{path}: cannot be read: nested too deeply") from error
+    if unknown := [key for key in data if key not in TOP_LEVEL]:
+        hint = " (inputs belong under [inputs])" if "inputs" not in data else ""
+        raise InputError(
+            f"{path}: {_one_line(unknown[0])}: unknown key; known are {', '.join(TOP_LEVEL)}{hint}"
+        )
+    case, name, raw = data.get("case"), data.get("name", path.stem), data.get("inputs")
+    if not isinstance(case, str):
+        raise InputError(f'{path}: case: needs a case, such as case = "ring-lame", {_got(case)}')
+    if not isinstance(name, str):
+        raise InputError(f"{path}: name: needs a text, {_got(name)}")
+    if not isinstance(raw, dict):
+        raise InputError(f"{path}: inputs: needs a table [inputs], {_got(raw)}")
+    return case, name, raw
+
+
+def build(model: type[Inputs], raw: Mapping[str, Any], where: str) -> Inputs:
+    """Inputs from the raw values of a parameter file; InputError for the first fault."""
+    fields = model.model_fields
+    if unknown := [key for key in raw if key not in fields]:
+        raise InputError(
+            f"{where}: inputs.{_one_line(unknown[0])}: unknown key; known are {', '.join(fields)}"
+        )
+    left_out = {k: meta(f)["omitted"] for k, f in fields.items() if k not in raw}
+    if needed := [k for k, omitted in left_out.items() if omitted == REQUIRED]:
+        raise InputError(f"{where}: inputs: missing {', '.join(needed)}")
+    values = {key: _value(fields[key], raw[key], f"{where}: inputs.{key}") for key in raw}
+    try:
+        return model(**values, **left_out)
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        raise InputError(f"{where}: {_rule(model, first)}") from error
+
+
+def _value(field: FieldInfo, raw: Any, where: str) -> Any:
+    """One raw TOML value as what the model expects."""
+    unit, kind = meta(field)["unit"], _kind(field)
+    if kind is float and isinstance(raw, str):
+        try:
+            return units.parse(raw, unit)
+        except ValueError as error:
+            raise InputError(f"{where}: {error}") from error
+    if kind is float:
+        if isinstance(raw, bool) or not isinstance(raw, int | float):
+            raise InputError(f"{where}: needs {_wanted(unit)}, {_got(raw)}")
+        if unit != "1":
+            raise InputError(
+                f'{where}: {raw} has no unit: needs {_wanted(unit)}, such as "{raw} {unit}"'
+            )
+        if not math.isfinite(raw) or abs(raw) > 1e300:
+            raise InputError(f"{where}: {raw} is not finite")
+        return float(raw)
+    if kind is int and (isinstance(raw, bool) or not isinstance(raw, int)):
+        raise InputError(f"{where}: needs a whole number, {_got(raw)}")
+    if kind is str and raw not in _words(field):
+        raise InputError(f"{where}: needs one of {', '.join(_words(field))}, {_got(raw)}")
+    return raw
+
+
+def _kind(field: FieldInfo) -> type:
+    annotation = field.annotation
+    if get_origin(annotation) in (Union, types.UnionType):
+        annotation = next(a for a in get_args(annotation) if a is not type(None))
+    if get_origin(annotation) is Literal:
+        return str
+    assert isinstance(annotation, type)
+    return annotation
+
+
+def _words(field: FieldInfo) -> tuple[str, ...]:
+    return tuple(get_args(field.annotation))
+
+
+def _rule(model: type[Inputs], error: Any) -> str:
+    """A pydantic error as `key = value unit: rule`, in the unit of the input."""
+    message = str(error["msg"]).removeprefix("Value error, ")
+    if not error["loc"]:
+        return f"inputs: {_one_line(message)}"
+    name = str(error["loc"][0])
+    unit = meta(model.model_fields[name])["unit"]
+    words = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
+    for rule, bound in (error.get("ctx") or {}).items():
+        if rule in words:
+            shown = _with_unit(bound, unit)
+            return (
+                f"inputs.{name} = {_with_unit(error['input'], unit)}: must be {words[rule]} {shown}"
+            )
+    return f"inputs.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
+
+
+def _with_unit(value: Any, unit: str) -> str:
+    if not isinstance(value, int | float):
+        return _one_line(repr(value))
+    return f"{value / units.factor(unit):.6g}" + ("" if unit == "1" else f" {unit}")
+
+
+def _shown(value: Any, unit: str) -> Any:
+    if isinstance(value, float):
+        return float(f"{value / units.factor(unit):.12g}")
+    return value
+
+
+def _wanted(unit: str) -> str:
+    return units.DIMENSIONS.get(unit, f"a quantity in {unit}")
+
+
+def _got(value: Any) -> str:
+    return "it is missing" if value is None else f"got {_one_line(repr(value))}"
+
+
+def _one_line(text: str) -> str:
+    line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return line if len(line) <= 120 else line[:119] + "…"

@@ -1,0 +1,128 @@
+"""Units at the edge: strings such as "11.6 mm" to SI floats and back.
+
+The registry holds only the units in use, so that it builds in milliseconds. Angles are a
+dimension of their own here: a plain number is no angle.
+"""
+
+import math
+import re
+from functools import cache
+from typing import cast
+
+import pint
+
+DEFINITIONS = """
+nano- = 1e-9 = n-
+micro- = 1e-6 = µ- = μ- = u-
+milli- = 1e-3 = m-
+centi- = 1e-2 = c-
+kilo- = 1e3 = k-
+mega- = 1e6 = M-
+giga- = 1e9 = G-
+meter = [length] = m = metre
+second = [time] = s = sec
+gram = [mass] = g
+radian = [angle] = rad
+degree = 3.14159265358979323846 / 180 * radian = deg = °
+minute = 60 * second = min
+inch = 0.0254 * meter = in
+newton = 1000 * gram * meter / second ** 2 = N
+pascal = newton / meter ** 2 = Pa
+bar = 1e5 * pascal
+joule = newton * meter = J
+watt = joule / second = W
+hertz = 1 / second = Hz
+pound_force = 4.4482216152605 * newton = lbf
+psi = pound_force / inch ** 2
+percent = 0.01 = %
+""".strip().splitlines()
+
+# What the words for a dimension are, for messages; by a unit that has it.
+DIMENSIONS = {
+    "mm": "a length", "MPa": "a pressure or stress", "N": "a force", "deg": "an angle",
+    "N/mm": "a stiffness", "kg/m^3": "a density", "1": "a number", "s": "a time",
+    "J/m": "an energy per length", "N m": "a torque",
+}  # fmt: skip
+
+_TEXT = re.compile(
+    r"\s*(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(?P<unit>[A-Za-zµμ°%][^\"']{0,39})?"
+)
+_UNIT = re.compile(
+    r"[A-Za-zµμ°%]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:\s*[*/·]?\s*(?:[A-Za-zµμ°%]+|1)(?:\s*(?:\^|\*\*)\s*-?\d)?)*"
+)
+
+
+@cache
+def registry() -> "pint.UnitRegistry[float]":
+    """The project's units; base units are SI with the kilogram entered through the gram."""
+    units: pint.UnitRegistry[float] = pint.UnitRegistry(None, preprocessors=[])
+    for line in DEFINITIONS:
+        units.define(line)
+    return units
+
+
+@cache
+def factor(unit: str) -> float:
+    """How many SI units one `unit` is: factor("mm") = 0.001, factor("1") = 1.
+
+    >>> factor("N/mm"), round(factor("deg"), 6)
+    (1000.0, 0.017453)
+    """
+    if unit == "1":
+        return 1.0
+    magnitude, _ = registry().get_root_units(_parsed(unit))
+    # the root units end at grams: an SI mass is a thousand of them, to the power it appears with
+    mass = dict(dimensions(unit)).get("[mass]", 0.0)
+    return float(cast("float", magnitude)) * float(1e-3**mass)
+
+
+def parse(text: str, unit: str) -> float:
+    """The SI value of `text`, which must have the dimension of `unit`.
+
+    Raises ValueError: missing unit, unknown unit, wrong dimension, not finite.
+
+    >>> parse("11.6 mm", "mm")
+    0.0116
+    """
+    wanted = DIMENSIONS.get(unit, f"a quantity in {unit}")
+    example = "" if unit == "1" else f', such as "1.5 {unit}"'
+    match = _TEXT.fullmatch(text)
+    if match is None:
+        raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
+    number, given = float(match["number"]), (match["unit"] or "1").strip()
+    if not math.isfinite(number):
+        raise ValueError(f'"{_short(text)}" is not finite')
+    if given == "1" and unit != "1":
+        raise ValueError(f'"{_short(text)}" has no unit: needs {wanted}{example}')
+    if dimensions(given) != dimensions(unit):
+        raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
+    if given == unit:
+        return number * factor(unit)
+    value = number * factor(given)
+    if not math.isfinite(value):
+        raise ValueError(f'"{_short(text)}" is not finite')
+    return value
+
+
+@cache
+def dimensions(unit: str) -> frozenset[tuple[str, float]]:
+    """Dimensions with their powers; empty for plain numbers."""
+    if unit == "1":
+        return frozenset()
+    found = registry().Quantity(1.0, _parsed(unit)).dimensionality
+    return frozenset((str(name), float(cast("float", p))) for name, p in found.items())
+
+
+def _parsed(unit: str) -> "pint.Unit":
+    if not _UNIT.fullmatch(unit):
+        raise ValueError(f'"{_short(unit)}" is not a unit')
+    text = re.sub(r"\s*·\s*|(?<=[\w°%])\s+(?=[A-Za-zµμ°%])", " * ", unit)
+    try:
+        return registry().Unit(text)
+    except (pint.errors.PintError, AttributeError, ValueError, TypeError) as error:
+        raise ValueError(f'"{_short(unit)}" is not a known unit') from error
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= 40 else line[:39] + "…"
