@@ -58,32 +58,37 @@ def _position(row: Row) -> tuple[float | None, float]:
 
 
 def convergence(rows: Sequence[Row]) -> Markup:
-    """Distance to the finest value (or the error of an order row) against mesh size, log-log."""
-    series = [(row, s) for row in rows if (s := _series(row))]
+    """Distance to the finest value (or the error of an order row) against mesh size, log-log.
+
+    One colour for each order of theory, so that parallel lines of one colour are the message.
+    """
+    series = [(row, s) for row in rows if (s := _series(row)) and row.order != "round-off"]
     if not series:
         return Markup("")
-    xs = [x for _, s in series for x, _ in s]
-    ys = [y for _, s in series for _, y in s]
-    box = _Axes(min(xs), max(xs), min(ys), max(ys))
+    orders = sorted({row.formal_order or 0.0 for row, _ in series}, reverse=True)
+    box = _Axes([p for _, s in series for p in s])
     parts = [box.frame("mesh size, relative", "difference, relative")]
-    for i, (row, s) in enumerate(series):
+    for row, s in series:
         points = " ".join(f"{box.x(x):.1f},{box.y(y):.1f}" for x, y in s)
+        dots = Markup("").join(
+            Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.4"/>').format(box.x(x), box.y(y))
+            for x, y in s
+        )
         parts.append(
             Markup('<g class="s{}"><title>{}</title><polyline points="{}"/>{}</g>').format(
-                i % 6, row.quantity, points,
-                Markup("").join(
-                    Markup('<circle cx="{:.1f}" cy="{:.1f}" r="2.4"/>').format(box.x(x), box.y(y))
-                    for x, y in s
-                ),
+                orders.index(row.formal_order or 0.0) % 6, row.quantity, points, dots
             )
-        )  # fmt: skip
+        )
     legend = Markup("").join(
-        Markup('<li class="s{}"><i></i>{}</li>').format(i % 6, row.quantity)
-        for i, (row, _) in enumerate(series)
+        Markup('<li class="s{}"><i></i>{}: {}</li>').format(
+            i % 6,
+            f"order {order:g}" if order else "no order in theory",
+            ", ".join(row.quantity for row, _ in series if (row.formal_order or 0.0) == order),
+        )
+        for i, order in enumerate(orders)
     )
-    return Markup(
-        '<svg class="plot" viewBox="0 0 400 250">{}</svg><ul class="legend">{}</ul>'
-    ).format(Markup("").join(parts), legend)
+    plot = Markup('<svg class="plot" viewBox="0 0 400 250">{}</svg><ul class="legend">{}</ul>')
+    return plot.format(Markup("").join(parts), legend)
 
 
 def _series(row: Row) -> list[tuple[float, float]]:
@@ -97,31 +102,41 @@ def _series(row: Row) -> list[tuple[float, float]]:
 
 
 class _Axes:
-    """A log-log frame of 400 by 250 with decades marked."""
+    """A log-log frame of 400 by 250 with decades and the mesh sizes marked."""
 
-    def __init__(self, x0: float, x1: float, y0: float, y1: float) -> None:
-        self._x0, self._x1 = math.log10(x0) - 0.05, math.log10(x1) + 0.05
-        self._y0, self._y1 = math.floor(math.log10(y0)), math.ceil(math.log10(y1) + 1e-9)
+    def __init__(self, points: Sequence[tuple[float, float]]) -> None:
+        self._sizes = sorted({x for x, _ in points})
+        self._x0 = math.log10(self._sizes[0]) - 0.05
+        self._x1 = math.log10(self._sizes[-1]) + 0.05
+        self._y0 = math.floor(math.log10(min(y for _, y in points)))
+        self._y1 = math.ceil(math.log10(max(y for _, y in points)) + 1e-9)
 
     def x(self, value: float) -> float:
         return 52 + 338 * (math.log10(value) - self._x0) / (self._x1 - self._x0)
 
     def y(self, value: float) -> float:
-        return 212 - 200 * (math.log10(value) - self._y0) / max(self._y1 - self._y0, 1)
+        return 206 - 194 * (math.log10(value) - self._y0) / max(self._y1 - self._y0, 1)
 
     def frame(self, x: str, y: str) -> Markup:
-        """Box, decades and axis titles."""
+        """Box, ticks and axis titles."""
+        decade = Markup(
+            '<path class="grid" d="M52,{0:.1f}H390"/><text x="47" y="{1:.1f}" text-anchor="end">'
+            '10<tspan dy="-4" font-size="8">{2}</tspan></text>'
+        )
         step = max(1, (self._y1 - self._y0) // 6)
         ticks = [
-            Markup('<path class="grid" d="M52,{0:.1f}H390"/><text x="47" y="{1:.1f}" '
-                   'text-anchor="end">10<tspan dy="-4" font-size="8">{2}</tspan></text>').format(
-                self.y(10.0**d), self.y(10.0**d) + 4, str(d).replace("-", "−")
-            )
+            decade.format(self.y(10.0**d), self.y(10.0**d) + 4, str(d).replace("-", "−"))
             for d in range(self._y0, self._y1 + 1, step)
-        ]  # fmt: skip
+        ]
+        ticks += [
+            Markup('<text x="{:.1f}" y="220" text-anchor="middle">{:.3g}</text>').format(
+                self.x(h), h
+            )
+            for h in self._sizes
+        ]
         return Markup(
-            '<rect class="frame" x="52" y="12" width="338" height="200"/>{}'
-            '<text x="221" y="244" text-anchor="middle">{} (finer to the left)</text>'
+            '<rect class="frame" x="52" y="12" width="338" height="194"/>{}'
+            '<text x="221" y="242" text-anchor="middle">{}</text>'
             '<text x="12" y="112" text-anchor="middle" transform="rotate(-90 12 112)">{}</text>'
         ).format(Markup("").join(ticks), x, y)
 
@@ -159,7 +174,7 @@ def _ring(data: Mapping[str, Any]) -> Markup:
         )
         for i, r in enumerate(radii)
     ]
-    for n, arrow in enumerate(data["arrows"]):
+    for arrow in data["arrows"]:
         inner = arrow["r"] < 1
         r0, r1 = (R * arrow["r"] - 18, R * arrow["r"]) if inner else (R + 18, R)
         for angle in range(0, 360, 45):
@@ -170,11 +185,19 @@ def _ring(data: Mapping[str, Any]) -> Markup:
                     130 + r0 * c, 130 - r0 * s, 130 + r1 * c, 130 - r1 * s
                 )
             )  # fmt: skip
-        at = (130, 134) if inner else (252, 20)
-        parts.append(Markup('<text x="{}" y="{}" text-anchor="{}">{}</text>').format(
-            *at, "middle" if inner else "end", ("pressure in the bore: ", "on the rim: ")[n > 0]
-            + arrow["label"]))  # fmt: skip
+        at = (130.0, 134.0) if inner else (130 + R * 0.78 + 24, 130 - R * 0.78 - 20)
+        parts.append(
+            Markup('<text x="{:.0f}" y="{:.0f}" text-anchor="middle">{}</text>').format(
+                *at, _subscript(arrow["label"])
+            )
+        )
     return Markup(
         '<svg class="sketch" viewBox="0 0 260 264" role="img" aria-label="ring under pressure">'
         "{}</svg>"
     ).format(Markup("").join(parts))
+
+
+def _subscript(text: str) -> Markup:
+    """p_i as SVG text with a lowered index."""
+    letter, _, index = text.partition("_")
+    return Markup('{}<tspan dy="4" font-size="75%">{}</tspan>').format(letter, index)

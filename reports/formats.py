@@ -59,22 +59,24 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
     return f"{value:.{digits}g}".replace("-", MINUS)
 
 
-def values(row: Row) -> tuple[str, str, str]:
-    """Formula, FE and its u with the decimals that the uncertainty allows: two digits of u."""
-    known = [v for v in (row.analytic, row.fem) if v is not None]
-    u = row.u_num or (row.tolerance or 0) / 2
-    if not known or not u or not math.isfinite(u):
-        return number(row.analytic), number(row.fem), ""
-    decimals = 1 - math.floor(math.log10(u))
-    size = math.floor(math.log10(max(map(abs, known)))) if any(known) else 0
-    if size + decimals > 11 or size > 6 or decimals > 12:  # more digits than a reader compares
-        return number(row.analytic, 10), number(row.fem, 10), number(row.u_num, 2)
+def values(row: Row) -> tuple[str, str]:
+    """Formula and FE with the decimals that u allows; u in brackets: 0.58179(2)."""
+    known = [v for v in (row.analytic, row.fem) if v]
+    u = row.u_num
+    if row.kind == "fact" or not known or not u or not math.isfinite(u):
+        digits = 3 if row.kind in ("fact", "exact") else 6
+        return number(row.analytic, digits), number(row.fem, digits)
+    size = math.floor(math.log10(max(map(abs, known))))
+    decimals = min(1 - math.floor(math.log10(u)), 9 - size)  # nobody compares more than ten digits
+    if size > 6 or decimals > 12:
+        return number(row.analytic, 10), number(row.fem, 10)
     decimals = max(decimals, 0)
+    last = math.ceil(u * 10.0**decimals)
 
     def fixed(value: float | None) -> str:
         return "–" if value is None else f"{value:.{decimals}f}".replace("-", MINUS)
 
-    return fixed(row.analytic), fixed(row.fem), fixed(row.u_num)
+    return fixed(row.analytic), fixed(row.fem) + (f"({last})" if row.fem is not None else "")
 
 
 def power(value: float | None, *, signed: bool = False) -> Markup:

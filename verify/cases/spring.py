@@ -269,11 +269,11 @@ FRAME_REASON = "a nodal frame is exact but for the chords of its arcs"
 EQ9_SOURCE = "axial and shear energy of the force method, within half of itself"
 
 CHECKS = (
-    PrintedTheory(name="k_1 by Eqs. 1-9", symbol="k_1", unit="N/mm", analytic="k1",
+    PrintedTheory(name="stiffness by Eqs. 1-9", symbol="k_1", unit="N/mm", analytic="k1",
                   reference="wang2023:k1-theory"),
-    PrintedMeasurement(name="k_1 against the paper's shell model", symbol="k_1", unit="N/mm",
+    PrintedMeasurement(name="Eqs. 1-9 against the paper's shell model", symbol="k_1", unit="N/mm",
                        analytic="k1", reference="wang2023:k1-fea"),
-    PrintedMeasurement(name="k_1 against the paper's test", symbol="k_1", unit="N/mm",
+    PrintedMeasurement(name="Eqs. 1-9 against the paper's test", symbol="k_1", unit="N/mm",
                        analytic="k1", reference="wang2023:k1-test"),
     Approximation(name="Eqs. 1-9 against the curved beam", symbol="k_1", unit="N/mm",
                   analytic="k1", fem="paper's lengths, curved", formal=4, interval=neglected,
@@ -281,13 +281,13 @@ CHECKS = (
                   demand_reason="frame elements are to settle 0.05 %",
                   printed=("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")),
     *(
-        Identity(name=f"k, {name}: straight elements", symbol="k", unit="N/mm",
+        Identity(name=f"stiffness, {name}: straight elements", symbol="k", unit="N/mm",
                  analytic=f"{name}, thin", fem=f"{name}, straight", formal=2, demand=5e-4,
                  demand_reason=FRAME_REASON)
         for name in NAMES
     ),
     *(
-        Identity(name=f"k, {name}: curved elements", symbol="k", unit="N/mm",
+        Identity(name=f"stiffness, {name}: curved elements", symbol="k", unit="N/mm",
                  analytic=f"{name}, shear", fem=f"{name}, curved", formal=4, demand=5e-4,
                  demand_reason=FRAME_REASON)
         for name in NAMES
@@ -422,7 +422,7 @@ CONTINUUM = Case(
     levels=(1, 2, 4, 8),
     checks=tuple(
         Approximation(
-            name=f"k, {words}, {assumption}", symbol="k", unit="N/mm",
+            name=f"stiffness, {words}, {assumption}", symbol="k", unit="N/mm",
             analytic=f"{theory}, {assumption}", fem=f"k, {assumption}", formal=4,
             interval=beyond(theory, assumption),
             source="thick curved frame ± (b/R) times its corrections", demand=1e-3,
