@@ -12,7 +12,7 @@ from typing import Any
 from verify import judge, units
 from verify.case import Context
 from verify.convergence import GridConvergence, fit_order, grid_convergence
-from verify.published.ledger import published
+from verify.published.ledger import erratum, published
 from verify.results import Kind, Partner, Published, Row, Status
 
 NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judged"
@@ -341,3 +341,42 @@ class Fact(Claim):
 
     def skipped(self, case: str, reason: str) -> list[Row]:
         return [replace(super().skipped(case, reason)[0], kind=Kind.FACT)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contradiction(Claim):
+    """A printed number that the paper's own formulas contradict: NOTE, with its ledger entry.
+
+    `analytic` must exceed the printed `reference` surely; where it does not, the ledger is wrong
+    and the row fails. `erratum` names the entry ("paper:id").
+    """
+
+    analytic: str
+    reference: str
+    erratum: str
+
+    @property
+    def needs_fem(self) -> bool:
+        return False
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        entry, v = published(self.reference), context.analytic[self.analytic]
+        f = units.factor(entry.unit)
+        U = judge.expanded(0.0, (entry.standard_uncertainty or 0.0) * f)
+        verdict = judge.fact(v - entry.value * f, U)
+        if verdict.status is Status.PASS:
+            why = erratum(self.erratum)
+            verdict = replace(
+                verdict, status=Status.NOTE, reason=f"ledger {self.erratum}: {why.right}"
+            )
+        else:
+            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise")
+        partner = Partner(by=f"printed {entry.printed}", value=entry.value * f)
+        return [
+            self._row(
+                context.case, Kind.FACT, verdict, analytic=v, scale=abs(entry.value * f),
+                partner=partner, published=(beside(self.reference, self.unit),),
+            )
+        ]  # fmt: skip

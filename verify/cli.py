@@ -53,6 +53,7 @@ def verify(
 @app.command
 def check(
     file: Path,
+    /,
     *,
     fem: bool = False,
     json: bool = False,

@@ -40,7 +40,7 @@ def run_verify(
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
     ]
     results = _solve(work, jobs, use_cache)
-    report = _report(results, cases, time.perf_counter() - start)
+    report = make_report(results, cases, time.perf_counter() - start)
     from reports.write import write  # only the command line knows reports
 
     written = write(report, out)
@@ -104,7 +104,8 @@ def _solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) 
         return run(work, processes=processes, cache_folder=folder, progress=progress)
 
 
-def _report(results: list[CaseResult], cases: Sequence[Case], seconds: float) -> Report:
+def make_report(results: list[CaseResult], cases: Sequence[Case], seconds: float) -> Report:
+    """A run with the ledgers and its provenance."""
     from verify.ledgers import ledgers
     from verify.provenance import provenance
 

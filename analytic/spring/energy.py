@@ -35,17 +35,12 @@ def leaf_length(*, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike) 
     return np.asarray(L1 / np.sin(alpha) + 2 * (r + b / 2) / np.tan(alpha))
 
 
-def head_moment(x: ArrayLike, theta: ArrayLike, *, L1: float, r: float) -> tuple[Array, Array]:
-    r"""Bending couple over force [length] on the head's leaf and on its arc (Eq. 1).
+def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
+    r"""The head's :math:`\int (M/F)^2 ds` [length^3], on its leaf and its arc (Eqs. 1 and 2).
 
     .. math:: M/F = x, \quad 0 \le x \le L_1/2; \qquad
         M/F = L_1/2 + r \sin\theta, \quad 0 \le \theta \le \pi/2
     """
-    return np.asarray(x, float), L1 / 2 + r * np.sin(theta)
-
-
-def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
-    r"""The head's :math:`\int (M/F)^2 ds` [length^3]; times F^2/(2EI) its energy (Eq. 2)."""
     a, r = np.asarray(L1, float) / 2, np.asarray(r, float)
     return np.asarray(a**3 / 3 + r * (np.pi / 2 * a**2 + 2 * a * r + np.pi / 4 * r**2))
 

@@ -11,13 +11,21 @@ from pydantic import model_validator
 from analytic.spring import energy, frame
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import spring_readings
-from verify.checks import Approximation, Identity, Order, PrintedMeasurement, PrintedTheory
+from verify.checks import (
+    Approximation,
+    Contradiction,
+    Identity,
+    Order,
+    PrintedMeasurement,
+    PrintedTheory,
+)
 from verify.inputs import Inputs, count, quantity
 from verify.results import Equation, Field, Table
 
 HEADS: tuple[frame.Head, ...] = ("free", "guided")
 TAILS: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
 L0_OVER_B = 240  # Eq. 13
+TEST_FORCE = 11.0  # N, the largest of Sec. 4
 
 
 class AccordionInputs(Inputs):
@@ -118,6 +126,11 @@ def analytic(q: AccordionInputs) -> Values:
     values["k wide"] = frame.stiffness(**wide, **strip_of(q), head="free", tail="arc")
     values["k clean"] = frame.stiffness(**q.path, **strip_of(q))
     values["L0"] = frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha)
+    values["L0/b"] = values["L0"] / q.b
+    tested = TEST_FORCE if q.F is None else q.F
+    values["stress at the tests' force"] = float(
+        energy.bending_stress(F=tested, b=q.b, h=q.h, r=q.r, L1=q.L1)
+    )
     if q.F is not None:
         values["deflection"] = q.F / values["k1"]
         values["stress"] = float(energy.bending_stress(F=q.F, b=q.b, h=q.h, r=q.r, L1=q.L1))
@@ -280,6 +293,12 @@ CHECKS = (
                   source=EQ9_SOURCE, demand=5e-4,
                   demand_reason="frame elements are to settle 0.05 %",
                   printed=("wang2023:k1-theory", "wang2023:k1-fea", "wang2023:k1-test")),
+    Contradiction(name="yield strength against the largest test force", symbol="σ", unit="MPa",
+                  analytic="stress at the tests' force", reference="wang2023:yield-strength",
+                  erratum="wang2023:yield-strength"),
+    Contradiction(name="L_0/b of the paper's own spring against its limit", symbol="L_0/b",
+                  unit="1", analytic="L0/b", reference="wang2023:rule-length-thickness-max",
+                  erratum="wang2023:eq-13-own-spring"),
     *(
         Identity(name=f"stiffness, {name}: straight elements", symbol="k", unit="N/mm",
                  analytic=f"{name}, thin", fem=f"{name}, straight", formal=2, demand=5e-4,

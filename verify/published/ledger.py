@@ -138,6 +138,12 @@ def published(reference: str) -> Value:
     return _index()[reference]
 
 
+def erratum(reference: str) -> Erratum:
+    """The erratum named `paper:id`; KeyError where there is none."""
+    found = {f"{paper.key}:{e.id}": e for paper in papers() for e in paper.errata}
+    return found[reference]
+
+
 _NUMBER = re.compile(
     r"(?P<sign>[-+−]?)(?P<mantissa>\d+(?:\.\d+)?)(?:(?:e|\s*[×x]\s*10\^?)(?P<exponent>[-+−]?\d+))?"
 )

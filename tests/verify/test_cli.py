@@ -1,0 +1,246 @@
+"""The command line as a user meets it."""
+
+import json
+import subprocess
+import sys
+import time
+
+import pytest
+
+from analytic.ring import lame
+from verify.cli import run
+
+HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba")
+SPRING = """\
+case = "spring-accordion"
+name = "twelve segments"
+[inputs]
+n = 12
+b = "0.1 mm"
+h = "56 mm"
+r = "0.45 mm"
+L1 = "11.6 mm"
+alpha = "80 deg"
+E = "206 GPa"
+nu = 0.3
+F = "5 N"
+R_p = "300 MPa"
+"""
+RING = """\
+case = "ring-lame"
+[inputs]
+r_i = "60 mm"
+r_o = "90 mm"
+p_i = "100 MPa"
+E = "210 GPa"
+nu = 0.3
+"""
+
+
+@pytest.fixture
+def spring(tmp_path):
+    path = tmp_path / "spring.toml"
+    path.write_text(SPRING)
+    return path
+
+
+@pytest.fixture
+def ring(tmp_path):
+    path = tmp_path / "ring.toml"
+    path.write_text(RING)
+    return path
+
+
+def shell(*arguments, **more):
+    return subprocess.run(
+        [sys.executable, "-m", "verify", *map(str, arguments)],
+        capture_output=True, text=True, check=False, timeout=300, **more,
+    )  # fmt: skip
+
+
+def checked(path, *options, capsys):
+    status = run(["check", str(path), "--json", *options])
+    return status, json.loads(capsys.readouterr().out)
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["list"], ["check", "FILE"]], ids=lambda a: a[0])
+def test_nothing_heavy_is_imported_before_it_is_needed(arguments, spring):
+    script = (
+        "import sys\nfrom verify.cli import run\n"
+        f"status = run({[str(spring) if a == 'FILE' else a for a in arguments]!r})\n"
+        f"print('loaded', [m for m in {HEAVY!r} if m in sys.modules], status, file=sys.stderr)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=60
+    )
+    assert done.stderr.splitlines()[-1] == "loaded [] 0"
+
+
+def test_help_names_the_commands_and_the_exit_status():
+    done = shell("--help")
+    assert done.returncode == 0
+    for word in ("verify", "check", "list"):
+        assert word in done.stdout
+
+
+@pytest.mark.parametrize(("arguments", "limit"), [(["--help"], 0.5), (["check", "FILE"], 1.0)])
+def test_short_commands_answer_at_once(arguments, limit, spring):
+    """Best of three, doubled: two test processes share the machine."""
+    times = []
+    for _ in range(3):
+        start = time.perf_counter()
+        shell(*(spring if a == "FILE" else a for a in arguments))
+        times.append(time.perf_counter() - start)
+    assert min(times) < 2 * limit
+
+
+def test_list_names_every_case(capsys):
+    assert run(["list"]) == 0
+    out = capsys.readouterr().out
+    for case in ("ring-lame", "spring-accordion", "spring-continuum"):
+        assert case in out
+
+
+def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
+    """Boundary stresses (r_o² + r_i²)/(r_o² - r_i²) p = 2.6 p and 1.6 p: 260 and 160 MPa."""
+    status, found = checked(ring, capsys=capsys)
+    values = {v["key"]: v["value"] for v in found["values"]}
+    assert status == 0
+    assert values["bore hoop stress"] == pytest.approx(260.0, rel=1e-12)
+    assert values["rim hoop stress"] == pytest.approx(160.0, rel=1e-12)
+    # u(r_i) = r_i/E (2.6 p + nu p), plane stress, in µm
+    assert values["bore displacement, plane stress"] == pytest.approx(
+        60e3 / 210e3 * (260 + 0.3 * 100), rel=1e-12
+    )
+    assert found["inputs"]["p_o"] == {"value": 0.0, "unit": "MPa"}  # left out: no pressure
+    assert found["rows"] == []
+
+
+def test_a_spring_of_twelve_segments_is_softer_than_the_paper_s(spring, capsys):
+    """Two more leaves: compliance grows by two units' share, 0.60096 (8 + 1.3)/(10 + 1.3)."""
+    status, found = checked(spring, capsys=capsys)
+    values = {v["key"]: v["value"] for v in found["values"]}
+    assert status == 0
+    k = values["k1"]
+    assert 0.60096 * 8 / 10 < k < 0.60096 * 9 / 11
+    assert values["deflection"] == pytest.approx(5.0 / k, rel=1e-12)
+    assert values["stress"] == pytest.approx(6 * 5.0 * 6.25 / (56 * 0.01), rel=1e-12)
+    text = " ".join(found["warnings"])
+    assert "exceeds R_p = 300 MPa" in text
+    assert "above 240 (Eq. 13)" in text
+
+
+@pytest.mark.parametrize("name", ["ring", "spring"])
+def test_own_parameters_are_judged_with_finite_elements(name, request, capsys):
+    status, found = checked(request.getfixturevalue(name), "--fem", capsys=capsys)
+    assert status == 0
+    assert {row["status"] for row in found["rows"]} == {"PASS"}
+    assert all(row["fem"] is not None for row in found["rows"] if row["kind"] == "identity")
+    assert not any(row["published"] for row in found["rows"])  # these speak of the paper's own
+
+
+def test_a_ring_that_yields_is_warned_of(ring, capsys):
+    ring.write_text(RING + 'R_p = "200 MPa"\n')
+    _, found = checked(ring, capsys=capsys)
+    # Tresca at the bore, hoop less radial: 260 + 100 MPa
+    assert "Tresca stress 360 MPa at the bore exceeds R_p = 200 MPa" in found["warnings"][0]
+
+
+def test_check_prints_inputs_values_and_warnings(spring, capsys):
+    assert run(["check", str(spring)]) == 0
+    out = capsys.readouterr().out
+    assert "twelve segments" in out
+    assert "0.1 mm" in out
+    assert "warning: " in out
+
+
+def test_verify_writes_the_report_and_says_where(tmp_path, capsys):
+    assert run(["verify", "spring-accordion", "--out", str(tmp_path / "out")]) == 0
+    out = capsys.readouterr().out
+    written = {p.name for p in (tmp_path / "out").iterdir()}
+    assert {
+        "report.html",
+        "results.json",
+        "results.schema.json",
+        "rows.csv",
+        "junit.xml",
+    } <= written
+    assert str(tmp_path / "out" / "report.html") in out.replace("\n", "")
+    assert not [name for name in written if name.startswith(".")]
+
+
+def test_the_quick_round_skips_what_is_not_quick(monkeypatch, tmp_path, capsys):
+    from dataclasses import replace
+
+    from verify import commands
+    from verify.cases.ring import LAME
+
+    monkeypatch.setattr(commands, "CASES", (replace(LAME, quick=False),))
+    assert run(["verify", "--quick", "--out", str(tmp_path)]) == 0
+    assert "quick" in capsys.readouterr().out
+    rows = json.loads((tmp_path / "results.json").read_text())["rows"]
+    assert {row["status"] for row in rows} == {"SKIP"}
+
+
+def test_a_red_row_makes_the_exit_status_one(monkeypatch, tmp_path, capsys):
+    right = lame.strain_energy
+    monkeypatch.setattr(lame, "strain_energy", lambda **k: 1.001 * right(**k))
+    assert run(["verify", "ring-lame", "--out", str(tmp_path)]) == 1
+    assert "FAIL" in capsys.readouterr().out
+
+
+def test_a_solver_that_fails_is_a_red_row_and_no_traceback(monkeypatch, tmp_path, capsys):
+    from fem.plane import solve
+
+    def stuck(*_args, **_more):
+        raise ArithmeticError("the linear solve did not converge: relative residual 1e+00")
+
+    monkeypatch.setattr(solve, "_solve", stuck)
+    arguments = ["verify", "ring-lame", "--no-cache", "--jobs", "1", "--out", str(tmp_path)]
+    assert run(arguments) == 1
+    rows = json.loads((tmp_path / "results.json").read_text())["rows"]
+    assert {row["status"] for row in rows} == {"FAIL"}
+    assert "did not converge" in rows[0]["reason"]
+    assert rows[0]["fem"] is None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["check", "nowhere.toml"], "nowhere.toml: cannot be read: No such file or directory"),
+        (["verify", "ring-lam"], "unknown case 'ring-lam'"),
+        (["verify", "--jobs", "many"], "--jobs"),
+        (["chekc", "a.toml"], "chekc"),
+        (["check"], "FILE"),
+    ],
+    ids=["missing file", "unknown case", "bad number", "unknown command", "no file"],
+)
+def test_bad_command_lines_end_with_one_line_and_status_two(arguments, message, capsys):
+    assert run(arguments) == 2
+    err = capsys.readouterr().err
+    assert err.startswith("freewheel: ")
+    assert err.count("\n") == 1
+    assert message in err
+
+
+def test_an_output_folder_that_cannot_be_made_is_bad_input(tmp_path, capsys):
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    assert run(["verify", "spring-accordion", "--out", str(blocked / "out")]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_results_do_not_depend_on_the_number_of_processes(tmp_path, capsys):
+    found = []
+    for jobs in ("1", "2"):
+        out = tmp_path / jobs
+        run(["verify", "spring-accordion", "--no-cache", "--jobs", jobs, "--out", str(out)])
+        found.append(json.loads((out / "results.json").read_text())["rows"])
+    assert found[0] == found[1]
+
+
+def test_the_stiffness_of_the_paper_is_within_a_ten_thousandth():
+    """0.60096 ± 0.0001 N/mm, the acceptance figure of Eqs. 1-9."""
+    from verify.cases.spring import ACCORDION
+
+    assert ACCORDION.analytic(ACCORDION.inputs())["k1"] / 1e3 == pytest.approx(0.60096, abs=1e-4)
