@@ -11,7 +11,7 @@ shear and membrane strains from locking. Shares nothing with the closed-form ele
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import csc_array
-from skfem import Basis, BilinearForm, ElementLineP2, ElementVector, MeshLine1
+from skfem import Basis, BilinearForm, ElementLineP2, ElementVector, LinearForm, MeshLine1
 
 from fem.beam.section import (
     Array,
@@ -30,6 +30,12 @@ def stiffness(u, v, w):
     a = _strains(u.grad[:, 0] / w.ds, u[2], w.t)
     b = _strains(v.grad[:, 0] / w.ds, v[2], w.t)
     return (w.EA * a[0] * b[0] + w.GA * a[1] * b[1] + w.EI * a[2] * b[2]) * w.ds
+
+
+@LinearForm
+def section_work(v, w):
+    eps, gamma, kappa = _strains(v.grad[:, 0] / w.ds, v[2], w.t)
+    return (w.N * eps + w.V * gamma + w.M * kappa) * w.ds
 
 
 def solve_curved_frame(
@@ -75,15 +81,17 @@ def solve_curved_frame(
         )
     K = csc_array(csc_array(K)[order][:, order])
 
-    def energy(u: Array) -> float:
+    def strain(u: Array) -> tuple[float, Array]:
         dofs = np.empty(basis.N)
         dofs[order] = u.ravel()
         field = basis.interpolate(dofs)
         eps, gamma, kappa = _strains(field.grad[:, 0] / ds, np.asarray(field)[2], tangent)
-        density = moduli["EA"] * eps**2 + moduli["GA"] * gamma**2 + moduli["EI"] * kappa**2
-        return float(np.sum(density * ds * basis.dx)) / 2
+        N, V, M = moduli["EA"] * eps, moduli["GA"] * gamma, moduli["EI"] * kappa
+        energy = float(np.sum((N * eps + V * gamma + M * kappa) * ds * basis.dx)) / 2
+        forces = section_work.assemble(basis, t=tangent, ds=ds, N=N, V=V, M=M)
+        return energy, forces[order].reshape(-1, 3)
 
-    return solve_supported(points, K, np.zeros(3 * len(points)), supports, loads, energy)
+    return solve_supported(points, K, np.zeros(3 * len(points)), supports, loads, strain)
 
 
 def _strains(slope, phi, tangent):
@@ -105,7 +113,7 @@ def _basis(points: Array, elements: Array) -> tuple[Basis, Array]:
     ends = np.unique(elements[:, :2])
     number = np.full(len(points), -1)
     number[ends] = np.arange(ends.size)
-    t = number[elements[:, :2]].T
+    t = np.ascontiguousarray(number[elements[:, :2]].T)
     mesh = MeshLine1(np.arange(ends.size, dtype=float)[None], t, sort_t=False)
     if not np.array_equal(mesh.t, t):
         raise ValueError("scikit-fem reordered the line mesh")

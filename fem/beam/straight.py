@@ -72,13 +72,20 @@ def solve_frame(
         local = np.array([axial, across, across * L / 6, axial, across, -across * L / 6]) * L / 2
         f[dofs[e]] += T[e].T @ local
 
-    def energy(u: Array) -> float:
-        stretch, turn = _deformation(u, elements, d / length[:, None], length)
-        phi = 12 * EI / (GA * length**2)
-        bend = (4 + phi) * (turn**2).sum(axis=0) + 2 * (2 - phi) * turn[0] * turn[1]
-        return float(np.sum(EA / length * stretch**2 + EI / (length * (1 + phi)) * bend)) / 2
+    tangent, phi = d / length[:, None], 12 * EI / (GA * length**2)
+    bend = EI / (length * (1 + phi))
 
-    return solve_supported(points, K, f, supports, loads, energy)
+    def strain(u: Array) -> tuple[float, Array]:
+        stretch, turn = _deformation(u, elements, tangent, length)
+        N = EA / length * stretch
+        M = bend * np.array([
+            (4 + phi) * turn[0] + (2 - phi) * turn[1],
+            (2 - phi) * turn[0] + (4 + phi) * turn[1],
+        ])  # fmt: skip
+        energy = float(N @ stretch + np.sum(M * turn)) / 2
+        return energy, _end_forces(N, M, elements, tangent, length, len(points))
+
+    return solve_supported(points, K, f, supports, loads, strain)
 
 
 def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> tuple[Array, Array]:
@@ -87,6 +94,19 @@ def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> tuple
     stretch = (step * tangent).sum(axis=1)
     chord = (tangent[:, 0] * step[:, 1] - tangent[:, 1] * step[:, 0]) / L
     return stretch, u[elements, 2].T - chord
+
+
+def _end_forces(
+    N: Array, M: Array, elements: Indices, tangent: Array, L: Array, nodes: int
+) -> Array:
+    """Forces and couples (nodes, 3) that hold axial forces and end moments: work-conjugate."""
+    V = M.sum(axis=0) / L  # the chord's rotation does this work, with the opposite sign
+    pull = N[:, None] * tangent - V[:, None] * np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    total = np.zeros((nodes, 3))
+    np.add.at(total[:, :2], elements[:, 1], pull)
+    np.add.at(total[:, :2], elements[:, 0], -pull)
+    np.add.at(total[:, 2], elements.T, M)
+    return total
 
 
 def _stiffness(L: Array, EA: Array, EI: Array, phi: Array) -> Array:

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.sparse import csr_matrix
 from skfem import Basis
 from skfem.helpers import sym_grad
 
@@ -54,14 +53,17 @@ class Samples:
 
 @dataclass(frozen=True)
 class PlaneSolution:
-    """Displacements `u` (unknowns,) on `basis`; K u - f is the reaction of the supports.
+    """Displacements `u` (unknowns,) on `basis`, in balance with the loads.
 
-    `lam`, `mu`, `ratio` are given per cell; `residual` is the solver's relative residual.
+    `internal` (unknowns,) are the forces of the stresses, `f` those of the loads; their
+    difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell.
+    `residual` is the share of the energy that the solver's last correction held, the square of a
+    relative displacement.
     """
 
     basis: Basis
     u: Array
-    K: csr_matrix
+    internal: Array
     f: Array
     lam: Array
     mu: Array
@@ -183,6 +185,6 @@ class PlaneSolution:
         return np.hstack(nodes)
 
     def _resultant(self, dofs: Indices) -> tuple[float, float, float]:
-        x, y = (self.K @ self.u - self.f)[dofs]
+        x, y = (self.internal - self.f)[dofs]
         at = self.basis.doflocs[:, dofs[0]]
         return float(x.sum()), float(y.sum()), float(at[0] @ y - at[1] @ x)

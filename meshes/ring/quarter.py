@@ -8,29 +8,40 @@ from skfem.mesh import Mesh2D
 from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
+AROUND = 12  # cells along a quarter on the coarsest mesh
+ACROSS = 0.4  # and by how much ln r grows over one of them
+
 
 def quarter_ring(
-    *, r_i: float, r_o: float, through: int, around: int, order: int = 2, straight: bool = False
+    *, r_i: float, r_o: float, refine: int, order: int = 2, straight: bool = False
 ) -> Mesh2D:
-    """`2 through` cells across the wall and `around` cells along a quarter.
+    """Quarter of a ring whose cells grow with the radius.
 
-    Boundaries "bore", "rim", "x=0", "y=0" and the internal circle "middle"; bodies "inner half"
-    and "outer half" meet there. `order` 1 or 2; `straight` cells keep straight edges.
+    `refine` 1 is the coarsest mesh: twelve cells along the quarter and at least one across each
+    half of the wall; 2 halves them all, and so on. Boundaries "bore", "rim", "x=0", "y=0" and the
+    internal circle "middle"; bodies "inner half" and "outer half" meet there. `order` 1 or 2;
+    `straight` cells keep straight edges.
     """
-    r_m = (r_i + r_o) / 2
+    if not 0 < r_i < r_o:
+        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+    radii = (r_i, (r_i + r_o) / 2, r_o)
     with gmsh_session():
         geo = gmsh.model.geo
         o = geo.addPoint(0, 0, 0)
-        foot = [geo.addPoint(r, 0, 0) for r in (r_i, r_m, r_o)]
-        top = [geo.addPoint(0, r, 0) for r in (r_i, r_m, r_o)]
+        foot = [geo.addPoint(r, 0, 0) for r in radii]
+        top = [geo.addPoint(0, r, 0) for r in radii]
         circles = [geo.addCircleArc(a, o, b) for a, b in zip(foot, top, strict=True)]
         feet = [geo.addLine(foot[k], foot[k + 1]) for k in (0, 1)]
         tops = [geo.addLine(top[k], top[k + 1]) for k in (0, 1)]
         for curve in circles:
-            geo.mesh.setTransfiniteCurve(curve, around + 1)
-        for curve in feet + tops:
-            geo.mesh.setTransfiniteCurve(curve, through + 1)
+            geo.mesh.setTransfiniteCurve(curve, AROUND * refine + 1)
         for k, body in enumerate(("inner half", "outer half")):
+            stretch = radii[k + 1] / radii[k]
+            cells = refine * max(1, round(math.log(stretch) / ACROSS))
+            for curve in (feet[k], tops[k]):
+                geo.mesh.setTransfiniteCurve(
+                    curve, cells + 1, "Progression", stretch ** (1 / cells)
+                )
             loop = geo.addCurveLoop([feet[k], circles[k + 1], -tops[k], -circles[k]])
             surface = geo.addPlaneSurface([loop])
             geo.mesh.setTransfiniteSurface(surface)
@@ -43,8 +54,3 @@ def quarter_ring(
         gmsh.model.mesh.generate(2)
         gmsh.model.mesh.setOrder(order)
         return plane_mesh(straight=straight)
-
-
-def cells_around(*, r_i: float, r_o: float, through: int) -> int:
-    """Cells along a quarter that are about as long at the mean radius as they are thick."""
-    return max(4, round(math.pi / 2 * (r_i + r_o) / (r_o - r_i) * through))

@@ -1,0 +1,46 @@
+"""The documents say what the program does."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from verify.cases.registry import CASES
+from verify.inputs import build
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text("utf-8")
+
+
+def test_readme_names_every_case():
+    for case in CASES:
+        assert f"`{case.id}`" in README
+
+
+def test_the_parameter_file_of_the_readme_is_one():
+    data = tomllib.loads(re.search(r"```toml\n(.*?)```", README, re.DOTALL)[1])
+    case = next(c for c in CASES if c.id == data["case"])
+    assert build(case.inputs, data["inputs"], "README").n == 12
+
+
+@pytest.mark.parametrize("file", ["README.md", ".ci/run", "tools/system-check"])
+def test_the_debian_packages_are_the_same_everywhere(file):
+    packages = (
+        "python3-venv make libglu1-mesa libgl1 libxft2 libxcursor1 libxinerama1 libxfixes3 "
+        "libfontconfig1 libgomp1"
+    )
+    assert packages in (ROOT / file).read_text("utf-8")
+
+
+def test_links_of_the_readme_lead_somewhere():
+    for target in re.findall(r"\]\(([^)#]+)\)", README):
+        assert (ROOT / target).exists(), target
+
+
+def test_requirements_are_locked_with_hashes_and_name_no_index():
+    lock = (ROOT / "requirements.txt").read_text("utf-8")
+    pins = re.findall(r"^[a-z0-9._-]+==\S+", lock, re.MULTILINE)
+    assert len(pins) > 50
+    assert lock.count("--hash=sha256:") >= len(pins)
+    assert not re.search(r"--(extra-)?index-url|--find-links|https?://", lock)
