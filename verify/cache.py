@@ -9,10 +9,13 @@ Files are JSON inside npz, written under a temporary name and renamed.
 import ast
 import hashlib
 import inspect
+import io
 import json
 import os
+import struct
 import tempfile
 import zipfile
+import zlib
 from collections.abc import Iterator
 from functools import cache
 from importlib.metadata import version
@@ -28,6 +31,11 @@ from verify.results import Field
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
 FORMAT = 1
+# what numpy and zipfile raise on files that were torn or changed
+UNREADABLE = (
+    OSError, ValueError, LookupError, EOFError, RuntimeError, TypeError, AttributeError,
+    zipfile.BadZipFile, zlib.error, struct.error,
+)  # fmt: skip
 
 
 def default_folder() -> Path:
@@ -48,9 +56,9 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
     """The stored result, or None where there is none or it can't be read."""
     path = folder / case.id / f"{key(case, inputs, level)}.npz"
     try:
-        with np.load(path, allow_pickle=False) as data:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
             return _unpack({name: data[name] for name in data.files})
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+    except UNREADABLE:
         return None
 
 
@@ -113,14 +121,23 @@ def source_of(function: Any) -> str:
         return "unknown"
     tree = ast.parse(Path(module.__file__).read_text("utf-8"))
     own = {name: node for node in tree.body for name in _defined(node)}
-    used, queue = {}, [function.__name__]
+    borrowed = {
+        alias.asname or alias.name: node.module
+        for node in tree.body
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("verify.cases.")
+        for alias in node.names
+    }
+    used: dict[str, str] = {}
+    start, queue = set(), [function.__name__]
     while queue:
         name = queue.pop()
-        if name in used or name not in own:
-            continue
-        used[name] = _plain(own[name])
-        queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
-    reached = sorted(_reached({m for n in used for m in _imported(own[n])}))
+        if name in borrowed:  # a helper of another case module: all of that module
+            start.add(str(borrowed[name]))
+        elif name in own and name not in used:
+            used[name] = _plain(own[name])
+            queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
+            start.update(_imported(own[name], module.__name__))
+    reached = sorted(_reached(start))
     text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_file_hash(m)}" for m in reached)])
     return hashlib.sha256(text.encode()).hexdigest()
 
@@ -128,19 +145,29 @@ def source_of(function: Any) -> str:
 def _defined(node: ast.stmt) -> list[str]:
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         return [node.name]
-    if isinstance(node, ast.Assign):
-        return [t.id for t in node.targets if isinstance(t, ast.Name)]
-    if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
-        return [node.target.id]
-    return []
+    targets = node.targets if isinstance(node, ast.Assign) else []
+    targets = [node.target] if isinstance(node, ast.AnnAssign) else targets
+    return [n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)]
 
 
-def _imported(node: ast.AST) -> Iterator[str]:
-    """Modules of fem and meshes that `node` imports."""
+def _imported(node: ast.AST, importer: str) -> Iterator[str]:
+    """Modules of fem and meshes that `node`, a part of the module `importer`, imports."""
     for item in ast.walk(node):
-        names = [item.module or ""] if isinstance(item, ast.ImportFrom) else []
-        names += [alias.name for alias in item.names] if isinstance(item, ast.Import) else []
-        yield from (n for n in names if n.partition(".")[0] in ("fem", "meshes"))
+        names: list[str] = []
+        if isinstance(item, ast.Import):
+            names = [alias.name for alias in item.names]
+        elif isinstance(item, ast.ImportFrom):
+            parent = importer.rsplit(".", item.level)[0] if item.level else ""
+            source = ".".join(filter(None, (parent, item.module)))
+            names = [source, *(f"{source}.{alias.name}" for alias in item.names)]
+        yield from (n for n in names if n.partition(".")[0] in ("fem", "meshes") and _exists(n))
+
+
+def _exists(name: str) -> bool:
+    try:
+        return find_spec(name) is not None
+    except ModuleNotFoundError:  # the last part is a name inside a module
+        return False
 
 
 def _reached(start: set[str]) -> set[str]:
@@ -150,7 +177,7 @@ def _reached(start: set[str]) -> set[str]:
         name = queue.pop()
         if name not in found:
             found.add(name)
-            queue += _imported(_tree(name))
+            queue += _imported(_tree(name), name)
     return found
 
 

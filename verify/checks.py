@@ -7,7 +7,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 from verify import judge, units
 from verify.case import Context
@@ -21,6 +21,8 @@ NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judge
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
     """What all claims have. `printed` lists published values ("paper:id") shown beside the row."""
+
+    kind: ClassVar[Kind]
 
     name: str
     symbol: str
@@ -40,7 +42,7 @@ class Claim(ABC):
 
     def skipped(self, case: str, reason: str) -> list[Row]:
         """The rows that `rows` would give, not run."""
-        return [self._row(case, Kind.IDENTITY, judge.Verdict(Status.SKIP, reason))]
+        return [self._row(case, self.kind, judge.Verdict(Status.SKIP, reason))]
 
     def _row(self, case: str, kind: Kind, verdict: judge.Verdict, **more: Any) -> Row:
         more = {"demand": self.demand, "demand_reason": self.demand_reason} | more
@@ -90,12 +92,18 @@ class FemClaim(Claim):
         """Grid convergence, standard uncertainty u_num and u_it of the finest value [SI]."""
         h, v = context.series(self.fem)
         u_it = max(r.u_it.get(self.fem, 0.0) for r in context.fem)
+        if not all(map(math.isfinite, v)):  # a level that did not converge is no number
+            return GridConvergence("diverging", math.inf), math.inf, u_it
         grid = grid_convergence(h, v, formal=self.formal, scale=scale, u_it=u_it)
         return grid, judge.numerical_uncertainty(grid, u_it), u_it
 
     def skipped(self, case: str, reason: str) -> list[Row]:
-        first, *_ = super().skipped(case, reason)
-        return [first, replace(first, quantity=f"{self.name}: convergence", kind=Kind.FACT)]
+        beside_it = self._convergence_row(case, judge.Verdict(Status.SKIP, reason))
+        return [*super().skipped(case, reason), beside_it]
+
+    def _convergence_row(self, case: str, verdict: judge.Verdict, **more: Any) -> Row:
+        name = f"{self.name}: convergence"
+        return make_row(case, Kind.FACT, verdict, name, "p", "1", **more)
 
     def converges(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Row:
         """The row that convergence has to itself, beside agreement."""
@@ -115,10 +123,9 @@ class FemClaim(Claim):
             verdict, reason = judge.Verdict(Status.FAIL), "does not converge"
         if verdict.status is Status.FAIL and verdict.reason:
             reason = f"{verdict.reason}; {reason}"
-        return make_row(
-            context.case, Kind.FACT, replace(verdict, reason=reason),
-            f"{self.name}: convergence", "p", "1", fem=grid.order, formal_order=self.formal,
-        )  # fmt: skip
+        return self._convergence_row(
+            context.case, replace(verdict, reason=reason), fem=grid.order, formal_order=self.formal
+        )
 
     def demanded(self, context: Context) -> float:
         """The acceptance figure for the paper's numbers, the suite's default for one's own."""
@@ -140,6 +147,8 @@ class FemClaim(Claim):
 @dataclass(frozen=True, kw_only=True)
 class Identity(FemClaim):
     """Formula and finite elements solve the same problem: |FE - formula| <= U."""
+
+    kind = Kind.IDENTITY
 
     analytic: str
 
@@ -168,6 +177,8 @@ class Approximation(FemClaim):
     where it comes from. Without an interval the row is SHOWN.
     """
 
+    kind = Kind.APPROXIMATION
+
     analytic: str
     interval: Callable[[Any, Any], tuple[float, float] | None] | None
     source: str
@@ -195,6 +206,8 @@ class Approximation(FemClaim):
 class PrintedTheory(Claim):
     """The formula against the number that the paper computed from it: the last digit decides."""
 
+    kind = Kind.IDENTITY
+
     analytic: str
     reference: str
 
@@ -211,7 +224,7 @@ class PrintedTheory(Claim):
         shown = {"analytic": v, "published": (beside(self.reference, self.unit),)}
         if u is None:
             verdict = judge.Verdict(Status.SHOWN, "printed as approximate", v - r)
-            return [self._row(context.case, Kind.IDENTITY, verdict, scale=abs(r), **shown)]
+            return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **shown)]
         verdict = judge.difference(
             v, r, U=judge.expanded(0.0, u * f), scale=abs(r), demand=self.demand
         )
@@ -227,6 +240,8 @@ class PrintedTheory(Claim):
 @dataclass(frozen=True, kw_only=True)
 class PrintedMeasurement(Claim):
     """A test or a commercial finite-element value without stated uncertainty: SHOWN."""
+
+    kind = Kind.APPROXIMATION
 
     analytic: str
     reference: str
@@ -254,6 +269,8 @@ class PrintedMeasurement(Claim):
 class Order(Claim):
     """Errors against an exact value fall with the order that theory gives (kind trend)."""
 
+    kind = Kind.TREND
+
     errors: Callable[[Context], tuple[list[float], list[float]]]
     order: float
 
@@ -277,13 +294,15 @@ class Order(Claim):
             )
         ]  # fmt: skip
 
-    def skipped(self, case: str, reason: str) -> list[Row]:
-        return [replace(super().skipped(case, reason)[0], kind=Kind.TREND)]
-
 
 @dataclass(frozen=True, kw_only=True)
-class Exact(FemClaim):
+class Exact(Claim):
     """A finite-element balance that holds to round-off: |residual| <= bound x scale."""
+
+    kind = Kind.EXACT
+
+    fem: str
+    scale: str  # analytic key of the natural magnitude
 
     bound: float
     bound_reason: str
@@ -299,9 +318,6 @@ class Exact(FemClaim):
             )
         ]  # fmt: skip
 
-    def skipped(self, case: str, reason: str) -> list[Row]:
-        return [replace(super().skipped(case, reason)[0], kind=Kind.EXACT)]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Limit(Claim):
@@ -309,6 +325,8 @@ class Limit(Claim):
 
     `points(context)` gives eps, d = formula/FE - 1 and its standard uncertainty.
     """
+
+    kind = Kind.ASYMPTOTIC
 
     points: Callable[[Context], tuple[list[float], list[float], list[float]]]
     exponent: float | None
@@ -328,13 +346,12 @@ class Limit(Claim):
             )
         ]  # fmt: skip
 
-    def skipped(self, case: str, reason: str) -> list[Row]:
-        return [replace(super().skipped(case, reason)[0], kind=Kind.ASYMPTOTIC)]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Fact(Claim):
     """A statement that holds or not: `margin(context)` and its expanded uncertainty."""
+
+    kind = Kind.FACT
 
     margin: Callable[[Context], tuple[float, float]]
     fem_needed: bool = True
@@ -348,9 +365,6 @@ class Fact(Claim):
         verdict = judge.fact(margin, U)
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 
-    def skipped(self, case: str, reason: str) -> list[Row]:
-        return [replace(super().skipped(case, reason)[0], kind=Kind.FACT)]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Contradiction(Claim):
@@ -359,6 +373,8 @@ class Contradiction(Claim):
     `analytic` must exceed the printed `reference` surely; where it does not, the ledger is wrong
     and the row fails. `erratum` names the entry ("paper:id").
     """
+
+    kind = Kind.FACT
 
     analytic: str
     reference: str

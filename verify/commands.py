@@ -1,6 +1,7 @@
 """What the commands do, apart from reading the command line."""
 
 import json
+import math
 import os
 import sys
 import time
@@ -8,6 +9,8 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from verify import cache, units
 from verify.case import Case
@@ -75,9 +78,12 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
         raise InputError(f"{path}: case: {error}") from error
     inputs = build(case.inputs, raw, str(path))
     try:
-        case.analytic(inputs)
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            values = case.analytic(inputs)
     except (ValueError, ArithmeticError) as error:
         raise InputError(f"{path}: inputs: {error}") from error
+    if wild := [key for key, value in values.items() if not math.isfinite(value)]:
+        raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
     return name, case, inputs
 
 

@@ -90,7 +90,7 @@ def grid_convergence(
         return GridConvergence("oscillating", no_order)
     observed = observed_order(coarse / fine, r21, r32)
     if observed < 0.5:
-        return GridConvergence("slow", no_order, observed)
+        return GridConvergence("slow", no_order)
     if formal is None:
         return GridConvergence("monotone", no_order, observed)
     p = min(observed, formal)
@@ -146,7 +146,10 @@ def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
     (p0, c), *_ = np.linalg.lstsq(A, slope[-3:], rcond=None)
     scatter = float(np.linalg.norm(slope[-3:] - A @ (p0, c)))
     covariance = scatter**2 * np.linalg.inv(A.T @ A)
-    return OrderFit(float(p0), float(math.hypot(math.sqrt(covariance[0, 0]), c * middle[-1] / 2)))
+    # logarithms and their differences carry some round-off
+    round_off = 5e-15 * float(np.abs(y).max() / np.abs(np.diff(x)).min())
+    u = (math.sqrt(covariance[0, 0]), c * middle[-1] / 2, round_off)
+    return OrderFit(float(p0), float(np.linalg.norm(u)))
 
 
 def _check(h: Sequence[float], values: Sequence[float]) -> None:

@@ -22,6 +22,7 @@ from verify import units
 from verify.results import InputValue
 
 MAX_BYTES = 1_000_000
+LARGEST_INTEGER = 10**15
 TOP_LEVEL = ("case", "name", "inputs")
 
 
@@ -149,6 +150,8 @@ def _value(field: FieldInfo, raw: Any, where: str) -> Any:
             return units.parse(raw, unit)
         except ValueError as error:
             raise InputError(f"{where}: {error}") from error
+    if isinstance(raw, int) and abs(raw) > LARGEST_INTEGER:
+        raise InputError(f"{where}: {_text(raw)} is out of range")
     if kind is float:
         if isinstance(raw, bool) or not isinstance(raw, int | float):
             raise InputError(f"{where}: needs {_wanted(unit)}, {_got(raw)}")
@@ -156,7 +159,7 @@ def _value(field: FieldInfo, raw: Any, where: str) -> Any:
             raise InputError(
                 f'{where}: {raw} has no unit: needs {_wanted(unit)}, such as "{raw} {unit}"'
             )
-        if not math.isfinite(raw) or abs(raw) > 1e300:
+        if not math.isfinite(raw):
             raise InputError(f"{where}: {raw} is not finite")
         return float(raw)
     if kind is int and (isinstance(raw, bool) or not isinstance(raw, int)):
@@ -214,7 +217,17 @@ def _wanted(unit: str) -> str:
 
 
 def _got(value: Any) -> str:
-    return "it is missing" if value is None else f"got {_one_line(repr(value))}"
+    return "it is missing" if value is None else f"got {_text(value)}"
+
+
+def _text(value: Any) -> str:
+    """A TOML value in one line; Python refuses to print integers of thousands of digits."""
+    if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
+        return f"an integer of {value.bit_length()} bits"
+    try:
+        return _one_line(repr(value))
+    except ValueError:
+        return "a list or table with an integer of thousands of digits"
 
 
 def _one_line(text: str) -> str:

@@ -5,7 +5,7 @@ relative change that surely turns the row red. A row passes when |d| <= U and de
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,8 +42,7 @@ def difference(
     value: float, reference: float, *, U: float, scale: float, demand: float = DEMAND
 ) -> Verdict:
     """Identity, trend and printed numbers: |value - reference| <= U, and sharp."""
-    if not scale > 0:
-        raise ValueError(f"a row needs a positive scale, got {scale:g}")
+    _positive(scale)
     if not all(map(math.isfinite, (value, reference, U))):
         return Verdict(Status.FAIL, "not converged")
     d = value - reference
@@ -69,15 +68,19 @@ def approximation(
     """
     if not all(map(math.isfinite, (formula, reference, U))) or reference == 0:
         return Verdict(Status.FAIL, "not converged")
-    m, U_m = formula / reference - 1, U / abs(reference)
+    ratio, u = formula / reference, U / abs(reference)
+    m, U_m = ratio - 1, abs(ratio) * u  # a quotient carries its own size
     if interval is None:
         return Verdict(Status.SHOWN, f"measured: {m:+.2%} ± {U_m:.1g}", formula - reference, U)
     low, high = interval
-    detects = max(high - U_m - m, m - low - U_m)
     if not low + U_m <= m <= high - U_m:
         reason = f"model error {m:+.3%} ± {U_m:.1g} is not inside [{low:+.3%}, {high:+.3%}]"
-        return Verdict(Status.FAIL, reason, formula - reference, U, abs(detects))
-    return _sharp(Verdict(Status.PASS, "", formula - reference, U, detects), demand)
+        return Verdict(Status.FAIL, reason, formula - reference, U)
+    # the formula times 1 + c leaves the interval where (1 + m)(1 + c)(1 ± u) meets its ends
+    up = (1 + high) / (ratio * (1 + u)) - 1
+    down = 1 - (1 + low) / (ratio * (1 - u))
+    verdict = Verdict(Status.PASS, "", formula - reference, U, max(up, down))
+    return _sharp(verdict, demand)
 
 
 def fact(margin: float, U: float) -> Verdict:
@@ -92,7 +95,8 @@ def fact(margin: float, U: float) -> Verdict:
 
 def exact(residual: float, *, bound: float, scale: float) -> Verdict:
     """A balance or symmetry: |residual| <= bound x scale, bound from condition or solver."""
-    if not math.isfinite(residual):
+    _positive(scale)
+    if not (math.isfinite(residual) and math.isfinite(bound)):
         return Verdict(Status.FAIL, "not converged")
     U = bound * scale
     detects = (U + abs(residual)) / scale
@@ -116,32 +120,57 @@ class LimitFit:
 def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> LimitFit:
     """Weighted least squares of d = d0 + c eps^q over at least four points and a decade.
 
-    The covariance takes the larger of the stated uncertainties `u` and the scatter about the fit.
+    For every q the constants follow linearly; the best q is searched in (0, 10]. The covariance
+    takes the larger of the stated standard uncertainties `u` and the scatter about the fit.
     """
-    from scipy.optimize import curve_fit  # 80 ms that only this kind of row needs
-
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
-    if x.size < 4 or x.max() < 10 * x.min() * (1 - 1e-12):
+    decade = np.all(np.isfinite(x)) and np.all(x > 0) and x.size >= 4
+    if not decade or x.max() < 10 * x.min() * (1 - 1e-12):
         raise ValueError(f"a limit needs four points over a decade, got eps = {x.tolist()}")
-    sigma = np.maximum(sigma, 1e-15 * np.abs(y).max())
-    big = y[np.argmax(x)]
-    s = x / x.max()
-    start = (0.0, big, 1.0)
-    fit, covariance = curve_fit(
-        lambda t, d0, c, q: d0 + c * t**q, s, y, p0=start, sigma=sigma, absolute_sigma=True,
-        maxfev=20_000,
-    )  # fmt: skip
-    left = (fit[0] + fit[1] * s ** fit[2] - y) / sigma
-    inflate = max(1.0, float(np.sum(left**2)) / (x.size - 3)) ** 0.5
-    u0, _, u_q = np.sqrt(np.diag(covariance)) * inflate
+    if not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma)) and np.all(sigma >= 0)):
+        raise ValueError(f"a point that is not finite has no limit: d = {y.tolist()}")
+    size = np.abs(y).max()
+    if size == 0:
+        raise ValueError("differences that are all zero have no exponent")
+    sigma = np.maximum(sigma / size, 1e-14)
+    s, t = x / x.max(), y / size
+
+    def linear(q: float) -> tuple[np.ndarray[tuple[int], np.dtype[np.float64]], float]:
+        A = np.column_stack([np.ones_like(s), s**q]) / sigma[:, None]
+        constants = np.linalg.lstsq(A, t / sigma, rcond=None)[0]
+        return constants, float(np.sum((A @ constants - t / sigma) ** 2))
+
+    q = _least(lambda q: linear(q)[1])
+    (d0, c), chi2 = linear(q)
+    J = np.column_stack([np.ones_like(s), s**q, c * s**q * np.log(s)]) / sigma[:, None]
+    inflate = max(1.0, chi2 / (s.size - 3)) ** 0.5
+    spread = np.linalg.norm(np.linalg.pinv(J), axis=1) * inflate
     return LimitFit(
-        float(fit[0]), float(COVERAGE * u0), float(fit[1] / x.max() ** fit[2]), float(fit[2]),
-        float(COVERAGE * u_q),
+        float(d0 * size), float(COVERAGE * spread[0] * size), float(c * size / x.max() ** q),
+        float(q), float(COVERAGE * spread[2]),
     )  # fmt: skip
+
+
+def _least(chi2: Callable[[float], float]) -> float:
+    """The q in (0, 10] with the least chi2: a grid, then golden sections about its best point."""
+    grid = np.linspace(0.05, 10.0, 200)
+    best = int(np.argmin([chi2(q) for q in grid]))
+    low, high = grid[max(best - 1, 0)], grid[min(best + 1, grid.size - 1)]
+    golden = (math.sqrt(5) - 1) / 2
+    for _ in range(80):
+        a, b = high - golden * (high - low), low + golden * (high - low)
+        if chi2(a) <= chi2(b):
+            high = b
+        else:
+            low = a
+    return float((low + high) / 2)
 
 
 def asymptotic(fit: LimitFit, *, q: float | None, scale: float, demand: float = DEMAND) -> Verdict:
     """|d0| <= U0 and, where theory gives the exponent, |q - q_theory| <= U_q."""
+    _positive(scale)
+    if not all(map(math.isfinite, (fit.d0, fit.U0, fit.q, fit.U_q))):
+        return Verdict(Status.FAIL, "not converged")
     detects = (fit.U0 + abs(fit.d0)) / scale
     if abs(fit.d0) > fit.U0:
         reason = f"limit {fit.d0 / scale:.2g} of the scale is not zero within {fit.U0 / scale:.2g}"
@@ -150,6 +179,11 @@ def asymptotic(fit: LimitFit, *, q: float | None, scale: float, demand: float = 
         reason = f"exponent {fit.q:.3f} ± {fit.U_q:.2g}, theory {q:g}"
         return Verdict(Status.FAIL, reason, fit.d0, fit.U0, detects)
     return _sharp(Verdict(Status.PASS, "", fit.d0, fit.U0, detects), demand)
+
+
+def _positive(scale: float) -> None:
+    if not (math.isfinite(scale) and scale > 0):
+        raise ValueError(f"a row needs a positive, finite scale, got {scale:g}")
 
 
 def _sharp(verdict: Verdict, demand: float) -> Verdict:

@@ -23,6 +23,7 @@ meter = [length] = m = metre
 second = [time] = s = sec
 gram = [mass] = g
 radian = [angle] = rad
+revolution = 2 * 3.14159265358979323846 * radian = r = rev
 degree = 3.14159265358979323846 / 180 * radian = deg = °
 minute = 60 * second = min
 inch = 0.0254 * meter = in
@@ -41,15 +42,15 @@ percent = 0.01 = %
 DIMENSIONS = {
     "mm": "a length", "MPa": "a pressure or stress", "N": "a force", "deg": "an angle",
     "N/mm": "a stiffness", "kg/m^3": "a density", "1": "a number", "s": "a time",
-    "J/m": "an energy per length", "N m": "a torque",
+    "J/m": "an energy per length", "N m": "a torque", "r/min": "a speed of rotation",
 }  # fmt: skip
 
+_WORD = "[A-Za-zµμ°%]"
 _TEXT = re.compile(
-    r"\s*(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(?P<unit>[A-Za-zµμ°%][^\"']{0,39})?"
+    r"\s*(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)"
+    rf"(?:\s*(?P<unit>{_WORD}[^\"']{{0,39}})|\s+(?P<reciprocal>1\s*/[^\"']{{1,39}}))?\s*"
 )
-_UNIT = re.compile(
-    r"[A-Za-zµμ°%]+(?:\s*(?:\^|\*\*)\s*-?\d)?(?:\s*[*/·]?\s*(?:[A-Za-zµμ°%]+|1)(?:\s*(?:\^|\*\*)\s*-?\d)?)*"
-)
+_FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d))?")
 
 
 @cache
@@ -89,15 +90,13 @@ def parse(text: str, unit: str) -> float:
     match = _TEXT.fullmatch(text)
     if match is None:
         raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
-    number, given = float(match["number"]), (match["unit"] or "1").strip()
+    number, given = float(match["number"]), (match["unit"] or match["reciprocal"] or "1").strip()
     if not math.isfinite(number):
         raise ValueError(f'"{_short(text)}" is not finite')
     if given == "1" and unit != "1":
         raise ValueError(f'"{_short(text)}" has no unit: needs {wanted}{example}')
     if dimensions(given) != dimensions(unit):
         raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
-    if given == unit:
-        return number * factor(unit)
     value = number * factor(given)
     if not math.isfinite(value):
         raise ValueError(f'"{_short(text)}" is not finite')
@@ -114,15 +113,24 @@ def dimensions(unit: str) -> frozenset[tuple[str, float]]:
 
 
 def _parsed(unit: str) -> "pint.Unit":
-    if not _UNIT.fullmatch(unit):
+    """`N m`, `kg/m^3`, `1/mm`: factors one after the other, so that no text takes long."""
+    parts: list[str] = []
+    at = 0
+    while at < len(unit):
+        match = _FACTOR.match(unit, at)
+        if match is None or (match[1] == "" and match[2] == "1" and at > 0):
+            raise ValueError(f'"{_short(unit)}" is not a unit')
+        parts.append(f"{match[1].replace('·', '*') or ('*' if parts else '')}{match[2]}")
+        parts[-1] += f"**{match[3]}" if match[3] else ""
+        at = match.end()
+    if not parts or parts[0][0] in "*/":
         raise ValueError(f'"{_short(unit)}" is not a unit')
-    text = re.sub(r"\s*·\s*|(?<=[\w°%])\s+(?=[A-Za-zµμ°%])", " * ", unit)
     try:
-        return registry().Unit(text)
+        return registry().Unit("".join(parts))
     except (pint.errors.PintError, AttributeError, ValueError, TypeError) as error:
         raise ValueError(f'"{_short(unit)}" is not a known unit') from error
 
 
 def _short(text: str) -> str:
-    line = " ".join(text.split())
+    line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
     return line if len(line) <= 40 else line[:39] + "…"
