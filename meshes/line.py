@@ -6,6 +6,8 @@ import gmsh
 import numpy as np
 from numpy.typing import NDArray
 
+LINE3 = 8  # gmsh's element type
+
 
 @dataclass(frozen=True)
 class LineMesh:
@@ -33,14 +35,13 @@ def line_mesh() -> LineMesh:
     place = dict(zip(tags.tolist(), coordinates.reshape(-1, 3)[:, :2], strict=True))
     blocks, bodies, count = [], {}, 0
     for dim, group in gmsh.model.getPhysicalGroups(1):
-        own = [
-            gmsh.model.mesh.getElements(1, curve)[2][0].reshape(-1, 3)
-            for curve in gmsh.model.getEntitiesForPhysicalGroup(dim, group)
-        ]
+        own = [_quadratic(curve) for curve in gmsh.model.getEntitiesForPhysicalGroup(dim, group)]
         blocks += own
         size = sum(map(len, own))
         bodies[gmsh.model.getPhysicalName(dim, group)] = np.arange(count, count + size)
         count += size
+    if not blocks:
+        raise ValueError("a line mesh needs physical curves, the model names none")
     cells = np.concatenate(blocks)
     order = np.concatenate([np.unique(cells[:, :2]), cells[:, 2]])  # ends first
     row = np.zeros(int(tags.max()) + 1, dtype=np.int64)
@@ -52,3 +53,11 @@ def line_mesh() -> LineMesh:
             row[gmsh.model.mesh.getNodes(0, point)[0][0]]
         )
     return LineMesh(np.array([place[t] for t in order.tolist()]), row[cells], nodes, bodies)
+
+
+def _quadratic(curve: int) -> NDArray[np.int64]:
+    """Nodes (m, 3) of the elements on `curve`: ends and middle."""
+    kinds, _, nodes = gmsh.model.mesh.getElements(1, curve)
+    if list(kinds) != [LINE3]:
+        raise ValueError(f"curve {curve} needs quadratic line elements: set the mesh order to 2")
+    return nodes[0].reshape(-1, 3).astype(np.int64)

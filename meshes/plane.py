@@ -63,10 +63,12 @@ def _boundaries(mesh: Mesh2D, vertex: Indices) -> dict[str, Indices]:
             for curve in gmsh.model.getEntitiesForPhysicalGroup(dim, group)
             for kind, _, nodes in zip(*gmsh.model.mesh.getElements(1, curve), strict=True)
         ]
+        name = gmsh.model.getPhysicalName(dim, group)
         wanted = _edge_keys(vertex[np.concatenate(ends)].T, n)
-        found[gmsh.model.getPhysicalName(dim, group)] = order[
-            np.searchsorted(keys, wanted, sorter=order)
-        ]
+        place = np.minimum(np.searchsorted(keys, wanted, sorter=order), keys.size - 1)
+        if np.any(keys[order[place]] != wanted):
+            raise ValueError(f"the curve {name!r} does not run along edges of cells")
+        found[name] = order[place]
     return found
 
 

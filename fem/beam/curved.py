@@ -20,6 +20,7 @@ from fem.beam.section import (
     Loads,
     Sections,
     Supports,
+    check_elements,
     element_sections,
     solve_supported,
 )
@@ -64,6 +65,7 @@ def solve_curved_frame(
         Where the linear solve leaves a residual above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
+    check_elements(len(points), elements)
     chosen = element_sections(len(elements), sections, bodies)
     if not np.all(np.isfinite([s.GA for s in chosen])):
         raise ValueError("a curved beam needs a finite shear stiffness GA in every section")
@@ -91,7 +93,7 @@ def solve_curved_frame(
         forces = section_work.assemble(basis, t=tangent, ds=ds, N=N, V=V, M=M)
         return energy, forces[order].reshape(-1, 3)
 
-    return solve_supported(points, K, np.zeros(3 * len(points)), supports, loads, strain)
+    return solve_supported(points, elements, K, np.zeros(3 * len(points)), supports, loads, strain)
 
 
 def _strains(slope, phi, tangent):
@@ -129,7 +131,10 @@ def _geometry(points: Array, elements: Array, basis: Basis) -> tuple[Array, Arra
     slope = np.array([4 * X - 3, 4 * X - 1, 4 - 8 * X])  # of the shape functions: ends, middle
     jacobian = np.einsum("enk,nq->keq", points[elements], slope)
     length = np.hypot(*jacobian)
-    if length.min() <= 0:
+    ends = np.array([[-3.0, -1.0, 4.0], [1.0, 3.0, -4.0]])  # the slopes at both ends
+    corner = points[elements]
+    forward = np.einsum("an,enk,ek->ae", ends, corner, corner[:, 1] - corner[:, 0])
+    if length.min() <= 0 or forward.min() <= 0:
         raise ValueError("an element is folded or has no length: put its middle node between")
     stretch = np.diff(basis.mesh.p[0][basis.mesh.t], axis=0).T  # coordinate per reference unit
     # negative stretch: the element runs against the vertex numbers; ds keeps its sign with it

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csc_array
+from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 
 Array = NDArray[np.float64]
@@ -15,7 +16,8 @@ Indices = NDArray[np.int64]
 DOFS = "xyr"  # displacements and rotation (counter-clockwise) of a node
 MAX_CORRECTIONS = 60
 CONVERGED = 1e-24  # relative energy, the square of relative displacements
-RESIDUAL_LIMIT = 1e-10
+ROUND_OFF = 1e-18
+RESIDUAL_LIMIT = 1e-12
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,20 +59,31 @@ class FrameSolution:
     f: Array
     strain_energy: float
     residual: float
+    between_nodes: float = 0.0  # energy of loads along elements, part of strain_energy
 
     @property
     def potential_energy(self) -> float:
-        """Strain energy less the work of the loads, f . u [force x length].
+        """Strain energy less the work of the loads [force x length].
 
         Stationary at the solution, so that an error of u enters squared. Under loads alone (no
         prescribed movement) it is minus half the loads' work: compliance = -2 x this / force^2.
         """
-        return self.strain_energy - float(self.f @ self.u.ravel())
+        # what elements store between fixed ends is half of what their loads do there
+        return self.strain_energy - 2 * self.between_nodes - float(self.f @ self.u.ravel())
 
     def reaction(self, node: int) -> tuple[float, float, float]:
         """Force (x, y) and couple that the supports exert on `node`."""
         x, y, couple = self.reactions[node]
         return float(x), float(y), float(couple)
+
+
+def check_elements(count: int, elements: Indices) -> None:
+    """ValueError for unknown nodes and for nodes without an element."""
+    named = set(elements.ravel().tolist())
+    if unknown := sorted(named - set(range(count))):
+        raise ValueError(f"no node {unknown[0]}: the frame has nodes 0 to {count - 1}")
+    if idle := sorted(set(range(count)) - named):
+        raise ValueError(f"node {idle[0]} belongs to no element")
 
 
 def element_sections(count: int, sections: Sections, bodies: Bodies | None) -> list[Section]:
@@ -91,6 +104,7 @@ def element_sections(count: int, sections: Sections, bodies: Bodies | None) -> l
 
 def solve_supported(
     points: Array,
+    elements: Indices,
     K: csc_array,
     f: Array,
     supports: Supports,
@@ -115,21 +129,25 @@ def solve_supported(
                 raise ValueError(f"node {node}: components are x, y, r, got {component!r}")
             i = _rows(n, node).start + DOFS.index(component)
             free[i], u[i] = False, value
+    _check_connections(len(points), elements, free)
     _check_rigid_motions(points, free)
-    factor = splu(
-        csc_array(K[free][:, free]),
-        permc_spec="MMD_AT_PLUS_A",
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True},
-    )
-    change = math.inf
+    try:
+        factor = splu(
+            csc_array(K[free][:, free]),
+            permc_spec="MMD_AT_PLUS_A",
+            diag_pivot_thresh=0.0,
+            options={"SymmetricMode": True},
+        )
+    except RuntimeError as error:  # SuperLU's word for a zero pivot
+        raise ValueError("the frame is a mechanism: a part of it can move freely") from error
+    change, stiff = math.inf, abs(K)
     for _ in range(MAX_CORRECTIONS):
         energy, internal = strain(u.reshape(-1, 3))
         residual = (f - internal.ravel())[free]
         step = factor.solve(residual)
         u[free] += step
         before = change
-        size = abs(f @ u) + 2 * energy
+        size = abs(f @ u) + 2 * energy + ROUND_OFF * (abs(u) @ (stiff @ abs(u)))
         change = abs(float(residual @ step)) / float(size) if size else 0.0
         if change < CONVERGED or not change < before / 2:
             break
@@ -148,9 +166,20 @@ def _rows(n: int, node: int) -> slice:
     return slice(3 * node, 3 * node + 3)
 
 
+def _check_connections(count: int, elements: Indices, free: NDArray[np.bool_]) -> None:
+    """ValueError for members that hang on nothing."""
+    first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()
+    links = csc_array((np.ones(first.size), (first, elements.ravel())), shape=(count, count))
+    parts, part = connected_components(links, directed=False)
+    held = ~free.reshape(-1, 3)
+    for k in range(parts if parts > 1 else 0):  # one part alone: its motion is named elsewhere
+        if not held[part == k].any():
+            raise ValueError(f"node {int(np.argmax(part == k))} and its part hang on no support")
+
+
 def _check_rigid_motions(points: Array, free: NDArray[np.bool_]) -> None:
     """ValueError where the supports leave the frame as a whole a rigid motion."""
-    x, y = ((points - points.mean(axis=0)) / max(np.ptp(points), 1e-300)).T
+    x, y = ((points - points.mean(axis=0)) / max(np.ptp(points, axis=0).max(), 1e-300)).T
     one, zero = np.ones_like(x), np.zeros_like(x)
     modes = np.stack([[one, zero, zero], [zero, one, zero], [-y, x, one]])  # mode, dof, node
     held = modes.transpose(2, 1, 0).reshape(-1, 3)[~free]

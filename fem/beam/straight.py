@@ -5,6 +5,7 @@ costs an error of second order in the element length.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +19,7 @@ from fem.beam.section import (
     Loads,
     Sections,
     Supports,
+    check_elements,
     element_sections,
     solve_supported,
 )
@@ -56,6 +58,7 @@ def solve_frame(
         Where the linear solve leaves a residual above 1e-6.
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
+    check_elements(len(points), elements)
     d = points[elements[:, 1]] - points[elements[:, 0]]
     length = np.hypot(*d.T)
     if length.min() <= 0:
@@ -66,11 +69,16 @@ def solve_frame(
     dofs = (3 * elements[:, :, None] + np.arange(3)).reshape(-1, 6)
     K = _assemble(np.einsum("eki,ekl,elj->eij", T, k, T), dofs, 3 * len(points))
     f = np.zeros(3 * len(points))
+    between = 0.0
     for e, q in (distributed or {}).items():
+        if not 0 <= e < len(elements):
+            raise ValueError(f"no element {e}: the frame has elements 0 to {len(elements) - 1}")
         L = length[e]
         axial, across = T[e, :2, :2] @ q
         local = np.array([axial, across, across * L / 6, axial, across, -across * L / 6]) * L / 2
         f[dofs[e]] += T[e].T @ local
+        between += axial**2 * L**3 / (24 * EA[e])
+        between += across**2 * (L**5 / (1440 * EI[e]) + L**3 / (24 * GA[e]))
 
     tangent, phi = d / length[:, None], 12 * EI / (GA * length**2)
     bend = EI / (length * (1 + phi))
@@ -85,7 +93,8 @@ def solve_frame(
         energy = float(N @ stretch + np.sum(M * turn)) / 2
         return energy, _end_forces(N, M, elements, tangent, length, len(points))
 
-    return solve_supported(points, K, f, supports, loads, strain)
+    solved = solve_supported(points, elements, K, f, supports, loads, strain)
+    return replace(solved, strain_energy=solved.strain_energy + between, between_nodes=between)
 
 
 def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> tuple[Array, Array]:

@@ -92,6 +92,17 @@ def named_facets(mesh: Mesh2D, name: str) -> Indices:
     return np.asarray(mesh.boundaries[name])
 
 
+def outer_facets(mesh: Mesh2D, name: str) -> Indices:
+    """Facets of the boundary `name`, which must have an outward normal; else ValueError."""
+    facets = named_facets(mesh, name)
+    if np.any(mesh.f2t[1, facets] >= 0):
+        raise ValueError(
+            f"boundary {name!r} lies inside the mesh, where a normal has no side: "
+            "use components x and y, or tractions"
+        )
+    return facets
+
+
 def named_cells(mesh: Mesh2D, name: str) -> Indices:
     """Cells of the body `name`; an unknown name lists the known ones."""
     if name not in (mesh.subdomains or {}):

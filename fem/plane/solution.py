@@ -9,18 +9,20 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 from skfem import Basis
 from skfem.helpers import sym_grad
 
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
-from fem.plane.supports import nearest_node
+from fem.plane.supports import Conditions, nearest_node
 
 
 @dataclass(frozen=True)
 class Samples:
     """Values at quadrature points: `x`, `u` (2, m), `stress` (4, m) and `weight` (m,).
 
-    Stress rows are xx, yy, xy, zz; `normal` (2, m) is the outward one on boundaries, else empty.
+    Stress rows are xx, yy, xy, zz; `normal` (2, m) is the outward one on outer boundaries, else
+    empty.
     The weights add up to the area, or to the length of the boundary.
     """
 
@@ -70,6 +72,7 @@ class PlaneSolution:
     ratio: Array
     thickness: float
     residual: float
+    conditions: Conditions
 
     @cached_property
     def strain_energy(self) -> float:
@@ -95,12 +98,16 @@ class PlaneSolution:
         return self.strain_energy - float(self.f @ self.u)
 
     def reaction(self, boundary: str) -> tuple[float, float, float]:
-        """Force (x, y) and moment about the origin that the supports of `boundary` exert."""
-        return self._resultant(self._dofs(boundary))
+        """Force (x, y) and moment about the origin that the supports of `boundary` exert.
+
+        At a corner that several supports hold, each counts what it carries itself.
+        """
+        named_facets(self.basis.mesh, boundary)  # an unknown name is an error, not a zero
+        return self._resultant(self.conditions.of(boundary))
 
     def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
         """Force (x, y) that an anchor at `point` exerts."""
-        x, y, _ = self._resultant(nearest_node(self.basis, point)[:, None])
+        x, y, _ = self._resultant(self.conditions.of(point))
         return x, y
 
     def displacement_at(self, point: tuple[float, float]) -> tuple[float, float]:
@@ -115,7 +122,8 @@ class PlaneSolution:
         if np.any(self.basis.mesh.f2t[1, facets] < 0):
             return near
         far = self._samples(facet_basis(self.basis, facets, side=1))
-        return Samples(near.x, near.u, (near.stress + far.stress) / 2, near.weight, near.normal)
+        no_side = np.zeros((2, 0))
+        return Samples(near.x, near.u, (near.stress + far.stress) / 2, near.weight, no_side)
 
     def in_body(self, name: str | None = None) -> Samples:
         """Samples in the cells of body `name`, or everywhere."""
@@ -177,14 +185,8 @@ class PlaneSolution:
             normal.reshape(2, -1),
         )
 
-    def _dofs(self, boundary: str) -> Indices:
-        facets = named_facets(self.basis.mesh, boundary)
-        nodes = [self.basis.nodal_dofs[:, np.unique(self.basis.mesh.facets[:, facets])]]
-        if self.basis.facet_dofs is not None and np.size(self.basis.facet_dofs):
-            nodes.append(self.basis.facet_dofs[:2, facets])
-        return np.hstack(nodes)
-
-    def _resultant(self, dofs: Indices) -> tuple[float, float, float]:
-        x, y = (self.internal - self.f)[dofs]
-        at = self.basis.doflocs[:, dofs[0]]
+    def _resultant(self, chosen: NDArray[np.bool_]) -> tuple[float, float, float]:
+        forces = self.conditions.forces(self.internal - self.f)
+        x, y = (self.conditions.direction * forces)[:, chosen]
+        at = self.basis.doflocs[:, self.conditions.dofs[0, chosen]]
         return float(x.sum()), float(y.sum()), float(at[0] @ y - at[1] @ x)

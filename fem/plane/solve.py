@@ -18,6 +18,7 @@ from fem.plane.discretisation import (
     facet_basis,
     named_cells,
     named_facets,
+    outer_facets,
     vector_basis,
 )
 from fem.plane.material import Assumption, Elastic
@@ -35,7 +36,8 @@ Pressure = float | Callable[[Array], Array]
 Vector = tuple[float, float] | Callable[[Array], Array]
 MAX_CORRECTIONS = 60
 CONVERGED = 1e-24  # relative energy, the square of relative displacements
-RESIDUAL_LIMIT = 1e-10
+ROUND_OFF = 1e-18
+RESIDUAL_LIMIT = 1e-12
 
 
 @BilinearForm
@@ -107,7 +109,7 @@ def solve_plane(
     ValueError
         For unknown names, missing materials, contradicting supports and unsupported bodies.
     ArithmeticError
-        Where the last correction of the linear solve holds more than 1e-10 of the energy.
+        Where the last correction of the linear solve holds more than 1e-12 of the energy.
     """
     if assumption not in get_args(Assumption):
         raise ValueError(f"assumption is 'plane strain' or 'plane stress', got {assumption!r}")
@@ -131,7 +133,7 @@ def solve_plane(
         return thickness * stress_work.assemble(basis, u=basis.interpolate(u), **fields)
 
     u, residual = _solve(K, f, T, u0, internal)
-    return PlaneSolution(basis, u, internal(u), f, lam, mu, ratio, thickness, residual)
+    return PlaneSolution(basis, u, internal(u), f, lam, mu, ratio, thickness, residual, conditions)
 
 
 def _solve(K, f, T, u0, internal):
@@ -146,13 +148,13 @@ def _solve(K, f, T, u0, internal):
         diag_pivot_thresh=0.0,
         options={"SymmetricMode": True},
     )
-    u, change = u0.copy(), np.inf
+    u, change, stiff = u0.copy(), np.inf, abs(K)
     for _ in range(MAX_CORRECTIONS):
         residual = T.T @ (f - internal(u))
         step = factor.solve(residual)
         u, before = u + T @ step, change
-        # energies: of the correction, and of what loads and prescribed movements put in
-        size = abs(f @ u) + abs(internal(u) @ u)
+        # energies: of the correction; of loads and prescribed movements; of what round-off is part
+        size = abs(f @ u) + abs(internal(u) @ u) + ROUND_OFF * (abs(u) @ (stiff @ abs(u)))
         change = abs(float(residual @ step)) / size if size else 0.0
         if change < CONVERGED or not change < before / 2:
             break
@@ -188,7 +190,7 @@ def _surface_load(
 ) -> Array:
     f = np.zeros(basis.N)
     for name, pressure in pressures.items():
-        side = facet_basis(basis, named_facets(basis.mesh, name))
+        side = facet_basis(basis, outer_facets(basis.mesh, name))
         x = np.asarray(side.global_coordinates())
         p = pressure(x) if callable(pressure) else pressure
         f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]).copy())
@@ -200,7 +202,9 @@ def _surface_load(
 
 def _body_load(basis: Basis, forces: Vector | Mapping[str, Vector] | None) -> Array:
     f = np.zeros(basis.N)
-    named = forces if isinstance(forces, Mapping) else {None: forces} if forces else {}
+    if forces is None:
+        return f
+    named = forces if isinstance(forces, Mapping) else {None: forces}
     for body, force in named.items():
         part = basis
         if body is not None:

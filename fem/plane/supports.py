@@ -5,29 +5,58 @@ Every supported node keeps 0 or 1 free direction, so that the solution is u = T 
 free unknowns q; inclined and curved guides need no penalty.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from skfem import Basis
 
-from fem.plane.discretisation import Array, Indices, facet_basis, named_facets
+from fem.plane.discretisation import Array, Indices, facet_basis, named_facets, outer_facets
 
 Prescribed = float | Callable[[Array], Array]
 Support = str | Mapping[str, Prescribed]
 Anchors = Mapping[tuple[float, float], Support]
+Owner = str | tuple[float, float]
 COMPONENTS = "xynt"
+SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one wall
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """Conditions direction . u(node) = value; `dofs` (2, m), `direction` (2, m), `value` (m,)."""
+    """Conditions direction . u(node) = value; `dofs` (2, m), `direction` (2, m), `value` (m,).
+
+    `owner` (m,) numbers the boundary or point of `owners` that each condition belongs to.
+    """
 
     dofs: Indices
     direction: Array
     value: Array
+    owner: Indices
+    owners: tuple[Owner, ...]
+
+    def of(self, owner: Owner) -> NDArray[np.bool_]:
+        """Which conditions belong to the boundary or point `owner`."""
+        if owner not in self.owners:
+            return np.zeros(self.owner.size, bool)
+        return self.owner == self.owners.index(owner)
+
+    def groups(self) -> Iterator[Indices]:
+        """The conditions of one node after the other."""
+        if self.owner.size:
+            order = np.argsort(self.dofs[0], kind="stable")
+            yield from np.split(order, np.flatnonzero(np.diff(self.dofs[0, order])) + 1)
+
+    def forces(self, reaction: Array) -> Array:
+        """Force (m,) along each condition that makes up `reaction` (unknowns,) of the supports."""
+        force = np.zeros(self.owner.size)
+        for group in self.groups():
+            at = reaction[self.dofs[:, group[0]]]
+            # least norm: conditions that say the same share what they carry
+            force[group] = np.linalg.lstsq(self.direction[:, group], at, rcond=1e-9)[0]
+        return force
 
 
 def node_dofs(basis: Basis) -> Indices:
@@ -38,19 +67,32 @@ def node_dofs(basis: Basis) -> Indices:
 
 def collect(basis: Basis, supports: Mapping[str, Support], anchors: Anchors) -> Conditions:
     """All conditions of `supports` (by boundary) and `anchors` (by point)."""
-    parts = [
-        _on_boundary(basis, name, component, value)
-        for name, support in supports.items()
-        for component, value in _components(support, f"support {name!r}")
+    owners: tuple[Owner, ...] = (*supports, *anchors)
+    wanted = [
+        (i, component, value)
+        for i, support in enumerate((*supports.values(), *anchors.values()))
+        for component, value in _components(support, f"support {owners[i]!r}")
     ]
-    parts += [
-        _at_point(basis, point, component, value)
-        for point, support in anchors.items()
-        for component, value in _components(support, f"anchor at {point}")
-    ]
+    names = {i for i, component, _ in wanted if component in "nt" and i < len(supports)}
+    guides = _guides(basis, {i: str(owners[i]) for i in sorted(names)})
+    parts = []
+    for i, component, value in wanted:
+        place = owners[i]
+        if isinstance(place, tuple):
+            dofs, direction = _at_point(basis, place, component)
+        elif component in "nt":
+            dofs, normal = guides[i]
+            direction = normal if component == "n" else np.array([-normal[1], normal[0]])
+        else:
+            dofs = _nodes(basis, named_facets(basis.mesh, place))
+            direction = np.repeat(np.eye(2)[:, ["xy".index(component)]], dofs.shape[1], axis=1)
+        values = _values(value, basis.doflocs[:, dofs[0]])
+        parts.append((dofs, direction, values, np.full(values.size, i)))
     if not parts:
-        return Conditions(np.zeros((2, 0), int), np.zeros((2, 0)), np.zeros(0))
-    return Conditions(*(np.concatenate(a, axis=-1) for a in zip(*parts, strict=True)))
+        none = np.zeros(0, int)
+        return Conditions(np.zeros((2, 0), int), np.zeros((2, 0)), np.zeros(0), none, owners)
+    joined = [np.concatenate(a, axis=-1) for a in zip(*parts, strict=True)]
+    return Conditions(joined[0], joined[1], joined[2], joined[3], owners)
 
 
 def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
@@ -58,7 +100,7 @@ def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
     dofs = node_dofs(basis)
     distance = np.hypot(*(basis.doflocs[:, dofs[0]] - np.reshape(point, (2, 1))))
     nearest = int(np.argmin(distance))
-    if distance[nearest] > 1e-6 * np.ptp(basis.mesh.p):
+    if distance[nearest] > 1e-6 * np.ptp(basis.mesh.p, axis=1).max():
         raise ValueError(
             f"no node at {tuple(point)}: the nearest is {distance[nearest]:.3g} away; "
             "give the mesh a point there"
@@ -68,20 +110,16 @@ def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
 
 def free_directions(basis: Basis, conditions: Conditions) -> tuple[csr_array, Array]:
     """T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0."""
-    owner, first = np.unique(conditions.dofs[0], return_inverse=True)
-    partner = dict(zip(*conditions.dofs, strict=True))
     fixed, u0 = np.zeros(basis.N, bool), np.zeros(basis.N)
     rows: list[int] = []
-    tangents: list[tuple[float, float]] = []
-    order = np.argsort(first, kind="stable")
-    groups = np.split(order, np.cumsum(np.bincount(first))[:-1]) if owner.size else []
-    for x, group in zip(owner.tolist(), groups, strict=True):
-        y = int(partner[x])
-        u0[[x, y]], tangent = _resolve(conditions.direction[:, group].T, conditions.value[group])
-        fixed[[x, y]] = True
+    tangents: list[Array] = []
+    for group in conditions.groups():
+        pair = conditions.dofs[:, group[0]]
+        u0[pair], tangent = _resolve(conditions.direction[:, group].T, conditions.value[group])
+        fixed[pair] = True
         if tangent is not None:
-            rows += [x, y]
-            tangents.append((tangent[0], tangent[1]))
+            rows += pair.tolist()
+            tangents.append(tangent)
     free = np.flatnonzero(~fixed)
     n, m = free.size, len(tangents)
     columns = np.concatenate([np.arange(n), n + np.repeat(np.arange(m), 2)])
@@ -100,7 +138,7 @@ def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
     for k in range(count):
         own = dofs[:, part[dofs[0]] == k]
         at = basis.doflocs[:, own[0]]
-        centre, size = at.mean(axis=1, keepdims=True), np.ptp(at)
+        centre, size = at.mean(axis=1, keepdims=True), np.ptp(at, axis=1).max()
         mine = part[conditions.dofs[0]] == k
         d = conditions.direction[:, mine]
         x, y = (basis.doflocs[:, conditions.dofs[0, mine]] - centre) / size
@@ -124,37 +162,59 @@ def _components(support: Support, where: str) -> Iterable[tuple[str, Prescribed]
     return items.items()
 
 
-def _on_boundary(
-    basis: Basis, name: str, component: str, value: Prescribed
-) -> tuple[Indices, Array, Array]:
-    trace = facet_basis(basis, named_facets(basis.mesh, name), points=np.array([0.0, 0.5, 1.0]))
-    edge_dofs, ends = basis.facet_dofs, basis.nodal_dofs[:, basis.mesh.facets[:, trace.find]]
-    nodes = [ends[:, 0], ends[:, 1]]
-    stations = [0, 2]
-    if edge_dofs is not None and np.size(edge_dofs):
-        nodes.append(edge_dofs[:2, trace.find])
-        stations.append(1)
-    dofs, normal = np.hstack(nodes), np.hstack([trace.normals[:, :, i] for i in stations])
-    unique, inverse = np.unique(dofs, axis=1, return_inverse=True)
-    # a vertex between two facets takes their mean normal
-    mean = np.array([np.bincount(inverse.ravel(), weights=row) for row in normal])
-    mean /= np.hypot(*mean)
-    return unique, _direction(component, mean), _values(value, basis.doflocs[:, unique[0]])
+def _nodes(basis: Basis, facets: Indices) -> Indices:
+    """Both unknowns (2, m) of every node on `facets`."""
+    nodes = [basis.nodal_dofs[:, np.unique(basis.mesh.facets[:, facets])]]
+    if basis.facet_dofs is not None and np.size(basis.facet_dofs):
+        nodes.append(basis.facet_dofs[:2, np.unique(facets)])
+    return np.hstack(nodes)
 
 
-def _at_point(
-    basis: Basis, point: tuple[float, float], component: str, value: Prescribed
-) -> tuple[Indices, Array, Array]:
+def _guides(basis: Basis, names: Mapping[int, str]) -> dict[int, tuple[Indices, Array]]:
+    """Nodes (2, m) and outward normals (2, m) of each named boundary.
+
+    A vertex between facets takes their mean normal where they are one smooth wall, over all the
+    names; at a corner it takes the normal of every side.
+    """
+    nodes, normals, owner = [], [], []
+    for i, name in names.items():
+        facets = outer_facets(basis.mesh, name)
+        trace = facet_basis(basis, facets, points=np.array([0.0, 0.5, 1.0]))
+        ends = basis.nodal_dofs[:, basis.mesh.facets[:, facets]]
+        stations = [(ends[:, 0], 0), (ends[:, 1], 2)]
+        if basis.facet_dofs is not None and np.size(basis.facet_dofs):
+            stations.append((basis.facet_dofs[:2, facets], 1))
+        for dofs, k in stations:
+            nodes.append(dofs)
+            normals.append(np.asarray(trace.normals[:, :, k]))
+            owner.append(np.full(dofs.shape[1], i))
+    if not nodes:
+        return {}
+    dofs, normal, of = np.hstack(nodes), np.hstack(normals), np.concatenate(owner)
+    smooth = _smoothed(dofs[0], normal)
+    found = {}
+    for i in names:
+        rows = np.vstack([dofs[:, of == i], smooth[:, of == i]])
+        rows = np.unique(np.round(rows, 12), axis=1)
+        found[i] = rows[:2].astype(int), rows[2:] / np.hypot(*rows[2:])
+    return found
+
+
+def _smoothed(node: Indices, normal: Array) -> Array:
+    """Each normal replaced by the mean of those at its node within 30 deg of it."""
+    smooth = normal.copy()
+    order = np.argsort(node, kind="stable")
+    for group in np.split(order, np.flatnonzero(np.diff(node[order])) + 1):
+        near = normal[:, group].T @ normal[:, group] > SMOOTH
+        mean = normal[:, group] @ near
+        smooth[:, group] = mean / np.hypot(*mean)
+    return smooth
+
+
+def _at_point(basis: Basis, point: tuple[float, float], component: str) -> tuple[Indices, Array]:
     if component in "nt":
         raise ValueError(f"anchor at {point}: a point has no normal, use x and y")
-    dofs = nearest_node(basis, point)[:, None]
-    return dofs, _direction(component, np.zeros((2, 1))), _values(value, basis.doflocs[:, dofs[0]])
-
-
-def _direction(component: str, normal: Array) -> Array:
-    if component in "xy":
-        return np.repeat(np.eye(2)[:, ["xy".index(component)]], normal.shape[1], axis=1)
-    return normal if component == "n" else np.array([-normal[1], normal[0]])
+    return nearest_node(basis, point)[:, None], np.eye(2)[:, ["xy".index(component)]]
 
 
 def _values(value: Prescribed, x: Array) -> Array:

@@ -17,14 +17,17 @@ def quarter_ring(
 ) -> Mesh2D:
     """Quarter of a ring whose cells grow with the radius.
 
-    `refine` 1 is the coarsest mesh: twelve cells along the quarter and at least one across each
-    half of the wall; 2 halves them all, and so on. Boundaries "bore", "rim", "x=0", "y=0" and the
-    internal circle "middle"; bodies "inner half" and "outer half" meet there. `order` 1 or 2;
-    `straight` cells keep straight edges.
+    `refine` 1 is the coarsest mesh: twelve cells along the quarter (more in thin walls) and at
+    least one across each half; 2 halves them all, and so on. Boundaries "bore", "rim", "x=0",
+    "y=0" and the internal circle "middle"; bodies "inner half" and "outer half" meet there.
+    `order` 1 or 2; `straight` cells keep straight edges.
     """
     if not 0 < r_i < r_o:
         raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
     radii = (r_i, (r_i + r_o) / 2, r_o)
+    # the rise of an arc over its chord stays below a quarter of the thinnest cell
+    thin = math.log(r_o / radii[1])
+    around = refine * max(AROUND, math.ceil(math.pi / 2 / math.sqrt(2 * thin)))
     with gmsh_session():
         geo = gmsh.model.geo
         o = geo.addPoint(0, 0, 0)
@@ -34,7 +37,7 @@ def quarter_ring(
         feet = [geo.addLine(foot[k], foot[k + 1]) for k in (0, 1)]
         tops = [geo.addLine(top[k], top[k + 1]) for k in (0, 1)]
         for curve in circles:
-            geo.mesh.setTransfiniteCurve(curve, AROUND * refine + 1)
+            geo.mesh.setTransfiniteCurve(curve, around + 1)
         for k, body in enumerate(("inner half", "outer half")):
             stretch = radii[k + 1] / radii[k]
             cells = refine * max(1, round(math.log(stretch) / ACROSS))

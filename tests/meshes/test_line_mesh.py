@@ -1,0 +1,131 @@
+"""Any line model of gmsh comes over with its names, its numbering and its middle nodes."""
+
+from math import pi
+
+import gmsh
+import numpy as np
+import pytest
+
+from meshes.line import line_mesh
+from meshes.session import gmsh_session
+
+SPACING = 1e-7  # gmsh integrates an arc's length to that when it spaces points evenly
+
+
+def hook():
+    """From (0, 0) up by 2, a half circle of radius 1 on to (2, 2), and a branch to (-1, 2)."""
+    with gmsh_session():
+        geo = gmsh.model.geo
+        geo.addPoint(50, 50, 0, tag=900)  # belongs to nothing
+        foot, knee, centre, crown, tip, branch = (
+            geo.addPoint(*p, 0) for p in ((0, 0), (0, 2), (1, 2), (1, 3), (2, 2), (-1, 2))
+        )
+        stem = geo.addLine(foot, knee)
+        bow = [geo.addCircleArc(knee, centre, crown), geo.addCircleArc(crown, centre, tip)]
+        side = geo.addLine(branch, knee)  # against the others
+        for curve, cells in ((stem, 3), (bow[0], 4), (bow[1], 4), (side, 2)):
+            geo.mesh.setTransfiniteCurve(curve, cells + 1)
+        geo.synchronize()
+        gmsh.model.addPhysicalGroup(0, [foot], name="foot")
+        gmsh.model.addPhysicalGroup(0, [tip], name="tip")
+        gmsh.model.addPhysicalGroup(1, bow, name="bow")
+        gmsh.model.addPhysicalGroup(1, [stem, side], name="straight")
+        gmsh.model.mesh.generate(1)
+        gmsh.model.mesh.setOrder(2)
+        return line_mesh()
+
+
+@pytest.fixture(scope="module")
+def mesh():
+    return hook()
+
+
+def test_named_nodes_are_where_their_points_are(mesh):
+    assert set(mesh.nodes) == {"foot", "tip"}
+    np.testing.assert_allclose(mesh.points[mesh.nodes["foot"]], (0, 0), atol=1e-14)
+    np.testing.assert_allclose(mesh.points[mesh.nodes["tip"]], (2, 2), atol=1e-14)
+
+
+def test_bodies_share_out_the_elements(mesh):
+    assert set(mesh.bodies) == {"bow", "straight"}
+    assert len(mesh.bodies["bow"]) == 8
+    assert len(mesh.bodies["straight"]) == 5
+    everything = np.sort(np.concatenate(list(mesh.bodies.values())))
+    np.testing.assert_array_equal(everything, np.arange(len(mesh.elements)))
+
+
+def test_elements_of_a_body_lie_on_its_curves(mesh):
+    bow = mesh.points[mesh.elements[mesh.bodies["bow"]]]
+    np.testing.assert_allclose(np.hypot(bow[..., 0] - 1, bow[..., 1] - 2), 1, rtol=1e-14)
+    x, y = np.moveaxis(mesh.points[mesh.elements[mesh.bodies["straight"]]], -1, 0)
+    assert np.all((np.abs(x) < 1e-14) | (np.abs(y - 2) < 1e-14))
+
+
+def test_nodes_are_numbered_without_gaps_ends_before_middles(mesh):
+    # 13 elements in a tree have 14 ends and 13 middles
+    assert mesh.points.shape == (27, 2)
+    np.testing.assert_array_equal(np.unique(mesh.elements[:, :2]), np.arange(14))
+    np.testing.assert_array_equal(np.sort(mesh.elements[:, 2]), np.arange(14, 27))
+    assert mesh.points.max() == 3.0  # the stray point stayed behind
+
+
+def test_members_meet_in_one_node(mesh):
+    knee = np.flatnonzero(np.all(np.isclose(mesh.points, (0, 2), atol=1e-12), axis=1))
+    assert len(knee) == 1
+    assert np.count_nonzero(mesh.elements[:, :2] == knee[0]) == 3  # stem, bow and side
+
+
+def test_middles_lie_half_way_along_their_elements(mesh):
+    a, b, middle = np.moveaxis(mesh.points[mesh.elements], 1, 0)
+    np.testing.assert_allclose(np.hypot(*(middle - a).T), np.hypot(*(b - middle).T), rtol=SPACING)
+    # an eighth of a half circle: the middle stands off its chord by 1 - cos(pi / 16)
+    sagitta = np.hypot(*((a + b) / 2 - middle)[mesh.bodies["bow"]].T)
+    np.testing.assert_allclose(sagitta, 1 - np.cos(pi / 16), rtol=SPACING)
+
+
+def test_chords_are_the_straight_elements_between_the_ends(mesh):
+    points, pairs = mesh.chords
+    assert points.shape == (14, 2)
+    length = np.hypot(*(points[pairs[:, 1]] - points[pairs[:, 0]]).T)
+    np.testing.assert_allclose(length[mesh.bodies["bow"]], 2 * np.sin(pi / 16), rtol=SPACING)
+    assert length[mesh.bodies["straight"]].sum() == pytest.approx(3, rel=1e-12)
+
+
+def test_a_circle_closes():
+    with gmsh_session():
+        circle = gmsh.model.occ.addCircle(0, 0, 0, 2.0)
+        gmsh.model.occ.synchronize()
+        gmsh.model.mesh.setTransfiniteCurve(circle, 13)
+        gmsh.model.addPhysicalGroup(1, [circle], name="ring")
+        gmsh.model.mesh.generate(1)
+        gmsh.model.mesh.setOrder(2)
+        mesh = line_mesh()
+    assert mesh.elements.shape == (12, 3)
+    assert mesh.points.shape == (24, 2)
+    assert np.all(np.bincount(mesh.elements[:, :2].ravel()) == 2)  # two elements at every end
+    np.testing.assert_allclose(np.hypot(*mesh.points.T), 2, rtol=1e-12)
+
+
+def bar(order, name="bar"):
+    """A straight line of three elements; without a name if that is None."""
+    with gmsh_session():
+        geo = gmsh.model.geo
+        line = geo.addLine(geo.addPoint(0, 0, 0), geo.addPoint(3, 0, 0))
+        geo.mesh.setTransfiniteCurve(line, 4)
+        geo.synchronize()
+        if name is not None:
+            gmsh.model.addPhysicalGroup(1, [line], name=name)
+        gmsh.model.mesh.generate(1)
+        gmsh.model.mesh.setOrder(order)
+        return line_mesh()
+
+
+@pytest.mark.parametrize("order", [1, 3])
+def test_elements_without_one_middle_node_are_refused(order):
+    with pytest.raises(ValueError, match=r"quadratic|order|nodes"):
+        bar(order)
+
+
+def test_a_model_without_named_curves_is_refused():
+    with pytest.raises(ValueError, match=r"curve|element|concatenate"):
+        bar(2, name=None)

@@ -1,0 +1,274 @@
+"""Any plane gmsh model comes over with its names, areas, outlines and normals."""
+
+from math import pi
+
+import gmsh
+import numpy as np
+import pytest
+from skfem import (
+    Basis,
+    ElementQuad1,
+    ElementTriP1,
+    FacetBasis,
+    Functional,
+    MeshQuad1,
+    MeshQuad2,
+    MeshTri1,
+    MeshTri2,
+)
+
+from meshes.plane import plane_mesh
+from meshes.session import gmsh_session
+
+KINDS = {"tri3": MeshTri1, "tri6": MeshTri2, "quad4": MeshQuad1, "quad9": MeshQuad2}
+ROUND_OFF = 1e-12  # relative
+every_kind = pytest.mark.parametrize("kind", KINDS)
+curved_kinds = pytest.mark.parametrize("kind", ["tri6", "quad9"])
+
+
+def generate(kind, straight=False):
+    if "quad" in kind:
+        for _, surface in gmsh.model.getEntities(2):
+            gmsh.model.mesh.setRecombine(2, surface)
+        gmsh.option.setNumber("Mesh.RecombinationAlgorithm", 2)  # leaves no triangle
+    gmsh.model.mesh.generate(2)
+    gmsh.model.mesh.setOrder(2 if kind in ("tri6", "quad9") else 1)
+    return plane_mesh(straight=straight)
+
+
+def two_rooms(kind, reverse=False):
+    """A house of corners (0, 0), (3, 0), (3, 1), (1, 2), (0, 1), split along x = 1 up to (1, 2).
+
+    Its surfaces and curves carry high and scattered tags; a stray point belongs to neither.
+    """
+    with gmsh_session():
+        geo = gmsh.model.geo
+        geo.addPoint(9, 9, 0, tag=500)
+        spots = [(0, 0), (1, 0), (3, 0), (3, 1), (1, 2), (0, 1)]
+        corner = [geo.addPoint(*p, 0, 0.4, tag=7 * k + 3) for k, p in enumerate(spots)]
+        side = [geo.addLine(corner[k], corner[(k + 1) % 6], tag=100 - 9 * k) for k in range(6)]
+        wall = geo.addLine(corner[1], corner[4], tag=1)
+        west, east = [side[0], wall, side[4], side[5]], [side[1], side[2], side[3], -wall]
+        if reverse:
+            west, east = ([-c for c in loop[::-1]] for loop in (west, east))
+        geo.addPlaneSurface([geo.addCurveLoop(west)], tag=70)
+        geo.addPlaneSurface([geo.addCurveLoop(east)], tag=31)
+        geo.synchronize()
+        gmsh.model.addPhysicalGroup(2, [70], tag=8, name="west room")
+        gmsh.model.addPhysicalGroup(2, [31], tag=2, name="east room")
+        gmsh.model.addPhysicalGroup(2, [31, 70], tag=40, name="house")
+        named = {"floor": side[:2], "east": side[2:3], "roof": side[3:5], "west": side[5:]}
+        for name, curves in (named | {"wall": [wall]}).items():
+            gmsh.model.addPhysicalGroup(1, curves, name=name)
+        return generate(kind)
+
+
+def plate_with_hole(kind, size, straight=False):
+    """The unit square about a round hole of radius 0.3."""
+    with gmsh_session():
+        occ = gmsh.model.occ
+        square = occ.addRectangle(-0.5, -0.5, 0, 1, 1)
+        hole = occ.addDisk(0, 0, 0, 0.3, 0.3)
+        occ.cut([(2, square)], [(2, hole)])
+        occ.synchronize()
+        gmsh.option.setNumber("Mesh.MeshSizeMax", size)
+        rim = [
+            tag for _, tag in gmsh.model.getEntities(1)
+            if np.ptp(np.reshape(gmsh.model.getBoundingBox(1, tag), (2, 3))[:, :2]) < 0.7
+        ]  # fmt: skip
+        gmsh.model.addPhysicalGroup(1, rim, name="hole")
+        return generate(kind, straight)
+
+
+@Functional
+def one(w):
+    return 1.0 + 0 * w.x[0]
+
+
+def scalar(mesh):
+    return ElementTriP1() if isinstance(mesh, MeshTri1) else ElementQuad1()
+
+
+def area(mesh, body=None):
+    cells = None if body is None else mesh.subdomains[body]
+    return one.assemble(Basis(mesh, scalar(mesh), intorder=6, elements=cells))
+
+
+def boundary(mesh, name):
+    return FacetBasis(mesh, scalar(mesh), intorder=6, facets=mesh.boundaries[name])
+
+
+def length(mesh, name):
+    return one.assemble(boundary(mesh, name))
+
+
+@every_kind
+def test_the_kind_of_the_cells_is_kept(kind):
+    assert type(two_rooms(kind)) is KINDS[kind]
+
+
+@every_kind
+def test_names_of_curves_and_surfaces_are_kept(kind):
+    mesh = two_rooms(kind)
+    assert set(mesh.boundaries) == {"floor", "east", "roof", "west", "wall"}
+    assert set(mesh.subdomains) == {"west room", "east room", "house"}
+
+
+@every_kind
+def test_bodies_have_their_areas_and_lie_on_their_side_of_the_wall(kind):
+    mesh = two_rooms(kind)
+    # trapezoids: (1 + 2) / 2 * 1 and (2 + 1) / 2 * 2
+    for body, exact in (("west room", 1.5), ("east room", 3.0), ("house", 4.5), (None, 4.5)):
+        assert area(mesh, body) == pytest.approx(exact, rel=ROUND_OFF)
+    centres = mesh.doflocs[0, mesh.t].mean(axis=0)
+    assert (centres[mesh.subdomains["west room"]] < 1).all()
+    assert (centres[mesh.subdomains["east room"]] > 1).all()
+
+
+@every_kind
+def test_boundaries_have_their_lengths_and_lie_in_their_places(kind):
+    mesh = two_rooms(kind)
+    on = {
+        "floor": (3, lambda x, y: y),
+        "east": (1, lambda x, y: x - 3),
+        "roof": (np.sqrt(2) + np.sqrt(5), lambda x, y: y - np.minimum(1 + x, 2.5 - x / 2)),
+        "west": (1, lambda x, y: x),
+        "wall": (2, lambda x, y: x - 1),
+    }
+    for name, (exact, distance) in on.items():
+        assert length(mesh, name) == pytest.approx(exact, rel=ROUND_OFF)
+        points = np.asarray(boundary(mesh, name).global_coordinates())
+        np.testing.assert_allclose(distance(*points), 0, atol=ROUND_OFF)
+
+
+@every_kind
+@pytest.mark.parametrize("reverse", [False, True], ids=["counter-clockwise", "clockwise"])
+def test_normals_point_outwards_however_the_surface_was_drawn(kind, reverse):
+    mesh = two_rooms(kind, reverse)
+    assert area(mesh) == pytest.approx(4.5, rel=ROUND_OFF)
+    for name, outwards in {"floor": (0, -1), "east": (1, 0), "west": (-1, 0)}.items():
+        normal = boundary(mesh, name).normals
+        np.testing.assert_allclose(normal[0], outwards[0], atol=ROUND_OFF)
+        np.testing.assert_allclose(normal[1], outwards[1], atol=ROUND_OFF)
+    assert (boundary(mesh, "roof").normals[1] > 0).all()
+
+
+@every_kind
+def test_named_outlines_are_on_the_outside_and_the_wall_is_inside(kind):
+    mesh = two_rooms(kind)
+    outside = mesh.f2t[1] < 0
+    for name in ("floor", "east", "roof", "west"):
+        assert outside[mesh.boundaries[name]].all()
+    assert not outside[mesh.boundaries["wall"]].any()
+    outline = np.concatenate([mesh.boundaries[n] for n in ("floor", "east", "roof", "west")])
+    np.testing.assert_array_equal(np.sort(outline), np.flatnonzero(outside))  # all of it, once
+
+
+@every_kind
+def test_nodes_are_numbered_without_gaps_and_none_is_loose(kind):
+    mesh = two_rooms(kind)
+    np.testing.assert_array_equal(np.unique(mesh.t), np.arange(mesh.nvertices))
+    # Euler: corners - edges + cells = 1 in one piece without holes
+    assert mesh.nvertices - mesh.nfacets + mesh.nelements == 1
+    nodes = mesh.nvertices
+    nodes += {"tri6": mesh.nfacets, "quad9": mesh.nfacets + mesh.nelements}.get(kind, 0)
+    assert mesh.doflocs.shape == (2, nodes)
+    assert mesh.doflocs.max() == 3.0  # the stray point at (9, 9) stayed behind
+
+
+@every_kind
+def test_a_hole_is_a_hole(kind):
+    mesh = plate_with_hole(kind, 0.2)
+    assert mesh.nvertices - mesh.nfacets + mesh.nelements == 0  # Euler, one hole
+    points = np.asarray(boundary(mesh, "hole").global_coordinates())
+    normals = np.asarray(boundary(mesh, "hole").normals)
+    assert ((points * normals).sum(axis=0) < 0).all()  # out of the plate, into the hole
+
+
+@curved_kinds
+def test_curved_cells_follow_the_circle_at_order_four_and_chords_at_order_two(kind):
+    exact = {"area": 1 - pi * 0.3**2, "length": 2 * pi * 0.3}
+
+    def errors(size, straight):
+        mesh = plate_with_hole(kind, size, straight)
+        found = {"area": area(mesh), "length": length(mesh, "hole")}
+        edges = len(mesh.boundaries["hole"])
+        return edges, {name: found[name] - exact[name] for name in exact}
+
+    for straight, order in ((False, 4), (True, 2)):
+        (few, coarse), (many, fine) = (errors(size, straight) for size in (0.1, 0.05))
+        for name in exact:
+            observed = np.log(abs(coarse[name] / fine[name])) / np.log(many / few)
+            assert observed == pytest.approx(order, abs=0.1), (name, coarse, fine)
+
+
+@curved_kinds
+def test_straight_keeps_the_corners_and_names_of_curved_cells(kind):
+    curved, straight = (plate_with_hole(kind, 0.2, straight) for straight in (False, True))
+    assert type(straight) is {"tri6": MeshTri1, "quad9": MeshQuad1}[kind]
+    assert straight.nelements == curved.nelements
+    corners = curved.doflocs[:, : curved.nvertices]
+    np.testing.assert_allclose(
+        straight.doflocs[:, np.lexsort(straight.doflocs)], corners[:, np.lexsort(corners)], atol=0
+    )
+    assert set(straight.boundaries) == set(curved.boundaries) == {"hole"}
+    np.testing.assert_allclose(np.hypot(*straight.doflocs[:, np.unique(
+        straight.facets[:, straight.boundaries["hole"]]
+    )]), 0.3, rtol=ROUND_OFF)  # fmt: skip
+
+
+@curved_kinds
+def test_the_ends_and_the_middles_of_curved_edges_lie_on_their_circle(kind):
+    mesh = plate_with_hole(kind, 0.2)
+    on_circle = np.isclose(np.hypot(*mesh.doflocs), 0.3, rtol=ROUND_OFF, atol=0)
+    assert on_circle.sum() == 2 * len(mesh.boundaries["hole"])
+
+
+def test_triangles_beside_quadrilaterals_are_refused_by_name():
+    with gmsh_session():
+        occ = gmsh.model.occ
+        occ.addRectangle(0, 0, 0, 1, 1)
+        occ.addRectangle(2, 0, 0, 1, 1)
+        occ.synchronize()
+        gmsh.model.mesh.setTransfiniteSurface(1)
+        gmsh.model.mesh.setRecombine(2, 1)
+        gmsh.model.mesh.generate(2)
+        with pytest.raises(ValueError, match=r"one kind, got \['Triangle 3', 'Quadrilateral 4'\]"):
+            plane_mesh()
+
+
+def test_a_model_without_cells_is_refused():
+    with gmsh_session():
+        gmsh.model.occ.addRectangle(0, 0, 0, 1, 1)
+        gmsh.model.occ.synchronize()
+        gmsh.model.mesh.generate(1)
+        with pytest.raises(ValueError, match="one kind, got none"):
+            plane_mesh()
+
+
+def test_quadrilaterals_with_eight_nodes_are_refused():
+    with gmsh_session():
+        square = gmsh.model.occ.addRectangle(0, 0, 0, 1, 1)
+        gmsh.model.occ.synchronize()
+        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 1)
+        gmsh.model.mesh.setTransfiniteSurface(square)
+        gmsh.model.mesh.setRecombine(2, square)
+        gmsh.model.mesh.generate(2)
+        gmsh.model.mesh.setOrder(2)
+        with pytest.raises(ValueError, match="cells of one kind"):
+            plane_mesh()
+
+
+def test_a_named_curve_beside_the_cells_is_refused_by_its_name():
+    # a line that bounds no surface has no facets, and no other boundary must stand in for it
+    with gmsh_session():
+        geo = gmsh.model.geo
+        corner = [geo.addPoint(*p, 0, 0.5) for p in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        side = [geo.addLine(corner[k], corner[(k + 1) % 4]) for k in range(4)]
+        geo.addPlaneSurface([geo.addCurveLoop(side)])
+        beside = geo.addLine(geo.addPoint(2, 0, 0, 0.5), geo.addPoint(2, 1, 0, 0.5))
+        geo.synchronize()
+        gmsh.model.addPhysicalGroup(1, [beside], name="ghost")
+        gmsh.model.mesh.generate(2)
+        with pytest.raises(ValueError, match="ghost"):
+            plane_mesh()

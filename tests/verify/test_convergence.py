@@ -1,0 +1,424 @@
+"""Grid convergence on series v = v0 + c h^p, whose limit, order and error are known by hand.
+
+With v_k = v0 + c h_k^p the finest value is off by e = c h1^p and the last difference is
+|v1 - v2| = |e| (r^p - 1). So the index F |v1 - v2|/(r^p - 1) is F |e|, whatever the ratios.
+"""
+
+import math
+from itertools import accumulate
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from verify.convergence import fit_order, grid_convergence
+
+fixed = settings(deadline=None, derandomize=True)
+
+EVEN, UNEVEN, CLOSE = (1.0, 0.5, 0.25), (1.0, 0.75, 0.5), (1.0, 0.9, 0.3)  # r32, r21 = 2, 2; ...
+RATIOS = pytest.mark.parametrize(
+    "h",
+    [
+        pytest.param(EVEN, id="halved twice"),
+        pytest.param(UNEVEN, id="r32 = 4/3, r21 = 3/2"),
+        pytest.param(CLOSE, id="r32 = 10/9, r21 = 3"),
+    ],
+)
+ORDERS = pytest.mark.parametrize("p", [1.0, 2.0, 3.5])
+
+
+def power_law(h, *, v0, c, p):
+    return [v0 + c * x**p for x in h]
+
+
+@RATIOS
+@ORDERS
+@pytest.mark.parametrize("c", [0.3, -0.3], ids=["from above", "from below"])
+def test_order_limit_and_index_of_a_power_law_are_those_of_its_error(h, p, c):
+    found = grid_convergence(h, power_law(h, v0=5.0, c=c, p=p), formal=p, scale=5.0)
+    assert found.behaviour == "monotone"
+    assert found.converges
+    # round-off: 4 eps v0 / (smallest difference, 0.01) = 5e-13 in the ratio of the differences
+    assert found.order == pytest.approx(p, abs=1e-6)
+    assert found.extrapolated == pytest.approx(5.0, rel=1e-9)
+    assert found.gci == pytest.approx(1.25 * abs(c) * h[-1] ** p, rel=1e-9)  # F |e|
+
+
+def test_published_example_of_reattachment_length():
+    """Celik et al. 2008, the printed column phi = reattachment length, monotonic convergence.
+
+    Cells 18000, 8000, 4500 in the plane: r21 = sqrt(18000/8000) = 1.5, r32 = sqrt(8000/4500) =
+    4/3. The element's order is taken as 2, from which 1.53 differs by less than 0.5: F = 1.25,
+    as in the paper, and p = min(1.53, 2) is the observed order that the paper uses as well.
+    (A formal order of 1.5 would cap p and give 2.24 % instead of the 2.17 % from p = 1.53.)
+    """
+    h = [cells**-0.5 for cells in (4500, 8000, 18000)]
+    found = grid_convergence(h, (5.863, 5.972, 6.063), formal=2, scale=6.063)
+    assert found.order == pytest.approx(1.53, abs=0.005)  # printed 1.53
+    # extrapolated by hand with p = 1.5340: 6.063 + 0.091/(1.5^1.5340 - 1) = 6.1685, as printed
+    assert found.extrapolated == pytest.approx(6.1685, abs=0.0005)
+    assert found.gci / 6.063 == pytest.approx(0.0217, abs=0.00005)  # printed 2.2 %
+
+
+# What p and F are: observed order 2 on halved meshes, e = 0.3/16, |v1 - v2| = 3 e.
+
+E2 = 0.3 / 16  # c h1^2
+
+
+@pytest.mark.parametrize(
+    ("formal", "gci"),
+    [
+        pytest.param(2.0, 1.25 * E2, id="orders agree"),
+        pytest.param(2.5 - 1e-6, 1.25 * E2, id="observed just less than half an order below"),
+        pytest.param(2.5 + 1e-6, 3 * E2, id="observed just more than half an order below"),
+        pytest.param(4.0, 3 * E2, id="observed far below: p is the observed order"),
+        pytest.param(1.5 + 1e-6, 1.25 * 3 * E2 / (2**1.5 - 1), id="observed just within above"),
+        pytest.param(1.5 - 1e-6, 3 * 3 * E2 / (2**1.5 - 1), id="observed just too far above"),
+        pytest.param(1.0, 3 * 3 * E2 / (2**1 - 1), id="observed far above: p is the formal order"),
+    ],
+)
+def test_index_takes_the_smaller_order_and_the_factor_of_their_distance(formal, gci):
+    values = power_law(EVEN, v0=5.0, c=0.3, p=2)
+    found = grid_convergence(EVEN, values, formal=formal, scale=5.0)
+    # 2 eps v0 / |v1 - v2| = 4e-14; the 1e-6 beside a half changes 2^p - 1 by 1e-6
+    assert found.gci == pytest.approx(gci, rel=3e-6)
+    assert found.order == pytest.approx(2.0, abs=1e-6)
+
+
+def test_observed_order_decides_alone_where_theory_gives_none():
+    values = power_law(EVEN, v0=5.0, c=0.3, p=2)
+    found = grid_convergence(EVEN, values, formal=None, scale=5.0)
+    assert found.order == pytest.approx(2.0, abs=1e-6)
+    assert found.gci == pytest.approx(3 * 0.3 * (1 - 1 / 16), rel=1e-9)  # 3 (max - min)
+
+
+# Series without an order: GCI = 3 (max - min of the last three).
+
+
+@pytest.mark.parametrize(
+    ("values", "u_it", "behaviour", "spread"),
+    [
+        pytest.param((1.0, 1.2, 1.1), 0.0, "oscillating", 0.2, id="turns back"),
+        pytest.param((1.0, 0.8, 0.9), 0.0, "oscillating", 0.2, id="turns back from below"),
+        pytest.param((1.0, 1.4, 1.5), 0.00101, "noisy", 0.5, id="u_it above 1 % of |v3 - v2|"),
+        pytest.param((1.5, 1.1, 1.0), 0.00101, "noisy", 0.5, id="u_it above 1 %, falling"),
+        pytest.param((1.0, 2.0, 3.0), 0.0, "slow", 2.0, id="equal steps: order 0, a logarithm"),
+        pytest.param((1.0, 2.0, 2.9), 0.0, "slow", 1.9, id="order log2(1/0.9) = 0.15"),
+        pytest.param((9e6, 1.0, 1.2, 1.1), 0.0, "oscillating", 0.2, id="only the last three count"),
+    ],
+)
+def test_without_an_order_three_times_the_spread_is_uncertain(values, u_it, behaviour, spread):
+    h = [2.0**-k for k in range(len(values))]
+    found = grid_convergence(h, values, formal=2, scale=1.0, u_it=u_it)
+    assert found.behaviour == behaviour
+    assert found.gci == pytest.approx(3 * spread, rel=1e-12)
+    assert found.order is None
+    assert found.extrapolated is None
+    assert found.converges
+
+
+@RATIOS
+@pytest.mark.parametrize(("p", "behaviour"), [(0.499, "slow"), (0.501, "monotone")])
+def test_an_order_below_one_half_is_none(h, p, behaviour):
+    found = grid_convergence(h, power_law(h, v0=5.0, c=0.3, p=p), formal=1, scale=5.0)
+    assert found.behaviour == behaviour
+
+
+def test_iteration_error_of_one_per_cent_of_the_last_difference_leaves_the_order():
+    found = grid_convergence(EVEN, (1.0, 1.4, 1.5), formal=2, scale=1.0, u_it=0.00099)
+    assert found.order == pytest.approx(2.0, abs=1e-6)  # 0.4/0.1 = 2^2
+    assert found.gci == pytest.approx(1.25 * 0.1 / 3, rel=1e-9)
+
+
+# Series that do not converge.
+
+
+@pytest.mark.parametrize(
+    ("h", "values"),
+    [
+        pytest.param(EVEN, (1.0, 1.1, 1.3), id="growing steps"),
+        pytest.param(EVEN, (1.3, 1.2, 1.0), id="growing steps downwards"),
+        pytest.param(EVEN, (1.0, 1.1, 0.9), id="growing oscillation"),
+        pytest.param(EVEN, (1.0, 1.0, 1.3), id="nothing, then a step"),
+        pytest.param(EVEN, (1.0, 2**0.2, 4**0.2), id="v = h^-0.2"),
+        pytest.param(UNEVEN, (1.0, 0.75**-0.2, 0.5**-0.2), id="v = h^-0.2, uneven"),
+        pytest.param(CLOSE, (1.0, 0.9**-0.2, 0.3**-0.2), id="v = h^-0.2, very uneven"),
+    ],
+)
+def test_growing_differences_diverge(h, values):
+    found = grid_convergence(h, values, formal=2, scale=1.0)
+    assert found.behaviour == "diverging"
+    assert not found.converges
+    assert found.gci == math.inf
+    assert found.order is None
+
+
+def test_steps_that_grow_because_the_refinement_does_are_no_divergence():
+    h = (1.0, 0.9, 0.3)  # v = h exactly: steps of 0.1 and 0.6, order 1
+    found = grid_convergence(h, h, formal=1, scale=1.0)
+    assert found.converges
+    assert found.order == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("u_it", "behaviour"),
+    # Two differences, each of two values, carry at most 4 u_it; the steps grow by 0.1.
+    [(0.0, "diverging"), (0.024, "diverging"), (0.026, "noisy")],
+)
+def test_growth_within_the_iteration_error_is_noise(u_it, behaviour):
+    found = grid_convergence(EVEN, (0.0, 0.9, 1.9), formal=2, scale=1.0, u_it=u_it)
+    assert found.behaviour == behaviour
+
+
+@pytest.mark.parametrize("values", [(), (1.0,), (1.0, 1.1)], ids=["none", "one", "two"])
+def test_fewer_than_three_values_show_no_convergence(values):
+    found = grid_convergence(EVEN[: len(values)], values, formal=2, scale=1.0)
+    assert found.behaviour == "short"
+    assert not found.converges
+    assert found.gci == math.inf
+
+
+# Round-off: differences below 1e-10 of the scale.
+
+
+@pytest.mark.parametrize(
+    ("values", "residual", "gci"),
+    [
+        pytest.param((1.0, 1.0 + 5e-11, 1.0 - 3e-11), 0.0, 8e-11, id="max - min"),
+        pytest.param((1.0, 1.0 + 1e-11, 1.0 + 9e-11), 0.0, 9e-11, id="growing, and yet nothing"),
+        pytest.param((1.0, 1.0, 1.0), 0.0, 1e-12, id="equal: 1e-12 of the scale"),
+        pytest.param((1.0, 1.0, 1.0), 1e-9, 1e-9, id="the solver's bound where larger"),
+        pytest.param((1.0, 1.0 + 5e-11, 1.0), 1e-11, 5e-11, id="the solver's bound is smaller"),
+    ],
+)
+def test_differences_below_round_off_give_no_order(values, residual, gci):
+    found = grid_convergence(EVEN, values, formal=2, scale=1.0, residual=residual)
+    assert found.behaviour == "round-off"
+    assert found.order is None
+    assert found.gci == pytest.approx(gci, abs=1e-15)  # 4 eps of the values
+    assert found.converges
+
+
+@pytest.mark.parametrize(
+    ("step", "behaviour"), [(0.99e-10, "round-off"), (1.01e-10, "oscillating")]
+)
+def test_round_off_ends_at_1e_10_of_the_scale(step, behaviour):
+    for scale in (1.0, 1e9):
+        values = (0.0, step * scale, 0.0)
+        assert grid_convergence(EVEN, values, formal=2, scale=scale).behaviour == behaviour
+
+
+def test_one_difference_above_round_off_still_has_an_order():
+    found = grid_convergence(EVEN, (0.0, 4e-10, 4.8e-10), formal=2.5, scale=1.0)
+    assert found.order == pytest.approx(math.log2(5), abs=1e-6)  # 4/0.8 = 2^p
+
+
+def test_a_last_refinement_without_effect_leaves_the_step_before_it_uncertain():
+    found = grid_convergence(EVEN, (1.0, 1.1, 1.1), formal=2, scale=1.0)
+    assert found.gci >= 0.1 - 1e-15
+
+
+def test_the_index_never_falls_below_1e_12_of_the_scale_or_the_solver_s_bound():
+    values = power_law(EVEN, v0=0.0, c=1.0, p=2)
+    assert grid_convergence(EVEN, values, formal=2, scale=1e12).gci >= 1.0
+    assert grid_convergence(EVEN, values, formal=2, scale=1.0, residual=0.5).gci >= 0.5
+
+
+@pytest.mark.parametrize(
+    ("h", "values", "message"),
+    [
+        pytest.param((1.0, 0.5), (1.0, 2.0, 3.0), "2 mesh sizes for 3 values", id="lengths"),
+        pytest.param((1.0, 1.0, 0.5), (1.0, 2.0, 3.0), "decrease", id="a mesh twice"),
+        pytest.param((0.25, 0.5, 1.0), (1.0, 2.0, 3.0), "decrease", id="fine to coarse"),
+        pytest.param((1.0, 0.5, 0.0), (1.0, 2.0, 3.0), "positive", id="no size"),
+        pytest.param((1.0, 0.5, -0.5), (1.0, 2.0, 3.0), "positive", id="negative size"),
+        pytest.param((1.0, math.nan, 0.5), (1.0, 2.0, 3.0), "positive", id="size NaN"),
+        pytest.param((math.inf, 0.5, 0.2), (1.0, 2.0, 3.0), "positive", id="size infinite"),
+        pytest.param(EVEN, (1.0, 2.0, math.nan), "no number", id="value NaN"),
+        pytest.param(EVEN, (math.inf, 2.0, 3.0), "no number", id="value infinite"),
+    ],
+)
+def test_what_is_no_series_is_refused(h, values, message):
+    with pytest.raises(ValueError, match=message):
+        grid_convergence(h, values, formal=2, scale=1.0)
+
+
+# The same for all power laws: e is the error on the finest mesh, r21 and r32 any ratios.
+
+orders = st.floats(0.6, 6)
+ratios = st.floats(1.2, 4)
+errors = st.builds(lambda sign, e: sign * e, st.sampled_from([1, -1]), st.floats(1e-3, 10))
+limits = st.floats(-10, 10)
+
+
+@st.composite
+def power_laws(draw):
+    """h, values, v0, e, p, r21: a power law with the error e on its finest mesh."""
+    p, r21, r32, e, v0 = (draw(s) for s in (orders, ratios, ratios, errors, limits))
+    h = (r32 * r21, r21, 1.0)
+    return h, [v0 + e * x**p for x in h], v0, e, p, r21
+
+
+# |v1 - v2| >= 1e-3 (1.2^0.6 - 1) = 1e-4 against 4 eps max|v|, which is 1e-14 or that share of a
+# larger difference: 1e-10 in the ratio, 1e-9 in the order (its slope is ln 1.2 at least).
+ROUND = 1e-8
+
+
+@fixed
+@given(power_laws())
+def test_every_power_law_shows_its_order_limit_and_error(law):
+    h, values, v0, e, p, _ = law
+    found = grid_convergence(h, values, formal=p, scale=1.0)
+    assert found.behaviour == "monotone"
+    assert found.order == pytest.approx(p, abs=1e-6)
+    assert found.extrapolated == pytest.approx(v0, abs=1e-6 * abs(e) + 1e-12)
+    assert found.gci == pytest.approx(1.25 * abs(e), rel=1e-6)
+
+
+@fixed
+@given(power_laws(), st.floats(0.5, 8))
+def test_every_index_is_the_error_times_what_the_rules_say(law, formal):
+    h, values, _, e, p, r = law
+    assume(abs(abs(p - formal) - 0.5) > ROUND)
+    found = grid_convergence(h, values, formal=formal, scale=1.0)
+    F = 1.25 if abs(p - formal) <= 0.5 else 3.0
+    by_hand = F * abs(e) * (r**p - 1) / (r ** min(p, formal) - 1)
+    assert found.gci == pytest.approx(by_hand, rel=1e-6)
+
+
+any_values = st.floats(-1e3, 1e3).filter(lambda v: v == 0 or abs(v) > 1e-6)
+triples = st.tuples(any_values, any_values, any_values)
+
+
+@fixed
+@given(triples, ratios, ratios, orders, st.floats(0, 0.1), st.integers(-100, 100))
+def test_units_of_the_values_change_the_index_alone(values, r21, r32, formal, u_it, power):
+    h, unit = (r32 * r21, r21, 1.0), 2.0**power  # a power of two scales without rounding
+    here = grid_convergence(h, values, formal=formal, scale=1e3, u_it=u_it)
+    there = grid_convergence(
+        h, [unit * v for v in values], formal=formal, scale=1e3 * unit, u_it=u_it * unit
+    )
+    assert there.behaviour == here.behaviour
+    assert there.order == here.order
+    assert there.gci == unit * here.gci
+
+
+@fixed
+@given(power_laws(), st.floats(-12, 12))
+def test_values_of_any_size_show_the_same_order(law, exponent):
+    h, values, _, e, p, _ = law
+    unit = 10**exponent
+    found = grid_convergence(h, [unit * v for v in values], formal=p, scale=unit)
+    assert found.order == pytest.approx(p, abs=1e-6)
+    assert found.gci == pytest.approx(1.25 * abs(e) * unit, rel=1e-6)
+
+
+def test_displacements_of_a_nanometre_have_an_order():
+    values = power_law(EVEN, v0=1e-9, c=2e-10, p=2)
+    found = grid_convergence(EVEN, values, formal=2, scale=1e-9)
+    assert found.order == pytest.approx(2.0, abs=1e-6)
+    assert found.gci == pytest.approx(1.25 * 2e-10 / 16, rel=1e-9)
+
+
+@fixed
+@given(power_laws(), st.floats(1e-6, 1e6))
+def test_unit_of_the_mesh_size_does_not_matter(law, unit):
+    h, values, _, e, p, _ = law
+    found = grid_convergence([unit * x for x in h], values, formal=p, scale=1.0)
+    assert found.order == pytest.approx(p, abs=1e-6)
+    assert found.gci == pytest.approx(1.25 * abs(e), rel=1e-6)
+
+
+@fixed
+@given(triples, ratios, ratios, st.none() | orders, st.floats(0, 1))
+def test_no_series_is_certain_and_only_a_monotone_one_has_an_order(values, r21, r32, formal, u_it):
+    found = grid_convergence((r32 * r21, r21, 1.0), values, formal=formal, scale=1e3, u_it=u_it)
+    assert found.gci >= 1e-12 * 1e3
+    assert (found.order is not None) == (found.behaviour == "monotone")
+    assert found.converges == (found.gci < math.inf)
+    if found.order is not None:
+        assert found.order >= 0.5
+
+
+# The order of errors against an exact value.
+
+HALVED = (0.5, 0.25, 0.125, 0.0625)
+LADDERS = pytest.mark.parametrize(
+    "h",
+    [
+        pytest.param(HALVED, id="2, 4, 8, 16"),
+        pytest.param((1.0, 0.5, 0.25, 0.125), id="1, 2, 4, 8"),
+        pytest.param((1 / 2, 1 / 3, 1 / 4, 1 / 6, 1 / 8), id="2, 3, 4, 6, 8"),
+    ],
+)
+
+
+@LADDERS
+@pytest.mark.parametrize("c", [1.0, 3.3, 1e-9])
+@pytest.mark.parametrize("p", [1.0, 2.0, 3.5, 4.0])
+def test_errors_of_a_power_law_have_its_order_within_the_stated_uncertainty(h, p, c):
+    fit = fit_order(h, [c * x**p for x in h])
+    # logarithms carry eps |ln e| <= 7e-15, slopes that over ln(4/3), the extrapolation thrice that
+    assert fit.order == pytest.approx(p, abs=1e-13)
+    assert abs(fit.order - p) <= 2 * fit.u
+    assert fit.u < 1e-12
+
+
+@fixed
+@given(
+    p=st.floats(1, 5),
+    first=st.floats(1.3, 2.5),
+    more=st.lists(st.floats(1.3, 2.5), min_size=2, max_size=4),
+    share=st.floats(-0.5, 0.5),
+    step=st.sampled_from([1, 2]),
+)
+def test_a_next_term_of_half_the_leading_one_stays_within_the_uncertainty(
+    p, first, more, share, step
+):
+    """Errors h^p (1 + a h^step), where a h^step is at most a half on the coarsest mesh."""
+    h = list(accumulate([1.0, first, *more], lambda size, ratio: size / ratio))
+    fit = fit_order(h, [x**p * (1 + share * x**step) for x in h])
+    assert abs(fit.order - p) <= 2 * fit.u + 1e-12  # + round-off, as above
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, -0.5])
+def test_the_order_is_found_in_the_limit_and_not_on_the_coarse_meshes(share):
+    """Errors h^2 (1 + a h): the next term leaves the extrapolated order in its first power.
+
+    With x = a h on the last mesh but one a slope is 2 + (x/2 - 3 x^2/8 + ...)/ln 2. A straight
+    line through slopes at 4x, 2x, x turns x^2 into -5 x^2 at zero: what is left over what the
+    last slope misses is 5 (3/8) x^2/(x/2) = 3.75 x, and 5 x with a third for higher powers.
+    """
+    errors = [h**2 * (1 + share * h) for h in HALVED]
+    last_slope = math.log2(errors[-2] / errors[-1])
+    missed = abs(fit_order(HALVED, errors).order - 2)
+    assert missed < 5 * abs(share) * HALVED[-2] * abs(last_slope - 2)
+
+
+@pytest.mark.parametrize("share", [1e-3, -1e-3])
+def test_uneven_meshes_leave_little_of_a_next_term(share):
+    """Errors h^2 (1 + a h) on 1, 1/3, 1/6, 1/18: a slope is 2 + a times the logarithmic mean.
+
+    That mean is the geometric one times 1 + ln(r)^2/24: 1.050 for r = 3 and 1.020 for r = 2. With
+    the line's weights at zero, -0.345, 0.500 and 0.845, on geometric means of 0.577, 0.236 and
+    0.096 the 0.015 that they scatter about their middle leave 0.4 x 0.015 a = 0.006 a at the most.
+    """
+    h = (1.0, 1 / 3, 1 / 6, 1 / 18)
+    fit = fit_order(h, [x**2 * (1 + share * x) for x in h])
+    assert abs(fit.order - 2) < 0.0065 * abs(share)  # + 0.4 a^2 for the square of a h
+
+
+@pytest.mark.parametrize(
+    ("h", "errors", "message"),
+    [
+        pytest.param(HALVED[:3], (4.0, 2.0, 1.0), "four positive errors", id="three meshes"),
+        pytest.param(HALVED, (4.0, 2.0, 1.0, 0.0), "four positive errors", id="an error of zero"),
+        pytest.param(HALVED, (4.0, 2.0, 1.0, -1.0), "four positive errors", id="negative error"),
+        pytest.param(HALVED, (4.0, 2.0, 1.0, math.nan), "no number", id="error NaN"),
+        pytest.param(HALVED, (math.inf, 2.0, 1.0, 0.5), "no number", id="error infinite"),
+        pytest.param(HALVED[::-1], (4.0, 2.0, 1.0, 0.5), "decrease", id="fine to coarse"),
+    ],
+)
+def test_what_has_no_order_is_refused(h, errors, message):
+    with pytest.raises(ValueError, match=message):
+        fit_order(h, errors)
