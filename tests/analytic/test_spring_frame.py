@@ -51,6 +51,23 @@ def test_pure_bending_of_a_curved_bar_is_softer_by_a_thirtieth_of_its_curvature_
     assert excess == pytest.approx((b / R) ** 2 / 30, rel=(b / R) ** 2)
 
 
+@pytest.mark.parametrize("nu", [0.0, 0.3, 3 / 7], ids=["nu 0", "nu 0.3", "nu 0.3, plane strain"])
+@pytest.mark.parametrize("b", [0.025, 0.05, 0.1])
+def test_a_quarter_ring_under_a_radial_force_deflects_as_in_plane_elasticity(b, nu):
+    """Timoshenko and Goodier, art. 33: pi D/E with D = P (i² + o²)/N, whatever nu is.
+
+    What the thick theory leaves out is of the fourth order in b/R; without nu in the coupling of
+    M and N it would be 0.06 (b/R)².
+    """
+    R, h, E = 0.5, 56.0, 206e3
+    i, o = R - b / 2, R + b / 2
+    N = (i**2 + o**2) * math.log(o / i) - (o**2 - i**2)
+    exact = math.pi * (i**2 + o**2) / (E * h * N)
+    quarter = frame.sections(iter([(R * math.pi / 2, -math.pi / 2)]))
+    C = frame.flexibility(quarter, b=b, h=h, E=E, nu=nu, theory="thick")
+    assert C[0, 0] == pytest.approx(exact, rel=0.1 * (b / R) ** 4)
+
+
 def test_more_support_makes_the_spring_stiffer():
     k = {
         (head, tail): frame.stiffness(**PAPER, **STRIP, head=head, tail=tail)

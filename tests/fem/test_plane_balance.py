@@ -120,6 +120,31 @@ def test_anchors_answer_like_a_beam_on_two_supports(kind, assumption):
     assert s.reaction_at((0, 0)) == pytest.approx((-2, 10 - 2 / 4), abs=10 * BALANCE)
 
 
+def test_an_anchor_is_found_by_its_place_not_by_the_last_digit_of_it():
+    # 4 * 0.75 = 3 along the bottom, reached by sums that round differently
+    third = 0.1 + 0.2  # 0.30000000000000004
+    s = solve_plane(
+        trapezoid("quad4"), materials=MATERIAL, assumption="plane stress", supports={},
+        anchors={(0, 0): "xy", (10 * third, 0): "y"}, point_forces={(4, 0): (0.0, -3.0)},
+    )  # fmt: skip
+    # moments about (0, 0): 3 R = 4 * 3
+    assert s.reaction_at((3.0, 0.0)) == pytest.approx((0, 4), abs=3 * BALANCE)
+
+
+@both_assumptions
+@every_element
+def test_supports_that_say_the_same_share_their_force(kind, assumption):
+    # the block's foot is held along y twice over, by name and by anchors
+    s = solve_plane(
+        trapezoid(kind), materials=MATERIAL, assumption=assumption,
+        supports={"left": {"x": 0.0, "n": 0.0}, "bottom": "y"},
+        anchors={(0, 0): "y", (4, 0): "y"}, tractions={"right": (2.0, -1.0)},
+    )  # fmt: skip
+    feet = [s.reaction_at(point) for point in ((0, 0), (4, 0))]
+    total = np.add(s.reaction("left"), s.reaction("bottom"))[:2] + np.sum(feet, axis=0)
+    assert tuple(total) == pytest.approx((-6, 3), rel=BALANCE)
+
+
 @both_assumptions
 @every_element
 def test_the_work_of_a_prescribed_movement_is_stored(kind, assumption):

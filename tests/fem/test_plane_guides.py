@@ -62,6 +62,23 @@ def test_a_tilted_block_between_two_smooth_walls_is_in_uniaxial_stress(kind, til
     assert (x, y) == pytest.approx((along * c - up * n, along * n + up * c), abs=ROUND_OFF)
 
 
+@both_assumptions
+@every_element
+def test_a_wall_that_runs_round_a_corner_holds_both_of_its_sides(kind, assumption):
+    p, tilt = 3.0, radians(30)
+    mesh = block(kind, tilt)
+    round_corner = np.concatenate([mesh.boundaries["left"], mesh.boundaries["bottom"]])
+    s = solve_plane(
+        mesh.with_boundaries({"left and bottom": round_corner}), materials=MATERIAL,
+        assumption=assumption, supports={"left and bottom": "n"}, pressures={"right": p},
+    )  # fmt: skip
+    c, n = cos(tilt), sin(tilt)
+    expected = np.reshape([-p * c * c, -p * n * n, -p * c * n], (3, 1))  # -p along the block
+    found = s.in_body().stress[:3]
+    np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=1e-11 * p)
+    assert s.reaction("left and bottom")[:2] == pytest.approx((p * c, p * n), abs=1e-9 * p)
+
+
 @every_element
 def test_a_wall_that_moves_along_its_normal_and_tangent_takes_the_block_along(kind):
     tilt = radians(25)

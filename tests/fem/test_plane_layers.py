@@ -107,3 +107,19 @@ def test_cells_keep_their_material_whatever_the_order_of_the_bodies(kind):
     soft, hard = 0.4 * (1 - nu1**2) / E1, 0.6 * (1 - nu2**2) / E2  # compliances in series
     cut = solution.on_boundary("weld")
     assert cut.mean(cut.u[0]) == pytest.approx(soft / (soft + hard), rel=ROUND_OFF)
+
+
+@both_assumptions
+@every_element
+def test_a_traction_on_the_weld_is_shared_by_the_springs_on_both_sides(kind, assumption):
+    t = 1.5
+    s = solve_plane(
+        strip(kind, 0), materials={"soft": SOFT, "hard": HARD}, assumption=assumption,
+        supports={"left": "x", "right": "x", "bottom": "n", "top": "n"},
+        tractions={"weld": (t, 0.0)},
+    )  # fmt: skip
+    (E1, nu1), (E2, nu2) = (in_plane(m, assumption) for m in (SOFT, HARD))
+    soft, hard = E1 / (0.4 * (1 - nu1**2)), E2 / (0.6 * (1 - nu2**2))  # stiffnesses per area
+    assert s.mean_displacement("weld", (1, 0)) == pytest.approx(t / (soft + hard), rel=ROUND_OFF)
+    assert s.reaction("left")[0] == pytest.approx(-t * soft / (soft + hard), rel=1e-11)
+    assert s.reaction("right")[0] == pytest.approx(-t * hard / (soft + hard), rel=1e-11)

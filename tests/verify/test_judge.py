@@ -381,14 +381,14 @@ def test_a_less_certain_point_counts_less():
 
 def test_limits_with_noise_cover_the_truth_nineteen_times_in_twenty():
     rng = np.random.default_rng(2008)
-    eps, u, n = np.geomspace(1.0, 0.1, 8), 1e-4, 400
+    eps, u, n = np.geomspace(1.0, 0.1, 8), 1e-4, 200
     fits = [judge.fit_limit(eps, eps**2 + u * rng.normal(size=8), [u] * 8) for _ in range(n)]
     for covered in (
         sum(abs(fit.d0) <= fit.U0 for fit in fits),
         sum(abs(fit.q - 2) <= fit.U_q for fit in fits),
     ):
-        # 95.4 % of a normal distribution lie within 2 u; 0.91 is four standard errors less
-        assert covered >= 0.91 * n
+        # 95.4 % of a normal distribution lie within 2 u; four standard errors are 5.9 %
+        assert covered >= 0.895 * n
 
 
 @pytest.mark.parametrize(

@@ -140,3 +140,11 @@ def test_one_reading_alone_gives_the_printed_stiffness():
     )
     assert met[0].k / 1e3 == pytest.approx(float(adopted), rel=1e-12)
     assert min(x.k for x in readings) / 1e3 < 0.02  # what the garbled forms give, literally
+    # Eq. 3's second line alone as printed: the ledger says 0.5914
+    (literal,) = [
+        x.k / 1e3
+        for x in readings
+        if (x.leaf, x.offset, x.radius, x.signs, x.start)
+        == ("L_1/sin α", "r + b/2", "r", "M_2 as printed", "F (L_1/2 + r)")
+    ]
+    assert literal == pytest.approx(0.5914, abs=5e-5)

@@ -108,6 +108,7 @@ def fem(q: RingInputs, level: int) -> FemResult:
         values[f"strain energy, {kind}"] = 4 * ring.strain_energy
         # without prescribed movement energy and potential differ by round-off alone
         round_off = max(round_off, abs(ring.potential_energy / ring.strain_energy + 1))
+        round_off = max(round_off, ring.residual**0.5)  # of displacements, not of energies
         wall = ring.in_body()
         if a == "plane strain":
             arrays |= {f"{name}, {kind}": v for name, v in
