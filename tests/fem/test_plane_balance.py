@@ -121,8 +121,7 @@ def test_anchors_answer_like_a_beam_on_two_supports(kind, assumption):
 
 
 def test_an_anchor_is_found_by_its_place_not_by_the_last_digit_of_it():
-    # 4 * 0.75 = 3 along the bottom, reached by sums that round differently
-    third = 0.1 + 0.2  # 0.30000000000000004
+    third = 0.1 + 0.2  # 0.30000000000000004, ten times which is not quite the node at x = 3
     s = solve_plane(
         trapezoid("quad4"), materials=MATERIAL, assumption="plane stress", supports={},
         anchors={(0, 0): "xy", (10 * third, 0): "y"}, point_forces={(4, 0): (0.0, -3.0)},

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
@@ -22,8 +23,11 @@ from verify.checks import (
 from verify.inputs import Inputs, count, quantity
 from verify.results import Equation, Field, Table
 
-HEADS: tuple[frame.Head, ...] = ("free", "guided")
+HEADS: tuple[frame.Head, ...] = ("free", "hinged", "guided")
 TAILS: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
+HOLDS: tuple[frame.Hold, ...] = ("clamped", "hinged")
+HEAD_SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
+TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 L0_OVER_B = 240  # Eq. 13
 CONTINUUM_DEMAND = 1e-3
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
@@ -83,13 +87,28 @@ class AccordionInputs(Inputs):
         return self.path | {"radius": self.r, "leaf": leaf}
 
 
-def shapes(q: AccordionInputs) -> dict[str, tuple[dict[str, Any], frame.Head, frame.Tail]]:
-    """Centre line, head and tail of every frame that is paired, by its name."""
-    found: dict[str, tuple[dict[str, Any], frame.Head, frame.Tail]] = {
-        "paper's lengths": (q.paper_path, "free", "arc")
-    }
-    for head, tail in product(HEADS, TAILS):
-        found[f"head {head}, tail at {tail}"] = (q.path, head, tail)
+@dataclass(frozen=True)
+class Shape:
+    """Centre line and ends of a frame that is paired."""
+
+    path: dict[str, Any]
+    head: frame.Head
+    tail: frame.Tail
+    hold: frame.Hold = "clamped"
+
+    @property
+    def ends(self) -> dict[str, Any]:
+        """The ends as the force method names them."""
+        return {"head": self.head, "tail": self.tail, "hold": self.hold}
+
+
+def shapes(q: AccordionInputs) -> dict[str, Shape]:
+    """Every end condition on the true centre line, and the paper's own spring."""
+    found = {"paper's lengths": Shape(q.paper_path, "free", "arc")}
+    for head, tail, hold in product(HEADS, TAILS, HOLDS):
+        if (head, hold) != ("free", "hinged"):  # that one swings freely
+            how = "" if hold == "clamped" else " hinged"
+            found[f"head {head}, tail{how} at {tail}"] = Shape(q.path, head, tail, hold)
     return found
 
 
@@ -112,10 +131,10 @@ def analytic(q: AccordionInputs) -> Values:
         "E": q.E,
     }
     values = {"k1": float(energy.stiffness(**eqs))}
-    for name, (path, head, tail) in shapes(q).items():
+    for name, shape in shapes(q).items():
         for theory in ("thin", "shear"):
             values[f"{name}, {theory}"] = frame.stiffness(
-                **path, **strip_of(q), head=head, tail=tail, theory=theory
+                **shape.path, **strip_of(q), **shape.ends, theory=theory
             )
     wide: dict[str, Any] = {
         "n": q.n,
@@ -149,11 +168,14 @@ def fem(q: AccordionInputs, level: int) -> FemResult:
     A, I = q.b * q.h, q.h * q.b**3 / 12  # noqa: E741
     G = q.E / (2 * (1 + q.nu))
     values, u_it, fields = {}, {}, []
-    for name, (path, head, tail) in shapes(q).items():
-        line = centre_line(**path, tail=tail, per_arc=level, per_leaf=max(1, level // 2))
-        supports = {line.nodes["tail"]: "xyr"}
-        if head == "guided":
-            supports[line.nodes["head"]] = "yr"
+    for name, shape in shapes(q).items():
+        line = centre_line(
+            **shape.path, tail=shape.tail, per_arc=level, per_leaf=max(1, level // 2)
+        )
+        supports = {
+            line.nodes["tail"]: TAIL_SUPPORTS[shape.hold],
+            line.nodes["head"]: HEAD_SUPPORTS[shape.head],
+        }
         force = {line.nodes["head"]: (1.0, 0.0, 0.0)}
         thin = Section(EA=q.E * A, EI=q.E * I)
         stubby = Section(EA=q.E * A, EI=q.E * I, GA=G * A * 5 / 6)
@@ -269,7 +291,7 @@ def sensitivity(q: AccordionInputs) -> Table:
     """What the paper leaves open: tail, head, radius and strip, all 16 combinations."""
     rows = []
     for tail, head, (radius, path), wide in product(
-        TAILS, HEADS, (("r", q.paper_path), ("r + b/2", q.path)), (False, True)
+        TAILS, ("free", "guided"), (("r", q.paper_path), ("r + b/2", q.path)), (False, True)
     ):
         k = frame.stiffness(**path, **strip_of(q), head=head, tail=tail, plane_strain=wide)
         section = "E I/(1 − ν²)" if wide else "E I"
