@@ -121,18 +121,19 @@ def source_of(function: Any) -> str:
         return "unknown"
     tree = ast.parse(Path(module.__file__).read_text("utf-8"))
     own = {name: node for node in tree.body for name in _defined(node)}
-    borrowed = {
-        alias.asname or alias.name: node.module
-        for node in tree.body
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("verify.cases.")
-        for alias in node.names
-    }
+    borrowed: dict[str, set[str]] = {}  # names that the module's own imports bind
+    for node in tree.body:
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            for alias in node.names:
+                name = (alias.asname or alias.name).partition(".")[0]
+                borrowed.setdefault(name, set()).update(_imported(node, module.__name__))
     used: dict[str, str] = {}
-    start, queue = set(), [function.__name__]
+    start: set[str] = set()
+    queue = [function.__name__]
     while queue:
         name = queue.pop()
         if name in borrowed:  # a helper of another case module: all of that module
-            start.add(str(borrowed[name]))
+            start |= borrowed[name]
         elif name in own and name not in used:
             used[name] = _plain(own[name])
             queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
@@ -151,7 +152,7 @@ def _defined(node: ast.stmt) -> list[str]:
 
 
 def _imported(node: ast.AST, importer: str) -> Iterator[str]:
-    """Modules of fem and meshes that `node`, a part of the module `importer`, imports."""
+    """Modules of fem, meshes and the cases that `node`, a part of `importer`, imports."""
     for item in ast.walk(node):
         names: list[str] = []
         if isinstance(item, ast.Import):
@@ -160,10 +161,13 @@ def _imported(node: ast.AST, importer: str) -> Iterator[str]:
             parent = importer.rsplit(".", item.level)[0] if item.level else ""
             source = ".".join(filter(None, (parent, item.module)))
             names = [source, *(f"{source}.{alias.name}" for alias in item.names)]
-        yield from (n for n in names if n.partition(".")[0] in ("fem", "meshes") and _exists(n))
+        yield from (n for n in names if _counts(n))
 
 
-def _exists(name: str) -> bool:
+def _counts(name: str) -> bool:
+    """Whether `name` is a module on which a finite-element result may depend."""
+    if not (name.partition(".")[0] in ("fem", "meshes") or name.startswith("verify.cases.")):
+        return False
     try:
         return find_spec(name) is not None
     except ModuleNotFoundError:  # the last part is a name inside a module

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 from verify import judge, units
 from verify.case import Context
 from verify.convergence import GridConvergence, fit_order, grid_convergence
-from verify.published.ledger import erratum, half_last_digit, published
+from verify.published.ledger import erratum, published
 from verify.results import Kind, Partner, Published, Row, Status
 
 NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judged"
@@ -204,11 +204,7 @@ class Approximation(FemClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedTheory(Claim):
-    """The formula against the number that the paper computed from it: the last digit decides.
-
-    Rounding is bounded, so that the tolerance is never more than half the last digit, although
-    twice its standard uncertainty would be 15 % more.
-    """
+    """The formula against the number that the paper computed from it: the last digit decides."""
 
     kind = Kind.IDENTITY
 
@@ -229,8 +225,9 @@ class PrintedTheory(Claim):
         if u is None:
             verdict = judge.Verdict(Status.SHOWN, "printed as approximate", v - r)
             return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **shown)]
-        U = min(judge.expanded(0.0, u * f), half_last_digit(entry.printed) * f)
-        verdict = judge.difference(v, r, U=U, scale=abs(r), demand=self.demand)
+        verdict = judge.difference(
+            v, r, U=judge.expanded(0.0, u * f), scale=abs(r), demand=self.demand
+        )
         partner = Partner(by=f"printed {entry.printed}", value=r)
         return [
             self._row(

@@ -73,6 +73,8 @@ def approximation(
     if interval is None:
         return Verdict(Status.SHOWN, f"measured: {m:+.2%} ± {U_m:.1g}", formula - reference, U)
     low, high = interval
+    if not u < 1:
+        return Verdict(Status.FAIL, "the reference is as uncertain as itself", None, U)
     if not low + U_m <= m <= high - U_m:
         reason = f"model error {m:+.3%} ± {U_m:.1g} is not inside [{low:+.3%}, {high:+.3%}]"
         return Verdict(Status.FAIL, reason, formula - reference, U)

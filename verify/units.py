@@ -47,7 +47,7 @@ DIMENSIONS = {
 
 _WORD = "[A-Za-zµμ°%]"
 _TEXT = re.compile(
-    r"\s*(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)"
+    r"\s*(?P<number>[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d{1,3})?)"
     rf"(?:\s*(?P<unit>{_WORD}[^\"']{{0,39}})|\s+(?P<reciprocal>1\s*/[^\"']{{1,39}}))?\s*"
 )
 _FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d))?")

@@ -129,8 +129,7 @@ def solve_supported(
                 raise ValueError(f"node {node}: components are x, y, r, got {component!r}")
             i = _rows(n, node).start + DOFS.index(component)
             free[i], u[i] = False, value
-    _check_connections(len(points), elements, free)
-    _check_rigid_motions(points, free)
+    _check_rigid_motions(points, elements, free)
     try:
         factor = splu(
             csc_array(K[free][:, free]),
@@ -166,28 +165,25 @@ def _rows(n: int, node: int) -> slice:
     return slice(3 * node, 3 * node + 3)
 
 
-def _check_connections(count: int, elements: Indices, free: NDArray[np.bool_]) -> None:
-    """ValueError for members that hang on nothing."""
+def _check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
+    """ValueError where the supports leave a connected part of the frame a rigid motion."""
+    count = len(points)
     first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()
     links = csc_array((np.ones(first.size), (first, elements.ravel())), shape=(count, count))
     parts, part = connected_components(links, directed=False)
-    held = ~free.reshape(-1, 3)
-    for k in range(parts if parts > 1 else 0):  # one part alone: its motion is named elsewhere
-        if not held[part == k].any():
-            raise ValueError(f"node {int(np.argmax(part == k))} and its part hang on no support")
-
-
-def _check_rigid_motions(points: Array, free: NDArray[np.bool_]) -> None:
-    """ValueError where the supports leave the frame as a whole a rigid motion."""
-    x, y = ((points - points.mean(axis=0)) / max(np.ptp(points, axis=0).max(), 1e-300)).T
-    one, zero = np.ones_like(x), np.zeros_like(x)
-    modes = np.stack([[one, zero, zero], [zero, one, zero], [-y, x, one]])  # mode, dof, node
-    held = modes.transpose(2, 1, 0).reshape(-1, 3)[~free]
-    _, s, v = np.linalg.svd(np.vstack([held, np.zeros((3, 3))]), full_matrices=False)
-    if s[2] < 1e-9:
-        motion = ", ".join(
-            f"{c:+.2g} {word}"
-            for c, word in zip(v[2], ("x", "y", "rotation"), strict=True)
-            if abs(c) > 1e-9
-        )
-        raise ValueError(f"the frame can move rigidly ({motion}): support it against that")
+    for k in range(parts):
+        own = np.flatnonzero(part == k)
+        at = points[own] - points[own].mean(axis=0)
+        x, y = (at / max(np.ptp(at, axis=0).max(), 1e-300)).T
+        one, zero = np.ones_like(x), np.zeros_like(x)
+        modes = np.stack([[one, zero, zero], [zero, one, zero], [-y, x, one]])  # mode, dof, node
+        held = modes.transpose(2, 1, 0)[~free.reshape(-1, 3)[own]]
+        _, s, v = np.linalg.svd(np.vstack([held, np.zeros((3, 3))]), full_matrices=False)
+        if s[2] < 1e-9:
+            motion = ", ".join(
+                f"{c:+.2g} {word}"
+                for c, word in zip(v[2], ("x", "y", "rotation"), strict=True)
+                if abs(c) > 1e-9
+            )
+            which = "the frame" if parts == 1 else f"the part of node {own[0]}"
+            raise ValueError(f"{which} can move rigidly ({motion}): support it against that")

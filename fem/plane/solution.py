@@ -107,7 +107,8 @@ class PlaneSolution:
 
     def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
         """Force (x, y) that an anchor at `point` exerts."""
-        x, y, _ = self._resultant(self.conditions.of(point))
+        node = nearest_node(self.basis, point)
+        x, y, _ = self._resultant(self.conditions.anchored_at(node))
         return x, y
 
     def displacement_at(self, point: tuple[float, float]) -> tuple[float, float]:

@@ -37,11 +37,16 @@ class Conditions:
     owner: Indices
     owners: tuple[Owner, ...]
 
-    def of(self, owner: Owner) -> NDArray[np.bool_]:
-        """Which conditions belong to the boundary or point `owner`."""
-        if owner not in self.owners:
+    def of(self, boundary: str) -> NDArray[np.bool_]:
+        """Which conditions belong to `boundary`."""
+        if boundary not in self.owners:
             return np.zeros(self.owner.size, bool)
-        return self.owner == self.owners.index(owner)
+        return self.owner == self.owners.index(boundary)
+
+    def anchored_at(self, node: Indices) -> NDArray[np.bool_]:
+        """Which conditions belong to an anchor at the node with the unknowns `node` (2,)."""
+        points = [i for i, owner in enumerate(self.owners) if isinstance(owner, tuple)]
+        return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
     def groups(self) -> Iterator[Indices]:
         """The conditions of one node after the other."""
@@ -129,30 +134,67 @@ def free_directions(basis: Basis, conditions: Conditions) -> tuple[csr_array, Ar
 
 
 def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
-    """ValueError naming the rigid motion that the conditions leave to a body."""
-    cells = np.vstack([np.asarray(basis.element_dofs)])
-    pairs = np.broadcast_to(cells[:1], cells.shape).ravel(), cells.ravel()
-    links = csr_array((np.ones(cells.size), pairs), (basis.N, basis.N))
-    count, part = connected_components(links, directed=False)
-    dofs = node_dofs(basis)
+    """ValueError naming the rigid motion that the conditions leave to a body.
+
+    A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
+    """
+    count, body, hinges = _bodies(basis)
+    centre = np.zeros((2, count))
+    size = np.zeros(count)
     for k in range(count):
-        own = dofs[:, part[dofs[0]] == k]
-        at = basis.doflocs[:, own[0]]
-        centre, size = at.mean(axis=1, keepdims=True), np.ptp(at, axis=1).max()
-        mine = part[conditions.dofs[0]] == k
-        d = conditions.direction[:, mine]
-        x, y = (basis.doflocs[:, conditions.dofs[0, mine]] - centre) / size
-        rows = np.column_stack([d[0], d[1], -y * d[0] + x * d[1]])
-        _, s, v = np.linalg.svd(np.vstack([rows, np.zeros((3, 3))]), full_matrices=False)
-        if s[2] < 1e-9:
-            motion = ", ".join(
-                f"{c:+.2g} {word}"
-                for c, word in zip(v[2], ("x", "y", "rotation"), strict=True)
-                if abs(c) > 1e-9
-            )
-            raise ValueError(
-                f"body {k + 1} of {count} can move rigidly ({motion}): support it against that"
-            )
+        at = basis.mesh.p[:, np.unique(basis.mesh.t[:, body == k])]
+        centre[:, k], size[k] = at.mean(axis=1), np.ptp(at, axis=1).max()
+
+    def motion(x: Array, k: Indices) -> Array:
+        """Displacements (m, 2, 3) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
+        u, v = (x - centre[:, k]) / size[k]
+        one, zero = np.ones_like(u), np.zeros_like(u)
+        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)
+
+    of_dof = np.zeros(basis.N, int)
+    of_dof[np.asarray(basis.element_dofs)] = body
+    k = of_dof[conditions.dofs[0]]
+    held = np.einsum(
+        "im,mij->mj", conditions.direction, motion(basis.doflocs[:, conditions.dofs[0]], k)
+    )
+    blocks = []
+    for j in range(count):  # three rows say as much as all of one body's
+        rows = np.zeros((3, 3 * count))
+        rows[:, 3 * j : 3 * j + 3] = np.linalg.qr(np.vstack([held[k == j], np.zeros((3, 3))]))[1]
+        blocks.append(rows)
+    for vertex, first, second in hinges:
+        rows = np.zeros((2, 3 * count))
+        at = basis.mesh.p[:, [vertex]]
+        rows[:, 3 * first : 3 * first + 3] = motion(at, np.array([first]))[0]
+        rows[:, 3 * second : 3 * second + 3] = -motion(at, np.array([second]))[0]
+        blocks.append(rows)
+    _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
+    if s[-1] < 1e-9:
+        free = v[-1].reshape(count, 3)
+        worst = int(np.argmax(np.abs(free).max(axis=1)))
+        words = ", ".join(
+            f"{c:+.2g} {word}"
+            for c, word in zip(free[worst], ("x", "y", "rotation"), strict=True)
+            if abs(c) > 1e-9
+        )
+        raise ValueError(
+            f"body {worst + 1} of {count} can move rigidly ({words}): support it against that"
+        )
+
+
+def _bodies(basis: Basis) -> tuple[int, Indices, list[tuple[int, int, int]]]:
+    """Number of bodies, the body of every cell, and hinges (vertex, body, body)."""
+    mesh = basis.mesh
+    inner = mesh.f2t[:, mesh.f2t[1] >= 0]
+    links = csr_array((np.ones(inner.shape[1]), tuple(inner)), (mesh.nelements, mesh.nelements))
+    count, body = connected_components(links, directed=False)
+    hinges = []
+    if count > 1:
+        pairs = np.unique(np.vstack([mesh.t.ravel(), np.tile(body, mesh.t.shape[0])]), axis=1)
+        for vertex in np.flatnonzero(np.bincount(pairs[0]) > 1):
+            first, *others = pairs[1, pairs[0] == vertex].tolist()
+            hinges += [(int(vertex), first, other) for other in others]
+    return count, body, hinges
 
 
 def _components(support: Support, where: str) -> Iterable[tuple[str, Prescribed]]:

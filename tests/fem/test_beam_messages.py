@@ -99,8 +99,19 @@ def test_two_members_that_each_have_supports_may_be_apart(solve):
 
 @both_solvers
 def test_a_node_that_no_element_uses_is_refused(solve):
-    with pytest.raises(ValueError, match=r"node"):
+    with pytest.raises(ValueError, match="node 2 belongs to no element"):
         solve(((0, 0), (1, 0), (5, 5)), ((0, 1),))
+
+
+@pytest.mark.parametrize("unknown", [3, -1])
+def test_an_element_between_unknown_nodes_is_refused(unknown):
+    with pytest.raises(ValueError, match=f"no node {unknown}: the frame has nodes 0 to 2"):
+        straight(elements=((0, 1), (1, 2), (2, unknown)))
+    with pytest.raises(ValueError, match=f"no node {unknown}: the frame has nodes 0 to 2"):
+        solve_curved_frame(
+            [(0, 0), (1, 0), (2, 0)], [(0, 2, 1), (2, 0, unknown)], sections=SECTION,
+            supports={0: "xyr"}, loads={},
+        )  # fmt: skip
 
 
 @both_solvers

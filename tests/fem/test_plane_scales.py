@@ -105,6 +105,23 @@ def test_anchors_and_forces_find_their_nodes(kind, away):
     assert s.strain_energy == pytest.approx(s.displacement_at(head)[1] / 2, rel=1e-8)
 
 
+@pytest.mark.parametrize("away", [(1e10, 0), (0, -1e10), (1e10, 1e10)], ids=str)
+@every_element
+def test_a_body_is_not_taken_for_loose_because_it_is_far_away(kind, away):
+    # quarters are exact beside 1e10, sums of shape functions are rounded by 1e-6: a uniform pull
+    # stretches the unit square by p / E but for a few of those
+    straight, shape = KINDS[kind]
+    axis = np.array([0, 0.25, 1])
+    mesh = shape.from_mesh(straight.init_tensor(axis, axis))
+    mesh = mesh.with_boundaries({"left": lambda x: x[0] == 0, "right": lambda x: x[0] == 1})
+    s = solve_plane(
+        replace(mesh, doflocs=mesh.doflocs + np.reshape(away, (2, 1))),
+        materials=Elastic(E=E, nu=NU), assumption="plane stress", supports={"left": "x"},
+        anchors={away: "y"}, tractions={"right": (P, 0.0)},
+    )  # fmt: skip
+    assert s.mean_displacement("right", (1, 0)) == pytest.approx(P / E, rel=1e-5)
+
+
 @every_element
 def test_millimetres_and_megapascals_are_metres_and_pascals(kind):
     def movement(through):

@@ -359,6 +359,18 @@ def test_uncertainties_of_a_limit_are_those_of_least_squares(q, n, u):
     assert (fit.U0, fit.U_q) == pytest.approx(expected, rel=0.01)
 
 
+def test_uncertainties_of_a_limit_that_is_not_zero_are_those_of_least_squares_too():
+    eps, u = np.geomspace(1.0, 0.1, 6), 1e-5
+    fit = judge.fit_limit(eps, 2.0 + 0.3 * eps**2, np.full(6, u))
+    assert (fit.d0, fit.c) == pytest.approx((2.0, 0.3), abs=1e-6)
+    assert (fit.U0, fit.U_q) == pytest.approx(tuple(2 * by_hand(eps, c=0.3, q=2, u=u)), rel=0.01)
+
+
+def test_a_negative_uncertainty_is_refused():
+    with pytest.raises(ValueError, match=r"finite|negative|positive"):
+        judge.fit_limit([1.0, 0.5, 0.2, 0.1], [0.1, 0.05, 0.02, 0.01], [1e-6, -1e-6, 1e-6, 1e-6])
+
+
 def test_scatter_larger_than_stated_widens_the_uncertainty():
     """Four points leave one residual: along the vector w that is orthogonal to the fit."""
     eps, c, q, u = np.geomspace(1.0, 0.1, 4), 0.3, 1.0, 1e-6

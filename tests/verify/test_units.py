@@ -100,6 +100,7 @@ def test_a_quantity_is_read_in_si(text, unit, value):
         ("1/mm", 1e3),
         ("1/s", 1.0),
         ("rad/s", 1.0),
+        ("r/min", 2 * math.pi / 60),  # a turn is 2 pi rad
     ],
 )
 def test_a_unit_is_so_many_si_units(unit, factor):
@@ -260,7 +261,23 @@ def test_what_looks_like_a_quantity_is_a_finite_number_or_one_line(text):
     assert is_finite_or_one_line(outcome(text, "mm"))
 
 
-@pytest.mark.parametrize("unit", ["", "mm!", "furlong", "1e3", "mm^", "m m m;", "__class__"])
+@pytest.mark.parametrize(
+    "unit",
+    [
+        "",
+        "mm!",
+        "furlong",
+        "1e3",
+        "mm^",
+        "m m m;",
+        "__class__",
+        "/mm",
+        "*mm",
+        "mm 1",
+        "1 1",
+        "mm//N",
+    ],
+)
 def test_what_is_no_unit_has_no_factor(unit):
     with pytest.raises(ValueError, match="is not a"):
         units.factor(unit)
