@@ -242,6 +242,6 @@ def test_results_do_not_depend_on_the_number_of_processes(tmp_path, capsys):
 
 def test_the_stiffness_of_the_paper_is_within_a_ten_thousandth():
     """0.60096 ± 0.0001 N/mm, the acceptance figure of Eqs. 1-9."""
-    from verify.cases.spring import ACCORDION
+    from verify.cases.spring_accordion import ACCORDION
 
     assert ACCORDION.analytic(ACCORDION.inputs())["k1"] / 1e3 == pytest.approx(0.60096, abs=1e-4)

@@ -14,7 +14,8 @@ from fem.plane.material import Elastic
 from meshes.ring import quarter
 from verify import checks, convergence
 from verify.cases.ring import LAME
-from verify.cases.spring import ACCORDION, CONTINUUM
+from verify.cases.spring_accordion import ACCORDION
+from verify.cases.spring_continuum import CONTINUUM
 from verify.results import Status
 from verify.run import Job, judge_case, solve_level
 

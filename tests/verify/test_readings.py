@@ -7,7 +7,9 @@ import pytest
 from analytic.ring import lame
 from analytic.spring import energy, frame
 from verify.cases.ring import LAME
-from verify.cases.spring import ACCORDION, CONTINUUM, AccordionInputs
+from verify.cases.spring_accordion import ACCORDION
+from verify.cases.spring_continuum import CONTINUUM
+from verify.cases.spring_inputs import AccordionInputs
 from verify.cases.spring_readings import search
 from verify.published.ledger import published
 

@@ -2,7 +2,8 @@
 
 from verify.case import Case
 from verify.cases.ring import LAME
-from verify.cases.spring import ACCORDION, CONTINUUM
+from verify.cases.spring_accordion import ACCORDION
+from verify.cases.spring_continuum import CONTINUUM
 
 CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM)
 

@@ -1,17 +1,14 @@
 """Accordion spring, linear part: Eqs. 1-9 of Wang et al. 2023 and the curved frame behind them."""
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-import numpy as np
-from pydantic import model_validator
-
 from analytic.spring import energy, frame
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import spring_readings
+from verify.cases.spring_inputs import AccordionInputs, strip_of
 from verify.checks import (
     Approximation,
     Contradiction,
@@ -20,7 +17,6 @@ from verify.checks import (
     PrintedMeasurement,
     PrintedTheory,
 )
-from verify.inputs import Inputs, count, quantity
 from verify.results import Equation, Field, Table
 
 HEADS: tuple[frame.Head, ...] = ("free", "hinged", "guided")
@@ -29,62 +25,7 @@ HOLDS: tuple[frame.Hold, ...] = ("clamped", "hinged")
 HEAD_SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
 TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 L0_OVER_B = 240  # Eq. 13
-CONTINUUM_DEMAND = 1e-3
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
-
-
-class AccordionInputs(Inputs):
-    """Geometry and material of an accordion spring; r is the inner radius of the arcs."""
-
-    n: int = count(10, "n", "number of segments", claims="wang2023:n", ge=4, le=200)
-    b: float = quantity("0.1 mm", "mm", "b", "thickness", gt=0, le=10, claims="wang2023:b")
-    h: float = quantity("56 mm", "mm", "h", "width", gt=0, le=1e4, claims="wang2023:h")
-    r: float = quantity(
-        "0.45 mm", "mm", "r", "inner radius of the arcs", gt=0, le=100, claims="wang2023:r"
-    )
-    L1: float = quantity(
-        "11.6 mm", "mm", "L_1", "straight length of head and tail", gt=0, le=1e3,
-        claims="wang2023:L1",
-    )  # fmt: skip
-    alpha: float = quantity(
-        "80 deg", "deg", "α", "angle of the arcs", ge=20, le=90, claims="wang2023:alpha"
-    )
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5, claims="wang2023:E")
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45, claims="wang2023:nu")
-    F: float | None = quantity(
-        None, "N", "F", "working force, for deflection and stress", omitted=None, gt=0
-    )
-    R_p: float | None = quantity(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0
-    )
-
-    @model_validator(mode="after")
-    def _strip(self) -> "AccordionInputs":
-        if not self.b < self.r:
-            raise ValueError(
-                f"a leaf spring needs b < r, got b = {self.b * 1e3:g} mm, r = {self.r * 1e3:g} mm"
-            )
-        if not 2 * self.r < self.L1:
-            raise ValueError(
-                f"leaves need L1 > 2 r, got L1 = {self.L1 * 1e3:g} mm, r = {self.r * 1e3:g} mm"
-            )
-        return self
-
-    @property
-    def R(self) -> float:
-        """Radius of the arcs' centre line [m]."""
-        return self.r + self.b / 2
-
-    @property
-    def path(self) -> dict[str, Any]:
-        """What the clean centre line needs."""
-        return {"n": self.n, "L1": self.L1, "radius": self.R, "alpha": self.alpha}
-
-    @property
-    def paper_path(self) -> dict[str, Any]:
-        """The paper's centre line: inner radius, but leaves as long as the true radius asks."""
-        leaf = self.L1 / math.sin(self.alpha) + 2 * self.R / math.tan(self.alpha)
-        return self.path | {"radius": self.r, "leaf": leaf}
 
 
 @dataclass(frozen=True)
@@ -113,11 +54,6 @@ def shapes(q: AccordionInputs) -> dict[str, Shape]:
 
 
 NAMES = tuple(shapes(AccordionInputs()))
-
-
-def strip_of(q: AccordionInputs) -> dict[str, Any]:
-    """Section and material of the strip."""
-    return {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}
 
 
 def analytic(q: AccordionInputs) -> Values:
@@ -380,116 +316,5 @@ ACCORDION = Case(
     warnings=warnings,
     equations=equations,
     tables=tables,
-    sketch=sketch,
-)  # fmt: skip
-
-
-def continuum_analytic(q: AccordionInputs) -> Values:
-    values = dict(analytic(q))
-    for name, wide in (("plane stress", False), ("plane strain", True)):
-        for theory in ("bending", "shear", "thick"):
-            values[f"{theory}, {name}"] = frame.stiffness(
-                **q.path, **strip_of(q), theory=theory, plane_strain=wide
-            )
-    return values
-
-
-def continuum_fem(q: AccordionInputs, level: int) -> FemResult:
-    from fem.plane.material import Elastic
-    from fem.plane.solve import solve_plane
-    from meshes.spring.strip import strip
-
-    # Quadratic cells of length l bend a leaf of length L with an error of (l/L)^2 (l/b)^2.
-    leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
-    per_leaf = max(8, round(2.2 * math.sqrt(leaf / q.b))) * level
-    mesh = strip(**q.path, b=q.b, through=level, per_arc=4 * level, per_leaf=per_leaf)
-    tail = mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries["tail"]])].mean(axis=1)
-
-    def parabola(centre: float, force: float) -> Any:
-        """Shear stress of a rectangle across the face, whose resultant is `force`."""
-
-        def traction(x: Any) -> Any:
-            shape = 1.5 * (1 - (2 * (x[0] - centre) / q.b) ** 2)
-            return np.array([force / (q.b * q.h) * shape, np.zeros_like(shape)])
-
-        return traction
-
-    values, u_it, fields = {}, {}, []
-    for assumption in ("plane stress", "plane strain"):
-        body = solve_plane(
-            mesh,
-            materials=Elastic(E=q.E, nu=q.nu),
-            assumption=assumption,
-            supports={"tail": "y"},
-            anchors={(float(tail[0]), float(tail[1])): "x"},  # the tail's shear balances the force
-            tractions={"head": parabola(0.0, 1.0), "tail": parabola(float(tail[0]), -1.0)},
-            thickness=q.h,
-        )
-        k = -1 / (2 * body.potential_energy)
-        values[f"k, {assumption}"] = k
-        u_it[f"k, {assumption}"] = abs(k) * body.residual  # both shares of the energy
-        cells = body.cells()
-        fields.append(
-            Field(
-                name=assumption, points=cells["points"], cells=cells["cells"].astype(np.int64),
-                point_data={"displacement": cells["displacement"]},
-                cell_data={"von_mises": cells["von_mises"]},
-                units={"displacement": "m", "von_mises": "Pa"},
-            )
-        )  # fmt: skip
-    return FemResult(h=1 / level, values=values, u_it=u_it, fields=tuple(fields))
-
-
-def beyond(theory: str, assumption: str) -> Any:
-    """Interval of `theory`/continuum - 1: what the thick curved frame adds, and one order more.
-
-    The corrections are of order (b/R)^2; what comes next is smaller by b/R at least, with the
-    corrections added up in magnitude, since they partly cancel. Where even that is more than
-    half the demand, the bar is too thick for an estimate and its error is measured.
-    """
-
-    def interval(q: AccordionInputs, v: Values) -> tuple[float, float] | None:
-        bending, shear, thick = (v[f"{t}, {assumption}"] for t in ("bending", "shear", "thick"))
-        m = v[f"{theory}, {assumption}"] / thick - 1
-        unknown = q.b / q.R * (abs(bending / shear - 1) + abs(shear / thick - 1))
-        unknown = max(unknown, CONTINUUM_DEMAND / 20)  # nothing sharper is claimed
-        return (m - unknown, m + unknown) if unknown <= CONTINUUM_DEMAND / 2 else None
-
-    return interval
-
-
-CONTINUUM = Case(
-    id="spring-continuum",
-    title="Accordion spring, free stage, as a plane body",
-    paper="wang2023",
-    place="Sec. 1.2, Eqs. 1-9",
-    lead="What the thin frame neglects, measured with plane elasticity on the true centre line: "
-    "shear, axial force, and the bending of a bar whose thickness is not small against its "
-    "radius. The strip is taken as narrow (plane stress) and as wide (plane strain).",
-    inputs=AccordionInputs,
-    analytic=continuum_analytic,
-    fem=continuum_fem,
-    levels=(1, 2, 4, 8),
-    checks=tuple(
-        Approximation(
-            name=f"stiffness, {words}, {assumption}", symbol="k", unit="N/mm",
-            analytic=f"{theory}, {assumption}", fem=f"k, {assumption}", formal=4,
-            interval=beyond(theory, assumption),
-            source="thick curved frame ± (b/R) times its corrections", demand=CONTINUUM_DEMAND,
-            demand_reason="continuum and frame are to agree within 0.1 %",
-        )
-        for assumption in ("plane stress", "plane strain")
-        for theory, words in (("bending", "thin frame"), ("thick", "thick curved frame"))
-    ),
-    outputs=OUTPUTS,
-    readings=(
-        "the arcs' centre line has the radius r + b/2: r is measured inside",
-        "a strip 56 mm wide and loops of 1 mm: E I/(1 − ν²) bounds it from above, E I from below",
-    ),
-    assumptions=(
-        "head free, tail clamped at the end of its arc",
-        "force and reaction as the parabolic shear stress of a rectangle",
-    ),
-    warnings=warnings,
     sketch=sketch,
 )  # fmt: skip
