@@ -55,12 +55,13 @@ class Check(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Output:
-    """A value of the analytic side that `check` prints: key, symbol, unit and words."""
+    """A value of the analytic side that `check` prints; `judged` where a row pairs it with FE."""
 
     key: str
     symbol: str
     unit: str
     what: str
+    judged: bool = True
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -112,7 +112,7 @@ class FemClaim(Claim):
             fine = abs(v[-1] - v[-2])
             noise = 4 * u_it / (fine * math.log(h[-2] / h[-1]))
             verdict = judge.fact(grid.order - 0.5, noise)
-            reason = f"order {grid.order:.2f}"
+            reason = f"order {grid.order:.2f}, above 0.5"
         elif grid.behaviour == "round-off":
             verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
         else:
@@ -124,7 +124,11 @@ class FemClaim(Claim):
         if verdict.status is Status.FAIL and verdict.reason:
             reason = f"{verdict.reason}; {reason}"
         return self._convergence_row(
-            context.case, replace(verdict, reason=reason), fem=grid.order, formal_order=self.formal
+            context.case,
+            replace(verdict, reason=reason),
+            analytic=self.formal,
+            fem=grid.order,
+            formal_order=self.formal,
         )
 
     def demanded(self, context: Context) -> float:

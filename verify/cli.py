@@ -17,6 +17,7 @@ app = App(
     version="0.1.0",
     exit_on_error=False,
     print_error=False,
+    suppress_keyboard_interrupt=False,
 )
 
 BAD_INPUT = 2

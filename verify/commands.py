@@ -4,6 +4,7 @@ import json
 import math
 import os
 import sys
+import tempfile
 import time
 from collections import Counter
 from collections.abc import Sequence
@@ -21,6 +22,7 @@ from verify.run import Job, run
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)
+MOST_JOBS = 256
 
 
 def run_list() -> int:
@@ -37,7 +39,12 @@ def run_verify(
     """Run the cases on the paper's numbers, write the report and print the verdicts."""
     cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     out = out or ROOT / "reports" / "out"
-    out.mkdir(parents=True, exist_ok=True)  # a read-only place is found before the work
+    try:  # a read-only place is found before the work
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=out):
+            pass
+    except OSError as error:
+        raise InputError(f"{out}: cannot be written: {error.strerror}") from error
     start = time.perf_counter()
     work = [
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
@@ -88,7 +95,9 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
 
 
 def _solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) -> list[CaseResult]:
-    folder = cache.default_folder() if use_cache else None
+    if not 0 <= jobs <= MOST_JOBS:
+        raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {jobs}")
+    folder = _writable_cache() if use_cache else None
     processes = jobs if jobs > 0 else os.cpu_count() or 1
     if quiet or not any(job.use_fem for job in work) or not sys.stderr.isatty():
         return run(work, processes=processes, cache_folder=folder)
@@ -108,6 +117,18 @@ def _solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) 
             bar.update(task, description=what, completed=done, total=total)
 
         return run(work, processes=processes, cache_folder=folder, progress=progress)
+
+
+def _writable_cache() -> Path | None:
+    """The cache folder; None, with a word about it, where nothing can be stored."""
+    folder = cache.default_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except OSError as error:
+        print(f"freewheel: no cache in {folder} ({error.strerror}): going on", file=sys.stderr)
+        return None
 
 
 def make_report(results: list[CaseResult], cases: Sequence[Case], seconds: float) -> Report:
@@ -151,7 +172,8 @@ def _print_check(name: str, case: Case, result: CaseResult, values: Any, use_fem
         if out.key in values:
             shown = values[out.key] / units.factor(out.unit)
             unit = "" if out.unit == "1" else f" {out.unit}"
-            print(f"  {out.symbol:8} {shown:.6g}{unit}   {out.what}")
+            mark = " *" if out.judged else ""
+            print(f"  {out.symbol:8} {shown:.6g}{unit}   {out.what}{mark}")
     for warning in result.warnings:
         print(f"warning: {warning}")
     if use_fem:
@@ -159,7 +181,7 @@ def _print_check(name: str, case: Case, result: CaseResult, values: Any, use_fem
         for row in result.rows:
             print(f"  {row.status.value:5} {describe(row)}")
     else:
-        print("(freewheel check --fem judges these formulas with finite elements)")
+        print("(check --fem judges what is marked * with finite elements)")
 
 
 def describe(row: Row) -> str:

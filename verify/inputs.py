@@ -101,11 +101,13 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
             raise InputError(f"{path}: is a directory, expected a TOML file")
         if path.stat().st_size > MAX_BYTES:
             raise InputError(f"{path}: is larger than {MAX_BYTES:,} bytes, no parameter file is")
-        data = tomllib.loads(path.read_bytes().decode("utf-8"))
+        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
     except (OSError, ValueError) as error:
         if isinstance(error, InputError):
             raise
         reason = getattr(error, "strerror", None) or _one_line(str(error))
+        if isinstance(error, UnicodeDecodeError):
+            reason = f"not UTF-8 text (byte {error.start})"
         raise InputError(f"{path}: cannot be read: {reason}") from error
     except RecursionError as error:
         raise InputError(f"{path}: cannot be read: nested too deeply") from error
@@ -156,8 +158,9 @@ def _value(field: FieldInfo, raw: Any, where: str) -> Any:
         if isinstance(raw, bool) or not isinstance(raw, int | float):
             raise InputError(f"{where}: needs {_wanted(unit)}, {_got(raw)}")
         if unit != "1":
+            example = raw if math.isfinite(raw) else 1.5
             raise InputError(
-                f'{where}: {raw} has no unit: needs {_wanted(unit)}, such as "{raw} {unit}"'
+                f'{where}: {raw} has no unit: needs {_wanted(unit)}, such as "{example} {unit}"'
             )
         if not math.isfinite(raw):
             raise InputError(f"{where}: {raw} is not finite")

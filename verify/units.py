@@ -26,7 +26,7 @@ radian = [angle] = rad
 revolution = 2 * 3.14159265358979323846 * radian = r = rev
 degree = 3.14159265358979323846 / 180 * radian = deg = °
 minute = 60 * second = min
-inch = 0.0254 * meter = in
+inch = 0.0254 * meter = in = inches
 newton = 1000 * gram * meter / second ** 2 = N
 pascal = newton / meter ** 2 = Pa
 bar = 1e5 * pascal
@@ -35,6 +35,7 @@ watt = joule / second = W
 hertz = 1 / second = Hz
 pound_force = 4.4482216152605 * newton = lbf
 psi = pound_force / inch ** 2
+ksi = 1000 * psi
 percent = 0.01 = %
 """.strip().splitlines()
 
@@ -115,7 +116,9 @@ def dimensions(unit: str) -> frozenset[tuple[str, float]]:
 def _parsed(unit: str) -> "pint.Unit":
     """`N m`, `kg/m^3`, `1/mm`: factors one after the other, so that no text takes long."""
     parts: list[str] = []
-    at = 0
+    at, unit = 0, unit.replace("²", "^2").replace("³", "^3")
+    if unit.count("%") > 1:
+        raise ValueError(f'"{_short(unit)}" is not a unit')
     while at < len(unit):
         match = _FACTOR.match(unit, at)
         if match is None or (match[1] == "" and match[2] == "1" and at > 0):

@@ -193,6 +193,8 @@ def _surface_load(
         side = facet_basis(basis, outer_facets(basis.mesh, name))
         x = np.asarray(side.global_coordinates())
         p = pressure(x) if callable(pressure) else pressure
+        if not np.all(np.isfinite(p)):
+            raise ValueError(f"the pressure on {name!r} is not finite")
         f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]).copy())
     for name, traction in tractions.items():
         side = facet_basis(basis, named_facets(basis.mesh, name))
@@ -218,4 +220,6 @@ def _body_load(basis: Basis, forces: Vector | Mapping[str, Vector] | None) -> Ar
 
 def _vector(value: Vector, x: Array) -> Array:
     given = value(x) if callable(value) else np.reshape(value, (2, 1, 1))
+    if not np.all(np.isfinite(given)):
+        raise ValueError(f"a load vector is not finite: {value}")
     return np.broadcast_to(np.asarray(given, float), x.shape).copy()

@@ -92,10 +92,23 @@ def test_long_leaves_bend_like_cantilevers():
     assert float(k) == pytest.approx(b**3 / 12 / cantilevers, rel=1e-4)  # arcs: order r/L1
 
 
+@pytest.mark.parametrize(
+    ("ratio", "printed", "digits"),
+    [(1.3, 73.05, 0.005), (2.0, 7.755, 0.0005), (3.0, 2.292, 0.0005)],
+)
+def test_a_curved_bar_s_inner_stress_is_that_of_the_table(ratio, printed, digits):
+    """Timoshenko and Goodier, art. 29: M/a² times 73.05, 7.755 and 2.292 for b/a = 1.3, 2, 3."""
+    straight = 6 / (ratio - 1) ** 2
+    factor = float(energy.curvature_factor(b=ratio - 1, r=1.0))
+    assert factor * straight == pytest.approx(printed, abs=digits)
+
+
 def test_bending_stress_is_the_apex_couple_over_the_section_modulus():
-    # 6 * 11 N * 6.25 mm / (56 mm * 0.01 mm²), by hand
+    # 6 * 11 N * 6.25 mm / (56 mm * 0.01 mm²) by hand, for a bar that is nearly straight
     stress = float(energy.bending_stress(F=11.0, b=0.1, h=56.0, r=0.45, L1=11.6))
-    assert stress == pytest.approx(736.607, rel=1e-6)
+    factor = float(energy.curvature_factor(b=0.1, r=0.45))
+    assert stress / factor == pytest.approx(736.607, rel=1e-6)
+    assert 1 < factor < 1 + 0.1 / 0.45  # of the order b/3R above a straight one
 
 
 def test_parameters_may_be_arrays():

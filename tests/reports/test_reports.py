@@ -128,7 +128,7 @@ def test_junit_counts_failures_and_skips(hostile):
 
 def test_the_table_reads_back(report, tmp_path):
     write(report, tmp_path)
-    rows = list(csv.DictReader(io.StringIO((tmp_path / "rows.csv").read_text())))
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "rows.csv").read_text("utf-8-sig"))))
     assert [r["quantity"] for r in rows] == [r.quantity for r in report.rows]
     assert float(rows[0]["analytic"]) == report.rows[0].analytic
 

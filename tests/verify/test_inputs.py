@@ -6,12 +6,15 @@ import math
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import model_validator
 
+from verify import commands
+from verify.cases.ring import LAME
 from verify.cli import run
 from verify.inputs import InputError, Inputs, build, count, quantity, read_parameter_file
 
@@ -234,6 +237,10 @@ def test_a_file_gives_case_name_and_raw_inputs(written):
     assert raw == {"r_i": "60 mm", "r_o": "80 mm", "p_i": "100 MPa", "E": "206 GPa", "nu": 0.3}
 
 
+def test_a_file_may_begin_with_a_byte_order_mark(written):
+    assert read_parameter_file(written("\ufeff" + RING))[0] == "ring-lame"
+
+
 def test_a_file_without_name_is_named_after_itself(written):
     assert read_parameter_file(written(RING.replace('name = "race"', "")))[1] == "my"
 
@@ -270,11 +277,11 @@ WRONG_FILES = {
     ),
     "not UTF-8": (
         b"\xff\xfe",
-        CANNOT + "'utf-8' codec can't decode byte 0xff in position 0: invalid start byte",
+        CANNOT + "not UTF-8 text (byte 0)",
     ),
     "UTF-16": (
         RING.encode("utf-16"),
-        CANNOT + "'utf-8' codec can't decode byte 0xff in position 0: invalid start byte",
+        CANNOT + "not UTF-8 text (byte 0)",
     ),
     "a key twice": (
         RING + "nu = 0.3\n",
@@ -395,6 +402,16 @@ def test_a_good_file_is_answered(case, written):
 def test_what_cannot_be_built_is_refused_with_the_rule(case, change, message, written):
     path = written(rendered(case, BASES[case] | change))
     assert check(path) == (2, "", f"freewheel: {path}: inputs: {message}\n")
+
+
+@pytest.mark.parametrize("value", [math.inf, -math.inf, math.nan])
+def test_a_formula_that_gives_no_number_is_refused(value, written, monkeypatch):
+    wild = replace(LAME, analytic=lambda q: {"u": 1.0, "stress": value})
+    monkeypatch.setattr(commands, "find", lambda name: wild)
+    path = written(RING)
+    result = check(path)
+    assert_refused(result, path)
+    assert "stress" in result[2]
 
 
 @pytest.mark.parametrize(

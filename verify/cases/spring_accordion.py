@@ -26,6 +26,7 @@ HEAD_SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
 TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 L0_OVER_B = 240  # Eq. 13
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
+FREE_STAGE = 11.95 / 25.6  # where Eq. 10's branches meet, over L_0 of the true centre line
 
 
 @dataclass(frozen=True)
@@ -88,6 +89,7 @@ def analytic(q: AccordionInputs) -> Values:
     tested = TEST_FORCE if q.F is None else q.F
     values["stress at the tests' force"] = float(
         energy.bending_stress(F=tested, b=q.b, h=q.h, r=q.r, L1=q.L1)
+        / energy.curvature_factor(b=q.b, r=q.r)  # kindly, as of a straight bar
     )
     if q.F is not None:
         values["deflection"] = q.F / values["k1"]
@@ -176,10 +178,12 @@ def warnings(q: AccordionInputs, v: Values) -> Sequence[str]:
             f"b/(r + b/2) = {q.b / q.R:.2f}: no thin strip; run with --fem for the curved bar"
         )
     if q.F is not None:
-        if v["deflection"] > 0.6 * v["L0"]:
+        share = v["deflection"] / v["L0"]
+        if share > FREE_STAGE:
             found.append(
-                f"F = {q.F:g} N asks for {v['deflection'] / v['L0']:.0%} of the free length, above "
-                "the 60 % of Eq. 12: leaves touch long before"
+                f"F = {q.F:g} N asks for {share:.1%} of the free length: the paper's spring left "
+                f"its free stage at {FREE_STAGE:.0%}, where leaves touch and Eqs. 1-9 end"
+                + (", and Eq. 12 allows 60 %" if share > 0.6 else "")
             )
         if q.R_p is not None and v["stress"] > q.R_p:
             found.append(
@@ -282,10 +286,22 @@ CHECKS = (
 OUTPUTS = (
     Output(key="k1", symbol="k_1", unit="N/mm", what="stiffness by Eqs. 1-9 (inner radius)"),
     Output(key="k clean", symbol="k", unit="N/mm", what="true centre line, E I"),
-    Output(key="k wide", symbol="k", unit="N/mm", what="true centre line, E I/(1 − ν²)"),
-    Output(key="L0", symbol="L_0", unit="mm", what="free length over all"),
+    Output(
+        key="k wide",
+        symbol="k",
+        unit="N/mm",
+        judged=False,
+        what="true centre line, E I/(1 − ν²): case spring-continuum judges it",
+    ),
+    Output(key="L0", symbol="L_0", unit="mm", what="free length over all", judged=False),
     Output(key="deflection", symbol="Δ", unit="mm", what="deflection at F, by Eqs. 1-9"),
-    Output(key="stress", symbol="σ", unit="MPa", what="bending stress at F, apex of a loop"),
+    Output(
+        key="stress",
+        symbol="σ",
+        unit="MPa",
+        judged=False,
+        what="bending stress at F, inside the apex of a loop",
+    ),
 )
 
 ACCORDION = Case(
