@@ -10,18 +10,9 @@ import numpy as np
 import pytest
 
 from verify.case import Context, FemResult
-from verify.checks import (
-    Approximation,
-    Contradiction,
-    Exact,
-    Fact,
-    Identity,
-    Limit,
-    Order,
-    PrintedMeasurement,
-    PrintedTheory,
-    beside,
-)
+from verify.checks import Approximation, Exact, Fact, Identity, Limit, Order
+from verify.claims import beside
+from verify.printed import Contradiction, PrintedMeasurement, PrintedTheory
 from verify.results import Kind, Status
 
 SIZES = (1 / 2, 1 / 4, 1 / 8)

@@ -12,7 +12,7 @@ from fem.beam import curved, straight
 from fem.plane import discretisation, solution, solve
 from fem.plane.material import Elastic
 from meshes.ring import quarter
-from verify import checks, convergence
+from verify import claims, convergence
 from verify.cases.ring import LAME
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_continuum import CONTINUUM
@@ -146,7 +146,7 @@ def test_a_wrong_gci_factor_turns_a_row_red(factor, broken, judged, red):
 
         return wrong
 
-    broken(checks, "grid_convergence", fault)
+    broken(claims, "grid_convergence", fault)
     assert red(judged(LAME)) + red(judged(ACCORDION))
 
 
@@ -157,7 +157,7 @@ def test_a_series_that_moves_away_turns_its_row_red(broken, judged, red):
 
         return wrong
 
-    broken(checks, "grid_convergence", fault)
+    broken(claims, "grid_convergence", fault)
     assert "does not converge" in {row.reason for row in red(judged(LAME))}
 
 

@@ -9,14 +9,8 @@ from analytic.spring import energy, frame
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import spring_readings
 from verify.cases.spring_inputs import AccordionInputs, strip_of
-from verify.checks import (
-    Approximation,
-    Contradiction,
-    Identity,
-    Order,
-    PrintedMeasurement,
-    PrintedTheory,
-)
+from verify.checks import Approximation, Identity, Order
+from verify.printed import Contradiction, PrintedMeasurement, PrintedTheory
 from verify.results import Equation, Field, Table
 
 HEADS: tuple[frame.Head, ...] = ("free", "hinged", "guided")

@@ -1,0 +1,145 @@
+"""What all claims of a case share: rows in display units, and convergence beside agreement.
+
+Keys name SI values of the analytic or finite-element side; rows carry display units.
+"""
+
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+from verify import judge, units
+from verify.case import Context
+from verify.convergence import GridConvergence, grid_convergence
+from verify.published.ledger import published
+from verify.results import Kind, Partner, Published, Row, Status
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim(ABC):
+    """What all claims have. `printed` lists published values ("paper:id") shown beside the row."""
+
+    kind: ClassVar[Kind]
+
+    name: str
+    symbol: str
+    unit: str
+    demand: float = judge.DEMAND
+    demand_reason: str = ""
+    printed: tuple[str, ...] = ()
+
+    @property
+    def needs_fem(self) -> bool:
+        """Whether the claim compares with finite elements."""
+        return True
+
+    @abstractmethod
+    def rows(self, context: Context) -> list[Row]:
+        """Judge the claim."""
+
+    def skipped(self, case: str, reason: str) -> list[Row]:
+        """The rows that `rows` would give, not run."""
+        return [self._row(case, self.kind, judge.Verdict(Status.SKIP, reason))]
+
+    def _row(self, case: str, kind: Kind, verdict: judge.Verdict, **more: Any) -> Row:
+        more = {"demand": self.demand, "demand_reason": self.demand_reason} | more
+        return make_row(case, kind, verdict, self.name, self.symbol, self.unit, **more)
+
+    def _printed(self, context: Context) -> tuple[Published, ...]:
+        return tuple(beside(r, self.unit) for r in self.printed) if context.is_paper else ()
+
+
+def make_row(
+    case: str, kind: Kind, verdict: judge.Verdict, name: str, symbol: str, unit: str, **more: Any
+) -> Row:
+    """A row in the display unit from a verdict and further fields in SI."""
+    f = units.factor(unit)
+    dimensional = ("analytic", "fem", "scale", "u_num", "u_ref", "u_input")
+    scaled = {k: v / f if k in dimensional and v is not None else v for k, v in more.items()}
+    if partner := scaled.get("partner"):
+        scaled["partner"] = Partner(by=partner.by, value=partner.value / f)
+    return Row(
+        case=case, quantity=name, symbol=symbol, unit=unit, kind=kind,
+        status=verdict.status, reason=verdict.reason, detects=verdict.detects,
+        difference=None if verdict.difference is None else verdict.difference / f,
+        tolerance=None if verdict.tolerance is None else verdict.tolerance / f,
+        **scaled,
+    )  # fmt: skip
+
+
+def beside(reference: str, unit: str) -> Published:
+    """The printed value `reference` in `unit`."""
+    value = published(reference)
+    return Published(
+        document=reference.partition(":")[0], id=value.id, place=value.place, kind=value.kind,
+        printed=value.printed, unit=value.unit,
+        value=value.value * units.factor(value.unit) / units.factor(unit),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class FemClaim(Claim):
+    """A claim about finite-element values `fem`, whose order in theory is `formal`."""
+
+    fem: str
+    formal: float | None = None
+    scale: str = ""  # analytic key of the natural magnitude; the reference itself where empty
+
+    def convergence(self, context: Context, scale: float) -> tuple[GridConvergence, float, float]:
+        """Grid convergence, standard uncertainty u_num and u_it of the finest value [SI]."""
+        h, v = context.series(self.fem)
+        u_it = max(r.u_it.get(self.fem, 0.0) for r in context.fem)
+        if not all(map(math.isfinite, v)):  # a level that did not converge is no number
+            return GridConvergence("diverging", math.inf), math.inf, u_it
+        grid = grid_convergence(h, v, formal=self.formal, scale=scale, u_it=u_it)
+        return grid, judge.numerical_uncertainty(grid, u_it), u_it
+
+    def skipped(self, case: str, reason: str) -> list[Row]:
+        beside_it = self._convergence_row(case, judge.Verdict(Status.SKIP, reason))
+        return [*super().skipped(case, reason), beside_it]
+
+    def _convergence_row(self, case: str, verdict: judge.Verdict, **more: Any) -> Row:
+        name = f"{self.name}: convergence"
+        return make_row(case, Kind.FACT, verdict, name, "p", "1", **more)
+
+    def converges(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Row:
+        """The row that convergence has to itself, beside agreement."""
+        h, v = context.series(self.fem)
+        if grid.behaviour == "monotone" and grid.order is not None:
+            fine = abs(v[-1] - v[-2])
+            noise = 4 * u_it / (fine * math.log(h[-2] / h[-1]))
+            verdict = judge.fact(grid.order - 0.5, noise)
+            reason = f"order {grid.order:.2f}, above 0.5"
+        elif grid.behaviour == "round-off":
+            verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
+        else:
+            margin = 1 - grid.gci / (self.demanded(context) * scale)
+            verdict = judge.fact(margin, 0.0)
+            reason = f"{grid.behaviour}: spread of the last three values against the demand"
+        if not grid.converges:
+            verdict, reason = judge.Verdict(Status.FAIL), "does not converge"
+        if verdict.status is Status.FAIL and verdict.reason:
+            reason = f"{verdict.reason}; {reason}"
+        return self._convergence_row(
+            context.case,
+            replace(verdict, reason=reason),
+            analytic=self.formal,
+            fem=grid.order,
+            formal_order=self.formal,
+        )
+
+    def demanded(self, context: Context) -> float:
+        """The acceptance figure for the paper's numbers, the suite's default for one's own."""
+        return self.demand if context.is_paper else max(self.demand, judge.DEMAND)
+
+    def numbers(self, context: Context, grid: GridConvergence, u_num: float) -> dict[str, Any]:
+        """What every finite-element row records."""
+        f = units.factor(self.unit)
+        h, v = context.series(self.fem)
+        return {
+            "fem": v[-1], "u_num": u_num, "formal_order": self.formal,
+            "order": grid.behaviour if grid.behaviour == "round-off" else grid.order,
+            "levels": tuple((a, b / f) for a, b in zip(h, v, strict=True)),
+            "published": self._printed(context),
+            "demand": self.demanded(context),
+        }  # fmt: skip
