@@ -63,6 +63,8 @@ def values(row: Row) -> tuple[str, str]:
     """Formula and FE with the decimals that u allows; u in brackets: 0.58179(2)."""
     known = [v for v in (row.analytic, row.fem) if v]
     u = row.u_num
+    if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
+        return number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}"
     if row.kind == "fact" or not known or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
         return number(row.analytic, digits), number(row.fem, digits)
