@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any, ClassVar, Protocol
 
 from numpy.typing import NDArray
 
@@ -44,6 +44,8 @@ class Context:
 
 class Check(Protocol):
     """One claim of a case, judged by `rows`; see `verify.checks`."""
+
+    paper_only: ClassVar[bool]
 
     @property
     def needs_fem(self) -> bool: ...

@@ -51,19 +51,19 @@ class Approximation(FemClaim):
     source: str
 
     def rows(self, context: Context) -> list[Row]:
-        formula = context.analytic[self.analytic]
+        formula, v = context.analytic[self.analytic], context.series(self.fem)[1][-1]
         grid, u_num, u_it = self.convergence(context, abs(formula))
         convergence = self.converges(context, grid, u_it, abs(formula))
         limits = self.interval and self.interval(context.inputs, context.analytic)
         if not grid.converges:
             verdict = judge.Verdict(Status.FAIL, "does not converge")
         else:
-            v, U = context.series(self.fem)[1][-1], judge.expanded(u_num)
+            U = judge.expanded(u_num)
             verdict = judge.approximation(
                 formula, v, U=U, interval=limits, demand=self.demanded(context)
             )
         row = self._row(
-            context.case, Kind.APPROXIMATION, verdict, analytic=formula, scale=abs(formula),
+            context.case, Kind.APPROXIMATION, verdict, analytic=formula, scale=abs(v),
             interval=limits, interval_source=self.source, **self.numbers(context, grid, u_num),
         )  # fmt: skip
         return [row, convergence]
@@ -74,12 +74,13 @@ class Order(Claim):
     """Errors against an exact value fall with the order that theory gives (kind trend)."""
 
     kind = Kind.TREND
+    paper_only = True  # of the elements, not of the formula
 
     errors: Callable[[Context], tuple[list[float], list[float]]]
     order: float
 
     def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:  # speaks of the elements, not of the formula
+        if not context.is_paper:
             return []
         try:
             h, e = self.errors(context)
@@ -114,7 +115,7 @@ class Exact(Claim):
     def rows(self, context: Context) -> list[Row]:
         v = context.series(self.fem)[1][-1]
         scale = abs(context.analytic[self.scale])
-        verdict = judge.exact(v, bound=self.bound, scale=scale)
+        verdict = judge.exact(v, bound=self.bound, scale=scale, demand=self.demand)
         return [
             self._row(
                 context.case, Kind.EXACT, verdict, fem=v, scale=scale, scale_name=self.scale,

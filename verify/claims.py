@@ -20,6 +20,7 @@ class Claim(ABC):
     """What all claims have. `printed` lists published values ("paper:id") shown beside the row."""
 
     kind: ClassVar[Kind]
+    paper_only: ClassVar[bool] = False  # speaks of the paper's inputs alone
 
     name: str
     symbol: str
@@ -86,7 +87,7 @@ class FemClaim(Claim):
     scale: str = ""  # analytic key of the natural magnitude; the reference itself where empty
 
     def convergence(self, context: Context, scale: float) -> tuple[GridConvergence, float, float]:
-        """Grid convergence, standard uncertainty u_num and u_it of the finest value [SI]."""
+        """Grid convergence, u_num of the finest value and the largest u_it of all levels [SI]."""
         h, v = context.series(self.fem)
         u_it = max(r.u_it.get(self.fem, 0.0) for r in context.fem)
         if not all(map(math.isfinite, v)):  # a level that did not converge is no number
@@ -142,4 +143,7 @@ class FemClaim(Claim):
             "levels": tuple((a, b / f) for a, b in zip(h, v, strict=True)),
             "published": self._printed(context),
             "demand": self.demanded(context),
+            "demand_reason": self.demand_reason
+            if self.demanded(context) == self.demand
+            else "own parameters: the suite's default",
         }  # fmt: skip

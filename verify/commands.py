@@ -97,7 +97,7 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
 def _solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) -> list[CaseResult]:
     if not 0 <= jobs <= MOST_JOBS:
         raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {jobs}")
-    folder = _writable_cache() if use_cache else None
+    folder = _writable_cache() if use_cache and any(job.use_fem for job in work) else None
     processes = jobs if jobs > 0 else os.cpu_count() or 1
     if quiet or not any(job.use_fem for job in work) or not sys.stderr.isatty():
         return run(work, processes=processes, cache_folder=folder)

@@ -52,6 +52,9 @@ def grid_convergence(
 ) -> GridConvergence:
     """Judge how `values` on meshes of size `h` converge.
 
+    Differences grow, and the series diverges, where |v3 - v2| exceeds |v2 - v1| scaled to the
+    ratios of the meshes (a series in log h keeps it) by more than iteration can explain, 4 u_it.
+
     Parameters
     ----------
     h, values
@@ -84,7 +87,7 @@ def grid_convergence(
     no_order = max(3 * spread, floor)
     if u_it > 0.01 * abs(fine):
         return GridConvergence("noisy", no_order)
-    if fine == 0:  # the last refinement changed nothing: trust the formal order, not infinity
+    if fine == 0:  # the last refinement changed nothing: no order, and all of the spread counts
         return GridConvergence("round-off", max(spread, floor))
     if fine * coarse < 0:
         return GridConvergence("oscillating", no_order)

@@ -95,7 +95,7 @@ def fact(margin: float, U: float) -> Verdict:
     return Verdict(Status.FAIL, reason, margin, U)
 
 
-def exact(residual: float, *, bound: float, scale: float) -> Verdict:
+def exact(residual: float, *, bound: float, scale: float, demand: float = DEMAND) -> Verdict:
     """A balance or symmetry: |residual| <= bound x scale, bound from condition or solver."""
     _positive(scale)
     if not (math.isfinite(residual) and math.isfinite(bound)):
@@ -105,7 +105,7 @@ def exact(residual: float, *, bound: float, scale: float) -> Verdict:
     if abs(residual) > U:
         reason = f"residual {abs(residual) / scale:.1e} of the scale, allowed {bound:.1e}"
         return Verdict(Status.FAIL, reason, residual, U, detects)
-    return Verdict(Status.PASS, "", residual, U, detects)
+    return _sharp(Verdict(Status.PASS, "", residual, U, detects), demand)
 
 
 @dataclass(frozen=True)

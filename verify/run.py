@@ -73,6 +73,8 @@ def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
     context = Context(case.id, q, values, results, job.is_paper)
     rows: list[Row] = []
     for check in case.checks:
+        if check.paper_only and not job.is_paper:
+            continue
         if not check.needs_fem:
             rows += check.rows(context)
         elif job.skip:
