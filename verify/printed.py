@@ -1,81 +1,84 @@
 """Claims that set a formula beside what a paper prints; they need no finite elements."""
 
+from abc import abstractmethod
 from dataclasses import dataclass, replace
 
 from verify import judge, units
 from verify.case import Context
 from verify.claims import Claim, beside
 from verify.published.ledger import erratum, published
-from verify.results import Kind, Partner, Row, Status
+from verify.results import Kind, Partner, Published, Row, Status
 
 NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judged"
 
 
 @dataclass(frozen=True, kw_only=True)
-class PrintedTheory(Claim):
+class PrintedClaim(Claim):
+    """A formula value `analytic` beside the printed `reference` ("paper:id")."""
+
+    paper_only = True
+
+    analytic: str
+    reference: str
+
+    @property
+    def needs_fem(self) -> bool:
+        return False
+
+    def rows(self, context: Context) -> list[Row]:
+        return [self.judged(context)] if context.is_paper else []
+
+    @abstractmethod
+    def judged(self, context: Context) -> Row:
+        """Judge the claim on the paper's inputs."""
+
+    def _beside(self) -> tuple[Published, ...]:
+        return (beside(self.reference, self.unit),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PrintedTheory(PrintedClaim):
     """The formula against the number that the paper computed from it: the last digit decides."""
 
     kind = Kind.IDENTITY
 
-    analytic: str
-    reference: str
-
-    @property
-    def needs_fem(self) -> bool:
-        return False
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
+    def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], published(self.reference)
         f = units.factor(entry.unit)
         r, u = entry.value * f, entry.standard_uncertainty
-        shown = {"analytic": v, "published": (beside(self.reference, self.unit),)}
+        shown = {"analytic": v, "published": self._beside()}
         if u is None:
             verdict = judge.Verdict(Status.SHOWN, "printed as approximate", v - r)
-            return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **shown)]
+            return self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **shown)
         verdict = judge.difference(
             v, r, U=judge.expanded(0.0, u * f), scale=abs(r), demand=self.demand
         )
         partner = Partner(by=f"printed {entry.printed}", value=r)
-        return [
-            self._row(
-                context.case, Kind.IDENTITY, verdict, scale=abs(r), u_num=0.0, u_ref=u * f,
-                u_input=0.0, partner=partner, **shown,
-            )
-        ]  # fmt: skip
+        return self._row(
+            context.case, Kind.IDENTITY, verdict, scale=abs(r), u_num=0.0, u_ref=u * f,
+            u_input=0.0, partner=partner, **shown,
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
-class PrintedMeasurement(Claim):
+class PrintedMeasurement(PrintedClaim):
     """A test or a commercial finite-element value without stated uncertainty: SHOWN."""
 
     kind = Kind.APPROXIMATION
 
-    analytic: str
-    reference: str
-
-    @property
-    def needs_fem(self) -> bool:
-        return False
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
+    def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], published(self.reference)
         r = entry.value * units.factor(entry.unit)
         verdict = judge.Verdict(Status.SHOWN, f"formula {v / r - 1:+.1%}: {NO_UNCERTAINTY}", v - r)
-        return [
-            self._row(
-                context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
-                partner=Partner(by=f"printed {entry.kind} {entry.printed}", value=r),
-                published=(beside(self.reference, self.unit),),
-            )
-        ]  # fmt: skip
+        return self._row(
+            context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
+            partner=Partner(by=f"printed {entry.kind} {entry.printed}", value=r),
+            published=self._beside(),
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
-class Contradiction(Claim):
+class Contradiction(PrintedClaim):
     """A printed number that the paper's own formulas contradict: NOTE, with its ledger entry.
 
     `analytic` must exceed the printed `reference` surely; where it does not, the ledger is wrong
@@ -84,17 +87,9 @@ class Contradiction(Claim):
 
     kind = Kind.FACT
 
-    analytic: str
-    reference: str
     erratum: str
 
-    @property
-    def needs_fem(self) -> bool:
-        return False
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
+    def judged(self, context: Context) -> Row:
         entry, v = published(self.reference), context.analytic[self.analytic]
         f = units.factor(entry.unit)
         U = judge.expanded(0.0, (entry.standard_uncertainty or 0.0) * f)
@@ -107,9 +102,7 @@ class Contradiction(Claim):
         else:
             verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise")
         partner = Partner(by=f"printed {entry.printed}", value=entry.value * f)
-        return [
-            self._row(
-                context.case, Kind.FACT, verdict, analytic=v, scale=abs(entry.value * f),
-                partner=partner, published=(beside(self.reference, self.unit),),
-            )
-        ]  # fmt: skip
+        return self._row(
+            context.case, Kind.FACT, verdict, analytic=v, scale=abs(entry.value * f),
+            partner=partner, published=self._beside(),
+        )  # fmt: skip

@@ -22,11 +22,11 @@ from fem.plane.discretisation import (
     vector_basis,
 )
 from fem.plane.material import Assumption, Elastic
+from fem.plane.rigid import check_rigid_motions
 from fem.plane.solution import PlaneSolution
 from fem.plane.supports import (
     Anchors,
     Support,
-    check_rigid_motions,
     collect,
     free_directions,
     nearest_node,

@@ -1,0 +1,73 @@
+"""Whether the supports of a plane problem leave a body, or a chain of hinged ones, free to move."""
+
+import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
+from skfem import Basis
+
+from fem.plane.discretisation import Array, Indices
+from fem.plane.supports import Conditions
+
+
+def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
+    """ValueError naming the rigid motion that the conditions leave to a body.
+
+    A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
+    """
+    count, body, hinges = _bodies(basis)
+    centre = np.zeros((2, count))
+    size = np.zeros(count)
+    for k in range(count):
+        at = basis.mesh.p[:, np.unique(basis.mesh.t[:, body == k])]
+        centre[:, k], size[k] = at.mean(axis=1), np.ptp(at, axis=1).max()
+
+    def motion(x: Array, k: Indices) -> Array:
+        """Displacements (m, 2, 3) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
+        u, v = (x - centre[:, k]) / size[k]
+        one, zero = np.ones_like(u), np.zeros_like(u)
+        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)
+
+    of_dof = np.zeros(basis.N, int)
+    of_dof[np.asarray(basis.element_dofs)] = body
+    k = of_dof[conditions.dofs[0]]
+    held = np.einsum(
+        "im,mij->mj", conditions.direction, motion(basis.doflocs[:, conditions.dofs[0]], k)
+    )
+    blocks = []
+    for j in range(count):  # three rows say as much as all of one body's
+        rows = np.zeros((3, 3 * count))
+        rows[:, 3 * j : 3 * j + 3] = np.linalg.qr(np.vstack([held[k == j], np.zeros((3, 3))]))[1]
+        blocks.append(rows)
+    for vertex, first, second in hinges:
+        rows = np.zeros((2, 3 * count))
+        at = basis.mesh.p[:, [vertex]]
+        rows[:, 3 * first : 3 * first + 3] = motion(at, np.array([first]))[0]
+        rows[:, 3 * second : 3 * second + 3] = -motion(at, np.array([second]))[0]
+        blocks.append(rows)
+    _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
+    if s[-1] < 1e-9:
+        free = v[-1].reshape(count, 3)
+        worst = int(np.argmax(np.abs(free).max(axis=1)))
+        words = ", ".join(
+            f"{c:+.2g} {word}"
+            for c, word in zip(free[worst], ("x", "y", "rotation"), strict=True)
+            if abs(c) > 1e-9
+        )
+        raise ValueError(
+            f"body {worst + 1} of {count} can move rigidly ({words}): support it against that"
+        )
+
+
+def _bodies(basis: Basis) -> tuple[int, Indices, list[tuple[int, int, int]]]:
+    """Number of bodies, the body of every cell, and hinges (vertex, body, body)."""
+    mesh = basis.mesh
+    inner = mesh.f2t[:, mesh.f2t[1] >= 0]
+    links = csr_array((np.ones(inner.shape[1]), tuple(inner)), (mesh.nelements, mesh.nelements))
+    count, body = connected_components(links, directed=False)
+    hinges = []
+    if count > 1:
+        pairs = np.unique(np.vstack([mesh.t.ravel(), np.tile(body, mesh.t.shape[0])]), axis=1)
+        for vertex in np.flatnonzero(np.bincount(pairs[0]) > 1):
+            first, *others = pairs[1, pairs[0] == vertex].tolist()
+            hinges += [(int(vertex), first, other) for other in others]
+    return count, body, hinges
