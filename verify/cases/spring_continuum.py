@@ -31,10 +31,12 @@ def fem(q: AccordionInputs, level: int) -> FemResult:
     from fem.plane.solve import solve_plane
     from meshes.spring.strip import strip
 
-    # Quadratic cells of length l bend a leaf of length L with an error of (l/L)^2 (l/b)^2.
+    # Quadratic cells of length l bend a piece of length L with an error of (l/L)^2 (l/b)^2.
     leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
-    per_leaf = max(8, round(2.2 * math.sqrt(leaf / q.b))) * level
-    mesh = strip(**q.path, b=q.b, through=level, per_arc=4 * level, per_leaf=per_leaf)
+    per_leaf, per_arc = (
+        level * max(4, round(2.2 * math.sqrt(length / q.b))) for length in (leaf, q.R * q.alpha)
+    )
+    mesh = strip(**q.path, b=q.b, through=level, per_arc=per_arc, per_leaf=per_leaf)
     tail = mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries["tail"]])].mean(axis=1)
 
     def parabola(centre: float, force: float) -> Any:
