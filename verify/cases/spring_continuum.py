@@ -86,7 +86,7 @@ def beyond(theory: str, assumption: str) -> Any:
         bending, shear, thick = (v[f"{t}, {assumption}"] for t in ("bending", "shear", "thick"))
         m = v[f"{theory}, {assumption}"] / thick - 1
         unknown = q.b / q.R * (abs(bending / shear - 1) + abs(shear / thick - 1))
-        unknown = max(unknown, DEMAND / 20)  # nothing sharper is claimed
+        unknown = max(unknown, DEMAND / 100)  # nothing sharper is claimed
         return (m - unknown, m + unknown) if unknown <= DEMAND / 2 else None
 
     return interval
@@ -109,7 +109,7 @@ CONTINUUM = Case(
             name=f"stiffness, {words}, {assumption}", symbol="k", unit="N/mm",
             analytic=f"{theory}, {assumption}", fem=f"k, {assumption}", formal=4,
             interval=beyond(theory, assumption),
-            source="thick curved frame ± (b/R) times its corrections, 5e-5 at least", demand=DEMAND,
+            source="thick curved frame ± (b/R) times its corrections, 1e-5 at least", demand=DEMAND,
             demand_reason="continuum and frame are to agree within 0.1 %",
         )
         for assumption in ("plane stress", "plane strain")
