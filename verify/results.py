@@ -110,6 +110,99 @@ class Field:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Picture:
+    """How to draw one field: which data, in which unit, deformed how.
+
+    `data` names point or cell data of the field called `field`, `component` a column of it;
+    values are divided by `factor` to come in `unit`. `mirror` lists the axes ("x", "y") at which
+    a part of a symmetric body is reflected. `width` sweeps a line into a ribbon that can be
+    turned [the points' unit].
+    """
+
+    field: str
+    data: str
+    symbol: str
+    unit: str
+    factor: float
+    caption: str
+    component: int | None = None
+    displacement: str = "displacement"
+    mirror: tuple[str, ...] = ()
+    width: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Profile:
+    """A formula's curve and finite-element values on it, for a plot with the difference below.
+
+    `x`, `y` draw the formula; at `x_fem` the formula gives `y_ref` and finite elements `y_fem`
+    with standard uncertainty `u`. Differences are divided by `scale`. `marks` are printed values.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    x: Array
+    y: Array
+    x_fem: Array
+    y_fem: Array
+    y_ref: Array
+    u: Array
+    scale: float
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Dots:
+    """Values of one quantity side by side: name, value, half-width or None, and whose it is.
+
+    The last is "formula", "fem" or "paper".
+    """
+
+    title: str
+    label: str
+    items: tuple[tuple[str, float, float | None, str], ...]
+    note: str = ""
+
+
+Figure = Profile | Dots
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """A line of a sketch: `points` (n, 2) in the case's own length, drawn as `style`.
+
+    Styles: "body" (closed outline, filled), "hole" (closed, cut out), "line" (centre line of
+    something thin), "axis", "faint", "clamp" (hatched on the left of its direction), "load" (an
+    arrow to its last point), "dimension" (arrows at both ends, `label` between them), "leader"
+    (from the label to its last point) and "text" (`label` at its only point).
+    """
+
+    style: str
+    points: Array
+    label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sketch:
+    """What a case looks like, as data; `title` says it in words."""
+
+    title: str
+    shapes: tuple[Shape, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaValue:
+    """A value of the analytic side in its display unit; `judged` where a row pairs it with FE."""
+
+    symbol: str
+    what: str
+    value: float
+    unit: str
+    judged: bool
+
+
+@dataclass(frozen=True, kw_only=True)
 class Table:
     """A table to print as it stands; cells are strings or numbers."""
 
@@ -137,11 +230,12 @@ class InputValue:
     what: str
     value: float | int | str
     unit: str
+    source: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
 class CaseResult:
-    """Everything that one case produced."""
+    """Everything that one case produced; `name` is that of the user's parameters, if any."""
 
     id: str
     title: str
@@ -156,7 +250,11 @@ class CaseResult:
     tables: tuple[Table, ...] = ()
     fields: tuple[Field, ...] = ()
     warnings: tuple[str, ...] = ()
-    sketch: Mapping[str, Any] = field(default_factory=dict)
+    sketch: Sketch | None = None
+    values: tuple[FormulaValue, ...] = ()
+    figures: tuple[Figure, ...] = ()
+    pictures: tuple[Picture, ...] = ()
+    name: str = ""
     seconds: float = 0.0
     cached: bool = False
     command: str = ""
