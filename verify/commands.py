@@ -2,8 +2,6 @@
 
 import json
 import math
-import os
-import sys
 import tempfile
 import time
 from collections import Counter
@@ -13,16 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from verify import cache, units
+from verify import units
 from verify.case import Case
 from verify.cases.registry import CASES, find
 from verify.inputs import InputError, Inputs, build, read_parameter_file
 from verify.results import CaseResult, Report, Row, Status
-from verify.run import Job, run
+from verify.run import Job
+from verify.solving import solve
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)
-MOST_JOBS = 256
 
 
 def run_list() -> int:
@@ -49,7 +47,7 @@ def run_verify(
     work = [
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
     ]
-    results = _solve(work, jobs, use_cache)
+    results = solve(work, jobs, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
     from reports.write import write  # only the command line knows reports
 
@@ -67,7 +65,7 @@ def run_check(path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache:
     """Formulas, warnings and, if asked for, finite elements on a user's parameters."""
     name, case, inputs = load(path)
     job = Job(case, inputs, use_fem=use_fem)
-    (result,) = _solve([job], jobs, use_cache, quiet=as_json)
+    (result,) = solve([job], jobs, use_cache, quiet=as_json)
     values = case.analytic(inputs)
     if as_json:
         print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
@@ -92,43 +90,6 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
     if wild := [key for key, value in values.items() if not math.isfinite(value)]:
         raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
     return name, case, inputs
-
-
-def _solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) -> list[CaseResult]:
-    if not 0 <= jobs <= MOST_JOBS:
-        raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {jobs}")
-    folder = _writable_cache() if use_cache and any(job.use_fem for job in work) else None
-    processes = jobs if jobs > 0 else os.cpu_count() or 1
-    if quiet or not any(job.use_fem for job in work) or not sys.stderr.isatty():
-        return run(work, processes=processes, cache_folder=folder)
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-    )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("finite elements", total=None)
-
-        def progress(what: str, done: int, total: int) -> None:
-            bar.update(task, description=what, completed=done, total=total)
-
-        return run(work, processes=processes, cache_folder=folder, progress=progress)
-
-
-def _writable_cache() -> Path | None:
-    """The cache folder; None, with a word about it, where nothing can be stored."""
-    folder = cache.default_folder()
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except OSError as error:
-        print(f"freewheel: no cache in {folder} ({error.strerror}): going on", file=sys.stderr)
-        return None
 
 
 def make_report(results: list[CaseResult], cases: Sequence[Case], seconds: float) -> Report:
