@@ -17,15 +17,9 @@ from verify.case import Context
 from verify.cases.registry import CASES
 from verify.inputs import meta
 from verify.published import ledger
-from verify.published.ledger import (
-    Paper,
-    Value,
-    erratum,
-    half_last_digit,
-    number,
-    papers,
-    published,
-)
+from verify.published.digits import half_last_digit, number
+from verify.published.entries import Value
+from verify.published.ledger import Paper, erratum, papers, published
 
 fixed = settings(deadline=None, derandomize=True)
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from verify.case import Context
-from verify.published.ledger import half_last_digit, published
+from verify.published.digits import half_last_digit
+from verify.published.ledger import published
 from verify.results import Table
 
 LEAVES = {"L_1/sin α": 1.0, "2 L_1/sin α": 2.0}
