@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Protocol
 from numpy.typing import NDArray
 
 from verify.inputs import Inputs
-from verify.results import Equation, Field, Row, Table
+from verify.results import Equation, Field, Figure, Picture, Row, Sketch, Table
 
 Values = Mapping[str, float]
 
@@ -92,4 +92,6 @@ class Case:
     warnings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     equations: Callable[[Any, Values], Sequence[Equation]] = lambda _inputs, _values: ()
     tables: Callable[[Context], Sequence[Table]] = lambda _context: ()
-    sketch: Callable[[Any], Mapping[str, Any]] = lambda _inputs: {}
+    sketch: Callable[[Any], Sketch | None] = lambda _inputs: None
+    figures: Callable[[Context], Sequence[Figure]] = lambda _context: ()
+    pictures: Callable[[Any], Sequence[Picture]] = lambda _inputs: ()

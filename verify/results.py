@@ -172,10 +172,11 @@ Figure = Profile | Dots
 class Shape:
     """A line of a sketch: `points` (n, 2) in the case's own length, drawn as `style`.
 
-    Styles: "body" (closed outline, filled), "hole" (closed, cut out), "line" (centre line of
-    something thin), "axis", "faint", "clamp" (hatched on the left of its direction), "load" (an
-    arrow to its last point), "dimension" (arrows at both ends, `label` between them), "leader"
-    (from the label to its last point) and "text" (`label` at its only point).
+    Styles: "body" (closed outline, filled), "modelled" (closed: what finite elements take of
+    it), "hole" (closed, cut out), "line" (centre line of something thin), "axis", "faint",
+    "clamp" (hatched on the left of its direction), "load" (an arrow to its last point),
+    "dimension" (arrows at both ends, `label` between them), "leader" (from the label to its last
+    point) and "text" (`label` at its only point).
     """
 
     style: str
