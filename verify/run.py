@@ -10,6 +10,7 @@ from typing import Any
 
 from verify import cache
 from verify.case import Case, Context, FemResult
+from verify.described import described
 from verify.inputs import Inputs
 from verify.results import CaseResult, Row, Status
 
@@ -83,15 +84,9 @@ def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
             rows += [_failed(row, failures[0]) for row in check.skipped(case.id, "")]
         elif job.use_fem:
             rows += check.rows(context)
-    finest = results[-1] if results else None
     return CaseResult(
-        id=case.id, title=case.title, paper=case.paper, place=case.place, lead=case.lead,
-        inputs=q.display(), equations=tuple(case.equations(q, values)),
-        assumptions=case.assumptions, readings=case.readings, rows=tuple(rows),
-        tables=tuple(case.tables(context)), fields=finest.fields if finest else (),
-        warnings=tuple(case.warnings(q, values)), sketch=case.sketch(q),
-        seconds=sum(s.seconds for s in levels), cached=all(s.cached for s in levels),
-        command=f"freewheel verify {case.id}",
+        **described(case, context), rows=tuple(rows), seconds=sum(s.seconds for s in levels),
+        cached=all(s.cached for s in levels), command=f"freewheel verify {case.id}",
     )  # fmt: skip
 
 

@@ -1,0 +1,46 @@
+"""What a report shows of a case beside its rows: inputs, formulas, figures, sketch."""
+
+from dataclasses import replace
+from typing import Any
+
+from verify import units
+from verify.case import Case, Context
+from verify.inputs import Inputs, meta
+from verify.published.ledger import published
+from verify.results import FormulaValue, InputValue
+
+
+def described(case: Case, context: Context) -> dict[str, Any]:
+    """The fields of `CaseResult` that come from the case and its formulas."""
+    q, values = context.inputs, context.analytic
+    return {
+        "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
+        "lead": case.lead, "assumptions": case.assumptions, "readings": case.readings,
+        "inputs": _inputs(q, is_paper=context.is_paper), "values": formula_values(case, values),
+        "equations": tuple(case.equations(q, values)), "warnings": tuple(case.warnings(q, values)),
+        "tables": tuple(case.tables(context)), "sketch": case.sketch(q),
+        "figures": tuple(case.figures(context)), "pictures": tuple(case.pictures(q)),
+        "fields": context.fem[-1].fields if context.fem else (),
+    }  # fmt: skip
+
+
+def formula_values(case: Case, values: Any) -> tuple[FormulaValue, ...]:
+    """The outputs of the analytic side that these inputs have, in display units."""
+    return tuple(
+        FormulaValue(
+            symbol=out.symbol, what=out.what, value=values[out.key] / units.factor(out.unit),
+            unit=out.unit, judged=out.judged,
+        )
+        for out in case.outputs if out.key in values
+    )  # fmt: skip
+
+
+def _inputs(q: Inputs, *, is_paper: bool) -> tuple[InputValue, ...]:
+    """Every input, on the paper's numbers with the place that prints it."""
+    if not is_paper:
+        return q.display()
+    claims = {name: meta(field)["claims"] for name, field in type(q).model_fields.items()}
+    return tuple(
+        replace(shown, source=published(claims[shown.name]).place if claims[shown.name] else "")
+        for shown in q.display()
+    )
