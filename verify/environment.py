@@ -1,0 +1,133 @@
+"""What the project needs of the machine beneath it: Python, shared libraries, Debian packages.
+
+Standard library only, and read by any Python 3: `python3 verify/environment.py` says what is
+missing before there is a virtual environment. This is the one list of libraries and packages.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import signal
+import subprocess
+import sys
+from collections.abc import Collection
+
+OLDEST = (3, 11)
+MESHES, PICTURES = "meshes", "pictures"  # gmsh does not start without these; pictures are fewer
+
+# shared library, its Debian package, what needs it
+LIBRARIES = (
+    ("libGLU.so.1", "libglu1-mesa", MESHES),
+    ("libGL.so.1", "libgl1", MESHES),
+    ("libEGL.so.1", "libegl1", PICTURES),
+    ("libXft.so.2", "libxft2", MESHES),
+    ("libXcursor.so.1", "libxcursor1", MESHES),
+    ("libXinerama.so.1", "libxinerama1", MESHES),
+    ("libXfixes.so.3", "libxfixes3", MESHES),
+    ("libfontconfig.so.1", "libfontconfig1", MESHES),
+    ("libgomp.so.1", "libgomp1", MESHES),
+)
+PACKAGES = ("python3-venv", "make", *(package for _, package, _ in LIBRARIES))
+OPENGL = ("libEGL.so.1", "libGL.so.1")
+
+# A sphere drawn off-screen: exit status 3 where the picture is empty.
+RENDER = """
+import pyvista
+plotter = pyvista.Plotter(off_screen=True, window_size=(64, 64))
+plotter.add_mesh(pyvista.Sphere(), color="red")
+raise SystemExit(0 if plotter.screenshot(return_img=True).std() > 1 else 3)
+"""
+RENDER_SECONDS = 60.0
+
+
+def loads(library: str) -> bool:
+    """Whether the dynamic linker finds the shared library."""
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def missing_libraries(need: str = "") -> tuple[str, ...]:
+    """Libraries that are not there, all or those of one `need`; none are asked for off Linux."""
+    if sys.platform != "linux":
+        return ()
+    return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))
+
+
+def install_line(libraries: Collection[str]) -> str:
+    """The command that brings `libraries`."""
+    packages = [package for library, package, _ in LIBRARIES if library in libraries]
+    return f"apt-get install {' '.join(packages)}"
+
+
+def probe(script: str, seconds: float) -> str:
+    """Run Python code in a process of its own: "" where it ends well, else one line why not."""
+    try:
+        done = subprocess.run(  # noqa: S603 - our own interpreter and our own script
+            [sys.executable, "-c", script],
+            capture_output=True, text=True, errors="replace", check=False, timeout=seconds,
+            stdin=subprocess.DEVNULL,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return f"no answer within {seconds:g} s"
+    if done.returncode == 0:
+        return ""
+    if done.returncode < 0:
+        return f"killed by {signal.Signals(-done.returncode).name}"
+    said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    return said[-1] if said else f"exit status {done.returncode}"
+
+
+def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
+    """What keeps pyvista from drawing off-screen, with the packages to install; "" if nothing.
+
+    It draws in a process of its own, because VTK dies of a missing OpenGL without an exception.
+    """
+    problem = probe(RENDER, seconds)
+    if not problem:
+        return ""
+    problem = {"exit status 3": "the picture stays empty"}.get(problem, problem)
+    absent = [library for library in OPENGL if sys.platform == "linux" and not loads(library)]
+    remedy = f"missing {', '.join(absent)}: {install_line(absent)}" if absent else ""
+    return f"pyvista cannot draw off-screen ({problem})" + (f"; {remedy}" if remedy else "")
+
+
+def missing_for_meshes(error: Exception) -> str:
+    """What the failure to import gmsh means in one line with the packages; "" if it is no such."""
+    text = str(error)
+    if isinstance(error, ImportError):
+        return f"{text}: the virtual environment is incomplete; see freewheel doctor"
+    named = [library for library, _, _ in LIBRARIES if text.startswith(f"{library}:")]
+    if not named:
+        return ""
+    absent = [x for x, _, need in LIBRARIES if x in named or (need == MESHES and not loads(x))]
+    return f"gmsh makes the meshes and needs {', '.join(absent)}: {install_line(absent)}"
+
+
+def main() -> int:
+    """Say what is missing for a virtual environment and a run; 2 where it is fatal."""
+    everything = f"apt-get install {' '.join(PACKAGES)}"
+    if sys.version_info < OLDEST:
+        version, oldest = sys.version.split()[0], ".".join(map(str, OLDEST))
+        return _complain(f"needs Python {oldest} or newer, this is {version}: set PYTHON")
+    missing = list(missing_libraries(MESHES))
+    if importlib.util.find_spec("ensurepip") is None:
+        missing.insert(0, "venv")
+    if missing:
+        return _complain(f"missing {' '.join(missing)}: {everything}")
+    fewer = missing_libraries(PICTURES)
+    if fewer:
+        _complain(f"without {' '.join(fewer)} pictures are fewer: {install_line(fewer)}")
+    return 0
+
+
+def _complain(message: str) -> int:
+    print(f"freewheel: {message}", file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
