@@ -18,6 +18,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "equations": list(report.equations),
         "errata": list(report.errata),
         "published": list(report.published),
+        "paper_tables": [_plain(asdict(table)) for table in report.tables],
         "provenance": report.provenance,
     }
 

@@ -4,13 +4,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from verify.case import Case
-from verify.inputs import meta
+from verify.paper_tables import claiming_inputs, claiming_rows, paper_tables
 from verify.published.ledger import papers
 from verify.results import CaseResult
 
 
 def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, Any]:
-    """Records of `papers`, `equations`, `errata` and `published` for `verify.results.Report`."""
+    """Records of the ledgers and the papers' tables for `verify.results.Report`."""
     used = claimed(results, cases)
     return {
         "papers": tuple(_paper(p, used) for p in papers()),
@@ -23,20 +23,15 @@ def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, A
             for p in papers()
             for v in p.values
         ),
+        "tables": paper_tables(results, cases),
     }
 
 
 def claimed(results: Sequence[CaseResult], cases: Sequence[Case]) -> Mapping[str, list[str]]:
     """Published values in use ("paper:id") and by what: inputs of cases and judged rows."""
-    used: dict[str, list[str]] = {}
-    for case in cases:
-        for name, field in case.inputs.model_fields.items():
-            if reference := meta(field)["claims"]:
-                used.setdefault(reference, []).append(f"{case.id} input {name}")
-    for result in results:
-        for row in result.rows:
-            for entry in row.published:
-                used.setdefault(f"{entry.document}:{entry.id}", []).append(row.id)
+    used = claiming_inputs(cases)
+    for reference, rows in claiming_rows(results).items():
+        used.setdefault(reference, []).extend(row.id for row in rows)
     return used
 
 

@@ -262,6 +262,46 @@ class CaseResult:
 
 
 @dataclass(frozen=True, kw_only=True)
+class PaperClaim:
+    """A judged row that claims a printed number, in the number's own unit; `u` is the FE's."""
+
+    row: str
+    status: Status
+    analytic: float | None
+    fem: float | None
+    u: float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperCell:
+    """A cell of a printed table; for a number its `value` ("paper:id") and what is said of it.
+
+    `inputs` are the case inputs that repeat it, `rows` the judged rows that claim it, `errata` ids
+    of the same paper's errata about it.
+    """
+
+    text: str
+    value: str | None = None
+    unit: str = ""
+    inputs: tuple[str, ...] = ()
+    rows: tuple[PaperClaim, ...] = ()
+    errata: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperTable:
+    """A table as a paper prints it; without rows `note` says why. `errata` are about the whole."""
+
+    paper: str
+    name: str
+    caption: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[PaperCell, ...], ...]
+    note: str = ""
+    errata: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from."""
 
@@ -271,6 +311,7 @@ class Report:
     errata: tuple[Mapping[str, Any], ...]
     published: tuple[Mapping[str, Any], ...]
     provenance: Mapping[str, Any]
+    tables: tuple[PaperTable, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:
