@@ -31,7 +31,7 @@ class Identity(FemClaim):
             verdict = judge.difference(v, r, U=U, scale=scale, demand=self.demanded(context))
         row = self._row(
             context.case, Kind.IDENTITY, verdict, analytic=r, scale=scale, scale_name=self.scale,
-            u_ref=0.0, u_input=0.0, **self.numbers(context, grid, u_num),
+            u_ref=0.0, u_input=0.0, **self.numbers(context, grid, u_num, u_it, scale),
         )  # fmt: skip
         return [row, convergence]
 
@@ -64,7 +64,8 @@ class Approximation(FemClaim):
             )
         row = self._row(
             context.case, Kind.APPROXIMATION, verdict, analytic=formula, scale=abs(v),
-            interval=limits, interval_source=self.source, **self.numbers(context, grid, u_num),
+            interval=limits, interval_source=self.source,
+            **self.numbers(context, grid, u_num, u_it, abs(formula)),
         )  # fmt: skip
         return [row, convergence]
 
@@ -148,6 +149,7 @@ class Limit(Claim):
             self._row(
                 context.case, Kind.ASYMPTOTIC, verdict, fem=fit.d0, analytic=0.0, scale=1.0,
                 order=fit.q, formal_order=self.exponent, levels=tuple(zip(eps, d, strict=True)),
+                levels_u=tuple(u),
             )
         ]  # fmt: skip
 

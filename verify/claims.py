@@ -12,7 +12,7 @@ from verify import judge, units
 from verify.case import Context
 from verify.convergence import GridConvergence, grid_convergence
 from verify.published.ledger import published
-from verify.results import Kind, Partner, Published, Row, Status
+from verify.results import Grid, Kind, Partner, Published, Row, Status
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,20 +127,33 @@ class FemClaim(Claim):
             analytic=self.formal,
             fem=grid.order,
             formal_order=self.formal,
+            grid=self._recorded(context, grid, u_it, scale),
         )
 
     def demanded(self, context: Context) -> float:
         """The acceptance figure for the paper's numbers, the suite's default for one's own."""
         return self.demand if context.is_paper else max(self.demand, judge.DEMAND)
 
-    def numbers(self, context: Context, grid: GridConvergence, u_num: float) -> dict[str, Any]:
-        """What every finite-element row records."""
+    def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:
+        """The convergence with everything that it was judged from, in the display unit."""
         f = units.factor(self.unit)
         h, v = context.series(self.fem)
+        return Grid(
+            unit=self.unit, levels=tuple((a, b / f) for a, b in zip(h, v, strict=True)),
+            scale=scale / f, allowed=self.demanded(context) * scale / f, behaviour=grid.behaviour,
+            gci=grid.gci / f, u_it=u_it / f, order=grid.order, formal=self.formal,
+            used=grid.used, factor=grid.factor,
+        )  # fmt: skip
+
+    def numbers(
+        self, context: Context, grid: GridConvergence, u_num: float, u_it: float, scale: float
+    ) -> dict[str, Any]:
+        """What every finite-element row records; `scale` is what convergence was judged on [SI]."""
+        recorded = self._recorded(context, grid, u_it, scale)
         return {
-            "fem": v[-1], "u_num": u_num, "formal_order": self.formal,
+            "fem": context.series(self.fem)[1][-1], "u_num": u_num, "formal_order": self.formal,
             "order": grid.behaviour if grid.behaviour == "round-off" else grid.order,
-            "levels": tuple((a, b / f) for a, b in zip(h, v, strict=True)),
+            "levels": recorded.levels, "grid": recorded,
             "published": self._printed(context),
             "demand": self.demanded(context),
             "demand_reason": self.demand_reason

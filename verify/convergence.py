@@ -28,12 +28,17 @@ Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "di
 
 @dataclass(frozen=True)
 class GridConvergence:
-    """How a series converges: `gci` [unit of the values], observed `order` where there is one."""
+    """How a series converges: `gci` [unit of the values], observed `order` where there is one.
+
+    `used` and `factor` are p and F of the index, where it was made with an order.
+    """
 
     behaviour: Behaviour
     gci: float
     order: float | None = None
     extrapolated: float | None = None
+    used: float | None = None
+    factor: float | None = None
 
     @property
     def converges(self) -> bool:
@@ -99,7 +104,8 @@ def grid_convergence(
     p = min(observed, formal)
     F = 1.25 if abs(observed - formal) <= 0.5 else 3.0
     gci = F * abs(fine) / (r21**p - 1)
-    return GridConvergence("monotone", max(gci, floor), observed, v1 + fine / (r21**observed - 1))
+    limit = v1 + fine / (r21**observed - 1)
+    return GridConvergence("monotone", max(gci, floor), observed, limit, used=p, factor=F)
 
 
 def observed_order(ratio: float, r21: float, r32: float) -> float:
@@ -126,10 +132,16 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
 @dataclass(frozen=True)
 class OrderFit:
-    """Slope of log error over log size as h goes to 0, and its standard uncertainty."""
+    """Slope of log error over log size as h goes to 0, and its standard uncertainty.
+
+    `slopes` are the pairwise ones; `parts` the scatter, half the last correction and the round-off
+    that make `u`.
+    """
 
     order: float
     u: float
+    slopes: tuple[float, ...]
+    parts: tuple[float, float, float]
 
 
 def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
@@ -151,8 +163,9 @@ def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
     covariance = scatter**2 * np.linalg.inv(A.T @ A)
     # logarithms and their differences carry some round-off
     round_off = 5e-15 * float(np.abs(y).max() / np.abs(np.diff(x)).min())
-    u = (math.sqrt(covariance[0, 0]), c * middle[-1] / 2, round_off)
-    return OrderFit(float(p0), float(np.linalg.norm(u)))
+    parts = (math.sqrt(covariance[0, 0]), abs(float(c * middle[-1])) / 2, round_off)
+    u = float(np.linalg.norm(parts))
+    return OrderFit(float(p0), u, tuple(slope.tolist()), parts)
 
 
 def _check(h: Sequence[float], values: Sequence[float]) -> None:

@@ -57,11 +57,34 @@ class Partner:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Grid:
+    """How finite-element levels converge, and what their grid convergence index was made of.
+
+    `levels` are values by relative mesh size, coarse to fine. With an order the index is
+    gci = factor |v3 - v2|/(r^used - 1). All but orders and `factor` is in `unit`: `scale` measures
+    round-off, and `allowed` is what the index of a series without an order may be.
+    """
+
+    unit: str
+    levels: tuple[tuple[float, float], ...]
+    scale: float
+    allowed: float
+    behaviour: str
+    gci: float
+    u_it: float
+    order: float | None = None
+    formal: float | None = None
+    used: float | None = None
+    factor: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class Row:
     """One judged comparison. Dimensional numbers are in `unit`; `detects`, `demand` are relative.
 
     `difference` is value minus reference; `interval` holds the expected signed model error of an
-    approximation; `levels` the finite-element values by mesh size, coarse to fine.
+    approximation; `levels` the finite-element values by mesh size, coarse to fine, and `levels_u`
+    their standard uncertainties where a limit is fitted to them.
     """
 
     case: str
@@ -90,6 +113,8 @@ class Row:
     interval_source: str = ""
     levels: tuple[tuple[float, float], ...] = ()
     published: tuple[Published, ...] = ()
+    grid: Grid | None = None
+    levels_u: tuple[float, ...] = ()
 
     @property
     def id(self) -> str:
