@@ -46,6 +46,14 @@ def vector_basis(mesh: Mesh2D, degree: int | None = None) -> Basis:
     return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), intorder=order)
 
 
+def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
+    """Values (n, ...) and slopes (2, n, ...) of the shape functions of `elem` at `X` (2, ...)."""
+    pairs = [elem.lbasis(X, k) for k in range(len(elem.doflocs))]
+    phi = np.array([np.broadcast_to(value, X.shape[1:]) for value, _ in pairs])
+    slope = [[np.broadcast_to(d, X.shape[1:]) for d in slopes] for _, slopes in pairs]
+    return phi, np.array(slope).swapaxes(0, 1)
+
+
 class _TraceMapping:
     """The mesh's own mapping, but facet points find their cell coordinates without iteration.
 

@@ -14,6 +14,7 @@ from skfem import Basis
 from skfem.helpers import sym_grad
 
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
+from fem.plane.locate import locate
 from fem.plane.supports import Conditions, nearest_node
 
 
@@ -116,6 +117,23 @@ class PlaneSolution:
         x, y = self.u[nearest_node(self.basis, point)]
         return float(x), float(y)
 
+    def at(self, points: Array) -> Samples:
+        """Samples at `points` (2, m), each from the cell it lies in, with weight 1.
+
+        On an edge between cells from one of them. ValueError names the first point outside.
+        """
+        points = np.asarray(points, float)
+        if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
+            raise ValueError(f"points are finite, of shape (2, m), got shape {points.shape}")
+        cells, X = locate(self.basis.mesh, points)
+        u, grad = np.zeros((2, cells.size)), np.zeros((2, 2, cells.size))
+        for k, dofs in enumerate(self.basis.element_dofs[:, cells]):
+            shape = self.basis.elem.gbasis(self.basis.mapping, X[:, :, None], k, tind=cells)[0]
+            u += self.u[dofs] * np.asarray(shape)[..., 0]
+            grad += self.u[dofs] * shape.grad[..., 0]
+        one, no_side = np.ones(cells.size), np.zeros((2, 0))
+        return Samples(points.copy(), u, self._stress(grad, cells), one, no_side)
+
     def on_boundary(self, name: str) -> Samples:
         """Samples along `name`; on an internal boundary the mean of both sides."""
         facets = named_facets(self.basis.mesh, name)
@@ -169,14 +187,8 @@ class PlaneSolution:
 
     def _samples(self, basis: Basis, cells: Indices | None = None) -> Samples:
         at = getattr(basis, "tind", None) if cells is None else cells
-        lam, mu, ratio = (
-            (a if at is None else a[at])[:, None] for a in (self.lam, self.mu, self.ratio)
-        )
         field = basis.interpolate(self.u)
-        e = sym_grad(field)
-        dilation = lam * (e[0, 0] + e[1, 1])
-        xx, yy, xy = dilation + 2 * mu * e[0, 0], dilation + 2 * mu * e[1, 1], 2 * mu * e[0, 1]
-        stress = np.array([xx, yy, xy, ratio * (xx + yy)])
+        stress = self._stress(field.grad, np.arange(self.lam.size) if at is None else at)
         normal = np.asarray(getattr(basis, "normals", np.zeros((2, 0, 0))))
         return Samples(
             np.asarray(basis.global_coordinates()).reshape(2, -1),
@@ -185,6 +197,15 @@ class PlaneSolution:
             np.asarray(basis.dx).ravel(),
             normal.reshape(2, -1),
         )
+
+    def _stress(self, grad: Array, cells: Indices) -> Array:
+        """Stress (4, m, ...) from the displacement gradient (2, 2, m, ...) in `cells` (m,)."""
+        lam, mu, ratio = (
+            a[cells].reshape(-1, *[1] * (grad.ndim - 3)) for a in (self.lam, self.mu, self.ratio)
+        )
+        dilation = lam * (grad[0, 0] + grad[1, 1])
+        xx, yy = dilation + 2 * mu * grad[0, 0], dilation + 2 * mu * grad[1, 1]
+        return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), ratio * (xx + yy)])
 
     def _resultant(self, chosen: NDArray[np.bool_]) -> tuple[float, float, float]:
         forces = self.conditions.forces(self.internal - self.f)

@@ -1,0 +1,199 @@
+"""Displacement and stress at any point: from the cell it lies in, walls and edges included."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skfem import MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
+
+from fem.plane.locate import locate
+from fem.plane.material import Elastic
+from fem.plane.solve import solve_plane
+
+E, NU = 200.0, 0.25
+KINDS = {
+    "tri3": (MeshTri1, MeshTri1),
+    "tri6": (MeshTri1, MeshTri2),
+    "quad4": (MeshQuad1, MeshQuad1),
+    "quad9": (MeshQuad1, MeshQuad2),
+}
+every_element = pytest.mark.parametrize("kind", KINDS)
+curved_element = pytest.mark.parametrize("kind", ["tri6", "quad9"])
+UNIT = np.linspace(0, 1, 7)
+GRAD = np.array([[0.01, 0.004], [-0.02, 0.03]])  # of the linear displacement, about any origin
+
+
+def block(kind, place, x=UNIT, y=UNIT, hole=0.0):
+    """The unit square, every node moved by `place`, with all its outline named."""
+    straight, shape = KINDS[kind]
+    grid = straight.init_tensor(x, y)
+    centre = grid.p[:, grid.t].mean(axis=1)
+    grid = grid.remove_elements(np.flatnonzero(np.abs(centre - 0.5).max(axis=0) < hole))
+    mesh = shape.from_mesh(grid) if shape is not straight else grid
+    mesh = replace(mesh, doflocs=place(*mesh.doflocs))
+    return mesh.with_boundaries({"outline": mesh.boundary_facets()})
+
+
+def wavy(x, y):
+    """All edges parabolas, where the cells have nodes for them; areas within 0.4 to 1.7."""
+    return np.array([x + 0.06 * np.sin(5 * y + x), y + 0.07 * np.cos(6 * x)])
+
+
+def arc(x, y):
+    """Quarter ring of radii 1 and 2."""
+    return (1 + x) * np.array([np.cos(np.pi / 2 * y), np.sin(np.pi / 2 * y)])
+
+
+def linear(mesh, grad=GRAD, about=(0.0, 0.0)):
+    """The body under a linear displacement of its outline, which it follows inside."""
+    centre = np.reshape(about, (2, 1, 1))
+    moved = {"xy"[i]: lambda x, i=i: np.tensordot(grad[i], x - centre[..., 0], 1) for i in (0, 1)}
+    return solve_plane(
+        mesh, materials=Elastic(E=E, nu=NU), assumption="plane stress",
+        supports={"outline": moved},
+    )  # fmt: skip
+
+
+def hooke(grad=GRAD):
+    """Plane stress xx, yy, xy, zz of a displacement gradient."""
+    e, g = np.diag(grad), grad[0, 1] + grad[1, 0]
+    normal = E / (1 - NU**2) * (e + NU * e[::-1])
+    return np.array([*normal, E / (2 * (1 + NU)) * g, 0.0])
+
+
+def anywhere(mesh, count=500, seed=1):
+    """Random points of the mesh, by random coordinates in random cells."""
+    rng = np.random.default_rng(seed)
+    cell, X = rng.integers(mesh.nelements, size=count), rng.random((2, count))
+    if isinstance(mesh, MeshTri1):
+        X = np.where(X.sum(axis=0) > 1, 1 - X, X)
+    return mesh.mapping().F(X[:, :, None], tind=cell)[..., 0]
+
+
+@every_element
+def test_a_linear_field_is_exact_at_any_point_of_curved_cells(kind):
+    mesh = block(kind, wavy)
+    x = anywhere(mesh)
+    found = linear(mesh).at(x)
+    np.testing.assert_array_equal(found.x, x)
+    np.testing.assert_allclose(found.u, GRAD @ x, atol=1e-14)
+    np.testing.assert_allclose(found.stress, np.tile(hooke(), (x.shape[1], 1)).T, atol=1e-11)
+    assert found.weight.shape == (x.shape[1],)
+    assert found.normal.size == 0
+
+
+@every_element
+def test_points_are_found_in_the_cell_they_were_made_in(kind):
+    mesh = block(kind, wavy)
+    cell = np.arange(mesh.nelements)
+    inside = np.full((2, cell.size), 0.31)
+    found, X = locate(mesh, mesh.mapping().F(inside[:, :, None], tind=cell)[..., 0])
+    np.testing.assert_array_equal(found, cell)
+    np.testing.assert_allclose(X, inside, atol=1e-12)
+
+
+@every_element
+def test_cells_a_thousand_times_longer_than_wide_hide_no_point(kind):
+    mesh = block(kind, lambda x, y: np.array([x + 3e-5 * y * y, 1e-3 * y]), y=np.linspace(0, 1, 40))
+    x = anywhere(mesh)
+    np.testing.assert_allclose(linear(mesh).at(x).u, GRAD @ x, atol=1e-14)
+
+
+@every_element
+def test_small_cells_far_from_the_origin_keep_their_points(kind):
+    far, size = np.array([[[3.0]], [[-7.0]]]), 1e-7
+    mesh = block(kind, lambda x, y: far[..., 0] + size * wavy(x, y))
+    x = anywhere(mesh)
+    found = linear(mesh, about=(3.0, -7.0)).at(x)
+    eps = np.finfo(float).eps * 10 / size  # a point's own rounding, in units of the body
+    np.testing.assert_allclose(found.u / size, GRAD @ (x - far[..., 0]) / size, atol=eps)
+    np.testing.assert_allclose(found.stress[:2].T, [hooke()[:2]] * 500, atol=1e4 * eps)
+
+
+@every_element
+def test_a_point_on_a_shared_edge_or_vertex_has_the_value_of_both_sides(kind):
+    mesh = block(kind, wavy)
+    ends = mesh.p[:, mesh.facets] if kind in ("tri3", "quad4") else None
+    nodes = mesh.doflocs if ends is None else np.hstack([mesh.p, ends.mean(axis=1)])
+    found = linear(mesh).at(nodes)
+    np.testing.assert_allclose(found.u, GRAD @ nodes, atol=1e-14)
+
+
+@every_element
+def test_the_side_of_an_edge_does_not_depend_on_the_order_of_the_points(kind):
+    mesh = block(kind, wavy)
+    cell, _ = locate(mesh, mesh.p)
+    turned, _ = locate(mesh, mesh.p[:, ::-1])
+    np.testing.assert_array_equal(cell, turned[::-1])
+
+
+@curved_element
+def test_points_of_a_true_circle_lie_on_its_wall_of_parabolas(kind):
+    mesh = block(kind, arc, y=np.linspace(0, 1, 13))
+    phi = np.linspace(0, np.pi / 2, 101)
+    ring = linear(mesh)
+    for radius in (1.0, 2.0):
+        x = radius * np.array([np.cos(phi), np.sin(phi)])
+        np.testing.assert_allclose(ring.at(x).u, GRAD @ x, atol=1e-13)
+
+
+@pytest.mark.parametrize("kind", ["tri3", "quad4"])
+def test_the_gap_between_a_circle_and_its_chords_is_outside(kind):
+    mesh = block(kind, arc, y=np.linspace(0, 1, 13))
+    middle = np.pi / 2 * 1.5 / 12  # of the second chord
+    with pytest.raises(ValueError, match=r"the point \(1\.9.*\) lies outside the mesh"):
+        linear(mesh).at(2 * np.array([[np.cos(middle)], [np.sin(middle)]]))
+
+
+@every_element
+def test_the_first_point_outside_is_named(kind):
+    solution = linear(block(kind, lambda x, y: np.array([x, y])))
+    x = np.array([[0.5, 1.001, 0.2], [0.5, 0.25, -3.0]])
+    with pytest.raises(ValueError, match=r"the point \(1\.001, 0\.25\) lies outside the mesh"):
+        solution.at(x)
+
+
+@every_element
+def test_a_point_in_a_hole_is_outside(kind):
+    mesh = block(kind, lambda x, y: np.array([x, y]), hole=1 / 6)
+    with pytest.raises(ValueError, match="outside"):
+        linear(mesh).at(np.array([[0.5], [0.45]]))
+
+
+@pytest.mark.parametrize(
+    "points", [np.zeros(2), np.zeros((3, 4)), np.array([[0.1, np.nan], [0.1, 0.1]])]
+)
+def test_points_of_another_shape_or_no_numbers_are_refused(points):
+    with pytest.raises(ValueError, match=r"points are finite, of shape \(2, m\)"):
+        linear(block("tri3", wavy)).at(points)
+
+
+def test_no_points_give_no_samples():
+    assert linear(block("quad9", wavy)).at(np.zeros((2, 0))).stress.shape == (4, 0)
+
+
+@every_element
+def test_stresses_are_those_of_the_quadrature_points(kind):
+    mesh = block(kind, wavy)
+    body = solve_plane(
+        mesh, materials=Elastic(E=E, nu=NU), assumption="plane strain",
+        supports={"outline": {"x": lambda x: np.sin(x[1]), "y": lambda x: x[0] * x[1]}},
+    )  # fmt: skip
+    expected = body.in_body()
+    found = body.at(expected.x)
+    np.testing.assert_allclose(found.u, expected.u, atol=1e-13)
+    np.testing.assert_allclose(found.stress, expected.stress, atol=1e-10)
+
+
+@every_element
+def test_each_point_takes_the_material_of_its_own_cell(kind):
+    mesh = block(kind, lambda x, y: np.array([x, y]))
+    mesh = mesh.with_subdomains({"west": lambda x: x[0] < 0.5, "east": lambda x: x[0] > 0.5})
+    # strain 7 west and 1 east of the middle make one uniform stress of 7, without strain along y
+    body = solve_plane(
+        mesh, materials={"west": Elastic(E=1.0, nu=0.0), "east": Elastic(E=7.0, nu=0.0)},
+        assumption="plane stress",
+        supports={"outline": {"y": 0.0, "x": lambda x: np.minimum(7 * x[0], x[0] + 3)}},
+    )  # fmt: skip
+    found = body.at(np.array([[0.05, 0.95, 0.45, 0.55], [0.3, 0.8, 0.3, 0.8]]))
+    np.testing.assert_allclose(found.stress.T, np.tile([7.0, 0, 0, 0], (4, 1)), atol=1e-11)
