@@ -8,6 +8,8 @@ with the tangent t of the true curve. Two Gauss points an element (reduced integ
 shear and membrane strains from locking. Shares nothing with the closed-form elements.
 """
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import csc_array
@@ -83,17 +85,35 @@ def solve_curved_frame(
         )
     K = csc_array(csc_array(K)[order][:, order])
 
-    def strain(u: Array) -> tuple[float, Array]:
+    def resultants(u: Array) -> tuple[Array, Array]:
+        """Strains and section forces (3, m, q): axial, shear, bending."""
         dofs = np.empty(basis.N)
         dofs[order] = u.ravel()
         field = basis.interpolate(dofs)
-        eps, gamma, kappa = _strains(field.grad[:, 0] / ds, np.asarray(field)[2], tangent)
-        N, V, M = moduli["EA"] * eps, moduli["GA"] * gamma, moduli["EI"] * kappa
-        energy = float(np.sum((N * eps + V * gamma + M * kappa) * ds * basis.dx)) / 2
+        strains = np.array(_strains(field.grad[:, 0] / ds, np.asarray(field)[2], tangent))
+        return strains, np.array([moduli["EA"], moduli["GA"], moduli["EI"]]) * strains
+
+    def strain(u: Array) -> tuple[float, Array]:
+        strains, (N, V, M) = resultants(u)
+        energy = float(np.sum((strains * (N, V, M)).sum(axis=0) * ds * basis.dx)) / 2
         forces = section_work.assemble(basis, t=tangent, ds=ds, N=N, V=V, M=M)
         return energy, forces[order].reshape(-1, 3)
 
-    return solve_supported(points, elements, K, np.zeros(3 * len(points)), supports, loads, strain)
+    f = np.zeros(3 * len(points))
+    solved = solve_supported(points, elements, K, f, supports, loads, strain)
+    N, V, M = resultants(solved.u)[1]
+    forward = np.sign(np.diff(basis.mesh.p[0][basis.mesh.t], axis=0).T)  # against the numbers: -1
+    return replace(
+        solved,
+        stations=np.einsum("qn,enk->eqk", _shape(basis), points[elements]),
+        section_forces=np.stack([N, V, M * forward], axis=-1),  # M alone is odd in the direction
+    )
+
+
+def _shape(basis: Basis) -> Array:
+    """Shape functions (q, 3) of ends and middle node at the Gauss points."""
+    X = basis.X[0]
+    return np.array([(1 - X) * (1 - 2 * X), X * (2 * X - 1), 4 * X * (1 - X)]).T
 
 
 def _strains(slope, phi, tangent):

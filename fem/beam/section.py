@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,6 +51,10 @@ class FrameSolution:
     `u` (nodes, 3): displacements and rotation; `reactions` (nodes, 3): force and couple that the
     supports exert, round-off elsewhere; `f` the loads (3 nodes,). `residual` is the share of the
     energy that the solver's last correction held, the square of a relative displacement.
+    `section_forces` (elements, k, 3) are axial force, shear force and bending moment at the
+    `stations` (elements, k, 2) of each element: both ends of a straight one, the Gauss points of
+    a curved one. Tension is positive; the moment EI d(rotation)/ds and the shear force along the
+    normal (the tangent turned by +90 deg) follow the element's own direction, V = -dM/ds.
     """
 
     points: Array
@@ -60,6 +64,8 @@ class FrameSolution:
     strain_energy: float
     residual: float
     between_nodes: float = 0.0  # energy of loads along elements, part of strain_energy
+    stations: Array = field(default_factory=lambda: np.zeros((0, 2, 2)))
+    section_forces: Array = field(default_factory=lambda: np.zeros((0, 2, 3)))
 
     @property
     def potential_energy(self) -> float:

@@ -69,7 +69,7 @@ def solve_frame(
     dofs = (3 * elements[:, :, None] + np.arange(3)).reshape(-1, 6)
     K = _assemble(np.einsum("eki,ekl,elj->eij", T, k, T), dofs, 3 * len(points))
     f = np.zeros(3 * len(points))
-    between = 0.0
+    between, fixed_end = 0.0, np.zeros((len(elements), 6))
     for e, q in (distributed or {}).items():
         if not 0 <= e < len(elements):
             raise ValueError(f"no element {e}: the frame has elements 0 to {len(elements) - 1}")
@@ -77,24 +77,40 @@ def solve_frame(
         axial, across = T[e, :2, :2] @ q
         local = np.array([axial, across, across * L / 6, axial, across, -across * L / 6]) * L / 2
         f[dofs[e]] += T[e].T @ local
+        fixed_end[e] = local
         between += axial**2 * L**3 / (24 * EA[e])
         between += across**2 * (L**5 / (1440 * EI[e]) + L**3 / (24 * GA[e]))
 
     tangent, phi = d / length[:, None], 12 * EI / (GA * length**2)
     bend = EI / (length * (1 + phi))
 
-    def strain(u: Array) -> tuple[float, Array]:
+    def resultants(u: Array) -> tuple[Array, Array, Array, Array]:
+        """Elongations and end rotations, then the axial forces and end couples of the nodes."""
         stretch, turn = _deformation(u, elements, tangent, length)
-        N = EA / length * stretch
         M = bend * np.array([
             (4 + phi) * turn[0] + (2 - phi) * turn[1],
             (2 - phi) * turn[0] + (4 + phi) * turn[1],
         ])  # fmt: skip
+        return stretch, turn, EA / length * stretch, M
+
+    def strain(u: Array) -> tuple[float, Array]:
+        stretch, turn, N, M = resultants(u)
         energy = float(N @ stretch + np.sum(M * turn)) / 2
         return energy, _end_forces(N, M, elements, tangent, length, len(points))
 
     solved = solve_supported(points, elements, K, f, supports, loads, strain)
-    return replace(solved, strain_energy=solved.strain_energy + between, between_nodes=between)
+    _, _, N, M = resultants(solved.u)
+    return replace(
+        solved, strain_energy=solved.strain_energy + between, between_nodes=between,
+        stations=points[elements], section_forces=_section_forces(N, M, length, fixed_end),
+    )  # fmt: skip
+
+
+def _section_forces(N: Array, M: Array, L: Array, fixed_end: Array) -> Array:
+    """N, V and bending moment (m, 2, 3) at both ends; `fixed_end` are loads along the element."""
+    V = -M.sum(axis=0) / L
+    at_nodes = np.column_stack([-N, -V, M[0], N, V, M[1]]) - fixed_end  # what nodes exert
+    return at_nodes.reshape(-1, 2, 3) * np.array([[-1.0], [1.0]])
 
 
 def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> tuple[Array, Array]:
