@@ -5,6 +5,7 @@ Keys name SI values of the analytic or finite-element side; rows carry display u
 
 import math
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -78,6 +79,29 @@ def beside(reference: str, unit: str) -> Published:
     )  # fmt: skip
 
 
+def convergence_verdict(
+    grid: GridConvergence, h: Sequence[float], v: Sequence[float], u_it: float, allowed: float
+) -> judge.Verdict:
+    """Order above 0.5 by more than iteration explains, or else an index within `allowed`.
+
+    `h` are mesh sizes and `v` the values on them; `v`, `u_it` and `allowed` have one unit.
+    """
+    if grid.behaviour == "monotone" and grid.order is not None:
+        noise = 4 * u_it / (abs(v[-1] - v[-2]) * math.log(h[-2] / h[-1]))
+        verdict = judge.fact(grid.order - 0.5, noise)
+        reason = f"order {grid.order:.2f}, above 0.5"
+    elif grid.behaviour == "round-off":
+        verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
+    else:
+        verdict = judge.fact(1 - grid.gci / allowed, 0.0)
+        reason = f"{grid.behaviour}: spread of the last three values against the demand"
+    if not grid.converges:
+        verdict, reason = judge.Verdict(Status.FAIL), "does not converge"
+    if verdict.status is Status.FAIL and verdict.reason:
+        reason = f"{verdict.reason}; {reason}"
+    return replace(verdict, reason=reason)
+
+
 @dataclass(frozen=True, kw_only=True)
 class FemClaim(Claim):
     """A claim about finite-element values `fem`, whose order in theory is `formal`."""
@@ -106,24 +130,10 @@ class FemClaim(Claim):
     def converges(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Row:
         """The row that convergence has to itself, beside agreement."""
         h, v = context.series(self.fem)
-        if grid.behaviour == "monotone" and grid.order is not None:
-            fine = abs(v[-1] - v[-2])
-            noise = 4 * u_it / (fine * math.log(h[-2] / h[-1]))
-            verdict = judge.fact(grid.order - 0.5, noise)
-            reason = f"order {grid.order:.2f}, above 0.5"
-        elif grid.behaviour == "round-off":
-            verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
-        else:
-            margin = 1 - grid.gci / (self.demanded(context) * scale)
-            verdict = judge.fact(margin, 0.0)
-            reason = f"{grid.behaviour}: spread of the last three values against the demand"
-        if not grid.converges:
-            verdict, reason = judge.Verdict(Status.FAIL), "does not converge"
-        if verdict.status is Status.FAIL and verdict.reason:
-            reason = f"{verdict.reason}; {reason}"
+        verdict = convergence_verdict(grid, h, v, u_it, self.demanded(context) * scale)
         return self._convergence_row(
             context.case,
-            replace(verdict, reason=reason),
+            verdict,
             analytic=self.formal,
             fem=grid.order,
             formal_order=self.formal,
