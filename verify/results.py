@@ -139,9 +139,10 @@ class Picture:
     """How to draw one field: which data, in which unit, deformed how.
 
     `data` names point or cell data of the field called `field`, `component` a column of it;
-    values are divided by `factor` to come in `unit`. `mirror` lists the axes ("x", "y") at which
-    a part of a symmetric body is reflected. `width` sweeps a line into a ribbon that can be
-    turned [the points' unit].
+    values are divided by `factor` to come in `unit`; no data draws in one colour. `mirror` lists
+    the coordinates ("x", "y") that reflection negates: "x" completes a part of a symmetric body
+    at the plane x = 0. `width` sweeps a line into a ribbon that can be turned [the points' unit].
+    `window` (left, bottom, right, top) shows a part of the undeformed body.
     """
 
     field: str
@@ -154,6 +155,7 @@ class Picture:
     displacement: str = "displacement"
     mirror: tuple[str, ...] = ()
     width: float | None = None
+    window: tuple[float, float, float, float] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
