@@ -330,7 +330,10 @@ class PaperTable:
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
-    """A whole run: judged cases, the ledgers and where the numbers come from."""
+    """A whole run: judged cases, the ledgers and where the numbers come from.
+
+    `name` is that of a user's parameter file; empty for the papers' own numbers.
+    """
 
     cases: tuple[CaseResult, ...]
     papers: tuple[Mapping[str, Any], ...]
@@ -339,6 +342,7 @@ class Report:
     published: tuple[Mapping[str, Any], ...]
     provenance: Mapping[str, Any]
     tables: tuple[PaperTable, ...] = ()
+    name: str = ""
 
     @property
     def rows(self) -> tuple[Row, ...]:

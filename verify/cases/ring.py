@@ -8,9 +8,10 @@ from pydantic import model_validator
 
 from analytic.ring import lame
 from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import ring_shown
 from verify.checks import Exact, Identity, Order
 from verify.inputs import Inputs, quantity
-from verify.results import Equation, Field
+from verify.results import Field
 
 Assumption = Literal["plane stress", "plane strain"]
 ASSUMPTIONS: tuple[Assumption, ...] = ("plane stress", "plane strain")
@@ -125,17 +126,31 @@ def fem(q: RingInputs, level: int) -> FemResult:
         values[f"axial stress, {a}"] = wall.mean(wall.stress[3])
         push = q.p_i * q.r_i - q.p_o * q.r_o  # resultant of the pressures on a quarter, along x
         values[f"balance, {a}"] = ring.reaction("x=0")[0] + push
+        if a == "plane strain":
+            r = ring_shown.stations(q)
+            across = ring.at(np.outer([np.cos(ring_shown.ASKEW), np.sin(ring_shown.ASKEW)], r))
+            named = ("radial displacement", "radial stress", "hoop stress")
+            arrays |= {f"profile, {n}": v for n, v in zip(named, across.polar(), strict=False)}
         cells = ring.cells()
         fields += (
             Field(
                 name=a, points=cells["points"], cells=cells["cells"].astype(np.int64),
                 point_data={"displacement": cells["displacement"]},
-                cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"]},
-                units={"displacement": "m", "stress": "Pa", "von_mises": "Pa"},
+                cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"],
+                           "hoop_stress": hoop_stress(cells)},
+                units={"displacement": "m", "stress": "Pa", "von_mises": "Pa",
+                       "hoop_stress": "Pa"},
             ),
         )  # fmt: skip
     u_it = {key: round_off * abs(value) for key, value in values.items()}
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+
+
+def hoop_stress(cells: Mapping[str, Any]) -> Any:
+    """Hoop stress (m,) about the origin from the mean stresses of the cells."""
+    x, y = cells["points"][cells["cells"].astype(int)].mean(axis=1).T
+    xx, yy, xy, _ = cells["stress"].T
+    return (xx * y**2 + yy * x**2 - 2 * xy * x * y) / (x**2 + y**2)
 
 
 def energy_errors(kind: str) -> Any:
@@ -193,40 +208,6 @@ def warnings(q: RingInputs, _values: Values) -> Sequence[str]:
             "which Lamé leaves out, matter more than the pressure's own field"
         )
     return found
-
-
-def equations(q: RingInputs, v: Values) -> Sequence[Equation]:
-    MPa, mm = 1e6, 1e-3
-    A = (q.p_i * q.r_i**2 - q.p_o * q.r_o**2) / (q.r_o**2 - q.r_i**2)
-    B = (q.p_i - q.p_o) * q.r_i**2 * q.r_o**2 / (q.r_o**2 - q.r_i**2)
-    return (
-        Equation(
-            tex=r"A = \frac{p_i r_i^2 - p_o r_o^2}{r_o^2 - r_i^2}",
-            numbers=rf"= {A / MPa:.6g}\ \mathrm{{MPa}}",
-        ),
-        Equation(
-            tex=r"B = \frac{(p_i - p_o)\, r_i^2 r_o^2}{r_o^2 - r_i^2}",
-            numbers=rf"= {B / MPa / mm**2:.6g}\ \mathrm{{N}}",
-        ),
-        Equation(
-            tex=r"\sigma_\theta(r_i) = A + \frac{B}{r_i^2}",
-            numbers=rf"= {v['bore hoop stress'] / MPa:.6g}\ \mathrm{{MPa}}",
-        ),
-        Equation(
-            tex=r"u_r(r_i) = \frac{1}{E}\left[(1-\nu) A r_i + (1+\nu)\frac{B}{r_i}\right]",
-            numbers=rf"= {v['bore displacement, plane stress'] / 1e-6:.6g}\ "
-            r"\mathrm{\mu m\ (plane\ stress)}",
-        ),
-    )
-
-
-def sketch(q: RingInputs) -> Mapping[str, Any]:
-    return {
-        "circles": [
-            {"r": q.r_o / q.r_o, "label": "r_o"}, {"r": q.r_i / q.r_o, "label": "r_i"},
-        ],
-        "arrows": [{"r": q.r_i / q.r_o, "label": "p_i"}, {"r": 1.0, "label": "p_o"}],
-    }  # fmt: skip
 
 
 def identity(name: str, symbol: str, unit: str, **more: Any) -> Identity:
@@ -321,6 +302,8 @@ LAME = Case(
         "a quarter with symmetry on both cuts",
     ),
     warnings=warnings,
-    equations=equations,
-    sketch=sketch,
+    equations=ring_shown.equations,
+    sketch=ring_shown.sketch,
+    figures=ring_shown.figures,
+    pictures=ring_shown.pictures,
 )  # fmt: skip

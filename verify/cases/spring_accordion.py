@@ -1,17 +1,19 @@
 """Accordion spring, linear part: Eqs. 1-9 of Wang et al. 2023 and the curved frame behind them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
+import numpy as np
+
 from analytic.spring import energy, frame
 from verify.case import Case, Context, FemResult, Output, Values
-from verify.cases import spring_readings
+from verify.cases import spring_readings, spring_shown
 from verify.cases.spring_inputs import AccordionInputs, strip_of
 from verify.checks import Approximation, Identity, Order
 from verify.printed import Contradiction, PrintedMeasurement, PrintedTheory
-from verify.results import Equation, Field, Table
+from verify.results import Field, Table
 
 HEADS: tuple[frame.Head, ...] = ("free", "hinged", "guided")
 TAILS: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
@@ -96,6 +98,7 @@ def fem(q: AccordionInputs, level: int) -> FemResult:
     from fem.beam.section import Section
     from fem.beam.straight import solve_frame
     from meshes.spring.centre_line import centre_line
+    from meshes.spring.path import accordion
 
     A, I = q.b * q.h, q.h * q.b**3 / 12  # noqa: E741
     G = q.E / (2 * (1 + q.nu))
@@ -122,14 +125,27 @@ def fem(q: AccordionInputs, level: int) -> FemResult:
             k = -1 / (2 * frame_.potential_energy)
             values[f"{name}, {kind}"] = k
             u_it[f"{name}, {kind}"] = abs(k) * frame_.residual  # both shares of the energy
-        u = solved["curved"].u
+        if name == "paper's lengths":
+            ends = [piece.end for piece in accordion(**shape.path, tail=shape.tail)]
+            moments = moments_at(ends, solved["straight"])
+        curved = solved["curved"]
+        stress = 6 * curved.section_forces[..., 2].mean(axis=1) / (q.h * q.b**2)
         fields.append(
             Field(
                 name=name, points=line.points, cells=line.elements[:, :2],
-                point_data={"displacement": u[:, :2]}, units={"displacement": "m"},
+                point_data={"displacement": curved.u[:, :2]}, cell_data={"bending_stress": stress},
+                units={"displacement": "m", "bending_stress": "Pa"},
             )
         )  # fmt: skip
-    return FemResult(h=1 / level, values=values, u_it=u_it, fields=tuple(fields[:2]))
+    return FemResult(
+        h=1 / level, values=values, u_it=u_it, arrays={"moments": moments}, fields=tuple(fields[:2])
+    )
+
+
+def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Any:
+    """Bending moments (m,) of a frame under 1 N where its elements end at `places`."""
+    ends, moments = solved.stations[:, 1], solved.section_forces[:, 1, 2]
+    return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])
 
 
 def neglected(q: AccordionInputs, _: Values) -> tuple[float, float]:
@@ -187,53 +203,20 @@ def warnings(q: AccordionInputs, v: Values) -> Sequence[str]:
     return found
 
 
-def equations(q: AccordionInputs, v: Values) -> Sequence[Equation]:
-    mm = 1e-3
-    eqs: dict[str, Any] = {"n": q.n, "L1": q.L1, "r": q.r, "b": q.b, "alpha": q.alpha}
-    L2 = float(energy.leaf_length(L1=q.L1, r=q.r, b=q.b, alpha=q.alpha))
-    f = float(energy.flexibility(**eqs))
-    return (
-        Equation(
-            tex=r"L_2 = \frac{L_1}{\sin\alpha} + \frac{2(r + b/2)}{\tan\alpha}",
-            numbers=rf"= {L2 / mm:.6g}\ \mathrm{{mm}}", place="Eq. 3",
-        ),
-        Equation(
-            tex=r"T_i = T_{i-1} + s_i\,(2 r(1-\cos\alpha) + L_2\sin\alpha), \quad "
-            r"T_1 = L_1/2 + r", place="Eqs. 1 and 3",
-        ),
-        Equation(
-            tex=r"\int (M/F)^2 ds", numbers=rf"= {f / mm**3:.6g}\ \mathrm{{mm^3}}",
-            place="Eqs. 2, 4, 6, 7",
-        ),
-        Equation(
-            tex=r"k_1 = \frac{E h b^3/12}{\int (M/F)^2 ds}",
-            numbers=rf"= {v['k1'] / 1e3:.5f}\ \mathrm{{N/mm}}", place="Eqs. 8 and 9",
-        ),
-    )  # fmt: skip
-
-
-def sketch(q: AccordionInputs) -> Mapping[str, Any]:
-    line = frame.sections(frame.pieces(**q.path, tail="mid-leaf"))
-    return {"path": (line.at / 1e-3).T.round(4).tolist(), "force": [0.0, 0.0], "label": "F"}
-
-
 def tables(context: Context) -> Sequence[Table]:
     return (sensitivity(context.inputs), *spring_readings.tables(context))
 
 
 def sensitivity(q: AccordionInputs) -> Table:
     """What the paper leaves open: tail, head, radius and strip, all 16 combinations."""
-    rows = []
-    for tail, head, (radius, path), wide in product(
-        TAILS, ("free", "guided"), (("r", q.paper_path), ("r + b/2", q.path)), (False, True)
-    ):
-        k = frame.stiffness(**path, **strip_of(q), head=head, tail=tail, plane_strain=wide)
-        section = "E I/(1 − ν²)" if wide else "E I"
-        rows.append((tail, head, radius, section, round(k / 1e3, 4)))
+    rows = tuple(
+        (tail, head, radius, "E I/(1 − ν²)" if wide else "E I", round(k / 1e3, 4))
+        for tail, head, radius, wide, k in spring_shown.combinations(q)
+    )
     return Table(
         title="What the paper leaves open: k_1 [N/mm] for every combination",
         header=("tail held at", "head", "arc radius", "strip", "k_1 [N/mm]"),
-        rows=tuple(rows),
+        rows=rows,
         note="The first row is Eqs. 1-9. Nothing here is fitted; a row chosen because it meets a "
         "printed number would be calibrated.",
     )
@@ -324,7 +307,9 @@ ACCORDION = Case(
         "narrow strip: E I without 1 − ν²",
     ),
     warnings=warnings,
-    equations=equations,
+    equations=spring_shown.equations,
     tables=tables,
-    sketch=sketch,
+    sketch=spring_shown.sketch,
+    figures=spring_shown.accordion_figures,
+    pictures=spring_shown.frame_pictures,
 )  # fmt: skip

@@ -7,7 +7,8 @@ import numpy as np
 
 from analytic.spring import frame
 from verify.case import Case, FemResult, Values
-from verify.cases.spring_accordion import OUTPUTS, sketch, warnings
+from verify.cases import spring_shown
+from verify.cases.spring_accordion import OUTPUTS, warnings
 from verify.cases.spring_accordion import analytic as accordion_values
 from verify.cases.spring_inputs import AccordionInputs, strip_of
 from verify.checks import Approximation
@@ -125,5 +126,7 @@ CONTINUUM = Case(
         "force and reaction as the parabolic shear stress of a rectangle",
     ),
     warnings=warnings,
-    sketch=sketch,
+    sketch=spring_shown.sketch,
+    figures=spring_shown.continuum_figures,
+    pictures=spring_shown.body_pictures,
 )  # fmt: skip

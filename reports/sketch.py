@@ -1,0 +1,124 @@
+"""A case's sketch from its shapes, to scale, with arrows, dimensions and labels."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from markupsafe import Markup
+
+from reports import svg
+from verify.results import Array, Sketch
+
+WIDTH, HEIGHT = 400.0, 300.0
+MARGIN = 34.0  # for labels around the drawing
+
+Points = list[tuple[float, float]]
+
+
+def sketch(data: Sketch | None) -> Markup:
+    """The drawing, at most 400 by 300; empty without data."""
+    if data is None or not data.shapes:
+        return Markup("")
+    points = np.vstack([np.reshape(s.points, (-1, 2)) for s in data.shapes])
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = np.maximum(high - low, 1e-300)
+    k = min((WIDTH - 2 * MARGIN) / size[0], (HEIGHT - 2 * MARGIN) / size[1])
+    left = (WIDTH - k * size[0]) / 2
+
+    def at(xy: Array) -> Points:
+        """Points of the image; y points up in the sketch."""
+        return [
+            (left + k * (x - low[0]), MARGIN + k * (high[1] - y))
+            for x, y in np.reshape(xy, (-1, 2))
+        ]
+
+    body = [DRAW[s.style](at(s.points), s.label) for s in data.shapes]
+    return svg.drawing(WIDTH, 2 * MARGIN + k * size[1], body, data.title, "sketch")
+
+
+def _closed(css: str) -> Callable[[Points, str], Markup]:
+    return lambda points, label: svg.polyline(points, css, closed=True) + _beside(points, label)
+
+
+def _open(css: str) -> Callable[[Points, str], Markup]:
+    return lambda points, label: svg.polyline(points, css) + _beside(points, label)
+
+
+def _beside(points: Points, label: str) -> Markup:
+    """A label above and right of the last point."""
+    if not label:
+        return Markup("")
+    x, y = points[-1]
+    return svg.text(x + 5, y - 6, label, "sym")
+
+
+def _load(points: Points, label: str) -> Markup:
+    (x0, y0), (x1, y1) = points[-2], points[-1]
+    parts = svg.polyline(points, "load") + svg.arrow_head(x1, y1, x1 - x0, y1 - y0, "head")
+    return parts + _away(points[0], (x0 - x1, y0 - y1), label)
+
+
+def _dimension(points: Points, label: str) -> Markup:
+    (x0, y0), (x1, y1) = points[0], points[-1]
+    dx, dy = x1 - x0, y1 - y0
+    length = math.hypot(dx, dy) or 1.0
+    parts = svg.line(x0, y0, x1, y1, "dim")
+    parts += svg.arrow_head(x0, y0, -dx, -dy, "dim-head", 6)
+    parts += svg.arrow_head(x1, y1, dx, dy, "dim-head", 6)
+    if length < 16:  # no room between: beside it
+        return parts + svg.text(max(x0, x1) + 7, (y0 + y1) / 2 + 4, label, "sym")
+    nx, ny = dy / length, -dx / length
+    if ny > 1e-9 or (abs(ny) <= 1e-9 and nx < 0):  # above, or to the right
+        nx, ny = -nx, -ny
+    upright = abs(dx) < abs(dy)
+    x, y = (x0 + x1) / 2 + 7 * nx, (y0 + y1) / 2 + 6 * ny + (4 if upright else 0)
+    return parts + svg.text(x, y, label, "sym", "start" if upright else "middle")
+
+
+def _leader(points: Points, label: str) -> Markup:
+    (x0, y0), (x1, y1) = points[0], points[-1]
+    parts = svg.line(x0, y0, x1, y1, "dim") + svg.arrow_head(
+        x1, y1, x1 - x0, y1 - y0, "dim-head", 6
+    )
+    return parts + _away((x0, y0), (x0 - x1, y0 - y1), label)
+
+
+def _clamp(points: Points, _label: str) -> Markup:
+    """A wall: hatched on the left of the direction in which it is drawn."""
+    (x0, y0), (x1, y1) = points[0], points[-1]
+    length = math.hypot(x1 - x0, y1 - y0) or 1.0
+    c, s = (x1 - x0) / length, (y1 - y0) / length
+    strokes = [svg.line(x0, y0, x1, y1, "wall")]
+    for i in range(max(2, round(length / 6)) + 1):
+        t = length * i / max(2, round(length / 6))
+        x, y = x0 + c * t, y0 + s * t
+        strokes.append(svg.line(x, y, x + 5 * s - 4 * c, y - 5 * c - 4 * s, "hatch"))
+    return Markup("").join(strokes)
+
+
+def _words(points: Points, label: str) -> Markup:
+    return svg.text(*points[0], label, "sym", "middle")
+
+
+def _away(start: tuple[float, float], along: tuple[float, float], label: str) -> Markup:
+    """A label just beyond the start of an arrow."""
+    dx, dy = along
+    length = math.hypot(dx, dy) or 1.0
+    x, y = start[0] + 6 * dx / length, start[1] + 10 * dy / length + 4
+    anchor = "start" if dx > 0.3 * length else "end" if dx < -0.3 * length else "middle"
+    return svg.text(x, y, label, "sym", anchor) if label else Markup("")
+
+
+DRAW: dict[str, Callable[[Points, str], Markup]] = {
+    "body": _closed("body"),
+    "modelled": _closed("modelled"),
+    "hole": _closed("hole"),
+    "line": _open("leaf"),
+    "axis": _open("centre"),
+    "faint": _open("faint"),
+    "clamp": _clamp,
+    "load": _load,
+    "dimension": _dimension,
+    "leader": _leader,
+    "text": _words,
+}

@@ -1,0 +1,95 @@
+"""Small pieces of SVG. Labels are escaped here; colours and fonts come from CSS classes."""
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+from markupsafe import Markup
+
+MINUS = "−"
+_INDEX = re.compile(r"_(\{[^}]*\}|[^\s()/\[\]|^,;:·=]+)")
+
+
+def drawing(width: float, height: float, body: Iterable[Markup], label: str, css: str) -> Markup:
+    """An SVG image; `label` is what a screen reader says."""
+    return Markup(
+        '<svg class="{}" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:g} {:g}" role="img" '
+        'aria-label="{}">{}</svg>'
+    ).format(css, width, height, label, Markup("").join(body))
+
+
+def text(x: float, y: float, words: str, css: str = "", anchor: str = "start") -> Markup:
+    """Words at a point; u_r(r_i) gets lowered indices."""
+    return Markup('<text class="{}" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>').format(
+        css, x, y, anchor, lowered(words)
+    )
+
+
+def lowered(words: str) -> Markup:
+    """u_r(r_i) as text with lowered indices."""
+    parts, end = [], 0
+    for match in _INDEX.finditer(words):
+        index = match[1].strip("{}")
+        parts += [
+            Markup("{}").format(words[end : match.start()]),
+            Markup('<tspan class="sub" dy="3">{}</tspan><tspan dy="-3">&#8203;</tspan>').format(
+                index
+            ),
+        ]
+        end = match.end()
+    return Markup("").join([*parts, Markup("{}").format(words[end:])])
+
+
+def polyline(points: Iterable[Sequence[float]], css: str, *, closed: bool = False) -> Markup:
+    """A path through points of the image."""
+    d = "L".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    return Markup('<path class="{}" d="M{}{}"/>').format(css, d, "z" if closed else "")
+
+
+def line(x0: float, y0: float, x1: float, y1: float, css: str) -> Markup:
+    """A straight line."""
+    return polyline([(x0, y0), (x1, y1)], css)
+
+
+def circle(x: float, y: float, r: float, css: str) -> Markup:
+    """A dot."""
+    return Markup('<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{:g}"/>').format(css, x, y, r)
+
+
+def rectangle(x: float, y: float, width: float, height: float, css: str) -> Markup:
+    """A filled rectangle."""
+    return Markup('<rect class="{}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>').format(
+        css, x, y, max(width, 0.0), max(height, 0.0)
+    )
+
+
+def arrow_head(x: float, y: float, dx: float, dy: float, css: str, size: float = 7.0) -> Markup:
+    """A filled triangle with its tip at (x, y), pointing along (dx, dy)."""
+    length = math.hypot(dx, dy) or 1.0
+    c, s = dx / length * size, dy / length * size
+    return polyline(
+        [(x, y), (x - c + 0.4 * s, y - s - 0.4 * c), (x - c - 0.4 * s, y - s + 0.4 * c)],
+        css, closed=True,
+    )  # fmt: skip
+
+
+def plain(value: float) -> str:
+    """A tick's number with a true minus."""
+    return f"{value + 0.0:.6g}".replace("-", MINUS)
+
+
+def decade(exponent: int) -> Markup:
+    """10 to a power."""
+    sign = MINUS if exponent < 0 else ""
+    return Markup('10<tspan class="sup" dy="-4">{}{}</tspan>').format(sign, abs(exponent))
+
+
+def ticks(low: float, high: float, about: int = 5) -> list[float]:
+    """Round numbers in [low, high]."""
+    if not high > low:
+        return [low]
+    raw = (high - low) / about
+    unit = 10.0 ** math.floor(math.log10(raw))
+    step = next(s * unit for s in (1, 2, 2.5, 5, 10) if s * unit >= raw * (1 - 1e-9))
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    return [k * step for k in range(first, last + 1)]

@@ -1,0 +1,180 @@
+"""What the report shows of an accordion spring: sketch, formulas with numbers, figures."""
+
+import math
+from collections.abc import Sequence
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from analytic.spring import energy, frame
+from analytic.spring.moments import moment_diagram
+from verify.case import Context, Values
+from verify.cases.spring_inputs import strip_of
+from verify.profiles import along
+from verify.published.ledger import half_last_digit, published
+from verify.results import Dots, Equation, Figure, Picture, Profile, Shape, Sketch
+
+MPa, mm = 1e6, 1e-3
+PRINTED = ("k1-theory", "k1-fea", "k1-test")
+
+
+def sketch(q: Any) -> Sketch:
+    """The centre line to scale, with force, clamp and the lengths that the formulas name."""
+    line = frame.sections(frame.pieces(**q.path, tail="arc")).at.T / mm
+    end = np.array(frame.end_point(**q.path, tail="arc")) / mm
+    line = np.vstack([[[0.0, 0.0]], line, [end]])
+    low, high = line.min(axis=0), line.max(axis=0)
+    L1, tall = q.L1 / mm, float(high[1] - low[1])
+    left, right = float(low[0]), float(high[0])
+    wall = 0.16 * tall
+    shapes = (
+        Shape(style="axis", points=np.array([[left - 0.3 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
+        Shape(style="line", points=line),
+        Shape(style="load", points=np.array([[-0.3 * tall, 0.0], [0.0, 0.0]]), label="F"),
+        Shape(style="clamp", points=np.array([[end[0] - wall, end[1]], [end[0] + wall, end[1]]])
+              if abs(end[1]) > 0.2 * tall else
+              np.array([[end[0], end[1] + wall], [end[0], end[1] - wall]])),
+        Shape(style="dimension", label="L_1/2",
+              points=np.array([[-0.12 * tall, 0.0], [-0.12 * tall, L1 / 2]])),
+        Shape(style="dimension", label=f"n = {q.n}",
+              points=np.array([[left, high[1] + 0.16 * tall], [right, high[1] + 0.16 * tall]])),
+        Shape(style="leader", label=f"r = {q.r / mm:.4g} mm inside",
+              points=np.array([[right * 0.55, low[1] - 0.22 * tall], _bottom(line)])),
+    )  # fmt: skip
+    return Sketch(title="centre line of the accordion spring, to scale", shapes=shapes)
+
+
+def _bottom(line: Any) -> Any:
+    return line[int(np.argmin(line[:, 1]))]
+
+
+def equations(q: Any, v: Values) -> Sequence[Equation]:
+    eqs: dict[str, Any] = {"n": q.n, "L1": q.L1, "r": q.r, "b": q.b, "alpha": q.alpha}
+    L2 = float(energy.leaf_length(L1=q.L1, r=q.r, b=q.b, alpha=q.alpha))
+    f, T = float(energy.flexibility(**eqs)), [float(t) / mm for t in energy.apex_moments(**eqs)]
+    EI = q.E * q.h * q.b**3 / 12
+    L1, r, b, alpha = q.L1 / mm, q.r / mm, q.b / mm, math.degrees(q.alpha)
+    return (
+        Equation(
+            tex=r"L_2 = \frac{L_1}{\sin\alpha} + \frac{2(r + b/2)}{\tan\alpha}",
+            numbers=rf"= \frac{{{L1:.6g}}}{{\sin {alpha:.4g}^\circ}} + \frac{{2\cdot "
+            rf"{r + b / 2:.6g}}}{{\tan {alpha:.4g}^\circ}} = {L2 / mm:.6g}\ \mathrm{{mm}}",
+            place="Eq. 3",
+        ),
+        Equation(
+            tex=r"\frac{T_1}{F} = \frac{L_1}{2} + r",
+            numbers=rf"= {L1 / 2:.6g} + {r:.6g} = {T[0]:.6g}\ \mathrm{{mm}}", place="Eq. 1",
+        ),
+        Equation(
+            tex=r"T_i = T_{i-1} \pm (2 r(1-\cos\alpha) + L_2\sin\alpha)\,F",
+            numbers=rf"\Rightarrow\ \frac{{T_2}}{{F}} = {T[1]:.6g}\ \mathrm{{mm}}", place="Eq. 3",
+        ),
+        Equation(
+            tex=r"\int \left(\frac{M}{F}\right)^2 ds",
+            numbers=rf"= {f / mm**3:.6g}\ \mathrm{{mm^3}}", place="Eqs. 2, 4, 6, 7",
+        ),
+        Equation(
+            tex=r"k_1 = \frac{E h b^3/12}{\int (M/F)^2 ds}",
+            numbers=rf"= \frac{{{EI / mm**2:.6g}}}{{{f / mm**3:.6g}}} "
+            rf"= {v['k1'] / 1e3:.5f}\ \mathrm{{N/mm}}", place="Eqs. 8 and 9",
+        ),
+    )  # fmt: skip
+
+
+def combinations(q: Any) -> list[tuple[str, str, str, bool, float]]:
+    """Tail, head, arc radius, wide strip or not, and k [N/m]: what the paper leaves open."""
+    return [
+        (tail, head, radius, wide,
+         frame.stiffness(**path, **strip_of(q), head=head, tail=tail, plane_strain=wide))
+        for tail, head, (radius, path), wide in product(
+            ("arc", "mid-leaf"), ("free", "guided"),
+            (("r", q.paper_path), ("r + b/2", q.path)), (False, True),
+        )
+    ]  # fmt: skip
+
+
+def accordion_figures(context: Context) -> Sequence[Figure]:
+    found: list[Figure] = [_moments(context)] if context.fem else []
+    return (*found, _open_questions(context))
+
+
+def _moments(context: Context) -> Profile:
+    """Eqs. 1-5 as a moment diagram, with the straight frame at the ends of all pieces."""
+    q = context.inputs
+    spring = {"n": q.n, "L1": q.L1, "r": q.r, "b": q.b, "alpha": q.alpha}
+    s, m = moment_diagram(**spring, per_piece=17)
+    _, ends = moment_diagram(**spring, per_piece=2)
+    at, reference = s.reshape(-1, 17)[:, -1], ends.reshape(-1, 2)[:, -1]
+    scale = float(abs(m).max())
+    values, u = along(context, "moments", formal=2.0, scale=scale)
+    return Profile(
+        title="Bending moment over force along the spring", x_label="arc length from the head [mm]",
+        y_label="M/F [mm]", x=s / mm, y=m / mm, x_fem=at / mm, y_fem=values / mm,
+        y_ref=reference / mm, u=u / mm, scale=scale / mm,
+        note="Line: Eqs. 1, 3 and 5; dots: the straight frame where pieces meet, exact there by "
+        "statics, so that only round-off is left below.",
+    )  # fmt: skip
+
+
+def _open_questions(context: Context) -> Dots:
+    """Every reading that the paper leaves open beside what it prints."""
+    q = context.inputs
+    items: list[tuple[str, float, float | None, str]] = []
+    if context.is_paper:
+        for name in PRINTED:
+            entry = published(f"wang2023:{name}")
+            half = half_last_digit(entry.printed) if entry.kind == "theory" else None
+            items.append((f"printed, {entry.kind}", entry.value, half, "paper"))
+    items.append(("Eqs. 1-9", context.analytic["k1"] / 1e3, None, "formula"))
+    if context.fem:
+        curved = context.series("paper's lengths, curved")[1][-1]
+        items.append(("FE, the same lengths", curved / 1e3, None, "fe"))
+    for tail, head, radius, wide, k in combinations(q):
+        if tail == "arc":
+            strip = "wide strip" if wide else "narrow"
+            items.append((f"head {head}, {radius}, {strip}", k / 1e3, None, "formula"))
+    return Dots(
+        title="What the paper leaves open moves k_1", label="k_1 [N/mm]", items=tuple(items),
+        note="Force method with the tail clamped at its arc, under the readings of head, radius "
+        "and strip that the text allows; the table below has all sixteen.",
+    )  # fmt: skip
+
+
+def continuum_figures(context: Context) -> Sequence[Figure]:
+    """How far each frame theory is from the plane body."""
+    if not context.fem:
+        return ()
+    found = []
+    for assumption in ("plane stress", "plane strain"):
+        fe = context.series(f"k, {assumption}")[1][-1]
+        items = tuple(
+            (words, (context.analytic[f"{theory}, {assumption}"] / fe - 1) * 1e4, None, "formula")
+            for theory, words in (
+                ("bending", "thin: bending alone"),
+                ("shear", "with axial force and shear"),
+                ("thick", "thick curved frame"),
+            )
+        )
+        found.append(Dots(
+            title=f"Frames against the plane body, {assumption}",
+            label="k of the frame / k of the body − 1 [1/10 000]",
+            items=(*items, ("plane body", 0.0, None, "fe")),
+            note="What each theory neglects; the bars of the rows above are narrower than a dot.",
+        ))  # fmt: skip
+    return tuple(found)
+
+
+def frame_pictures(q: Any) -> Sequence[Picture]:
+    return (
+        Picture(field="paper's lengths", data="bending_stress", symbol="σ_b", unit="MPa",
+                factor=MPa, width=q.h,
+                caption="Bending stress 6 M/(h b²) under 1 N, on the moved centre line"),
+    )  # fmt: skip
+
+
+def body_pictures(_: Any) -> Sequence[Picture]:
+    return (
+        Picture(field="plane stress", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+                caption="Von Mises stress under 1 N, plane stress, cell means"),
+    )  # fmt: skip
