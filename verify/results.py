@@ -263,7 +263,10 @@ class InputValue:
 
 @dataclass(frozen=True, kw_only=True)
 class CaseResult:
-    """Everything that one case produced; `name` is that of the user's parameters, if any."""
+    """Everything that one case produced; `name` is that of the user's parameters, if any.
+
+    `errors` are the tracebacks of what went wrong inside the case.
+    """
 
     id: str
     title: str
@@ -286,6 +289,7 @@ class CaseResult:
     seconds: float = 0.0
     cached: bool = False
     command: str = ""
+    errors: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
