@@ -12,7 +12,8 @@ from analytic.spring.moments import moment_diagram
 from verify.case import Context, Values
 from verify.cases.spring_inputs import strip_of
 from verify.profiles import along
-from verify.published.ledger import half_last_digit, published
+from verify.published.digits import half_last_digit
+from verify.published.ledger import published
 from verify.results import Dots, Equation, Figure, Picture, Profile, Shape, Sketch
 
 MPa, mm = 1e6, 1e-3

@@ -1,0 +1,244 @@
+"""The papers' tables: as printed, every number a value of the ledger, and what is said of it."""
+
+import re
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+from pydantic import ValidationError
+
+from verify import units
+from verify.cases.registry import CASES
+from verify.ledgers import ledgers
+from verify.paper_tables import claiming_rows, paper_tables
+from verify.published.ledger import Paper, papers, published
+from verify.published.tables import PrintedTable, named_tables
+from verify.results import Status
+
+SPRING = next(case for case in CASES if case.id == "spring-accordion")
+
+# Counted in the papers.
+TABLES = {"huang2018": 2, "huang2022": 1, "nagler2021": 2, "wang2023": 1, "belcin": 0}
+PAPERS = pytest.mark.parametrize("paper", papers(), ids=lambda paper: paper.key)
+
+# Copied from the papers cell by cell, not from the ledger.
+WANG_1 = """
+k_1 | 0.601 | 0.613 | 0.610
+k_2 |       | 0.749 | 0.708
+"""
+HUANG_1 = """
+nbg       | 12    | m_g [kg]        | 1.8×10^-3
+R_id [mm] | 7.21  | I_1 [kg m^2]    | 1.97×10^-4
+R_i [mm]  | 11.11 | I_bi [kg m^2]   | 1.41×10^-3
+R_e [mm]  | 19.44 | I_be [kg m^2]   | 1.41×10^-3
+R_ed [mm] | 26.23 | I_g [kg m^2]    | 1.18×10^-8
+r_i1 [mm] | 4.02  | K_r [N m/rad]   | 0.01
+r_i2 [mm] | 4.02  | C_rl [N m s/rad] | 0.1
+r_i3 [mm] | 4.02  | C_f [N m]       | 1.66×10^-2
+"""
+HUANG_2 = """
+3124.2 | 3167.9 | 1.38 | 14.08
+3000.0 | 3050.1 | 1.64 | 10.86
+3002.4 | 3015.9 | 0.45 | 1.36
+2994   | 2994   | 0    | 0
+3011.3 | 3001.3 | 0.33 | 3.55
+3080.3 | 3084.7 | 0.14 | 5.3
+3038.1 | 3047.3 | 0.3  | 5.15
+3027.1 | 3044.5 | 0.57 | 15.79
+3038.2 | 3032.5 | 0.19 | 3.01
+3079.2 | 3073.8 | 0.17 | 3.01
+"""
+PRINTED = {
+    ("wang2023", "Table 1"): WANG_1,
+    ("huang2018", "Table 1"): HUANG_1,
+    ("huang2018", "Table 2"): HUANG_2,
+}
+
+
+@pytest.fixture(scope="module")
+def spring(judged):
+    return judged(SPRING)
+
+
+@pytest.fixture(scope="module")
+def tables(spring):
+    return {(t.paper, t.name): t for t in paper_tables([spring], CASES)}
+
+
+# The ledger's tables.
+
+
+@PAPERS
+def test_every_numbered_table_is_in_the_ledger(paper):
+    assert [t.name for t in paper.tables] == [f"Table {i + 1}" for i in range(TABLES[paper.key])]
+
+
+@pytest.mark.parametrize("which", PRINTED, ids=" ".join)
+def test_a_table_reads_as_it_is_printed(which, tables):
+    shown = [[cell.text for cell in row] for row in tables[which].rows]
+    printed = [[c.strip() for c in line.split("|")] for line in PRINTED[which].strip().split("\n")]
+    assert shown == printed
+
+
+@PAPERS
+def test_a_value_printed_in_a_table_stands_in_one_cell_of_it(paper):
+    cells = Counter((t.name, id_) for t in paper.tables for id_ in t.references)
+    placed = {(v.place.split(",")[0], v.id) for v in paper.values if v.place.startswith("Table")}
+    assert set(cells) == placed
+    assert set(cells.values()) <= {1}
+
+
+@pytest.mark.parametrize("which", PRINTED, ids=" ".join)
+def test_the_place_of_a_value_names_the_cell_it_stands_in(which, tables):
+    """Its row by label or number; so two values of one table cannot have changed places."""
+    table = tables[which]
+    for i, row in enumerate(table.rows):
+        for k, cell in enumerate(row):
+            if cell.value is not None:
+                label = row[k - 1].text if table.header[0] == "Parameter" else row[0].text
+                name = label.split(" ")[0] if which[1] == "Table 1" else str(i + 1)
+                assert re.search(rf"row {name}\b", published(cell.value).place)
+
+
+def test_the_unit_in_a_header_or_label_is_that_of_its_values(tables):
+    for table in tables.values():
+        for row in table.rows:
+            for k, cell in enumerate(row):
+                near = [row[k - 1].text if table.header[0] == "Parameter" else table.header[k]]
+                near += [table.header[0]] if table.paper == "wang2023" else []
+                named = [m[1] for text in near if (m := re.search(r"\[(.+)\]", text))]
+                if cell.value is not None and named:
+                    assert units.factor(named[0]) == units.factor(cell.unit)
+
+
+def test_a_table_without_rows_says_what_is_missing(tables):
+    empty = [t for t in tables.values() if not t.rows]
+    assert {(t.paper, t.name) for t in empty} == set(tables) - set(PRINTED)
+    assert all("not in the text" in t.note for t in empty)
+
+
+# What the model refuses.
+
+TABLE = {"name": "Table 1", "caption": "x", "header": ["a", "b"], "rows": [["k", "=k"]]}
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        pytest.param({"rows": [["k"]]}, "has 1 cells, the header 2", id="short row"),
+        pytest.param({"rows": [["k", "=k", ""]]}, "has 3 cells, the header 2", id="long row"),
+        pytest.param({"rows": [["k", "0.601"]]}, "refer to its value", id="typed number"),
+        pytest.param({"rows": [["k", "1.4×10^-5"]]}, "refer to its value", id="typed power"),
+        pytest.param({"rows": []}, "say why in its note", id="no rows and no reason"),
+        pytest.param({"caption": " "}, "caption", id="no caption"),
+        pytest.param({"colour": "red"}, "colour", id="unknown key"),
+    ],
+)
+def test_a_table_that_is_none_is_refused(change, message):
+    PrintedTable.model_validate(TABLE)
+    with pytest.raises(ValidationError, match=message):
+        PrintedTable.model_validate(TABLE | change)
+
+
+def wang(**change):
+    """The spring paper with its only table changed."""
+    raw = next(p for p in papers() if p.key == "wang2023").model_dump()
+    return raw | {"tables": [raw["tables"][0] | change]}
+
+
+ROWS = wang()["tables"][0]["rows"]
+
+
+@pytest.mark.parametrize(
+    ("raw", "message"),
+    [
+        pytest.param(wang() | {"tables": []}, "needs Tables 1 to 1", id="left out"),
+        pytest.param(wang(name="Table 2"), "needs Tables 1 to 1", id="another number"),
+        pytest.param(wang(rows=[*ROWS, ("", "=k9", "", "")]), "no value k9", id="unknown id"),
+        pytest.param(wang(rows=[*ROWS, ROWS[0]]), "stands in 2 cells", id="a value twice"),
+        pytest.param(wang(rows=ROWS[:1]), "no cell for value k2-fea", id="a row left out"),
+        pytest.param(wang(rows=[*ROWS, ("", "=b", "", "")]), "b is printed in Sec. 1.2",
+                     id="a value from elsewhere"),
+        pytest.param(wang() | {"errata": [wang()["errata"][0] | {"values": ["k9"]}]},
+                     "erratum eq-3-leaf-length: there is no value k9", id="an erratum's value"),
+    ],
+)  # fmt: skip
+def test_tables_and_values_that_differ_are_refused(raw, message):
+    Paper.model_validate(wang())
+    with pytest.raises(ValidationError, match=message):
+        Paper.model_validate(raw)
+
+
+@pytest.mark.parametrize(
+    ("place", "names"),
+    [
+        ("Table 2, row 4, against Sec. 3", {"Table 2"}),
+        ("Eqs. 3 to 6, 8, 16, Table 1", {"Table 1"}),
+        ("Sec. 4, text before Table 1", set()),
+        ("Sec. 6, text after Table 1", set()),
+        ("Table 1 and Table 12", {"Table 1", "Table 12"}),
+    ],
+)
+def test_a_place_is_about_the_tables_that_it_names(place, names):
+    assert named_tables(place) == names
+
+
+@PAPERS
+def test_an_erratum_on_a_table_s_cells_names_their_values(paper):
+    rows = {t.name: len(t.rows) for t in paper.tables}
+    for entry in paper.errata:
+        if match := re.match(r"(Table \d+), (row|\w+ column)", entry.place):
+            cells = {i for t in paper.tables if t.name == match[1] for i in t.references}
+            assert entry.values, entry.id
+            assert set(entry.values) <= cells
+            if match[2].endswith("column"):
+                assert len(entry.values) == rows[match[1]]
+
+
+# What the project says of a cell.
+
+
+def test_the_theory_of_the_spring_constant_is_claimed_by_its_judged_rows(tables, spring):
+    cell = tables["wang2023", "Table 1"].rows[0][1]
+    assert (cell.text, cell.value, cell.unit) == ("0.601", "wang2023:k1-theory", "N/mm")
+    found = {row.row: row for row in cell.rows}
+    own = found["spring-accordion/stiffness by Eqs. 1-9"]
+    assert own.status is Status.PASS
+    assert own.analytic == pytest.approx(0.601, abs=0.0005)  # half the last printed digit
+    assert own.fem is None
+    beam = found["spring-accordion/Eqs. 1-9 against the curved beam"]
+    assert beam.fem == pytest.approx(0.601, rel=1e-3)
+    assert beam.u is not None
+    assert beam.u < 1e-6
+    assert "eq-3-leaf-length" in cell.errata
+
+
+def test_a_row_in_another_unit_is_shown_in_the_printed_one(spring, tables):
+    rows = tuple(
+        replace(row, unit="N/m", analytic=row.analytic * 1e3) if row.published else row
+        for row in spring.rows
+        if row.analytic is not None
+    )
+    changed = paper_tables([replace(spring, rows=rows)], CASES)[-1].rows[0][1]
+    assert changed.rows[0].analytic == pytest.approx(
+        tables["wang2023", "Table 1"].rows[0][1].rows[0].analytic, rel=1e-12
+    )
+
+
+def test_a_row_has_the_dimension_of_the_number_that_it_claims(spring):
+    for reference, rows in claiming_rows([spring]).items():
+        for row in rows:
+            assert units.dimensions(row.unit) == units.dimensions(published(reference).unit)
+
+
+def test_a_cell_that_nothing_claims_says_so(tables):
+    cell = tables["huang2018", "Table 2"].rows[9][2]
+    assert (cell.inputs, cell.rows) == ((), ())
+    assert cell.errata == ("table-2-relative-error", "table-2-row-10-error")
+    assert "table-2-torque" in tables["huang2018", "Table 2"].errata
+
+
+def test_inputs_that_repeat_a_value_are_named_with_their_case(spring):
+    used = {e["id"]: e["claimed"] for e in ledgers([spring], CASES)["published"]}
+    assert "input b of spring-accordion" in used["b"]
+    assert "spring-accordion/stiffness by Eqs. 1-9" in used["k1-theory"]
