@@ -4,11 +4,11 @@ import csv
 import fcntl
 import io
 import json
-import os
-import tempfile
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from reports.html import page
 from reports.junit import junit
@@ -24,28 +24,43 @@ RELATIVE = (
     "difference_relative", "tolerance_relative", "detects_relative", "demand_relative",
     "expected_low_relative", "expected_high_relative",
 )  # fmt: skip
+ERRORS = "errors.txt"
+STAGING = ".part-"
 PRINTED = ("printed_theory", "printed_FEA", "printed_test")
 
 
 def write(report: Report, folder: Path) -> Path:
-    """report.html, results.json with its schema, rows.csv, junit.xml and a VTU per field."""
+    """report.html, results.json with its schema, rows.csv, junit.xml and a VTU per field.
+
+    errors.txt holds the tracebacks of cases that failed. All files are made before the first
+    takes its place; OSError names the one that can't be written.
+    """
+    with _alone_in(folder), _staging(folder) as staging:
+        for name, content in _files(report):
+            try:
+                (staging / name).write_bytes(content)
+            except OSError as error:
+                raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
+        names = {path.name for path in staging.iterdir()}
+        for name in sorted(names):
+            (staging / name).replace(folder / name)
+        for stale in (*folder.glob("*.vtu"), folder / ERRORS):  # of a run over other cases
+            if stale.name not in names:
+                stale.unlink(missing_ok=True)
+    return folder / "report.html"
+
+
+def _files(report: Report) -> Iterator[tuple[str, bytes]]:
     schema = Path(__file__).parent / "results.schema.json"
     record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
-    files: dict[str, str | bytes] = {
-        "results.json": record,
-        "results.schema.json": schema.read_text("utf-8"),
-        "rows.csv": rows_csv(report.rows),
-        "junit.xml": junit(report),
-        "report.html": page(report),
-        **dict(vtu_files(report)),
-    }
-    with _alone_in(folder):
-        for name, content in files.items():
-            _whole(folder / name, content)
-        for stale in folder.glob("*.vtu"):  # of a run over other cases
-            if stale.name not in files:
-                stale.unlink()
-    return folder / "report.html"
+    yield "results.json", record.encode()
+    yield schema.name, schema.read_bytes()
+    yield "rows.csv", rows_csv(report.rows).encode()
+    yield "junit.xml", junit(report).encode()
+    yield "report.html", page(report).encode()
+    yield from vtu_files(report)
+    if errors := [f"{case.id}\n{trace}" for case in report.cases for trace in case.errors]:
+        yield ERRORS, "\n".join(errors).encode()
 
 
 @contextmanager
@@ -54,6 +69,15 @@ def _alone_in(folder: Path) -> Iterator[None]:
     with (folder / ".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         yield
+
+
+@contextmanager
+def _staging(folder: Path) -> Iterator[Path]:
+    """A folder on the same file system; those of killed runs go, as nobody else writes now."""
+    for abandoned in folder.glob(f"{STAGING}*"):
+        shutil.rmtree(abandoned, ignore_errors=True)
+    with TemporaryDirectory(dir=folder, prefix=STAGING, ignore_cleanup_errors=True) as name:
+        yield Path(name)
 
 
 def rows_csv(rows: tuple[Row, ...]) -> str:
@@ -78,17 +102,3 @@ def rows_csv(rows: tuple[Row, ...]) -> str:
         cells = (*(getattr(row, c) for c in COLUMNS), *relative, *printed)
         table.writerow(["" if cell is None else cell for cell in cells])
     return "\ufeff" + text.getvalue()
-
-
-def _whole(path: Path, content: str | bytes) -> None:
-    """Under a temporary name first, so that no reader meets half a file."""
-    data = content.encode() if isinstance(content, str) else content
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".part-")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        Path(temporary).chmod(0o644)
-        Path(temporary).replace(path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise

@@ -13,7 +13,6 @@ import io
 import json
 import os
 import struct
-import tempfile
 import zipfile
 import zlib
 from collections.abc import Iterator
@@ -26,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from verify.case import Case, FemResult
+from verify.files import write_whole
 from verify.inputs import Inputs
 from verify.results import Field
 
@@ -39,9 +39,11 @@ UNREADABLE = (
 
 
 def default_folder() -> Path:
-    """The cache of this checkout; FREEWHEEL_CACHE names another place."""
+    """The cache of this checkout; FREEWHEEL_CACHE names another place (~ is one's home)."""
     named = os.environ.get("FREEWHEEL_CACHE")
-    return Path(named) if named else Path(__file__).parent.parent / ".cache" / "fem"
+    if named:
+        return Path(os.path.expanduser(named))  # noqa: PTH111 - pathlib's raises without a home
+    return Path(__file__).parent.parent / ".cache" / "fem"
 
 
 def key(case: Case, inputs: Inputs, level: int) -> str:
@@ -63,17 +65,10 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
 
 
 def store(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> None:
-    """Write the result so that no reader ever sees half a file."""
+    """Write the result so that no reader ever sees half a file; OSError where there is no room."""
     path = folder / case.id / f"{key(case, inputs, level)}.npz"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".part-", suffix=".npz")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            np.savez(file, allow_pickle=False, **_pack(result))
-        Path(temporary).replace(path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+    packed = _pack(result)
+    write_whole(path, lambda file: np.savez(file, allow_pickle=False, **packed))
 
 
 def _pack(result: FemResult) -> dict[str, Any]:

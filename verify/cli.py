@@ -1,6 +1,7 @@
 """The command `freewheel`. Exit status 0 passed, 1 a row failed, 2 bad input."""
 
 import os
+import signal
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -91,6 +92,7 @@ def list_cases() -> int:
 
 def main(arguments: list[str] | None = None) -> None:
     """Entry point; ends the process with the exit status."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends like Ctrl-C
     sys.exit(run(sys.argv[1:] if arguments is None else arguments))
 
 
@@ -100,8 +102,8 @@ def run(arguments: list[str]) -> int:
         return int(app(arguments, result_action="return_value") or 0)
     except CycloptsError as error:
         return _complain(str(error))
-    except KeyboardInterrupt:
-        return _complain("interrupted; finished levels are kept", status=130)
+    except KeyboardInterrupt as stop:  # solving says what is kept
+        return _complain(str(stop) or "interrupted", status=130)
     except BrokenPipeError:  # `freewheel ... | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0

@@ -54,6 +54,8 @@ def run_verify(
     written = write(report, out)
     _print_verdicts(report, time.perf_counter() - start)
     print(f"report: {written}")
+    if any(case.errors for case in report.cases):
+        print(f"tracebacks: {out / 'errors.txt'}")
     failed = any(
         row.status is Status.FAIL or (row.status is Status.SKIP and not quick)
         for row in report.rows

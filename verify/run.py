@@ -1,20 +1,21 @@
-"""Run cases: finite elements over levels and processes, through the cache, then the judging."""
+"""One case: its levels solved or taken from the cache, then everything judged.
+
+Whatever goes wrong inside a case is a red row of that case, with a traceback beside the report.
+"""
 
 import time
-from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+import traceback
+from collections.abc import Sequence
 from dataclasses import dataclass
-from multiprocessing import get_context
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 from verify import cache
-from verify.case import Case, Context, FemResult
+from verify.case import Case, Check, Context, FemResult
 from verify.described import described
+from verify.guard import Guard, named
 from verify.inputs import Inputs
-from verify.results import CaseResult, Row, Status
-
-Progress = Callable[[str, int, int], None]
+from verify.results import CaseResult, Row
 
 
 @dataclass(frozen=True)
@@ -34,127 +35,75 @@ class Job:
 
 @dataclass(frozen=True)
 class Solved:
-    """One level: its result, or why there is none."""
+    """One level: its result, or in one line why there is none, with the traceback if any.
+
+    `unstored` says why the cache could not take the result.
+    """
 
     result: FemResult | None
     failure: str
     seconds: float
     cached: bool
-
-
-def run(
-    jobs: Sequence[Job],
-    *,
-    processes: int = 1,
-    cache_folder: Path | None = None,
-    progress: Progress = lambda _what, _done, _total: None,
-) -> list[CaseResult]:
-    """Solve what the cache does not hold and judge every job; results in the order of `jobs`."""
-    tasks = [
-        (i, level) for i, job in enumerate(jobs) if job.use_fem and not job.skip
-        for level in job.case.levels
-    ]  # fmt: skip
-    tasks.sort(key=lambda task: -task[1])  # the finest levels first: they take longest
-    solved: dict[tuple[int, int], Solved] = {}
-    for n, (task, result) in enumerate(_solve_all(jobs, tasks, processes, cache_folder)):
-        solved[task] = result
-        progress(f"{jobs[task[0]].case.id} level {task[1]}", n + 1, len(tasks))
-    return [
-        judge_case(job, [solved[i, level] for level in job.case.levels if (i, level) in solved])
-        for i, job in enumerate(jobs)
-    ]
+    trace: str = ""
+    unstored: str = ""
 
 
 def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
     """All rows, tables and pictures of one job from its solved levels, coarse to fine."""
-    case, q = job.case, job.inputs
-    values = case.analytic(q)
-    failures = [s.failure for s in levels if s.failure]
+    guard = Guard(job.case)
+    values = guard.values(job.inputs)
+    no_formulas = "".join(row.reason for row in guard.rows)
     results = [s.result for s in levels if s.result is not None]
-    context = Context(case.id, q, values, results, job.is_paper)
+    context = Context(job.case.id, job.inputs, values, results, job.is_paper)
+    failure = next((s.failure for s in levels if s.failure), "")
     rows: list[Row] = []
-    for check in case.checks:
+    for check in job.case.checks:
         if check.paper_only and not job.is_paper:
             continue
-        if not check.needs_fem:
-            rows += check.rows(context)
-        elif job.skip:
-            rows += check.skipped(case.id, job.skip)
-        elif failures:
-            rows += [_failed(row, failures[0]) for row in check.skipped(case.id, "")]
-        elif job.use_fem:
-            rows += check.rows(context)
+        reason = no_formulas or (failure if check.needs_fem else "")
+        judge = partial(_judged, check, context, job)
+        rows += guard.red(check, reason) if reason else guard.judged(check, judge)
+    if failure and not any(check.needs_fem for check in job.case.checks):
+        rows.append(guard.row("finite elements", failure))
+    shown = described(guard.silent() if no_formulas else guard.guarded(), context)
+    traces = (*(s.trace for s in levels if s.trace), *guard.traces)
     return CaseResult(
-        **described(case, context), rows=tuple(rows), seconds=sum(s.seconds for s in levels),
-        cached=all(s.cached for s in levels), command=f"freewheel verify {case.id}",
+        **shown, rows=(*rows, *guard.rows), seconds=sum(s.seconds for s in levels),
+        cached=all(s.cached for s in levels), command=f"freewheel verify {job.case.id}",
+        errors=traces,
     )  # fmt: skip
 
 
+def _judged(check: Check, context: Context, job: Job) -> list[Row]:
+    if check.needs_fem and job.skip:
+        return check.skipped(context.case, job.skip)
+    if check.needs_fem and not job.use_fem:
+        return []
+    return check.rows(context)
+
+
 def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> Solved:
-    """One level, from the cache or computed and stored; a solver's error becomes a failure."""
+    """One level, from the cache or computed and stored; an error becomes a failure."""
     start = time.perf_counter()
     if folder is not None and (found := cache.load(folder, case, inputs, level)) is not None:
         return Solved(found, "", time.perf_counter() - start, cached=True)
     try:
         result = case.fem(inputs, level)
-    except (ValueError, ArithmeticError, RuntimeError, MemoryError) as error:
-        failure = f"level {level}: {' '.join(str(error).split()) or type(error).__name__}"
-        return Solved(None, failure, time.perf_counter() - start, cached=False)
+    except Exception as error:  # gmsh raises Exception itself
+        seconds = time.perf_counter() - start
+        if type(error) is ArithmeticError:  # what solvers raise when they do not converge
+            failure = f"not converged: level {level}: {' '.join(str(error).split())}"
+            return Solved(None, failure, seconds, cached=False)
+        failure, trace = f"level {level}: {named(error)}", traceback.format_exc()
+        return Solved(None, failure, seconds, cached=False, trace=trace)
     seconds = time.perf_counter() - start
-    if folder is not None:
-        cache.store(folder, case, inputs, level, result)
-    return Solved(result, "", seconds, cached=False)
+    unstored = "" if folder is None else _stored(folder, case, inputs, level, result)
+    return Solved(result, "", seconds, cached=False, unstored=unstored)
 
 
-def _solve_all(
-    jobs: Sequence[Job], tasks: list[tuple[int, int]], processes: int, folder: Path | None
-) -> Iterable[tuple[tuple[int, int], Solved]]:
-    waiting = []
-    for i, level in tasks:
-        job = jobs[i]
-        start = time.perf_counter()
-        found = cache.load(folder, job.case, job.inputs, level) if folder else None
-        if found is not None:
-            yield (i, level), Solved(found, "", time.perf_counter() - start, cached=True)
-        else:
-            waiting.append((i, level))
-    if processes == 1 or len(waiting) < 2:
-        for i, level in waiting:
-            yield (i, level), solve_level(jobs[i].case, jobs[i].inputs, level, folder)
-        return
-    # spawn: a forked child would share gmsh's state
-    with ProcessPoolExecutor(min(processes, len(waiting)), get_context("spawn")) as pool:
-        yield from _drain(pool, jobs, waiting, folder)
-
-
-def _drain(
-    pool: Executor, jobs: Sequence[Job], waiting: list[tuple[int, int]], folder: Path | None
-) -> Iterable[tuple[tuple[int, int], Solved]]:
-    running: dict[Future[Solved], tuple[int, int]] = {
-        pool.submit(_remote, jobs[i].case.id, jobs[i].inputs.model_dump(), level, folder): (
-            i,
-            level,
-        )
-        for i, level in waiting
-    }
+def _stored(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> str:
     try:
-        while running:
-            done, _ = wait(running, return_when=FIRST_COMPLETED)
-            for future in done:
-                yield running.pop(future), future.result()
-    finally:
-        for future in running:
-            future.cancel()
-
-
-def _remote(case_id: str, inputs: dict[str, Any], level: int, folder: Path | None) -> Solved:
-    from verify.cases.registry import find  # a spawned process knows no cases yet
-
-    case = find(case_id)
-    return solve_level(case, case.inputs(**inputs), level, folder)
-
-
-def _failed(row: Row, reason: str) -> Row:
-    from dataclasses import replace
-
-    return replace(row, status=Status.FAIL, reason=f"not converged: {reason}")
+        cache.store(folder, case, inputs, level, result)
+    except OSError as error:
+        return error.strerror or str(error)
+    return ""

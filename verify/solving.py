@@ -1,51 +1,80 @@
-"""Run jobs for a command: processes, cache and progress."""
+"""Run jobs for a command: cache, processes, progress, and a clean end when stopped."""
 
 import os
 import sys
 import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from verify import cache
+from verify.files import remove_abandoned
 from verify.inputs import InputError
+from verify.progress import State, shown
 from verify.results import CaseResult
-from verify.run import Job, run
+from verify.run import Job
+from verify.schedule import run
 
 MOST_JOBS = 256
 
 
 def solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) -> list[CaseResult]:
-    """Run the jobs in `jobs` processes (0: one a core), with the cache and progress on stderr."""
+    """Run the jobs in `jobs` processes (0: one a core), with the cache and progress on stderr.
+
+    KeyboardInterrupt says how much of the work is kept.
+    """
     if not 0 <= jobs <= MOST_JOBS:
         raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {jobs}")
-    folder = _writable_cache() if use_cache and any(job.use_fem for job in work) else None
+    folder = _writable_cache(work) if use_cache and any(job.use_fem for job in work) else None
     processes = jobs if jobs > 0 else os.cpu_count() or 1
-    if quiet or not any(job.use_fem for job in work) or not sys.stderr.isatty():
-        return run(work, processes=processes, cache_folder=folder)
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-    )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("finite elements", total=None)
-
-        def progress(what: str, done: int, total: int) -> None:
-            bar.update(task, description=what, completed=done, total=total)
-
-        return run(work, processes=processes, cache_folder=folder, progress=progress)
+    done = Done(stored=folder is not None)
+    try:
+        with shown(quiet=quiet) as show:
+            return run(
+                work, processes=processes, cache_folder=folder,
+                show=lambda state: show(done.follow(state)), warn=done.warned,
+            )  # fmt: skip
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(f"interrupted; {done}") from None
 
 
-def _writable_cache() -> Path | None:
-    """The cache folder; None, with a word about it, where nothing can be stored."""
+@dataclass
+class Done:
+    """What an interrupted run leaves, in words."""
+
+    stored: bool
+    state: State | None = None
+
+    def follow(self, state: State) -> State:
+        self.state = state
+        return state
+
+    def warned(self, message: str) -> None:
+        """Say that nothing is stored from here on."""
+        self.stored = False
+        _say(message)
+
+    def __str__(self) -> str:
+        if self.state is None:
+            return "no level was under way"
+        done = f"{self.state.done} of {self.state.total} levels are"
+        return f"{done} kept" if self.stored else f"{done} solved, and not stored"
+
+
+def _writable_cache(work: Sequence[Job]) -> Path | None:
+    """The cache folder, swept; None, with a word about it, where nothing can be stored."""
     folder = cache.default_folder()
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
-            return folder
+            pass
     except OSError as error:
-        print(f"freewheel: no cache in {folder} ({error.strerror}): going on", file=sys.stderr)
+        _say(f"no cache in {folder} ({error.strerror}): going on")
         return None
+    for place in {folder, *(folder / job.case.id for job in work)}:
+        remove_abandoned(place)
+    return folder
+
+
+def _say(message: str) -> None:
+    print(f"freewheel: {message}", file=sys.stderr, flush=True)

@@ -1,0 +1,82 @@
+"""How far a run is: a bar on a terminal, a line now and then where there is none."""
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+EVERY = 5.0  # s between two lines
+FIRST = 2.0  # s before the first: short runs need none
+
+
+@dataclass(frozen=True)
+class State:
+    """Levels done of all, what is being solved, and the seconds still needed."""
+
+    done: int
+    total: int
+    running: tuple[str, ...]
+    remaining: float
+
+
+Show = Callable[[State], None]
+
+
+@contextmanager
+def shown(*, quiet: bool) -> Iterator[Show]:
+    """What a run calls with its state, four times a second or so."""
+    if quiet:
+        yield lambda _state: None
+    elif sys.stderr.isatty():
+        with _bar() as show:
+            yield show
+    else:
+        yield Lines()
+
+
+class Lines:
+    """Plain lines on stderr, at most one every few seconds."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self.clock = clock
+        self.next = clock() + FIRST
+
+    def __call__(self, state: State) -> None:
+        if self.clock() >= self.next and state.running:
+            self.next = self.clock() + EVERY
+            print(line(state), file=sys.stderr, flush=True)
+
+
+def line(state: State) -> str:
+    """One line: "finite elements 12 of 48, spring-continuum level 8, about 14 s left"."""
+    parts = [f"finite elements {state.done} of {state.total}", *state.running]
+    return ", ".join([*parts, f"about {duration(state.remaining)} left"])
+
+
+def duration(seconds: float) -> str:
+    """Rounded as an estimate deserves: "14 s", "3 min", "1 h 20 min"."""
+    if seconds < 90:
+        return f"{max(round(seconds), 1)} s"
+    minutes = round(seconds / 60)
+    return f"{minutes} min" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
+
+
+@contextmanager
+def _bar() -> Iterator[Show]:
+    from rich.console import Console  # slow to import, and only used on a terminal
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (
+        TextColumn("finite elements"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
+        TextColumn("{task.fields[left]}"), TextColumn("{task.description}", style="dim"),
+    )  # fmt: skip
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=None, left="")
+
+        def show(state: State) -> None:
+            left = f"about {duration(state.remaining)} left" if state.running else ""
+            what = ", ".join(state.running)
+            bar.update(task, completed=state.done, total=state.total, description=what, left=left)
+
+        yield show

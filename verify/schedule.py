@@ -1,0 +1,145 @@
+"""The levels of all jobs: from the cache, or on processes with the longest first, then judged."""
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from verify import cache, durations
+from verify.case import Case
+from verify.inputs import Inputs
+from verify.progress import Show, State
+from verify.results import CaseResult
+from verify.run import Job, Solved, judge_case, solve_level
+from verify.workers import Here, Lost, Pool
+
+
+@dataclass(frozen=True)
+class Task:
+    """One level to solve; it reaches another process by the name of its case."""
+
+    case: Case
+    inputs: Inputs
+    level: int
+    folder: Path | None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _named_task, (self.case.id, self.inputs, self.level, self.folder)
+
+
+def _named_task(case_id: str, *rest: Any) -> Task:
+    from verify.cases.registry import find  # a spawned process knows no cases yet
+
+    return Task(find(case_id), *rest)
+
+
+def solve_task(task: Task) -> Solved:
+    """One level, in whatever process."""
+    return solve_level(task.case, task.inputs, task.level, task.folder)
+
+
+def run(
+    jobs: Sequence[Job],
+    *,
+    processes: int = 1,
+    cache_folder: Path | None = None,
+    show: Show = lambda _state: None,
+    warn: Callable[[str], None] = lambda _message: None,
+) -> list[CaseResult]:
+    """Solve what the cache does not hold and judge every job; results in the order of `jobs`.
+
+    `processes` 0 solves in this process. `show` follows the state, `warn` takes what the user
+    should know of at once.
+    """
+    wanted = [
+        (i, level) for i, job in enumerate(jobs) if job.use_fem and not job.skip
+        for level in job.case.levels
+    ]  # fmt: skip
+    solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
+    missing = [n for n in wanted if n not in solved]
+    tasks = [Task(jobs[i].case, jobs[i].inputs, level, cache_folder) for i, level in missing]
+    remaining = Round(tasks, processes=processes, done=len(solved), show=show, warn=warn)
+    solved |= {missing[n]: answer for n, answer in remaining.solve()}
+    return [
+        judge_case(job, [solved[i, level] for level in job.case.levels if (i, level) in solved])
+        for i, job in enumerate(jobs)
+    ]
+
+
+def _stored(job: Job, level: int, folder: Path | None) -> Solved | None:
+    if folder is None:
+        return None
+    start = time.perf_counter()
+    found = cache.load(folder, job.case, job.inputs, level)
+    if found is None:
+        return None
+    return Solved(found, "", time.perf_counter() - start, cached=True)
+
+
+class Round:
+    """Solves tasks, longest first, and learns from each how long the others will take."""
+
+    def __init__(
+        self, tasks: Sequence[Task], *, processes: int, done: int, show: Show,
+        warn: Callable[[str], None],
+    ) -> None:  # fmt: skip
+        self.tasks, self.show, self.warn = tasks, show, warn
+        self.done, self.total = done, done + len(tasks)
+        self.folder = tasks[0].folder if tasks else None
+        self.earlier = durations.load(self.folder) if self.folder else {}
+        self.measured: dict[durations.Level, float] = {}
+        self.processes = min(processes, len(tasks))
+        self.pool = Pool(solve_task, self.processes) if processes else Here(solve_task)
+
+    def solve(self) -> Iterator[tuple[int, Solved]]:
+        """Position and answer of each task as they come."""
+        seconds = self._expected()
+        order = sorted(range(len(self.tasks)), key=lambda n: -seconds[self._level(n)])
+        waiting = dict.fromkeys(order)
+
+        def take(turn: int) -> Task:
+            waiting.pop(order[turn], None)  # asked for once more where its process died
+            return replace(self.tasks[order[turn]], folder=self.folder)
+
+        for event in self.pool.answers(len(order), take):
+            if event is not None:
+                n = order[event[0]]
+                self.done += 1
+                yield n, self._learnt(n, event[1])
+            self.show(self._state([order[turn] for turn in self.pool.running], waiting))
+
+    def _learnt(self, n: int, answer: Solved | Lost) -> Solved:
+        task = self.tasks[n]
+        if isinstance(answer, Lost):
+            failure = f"level {task.level}: {answer.reason}"
+            return Solved(None, failure, 0.0, cached=False, trace=answer.trace)
+        if not answer.cached and not answer.failure:
+            self.measured[self._level(n)] = answer.seconds
+            if self.folder is not None:
+                with suppress(OSError):  # an estimate is no reason to stop
+                    durations.store(self.folder, self.measured)
+        if answer.unstored and self.folder is not None:
+            self.warn(f"cannot store in {self.folder} ({answer.unstored}): going on without")
+            self.folder = None
+        return answer
+
+    def _level(self, n: int) -> durations.Level:
+        return self.tasks[n].case.id, self.tasks[n].level
+
+    def _expected(self) -> dict[durations.Level, float]:
+        known = durations.refined(self.earlier, self.measured)
+        return durations.expected_seconds(map(self._level, range(len(self.tasks))), known)
+
+    def _state(self, running: Iterable[int], waiting: Iterable[int]) -> State:
+        seconds, now = self._expected(), time.monotonic()
+        starts = self.pool.running.values()
+        under_way = [
+            (seconds[self._level(n)], now - start) for n, start in zip(running, starts, strict=True)
+        ]
+        left = durations.remaining_seconds(
+            under_way, [seconds[self._level(n)] for n in waiting], self.processes
+        )
+        names = tuple("{} level {}".format(*self._level(n)) for n in running)
+        return State(self.done, self.total, names, left)
