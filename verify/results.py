@@ -142,7 +142,8 @@ class Picture:
     values are divided by `factor` to come in `unit`; no data draws in one colour. `mirror` lists
     the coordinates ("x", "y") that reflection negates: "x" completes a part of a symmetric body
     at the plane x = 0. `width` sweeps a line into a ribbon that can be turned [the points' unit].
-    `window` (left, bottom, right, top) shows a part of the undeformed body.
+    `window` (left, bottom, right, top) shows a part of the undeformed body, displacements less
+    their mean there.
     """
 
     field: str
