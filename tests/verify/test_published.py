@@ -3,15 +3,18 @@
 import ast
 import math
 import pkgutil
+import re
 import tomllib
 from pathlib import Path
 
 import pytest
+import ziamath
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
 import verify
+from reports.formats import Glyphs
 from verify import units
 from verify.case import Context
 from verify.cases.registry import CASES
@@ -76,6 +79,32 @@ def test_an_erratum_gives_place_print_right_form_and_evidence(key, entry):
     for part in ("place", "printed", "right", "evidence"):
         assert entry[part].strip()
     assert entry["printed"] != entry["right"]
+
+
+TEX = [
+    pytest.param(entry[side], entry[f"{side}_tex"], f"{entry['printed']} {entry['right']}",
+                 id=f"{key}: {entry['id']} {side}")
+    for key, raw in RAW.items()
+    for entry in raw["errata"]
+    for side in ("printed", "right")
+    if entry.get(f"{side}_tex")
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("plain", "tex", "both"), TEX)
+def test_a_formula_of_an_erratum_is_drawn_and_says_what_the_plain_text_says(plain, tex, both):
+    """Numbers at least: its decimals are those of the text, larger integers those of the entry."""
+    assert "<use" in Glyphs().maths(tex)
+    assert "\\" not in ziamath.Latex(tex).mathmlstr()  # a command unknown to it stays as text
+    assert tex.count("{") == tex.count("}")
+    assert set(re.findall(r"\d+\.\d+", tex)) <= set(re.findall(r"\d+\.\d+", plain))
+    assert set(re.findall(r"\b\d{2,}\b", tex)) <= set(re.findall(r"\d+", both))
+
+
+@pytest.mark.parametrize(("key", "entry"), ERRATA)
+def test_formulas_before_and_after_the_correction_differ(key, entry):
+    if entry.get("printed_tex"):
+        assert entry["printed_tex"] != entry.get("right_tex")
 
 
 @pytest.mark.parametrize(("key", "entry"), VALUES)
