@@ -1,0 +1,137 @@
+"""What a picture shows of a field: points, displacements and one value per cell, mirrored."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reports.outlines import Indices
+from verify.results import Array, Field, Picture
+
+AXES = "xyz"
+SHEAR_XY = 2  # of the columns xx, yy, xy, zz
+PIECE = 1 / 200  # of the body's size: data along a line is constant over this length
+ON_PLANE = 1e-9  # of the body's size
+
+
+@dataclass(frozen=True, kw_only=True)
+class Body:
+    """`points` and `displacement` (n, 3) [model's length], `cells` (m, corners), `values` (m,)."""
+
+    points: Array
+    displacement: Array
+    cells: Indices
+    values: Array | None
+
+    @property
+    def size(self) -> float:
+        """The largest extent."""
+        return float(np.ptp(self.points, axis=0).max())
+
+
+def body(field: Field, picture: Picture) -> Body:
+    """The field as the picture wants it, values in the picture's unit.
+
+    Reflection negates a coordinate: "x" adds the image on the other side of the plane x = 0.
+    Normal stresses and other scalars keep their sign in it. A shear stress (column 2 of the four
+    columns xx, yy, xy, zz) changes sign at "x" and at "y", and so does component k of a vector at
+    axis k. Shear given as data of its own with one column would need that too: give it as a
+    component of the four.
+
+    Raises
+    ------
+    ValueError
+        for a field without cells, data that the field does not have or that are not finite.
+    """
+    if not len(field.cells):
+        raise ValueError(f"field {field.name!r} has no cells to draw")
+    used, cells = np.unique(field.cells, return_inverse=True)
+    u = field.point_data.get(picture.displacement)
+    points = _solid(field.points)[used]
+    shift = np.zeros_like(points) if u is None else _solid(u)[used]
+    shown = Body(points=points, displacement=shift, cells=cells.reshape(field.cells.shape),
+                 values=None)  # fmt: skip
+    if picture.data:
+        shown = _valued(shown, field, picture, used)
+    for array in (shown.points, shown.displacement, shown.values):
+        if array is not None and not np.isfinite(array).all():
+            raise ValueError(f"field {field.name!r}: {picture.data or 'points'} are not all finite")
+    for axis in picture.mirror:
+        shown = _with_image(shown, AXES.index(axis), _sign(field, picture, axis))
+    return shown
+
+
+def _valued(shown: Body, field: Field, picture: Picture, used: Indices) -> Body:
+    """One value per cell; lines with data at their ends are cut into pieces."""
+    name = picture.data
+    if name in field.cell_data:
+        return replace(shown, values=_column(field.cell_data[name], picture))
+    if name not in field.point_data:
+        known = ", ".join([*field.cell_data, *field.point_data])
+        raise ValueError(f"field {field.name!r} has no data {name!r}; it has {known or 'none'}")
+    at_points = _column(field.point_data[name][used], picture)
+    if shown.cells.shape[1] == 2:
+        return _in_pieces(shown, at_points)
+    return replace(shown, values=at_points[shown.cells].mean(axis=1))
+
+
+def _column(data: Array, picture: Picture) -> Array:
+    """The component wanted, or the magnitude of a vector."""
+    if data.ndim == 2 and picture.component is not None:
+        data = data[:, picture.component]
+    elif data.ndim == 2:
+        data = np.linalg.norm(data, axis=1)
+    return np.asarray(data / picture.factor)
+
+
+def _in_pieces(shown: Body, at_points: Array) -> Body:
+    """Lines cut so short that the linear data along them looks continuous."""
+    start, end = shown.cells.T
+    length = np.linalg.norm(shown.points[end] - shown.points[start], axis=1)
+    pieces = np.maximum(np.ceil(length / (PIECE * shown.size)), 1).astype(np.int64)
+    cell = np.repeat(np.arange(len(pieces)), pieces + 1)
+    step = np.arange(len(cell)) - np.repeat(np.cumsum(pieces + 1) - pieces - 1, pieces + 1)
+    share = (step / pieces[cell])[:, None]
+
+    def along(data: Array) -> Array:
+        return np.asarray(data[start[cell]] * (1 - share) + data[end[cell]] * share)
+
+    first = np.flatnonzero(step < pieces[cell])
+    values = along(at_points[:, None])[:, 0]
+    points = np.concatenate([along(shown.points), along(shown.displacement)], axis=1)
+    joined, index = np.unique(points, axis=0, return_inverse=True)
+    cells = index.reshape(-1)[np.column_stack([first, first + 1])]
+    return Body(points=joined[:, :3], displacement=joined[:, 3:], cells=cells,
+                values=(values[first] + values[first + 1]) / 2)  # fmt: skip
+
+
+def _sign(field: Field, picture: Picture, axis: str) -> float:
+    """What a value is multiplied by in the image behind the plane of this axis."""
+    data = field.cell_data.get(picture.data, field.point_data.get(picture.data))
+    if data is None or data.ndim != 2 or picture.component is None:
+        return 1.0
+    columns, k = data.shape[1], picture.component
+    sheared = columns == 4 and k == SHEAR_XY and axis in "xy"
+    return -1.0 if sheared or (columns <= 3 and k == AXES.index(axis)) else 1.0
+
+
+def _with_image(shown: Body, axis: int, sign: float) -> Body:
+    """The body and its image, joined at the plane."""
+    flip = np.ones(3)
+    flip[axis] = -1
+    count = len(shown.points)
+    joined = np.abs(shown.points[:, axis]) <= ON_PLANE * shown.size
+    image = np.where(joined, np.arange(count), np.arange(count) + count)
+    values = shown.values
+    return Body(
+        points=np.concatenate([shown.points, shown.points * flip]),
+        displacement=np.concatenate([shown.displacement, shown.displacement * flip]),
+        cells=np.concatenate([shown.cells, image[shown.cells]]),
+        values=None if values is None else np.concatenate([values, sign * values]),
+    )
+
+
+def _solid(values: Array) -> NDArray[np.float64]:
+    """Plane points and vectors with a zero third component."""
+    missing = 3 - values.shape[1]
+    return np.pad(np.asarray(values, dtype=np.float64), ((0, 0), (0, missing)))

@@ -1,0 +1,134 @@
+"""Drawn pictures kept by what they were drawn from."""
+
+import hashlib
+import io
+import json
+import os
+import struct
+import tempfile
+import zipfile
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from verify.results import Array, Field, Picture
+
+CODE = (
+    "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "ramps", "raster", "render",
+    "scene",
+)  # fmt: skip
+LIBRARIES = ("numpy", "matplotlib", "pillow", "pyvista", "vtk")
+# what OpenGL is made of on Linux: after an installation pyvista is tried anew
+OPENGL = ("lib/*", "lib64", "local/lib")
+# what numpy, zipfile and json raise on files that were torn or changed
+UNREADABLE = (
+    OSError, ValueError, LookupError, EOFError, RuntimeError, TypeError, AttributeError,
+    zipfile.BadZipFile, zlib.error, struct.error,
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """A field as a bitmap without text, and what a page needs to put words and lines to it.
+
+    `png` is `width` by `height` pixels, transparent around the body, and shows `rectangle` (left,
+    bottom, right, top) in the model's length. Values run from `low` to `high` in the picture's
+    unit along evenly spaced colours `ramp`, empty for a plain body. Displacements are drawn
+    `exaggeration` times (0: there are none); `outline` is the undeformed body. `by` names who drew
+    it, and `why` says why not pyvista, or nothing.
+    """
+
+    png: bytes
+    width: int
+    height: int
+    rectangle: tuple[float, float, float, float]
+    low: float
+    high: float
+    ramp: tuple[str, ...]
+    exaggeration: float
+    outline: tuple[Array, ...]
+    by: str
+    why: str = ""
+
+    def pixels(self, points: Array) -> Array:
+        """Where points (n, 2) of the model lie in the bitmap: pixels right and down."""
+        left, _, right, top = self.rectangle
+        return np.asarray((points - (left, top)) * (1, -1) * self.width / (right - left))
+
+    def outline_path(self) -> str:
+        """The undeformed outline as data of an SVG path in the bitmap's pixels."""
+        lines = (
+            "L".join(f"{x:.1f},{y:.1f}" for x, y in self.pixels(line)) for line in self.outline
+        )
+        return "".join(f"M{line}" for line in lines)
+
+
+def key(field: Field, picture: Picture) -> str:
+    """Hexadecimal name of one picture, by everything that decides how it looks."""
+    digest = hashlib.sha256(_code().encode())
+    spec = {**vars(picture), "caption": "", "symbol": "", "unit": "", "field": ""}  # the page's
+    digest.update(json.dumps(spec, sort_keys=True).encode())
+    arrays: Mapping[str, Any] = {
+        "points": field.points, "cells": field.cells,
+        "moved": field.point_data.get(picture.displacement),
+        "point": field.point_data.get(picture.data), "cell": field.cell_data.get(picture.data),
+    }  # fmt: skip
+    for name, array in arrays.items():
+        if array is not None:
+            digest.update(f"{name} {array.shape} {array.dtype}".encode())
+            digest.update(np.ascontiguousarray(array).tobytes())
+    return digest.hexdigest()[:32]
+
+
+def load(folder: Path, name: str) -> Drawn | None:
+    """The stored picture; None where there is none, it can't be read or OpenGL may work now."""
+    try:
+        with np.load(io.BytesIO((folder / f"{name}.npz").read_bytes()), allow_pickle=False) as data:
+            head = json.loads(str(data["head"]))
+            current = head.pop("opengl") == _opengl() or not head["why"]
+            outline = tuple(data[f"outline {i}"] for i in range(head.pop("lines")))
+            head |= {name: tuple(head[name]) for name in ("rectangle", "ramp")}
+            drawn = Drawn(png=data["png"].tobytes(), outline=outline, **head)
+    except UNREADABLE:
+        return None
+    return drawn if current else None
+
+
+def store(folder: Path, name: str, drawn: Drawn) -> None:
+    """Write the picture so that no reader ever sees half a file."""
+    head = {**vars(drawn), "lines": len(drawn.outline), "opengl": _opengl()}
+    del head["png"], head["outline"]
+    arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}
+    folder.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(dir=folder, prefix=".part-", suffix=".npz")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            np.savez(file, head=np.array(json.dumps(head)),
+                     png=np.frombuffer(drawn.png, dtype=np.uint8), **arrays)  # fmt: skip
+        Path(temporary).replace(folder / f"{name}.npz")
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+@cache
+def _code() -> str:
+    """The drawing code and the libraries under it."""
+    sources = [(Path(__file__).parent / f"{name}.py").read_text("utf-8") for name in CODE]
+    return "\0".join([*sources, *(f"{name} {version(name)}" for name in LIBRARIES)])
+
+
+def _opengl() -> str:
+    """Which OpenGL libraries and display there are."""
+    found = sorted(
+        path.name for place in OPENGL for path in Path("/usr").glob(f"{place}/lib*GL*.so*")
+    )
+    found += sorted(path.name for path in Path("/usr").glob("lib/*/libOSMesa*.so*"))
+    names = ("DISPLAY", "VTK_DEFAULT_OPENGL_WINDOW")
+    return " ".join([*found, *(f"{name}={os.environ.get(name, '')}" for name in names)])
