@@ -14,7 +14,7 @@ import numpy as np
 from verify import units
 from verify.case import Case
 from verify.cases.registry import CASES, find
-from verify.inputs import InputError, Inputs, build, read_parameter_file
+from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.results import CaseResult, Report, Row, Status
 from verify.run import Job
 from verify.solving import solve
@@ -24,10 +24,18 @@ BAD = (Status.FAIL, Status.SKIP)
 
 
 def run_list() -> int:
-    """Print the cases with their papers and inputs."""
+    """Print each case with its subject and its inputs, their units, and which may be left out."""
     for case in CASES:
+        needed: list[str] = []
+        optional: list[str] = []
+        for name, field in case.inputs.model_fields.items():
+            unit = meta(field)["unit"]
+            text = name if unit == "1" else f"{name} [{unit}]"
+            (needed if meta(field)["omitted"] == REQUIRED else optional).append(text)
         print(f"{case.id:20} {case.title} ({case.paper}, {case.place})")
-        print(f"{'':20} inputs: {', '.join(case.inputs.model_fields)}")
+        print(f"{'':20} inputs: {', '.join(needed)}")
+        if optional:
+            print(f"{'':20} optional: {', '.join(optional)}")
     return 0
 
 

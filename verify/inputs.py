@@ -51,6 +51,7 @@ class Inputs(BaseModel):
 
 
 REQUIRED = "required"
+BOUNDS = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
 
 
 def quantity(
@@ -61,17 +62,21 @@ def quantity(
     *,
     claims: str = "",
     omitted: float | str | None = REQUIRED,
+    example: str = "",
     **bounds: float,
 ) -> Any:
     """A float input in `unit`; bounds gt, ge, lt, le are in that unit too.
 
     `default` is the paper's number and `claims` the printed value that it repeats ("paper:id").
     `omitted` is what a parameter file means by leaving the input out; without it, it may not.
+    An input without a default has an `example` with its unit, for templates.
     """
     value = units.parse(default, unit) if isinstance(default, str) else default
     limits: dict[str, Any] = {k: bound * units.factor(unit) for k, bound in bounds.items()}
     return Field(
-        default=value, json_schema_extra=_extra(unit, symbol, what, claims, omitted), **limits
+        default=value,
+        json_schema_extra=_extra(unit, symbol, what, claims, omitted) | {"example": example},
+        **limits,
     )
 
 
@@ -83,7 +88,7 @@ def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: i
     )
 
 
-def _extra(unit: str, symbol: str, what: str, claims: str, omitted: Any) -> Any:
+def _extra(unit: str, symbol: str, what: str, claims: str, omitted: Any) -> dict[str, Any]:
     return {"unit": unit, "symbol": symbol, "what": what, "claims": claims, "omitted": omitted}
 
 
@@ -92,6 +97,16 @@ def meta(field: FieldInfo) -> dict[str, Any]:
     extra = field.json_schema_extra
     assert isinstance(extra, dict)
     return dict(extra)
+
+
+def bounds_of(field: FieldInfo) -> list[tuple[str, float]]:
+    """The bounds of an input in words, with their SI values."""
+    return [
+        (word, getattr(bound, rule))
+        for bound in field.metadata
+        for rule, word in BOUNDS.items()
+        if hasattr(bound, rule)
+    ]
 
 
 def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
@@ -167,8 +182,8 @@ def _value(field: FieldInfo, raw: Any, where: str) -> Any:
         return float(raw)
     if kind is int and (isinstance(raw, bool) or not isinstance(raw, int)):
         raise InputError(f"{where}: needs a whole number, {_got(raw)}")
-    if kind is str and raw not in _words(field):
-        raise InputError(f"{where}: needs one of {', '.join(_words(field))}, {_got(raw)}")
+    if kind is str and raw not in choices(field):
+        raise InputError(f"{where}: needs one of {', '.join(choices(field))}, {_got(raw)}")
     return raw
 
 
@@ -182,8 +197,9 @@ def _kind(field: FieldInfo) -> type:
     return annotation
 
 
-def _words(field: FieldInfo) -> tuple[str, ...]:
-    return tuple(get_args(field.annotation))
+def choices(field: FieldInfo) -> tuple[str, ...]:
+    """What an input that is a word may be; nothing for numbers."""
+    return tuple(get_args(field.annotation)) if _kind(field) is str else ()
 
 
 def _rule(model: type[Inputs], error: Any) -> str:
@@ -193,13 +209,10 @@ def _rule(model: type[Inputs], error: Any) -> str:
         return f"inputs: {_one_line(message)}"
     name = str(error["loc"][0])
     unit = meta(model.model_fields[name])["unit"]
-    words = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
     for rule, bound in (error.get("ctx") or {}).items():
-        if rule in words:
-            shown = _with_unit(bound, unit)
-            return (
-                f"inputs.{name} = {_with_unit(error['input'], unit)}: must be {words[rule]} {shown}"
-            )
+        if rule in BOUNDS:
+            given, shown = _with_unit(error["input"], unit), _with_unit(bound, unit)
+            return f"inputs.{name} = {given}: must be {BOUNDS[rule]} {shown}"
     return f"inputs.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
 
 

@@ -39,8 +39,9 @@ class RingInputs(Inputs):
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     R_p: float | None = quantity(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0
-    )
+        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        example="1200 MPa",
+    )  # fmt: skip
 
     @model_validator(mode="after")
     def _wall(self) -> "RingInputs":

@@ -27,11 +27,13 @@ class AccordionInputs(Inputs):
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5, claims="wang2023:E")
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45, claims="wang2023:nu")
     F: float | None = quantity(
-        None, "N", "F", "working force, for deflection and stress", omitted=None, gt=0
-    )
+        None, "N", "F", "working force, for deflection and stress", omitted=None, gt=0,
+        example="5 N",
+    )  # fmt: skip
     R_p: float | None = quantity(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0
-    )
+        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        example="1200 MPa",
+    )  # fmt: skip
 
     @model_validator(mode="after")
     def _strip(self) -> "AccordionInputs":

@@ -1,0 +1,1 @@
+"""How rows were judged, number by number."""

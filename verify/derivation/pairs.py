@@ -1,0 +1,143 @@
+"""Rows that set one value beside another: formula, finite elements, printed number."""
+
+import math
+
+from verify import judge
+from verify.derivation.grid import grid_steps, regrid, uncertainty_steps
+from verify.derivation.lines import (
+    Derivation,
+    Step,
+    amount,
+    demand,
+    difference_steps,
+    expanded,
+    long,
+    sharpness,
+    short,
+)  # fmt: skip
+from verify.published.digits import half_last_digit
+from verify.results import Row, Status
+from verify.units import factor
+
+
+def identity(row: Row) -> Derivation:
+    """Finite elements and formula solve one problem."""
+    assert row.grid is not None
+    assert row.analytic is not None
+    assert row.scale is not None
+    again, u_num = regrid(row.grid)
+    v, r = row.grid.levels[-1][1], row.analytic
+    found: list[Step] = [
+        ("formula", amount(r, row.unit, long)),
+        ("FE", f"{amount(v, row.unit, long)} on the finest mesh"),
+        *grid_steps(row.grid),
+    ]
+    if not again.converges:
+        return Derivation(tuple(found), judge.Verdict(Status.FAIL, "does not converge"), u_num)
+    U = judge.expanded(u_num)
+    verdict = judge.difference(v, r, U=U, scale=row.scale, demand=demand(row))
+    found += [
+        *uncertainty_steps(row.grid),
+        ("u_ref", "0: the formula is evaluated to round-off"),
+        ("u_input", "0: both sides take the same inputs"),
+        expanded(row.unit, u_num, 0.0, 0.0, U),
+        *difference_steps(row, verdict, "FE − formula"),
+    ]
+    return Derivation(tuple(found), verdict, u_num)
+
+
+def printed_theory(row: Row) -> Derivation:
+    """The formula and the number that the paper computed from it."""
+    assert row.analytic is not None
+    assert row.partner is not None
+    assert row.scale is not None
+    entry = row.published[0]
+    half = half_last_digit(entry.printed) * factor(entry.unit) / factor(row.unit)
+    u_ref = half / math.sqrt(3)
+    U = judge.expanded(0.0, u_ref)
+    verdict = judge.difference(
+        row.analytic, row.partner.value, U=U, scale=row.scale, demand=demand(row)
+    )
+    found = (
+        ("formula", amount(row.analytic, row.unit, long)),
+        ("printed", f"{entry.printed} {entry.unit}"),
+        ("u_num", "0: the formula is evaluated to round-off"),
+        (
+            "u_ref",
+            f"half the last printed digit/√3 = {short(half)}/√3 = {amount(u_ref, row.unit)}",
+        ),
+        ("u_input", "0: these are the paper's inputs"),
+        expanded(row.unit, 0.0, u_ref, 0.0, U),
+        *difference_steps(row, verdict, "formula − printed"),
+    )
+    return Derivation(found, verdict, 0.0)
+
+
+def approximation(row: Row) -> Derivation:
+    """A formula that neglects something, beside finite elements that do not."""
+    assert row.grid is not None
+    assert row.analytic is not None
+    again, u_num = regrid(row.grid)
+    v, formula = row.grid.levels[-1][1], row.analytic
+    found: list[Step] = [
+        ("formula", f"{amount(formula, row.unit, long)}, which neglects something"),
+        ("FE", f"{amount(v, row.unit, long)} on the finest mesh"),
+        *grid_steps(row.grid),
+    ]
+    if not again.converges:
+        return Derivation(tuple(found), judge.Verdict(Status.FAIL, "does not converge"), u_num)
+    U = judge.expanded(u_num)
+    verdict = judge.approximation(formula, v, U=U, interval=row.interval, demand=demand(row))
+    found += [
+        *uncertainty_steps(row.grid),
+        ("u_ref", "0: the finite elements are the reference, and u_num is theirs"),
+        ("u_input", "0: both sides take the same inputs"),
+        expanded(row.unit, u_num, 0.0, 0.0, U),
+        *_model_error(row, formula, v, U, verdict),
+    ]
+    return Derivation(tuple(found), verdict, u_num)
+
+
+def _model_error(
+    row: Row, formula: float, v: float, U: float, verdict: judge.Verdict
+) -> tuple[Step, ...]:
+    if v == 0 or not math.isfinite(U):
+        return (("test", "a number is not finite, or zero: not converged"),)
+    m, U_m = formula / v - 1, abs(formula / v) * U / abs(v)
+    found: list[Step] = [
+        ("m", f"formula/FE − 1 = {m:+.4e}, the signed model error"),
+        ("U_m", f"|formula/FE| U/|FE| = {short(U_m)}"),
+    ]
+    if row.interval is None:
+        return (*found, ("expected", f"no interval known beforehand ({row.interval_source})"))
+    low, high = row.interval
+    inside = low + U_m <= m <= high - U_m
+    return (
+        *found,
+        ("expected", f"{low:+.4e} to {high:+.4e}: {row.interval_source}"),
+        (
+            "test",
+            f"low + U_m ≤ m ≤ high − U_m, that is {low + U_m:+.4e} ≤ {m:+.4e} ≤ {high - U_m:+.4e}: "
+            f"{'holds' if inside else 'does not hold'}",
+        ),
+        sharpness(row, verdict, "the change of the formula that surely takes m out on either side"),
+    )
+
+
+def shown(row: Row) -> Derivation:
+    """A formula beside a number that states no uncertainty."""
+    assert row.analytic is not None
+    assert row.difference is not None
+    reference = row.analytic - row.difference
+    by = row.partner.by if row.partner else f"printed {row.published[0].printed}"
+    found = (
+        ("formula", amount(row.analytic, row.unit, long)),
+        ("reference", f"{amount(reference, row.unit)}, {by}"),
+        (
+            "d",
+            f"formula − reference = {amount(row.difference, row.unit)}, "
+            f"{row.difference / abs(reference):+.2%} of the reference",
+        ),
+        ("test", "none: the reference states no uncertainty to judge by"),
+    )
+    return Derivation(found, judge.Verdict(row.status, row.reason, row.difference))

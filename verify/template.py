@@ -1,0 +1,119 @@
+"""The command `init`: a commented parameter file with the paper's numbers, made from the model."""
+
+import sys
+from io import TextIOWrapper
+from pathlib import Path
+from typing import Any
+
+from pydantic.fields import FieldInfo
+
+from verify import units
+from verify.case import Case
+from verify.cases.registry import find
+from verify.inputs import REQUIRED, InputError, bounds_of, choices, meta
+from verify.published.ledger import published
+
+HEAD = """\
+# Parameters of the freewheel case {id}: {title}.
+# The numbers are the paper's ({paper}); put in your own, and then
+#   freewheel check my.toml          formulas, with warnings where they leave their range
+#   freewheel check --fem my.toml    and judged by finite elements on these parameters
+# A value keeps its unit; any other unit of the same kind will do.
+
+case = "{id}"
+name = "my {id}"
+
+[inputs]
+"""
+
+
+def run_init(case_id: str, out: Path | None) -> int:
+    """Print the template of a case, or write it to a file that does not exist yet."""
+    text = template(find(case_id))
+    if out is None:
+        if isinstance(sys.stdout, TextIOWrapper):
+            sys.stdout.reconfigure(encoding="utf-8")  # TOML is, whatever the terminal takes
+        print(text, end="")
+        return 0
+    try:
+        with out.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError as error:
+        raise InputError(f"{out}: exists already and is not overwritten") from error
+    except OSError as error:
+        raise InputError(f"{out}: cannot be written: {error.strerror}") from error
+    return 0
+
+
+def template(case: Case) -> str:
+    """A parameter file that builds to the paper's inputs."""
+    head = HEAD.format(id=case.id, title=case.title, paper=case.paper)
+    fields = case.inputs.model_fields.items()
+    assigned = {name: _assigned(name, field) for name, field in fields}
+    width = max(map(len, assigned.values()))
+    return head + "".join(
+        f"{text:{width}}  # {_comment(name, case.inputs.model_fields[name])}\n"
+        for name, text in assigned.items()
+    )
+
+
+def _assigned(name: str, field: FieldInfo) -> str:
+    """`r_i = "19.44 mm"`; behind a # where leaving it out gives the paper's inputs as well."""
+    about = meta(field)
+    example, unit = field.default, about["unit"]
+    if example is None:
+        if not about["example"]:
+            raise ValueError(f"input {name} has no default: its quantity() needs an example")
+        example = units.parse(about["example"], unit)
+    left_out = about["omitted"] != REQUIRED and about["omitted"] == field.default
+    return f"{'# ' if left_out else ''}{name} = {_literal(example, unit)}"
+
+
+def _literal(value: Any, unit: str) -> str:
+    """The shortest TOML value that reads as exactly `value` [SI]."""
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, int) or unit == "1":
+        return repr(value)
+    texts = [f"{value / units.factor(unit):.{digits}g} {unit}" for digits in range(6, 18)]
+    return f'"{next((t for t in texts if units.parse(t, unit) == value), texts[-1])}"'
+
+
+def _comment(name: str, field: FieldInfo) -> str:
+    about = meta(field)
+    symbol = f", {about['symbol']}" if about["symbol"] not in ("", name) else ""
+    chosen = "" if field.default is None else "not printed, chosen for this suite"
+    source = _source(about["claims"]) if about["claims"] else chosen
+    parts = [f"{about['what']}{symbol}", _range(field), _omission(field), source]
+    return "; ".join(part for part in parts if part)
+
+
+def _range(field: FieldInfo) -> str:
+    """What the value may be, in the unit of the input."""
+    if choice := choices(field):
+        return f"one of {', '.join(choice)}"
+    unit = meta(field)["unit"]
+    kind = "a whole number" if isinstance(field.default, int) else "a number"
+    bounds = [f"{word} {_shown(bound, unit)}" for word, bound in bounds_of(field)]
+    return " ".join(filter(None, (kind if unit == "1" else "", " and ".join(bounds))))
+
+
+def _omission(field: FieldInfo) -> str:
+    omitted, unit = meta(field)["omitted"], meta(field)["unit"]
+    if omitted == REQUIRED:
+        return ""
+    if omitted is None:
+        return "optional, not used if left out"
+    meant = _shown(omitted, unit) if isinstance(omitted, float) else omitted
+    return f"optional, {meant} if left out"
+
+
+def _source(claim: str) -> str:
+    """Where the paper prints it."""
+    value = published(claim)
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    return f"{claim.partition(':')[0]}, {value.place}: {value.printed}{unit}"
+
+
+def _shown(value: float, unit: str) -> str:
+    return f"{value / units.factor(unit):.6g}" + ("" if unit == "1" else f" {unit}")
