@@ -3,6 +3,7 @@
 import hashlib
 import math
 import re
+from typing import NamedTuple
 
 import ziamath
 from markupsafe import Markup, escape
@@ -41,11 +42,23 @@ class Glyphs:
         return "".join(self._known.values())
 
 
+_INDEX = re.compile(r"(?<![\w/.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
+
+
 def symbol(text: str) -> Markup:
-    """u_r(r_i) as italic letters with subscripts."""
+    """u_r(r_i) as italic letters with lowered indices."""
     return Markup("<var>{}</var>").format(
         Markup(re.sub(r"_([^\s()/|^]+)", r"<sub>\1</sub>", str(escape(text))))  # noqa: S704
     )
+
+
+def prose(text: str) -> Markup:
+    """Running text in which symbols such as k_1 stand with a lowered index."""
+
+    def lowered(match: re.Match[str]) -> str:
+        return f"<var>{match[1]}<sub>{match[2].strip('{}')}</sub></var>"
+
+    return Markup(_INDEX.sub(lowered, str(escape(text))))  # noqa: S704 - escaped before
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:
@@ -59,26 +72,65 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
     return f"{value:.{digits}g}".replace("-", MINUS)
 
 
-def values(row: Row) -> tuple[str, str]:
-    """Formula and FE with the decimals that u allows; u in brackets: 0.58179(2)."""
+class Shown(NamedTuple):
+    """Formula, FE and the uncertainty of FE with one number of decimals; u is empty without one."""
+
+    formula: str
+    fem: str
+    u: str
+
+
+def values(row: Row) -> Shown:
+    """Formula and FE with the decimals that u allows: 0.58177, 0.58179 ± 0.00002."""
     known = [v for v in (row.analytic, row.fem) if v]
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
-        return number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}"
+        return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}", "")
     if row.kind == "fact" or not known or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
-        return number(row.analytic, digits), number(row.fem, digits)
+        return Shown(number(row.analytic, digits), number(row.fem, digits), "")
     size = math.floor(math.log10(max(map(abs, known))))
     decimals = min(1 - math.floor(math.log10(u)), 9 - size)  # nobody compares more than ten digits
     if size > 6 or decimals > 12:
-        return number(row.analytic, 10), number(row.fem, 10)
+        return Shown(number(row.analytic, 10), number(row.fem, 10), f"{u:.1g}")
     decimals = max(decimals, 0)
-    last = math.ceil(u * 10.0**decimals)
 
     def fixed(value: float | None) -> str:
         return "–" if value is None else f"{value:.{decimals}f}".replace("-", MINUS)
 
-    return fixed(row.analytic), fixed(row.fem) + (f"({last})" if row.fem is not None else "")
+    last = math.ceil(u * 10.0**decimals * (1 - 1e-12)) / 10.0**decimals
+    return Shown(fixed(row.analytic), fixed(row.fem), fixed(last) if row.fem is not None else "")
+
+
+def difference(row: Row) -> Markup:
+    """Signed difference on the row's scale; a fact has none."""
+    if row.difference is None or not row.scale or row.kind == "fact":
+        return Markup("–")
+    return power(row.difference / row.scale, signed=True)
+
+
+def tolerance(row: Row) -> Markup:
+    """Tolerance on the row's scale, or the ends of the expected interval."""
+    if row.interval is not None:
+        low, high = (power(m, signed=True) for m in row.interval)
+        return Markup("{} to<br>{}").format(low, high)
+    if row.tolerance is None or not row.scale or row.kind == "fact":
+        return Markup("–")
+    return power(row.tolerance / row.scale)
+
+
+def relative(row: Row, name: str) -> Markup:
+    """An uncertainty of the row on its scale."""
+    value = getattr(row, name)
+    return power(value / row.scale) if value is not None and row.scale else Markup("–")
+
+
+def order(row: Row) -> str:
+    """Observed order of convergence, or the word for why there is none."""
+    found = row.fem if row.kind == "fact" else row.order
+    if isinstance(found, str):
+        return found
+    return "–" if found is None else f"{found:.2f}"
 
 
 def power(value: float | None, *, signed: bool = False) -> Markup:

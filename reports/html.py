@@ -1,17 +1,33 @@
-"""The report as one self-contained page: no network, no script."""
+"""The report as one self-contained page: no network, and nothing in it runs but the 3-D view."""
 
+import base64
+import hashlib
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import jinja2
 from markupsafe import Markup
 
-from reports import drawing, formats
-from verify.results import Report, Status
+from reports import formats, plots, signature
+from reports.frames import Frame
+from reports.sketch import sketch
+from verify.results import (
+    CaseResult,
+    Figure,
+    PaperCell,
+    PaperClaim,
+    Profile,
+    Report,
+    Row,
+    Status,
+)
 
 HERE = Path(__file__).parent / "templates"
+STYLES = ("palette.css", "report.css", "figures.css")
+COMPANION = ": convergence"
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
     Status.SKIP: "not run",
@@ -22,30 +38,160 @@ WORDS = {
 }
 
 
-def page(report: Report) -> str:
-    """HTML of the whole run."""
+@dataclass(frozen=True)
+class Line:
+    """A row of the table; its convergence, a row of its own, shares the line where it passed."""
+
+    row: Row
+    convergence: Row | None = None
+
+    @property
+    def reason(self) -> str:
+        """What stands below the line: nothing where a plain PASS needs no words."""
+        said = self.row.kind == "fact" or self.row.status is not Status.PASS
+        return self.row.reason if said else ""
+
+
+def lines(rows: Sequence[Row]) -> list[Line]:
+    """Rows in their order, each with its convergence beside it."""
+    known = {row.quantity for row in rows}
+    companions = {
+        row.quantity.removesuffix(COMPANION): row
+        for row in rows
+        if row.quantity.endswith(COMPANION)
+        and row.quantity.removesuffix(COMPANION) in known
+        and row.status in (Status.PASS, Status.SKIP)
+    }
+    apart = {row.quantity for row in companions.values()}
+    return [Line(r, companions.get(r.quantity)) for r in rows if r.quantity not in apart]
+
+
+def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
+    """HTML of the whole run; `frames` are the pictures of each case."""
+    glyphs = formats.Glyphs()
+    script = (HERE / "viewer.js").read_text("utf-8") if _any_views(frames) else ""
+    groups = [(case, lines(case.rows)) for case in report.cases]
+    body = _environment(glyphs).get_template("report.html.j2").render(
+        report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
+        title=title(report), counts=_counts(report.rows), anchors=anchors(report.rows),
+        paired=sum(line.convergence is not None for _, group in groups for line in group),
+        relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
+        overview=signature.overview(report.cases, anchors(report.rows)),
+        drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
+        viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
+        drawn_by=_drawn_by(frames), names={p["key"]: _cited(p) for p in report.papers},
+        published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
+        script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
+    )  # fmt: skip
+    return body.replace("<!--glyphs-->", glyphs.symbols())
+
+
+def title(report: Report) -> str:
+    """What the report is about."""
+    return report.name or "Freewheel clutches: formulas against finite elements"
+
+
+def styles() -> str:
+    """All style sheets of the page."""
+    return "\n".join((HERE / name).read_text("utf-8") for name in STYLES)
+
+
+def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
+    """Where each row stands on the page, by its id."""
+    return {row.id: f"row-{i}" for i, row in enumerate(rows)}
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim as the table of a paper shows it."""
+
+    row: str
+    name: str
+    status: Status
+    formula: str
+    fem: str
+
+
+@dataclass(frozen=True)
+class Said:
+    """What the suite says of one row of a printed table."""
+
+    rows: Sequence[Claim]
+    inputs: Sequence[str]
+    errata: Sequence[str]
+
+
+def claims(cells: Sequence[PaperCell]) -> Said:
+    """Everything that is said of the cells of one printed row, each thing once."""
+    rows = {claim.row: _claim(claim) for cell in cells for claim in cell.rows}
+    inputs = dict.fromkeys(i for cell in cells for i in cell.inputs)
+    errata = dict.fromkeys(e for cell in cells for e in cell.errata)
+    return Said(list(rows.values()), list(inputs), list(errata))
+
+
+def _claim(claim: PaperClaim) -> Claim:
+    fem = formats.number(claim.fem) if claim.fem is not None else ""
+    u = f" ± {formats.number(claim.u, 2)}" if claim.fem is not None and claim.u else ""
+    return Claim(
+        claim.row,
+        claim.row.partition("/")[2],
+        claim.status,
+        formats.number(claim.analytic),
+        fem + u,
+    )
+
+
+def plot(figure: Figure) -> Markup:
+    """The drawing of a figure."""
+    return plots.profile(figure) if isinstance(figure, Profile) else plots.dots(figure)
+
+
+def _environment(glyphs: formats.Glyphs) -> jinja2.Environment:
     env = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined,
     )  # fmt: skip
-    glyphs = formats.Glyphs()
     env.filters |= {
-        "symbol": formats.symbol, "power": formats.power, "maths": glyphs.maths,
-        "signature": drawing.signature, "convergence": drawing.convergence,
-        "number": formats.number, "values": formats.values,
+        "symbol": formats.symbol, "prose": formats.prose, "power": formats.power,
+        "maths": glyphs.maths, "number": formats.number, "values": formats.values,
+        "difference": formats.difference, "tolerance": formats.tolerance,
+        "relative": formats.relative, "order": formats.order, "signature": signature.signature,
+        "convergence": plots.convergence, "sketch": sketch, "plot": plot, "claims": claims,
+        "printed": _printed, "counts": lambda case: _present(case.rows), "anchor": _anchor,
+        "reproduce": _reproduce,
     }  # fmt: skip
-    body = env.get_template("report.html.j2").render(
-        report=report,
-        statuses=tuple(Status),
-        words=WORDS,
-        counts=Counter(row.status for row in report.rows),
-        relaxed=[row for row in report.rows if row.demand is not None and row.demand > 0.01],
-        anchors={row.id: f"row-{i}" for i, row in enumerate(report.rows)},
-        sketch=drawing.sketch,
-        published_by_paper=_by_paper(report),
-        css=Markup((HERE / "report.css").read_text("utf-8")),  # noqa: S704 - the project's own file
+    return env
+
+
+def _printed(row: Row, kind: str) -> str:
+    return ", ".join(p.printed for p in row.published if p.kind == kind)
+
+
+def _anchor(case: CaseResult) -> str:
+    return f"case-{case.id}"
+
+
+def _reproduce(case: CaseResult) -> str:
+    if case.name:
+        return case.command
+    return (
+        f"{case.command}\nfreewheel init {case.id} > my.toml    # then edit it for your own part\n"
+        "freewheel check --fem my.toml"
     )
-    return body.replace("<!--glyphs-->", glyphs.symbols())
+
+
+def _counts(rows: Sequence[Row]) -> Mapping[str, int]:
+    count = Counter(row.status.value for row in rows)
+    return {status.value: count[status.value] for status in Status}
+
+
+def _present(rows: Sequence[Row]) -> list[tuple[Status, int]]:
+    count = Counter(row.status for row in rows)
+    return [(status, count[status]) for status in Status if count[status]]
+
+
+def _cited(paper: Mapping[str, Any]) -> str:
+    return f"{paper['authors']} {paper['year'] or ''}".strip()
 
 
 def _by_paper(report: Report) -> Mapping[str, list[Mapping[str, Any]]]:
@@ -53,3 +199,19 @@ def _by_paper(report: Report) -> Mapping[str, list[Mapping[str, Any]]]:
     for value in report.published:
         found[value["paper"]].append(value)
     return found
+
+
+def _any_views(frames: Mapping[str, Sequence[Frame]]) -> bool:
+    return any(frame.view for group in frames.values() for frame in group)
+
+
+def _drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
+    by = dict.fromkeys(frame.by for group in frames.values() for frame in group if frame.by)
+    return f"Pictures: {'; '.join(by)}." if by else ""
+
+
+def _source(script: str) -> str:
+    """What the content security policy lets run: this script or none."""
+    if not script:
+        return "'none'"
+    return f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"

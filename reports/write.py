@@ -5,11 +5,12 @@ import fcntl
 import io
 import json
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
 from reports.records import report_record
@@ -29,14 +30,17 @@ STAGING = ".part-"
 PRINTED = ("printed_theory", "printed_FEA", "printed_test")
 
 
-def write(report: Report, folder: Path) -> Path:
+def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: str = "") -> Path:
     """report.html, results.json with its schema, rows.csv, junit.xml and a VTU per field.
+
+    `pictures` is a folder that keeps what was drawn for the next run; `hint` says what to install
+    where pyvista can't draw.
 
     errors.txt holds the tracebacks of cases that failed. All files are made before the first
     takes its place; OSError names the one that can't be written.
     """
     with _alone_in(folder), _staging(folder) as staging:
-        for name, content in _files(report):
+        for name, content in _files(report, frames(report.cases, pictures, hint)):
             try:
                 (staging / name).write_bytes(content)
             except OSError as error:
@@ -50,14 +54,14 @@ def write(report: Report, folder: Path) -> Path:
     return folder / "report.html"
 
 
-def _files(report: Report) -> Iterator[tuple[str, bytes]]:
+def _files(report: Report, drawn: Mapping[str, list[Frame]]) -> Iterator[tuple[str, bytes]]:
     schema = Path(__file__).parent / "results.schema.json"
     record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
     yield "results.json", record.encode()
     yield schema.name, schema.read_bytes()
     yield "rows.csv", rows_csv(report.rows).encode()
     yield "junit.xml", junit(report).encode()
-    yield "report.html", page(report).encode()
+    yield "report.html", page(report, drawn).encode()
     yield from vtu_files(report)
     if errors := [f"{case.id}\n{trace}" for case in report.cases for trace in case.errors]:
         yield ERRORS, "\n".join(errors).encode()

@@ -1,0 +1,102 @@
+"""A drawn field in its frame: the bitmap, the outline before loading, colour bar and labels."""
+
+import base64
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from markupsafe import Markup
+
+from reports import svg
+from reports.picture_cache import Drawn
+from reports.pictures import draw
+from verify.results import CaseResult, Picture
+
+NOTHING = Markup("")
+WIDTH = 400.0
+BAR = 180.0  # length of the colour bar
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A picture as the page shows it: `svg`, or `view` where it can be turned."""
+
+    caption: str
+    note: str
+    svg: Markup = NOTHING
+    view: Markup = NOTHING
+    by: str = ""
+
+
+def frames(
+    cases: Sequence[CaseResult], cache: Path | None, hint: str = ""
+) -> Mapping[str, list[Frame]]:
+    """The pictures that each case asks for and has the field of, by case id."""
+    wanted = [
+        (case.id, field, picture)
+        for case in cases
+        for picture in case.pictures
+        for field in case.fields
+        if field.name == picture.field
+    ]
+    drawn = draw([(field, picture) for _, field, picture in wanted], cache, hint=hint)
+    found: dict[str, list[Frame]] = {case.id: [] for case in cases}
+    for (case_id, _, picture), result in zip(wanted, drawn, strict=True):
+        found[case_id].append(frame(picture, result))
+    return found
+
+
+def frame(picture: Picture, drawn: Drawn) -> Frame:
+    """The picture with its outline, colour bar and what its deformation is multiplied by."""
+    k = WIDTH / drawn.width
+    height = k * drawn.height
+    x0, y0, x1, y1 = drawn.rectangle
+
+    def at(point: Sequence[float]) -> tuple[float, float]:
+        return (
+            WIDTH * (point[0] - x0) / (x1 - x0),
+            height * (y1 - point[1]) / (y1 - y0),
+        )
+
+    data = base64.b64encode(drawn.png).decode()
+    body = [
+        Markup(
+            '<image href="data:image/png;base64,{}" width="{:g}" height="{:.1f}" '
+            'preserveAspectRatio="none"/>'
+        ).format(data, WIDTH, height),
+        *(svg.polyline([at(p) for p in line], "outline") for line in drawn.outline),
+        *_colour_bar(picture, drawn, height + 14),
+    ]
+    times = f"displacements × {svg.plain(drawn.exaggeration)}"
+    moved = f"{times[0].upper()}{times[1:]}, dashed: before loading."
+    return Frame(
+        caption=picture.caption,
+        note=f"{moved} {drawn.why[:1].upper()}{drawn.why[1:]}".strip(),
+        svg=svg.drawing(WIDTH, height + 52, body, picture.caption, "frame"),
+        by=drawn.by,
+    )
+
+
+def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
+    """The ramp with round numbers below and the symbol beside it."""
+    name = "ramp-" + sha256(repr((drawn.ramp, picture)).encode()).hexdigest()[:10]
+    last = max(len(drawn.ramp) - 1, 1)
+    stops = Markup("").join(
+        Markup('<stop offset="{:.4f}" stop-color="{}"/>').format(i / last, colour)
+        for i, colour in enumerate(drawn.ramp)
+    )
+    parts = [
+        Markup('<defs><linearGradient id="{}">{}</linearGradient></defs>').format(name, stops),
+        Markup('<rect x="0" y="{:.1f}" width="{:g}" height="9" fill="url(#{})"/>').format(
+            y, BAR, name
+        ),
+        svg.text(BAR + 10, y + 9, f"{picture.symbol} [{picture.unit}]"),
+    ]
+    for value in svg.ticks(drawn.low, drawn.high, 4):
+        x = BAR * (value - drawn.low) / ((drawn.high - drawn.low) or 1.0)
+        parts += [
+            Markup('<path d="M{:.1f},{:.1f}v4" class="outline"/>').format(x, y + 9),
+            svg.text(x, y + 25, svg.plain(value), "", "start" if x < 8 else "middle"),
+        ]
+    return parts
