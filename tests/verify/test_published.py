@@ -101,6 +101,16 @@ def test_a_formula_of_an_erratum_is_drawn_and_says_what_the_plain_text_says(plai
     assert set(re.findall(r"\b\d{2,}\b", tex)) <= set(re.findall(r"\d+", both))
 
 
+@pytest.mark.parametrize(("key", "entry"), EQS)
+def test_a_numbered_equation_is_drawn_with_the_paper_s_numbers(key, entry):
+    tex = entry["tex"]
+    assert "<use" in Glyphs().maths(tex)
+    assert "\\" not in ziamath.Latex(tex).mathmlstr()
+    assert tex.count("{") - tex.count(r"\{") == tex.count("}") - tex.count(r"\}")
+    printed = {value["printed"].lstrip("-") for value in RAW[key]["values"]}
+    assert set(re.findall(r"\d+\.\d+", tex)) <= printed
+
+
 @pytest.mark.parametrize(("key", "entry"), ERRATA)
 def test_formulas_before_and_after_the_correction_differ(key, entry):
     if entry.get("printed_tex"):

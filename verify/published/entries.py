@@ -46,10 +46,14 @@ class Value(Entry):
 
 
 class Equation(Entry):
-    """A numbered equation: implemented (code, and a check that it breaks), argued or missing."""
+    """A numbered equation: implemented (code, and a check that it breaks), argued or missing.
+
+    `tex` is the equation as it is printed, mistakes included.
+    """
 
     number: int = Field(ge=1)
     what: Words
+    tex: Words
     status: Literal["implemented", "argued", "missing"]
     code: str = ""
     test: str = ""
