@@ -43,6 +43,7 @@ class Glyphs:
 
 
 _INDEX = re.compile(r"(?<![\w/.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
+_MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 
 
 def symbol(text: str) -> Markup:
@@ -53,12 +54,13 @@ def symbol(text: str) -> Markup:
 
 
 def prose(text: str) -> Markup:
-    """Running text in which symbols such as k_1 stand with a lowered index."""
+    """Running text in which symbols such as k_1 stand with a lowered index and -2 with a minus."""
 
     def lowered(match: re.Match[str]) -> str:
         return f"<var>{match[1]}<sub>{match[2].strip('{}')}</sub></var>"
 
-    return Markup(_INDEX.sub(lowered, str(escape(text))))  # noqa: S704 - escaped before
+    signed = _MINUS.sub(MINUS, str(escape(text)))
+    return Markup(_INDEX.sub(lowered, signed))  # noqa: S704 - escaped before
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:
@@ -77,7 +79,7 @@ class Shown(NamedTuple):
 
     formula: str
     fem: str
-    u: str
+    u: Markup
 
 
 def values(row: Row) -> Shown:
@@ -85,21 +87,25 @@ def values(row: Row) -> Shown:
     known = [v for v in (row.analytic, row.fem) if v]
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
-        return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}", "")
+        return Shown(
+            number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}", Markup("")
+        )
     if row.kind == "fact" or not known or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
-        return Shown(number(row.analytic, digits), number(row.fem, digits), "")
+        return Shown(number(row.analytic, digits), number(row.fem, digits), Markup(""))
     size = math.floor(math.log10(max(map(abs, known))))
-    decimals = min(1 - math.floor(math.log10(u)), 9 - size)  # nobody compares more than ten digits
+    decimals = min(1 - math.floor(math.log10(u)), 7 - size)  # nobody compares more digits
     if size > 6 or decimals > 12:
-        return Shown(number(row.analytic, 10), number(row.fem, 10), f"{u:.1g}")
+        return Shown(number(row.analytic, 10), number(row.fem, 10), power(u))
     decimals = max(decimals, 0)
 
     def fixed(value: float | None) -> str:
         return "–" if value is None else f"{value:.{decimals}f}".replace("-", MINUS)
 
-    last = math.ceil(u * 10.0**decimals * (1 - 1e-12)) / 10.0**decimals
-    return Shown(fixed(row.analytic), fixed(row.fem), fixed(last) if row.fem is not None else "")
+    if row.fem is None:
+        return Shown(fixed(row.analytic), "–", Markup(""))
+    spread = Markup(fixed(u)) if decimals < 5 and u >= 10.0**-decimals else power(u)  # noqa: S704
+    return Shown(fixed(row.analytic), fixed(row.fem), spread)
 
 
 def difference(row: Row) -> Markup:

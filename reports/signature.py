@@ -10,6 +10,7 @@ from verify.results import CaseResult, Kind, Published, Row, Status
 
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0
+WIDE = 1216.0
 FAR = 1.7  # tolerances from which a dot becomes an arrow
 MARKS = {
     "theory": "M{x:.1f},5v8",
@@ -82,7 +83,7 @@ def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
     """Every row that has a difference as one dot over the cases; a row not run is a hole."""
     shown = [(case, drawn) for case in cases if (drawn := [r for r in case.rows if _drawn(r)])]
     total = sum(len(rows) for _, rows in shown)
-    left, width, gap, mid, half = 34.0, 1216.0, 18.0, 40.0, 22.0
+    left, width, gap, mid, half = 34.0, WIDE, 18.0, 40.0, 22.0
     room = width - left - gap * max(len(shown) - 1, 0)
     parts = [
         svg.text(left - 8, mid - side * half + 4, name, "tick", "end")
@@ -94,7 +95,7 @@ def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
         parts += [
             svg.rectangle(x, mid - half, wide, 2 * half, "band"),
             svg.line(x, mid, x + wide, mid, "zero"),
-            svg.text(x, mid + half + 34, case.name or case.id, "part"),
+            *_name(case, x, wide, mid + half + 34),
         ]
         step = wide / len(rows)
         parts += [
@@ -103,6 +104,13 @@ def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
         ]
         x += wide + gap
     return svg.drawing(width, 100, parts, "difference over tolerance of every row", "overview")
+
+
+def _name(case: CaseResult, x: float, wide: float, y: float) -> list[Markup]:
+    """The case's name below its rows, from the right where it would leave the image."""
+    words = case.name or case.id
+    right = x + 8.0 * len(words) > WIDE
+    return [svg.text(x + wide, y, words, "part", "end") if right else svg.text(x, y, words, "part")]
 
 
 def _drawn(row: Row) -> bool:

@@ -71,8 +71,12 @@ def _dimension(points: Points, label: str) -> Markup:
     if ny > 1e-9 or (abs(ny) <= 1e-9 and nx < 0):  # above, or to the right
         nx, ny = -nx, -ny
     upright = abs(dx) < abs(dy)
-    x, y = (x0 + x1) / 2 + 7 * nx, (y0 + y1) / 2 + 6 * ny + (4 if upright else 0)
-    return parts + svg.text(x, y, label, "sym", "start" if upright else "middle")
+    if upright:  # on the side that looks away from the drawing
+        side = math.copysign(1.0, (x0 + x1) / 2 - WIDTH / 2)
+        anchor = "start" if side > 0 else "end"
+        return parts + svg.text((x0 + x1) / 2 + 7 * side, (y0 + y1) / 2 + 4, label, "sym", anchor)
+    x, y = (x0 + x1) / 2 + 7 * nx, (y0 + y1) / 2 + 6 * ny
+    return parts + svg.text(x, y, label, "sym", "middle")
 
 
 def _leader(points: Points, label: str) -> Markup:

@@ -69,7 +69,8 @@ class PrintedMeasurement(PrintedClaim):
     def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], published(self.reference)
         r = entry.value * units.factor(entry.unit)
-        verdict = judge.Verdict(Status.SHOWN, f"formula {v / r - 1:+.1%}: {NO_UNCERTAINTY}", v - r)
+        said = f"formula {100 * (v / r - 1):+.1f} %: {NO_UNCERTAINTY}"
+        verdict = judge.Verdict(Status.SHOWN, said, v - r)
         return self._row(
             context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
             partner=Partner(by=f"printed {entry.kind} {entry.printed}", value=r),

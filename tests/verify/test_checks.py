@@ -497,7 +497,7 @@ def test_a_measurement_without_stated_scatter_is_shown_and_not_judged():
         assert (row.partner.by, row.partner.value) == ("printed test 0.610", pytest.approx(0.61))
         assert row.difference == pytest.approx(k / 1e3 - 0.61, abs=1e-12)
         assert row.tolerance is None
-    assert row.reason.startswith("formula +900.0%")
+    assert row.reason.startswith("formula +900.0 %")
 
 
 # 2 u = 0.577 N/m around the printed 601

@@ -1,5 +1,7 @@
 """Every case, in the order of the report."""
 
+from difflib import get_close_matches
+
 from verify.case import Case
 from verify.cases.ring import LAME
 from verify.cases.spring_accordion import ACCORDION
@@ -13,4 +15,7 @@ def find(case_id: str) -> Case:
     for case in CASES:
         if case.id == case_id:
             return case
-    raise ValueError(f"unknown case {case_id!r}; known are {', '.join(c.id for c in CASES)}")
+    known = [case.id for case in CASES]
+    near = get_close_matches(case_id, known, n=1)
+    meant = f", did you mean {near[0]}?" if near else ";"
+    raise ValueError(f"unknown case {case_id!r}{meant} known are {', '.join(known)}")

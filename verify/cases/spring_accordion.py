@@ -143,8 +143,11 @@ def fem(q: AccordionInputs, level: int) -> FemResult:
 
 
 def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Any:
-    """Bending moments (m,) of a frame under 1 N where its elements end at `places`."""
-    ends, moments = solved.stations[:, 1], solved.section_forces[:, 1, 2]
+    """Bending moments (m,) under 1 N where elements end at `places`, counted as in Eqs. 1-5.
+
+    There a moment is positive that turns the way of the force, clockwise.
+    """
+    ends, moments = solved.stations[:, 1], -solved.section_forces[:, 1, 2]
     return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])
 
 
@@ -170,7 +173,7 @@ def warnings(q: AccordionInputs, v: Values) -> Sequence[str]:
     found = []
     if v["L0"] / q.b > L0_OVER_B:
         found.append(
-            f"L0/b = {v['L0'] / q.b:.4g} is above {L0_OVER_B} (Eq. 13): the paper expects the "
+            f"L_0/b = {v['L0'] / q.b:.4g} is above {L0_OVER_B} (Eq. 13): the paper expects the "
             "head to move sideways and the formula to lose accuracy"
         )
     if abs(v["k1"] / v["k clean"] - 1) > 0.01:

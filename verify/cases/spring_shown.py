@@ -33,9 +33,7 @@ def sketch(q: Any) -> Sketch:
         Shape(style="axis", points=np.array([[left - 0.3 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
         Shape(style="line", points=line),
         Shape(style="load", points=np.array([[-0.3 * tall, 0.0], [0.0, 0.0]]), label="F"),
-        Shape(style="clamp", points=np.array([[end[0] - wall, end[1]], [end[0] + wall, end[1]]])
-              if abs(end[1]) > 0.2 * tall else
-              np.array([[end[0], end[1] + wall], [end[0], end[1] - wall]])),
+        Shape(style="clamp", points=np.array([[end[0] + wall, end[1]], [end[0] - wall, end[1]]])),
         Shape(style="dimension", label="L_1/2",
               points=np.array([[-0.12 * tall, 0.0], [-0.12 * tall, L1 / 2]])),
         Shape(style="dimension", label=f"n = {q.n}",
