@@ -126,6 +126,12 @@ def test_a_printed_value_has_the_number_a_place_and_a_unit_that_is_known(key, en
     assert units.factor(entry["unit"]) > 0
 
 
+@pytest.mark.parametrize(("key", "entry"), VALUES)
+def test_a_limit_is_a_bound_whose_last_digit_says_nothing(key, entry):
+    if entry["role"] == "limit":
+        assert Value(**entry).standard_uncertainty is None
+
+
 # Numbers that whoever reads the papers finds in them, with places.
 SPOT_CHECKS = [
     ("wang2023:k1-theory", 0.601, "N/mm"),  # Table 1

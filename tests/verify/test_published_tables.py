@@ -1,5 +1,6 @@
 """The papers' tables: as printed, every number a value of the ledger, and what is said of it."""
 
+import json
 import re
 from collections import Counter
 from dataclasses import replace
@@ -7,8 +8,10 @@ from dataclasses import replace
 import pytest
 from pydantic import ValidationError
 
+from reports.records import report_record
 from verify import units
 from verify.cases.registry import CASES
+from verify.commands import make_report
 from verify.ledgers import ledgers
 from verify.paper_tables import claiming_rows, paper_tables
 from verify.published.ledger import Paper, papers, published
@@ -242,3 +245,14 @@ def test_inputs_that_repeat_a_value_are_named_with_their_case(spring):
     used = {e["id"]: e["claimed"] for e in ledgers([spring], CASES)["published"]}
     assert "input b of spring-accordion" in used["b"]
     assert "spring-accordion/stiffness by Eqs. 1-9" in used["k1-theory"]
+
+
+def test_tables_reach_the_results_as_plain_records(spring):
+    endless = tuple(replace(row, u_num=float("inf")) for row in spring.rows)
+    report = make_report([replace(spring, rows=endless)], CASES, 1.0)
+    record = json.loads(json.dumps(report_record(report)["paper_tables"], allow_nan=False))
+    assert [(t["paper"], t["name"]) for t in record] == [(t.paper, t.name) for t in report.tables]
+    theory = record[-1]["rows"][0][1]
+    assert theory["value"] == "wang2023:k1-theory"
+    assert {claim["u"] for claim in theory["rows"]} == {None}
+    assert theory["rows"][0]["status"] == "PASS"
