@@ -7,14 +7,33 @@ from numpy.typing import NDArray
 from PIL import Image
 
 FINER = 3  # pixels are drawn so many times finer, and averaged
+INSIDE, RIM = 207, 48  # colours of a palette for opaque and half transparent pixels
 
 
 def png(rgba: NDArray[np.uint8]) -> bytes:
     """PNG with a palette, of RGBA pixels (FINER height, FINER width, 4) averaged over FINER^2."""
     image = Image.fromarray(np.ascontiguousarray(rgba), "RGBA")
     small = image.convert("RGBa").reduce(FINER).convert("RGBA")  # colours weighted by their alpha
+    pixels = np.asarray(small)
+    indices = np.zeros(pixels.shape[:2], dtype=np.uint8)  # 0 is transparent
+    palette = np.zeros((1, 4), dtype=np.uint8)
+    alpha = pixels[..., 3]
+    # Pillow's only way with transparency is coarse: it would put bands into a smooth field
+    for part, mode, count, method in (
+        (alpha == 255, "RGB", INSIDE, Image.Quantize.MEDIANCUT),
+        ((alpha > 0) & (alpha < 255), "RGBA", RIM, Image.Quantize.FASTOCTREE),
+    ):
+        if part.any():
+            row = Image.fromarray(pixels[part][None]).convert(mode)
+            few = row.quantize(count, method, kmeans=2)
+            indices[part] = np.asarray(few)[0] + len(palette)
+            colours = np.array(few.getpalette(mode), dtype=np.uint8).reshape(-1, len(mode))
+            solid = np.full((len(colours), 4 - len(mode)), 255, dtype=np.uint8)
+            palette = np.concatenate([palette, np.hstack([colours, solid])])
+    result = Image.fromarray(indices, "P")
+    result.putpalette(palette[:, :3].tobytes())
     data = io.BytesIO()
-    small.quantize(256, Image.Quantize.FASTOCTREE).save(data, "PNG", optimize=True)
+    result.save(data, "PNG", optimize=True, transparency=palette[:, 3].tobytes())
     return data.getvalue()
 
 

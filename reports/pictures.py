@@ -19,10 +19,8 @@ from reports.scene import Scene, compose
 from verify.results import Field, Picture
 
 PYVISTA = "reports.render"
-START, EACH = (
-    60.0,
-    3.0,
-)  # seconds to start and for one picture: many times what a busy machine needs
+# seconds to start and for one picture: many times what a busy machine needs
+START, EACH = 60.0, 3.0
 
 
 def draw(

@@ -27,12 +27,16 @@ class Scale:
     high: float
     stops: tuple[str, ...]
 
+    def shares(self, values: Array) -> Array:
+        """Where values lie along the colours, from 0 to 1."""
+        span = self.high - self.low
+        shares = (values - self.low) / span if span > 0 else np.full(len(values), 0.5)
+        return np.asarray(np.clip(shares, 0, 1))
+
     def colours(self, values: Array) -> NDArray[np.uint8]:
         """RGBA (m, 4) of values (m,)."""
         rgb = np.array([_channels(stop) for stop in self.stops or (PLAIN,)], dtype=float)
-        span = self.high - self.low
-        share = (values - self.low) / span if span > 0 else np.full(len(values), 0.5)
-        at = np.clip(share, 0, 1) * (len(rgb) - 1)
+        at = self.shares(values) * (len(rgb) - 1)
         mixed = np.column_stack([np.interp(at, np.arange(len(rgb)), c) for c in rgb.T])
         return np.column_stack([np.rint(mixed), np.full(len(values), 255)]).astype(np.uint8)
 

@@ -1,0 +1,60 @@
+"""A line field swept into a ribbon that can be turned: data for templates/viewer.js."""
+
+import base64
+import json
+from typing import Any
+
+import numpy as np
+from markupsafe import Markup
+
+from reports import ramps
+from reports.bodies import body
+from reports.scene import exaggeration
+from verify.results import Field, Picture
+
+WIDEST_INDEX = 65535  # that 16 bits hold
+STEPS = 20  # of the slider up to the displacement as drawn
+
+
+def viewer(field: Field, picture: Picture) -> Markup:
+    """HTML of the view; colours and range are those of the flat picture of the same field.
+
+    The page brings templates/viewer.js once, and a colour bar if the flat picture beside the view
+    has none. Only plane lines with `Picture.width` can be swept: ValueError for others.
+    """
+    if field.points.shape[1] != 2 or field.cells.shape[-1] != 2:
+        raise ValueError(f"field {field.name!r}: only lines in a plane become a ribbon")
+    if not picture.width:
+        raise ValueError(f"field {field.name!r}: a ribbon needs a width")
+    shown = body(field, picture)
+    by = exaggeration(shown)
+    values = shown.values
+    scale = ramps.plain() if values is None else ramps.scale(values)
+    shares = np.zeros(len(shown.cells)) if values is None else scale.shares(values)
+    wide = len(shown.points) > WIDEST_INDEX
+    packed = {
+        "points": _base64(shown.points[:, :2], "<f4"),
+        "displacement": _base64(shown.displacement[:, :2], "<f4"),
+        "shares": _base64(shares, "<f4"),
+        "cells": _base64(shown.cells, "<u4" if wide else "<u2"),
+        "wide": wide, "width": picture.width, "ramp": scale.stops or (ramps.PLAIN,),
+    }  # fmt: skip
+    return Markup(
+        '<div class="view"><canvas tabindex="0" role="application" aria-label="{}: view in space. '
+        'Arrow keys or dragging turn it, plus and minus zoom, R resets."></canvas>'
+        '<script type="application/json">{}</script>'
+        '<p class="controls"><label>Displacement <input type="range" min="0" max="{}" step="{}" '
+        'value="{}"></label> <output>× {}</output> <span>Drag or arrow keys turn, + and − zoom, '
+        "R resets.</span></p></div>"
+    ).format(
+        picture.caption, _plain(packed), *(f"{x:g}" for x in (2 * by, by / STEPS or 1, by, by))
+    )
+
+
+def _base64(values: np.ndarray[Any, Any], kind: str) -> str:
+    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()
+
+
+def _plain(data: Any) -> Markup:
+    """JSON inside a script element: numbers, base64 and colours, in which no tag can end."""
+    return Markup(json.dumps(data).replace("<", "\\u003c"))  # noqa: S704
