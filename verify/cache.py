@@ -163,10 +163,10 @@ def _counts(name: str) -> bool:
     """Whether `name` is a module on which a finite-element result may depend."""
     if not (name.partition(".")[0] in ("fem", "meshes") or name.startswith("verify.cases.")):
         return False
-    try:
-        return find_spec(name) is not None
-    except ModuleNotFoundError:  # the last part is a name inside a module
-        return False
+    parent = find_spec(name.rpartition(".")[0] or name)
+    if parent is None or parent.submodule_search_locations is None:
+        return False  # the last part is a name inside a module, which asking would import
+    return find_spec(name) is not None
 
 
 def _reached(start: set[str]) -> set[str]:

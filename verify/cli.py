@@ -4,7 +4,7 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Literal
 
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(_name, "1")  # processes run side by side, and small solves gain nothing
@@ -24,11 +24,30 @@ app = App(
 BAD_INPUT = 2
 
 
+def _whole(_type: Any, tokens: Any) -> int:
+    """A whole number; cyclopts by itself would round 1.5."""
+    given = str(tokens[0].value)
+    if not given.lstrip("+-").isdecimal():
+        raise ValueError(f"needs a whole number, got {given!r}")
+    return int(given)
+
+
+def _case_ids(_context: Any) -> list[str]:
+    """What a shell offers where a case is named."""
+    from verify.cases.registry import CASES
+
+    return [case.id for case in CASES]
+
+
+Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=_whole)]
+CaseId = Annotated[str, Parameter(completer=_case_ids)]
+
+
 @app.command
 def verify(
-    *cases: str,
+    *cases: CaseId,
     quick: bool = False,
-    jobs: Annotated[int, Parameter(name=("--jobs", "-j"))] = 0,
+    jobs: Jobs = 0,
     out: Path | None = None,
     cache: bool = True,
 ) -> int:
@@ -59,7 +78,7 @@ def check(
     *,
     fem: bool = False,
     json: bool = False,
-    jobs: Annotated[int, Parameter(name=("--jobs", "-j"))] = 0,
+    jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
     """Put the parameters of a file through the formulas and warn where they leave their range.
@@ -80,6 +99,71 @@ def check(
     from verify.commands import run_check
 
     return run_check(file, use_fem=fem, as_json=json, jobs=jobs, use_cache=cache)
+
+
+@app.command
+def init(case: CaseId, /, *, out: Path | None = None) -> int:
+    """Print a commented parameter file of a case with the paper's numbers.
+
+    Parameters
+    ----------
+    case
+        The case; see `freewheel list`.
+    out
+        File to write instead; one that exists is never overwritten.
+    """
+    from verify.template import run_init
+
+    return run_init(case, out)
+
+
+@app.command
+def explain(
+    *row: CaseId,
+    json: bool = False,
+    jobs: Jobs = 0,
+    cache: bool = True,
+) -> int:
+    """Show how a row was judged, number by number; a parameter file may stand last.
+
+    Parameters
+    ----------
+    row
+        The row's name, a part of it, or words that it contains.
+    json
+        Print JSON instead of text.
+    jobs
+        Processes, 0 for one a core.
+    cache
+        Reuse finite-element results of earlier runs.
+    """
+    from verify.explain import run_explain
+
+    return run_explain(row, as_json=json, jobs=jobs, use_cache=cache)
+
+
+@app.command
+def doctor(*, json: bool = False) -> int:
+    """Say what this machine has and lacks for a run, and what to install.
+
+    Parameters
+    ----------
+    json
+        Print JSON instead of text.
+    """
+    from verify.doctor import run_doctor
+
+    return run_doctor(as_json=json)
+
+
+@app.command
+def completion(shell: Literal["bash", "zsh", "fish"], /) -> int:
+    """Print the completion script of a shell; `--install-completion` sets it up."""
+    print(app.generate_completion(shell=shell))
+    return 0
+
+
+app.register_install_completion_command(help="Set up completion for the shell in use.")
 
 
 @app.command(name="list")
@@ -107,6 +191,8 @@ def run(arguments: list[str]) -> int:
     except BrokenPipeError:  # `freewheel ... | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except ImportError as error:
+        return _complain(f"{error}: see freewheel doctor")
     except (ValueError, OSError) as error:
         return _complain(str(error))
 

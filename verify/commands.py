@@ -137,7 +137,8 @@ def _print_check(name: str, case: Case, result: CaseResult, values: Any, use_fem
     print(f"{name}: {case.title} ({case.id})")
     for entry in result.inputs:
         unit = "" if entry.unit == "1" else f" {entry.unit}"
-        print(f"  {entry.symbol:8} {entry.value}{unit}   {entry.what}")
+        value = f"{entry.value:.6g}" if isinstance(entry.value, float) else entry.value
+        print(f"  {entry.symbol:8} {value}{unit}   {entry.what}")
     print("formulas")
     for out in case.outputs:
         if out.key in values:

@@ -7,6 +7,7 @@ missing before there is a virtual environment. This is the one list of libraries
 from __future__ import annotations
 
 import ctypes
+import importlib
 import importlib.util
 import signal
 import subprocess
@@ -95,16 +96,20 @@ def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
     return f"pyvista cannot draw off-screen ({problem})" + (f"; {remedy}" if remedy else "")
 
 
-def missing_for_meshes(error: Exception) -> str:
-    """What the failure to import gmsh means in one line with the packages; "" if it is no such."""
-    text = str(error)
-    if isinstance(error, ImportError):
-        return f"{text}: the virtual environment is incomplete; see freewheel doctor"
-    named = [library for library, _, _ in LIBRARIES if text.startswith(f"{library}:")]
-    if not named:
-        return ""
-    absent = [x for x, _, need in LIBRARIES if x in named or (need == MESHES and not loads(x))]
-    return f"gmsh makes the meshes and needs {', '.join(absent)}: {install_line(absent)}"
+def missing_for_meshes(problem: str) -> str:
+    """What an import of gmsh that failed with `problem` means, with the packages to install."""
+    absent = [x for x, _, of in LIBRARIES if f"{x}:" in problem or (of == MESHES and not loads(x))]
+    if absent:
+        return f"gmsh, which makes the meshes, needs {', '.join(absent)}: {install_line(absent)}"
+    return f"gmsh, which makes the meshes, cannot be imported ({problem}): see freewheel doctor"
+
+
+def require_gmsh() -> None:
+    """Raise OSError, in one line with the packages to install, where gmsh cannot be imported."""
+    try:
+        importlib.import_module("gmsh")  # by name: what asks for libraries needs no gmsh itself
+    except (ImportError, OSError) as error:
+        raise OSError(missing_for_meshes(str(error))) from error
 
 
 def main() -> int:

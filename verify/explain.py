@@ -1,6 +1,7 @@
 """The command `explain`: find a row by its name and print how it was judged."""
 
 import json
+import os
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from pathlib import Path
@@ -20,9 +21,8 @@ LISTED = 12
 
 def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bool) -> int:
     """Explain the row that `words` name, on the parameters of the file if the last word is one."""
-    *named, last = words
-    path = Path(last) if last.endswith(".toml") or Path(last).is_file() else None
-    wanted = " ".join(named if path else words)
+    path = _file(words[-1]) if words else None
+    wanted = " ".join(words[:-1] if path else words)
     if path is None:
         known = {row: case for case in CASES for row in row_ids(case, case.inputs(), paper=True)}
         row_id = find_row(wanted, list(known))
@@ -35,6 +35,13 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
     row = next(row for row in result.rows if row.id == row_id)
     print(_json(row) if as_json else _text(row))
     return 1 if row.status in (Status.FAIL, Status.SKIP) else 0
+
+
+def _file(word: str) -> Path | None:
+    """A parameter file, also one that cannot be read, for reading it says why."""
+    path = Path(word)
+    named = word.endswith(".toml") or path.is_file() or (os.sep in word and path.is_dir())
+    return path if named else None
 
 
 def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
@@ -71,8 +78,10 @@ def find_row(wanted: str, ids: Sequence[str], where: str = "") -> str:
         if found:
             raise InputError(f"{len(found)} rows match {wanted!r}: {_listed(found)}")
     near = get_close_matches(text, [i.lower() for i in ids], n=3, cutoff=0.3)
-    meant = [i for i in ids if i.lower() in near] or ids
-    raise InputError(f"no row{where} matches {wanted!r}; near are: {_listed(meant)}")
+    meant = [i for i in ids if i.lower() in near]
+    cases = ", ".join(dict.fromkeys(i.partition("/")[0] for i in ids))
+    hint = f"near are: {_listed(meant)}" if meant else f"the cases are {cases}"
+    raise InputError(f"no row{where} matches {wanted!r}; {hint}")
 
 
 def _listed(ids: Sequence[str]) -> str:

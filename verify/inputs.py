@@ -224,7 +224,7 @@ def _with_unit(value: Any, unit: str) -> str:
 
 def _shown(value: Any, unit: str) -> Any:
     if isinstance(value, float):
-        return float(f"{value / units.factor(unit):.12g}")
+        return float(f"{value / units.factor(unit):.15g}")  # no 19.439999999999998
     return value
 
 

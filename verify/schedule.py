@@ -9,6 +9,7 @@ from typing import Any
 
 from verify import cache, durations
 from verify.case import Case
+from verify.environment import require_gmsh
 from verify.inputs import Inputs
 from verify.progress import Show, State
 from verify.results import CaseResult
@@ -50,6 +51,7 @@ def run(
 ) -> list[CaseResult]:
     """Solve what the cache does not hold and judge every job; results in the order of `jobs`.
 
+    OSError names what is missing where gmsh cannot start and something is to be solved.
     `processes` 0 solves in this process. `show` follows the state, `warn` takes what the user
     should know of at once.
     """
@@ -60,6 +62,8 @@ def run(
     solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
     missing = [n for n in wanted if n not in solved]
     tasks = [Task(jobs[i].case, jobs[i].inputs, level, cache_folder) for i, level in missing]
+    if tasks:
+        require_gmsh()  # a machine without its libraries is no red row
     remaining = Round(tasks, processes=processes, done=len(solved), show=show, warn=warn)
     solved |= {missing[n]: answer for n, answer in remaining.solve()}
     return [
