@@ -42,7 +42,8 @@ class Glyphs:
         return "".join(self._known.values())
 
 
-_INDEX = re.compile(r"(?<![\w/.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
+_INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
+_POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 
 
@@ -54,13 +55,13 @@ def symbol(text: str) -> Markup:
 
 
 def prose(text: str) -> Markup:
-    """Running text in which symbols such as k_1 stand with a lowered index and -2 with a minus."""
+    """Running text in which symbols such as k_1 stand with a lowered index, m^2 with a power."""
 
     def lowered(match: re.Match[str]) -> str:
         return f"<var>{match[1]}<sub>{match[2].strip('{}')}</sub></var>"
 
-    signed = _MINUS.sub(MINUS, str(escape(text)))
-    return Markup(_INDEX.sub(lowered, signed))  # noqa: S704 - escaped before
+    raised = _POWER.sub(r"<sup>\1</sup>", str(escape(text)))
+    return Markup(_INDEX.sub(lowered, _MINUS.sub(MINUS, raised)))  # noqa: S704 - escaped before
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:
@@ -74,11 +75,18 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
     return f"{value:.{digits}g}".replace("-", MINUS)
 
 
+def small(value: float | None, digits: int = 6) -> str | Markup:
+    """A number, as a power of ten where its decimals would not be read."""
+    if value is not None and 0 < abs(value) < 1e-4:
+        return power(value)
+    return number(value, digits)
+
+
 class Shown(NamedTuple):
     """Formula, FE and the uncertainty of FE with one number of decimals; u is empty without one."""
 
     formula: str
-    fem: str
+    fem: str | Markup
     u: Markup
 
 
@@ -92,7 +100,7 @@ def values(row: Row) -> Shown:
         )
     if row.kind == "fact" or not known or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
-        return Shown(number(row.analytic, digits), number(row.fem, digits), Markup(""))
+        return Shown(number(row.analytic, digits), small(row.fem, digits), Markup(""))
     size = math.floor(math.log10(max(map(abs, known))))
     decimals = min(1 - math.floor(math.log10(u)), 7 - size)  # nobody compares more digits
     if size > 6 or decimals > 12:

@@ -28,7 +28,7 @@ def sketch(q: Any) -> Sketch:
     low, high = line.min(axis=0), line.max(axis=0)
     L1, tall = q.L1 / mm, float(high[1] - low[1])
     left, right = float(low[0]), float(high[0])
-    wall = 0.16 * tall
+    wall = 0.06 * tall
     shapes = (
         Shape(style="axis", points=np.array([[left - 0.3 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
         Shape(style="line", points=line),
