@@ -15,7 +15,7 @@ from verify.files import write_whole
 Level = tuple[str, int]
 
 COST_EXPONENT = 2.0  # plane meshes: cells grow with the square of the level
-FINEST_SECONDS = 1.0  # of a case's finest level where nothing was ever measured
+FINEST_SECONDS = 5.0  # of a case's finest level where nothing was ever measured
 OVERRUN = 0.5  # a level beyond its expectation takes another half of what it took
 FILE = "durations.json"
 

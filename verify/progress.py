@@ -2,12 +2,14 @@
 
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TextIO
 
 EVERY = 5.0  # s between two lines
 FIRST = 2.0  # s before the first: short runs need none
+MOST_NAMES = 2
 
 
 @dataclass(frozen=True)
@@ -38,20 +40,28 @@ def shown(*, quiet: bool) -> Iterator[Show]:
 class Lines:
     """Plain lines on stderr, at most one every few seconds."""
 
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        self.clock = clock
+    def __init__(
+        self, clock: Callable[[], float] = time.monotonic, stream: TextIO | None = None
+    ) -> None:
+        self.clock, self.stream = clock, stream or sys.stderr
         self.next = clock() + FIRST
 
     def __call__(self, state: State) -> None:
         if self.clock() >= self.next and state.running:
             self.next = self.clock() + EVERY
-            print(line(state), file=sys.stderr, flush=True)
+            print(line(state), file=self.stream, flush=True)
 
 
 def line(state: State) -> str:
     """One line: "finite elements 12 of 48, spring-continuum level 8, about 14 s left"."""
-    parts = [f"finite elements {state.done} of {state.total}", *state.running]
-    return ", ".join([*parts, f"about {duration(state.remaining)} left"])
+    left = f"about {duration(state.remaining)} left"
+    return f"finite elements {state.done} of {state.total}, {names(state.running)}, {left}"
+
+
+def names(running: Sequence[str]) -> str:
+    """The levels under way, two at most."""
+    more = f" and {len(running) - MOST_NAMES} more" if len(running) > MOST_NAMES else ""
+    return ", ".join(running[:MOST_NAMES]) + more
 
 
 def duration(seconds: float) -> str:
@@ -71,12 +81,16 @@ def _bar() -> Iterator[Show]:
         TextColumn("finite elements"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
         TextColumn("{task.fields[left]}"), TextColumn("{task.description}", style="dim"),
     )  # fmt: skip
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=None, left="")
+    bar = Progress(*columns, console=Console(stderr=True), transient=True)
+    task = bar.add_task("", total=None, left="")
 
-        def show(state: State) -> None:
-            left = f"about {duration(state.remaining)} left" if state.running else ""
-            what = ", ".join(state.running)
-            bar.update(task, completed=state.done, total=state.total, description=what, left=left)
+    def show(state: State) -> None:
+        left = f"about {duration(state.remaining)} left" if state.running else ""
+        what = names(state.running)
+        bar.update(task, completed=state.done, total=state.total, description=what, left=left)
+        bar.start()  # not before there is something to solve
 
+    try:
         yield show
+    finally:
+        bar.stop()

@@ -58,7 +58,7 @@ class Done:
         if self.state is None:
             return "no level was under way"
         done = f"{self.state.done} of {self.state.total} levels are"
-        return f"{done} kept" if self.stored else f"{done} solved, and not stored"
+        return f"{done} kept for the next run" if self.stored else f"{done} solved, and not stored"
 
 
 def _writable_cache(work: Sequence[Job]) -> Path | None:

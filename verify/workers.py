@@ -154,10 +154,11 @@ def _serve(function: Callable[[Any], Any], tasks: connection.Connection) -> None
         except EOFError:
             return
         try:
-            answer = function(pickle.loads(sent))  # noqa: S301 - from the parent
+            answer = pickle.dumps(function(pickle.loads(sent)))  # noqa: S301 - from the parent
         except Exception as error:
-            answer = Lost(f"{type(error).__name__}: {error}", traceback.format_exc())
-        tasks.send(answer)
+            lost = Lost(f"{type(error).__name__}: {error}", traceback.format_exc())
+            answer = pickle.dumps(lost)
+        tasks.send_bytes(answer)
 
 
 def _end_with_parent() -> None:

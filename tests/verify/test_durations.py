@@ -1,0 +1,85 @@
+"""Remaining time: a plain estimate from measured levels and a cost model."""
+
+import json
+
+import pytest
+
+from verify import durations
+from verify.durations import FINEST_SECONDS, expected_seconds, refined, remaining_seconds
+
+
+def test_a_level_takes_what_it_took():
+    known = {("ring", 2): 0.3, ("ring", 4): 0.4}
+    assert expected_seconds([("ring", 4)], known) == {("ring", 4): 0.4}
+
+
+def test_an_unknown_level_is_scaled_from_the_nearest_of_its_case_with_the_square():
+    known = {("ring", 2): 0.5, ("ring", 8): 4.0, ("spring", 16): 99.0}
+    expected = expected_seconds([("ring", 16), ("ring", 1)], known)
+    assert expected == {("ring", 16): 4.0 * 4, ("ring", 1): 0.5 / 4}
+
+
+def test_an_unknown_case_costs_at_its_finest_level_what_the_others_do():
+    known = {("a", 8): 3.0, ("a", 4): 1.0, ("b", 32): 5.0, ("c", 2): 7.0}
+    expected = expected_seconds([("new", 6), ("new", 3)], known)
+    assert expected == {("new", 6): 5.0, ("new", 3): 5.0 / 4}
+
+
+def test_where_nothing_is_known_the_finest_levels_come_first():
+    expected = expected_seconds([("a", 4), ("a", 2), ("b", 64), ("b", 32)], {})
+    assert expected["a", 4] == expected["b", 64] == FINEST_SECONDS > expected["b", 32]
+
+
+def test_earlier_durations_are_taken_at_the_pace_of_this_run():
+    """A machine, or an hour, that is twice as slow: 6 s for what took 3 s."""
+    earlier = {("a", 8): 2.0, ("a", 4): 1.0, ("b", 8): 5.0}
+    now = refined(earlier, {("a", 8): 4.4, ("a", 4): 1.6})
+    assert now == {("a", 8): 4.4, ("a", 4): 1.6, ("b", 8): pytest.approx(10.0)}
+
+
+@pytest.mark.parametrize("measured", [{}, {("new", 1): 3.0}])
+def test_without_a_level_in_common_the_pace_is_the_earlier_one(measured):
+    assert refined({("a", 8): 2.0}, measured) == {("a", 8): 2.0} | measured
+
+
+@pytest.mark.parametrize(
+    ("running", "waiting", "processes", "left"),
+    [
+        pytest.param([], [], 2, 0.0, id="nothing left"),
+        pytest.param([], [3.0, 2.0, 1.0], 1, 6.0, id="one after the other"),
+        pytest.param([], [3.0, 2.0, 1.0], 2, 3.0, id="two processes"),
+        pytest.param([], [3.0, 2.0], 8, 3.0, id="more processes than levels"),
+        pytest.param([(10.0, 4.0)], [1.0, 1.0], 2, 6.0, id="a long level under way"),
+        pytest.param([(10.0, 4.0), (2.0, 1.0)], [3.0, 3.0], 2, 7.0, id="two under way"),
+        pytest.param([(1.0, 4.0)], [], 1, 2.0, id="beyond what was expected: half as long again"),
+    ],
+)
+def test_what_is_left_by_hand(running, waiting, processes, left):
+    assert remaining_seconds(running, waiting, processes) == pytest.approx(left)
+
+
+def test_durations_are_kept_and_added_to(tmp_path):
+    durations.store(tmp_path, {("ring-lame", 16): 3.25})
+    durations.store(tmp_path, {("ring-lame", 16): 3.5, ("spring, two words", 2): 0.125})
+    assert durations.load(tmp_path) == {("ring-lame", 16): 3.5, ("spring, two words", 2): 0.125}
+    assert [p.name for p in tmp_path.iterdir()] == ["durations.json"]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"{", b"[1]", b"3", b"\xff", b"[" * 100_000, b'{"a": 1, "a x": 2, "a 2": -1, "a 3": "4"}',
+     b'{"a 1": NaN, "a 2": Infinity, "a 3": null, "a 4": 0, " 5": 1, "a -6": 1}'],
+    ids=["empty", "torn", "list", "number", "bytes", "deep", "odd", "not finite"],
+)  # fmt: skip
+def test_a_file_that_makes_no_sense_is_no_knowledge(content, tmp_path):
+    (tmp_path / "durations.json").write_bytes(content)
+    assert durations.load(tmp_path) == {}
+
+
+def test_a_folder_without_the_file_knows_nothing(tmp_path):
+    assert durations.load(tmp_path / "nowhere") == {}
+
+
+def test_one_odd_entry_does_not_hide_the_others(tmp_path):
+    (tmp_path / "durations.json").write_text(json.dumps({"a 1": "x", "a 2": 3}))
+    assert durations.load(tmp_path) == {("a", 2): 3.0}
