@@ -172,8 +172,11 @@ def frame_pictures(q: Any) -> Sequence[Picture]:
     )  # fmt: skip
 
 
-def body_pictures(_: Any) -> Sequence[Picture]:
+def body_pictures(q: Any) -> Sequence[Picture]:
+    loop = (-0.8 * q.R, q.L1 / 2 - 0.8 * q.R, 2.8 * q.R, q.L1 / 2 + 1.9 * q.R)
     return (
         Picture(field="plane stress", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
                 caption="Von Mises stress under 1 N, plane stress, cell means"),
+        Picture(field="plane stress", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+                caption="The same in the head's loop", window=loop),
     )  # fmt: skip
