@@ -94,7 +94,7 @@ class Round:
         self.folder = tasks[0].folder if tasks else None
         self.earlier = durations.load(self.folder) if self.folder else {}
         self.measured: dict[durations.Level, float] = {}
-        self.processes = min(processes, len(tasks))
+        self.processes = max(1, min(processes, len(tasks)))
         self.pool = Pool(solve_task, self.processes) if processes else Here(solve_task)
 
     def solve(self) -> Iterator[tuple[int, Solved]]:

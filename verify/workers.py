@@ -156,8 +156,8 @@ def _serve(function: Callable[[Any], Any], tasks: connection.Connection) -> None
         try:
             answer = pickle.dumps(function(pickle.loads(sent)))  # noqa: S301 - from the parent
         except Exception as error:
-            lost = Lost(f"{type(error).__name__}: {error}", traceback.format_exc())
-            answer = pickle.dumps(lost)
+            reason = f"{type(error).__name__}: {' '.join(str(error).split())}"
+            answer = pickle.dumps(Lost(reason, traceback.format_exc()))
         tasks.send_bytes(answer)
 
 

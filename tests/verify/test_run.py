@@ -1,0 +1,242 @@
+"""One case that goes wrong is red; the others are judged as usual, and nothing is solved twice."""
+
+import os
+from dataclasses import replace
+
+import pytest
+
+from verify import schedule
+from verify.case import Case, FemResult
+from verify.cases.ring import LAME
+from verify.checks import Fact
+from verify.inputs import Inputs, quantity
+from verify.results import Status
+from verify.run import Job
+from verify.schedule import run
+from verify.workers import Lost
+
+
+class Beam(Inputs):
+    L: float = quantity("1 m", "mm", "L", "length")
+
+
+def made_up(inputs, level):
+    return FemResult(h=1 / level, values={"v": inputs.L})
+
+
+def boom(*_):
+    raise KeyError("no such\n key")
+
+
+def late(*_):
+    yield from ()
+    raise RuntimeError("in the middle")
+
+
+def holds(name, margin=lambda _context: (1.0, 0.0), **more):
+    return Fact(name=name, symbol="x", unit="1", margin=margin, **more)
+
+
+CASE = Case(
+    id="ring-made-up", title="", paper="", place="", lead="", inputs=Beam,
+    analytic=lambda q: {"v": q.L}, fem=made_up, levels=(1, 2, 4), outputs=(),
+    checks=(holds("with elements"), holds("formula alone", fem_needed=False)),
+)  # fmt: skip
+OTHER = replace(CASE, id="ring-other")
+
+
+def rows_of(result):
+    return {row.quantity: (row.status.value, row.reason) for row in result.rows}
+
+
+def here(case, **more):
+    """The case beside a healthy one, solved in this process."""
+    bad, good = run([Job(case, Beam()), Job(OTHER, Beam())], processes=0, **more)
+    assert {row.status for row in good.rows} == {Status.PASS}
+    assert good.errors == ()
+    return bad
+
+
+def test_a_case_without_faults_has_no_errors():
+    result = here(CASE)
+    assert set(rows_of(result).values()) == {("PASS", "held")}
+    assert result.errors == ()
+
+
+@pytest.mark.parametrize(
+    "part", ["equations", "warnings", "tables", "figures", "pictures", "sketch"]
+)
+@pytest.mark.parametrize(
+    ("fault", "reason"),
+    [(boom, "KeyError: 'no such\\n key'"), (late, "RuntimeError: in the middle")],
+    ids=["at once", "while its items are made"],
+)
+def test_a_part_that_raises_is_a_red_row_and_the_rest_is_judged(part, fault, reason):
+    if part == "sketch" and fault is late:
+        pytest.skip("a sketch is one object, not a sequence")
+    result = here(replace(CASE, **{part: fault}))
+    rows = rows_of(result)
+    assert rows.pop(part) == ("FAIL", reason)
+    assert set(rows.values()) == {("PASS", "held")}
+    assert not getattr(result, part)
+    assert len(result.errors) == 1
+    assert f"in {fault.__name__}\n" in result.errors[0]
+
+
+def test_formulas_that_raise_turn_every_row_red_by_its_name():
+    result = here(replace(CASE, analytic=boom, equations=lambda _q, values: values["v"]))
+    reason = ("FAIL", "KeyError: 'no such\\n key'")
+    assert rows_of(result) == dict.fromkeys(("with elements", "formula alone", "formulas"), reason)
+    assert len(result.errors) == 1  # no second one about equations without values
+
+
+def test_a_check_that_raises_turns_its_own_rows_red():
+    bad = holds("with elements", boom)
+    rows = rows_of(here(replace(CASE, checks=(bad, CASE.checks[1]))))
+    assert rows["with elements"] == ("FAIL", "KeyError: 'no such\\n key'")
+    assert rows["formula alone"] == ("PASS", "held")
+
+
+def test_a_check_that_cannot_even_name_its_rows_turns_one_red():
+    class Broken(Fact):
+        rows = skipped = boom
+
+    broken = Broken(name="beyond help", symbol="", unit="1", margin=boom)
+    result = here(replace(CASE, checks=(broken,)))
+    assert rows_of(result) == {"beyond help": ("FAIL", "KeyError: 'no such\\n key'")}
+    assert len(result.errors) == 2
+
+
+@pytest.mark.parametrize(
+    ("error", "reason", "traced"),
+    [
+        (ArithmeticError("residual 1e+00"), "not converged: level 4: residual 1e+00", 0),
+        (ZeroDivisionError("by zero"), "level 4: ZeroDivisionError: by zero", 1),
+        (Exception("gmsh says\n  no"), "level 4: Exception: gmsh says no", 1),
+        (MemoryError(), "level 4: MemoryError", 1),
+        (AssertionError(), "level 4: AssertionError", 1),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reason, traced):
+    def fem(inputs, level):
+        if level == 4:
+            raise error
+        return made_up(inputs, level)
+
+    result = here(replace(CASE, fem=fem))
+    assert rows_of(result) == {
+        "with elements": ("FAIL", reason), "formula alone": ("PASS", "held")
+    }  # fmt: skip
+    assert len(result.errors) == traced
+
+
+def test_finite_elements_that_no_row_needs_still_turn_the_case_red():
+    result = here(replace(CASE, fem=boom, checks=CASE.checks[1:]))
+    assert rows_of(result)["finite elements"][0] == "FAIL"
+
+
+def test_ctrl_c_is_no_fault_of_a_case():
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    for part in ("fem", "analytic", "tables"):
+        with pytest.raises(KeyboardInterrupt):
+            run([Job(replace(CASE, **{part: stop}), Beam())], processes=0)
+
+
+class Dying:
+    """In place of the processes: the finest level's dies whenever it is tried."""
+
+    def __init__(self, function, _processes):
+        self.function, self.running = function, {}
+
+    def answers(self, count, task):
+        for n in range(count):
+            asked = task(n)
+            died = asked.case is CASE and asked.level == 4
+            yield n, Lost("the process died (signal 9)") if died else self.function(asked)
+
+
+def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone(monkeypatch):
+    monkeypatch.setattr(schedule, "Pool", Dying)
+    bad, good = run([Job(CASE, Beam()), Job(OTHER, Beam())], processes=2)
+    assert rows_of(bad)["with elements"] == ("FAIL", "level 4: the process died (signal 9)")
+    assert rows_of(bad)["formula alone"] == ("PASS", "held")
+    assert {row.status for row in good.rows} == {Status.PASS}
+
+
+def test_a_case_that_another_process_does_not_know_is_red():
+    case = replace(CASE, analytic=lambda _q: {})
+    (result,) = run([Job(case, LAME.inputs())], processes=1)
+    assert "unknown case 'ring-made-up'" in rows_of(result)["with elements"][1]
+
+
+# The cache and the order of levels.
+
+
+def counting(case, solved):
+    def fem(inputs, level):
+        solved.append((case.id, level))
+        return made_up(inputs, level)
+
+    # the cache knows a function by its source: that of `fem` above
+    return replace(case, fem=fem)
+
+
+def test_what_is_stored_is_not_solved_again(tmp_path):
+    solved = []
+    case = counting(CASE, solved)
+    run([Job(replace(case, levels=(1, 4)), Beam())], processes=0, cache_folder=tmp_path)
+    assert solved == [("ring-made-up", 4), ("ring-made-up", 1)]
+    run([Job(case, Beam())], processes=0, cache_folder=tmp_path)
+    assert solved[2:] == [("ring-made-up", 2)]
+
+
+def test_without_a_cache_everything_is_solved_and_nothing_stored(tmp_path, monkeypatch):
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+    solved = []
+    for _ in range(2):
+        run([Job(counting(CASE, solved), Beam())], processes=0)
+    assert len(solved) == 6
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_longest_levels_come_first_as_measured_in_earlier_runs(tmp_path):
+    from verify import durations
+
+    durations.store(tmp_path, {("ring-made-up", 4): 1.0, ("ring-other", 4): 9.0})
+    solved = []
+    jobs = [Job(counting(case, solved), Beam()) for case in (CASE, OTHER)]
+    run(jobs, processes=0, cache_folder=tmp_path)
+    short, long = "ring-made-up", "ring-other"  # 9, 9/4, 1, 9/16, 1/4, 1/16
+    assert solved == [(long, 4), (long, 2), (short, 4), (long, 1), (short, 2), (short, 1)]
+    assert set(durations.load(tmp_path)) == set(solved)
+
+
+def test_a_disk_that_fills_is_mentioned_once_and_the_run_goes_on(tmp_path, monkeypatch):
+    from verify import cache
+
+    tried = []
+
+    def full(*_):
+        tried.append(1)
+        raise OSError(28, os.strerror(28), "somewhere")
+
+    monkeypatch.setattr(cache, "store", full)
+    said = []
+    result = here(CASE, cache_folder=tmp_path, warn=said.append)
+    assert {row.status for row in result.rows} == {Status.PASS}
+    assert len(said) == 1
+    assert "No space left on device" in said[0]
+    assert len(tried) == 1  # and nothing is tried again
+
+
+def test_the_state_counts_what_the_cache_held(tmp_path):
+    run([Job(replace(CASE, levels=(1, 4)), Beam())], processes=0, cache_folder=tmp_path)
+    states = []
+    run([Job(CASE, Beam())], processes=0, cache_folder=tmp_path, show=states.append)
+    assert [(s.done, s.total) for s in states] == [(3, 3)]
+    states.clear()
+    run([Job(CASE, Beam())], processes=0, cache_folder=tmp_path, show=states.append)
+    assert states == []  # nothing to say when all is there
