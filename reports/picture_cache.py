@@ -20,8 +20,8 @@ import numpy as np
 from verify.results import Array, Field, Picture
 
 CODE = (
-    "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "ramps", "raster", "render",
-    "scene",
+    "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "polygons", "ramps", "raster",
+    "render", "scene",
 )  # fmt: skip
 LIBRARIES = ("numpy", "matplotlib", "pillow", "pyvista", "vtk")
 # what OpenGL is made of on Linux: after an installation pyvista is tried anew

@@ -1,0 +1,81 @@
+"""Cells in pixels as quadrilaterals with colours, those in front last."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reports.outlines import Indices, edges
+from verify.results import Array
+
+STROKE = 5.0  # pixels across a line
+THINNEST = 4.0  # pixels across a strip
+GRID_CELLS, GRID_PIXELS = 5000, 9.0  # edges of cells show below this count, above this length
+GRID = (16, 20, 24, 80)
+
+
+def shaded(corners: Array, colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Darker where a face is seen from the side."""
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, -1] - corners[:, 1])
+    if corners.shape[1] == 3:
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    facing = np.abs(normal[:, 2]) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
+    shaded = colours.copy()
+    shaded[:, :3] = np.rint(colours[:, :3] * (0.75 + 0.25 * facing[:, None]))
+    return shaded
+
+
+def polygons(
+    at: Array, cells: Indices, colours: NDArray[np.uint8]
+) -> tuple[Array, Indices, NDArray[np.uint8]]:
+    """Lines as strokes with round joints; surfaces with their grid, thin ones with a rim."""
+    if cells.shape[1] == 2:
+        parts = [_strokes(at, cells, colours, STROKE), _joints(at, cells, colours)]
+    else:
+        quads = cells if cells.shape[1] == 4 else cells[:, [0, 1, 2, 2]]
+        parts = [(at[quads], colours)]
+        pairs, counts, owner = edges(cells)
+        rim = counts == 1
+        thickness = _thickness(at[cells], at[pairs[rim]])
+        if thickness < THINNEST:
+            parts.insert(0, _strokes(at, pairs[rim], colours[owner[rim]], THINNEST - thickness))
+        length = np.linalg.norm(at[pairs[:, 1]] - at[pairs[:, 0]], axis=1)
+        if len(cells) <= GRID_CELLS and np.median(length) >= GRID_PIXELS:
+            grey = np.tile(np.array(GRID, dtype=np.uint8), (len(pairs), 1))
+            parts.append(_strokes(at + np.array([0, 0, 1]), pairs, grey, 1.0))
+    corners = np.concatenate([corner for corner, _ in parts])
+    rgba = np.concatenate([colour for _, colour in parts])
+    order = np.argsort(corners[..., 2].mean(axis=1).round(6), kind="stable")
+    faces = np.arange(4 * len(corners), dtype=np.int64).reshape(-1, 4)
+    return corners[order].reshape(-1, 3), faces, rgba[order]
+
+
+def _thickness(corners: Array, rim: Array) -> float:
+    """Mean pixels across a plane body: twice its area by its outline's length."""
+    x, y = corners[..., 0], corners[..., 1]
+    area = np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1)) / 2
+    around = float(np.linalg.norm(rim[:, 1] - rim[:, 0], axis=1).sum())
+    return 2 * float(area.sum()) / around if around else math.inf
+
+
+def _strokes(
+    at: Array, pairs: Indices, colours: NDArray[np.uint8], width: float
+) -> tuple[Array, NDArray[np.uint8]]:
+    """A quadrilateral of so many pixels across along each pair of points."""
+    a, b = at[pairs[:, 0]], at[pairs[:, 1]]
+    along = b - a
+    length = np.maximum(np.linalg.norm(along[:, :2], axis=1), 1e-12)[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(a))]) / length * width / 2
+    return np.stack([a - across, b - across, b + across, a + across], axis=1), colours
+
+
+def _joints(
+    at: Array, cells: Indices, colours: NDArray[np.uint8]
+) -> tuple[Array, NDArray[np.uint8]]:
+    """An octagon, as three quadrilaterals, at each point of a line, in a neighbour's colour."""
+    points, first = np.unique(cells, return_index=True)
+    angles = np.arange(8) * math.pi / 4
+    disc = STROKE / 2 * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(8)])
+    fans = disc[[[0, 1, 2, 3], [0, 3, 4, 7], [4, 5, 6, 7]]]
+    corners = at[points][:, None, None, :] + fans[None]
+    return corners.reshape(-1, 4, 3), np.repeat(colours[first // 2], 3, axis=0)
