@@ -11,6 +11,7 @@ from markupsafe import Markup
 from reports import svg
 from reports.picture_cache import Drawn
 from reports.pictures import draw
+from reports.viewer import viewer
 from verify.results import CaseResult, Picture
 
 NOTHING = Markup("")
@@ -27,6 +28,7 @@ class Frame:
     svg: Markup = NOTHING
     view: Markup = NOTHING
     by: str = ""
+    why: str = ""
 
 
 def frames(
@@ -42,8 +44,11 @@ def frames(
     ]
     drawn = draw([(field, picture) for _, field, picture in wanted], cache, hint=hint)
     found: dict[str, list[Frame]] = {case.id: [] for case in cases}
-    for (case_id, _, picture), result in zip(wanted, drawn, strict=True):
+    for (case_id, field, picture), result in zip(wanted, drawn, strict=True):
         found[case_id].append(frame(picture, result))
+        if picture.width:
+            note = f"{picture.caption}: the line swept over the width of {picture.width:.3g} m."
+            found[case_id].append(Frame(picture.caption, note, view=viewer(field, picture)))
     return found
 
 
@@ -68,13 +73,12 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
         *(svg.polyline([at(p) for p in line], "outline") for line in drawn.outline),
         *_colour_bar(picture, drawn, height + 14),
     ]
-    times = f"displacements × {svg.plain(drawn.exaggeration)}"
-    moved = f"{times[0].upper()}{times[1:]}, dashed: before loading."
     return Frame(
         caption=picture.caption,
-        note=f"{moved} {drawn.why[:1].upper()}{drawn.why[1:]}".strip(),
+        note=f"Displacements × {svg.plain(drawn.exaggeration)}, dashed: before loading.",
         svg=svg.drawing(WIDTH, height + 52, body, picture.caption, "frame"),
         by=drawn.by,
+        why=drawn.why,
     )
 
 

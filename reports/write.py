@@ -7,6 +7,7 @@ import json
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -30,28 +31,35 @@ STAGING = ".part-"
 PRINTED = ("printed_theory", "printed_FEA", "printed_test")
 
 
-def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: str = "") -> Path:
+@dataclass(frozen=True)
+class Written:
+    """The page, and what was done in another way than usual, one line each."""
+
+    page: Path
+    remarks: tuple[str, ...]
+
+
+def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: str = "") -> Written:
     """report.html, results.json with its schema, rows.csv, junit.xml and a VTU per field.
 
     `pictures` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw.
-
-    errors.txt holds the tracebacks of cases that failed. All files are made before the first
+    where pyvista can't draw. errors.txt holds the tracebacks of cases that failed. All files are made before the first
     takes its place; OSError names the one that can't be written.
     """
     with _alone_in(folder), _staging(folder) as staging:
-        for name, content in _files(report, frames(report.cases, pictures, hint)):
+        drawn = frames(report.cases, pictures, hint)
+        for name, content in _files(report, drawn):
             try:
                 (staging / name).write_bytes(content)
             except OSError as error:
                 raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
-        names = {path.name for path in staging.iterdir()}
-        for name in sorted(names):
+        for name in files:
             (staging / name).replace(folder / name)
         for stale in (*folder.glob("*.vtu"), folder / ERRORS):  # of a run over other cases
-            if stale.name not in names:
+            if stale.name not in files:
                 stale.unlink(missing_ok=True)
-    return folder / "report.html"
+    remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
+    return Written(folder / "report.html", tuple(remarks))
 
 
 def _files(report: Report, drawn: Mapping[str, list[Frame]]) -> Iterator[tuple[str, bytes]]:

@@ -3,6 +3,8 @@
 import os
 import signal
 import sys
+import tempfile
+import traceback
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -78,6 +80,7 @@ def check(
     *,
     fem: bool = False,
     json: bool = False,
+    out: Path | None = None,
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
@@ -91,6 +94,8 @@ def check(
         Run the finite elements too and judge the formulas on these parameters.
     json
         Print JSON instead of text.
+    out
+        Folder for a report on these parameters: the page, tables, pictures, meshes.
     jobs
         Processes, 0 for one a core.
     cache
@@ -98,7 +103,7 @@ def check(
     """
     from verify.commands import run_check
 
-    return run_check(file, use_fem=fem, as_json=json, jobs=jobs, use_cache=cache)
+    return run_check(file, use_fem=fem, as_json=json, jobs=jobs, use_cache=cache, out=out)
 
 
 @app.command
@@ -195,6 +200,13 @@ def run(arguments: list[str]) -> int:
         return _complain(f"{error}: see freewheel doctor")
     except (ValueError, OSError) as error:
         return _complain(str(error))
+    except Exception as error:  # a fault of the program: one line, and the rest in a file
+        with tempfile.NamedTemporaryFile(
+            "w", prefix="freewheel-", suffix=".txt", delete=False
+        ) as file:
+            file.write(traceback.format_exc())
+        said = f"{type(error).__name__}: {error}; this is a fault of the program"
+        return _complain(f"{said}, its traceback is in {file.name}")
 
 
 def _complain(message: str, status: int = BAD_INPUT) -> int:

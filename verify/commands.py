@@ -2,16 +2,19 @@
 
 import json
 import math
+import shlex
+import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from verify import units
+from verify import cache, environment, units
 from verify.case import Case
 from verify.cases.registry import CASES, find
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
@@ -45,23 +48,16 @@ def run_verify(
     """Run the cases on the paper's numbers, write the report and print the verdicts."""
     cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     out = out or ROOT / "reports" / "out"
-    try:  # a read-only place is found before the work
-        out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=out):
-            pass
-    except OSError as error:
-        raise InputError(f"{out}: cannot be written: {error.strerror}") from error
+    _writable(out)
     start = time.perf_counter()
     work = [
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
     ]
     results = solve(work, jobs, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
-    from reports.write import write  # only the command line knows reports
-
-    written = write(report, out)
+    page = _write(report, out, use_cache)
     _print_verdicts(report, time.perf_counter() - start)
-    print(f"report: {written}")
+    print(f"report: {page}")
     if any(case.errors for case in report.cases):
         print(f"tracebacks: {out / 'errors.txt'}")
     failed = any(
@@ -71,9 +67,14 @@ def run_verify(
     return 1 if failed else 0
 
 
-def run_check(path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache: bool) -> int:
-    """Formulas, warnings and, if asked for, finite elements on a user's parameters."""
+def run_check(
+    path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache: bool, out: Path | None
+) -> int:
+    """Formulas, warnings and, if asked for, finite elements and a report on a user's parameters."""
     name, case, inputs = load(path)
+    if out is not None:
+        _writable(out)
+    start = time.perf_counter()
     job = Job(case, inputs, use_fem=use_fem)
     (result,) = solve([job], jobs, use_cache, quiet=as_json)
     values = case.analytic(inputs)
@@ -81,7 +82,36 @@ def run_check(path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache:
         print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
     else:
         _print_check(name, case, result, values, use_fem)
+    if out is not None:
+        command = f"freewheel check {'--fem ' if use_fem else ''}{shlex.quote(path.name)}"
+        mine = replace(result, name=name, command=command)
+        report = make_report([mine], [case], time.perf_counter() - start, name)
+        page = _write(report, out, use_cache)
+        print(f"report: {page}", file=sys.stderr if as_json else sys.stdout)
     return 1 if any(row.status in BAD for row in result.rows) else 0
+
+
+def _writable(out: Path) -> None:
+    """Make the folder; a read-only place is found before the work."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=out):
+            pass
+    except OSError as error:
+        raise InputError(f"{out}: cannot be written: {error.strerror}") from error
+
+
+def _write(report: Report, out: Path, use_cache: bool) -> Path:
+    """Write the report into `out` and say what had to be done in another way; the page."""
+    from reports.write import write  # only the command line knows reports
+
+    pictures = cache.default_folder().parent / "pictures" if use_cache else None
+    missing = environment.missing_libraries(environment.PICTURES)
+    hint = environment.install_line(missing) if missing else "freewheel doctor says more"
+    written = write(report, out, pictures=pictures, hint=hint)
+    for remark in written.remarks:
+        print(f"freewheel: {remark}", file=sys.stderr)
+    return written.page
 
 
 def load(path: Path) -> tuple[str, Case, Inputs]:
@@ -102,14 +132,17 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
     return name, case, inputs
 
 
-def make_report(results: list[CaseResult], cases: Sequence[Case], seconds: float) -> Report:
-    """A run with the ledgers and its provenance."""
+def make_report(
+    results: list[CaseResult], cases: Sequence[Case], seconds: float, name: str = ""
+) -> Report:
+    """A run with the ledgers and its provenance; `name` is that of a user's own parameters."""
     from verify.ledgers import ledgers
     from verify.provenance import provenance
 
     return Report(
         cases=tuple(results),
         provenance=provenance(ROOT, results, seconds),
+        name=name,
         **ledgers(results, cases),
     )
 

@@ -60,28 +60,32 @@ def find_row(wanted: str, ids: Sequence[str], where: str = "") -> str:
 
     A row stands before the one on its convergence. InputError lists what is found if not one.
     """
-    text = " ".join(wanted.lower().split())
+    text = _plain(wanted)
     if not text:
         raise InputError(f"explain needs a row, such as {ids[0]!r}")
-    words = text.replace(",", " ").split()
     ways: tuple[Callable[[str], bool], ...] = (
         lambda i: text in (i, i.partition("/")[2]),
         lambda i: text in i,
-        lambda i: all(word in i for word in words),
+        lambda i: all(word in i for word in text.split()),
     )
     for matches in ways:
-        found = [i for i in ids if matches(i.lower())]
+        found = [i for i in ids if matches(_plain(i))]
         main = [i for i in found if not i.endswith(BESIDE)] if BESIDE[2:] not in text else []
         found = main or found
         if len(found) == 1:
             return found[0]
         if found:
             raise InputError(f"{len(found)} rows match {wanted!r}: {_listed(found)}")
-    near = get_close_matches(text, [i.lower() for i in ids], n=3, cutoff=0.3)
-    meant = [i for i in ids if i.lower() in near]
+    near = get_close_matches(text, map(_plain, ids), n=3, cutoff=0.3)
+    meant = [i for i in ids if _plain(i) in near]
     cases = ", ".join(dict.fromkeys(i.partition("/")[0] for i in ids))
     hint = f"near are: {_listed(meant)}" if meant else f"the cases are {cases}"
     raise InputError(f"no row{where} matches {wanted!r}; {hint}")
+
+
+def _plain(name: str) -> str:
+    """Lower case without commas, so that words alone name a row."""
+    return " ".join(name.lower().replace(",", " ").split())
 
 
 def _listed(ids: Sequence[str]) -> str:

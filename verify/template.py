@@ -70,7 +70,7 @@ def _assigned(name: str, field: FieldInfo) -> str:
 
 
 def _literal(value: Any, unit: str) -> str:
-    """The shortest TOML value that reads as exactly `value` [SI]."""
+    """The shortest TOML value that reads as `value` [SI], of six digits or more."""
     if isinstance(value, str):
         return f'"{value}"'
     if isinstance(value, int) or unit == "1":

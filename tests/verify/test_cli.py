@@ -250,3 +250,15 @@ def test_the_stiffness_of_the_paper_is_within_a_ten_thousandth():
     from verify.cases.spring_accordion import ACCORDION
 
     assert ACCORDION.analytic(ACCORDION.inputs())["k1"] / 1e3 == pytest.approx(0.60096, abs=1e-4)
+
+
+def test_a_fault_of_the_program_is_one_line_and_a_file(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr("verify.commands.run_list", lambda: {}["nothing"])
+    assert run(["list"]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert "KeyError: 'nothing'" in said
+    (file,) = tmp_path.iterdir()
+    assert str(file) in said
+    assert "Traceback" in file.read_text("utf-8")

@@ -299,7 +299,7 @@ ACCORDION = Case(
     outputs=OUTPUTS,
     readings=(
         "r is the inner radius and stands for the centre line's in the arcs of Eqs. 1-9, although "
-        "L_2 uses r + b/2, as printed: 3.2 % of k_1 against the true centre line",
+        "L_2 uses r + b/2, as printed: 3.2 % of the paper's k_1 against the true centre line",
         "2 L_1/sin α in Eq. 3 is 2 (L_1/2)/sin α, and h/2 there is b/2",
         "the signs of Eq. 3 alternate from unit to unit; T_0 of the text is T_1 = F (L_1/2 + r)",
         "the head is free to turn and to move sideways, the tail is clamped at the end of its arc",

@@ -21,7 +21,7 @@ class Derivation:
 
 def long(value: float) -> str:
     """Enough digits to see a difference between values that agree."""
-    return f"{value:.10g}"
+    return f"{value:.12g}"
 
 
 def short(value: float | None) -> str:
