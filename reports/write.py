@@ -43,12 +43,16 @@ def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: s
     """report.html, results.json with its schema, rows.csv, junit.xml and a VTU per field.
 
     `pictures` is a folder that keeps what was drawn for the next run; `hint` says what to install
-    where pyvista can't draw. errors.txt holds the tracebacks of cases that failed. All files are made before the first
-    takes its place; OSError names the one that can't be written.
+    where pyvista can't draw. errors.txt holds the tracebacks of cases that failed. All files are
+    made before the first takes its place; OSError names the one that can't be written.
     """
-    with _alone_in(folder), _staging(folder) as staging:
+    try:
         drawn = frames(report.cases, pictures, hint)
-        for name, content in _files(report, drawn):
+        files = dict(_files(report, drawn))
+    except OSError as error:  # a temporary file of a drawing
+        raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
+    with _alone_in(folder), _staging(folder) as staging:
+        for name, content in files.items():
             try:
                 (staging / name).write_bytes(content)
             except OSError as error:
