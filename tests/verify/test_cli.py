@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from analytic.ring import lame
+from verify.cases.registry import CASES
 from verify.cli import run
 
 HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba")
@@ -63,7 +64,11 @@ def checked(path, *options, capsys):
     return status, json.loads(capsys.readouterr().out)
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["list"], ["check", "FILE"]], ids=lambda a: a[0])
+@pytest.mark.parametrize(
+    "arguments",
+    [["--help"], ["list"], ["check", "FILE"], ["init", "ring-lame"], ["completion", "bash"]],
+    ids=lambda a: a[0],
+)
 def test_nothing_heavy_is_imported_before_it_is_needed(arguments, spring):
     script = (
         "import sys\nfrom verify.cli import run\n"
@@ -79,7 +84,7 @@ def test_nothing_heavy_is_imported_before_it_is_needed(arguments, spring):
 def test_help_names_the_commands_and_the_exit_status():
     done = shell("--help")
     assert done.returncode == 0
-    for word in ("verify", "check", "list"):
+    for word in ("verify", "check", "list", "init", "explain", "doctor", "completion"):
         assert word in done.stdout
 
 
@@ -95,11 +100,38 @@ def test_short_commands_answer_at_once(arguments, limit, spring):
     assert min(times) < limit
 
 
-def test_list_names_every_case(capsys):
+def test_list_names_every_case_with_subject_units_and_what_may_be_left_out(capsys):
     assert run(["list"]) == 0
     out = capsys.readouterr().out
-    for case in ("ring-lame", "spring-accordion", "spring-continuum"):
-        assert case in out
+    for case in CASES:
+        assert f"{case.id} " in out
+        assert case.title in out
+    assert "inputs: r_i [mm], r_o [mm], p_i [MPa], E [GPa], nu\n" in out
+    assert "optional: p_o [MPa], R_p [MPa]\n" in out
+
+
+@pytest.mark.parametrize("shell_name", ["bash", "zsh", "fish"])
+def test_completion_knows_the_commands(shell_name, capsys):
+    assert run(["completion", shell_name]) == 0
+    out = capsys.readouterr().out
+    for word in ("verify", "check", "list", "init", "explain", "doctor", "fem", "quick"):
+        assert word in out
+
+
+@pytest.mark.parametrize("command", ["verify", "init", "explain"])
+def test_completion_offers_the_cases(command):
+    done = shell("__complete", command, "")
+    assert [case.id for case in CASES] == done.stdout.split()[1:]  # after the opening directive
+
+
+def test_converted_units_are_shown_short_and_kept_whole(tmp_path, capsys):
+    path = tmp_path / "ring.toml"
+    path.write_text(RING.replace('"100 MPa"', '"14.5 ksi"'))
+    _, found = checked(path, capsys=capsys)
+    assert found["inputs"]["p_i"]["value"] == pytest.approx(99.9739808, rel=1e-9)
+    assert len(str(found["inputs"]["p_i"]["value"])) > 12
+    assert run(["check", str(path)]) == 0
+    assert " 99.974 MPa " in capsys.readouterr().out
 
 
 def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
@@ -215,11 +247,15 @@ def test_a_solver_that_fails_is_a_red_row_and_no_traceback(monkeypatch, tmp_path
     [
         (["check", "nowhere.toml"], "nowhere.toml: cannot be read: No such file or directory"),
         (["verify", "ring-lam"], "unknown case 'ring-lam'"),
-        (["verify", "--jobs", "many"], "--jobs"),
+        (["verify", "--jobs", "many"], "--jobs: needs a whole number, got 'many'"),
+        (["verify", "--jobs", "1.5"], "--jobs: needs a whole number, got '1.5'"),
+        (["check", "a.toml", "-j", "1.5"], "-j: needs a whole number, got '1.5'"),
+        (["verify", "--jobs", "-1"], "--jobs is 0 (one a core) to 256, got -1"),
+        (["completion", "tcsh"], "tcsh"),
         (["chekc", "a.toml"], "chekc"),
         (["check"], "FILE"),
     ],
-    ids=["missing file", "unknown case", "bad number", "unknown command", "no file"],
+    ids=lambda x: " ".join(x) if isinstance(x, list) else "",
 )
 def test_bad_command_lines_end_with_one_line_and_status_two(arguments, message, capsys):
     assert run(arguments) == 2

@@ -1,0 +1,154 @@
+"""Rows judged again from what they keep: the same numbers, the same verdict."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from verify.case import Context, FemResult
+from verify.cases.registry import CASES
+from verify.checks import Approximation, Fact, Identity, Limit
+from verify.derivation.grid import regrid
+from verify.derivation.steps import derive, steps
+from verify.results import Kind, Status
+
+EACH = pytest.mark.parametrize(
+    "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]
+)
+
+
+def agrees(again, kept, digits):
+    if again is None or kept is None:
+        return again is None and kept is None
+    return again == kept or math.isclose(again, kept, rel_tol=1e-5, abs_tol=digits)
+
+
+def assert_the_same(row):
+    """Equal but for the round-off of values that were converted to the row's unit."""
+    found = derive(row)
+    digits = 1e-14 * max([abs(v) for _, v in row.levels] + [row.scale or 0.0])
+    assert found.verdict.status is row.status, row.id
+    assert agrees(found.verdict.difference, row.difference, digits), row.id
+    assert agrees(found.verdict.tolerance, row.tolerance, digits), row.id
+    assert agrees(found.verdict.detects, row.detects, 1e-14), row.id
+    if found.u_num is not None:
+        assert agrees(found.u_num, row.u_num, digits), row.id
+    if row.grid:
+        again, _ = regrid(row.grid)
+        assert again.behaviour == row.grid.behaviour
+        assert agrees(again.gci, row.grid.gci, digits)
+        assert agrees(again.order, row.grid.order, 1e-4)
+        assert agrees(again.used, row.grid.used, 1e-4)
+        assert again.factor == row.grid.factor
+
+
+@EACH
+def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
+    for row in judged(case).rows:
+        assert_the_same(row)
+
+
+@EACH
+def test_so_does_every_row_of_other_parameters(case, judged):
+    own = case.inputs(E=100e9)
+    for row in judged(case, own).rows:
+        assert_the_same(row)
+
+
+@EACH
+def test_steps_end_with_the_verdict_and_tell_more_of_every_row(case, judged):
+    for row in judged(case).rows:
+        said = steps(row)
+        assert len(said) >= 4, row.id
+        assert said[-1][0] == "verdict"
+        assert said[-1][1].startswith(row.status.value)
+
+
+# What no case shows: series that oscillate, diverge, are noisy, limits, facts.
+
+SIZES = (1 / 2, 1 / 4, 1 / 8)
+ABOUT = {"name": "gap", "symbol": "g", "unit": "µm"}
+
+
+def context(series, u_it=0.0, sizes=SIZES):
+    levels = [
+        FemResult(h=h, values={"v": v}, u_it={"v": u_it})
+        for h, v in zip(sizes, series, strict=True)
+    ]
+    return Context("ring-made-up", None, {"g": 5e-6}, levels, is_paper=True)
+
+
+SERIES = {
+    "monotone": [5.032e-6, 5.008e-6, 5.002e-6],
+    "far from its order": [5.1e-6, 5.01e-6, 5.001e-6],
+    "oscillating": [5.01e-6, 4.99e-6, 5.005e-6],
+    "slow": [5.03e-6, 5.02e-6, 5.012e-6],
+    "diverging": [5.0e-6, 5.01e-6, 5.04e-6],
+    "round-off": [5e-6, 5e-6, 5e-6],
+    "short": [5.01e-6, 5.0e-6],
+    "not a number": [5.1e-6, 5.01e-6, math.nan],
+}
+
+
+@pytest.mark.parametrize("u_it", [0.0, 1e-9])
+@pytest.mark.parametrize("name", SERIES)
+@pytest.mark.parametrize(
+    "claim",
+    [
+        Identity(**ABOUT, analytic="g", fem="v", formal=2),
+        Identity(**ABOUT, analytic="g", fem="v"),
+        Approximation(
+            **ABOUT, analytic="g", fem="v", formal=2, source="made up",
+            interval=lambda _q, _v: (-0.01, 0.01),
+        ),
+        Approximation(**ABOUT, analytic="g", fem="v", interval=None, source="none"),
+    ],
+    ids=["identity", "no order in theory", "approximation", "no interval"],
+)  # fmt: skip
+def test_series_of_every_behaviour_are_judged_alike_again(claim, name, u_it):
+    series = SERIES[name]
+    for row in claim.rows(context(series, u_it, SIZES[: len(series)])):
+        assert_the_same(row)
+        assert steps(row)
+
+
+def test_a_limit_is_fitted_again():
+    eps = [0.01, 0.02, 0.05, 0.1]
+    claim = Limit(
+        name="limit", symbol="d", unit="1", exponent=2.0,
+        points=lambda _c: (eps, [3 * e**2 for e in eps], [1e-6] * 4),
+    )  # fmt: skip
+    (row,) = claim.rows(context(SERIES["monotone"]))
+    assert row.status is Status.PASS
+    assert_the_same(row)
+    assert "q = 2.0000" in dict(steps(row))["fit"]
+
+
+@pytest.mark.parametrize(
+    ("margin", "word"), [(2e-6, "holds"), (-2e-6, "does not hold"), (1e-7, "does not hold")]
+)
+def test_a_fact_says_its_margin(margin, word):
+    (row,) = Fact(**ABOUT, margin=lambda _c: (margin, 1e-6)).rows(context(SERIES["monotone"]))
+    assert_the_same(row)
+    assert dict(steps(row))["test"].endswith(word)
+
+
+def test_the_index_is_shown_with_its_numbers_put_in():
+    """By hand: p = log2(24/6) = 2, GCI = 1.25 0.006/(4 - 1) = 0.0025 µm, U = 2 GCI/2."""
+    row, _ = Identity(**ABOUT, analytic="g", fem="v", formal=2).rows(context(SERIES["monotone"]))
+    said = dict(steps(row))
+    assert said["GCI"] == "F |v1 − v2|/(r^p − 1) = 1.25 × 0.006/(2^2.0000 − 1) = 0.0025 µm"
+    assert said["u_num"] == "√((GCI/2)² + u_it²) = √((0.0025/2)² + 0²) = 0.00125 µm"
+    assert said["U"].endswith("= 2 √(0.00125² + 0² + 0²) = 0.0025 µm")
+    assert said["test"] == "|d| ≤ U, that is 0.002 ≤ 0.0025: holds"
+    assert said["detects"].startswith("(U + |d|)/scale = (0.0025 + 0.002)/5 = 0.0009")
+
+
+def test_a_row_that_was_not_run_keeps_its_verdict():
+    row = replace(
+        Identity(**ABOUT, analytic="g", fem="v").skipped("ring-made-up", "quick")[0],
+        status=Status.FAIL, reason="level 2: MemoryError",
+    )  # fmt: skip
+    assert row.kind is Kind.IDENTITY
+    assert derive(row).verdict.status is Status.FAIL
+    assert steps(row) == (("verdict", "FAIL: level 2: MemoryError"),)

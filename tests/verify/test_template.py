@@ -1,0 +1,137 @@
+"""Templates of parameter files are the paper's inputs, and complete."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+
+import pytest
+
+from verify.cases.registry import CASES
+from verify.cli import run
+from verify.inputs import REQUIRED, Inputs, build, meta, quantity
+from verify.template import template
+
+EACH = pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+LINE = re.compile(r'^(# )?(\w+) = (".+"|[-+.e0-9]+) +# (.+)$')
+
+
+def inputs_of(text):
+    return tomllib.loads(text)["inputs"]
+
+
+def lines_of(case):
+    """Commented out or not, name, value and comment of every input's line."""
+    body = template(case).partition("[inputs]\n")[2]
+    return [LINE.fullmatch(line).groups() for line in body.splitlines()]
+
+
+@EACH
+def test_a_template_builds_to_the_paper_s_inputs(case):
+    data = tomllib.loads(template(case))
+    assert data["case"] == case.id
+    assert build(case.inputs, data["inputs"], "template") == case.inputs()
+
+
+@EACH
+def test_with_every_optional_line_it_still_builds(case):
+    text = re.sub(r"^# (\w+ = )", r"\1", template(case), flags=re.MULTILINE)
+    given = inputs_of(text)
+    assert list(given) == list(case.inputs.model_fields)
+    own = build(case.inputs, given, "template")
+    assert not [name for name in case.inputs.model_fields if getattr(own, name) is None]
+
+
+@EACH
+def test_every_line_has_a_unit_a_description_a_range_and_a_source(case):
+    fields = case.inputs.model_fields
+    assert [name for _, name, _, _ in lines_of(case)] == list(fields)
+    for hidden, name, value, comment in lines_of(case):
+        about = meta(fields[name])
+        assert about["what"] in comment
+        if about["unit"] == "1":
+            assert "number" in comment
+        else:
+            assert value.strip('"').endswith(about["unit"])
+        if fields[name].metadata:
+            assert re.search(r"at (least|most)|(greater|less) than", comment)
+        assert ("optional" in comment) == (about["omitted"] != REQUIRED)
+        assert not hidden or about["omitted"] != REQUIRED
+        if about["claims"]:
+            assert about["claims"].partition(":")[0] in comment
+
+
+@EACH
+def test_check_takes_a_template_as_it_is(case, tmp_path, capsys):
+    path = tmp_path / "my.toml"
+    assert run(["init", case.id, "--out", str(path)]) == 0
+    assert run(["check", str(path), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["case"] == case.id
+    assert found["values"]
+
+
+def test_a_template_tells_how_to_run_it():
+    head = template(CASES[0]).partition("case =")[0]
+    assert "freewheel check my.toml" in head
+    assert "freewheel check --fem my.toml" in head
+
+
+def test_the_printed_template_is_utf_8_whatever_the_terminal_takes():
+    done = subprocess.run(
+        [sys.executable, "-m", "verify", "init", "spring-accordion"],
+        capture_output=True, check=False, env=os.environ | {"PYTHONIOENCODING": "ascii"},
+        timeout=60,
+    )  # fmt: skip
+    assert done.returncode == 0
+    assert inputs_of(done.stdout.decode("utf-8"))["alpha"] == "80 deg"
+
+
+def test_a_file_that_exists_is_not_overwritten(tmp_path, capsys):
+    path = tmp_path / "my.toml"
+    path.write_text("mine")
+    assert run(["init", "ring-lame", "--out", str(path)]) == 2
+    assert path.read_text() == "mine"
+    assert capsys.readouterr().err == (
+        f"freewheel: {path}: exists already and is not overwritten\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["init", "ring-lam"], "unknown case 'ring-lam', did you mean ring-lame?"),
+        (["init", "ring-lame", "--out", "{folder}/no/my.toml"], "No such file or directory"),
+        (["init", "ring-lame", "--out", "{folder}"], "exists already"),
+        (["init"], "CASE"),
+    ],
+)
+def test_bad_lines_end_with_one_line_and_status_two(arguments, message, tmp_path, capsys):
+    assert run([a.format(folder=tmp_path) for a in arguments]) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert message in err
+
+
+def test_an_input_without_default_or_example_is_a_mistake_of_the_case():
+    from dataclasses import replace
+
+    class Nameless(Inputs):
+        F: float | None = quantity(None, "N", "F", "force", omitted=None)
+
+    with pytest.raises(ValueError, match="input F has no default"):
+        template(replace(CASES[0], inputs=Nameless))
+
+
+def test_numbers_that_do_not_end_are_written_to_their_last_digit():
+    from dataclasses import replace
+
+    class Awkward(Inputs):
+        L: float = quantity(0.1 / 3, "mm", "L", "a third of a decimetre")
+        alpha: float = quantity(1.0, "deg", "α", "one radian")
+
+    text = template(replace(CASES[0], inputs=Awkward))
+    read = build(Awkward, inputs_of(text), "template").model_dump()
+    assert read == pytest.approx(Awkward().model_dump(), rel=3e-16)
