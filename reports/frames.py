@@ -47,7 +47,7 @@ def frames(
     for (case_id, field, picture), result in zip(wanted, drawn, strict=True):
         found[case_id].append(frame(picture, result))
         if picture.width:
-            note = f"{picture.caption}: the line swept over the width of {picture.width:.3g} m."
+            note = f"{picture.caption}: the line swept over its whole width."
             found[case_id].append(Frame(picture.caption, note, view=viewer(field, picture)))
     return found
 

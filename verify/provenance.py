@@ -12,8 +12,8 @@ from typing import Any
 from verify.results import CaseResult
 
 PACKAGES = (
-    "cyclopts", "gmsh", "jinja2", "meshio", "numpy", "pint", "pydantic", "scikit-fem", "scipy",
-    "ziamath",
+    "cyclopts", "gmsh", "jinja2", "matplotlib", "meshio", "numpy", "pint", "pydantic", "pyvista",
+    "scikit-fem", "scipy", "typst", "xlsxwriter", "ziamath",
 )  # fmt: skip
 
 
