@@ -1,0 +1,88 @@
+"""The ribbon that can be turned: its data come back whole, its words are escaped."""
+
+import base64
+import json
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from reports.html import HERE
+from reports.scene import compose
+from reports.viewer import viewer
+from verify.results import Field, Picture
+
+SPRING = Field(
+    name="spring", points=np.array([[0.0, 0], [0, 2], [3, 2]]), cells=np.array([[0, 1], [1, 2]]),
+    point_data={"displacement": np.array([[0.001, 0], [0.002, 0], [0.004, 0]])},
+    cell_data={"s": np.array([-5e6, 10e6])},
+)  # fmt: skip
+RIBBON = Picture(
+    field="spring", data="s", symbol="σ", unit="MPa", factor=1e6, caption="stress", width=7.0
+)
+
+
+def packed(html: str) -> dict:
+    [text] = re.findall(r'<script type="application/json">(.*?)</script>', html)
+    return json.loads(text)
+
+
+def array(text: str, kind: str) -> np.ndarray:
+    return np.frombuffer(base64.b64decode(text), dtype=kind)
+
+
+def test_points_displacements_and_colours_come_back_as_they_were():
+    data = packed(viewer(SPRING, RIBBON))
+    assert array(data["points"], "<f4").tolist() == SPRING.points.ravel().tolist()
+    assert array(data["displacement"], "<f4")[[0, 2, 4]] == pytest.approx([0.001, 0.002, 0.004])
+    assert array(data["cells"], "<u2").tolist() == [0, 1, 1, 2]
+    assert array(data["shares"], "<f4").tolist() == [0.25, 1.0]  # of a range from -10 to 10 MPa
+    assert data["width"] == 7.0
+    assert data["ramp"] == list(compose(SPRING, RIBBON).scale.stops)
+
+
+def test_more_points_than_16_bits_count_take_wider_indices():
+    count = 70_000
+    line = Field(
+        name="line", points=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
+        cells=np.column_stack([np.arange(count - 1), np.arange(1, count)]),
+    )  # fmt: skip
+    data = packed(viewer(line, replace(RIBBON, data="")))
+    assert data["wide"]
+    assert array(data["cells"], "<u4").max() == count - 1
+
+
+def test_the_slider_starts_at_the_exaggeration_of_the_flat_picture():
+    by = compose(SPRING, RIBBON).exaggeration
+    assert f'max="{2 * by:g}" step="{by / 20:g}" value="{by:g}"' in viewer(SPRING, RIBBON)
+
+
+def test_words_of_users_cannot_become_markup():
+    html = viewer(SPRING, replace(RIBBON, caption='<script>alert(1)</script>" onload="x'))
+    assert "<script>" not in html
+    assert "&lt;script&gt;" in html
+    assert html.count("<script") == 1
+    assert '" onload' not in html
+
+
+@pytest.mark.parametrize(
+    ("field", "picture", "message"),
+    [
+        (SPRING, replace(RIBBON, width=None), "needs a width"),
+        (replace(SPRING, cells=np.array([[0, 1, 2]])), RIBBON, "only lines in a plane"),
+        (replace(SPRING, points=np.eye(3)), RIBBON, "only lines in a plane"),
+    ],
+)
+def test_what_cannot_be_swept_is_refused(field, picture, message):
+    with pytest.raises(ValueError, match=message):
+        viewer(field, picture)
+
+
+def test_the_script_needs_nothing_that_a_strict_policy_forbids():
+    script = (HERE / "viewer.js").read_text("utf-8")
+    for word in ("eval(", "new Function", "innerHTML", "onclick", "http", 'setAttribute("style'):
+        assert word not in script
+    assert "</script" not in script
+    assert not re.search(r"\son\w+=", viewer(SPRING, RIBBON))
+    assert "style=" not in viewer(SPRING, RIBBON)
