@@ -79,7 +79,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
         overview=signature.overview(report.cases, anchors(report.rows)),
         drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
         viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
-        drawn_by=_drawn_by(frames), names={p["key"]: _cited(p) for p in report.papers},
+        drawn_by=drawn_by(frames), names={p["key"]: cited(p) for p in report.papers},
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
@@ -157,13 +157,13 @@ def _environment(glyphs: formats.Glyphs) -> jinja2.Environment:
         "difference": formats.difference, "tolerance": formats.tolerance,
         "relative": formats.relative, "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "sketch": sketch, "plot": plot, "claims": claims,
-        "printed": _printed, "counts": lambda case: _present(case.rows), "anchor": _anchor,
-        "reproduce": _reproduce,
+        "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
+        "reproduce": reproduce,
     }  # fmt: skip
     return env
 
 
-def _printed(row: Row, kind: str) -> str:
+def printed(row: Row, kind: str) -> str:
     return ", ".join(p.printed for p in row.published if p.kind == kind)
 
 
@@ -171,7 +171,7 @@ def _anchor(case: CaseResult) -> str:
     return f"case-{case.id}"
 
 
-def _reproduce(case: CaseResult) -> str:
+def reproduce(case: CaseResult) -> str:
     if case.name:
         return case.command
     return (
@@ -185,12 +185,12 @@ def _counts(rows: Sequence[Row]) -> Mapping[str, int]:
     return {status.value: count[status.value] for status in Status}
 
 
-def _present(rows: Sequence[Row]) -> list[tuple[Status, int]]:
+def present(rows: Sequence[Row]) -> list[tuple[Status, int]]:
     count = Counter(row.status for row in rows)
     return [(status, count[status]) for status in Status if count[status]]
 
 
-def _cited(paper: Mapping[str, Any]) -> str:
+def cited(paper: Mapping[str, Any]) -> str:
     return f"{paper['authors']} {paper['year'] or ''}".strip()
 
 
@@ -205,7 +205,7 @@ def _any_views(frames: Mapping[str, Sequence[Frame]]) -> bool:
     return any(frame.view for group in frames.values() for frame in group)
 
 
-def _drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
+def drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:
     by = dict.fromkeys(frame.by for group in frames.values() for frame in group if frame.by)
     return f"Pictures: {'; '.join(by)}." if by else ""
 
