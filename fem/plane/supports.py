@@ -112,8 +112,13 @@ def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
     return dofs[:, nearest]
 
 
-def free_directions(basis: Basis, conditions: Conditions) -> tuple[csr_array, Array]:
-    """T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0."""
+def free_directions(
+    basis: Basis, conditions: Conditions, place: Indices
+) -> tuple[csr_array, Array]:
+    """T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0.
+
+    Free unknowns q follow each other as their nodes do by `place` (unknowns,).
+    """
     fixed, u0 = np.zeros(basis.N, bool), np.zeros(basis.N)
     rows: list[int] = []
     tangents: list[Array] = []
@@ -126,7 +131,9 @@ def free_directions(basis: Basis, conditions: Conditions) -> tuple[csr_array, Ar
             tangents.append(tangent)
     free = np.flatnonzero(~fixed)
     n, m = free.size, len(tangents)
-    columns = np.concatenate([np.arange(n), n + np.repeat(np.arange(m), 2)])
+    column = np.empty(n + m, int)
+    column[np.argsort(place[np.concatenate([free, rows[::2]]).astype(int)])] = np.arange(n + m)
+    columns = column[np.concatenate([np.arange(n), n + np.repeat(np.arange(m), 2)])]
     entries = np.concatenate([np.ones(n), np.ravel(tangents)])
     T = csr_array((entries, (np.concatenate([free, rows]).astype(int), columns)), (basis.N, n + m))
     return T, u0

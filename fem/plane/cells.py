@@ -1,0 +1,83 @@
+"""Stiffness and internal forces of all cells at once: what the weak forms mean, without their cost.
+
+The forms are a(u, v) = int sigma(u) : eps(v), and the same with u known, for
+sigma(u) = lambda tr(eps(u)) I + 2 mu eps(u). Lamé's constants are uniform in a cell, so that
+
+    K[a i, b j] = lambda M[a i, b j] + mu M[a j, b i] + mu delta_ij sum_k M[a k, b k],
+    M[a i, b j] = int d_i N_a d_j N_b,
+
+with shape functions N_a, N_b and components i, j.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array
+from skfem import Basis
+
+from fem.plane.discretisation import Array, Indices, shapes
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cells:
+    """Isotropic cells in the plane; quantities refer to unit thickness.
+
+    `slope` (m, 2 points, n) holds d_i N at the quadrature points, point by point i = x, y; `dx`
+    (m, points) their weights; `dofs` (m, n, 2) the unknowns; `lam`, `mu` (m,) Lamé's constants.
+    """
+
+    slope: Array
+    dx: Array
+    dofs: Indices
+    lam: Array
+    mu: Array
+    count: int
+
+    @classmethod
+    def of(cls, basis: Basis, lam: Array, mu: Array) -> "Cells":
+        """The cells of `basis`, at its quadrature points."""
+        nodes = basis.mesh.doflocs[:, np.asarray(basis.mesh.dofs.element_dofs)]
+        nodes = nodes - nodes[:, :1]  # round-off stays small against a cell far from the origin
+        _, along = shapes(basis.mesh.elem(), basis.X)
+        J = np.einsum("inm,jnq->mqij", nodes, along, optimize=True)
+        det = J[..., 0, 0] * J[..., 1, 1] - J[..., 0, 1] * J[..., 1, 0]
+        J = np.array([[J[..., 1, 1], -J[..., 0, 1]], [-J[..., 1, 0], J[..., 0, 0]]]) / det
+        _, slope = shapes(basis.elem.elem, basis.X)
+        m, (n, points) = len(det), slope.shape[1:]
+        slope = np.einsum("jimq,jnq->mqin", J, slope, optimize=True).reshape(m, 2 * points, n)
+        dofs = np.asarray(basis.element_dofs).T.reshape(m, n, 2)
+        return cls(slope=slope, dx=abs(det) * basis.W, dofs=dofs, lam=lam, mu=mu, count=basis.N)
+
+    def stiffness(self) -> csr_array:
+        """K (unknowns, unknowns) of a(u, v) = v . K u."""
+        m, rows, n = self.slope.shape
+        g = self.slope.reshape(m, rows // 2, 2, n).swapaxes(2, 3).reshape(m, rows // 2, 2 * n)
+        M = (g.swapaxes(1, 2) * self.dx[:, None]) @ g
+        M = M.reshape(m, n, 2, n, 2)
+        lam, mu = self.lam[:, None, None], self.mu[:, None, None]
+        trace = mu * (M[:, :, 0, :, 0] + M[:, :, 1, :, 1])
+        K = np.empty_like(M)
+        for i, j in np.ndindex(2, 2):
+            K[:, :, i, :, j] = lam * M[:, :, i, :, j] + mu * M[:, :, j, :, i]
+        K[:, :, 0, :, 0] += trace
+        K[:, :, 1, :, 1] += trace
+        dofs = self.dofs.reshape(m, 2 * n).astype(np.int32)
+        at = np.repeat(dofs, 2 * n, axis=1).ravel(), np.tile(dofs, 2 * n).ravel()
+        return coo_array((K.ravel(), at), (self.count, self.count)).tocsr()
+
+    def internal_forces(self, u: Array) -> Array:
+        """Forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
+
+        From the strains of each cell, so that the rounding of K times a large rigid motion does
+        not enter.
+        """
+        m, rows, _ = self.slope.shape
+        local = u[self.dofs]
+        local -= local[:, :1]  # a translation strains nothing, and would only round
+        grad = (self.slope @ local).reshape(m, rows // 2, 2, 2)
+        stress = self.mu[:, None, None, None] * (grad + grad.swapaxes(2, 3))
+        pressure = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1])
+        stress += pressure[:, :, None, None] * np.eye(2)
+        stress *= self.dx[:, :, None, None]
+        force = self.slope.swapaxes(1, 2) @ stress.reshape(m, rows, 2)
+        return np.bincount(self.dofs.ravel(), force.ravel(), self.count).astype(float)
