@@ -49,6 +49,17 @@ def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
 
 
 @EACH
+def test_the_index_follows_from_the_order_and_factor_that_a_row_names(case, judged):
+    ordered = [row.grid for row in judged(case).rows if row.grid and row.grid.used is not None]
+    assert ordered
+    for grid in ordered:
+        (_, _), (h2, v2), (h1, v1) = grid.levels[-3:]
+        index = grid.factor * abs(v1 - v2) / ((h2 / h1) ** grid.used - 1)
+        floor = 1e-12 * grid.scale
+        assert grid.gci == pytest.approx(max(index, floor), rel=1e-5)
+
+
+@EACH
 def test_so_does_every_row_of_other_parameters(case, judged):
     own = case.inputs(E=100e9)
     for row in judged(case, own).rows:
@@ -152,3 +163,13 @@ def test_a_row_that_was_not_run_keeps_its_verdict():
     assert row.kind is Kind.IDENTITY
     assert derive(row).verdict.status is Status.FAIL
     assert steps(row) == (("verdict", "FAIL: level 2: MemoryError"),)
+
+
+def test_an_order_far_from_theory_takes_the_larger_factor():
+    """By hand: p = log2(0.09/0.009) = 3.32 against 2, so 3 0.009/(2^2 - 1) = 0.009 µm."""
+    claim = Identity(**ABOUT, analytic="g", fem="v", formal=2)
+    row, _ = claim.rows(context(SERIES["far from its order"]))
+    assert (row.grid.factor, row.grid.used) == (3.0, 2.0)
+    said = dict(steps(row))
+    assert said["F"] == "3: observed and theory are 1.3 apart, beyond 0.5"
+    assert said["GCI"] == "F |v1 − v2|/(r^p − 1) = 3 × 0.009/(2^2.0000 − 1) = 0.009 µm"
