@@ -1,0 +1,159 @@
+"""The whole report as the PDF's template takes it, in the order of the page."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from markupsafe import Markup
+
+from reports import signature
+from reports.frames import Frame
+from reports.html import WORDS, anchors, cited, claims, drawn_by, title
+from reports.pdf_case import Data, case_data, maths, prose, quantity
+from reports.richtext import runs
+from reports.sheets import Sheets
+from reports.standalone import HERE, standalone
+from verify.results import PaperCell, PaperTable, Report, Row, Status
+
+
+def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
+    """All that templates/report.typ prints; a user's own report has no ledgers."""
+    places, sheets = anchors(report.rows), Sheets(report)
+    own = bool(report.name)
+    return {
+        "title": title(report),
+        "kicker": "Check of one’s own parameters" if own else "Verification report",
+        "provenance": report.provenance,
+        "drawn_by": drawn_by(frames),
+        "rows": len(report.rows),
+        "counts": _counts(report.rows),
+        "relaxed": sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
+        "banners": [
+            _banner(report, status, places)
+            for status in (Status.FAIL, Status.SKIP)
+            if report.count(status)
+        ],
+        "overview": standalone(signature.overview(report.cases, places)),
+        "key": standalone(Markup((HERE / "key.svg").read_text("utf-8"))),  # noqa: S704 - own file
+        "cases": [
+            case_data(case, frames.get(case.id, ()), places, sheets.of_case[i])
+            for i, case in enumerate(report.cases)
+        ],
+        "ledgers": None if own else _ledgers(report, places),
+    }
+
+
+def _counts(rows: Sequence[Row]) -> list[Data]:
+    count = Counter(row.status for row in rows)
+    return [{"status": s.value, "count": count[s], "words": WORDS[s]} for s in Status]
+
+
+def _banner(report: Report, status: Status, places: Mapping[str, str]) -> Data:
+    rows = [row for row in report.rows if row.status is status]
+    return {
+        "status": status.value,
+        "head": f"{len(rows)} row{'s' * (len(rows) > 1)} {WORDS[status]}",
+        "rows": [
+            {"label": places[r.id], "case": r.case, "quantity": quantity(r),
+             "reason": prose(r.reason)}
+            for r in rows
+        ],
+    }  # fmt: skip
+
+
+def _ledgers(report: Report, places: Mapping[str, str]) -> Data:
+    named = {p["key"]: cited(p) for p in report.papers}
+    erratum = {(e["paper"], e["id"]): f"erratum-{i}" for i, e in enumerate(report.errata)}
+    return {
+        "tables": [_paper_table(t, named[t.paper], places, erratum) for t in report.tables],
+        "errata": len(report.errata),
+        "tested": sum(bool(e["test"]) for e in report.errata),
+        "papers": [
+            {
+                "cited": named[p["key"]],
+                "title": p["title"],
+                "counts": {k: p[k] for k in ("equations", "values", "claimed", *STATES)},
+                "errata": [_erratum(e, erratum) for e in _of(report.errata, p)],
+                "equations": [_equation(e) for e in _of(report.equations, p)],
+                "numbers": [_number(v) for v in _of(report.published, p) if v["claimed"]],
+            }
+            for p in report.papers
+        ],
+        "states": [[k, words, sum(p[k] for p in report.papers)] for k, words in STATES.items()],
+    }
+
+
+STATES = {
+    "implemented": "implemented, with a check that fails when it is broken",
+    "argued": "left out, with the reason",
+    "missing": "not yet",
+}
+
+
+def _of(entries: Sequence[Mapping[str, Any]], paper: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    return [entry for entry in entries if entry["paper"] == paper["key"]]
+
+
+def _paper_table(
+    table: PaperTable,
+    paper: str,
+    places: Mapping[str, str],
+    erratum: Mapping[tuple[str, str], str],
+) -> Data:
+    def linked(names: Sequence[str]) -> list[Data]:
+        known = ((name, erratum.get((table.paper, name))) for name in names)
+        return [{"id": name, "label": label} for name, label in known if label]
+
+    def row(cells: Sequence[PaperCell]) -> Data:
+        said = claims(cells)
+        return {
+            "printed": [prose(cell.text) for cell in cells],
+            "claims": [
+                {"label": places.get(c.row), "name": prose(c.name), "status": c.status.value,
+                 "formula": runs(c.formula), "fem": runs(c.fem)}
+                for c in said.rows
+            ],
+            "inputs": list(said.inputs),
+            "errata": linked(said.errata),
+        }  # fmt: skip
+
+    return {
+        "name": f"{paper}, {table.name}",
+        "caption": prose(table.caption),
+        "header": [prose(x) for x in table.header],
+        "rows": [row(cells) for cells in table.rows],
+        "note": prose(table.note),
+        "errata": linked(table.errata),
+    }
+
+
+def _erratum(e: Mapping[str, Any], erratum: Mapping[tuple[str, str], str]) -> Data:
+    return {
+        "label": erratum[e["paper"], e["id"]],
+        "id": e["id"],
+        "place": e["place"],
+        "printed": maths(e["printed_tex"]) or prose(e["printed"]),
+        "right": maths(e["right_tex"]) or prose(e["right"]),
+        "evidence": prose(e["evidence"]),
+        "test": e["test"],
+    }
+
+
+def _equation(e: Mapping[str, Any]) -> Data:
+    return {
+        "number": e["number"],
+        "what": prose(e["what"]),
+        "tex": maths(e["tex"]),
+        "status": e["status"],
+        "code": e["code"],
+        "test": e["test"],
+        "note": prose(e["note"]),
+    }
+
+
+def _number(v: Mapping[str, Any]) -> list[list[Any]]:
+    unit = v["unit"] if v["unit"] != "1" else ""
+    return [
+        prose(v["what"]), runs(v["printed"]), runs(unit), runs(v["place"]),
+        prose("; ".join(v["claimed"])),
+    ]  # fmt: skip

@@ -1,0 +1,62 @@
+"""Marked-up text as plain data: what the PDF sets and what a sheet's cell holds."""
+
+from html.parser import HTMLParser
+from typing import Any
+
+from markupsafe import Markup
+
+Run = str | list[Any]
+
+VOID = {"br"}
+RAISED = str.maketrans("0123456789−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
+
+
+def runs(text: str) -> list[Run]:
+    """Text as runs: plain strings and lists of a tag (var, sub, sup, small, br) and its runs.
+
+    Only `Markup` holds tags; any other string is one run, as it stands.
+    """
+    if not isinstance(text, Markup):
+        return [text] if text else []
+    parser = _Runs()
+    parser.feed(text)
+    parser.close()
+    return parser.stack[0]
+
+
+def plain(text: str) -> str:
+    """Marked-up text as one string: ×10⁻⁸ keeps its raised digits, an index its underscore."""
+    return "".join(_plain(run) for run in runs(text))
+
+
+def _plain(run: Run) -> str:
+    if isinstance(run, str):
+        return run
+    tag, *inner = run
+    text = "".join(_plain(part) for part in inner)
+    if tag == "sup":
+        return text.translate(RAISED)
+    if tag == "br":
+        return " "
+    return f"_{text}" if tag == "sub" else text
+
+
+class _Runs(HTMLParser):
+    """Nested tags as nested lists."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.stack: list[list[Run]] = [[]]
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:  # noqa: ARG002
+        node: list[Run] = [tag]
+        self.stack[-1].append(node)
+        if tag not in VOID:
+            self.stack.append(node)
+
+    def handle_endtag(self, tag: str) -> None:  # noqa: ARG002
+        if len(self.stack) > 1:
+            self.stack.pop()
+
+    def handle_data(self, data: str) -> None:
+        self.stack[-1].append(data)
