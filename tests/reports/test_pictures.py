@@ -157,6 +157,8 @@ def test_lines_take_colours_along_their_length_and_corners_have_no_gap(way):
     pixels = pixels_of(drawn)
     corner, foot, middle = drawn.pixels(np.array([[0, 3], [0, 0.05], [2, 3.0]])).astype(int)
     assert is_near(pixels[corner[1], corner[0]], RED)
+    out = np.floor(drawn.pixels(np.array([[0.0, 3]]))[0] - 1.2).astype(int)
+    assert pixels[out[1], out[0], 3] > 127  # outside the corner, where neither stroke reaches
     assert is_near(pixels[foot[1], foot[0]], BLUE)
     assert is_near(pixels[middle[1], middle[0]], (179, 179, 173))
     assert [len(line) for line in drawn.outline] == [3]
