@@ -1,0 +1,221 @@
+"""Whole runs that are killed or stopped: no torn file, no orphan, nothing solved twice."""
+
+import csv
+import io
+import json
+import os
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.xdist_group("survival")  # they share the undisturbed run
+KILLS = 20
+RING_LEVELS = 4
+REPORT = re.compile(r"report\.html|results(\.schema)?\.json|rows\.csv|junit\.xml|ring-lame-.*\.vtu")
+
+
+class Place:
+    """A cache and an output folder of their own, and runs of ring-lame on them."""
+
+    def __init__(self, base: Path):
+        self.out, self.cache = base / "out", base / "cache" / "fem"
+
+    def start(self, *more, case="ring-lame", **options):
+        command = [sys.executable, "-m", "verify", "verify", case, "--out", str(self.out), *more]
+        return subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            env=os.environ | {"FREEWHEEL_CACHE": str(self.cache)}, start_new_session=True,
+            **options,
+        )  # fmt: skip
+
+    def run(self, *more, **options):
+        """Exit status, stdout and stderr of a run that nothing disturbs."""
+        process = self.start(*more, **options)
+        out, err = process.communicate(timeout=120)
+        return process.returncode, out, err
+
+    def stored(self):
+        """Cache entries with what tells one writing of a file from another."""
+        return {p: (p.stat().st_ino, p.stat().st_mtime_ns) for p in self.cache.rglob("*.npz")
+                if not p.name.startswith(".part-")}  # fmt: skip
+
+    def left_over(self):
+        return [p for folder in (self.out, self.cache) for p in folder.rglob(".part-*")]
+
+    def results(self):
+        """results.json without what differs between any two runs."""
+        record = json.loads((self.out / "results.json").read_text("utf-8"))
+        for name in ("made", "commit", "seconds", "cached"):
+            del record["provenance"][name]
+        return record
+
+    def assert_whole(self):
+        """Every file that a run leaves can be read to its end, and there are no others."""
+        for path in self.stored():
+            with np.load(path) as data:
+                assert [data[name] for name in data.files]
+        for path in self.cache.glob("*.json"):
+            assert json.loads(path.read_text())
+        for path in self.out.glob("*"):
+            if path.name.startswith(".part-") or path.name == ".lock":
+                continue
+            assert REPORT.fullmatch(path.name)
+            text = path.read_text("utf-8")
+            if path.suffix == ".json":
+                assert json.loads(text)
+            elif path.suffix in (".xml", ".vtu"):
+                assert len(ET.fromstring(text))
+            elif path.suffix == ".csv":
+                assert len({len(line) for line in csv.reader(io.StringIO(text))}) == 1
+            else:
+                assert text.rstrip().endswith("</html>")
+
+
+@pytest.fixture
+def place(tmp_path):
+    return Place(tmp_path)
+
+
+def members(session):
+    """Living processes of a session."""
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdigit():
+            try:
+                state, _, _, sid = (entry / "stat").read_text().rpartition(")")[2].split()[:4]
+            except OSError:
+                continue
+            if int(sid) == session and state != "Z":
+                found.append(int(entry.name))
+    return found
+
+
+def all_gone(session, seconds=2.0):
+    end = time.monotonic() + seconds
+    while members(session) and time.monotonic() < end:
+        time.sleep(0.02)
+    return not members(session)
+
+
+def workers_of(process, count):
+    """The processes under `process` that solve, once there are `count`."""
+    end = time.monotonic() + 20
+    while time.monotonic() < end:
+        found = [p for p in members(process.pid) if p != process.pid and is_worker(p)]
+        if len(found) == count:
+            return found
+        time.sleep(0.01)
+    raise AssertionError(f"no {count} workers")
+
+
+def is_worker(pid):
+    try:
+        return b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes()
+    except OSError:
+        return False
+
+
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory):
+    """A run that nobody disturbed, and how long another takes that finds all in the cache [s]."""
+    place = Place(tmp_path_factory.mktemp("undisturbed"))
+    for _ in range(2):
+        start = time.monotonic()
+        status, _, err = place.run("--jobs", "2")
+        assert status == 0, err
+        place.assert_whole()
+    return place, time.monotonic() - start
+
+
+def test_twenty_kills_lose_and_tear_nothing(place, undisturbed):
+    """Seeded moments, from the first levels in an empty cache to the last file of the report."""
+    right, seconds = undisturbed
+    moments = random.Random(20)
+    kept = {}
+    for kill in range(KILLS):
+        process = place.start("--jobs", "1" if kill % 4 == 3 else "2")
+        try:
+            process.wait(moments.uniform(0.1, 1.05 * seconds))
+        except subprocess.TimeoutExpired:
+            process.kill()
+        process.communicate()
+        assert all_gone(process.pid)
+        place.assert_whole()
+        now = place.stored()
+        assert kept.items() <= now.items()  # what was stored is never written anew
+        kept = now
+    status, _, err = place.run("--jobs", "2")
+    assert status == 0, err
+    place.assert_whole()
+    assert place.left_over() == []
+    assert kept.items() <= place.stored().items()
+    assert len(place.stored()) == RING_LEVELS
+    assert place.results() == right.results()
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+@pytest.mark.parametrize("stop", [signal.SIGINT, signal.SIGTERM], ids=["ctrl-c", "sigterm"])
+def test_a_stopped_run_ends_at_once_with_one_line(stop, jobs, place):
+    process = place.start("--jobs", jobs)
+    workers_of(process, int(jobs))
+    time.sleep(0.1 * int(jobs))
+    start = time.monotonic()
+    if stop is signal.SIGINT:
+        os.killpg(process.pid, stop)  # as a terminal does
+    else:
+        process.send_signal(stop)
+    _, err = process.communicate(timeout=20)
+    assert time.monotonic() - start < 2  # the level under way takes longer
+    assert process.returncode == 130
+    assert re.fullmatch(r"freewheel: interrupted; .*\n", err)
+    assert all_gone(process.pid)
+    assert place.left_over() == []
+
+
+def test_a_worker_that_is_killed_once_costs_nothing(place, undisturbed):
+    process = place.start("--jobs", "2")
+    os.kill(workers_of(process, 2)[0], signal.SIGKILL)
+    _, err = process.communicate(timeout=120)
+    assert process.returncode == 0, err
+    assert place.results() == undisturbed[0].results()
+
+
+def test_two_runs_at_once_with_one_cache_and_one_folder_agree(place, undisturbed):
+    both = [place.start("--jobs", "1") for _ in range(2)]
+    for process in both:
+        _, err = process.communicate(timeout=120)
+        assert process.returncode == 0, err
+    place.assert_whole()
+    assert place.left_over() == []
+    assert place.results() == undisturbed[0].results()
+
+
+def test_torn_entries_are_solved_again(place, undisturbed):
+    for path in undisturbed[0].stored():
+        copy = place.cache / path.relative_to(undisturbed[0].cache)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(path.read_bytes())
+    torn, empty = sorted(place.stored(), key=lambda path: path.stat().st_size)[:2]
+    torn.write_bytes(torn.read_bytes()[:-10])
+    empty.write_bytes(b"")
+    before = place.stored()
+    status, _, err = place.run()
+    assert status == 0, err
+    changed = {path for path, state in place.stored().items() if before[path] != state}
+    assert changed == {torn, empty}
+    place.assert_whole()
+    assert place.results() == undisturbed[0].results()
+
+
+def test_without_the_cache_none_is_made(place):
+    status, _, err = place.run("--no-cache", case="spring-accordion")
+    assert status == 0, err
+    assert not place.cache.parent.exists()
