@@ -58,7 +58,7 @@ def compose(field: Field, picture: Picture) -> Scene:
     if window is not None:
         inside &= _touches(turned.points[turned.cells][..., :2], _grown(window))
         if not inside.any():
-            raise ValueError(f"field {field.name!r}: what is in the window {window} moves out of it")
+            raise ValueError(f"field {field.name!r}: the window {window} is empty once deformed")
     cells = turned.cells[inside]
     if turned.values is None or seen.values is None:
         scale, values = ramps.plain(), np.zeros(len(cells))
