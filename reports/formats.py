@@ -22,12 +22,12 @@ class Glyphs:
     def maths(self, tex: str, size: int = 15) -> Markup:
         """TeX as inline SVG in the colour of the text; read aloud as its source."""
         drawn = ziamath.Latex(tex, size=size, color="currentColor").svg()
-        for name, glyph in re.findall(r'<symbol id="([^"]+)"(.*?)</symbol>', drawn, re.DOTALL):
+        for name, glyph in _SYMBOL.findall(drawn):
             # ziamath reuses one id for different glyphs: name them by content
             unique = "g" + hashlib.sha256(glyph.encode()).hexdigest()[:10]
-            self._known[unique] = f'<symbol id="{unique}"{glyph}</symbol>'
+            self._known[unique] = f'<symbol id="{unique}"{glyph}'
             drawn = drawn.replace(f'"#{name}"', f'"#{unique}"')
-        drawn = re.sub(r"<symbol.*?</symbol>", "", drawn, flags=re.DOTALL)
+        drawn = _SYMBOL.sub("", drawn)
         box = re.search(r'viewBox="([^"]+)"', drawn)
         assert box is not None
         _, top, _, height = map(float, box[1].split())
@@ -43,6 +43,8 @@ class Glyphs:
 
 
 _INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
+# a glyph with its outline, or an empty one (a space), which closes itself
+_SYMBOL = re.compile(r'<symbol id="([^"]+)"([^>]*/>|[^>]*>.*?</symbol>)', re.DOTALL)
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 

@@ -1,0 +1,96 @@
+"""The page in a real browser without network: silent, narrow enough, readable, filterable."""
+
+import html
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from reports.frames import frames
+from reports.html import page
+from verify.cache import default_folder
+
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
+)
+pytestmark = [
+    pytest.mark.skipif(not CHROMIUM, reason="no chromium: the page is not looked at in a browser"),
+    pytest.mark.xdist_group("browser"),
+]
+HOST = Path(__file__).with_name("browser_host.html")
+OFFLINE = ("--host-resolver-rules=MAP * ~NOTFOUND", "--disable-background-networking",
+           "--disable-component-update", "--disable-sync", "--no-first-run")  # fmt: skip
+DARK = "--blink-settings=preferredColorScheme=0"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, report, hostile) -> Path:
+    """The page, the hostile one, and the host that looks at them in frames."""
+    place = tmp_path_factory.mktemp("browser")
+    drawn = frames(report.cases, default_folder().parent / "pictures")
+    (place / "report.html").write_text(page(report, drawn), "utf-8")
+    (place / "hostile.html").write_text(page(hostile, drawn), "utf-8")
+    return place
+
+
+def browse(folder: Path, *flags: str) -> subprocess.CompletedProcess[str]:
+    base = (CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+            f"--user-data-dir={folder / 'profile'}", "--allow-file-access-from-files",
+            "--enable-logging=stderr", "--window-size=1320,900", *OFFLINE)  # fmt: skip
+    return subprocess.run([*base, *flags], capture_output=True, text=True, timeout=120, check=False)
+
+
+def looked_at(folder: Path, name: str, width: int, *flags: str) -> dict[str, object]:
+    """What the host measured of the page `name` in a frame of `width` pixels."""
+    host = folder / f"host-{name}-{width}.html"
+    text = HOST.read_text("utf-8").replace("PAGE", f"{name}.html").replace("WIDTH", str(width))
+    host.write_text(text, "utf-8")
+    done = browse(folder, *flags, "--virtual-time-budget=20000", "--dump-dom", host.as_uri())
+    found = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
+    assert found, done.stderr[-2000:]
+    result = json.loads(html.unescape(found[1]))
+    result["console"] = re.findall(r"CONSOLE.*", done.stderr)
+    return result
+
+
+@pytest.mark.parametrize("name", ["report", "hostile"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width):
+    seen = looked_at(folder, name, width)
+    assert seen["overflow"] <= 0, seen["widest"]
+    assert seen["console"] == []
+    assert seen["requests"] == []
+    assert not seen["alerts"]
+    assert seen["canvases"] == seen["painted"]
+
+
+@pytest.mark.parametrize("flags", [(), (DARK,)], ids=["light", "dark"])
+def test_every_word_stands_out_from_its_ground(folder, flags):
+    seen = looked_at(folder, "hostile", 1280, *flags)
+    assert bool(seen["dark"]) == bool(flags)
+    assert seen["texts"] > 500
+    assert seen["contrast"] >= 4.5, seen["faintest"]  # WCAG 2, level AA
+
+
+def test_a_tile_shows_the_rows_of_its_status(folder):
+    seen = looked_at(folder, "hostile", 1280)
+    assert seen["shown"]["all"] > 6
+    for status in ("fail", "skip", "note", "calibrated", "shown"):
+        assert seen["shown"][status] >= 1
+        assert seen["hidden"][status] == 0  # rows of another status that stay visible
+
+
+def test_it_opens_in_less_than_two_seconds(folder):
+    assert looked_at(folder, "report", 1280)["milliseconds"] < 2000
+
+
+def test_it_prints(folder):
+    target = folder / "print.pdf"
+    browse(folder, "--no-pdf-header-footer", f"--print-to-pdf={target}",
+           (folder / "report.html").as_uri())  # fmt: skip
+    data = target.read_bytes()
+    assert data.startswith(b"%PDF")
+    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 60

@@ -1,0 +1,148 @@
+"""The page as text: self-contained, escaped, whole."""
+
+import base64
+import hashlib
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import pytest
+
+from reports.frames import frames
+from reports.html import lines, page
+from verify.cache import default_folder
+from verify.results import Kind, Row, Status
+
+VOID = {"meta", "link", "br", "img", "input", "hr"}
+SVG_EMPTY = {"path", "circle", "rect", "line", "use", "image", "stop"}  # close themselves
+
+
+class Reader(HTMLParser):
+    """Checks that tags close; collects scripts, foreign addresses, ids and links within."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.scripts, self.foreign, self.handlers = [], [], [], []
+        self.ids, self.links, self._script, self.policy = [], [], None, ""
+
+    def handle_starttag(self, tag, attrs):
+        values = dict(attrs)
+        if tag == "script":
+            self._script = values.get("type", "")
+            self.scripts.append([self._script, ""])
+        if tag not in VOID | SVG_EMPTY:
+            self.open.append(tag)
+        if values.get("http-equiv") == "Content-Security-Policy":
+            self.policy = values["content"]
+        self.ids += [values["id"]] if "id" in values else []
+        self.links += [values["href"]] if tag == "a" else []
+        self.handlers += [k for k in values if k.startswith("on")]
+        self.foreign += [
+            (k, v) for k, v in attrs
+            if k in ("href", "src", "action", "xlink:href", "style") and v
+            and re.match(r"(https?:|//|file:|javascript:|.*url\((?!#))", v)
+        ]  # fmt: skip
+
+    def handle_startendtag(self, tag, attrs):
+        self.handle_starttag(tag, attrs)
+        if tag not in VOID | SVG_EMPTY:
+            self.open.pop()
+
+    def handle_data(self, data):
+        if self._script is not None:
+            self.scripts[-1][1] += data
+
+    def handle_endtag(self, tag):
+        if tag == "script":
+            self._script = None
+        if tag not in VOID | SVG_EMPTY:
+            assert self.open.pop() == tag
+
+
+@pytest.fixture(scope="module")
+def drawn(report):
+    return frames(report.cases, default_folder().parent / "pictures")
+
+
+@pytest.fixture(scope="module")
+def text(report, drawn) -> str:
+    return page(report, drawn)
+
+
+@pytest.fixture(scope="module")
+def hostile_text(hostile, drawn) -> str:
+    return page(hostile, drawn)
+
+
+@pytest.mark.parametrize("which", ["text", "hostile_text"])
+def test_the_page_is_well_formed_and_self_contained(which, request):
+    reader = Reader()
+    reader.feed(request.getfixturevalue(which))
+    assert reader.open == []
+    assert reader.foreign == []
+    assert reader.handlers == []
+    assert len(set(reader.ids)) == len(reader.ids)
+    assert {link[1:] for link in reader.links if link.startswith("#")} <= set(reader.ids)
+    assert all(link.startswith("#") for link in reader.links)
+
+
+@pytest.mark.parametrize("which", ["text", "hostile_text"])
+def test_one_script_runs_and_the_policy_names_it(which, request):
+    reader = Reader()
+    reader.feed(request.getfixturevalue(which))
+    (own,) = [code for kind, code in reader.scripts if kind != "application/json"]
+    digest = base64.b64encode(hashlib.sha256(own.encode()).digest()).decode()
+    assert f"script-src 'sha256-{digest}'" in reader.policy
+    assert "default-src 'none'" in reader.policy
+
+
+def test_a_page_without_views_runs_no_script(report):
+    reader = Reader()
+    reader.feed(page(report, {}))
+    assert "script-src 'none'" in reader.policy
+    assert reader.scripts == []
+
+
+def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
+    named = replace(hostile, name="<script>alert(1)</script>")
+    cases = tuple(replace(c, name="<img src=x onerror=alert(1)>") for c in hostile.cases)
+    for shown in (hostile_text, page(replace(named, cases=cases), drawn)):
+        assert "<script>alert" not in shown
+        assert "<img" not in shown
+        assert "<b>_x" not in shown
+    assert "&lt;script&gt;alert(1)" in page(named, drawn)
+
+
+def test_every_status_is_on_the_page(hostile_text):
+    for status in Status:
+        assert f'class="state is-{status.value.lower()}">{status.value}<' in hostile_text
+        assert f'id="show-{status.value.lower()}"' in hostile_text
+
+
+def test_every_row_is_on_the_page_once(report, text):
+    for i in range(len(report.rows)):
+        assert text.count(f'id="row-{i}"') == 1
+
+
+def row(quantity: str, status: Status = Status.PASS) -> Row:
+    return Row(case="c", quantity=quantity, symbol="x", unit="1", kind=Kind.IDENTITY, status=status)
+
+
+def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
+    a, good, b = row("a"), row("a: convergence"), row("b")
+    bad = row("b: convergence", Status.FAIL)
+    assert [(x.row, x.convergence) for x in lines([a, good, b, bad])] == [
+        (a, good), (b, None), (bad, None),
+    ]  # fmt: skip
+    assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
+
+
+def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
+    own = page(replace(report, name="my clutch"), drawn)
+    assert "<h1>my clutch</h1>" in own
+    assert 'id="errata"' not in own
+    assert 'id="provenance"' in own
+
+
+def test_the_page_stays_small_enough_to_mail(text):
+    assert len(text.encode()) < 8e6
