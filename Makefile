@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: verify quick test check bench lock clean
+.PHONY: verify quick test check bench readme lock clean
 
 verify: .venv/.ready
 	$(BIN)/freewheel verify
@@ -20,7 +20,11 @@ check: .venv/.ready
 	$(BIN)/lint-imports
 
 bench: .venv/.ready
-	$(BIN)/python benchmarks/plane.py
+	$(BIN)/python -m benchmarks.plane
+
+# The table of verdicts in README.md, from the last run of `make verify`.
+readme: verify
+	$(BIN)/python tools/readme.py
 
 .venv/.ready: requirements.txt pyproject.toml tools/system-check
 	PYTHON=$(PYTHON) tools/system-check

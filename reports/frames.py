@@ -64,6 +64,8 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
             height * (y1 - point[1]) / (y1 - y0),
         )
 
+    times = f"Displacements × {svg.plain(drawn.exaggeration)}, dashed: before loading."
+    moved = times if drawn.exaggeration else ""
     data = base64.b64encode(drawn.png).decode()
     body = [
         Markup(
@@ -75,7 +77,7 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
     ]
     return Frame(
         caption=picture.caption,
-        note=f"Displacements × {svg.plain(drawn.exaggeration)}, dashed: before loading.",
+        note=moved,
         svg=svg.drawing(WIDTH, height + 52, body, picture.caption, "frame"),
         by=drawn.by,
         why=drawn.why,
@@ -83,7 +85,9 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
 
 
 def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
-    """The ramp with round numbers below and the symbol beside it."""
+    """The ramp with round numbers below and the symbol beside it; nothing for a plain picture."""
+    if not drawn.ramp:
+        return []
     name = "ramp-" + sha256(repr((drawn.ramp, picture)).encode()).hexdigest()[:10]
     last = max(len(drawn.ramp) - 1, 1)
     stops = Markup("").join(
