@@ -15,6 +15,7 @@ from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
 from reports.records import report_record
+from reports.verdicts import verdicts
 from reports.vtu import vtu_files
 from verify.results import Report, Row
 
@@ -72,6 +73,7 @@ def _files(report: Report, drawn: Mapping[str, list[Frame]]) -> Iterator[tuple[s
     yield "results.json", record.encode()
     yield schema.name, schema.read_bytes()
     yield "rows.csv", rows_csv(report.rows).encode()
+    yield "verdicts.md", f"{verdicts(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "report.html", page(report, drawn).encode()
     yield from vtu_files(report)
