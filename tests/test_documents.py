@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from reports.verdicts import verdicts
 from verify.cases.registry import CASES
+from verify.cli import run
+from verify.commands import make_report
 from verify.environment import PACKAGES
 from verify.inputs import build
 
@@ -28,6 +31,17 @@ def test_the_parameter_file_of_the_readme_is_one():
 @pytest.mark.parametrize("file", ["README.md", ".ci/run"])
 def test_the_debian_packages_are_the_same_everywhere(file):
     assert re.search(rf"[ (]{' '.join(PACKAGES)}[)\n]", (ROOT / file).read_text("utf-8"))
+
+
+def test_the_table_of_verdicts_is_that_of_this_code(judged):
+    cases = [judged(case) for case in CASES]
+    table = verdicts(make_report(cases, CASES, 0.0))
+    assert f"<!-- verdicts -->\n{table}\n<!-- /verdicts -->" in README, "run make readme"
+
+
+@pytest.mark.parametrize("command", re.findall(r"\.venv/bin/freewheel (\S+)", README))
+def test_every_command_of_the_readme_is_one(command):
+    assert run([command.strip("`."), "--help"]) == 0
 
 
 def test_links_of_the_readme_lead_somewhere():
