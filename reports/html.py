@@ -108,8 +108,8 @@ class Claim:
     row: str
     name: str
     status: Status
-    formula: str
-    fem: str
+    formula: str | Markup
+    fem: Markup
 
 
 @dataclass(frozen=True)
@@ -130,15 +130,12 @@ def claims(cells: Sequence[PaperCell]) -> Said:
 
 
 def _claim(claim: PaperClaim) -> Claim:
-    fem = formats.number(claim.fem) if claim.fem is not None else ""
-    u = f" ± {formats.number(claim.u, 2)}" if claim.fem is not None and claim.u else ""
-    return Claim(
-        claim.row,
-        claim.row.partition("/")[2],
-        claim.status,
-        formats.number(claim.analytic),
-        fem + u,
-    )
+    fem = Markup("")
+    if claim.fem is not None:
+        u = Markup(" ± {}").format(formats.small(claim.u, 2)) if claim.u else ""
+        fem = Markup("{}{}").format(formats.small(claim.fem), u)
+    name = claim.row.partition("/")[2]
+    return Claim(claim.row, name, claim.status, formats.small(claim.analytic), fem)
 
 
 def plot(figure: Figure) -> Markup:

@@ -56,7 +56,7 @@ def _row(elements: Sequence[Element]) -> Node:
 
 
 def _opens(elements: Sequence[Element]) -> bool:
-    """A \\left that is not closed before the end, or a bracket around a matrix."""
+    """A stretched fence that ends with its row, or a bracket around a matrix."""
     return elements[0].get("form") == "prefix" or _is_closing(elements)
 
 

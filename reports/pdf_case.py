@@ -8,7 +8,7 @@ from reports import formats, plots, signature
 from reports.frames import Frame
 from reports.html import Line, lines, plot, present, printed, reproduce
 from reports.mathematics import tree
-from reports.richtext import Run, runs
+from reports.richtext import Run, digits, runs
 from reports.sketch import sketch
 from reports.standalone import Drawing, standalone
 from verify.results import CaseResult, FormulaValue, InputValue, Row, Table
@@ -46,7 +46,7 @@ def case_data(
         "readings": [prose(x) for x in case.readings],
         "assumptions": [prose(x) for x in case.assumptions],
         "figures": _figures(case, frames),
-        "budget": [_budget(line.row) for line in group],
+        "budget": _budget([line.row for line in group]),
         "levels": _levels([row for row in case.rows if row.levels]),
         "expected": [_expected(row) for row in case.rows if row.interval],
         "tables": [_table(t, sheet) for t, sheet in zip(case.tables, sheets, strict=True)],
@@ -66,7 +66,7 @@ def maths(tex: str) -> Data | None:
 
 def quantity(row: Row) -> list[Run]:
     """Name, symbol and unit of a row."""
-    unit = [" ", ["small", row.unit]] if row.unit != "1" else []
+    unit: list[Run] = [" ", ["small", row.unit]] if row.unit != "1" else []
     return [*prose(row.quantity), " ", *runs(formats.symbol(row.symbol)), *unit]
 
 
@@ -94,10 +94,12 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
 
 
 def _input(entry: InputValue) -> list[list[Run]]:
-    source: list[Run] = [" ", ["place", *prose(entry.source)]] if entry.source else []
+    what: list[Run] = [entry.what]
+    if entry.source:
+        what += [" ", ["place", *prose(entry.source)]]
     return [
-        runs(formats.symbol(entry.symbol)), [entry.what, *source],
-        runs(formats.number(entry.value)), _unit(entry.unit),
+        runs(formats.symbol(entry.symbol)), what,
+        digits(formats.number(entry.value)), _unit(entry.unit),
     ]  # fmt: skip
 
 
@@ -105,7 +107,7 @@ def _value(value: FormulaValue) -> list[list[Run]]:
     aside: list[Run] = [] if value.judged else [" ", ["small", "(not judged)"]]
     return [
         runs(formats.symbol(value.symbol)), [*prose(value.what), *aside],
-        runs(formats.number(value.value)), _unit(value.unit),
+        digits(formats.number(value.value)), _unit(value.unit),
     ]  # fmt: skip
 
 
@@ -128,15 +130,30 @@ def _figure(drawing: Drawing | None, title: str, note: str) -> Data:
     return {"drawing": drawing, "title": prose(title), "note": prose(note)}
 
 
-def _budget(row: Row) -> Data:
-    cells = [
+def _budget(rows: Sequence[Row]) -> Data:
+    """Lines of the error budget; reasons for a demand stand below, each once, with a letter."""
+    said = dict.fromkeys(row.demand_reason for row in rows if row.demand_reason)
+    marks = {reason: _letter(i) for i, reason in enumerate(said)}
+    return {
+        "rows": [_budget_line(row, marks.get(row.demand_reason, "")) for row in rows],
+        "reasons": [[mark, prose(reason)] for reason, mark in marks.items()],
+    }
+
+
+def _letter(index: int) -> str:
+    """A to z, then aa, ab."""
+    more, last = divmod(index, 26)
+    return (_letter(more - 1) if more else "") + chr(ord("a") + last)
+
+
+def _budget_line(row: Row, mark: str) -> list[list[Run]]:
+    return [
         quantity(row), [row.kind.value], [row.grid.behaviour if row.grid else ""],
         [formats.order(row)], [formats.number(row.formal_order, 3)],
         runs(formats.relative(row, "u_num")), runs(formats.relative(row, "u_ref")),
         runs(formats.tolerance(row)), runs(formats.power(row.detects)),
-        runs(formats.power(row.demand)),
+        [*runs(formats.power(row.demand)), *([["sup", mark]] if mark else [])],
     ]  # fmt: skip
-    return {"cells": cells, "reason": prose(row.demand_reason)}
 
 
 def _levels(rows: Iterable[Row]) -> list[Data]:
@@ -144,12 +161,14 @@ def _levels(rows: Iterable[Row]) -> list[Data]:
     return [
         {
             "header": [["Quantity"], *([f"h = {formats.number(h, 3)}"] for h in sizes)],
-            "rows": [[quantity(r), *([formats.number(v, 9)] for _, v in r.levels)] for r in group],
+            "rows": [_level_cells(row) for row in group],
         }
-        for sizes, group in groupby(
-            sorted(rows, key=_sizes), _sizes
-        )
-    ]  # fmt: skip
+        for sizes, group in groupby(sorted(rows, key=_sizes), _sizes)
+    ]
+
+
+def _level_cells(row: Row) -> list[list[Run]]:
+    return [quantity(row), *(digits(formats.number(v, 9)) for _, v in row.levels)]
 
 
 def _sizes(row: Row) -> tuple[float, ...]:
@@ -175,7 +194,7 @@ def _table(table: Table, sheet: str) -> Data:
         "parts": [
             {
                 "header": [prose(table.header[i]) for i in part],
-                "rows": [[prose(formats.number(row[i])) for i in part] for row in rows],
+                "rows": [[_cell(row[i]) for i in part] for row in rows],
                 "numbers": [bool(rows) and not isinstance(rows[0][i], str) for i in part],
             }
             for part in parts
@@ -183,3 +202,7 @@ def _table(table: Table, sheet: str) -> Data:
         "note": prose(table.note),
         "shortened": count if long else "",
     }
+
+
+def _cell(cell: str | float | None) -> list[Run]:
+    return prose(cell) if isinstance(cell, str) else digits(formats.number(cell))

@@ -113,7 +113,7 @@ def _paper_table(
                  "formula": runs(c.formula), "fem": runs(c.fem)}
                 for c in said.rows
             ],
-            "inputs": list(said.inputs),
+            "inputs": [prose(i) for i in said.inputs],
             "errata": linked(said.errata),
         }  # fmt: skip
 

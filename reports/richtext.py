@@ -1,5 +1,6 @@
 """Marked-up text as plain data: what the PDF sets and what a sheet's cell holds."""
 
+import re
 from html.parser import HTMLParser
 from typing import Any
 
@@ -8,6 +9,7 @@ from markupsafe import Markup
 Run = str | list[Any]
 
 VOID = {"br"}
+_EXPONENT = re.compile(r"([−-]?[\d.]+)e([+−-]?\d+)")
 RAISED = str.maketrans("0123456789−+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
 
@@ -22,6 +24,15 @@ def runs(text: str) -> list[Run]:
     parser.feed(text)
     parser.close()
     return parser.stack[0]
+
+
+def digits(text: str) -> list[Run]:
+    """A written number as runs: 1.2e-08 as 1.2×10⁻⁸, anything else as it stands."""
+    match = _EXPONENT.fullmatch(text)
+    if not match:
+        return runs(text)
+    power = str(int(match[2].replace("−", "-"))).replace("-", "−")
+    return [match[1], ["small", "×10", ["sup", power]]]
 
 
 def plain(text: str) -> str:

@@ -1,4 +1,4 @@
-"""Names of a workbook's sheets: at most 31 characters, none of []:*?/\\, each once."""
+"""Names of a workbook's sheets: at most 31 characters, no brackets or slashes, each once."""
 
 import re
 from collections.abc import Iterable

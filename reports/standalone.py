@@ -6,21 +6,22 @@ from functools import cache
 from pathlib import Path
 from typing import TypedDict
 
-
 HERE = Path(__file__).parent / "templates"
 FONT = "Libertinus Serif"
+ASIDE = 44.0
 OWN = (  # paper has its own size of letters, and one font for text and symbols
     f'text {{ font-family: "{FONT}"; }} .overview text {{ font-size: 17px; }} '
-    ".chart .tick, .chart .label, .frame text { font-size: 12.5px; } "
+    ".chart .tick, .chart .label { font-size: 12.5px; } .frame text { font-size: 15px; } "
     f'.sketch .sym {{ font-family: "{FONT}"; font-size: 15px; }}'
 )
 
 
 class Drawing(TypedDict):
-    """An image and what it shows, in words."""
+    """An image, what it shows in words, and its height over its width."""
 
     svg: str
     alt: str
+    ratio: float
 
 
 def standalone(svg: str) -> Drawing | None:
@@ -28,8 +29,23 @@ def standalone(svg: str) -> Drawing | None:
     if not svg:
         return None
     label = re.search(r'aria-label="([^"]*)"', svg)
-    styled = str(svg).replace(">", f"><style>{_rules()}</style>", 1)
-    return {"svg": styled, "alt": html.unescape(label[1]) if label else ""}
+    left, top, width, height = _box(svg)
+    if 'class="sketch"' in svg:  # its labels may stand beside the drawing
+        left, width = left - ASIDE, width + 2 * ASIDE
+    wide = f'viewBox="{left:g} {top:g} {width:g} {height:g}"'
+    styled = re.sub(r'viewBox="[^"]*"', wide, svg, count=1)
+    return {
+        "svg": styled.replace(">", f"><style>{_rules()}</style>", 1),
+        "alt": html.unescape(label[1]) if label else "",
+        "ratio": height / width,
+    }
+
+
+def _box(svg: str) -> tuple[float, float, float, float]:
+    found = re.search(r'viewBox="(\S+) (\S+) (\S+) (\S+)"', svg)
+    assert found is not None
+    left, top, width, height = map(float, found.groups())
+    return left, top, width, height
 
 
 @cache

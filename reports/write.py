@@ -1,11 +1,10 @@
 """Write everything of a run into one folder, each file whole or not at all."""
 
-import csv
 import fcntl
-import io
 import json
 import shutil
 from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,22 +13,17 @@ from tempfile import TemporaryDirectory
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
+from reports.pdf import NotSet, pdf
 from reports.records import report_record
+from reports.rows import rows_csv
 from reports.verdicts import verdicts
 from reports.vtu import vtu_files
-from verify.results import Report, Row
+from reports.xlsx import xlsx
+from verify.results import Report
 
-COLUMNS = (
-    "case", "quantity", "symbol", "unit", "kind", "analytic", "fem", "difference", "scale",
-    "tolerance", "u_num", "u_ref", "u_input", "order", "status", "reason",
-)  # fmt: skip
-RELATIVE = (
-    "difference_relative", "tolerance_relative", "detects_relative", "demand_relative",
-    "expected_low_relative", "expected_high_relative",
-)  # fmt: skip
 ERRORS = "errors.txt"
+PAPER = "report.pdf"
 STAGING = ".part-"
-PRINTED = ("printed_theory", "printed_FEA", "printed_test")
 
 
 @dataclass(frozen=True)
@@ -41,7 +35,7 @@ class Written:
 
 
 def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: str = "") -> Written:
-    """report.html, results.json with its schema, rows.csv, junit.xml and a VTU per field.
+    """The report as page, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
 
     `pictures` is a folder that keeps what was drawn for the next run; `hint` says what to install
     where pyvista can't draw. errors.txt holds the tracebacks of cases that failed. All files are
@@ -49,9 +43,16 @@ def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: s
     """
     try:
         drawn = frames(report.cases, pictures, hint)
-        files = dict(_files(report, drawn))
+        with ThreadPoolExecutor(1) as beside:  # typst works beside, for it holds no lock
+            paper = beside.submit(pdf, report, drawn)
+            files = dict(_files(report, drawn))
     except OSError as error:  # a temporary file of a drawing
         raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
+    remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
+    try:
+        files[PAPER] = paper.result()
+    except NotSet as why:
+        remarks[f"{PAPER} is not written: {why}"] = None
     with _alone_in(folder), _staging(folder) as staging:
         for name, content in files.items():
             try:
@@ -60,10 +61,13 @@ def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: s
                 raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
         for name in files:
             (staging / name).replace(folder / name)
-        for stale in (*folder.glob("*.vtu"), folder / ERRORS):  # of a run over other cases
+        for stale in (
+            *folder.glob("*.vtu"),
+            folder / ERRORS,
+            folder / PAPER,
+        ):  # of a run over other cases
             if stale.name not in files:
                 stale.unlink(missing_ok=True)
-    remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
     return Written(folder / "report.html", tuple(remarks))
 
 
@@ -75,6 +79,7 @@ def _files(report: Report, drawn: Mapping[str, list[Frame]]) -> Iterator[tuple[s
     yield "rows.csv", rows_csv(report.rows).encode()
     yield "verdicts.md", f"{verdicts(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
+    yield "tables.xlsx", xlsx(report)
     yield "report.html", page(report, drawn).encode()
     yield from vtu_files(report)
     if errors := [f"{case.id}\n{trace}" for case in report.cases for trace in case.errors]:
@@ -96,27 +101,3 @@ def _staging(folder: Path) -> Iterator[Path]:
         shutil.rmtree(abandoned, ignore_errors=True)
     with TemporaryDirectory(dir=folder, prefix=STAGING, ignore_cleanup_errors=True) as name:
         yield Path(name)
-
-
-def rows_csv(rows: tuple[Row, ...]) -> str:
-    """One line a row: values in the row's unit, then what is relative to its scale.
-
-    Starts with a byte-order mark, without which spreadsheets misread µm.
-    """
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow((*COLUMNS, *RELATIVE, *PRINTED))
-    for row in rows:
-        scale = row.scale if row.kind != "fact" else None
-        relative = (
-            row.difference / scale if scale and row.difference is not None else None,
-            row.tolerance / scale if scale and row.tolerance is not None else None,
-            row.detects, row.demand, *(row.interval or (None, None)),
-        )  # fmt: skip
-        printed = (
-            "; ".join(p.printed for p in row.published if p.kind == kind.partition("_")[2])
-            for kind in PRINTED
-        )
-        cells = (*(getattr(row, c) for c in COLUMNS), *relative, *printed)
-        table.writerow(["" if cell is None else cell for cell in cells])
-    return "\ufeff" + text.getvalue()

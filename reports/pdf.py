@@ -1,0 +1,63 @@
+"""report.pdf: the report on paper, set by typst from templates/report.typ and plain data."""
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
+from typing import Any
+
+from reports.frames import Frame
+from reports.pdf_data import document
+from reports.standalone import HERE
+from reports.xml_text import clean
+from verify.results import Report
+
+# Scripts that typst's own fonts hold: Latin, Greek, Cyrillic, Hebrew, punctuation, mathematics.
+_FOREIGN = re.compile("[^\\x00-\u05ff\u1d00-\u2e7f\ufb00-\ufb4f\ufffd\U0001d400-\U0001d7ff]")
+
+
+class NotSet(Exception):  # noqa: N818 - says what did not happen
+    """The PDF could not be made; the message says why in one line."""
+
+
+def pdf(report: Report, frames: Mapping[str, Sequence[Frame]]) -> bytes:
+    """The whole report as PDF, the same bytes for the same report; raises NotSet.
+
+    Fonts of the system are searched only for scripts that typst brings no font for.
+    """
+    try:
+        import typst  # its absence is no reason to write no report
+    except ImportError as error:
+        raise NotSet(f"typst cannot be imported: {error}") from error
+    try:
+        data = json.dumps(_cleaned(document(report, frames)), ensure_ascii=False)
+        return typst.compile(
+            HERE / "report.typ", root=HERE, sys_inputs={"document": data},
+            ignore_system_fonts=not _FOREIGN.search(data), timestamp=made(report),
+        )  # fmt: skip
+    except (ValueError, RuntimeError) as error:  # of mathematics, of typst
+        raise NotSet(" ".join(str(error).split())) from error
+    except BaseException as error:
+        if type(error).__name__ != "PanicException":  # how a fault inside typst arrives
+            raise
+        raise NotSet(f"typst broke off: {' '.join(str(error).split())}") from error
+
+
+def made(report: Report) -> datetime:
+    """When the run was made, as its provenance says; the epoch where it says nothing."""
+    try:
+        stamp = datetime.strptime(report.provenance["made"], "%Y-%m-%d %H:%M UTC")
+    except (KeyError, ValueError):
+        return datetime(1970, 1, 1, tzinfo=UTC)
+    return stamp.replace(tzinfo=UTC)
+
+
+def _cleaned(value: Any) -> Any:
+    """The data without characters that no XML or PDF may hold, and numbers that are none."""
+    if isinstance(value, str):
+        return clean(value)
+    if isinstance(value, Mapping):
+        return {clean(k): _cleaned(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [_cleaned(v) for v in value]
+    return value

@@ -1,0 +1,55 @@
+"""The rows of a run as a table: what rows.csv and the workbook's sheet of rows hold."""
+
+import csv
+import io
+from collections.abc import Iterable
+
+from verify.results import Row
+
+COLUMNS = (
+    "case", "quantity", "symbol", "unit", "kind", "analytic", "fem", "difference", "scale",
+    "tolerance", "u_num", "u_ref", "u_input", "order", "status", "reason",
+)  # fmt: skip
+RELATIVE = (
+    "difference_relative", "tolerance_relative", "detects_relative", "demand_relative",
+    "expected_low_relative", "expected_high_relative",
+)  # fmt: skip
+PRINTED = ("printed_theory", "printed_FEA", "printed_test")
+HEADER = (*COLUMNS, *RELATIVE, *PRINTED)
+FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # what makes a spreadsheet compute a text
+
+Cell = str | float | None
+
+
+def cells(row: Row) -> list[Cell]:
+    """One row: values in the row's unit, then what is relative to its scale, then the papers."""
+    scale = row.scale if row.kind != "fact" else None
+    relative = (
+        row.difference / scale if scale and row.difference is not None else None,
+        row.tolerance / scale if scale and row.tolerance is not None else None,
+        row.detects, row.demand, *(row.interval or (None, None)),
+    )  # fmt: skip
+    printed = (
+        "; ".join(p.printed for p in row.published if p.kind == kind.partition("_")[2])
+        for kind in PRINTED
+    )
+    return [*(getattr(row, c) for c in COLUMNS), *relative, *printed]
+
+
+def rows_csv(rows: Iterable[Row]) -> str:
+    """One line a row; a text that a spreadsheet would compute starts with an apostrophe.
+
+    Begins with a byte-order mark, without which spreadsheets misread µm.
+    """
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(HEADER)
+    for row in rows:
+        table.writerow([_harmless(cell) for cell in cells(row)])
+    return "\ufeff" + text.getvalue()
+
+
+def _harmless(cell: Cell) -> str | float:
+    if isinstance(cell, str) and cell.startswith(FORMULAS):
+        return f"'{cell}"
+    return "" if cell is None else cell

@@ -1,0 +1,144 @@
+"""tables.xlsx: everything of the report that is a table, with real numbers."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from reports.html import claims, title
+from reports.pdf import made
+from reports.rows import HEADER, RELATIVE, cells
+from reports.sheets import Sheets
+from reports.workbook import Book, Cell, Link, Printed
+from verify.results import CaseResult, PaperTable, Report, Row, Status
+
+RELATIVE_FORMAT = "0.0E+00"
+LEDGER = re.compile(r"ledger (\w+):([\w-]+)")
+NUMBERS = dict.fromkeys(
+    (*RELATIVE, "tolerance", "difference", "u_num", "u_ref", "u_input", "u"), RELATIVE_FORMAT
+) | {"order": "0.00"}
+HEAD = 1  # line of the head of a sheet without lines above
+
+
+def xlsx(report: Report) -> bytes:
+    """The workbook; a user's own report has no sheets of the papers."""
+    book, sheets = Book(title(report), made(report)), Sheets(report)
+    _summary(book, report)
+    book.table("Rows", (*HEADER, "ledger"), _rows(report), numbers=NUMBERS)
+    book.table(
+        "Inputs and values",
+        ("case", "side", "symbol", "name", "what", "value", "unit", "source"),
+        [row for case in report.cases for row in _given(case)],
+    )
+    book.table(
+        "Levels",
+        ("case", "quantity", "symbol", "unit", "level", "mesh size, relative", "value", "u"),
+        [line for row in report.rows for line in _levels(row)],
+        numbers=NUMBERS,
+    )
+    for case, names in zip(report.cases, sheets.of_case, strict=True):
+        for table, name in zip(case.tables, names, strict=True):
+            above = [[table.title], *([[table.note]] if table.note else []), [case.id]]
+            book.table(name, table.header, table.rows, above=above)
+    if not report.name:
+        for paper_table, name in zip(report.tables, sheets.of_paper, strict=True):
+            _paper_table(book, name, paper_table)
+        _ledgers(book, report)
+    lines = list(_flat(report.provenance))
+    book.table("Provenance", ("what", "value"), lines)
+    return book.content()
+
+
+def _summary(book: Book, report: Report) -> None:
+    origin = report.provenance
+    above: list[Sequence[Cell]] = [
+        [title(report)],
+        [f"made {origin['made']}, commit {origin['commit']}, lock {origin['lock']}"],
+        [],
+    ]
+    lines: list[list[Cell]] = [
+        [case.name or case.id, case.title, len(case.rows), *_counts(case.rows)]
+        for case in report.cases
+    ]
+    total: list[Cell] = ["all", "", len(report.rows), *_counts(report.rows)]
+    header = ("case", "title", "rows", *(status.value for status in Status))
+    book.table("Summary", header, [*lines, total], above=above)
+
+
+def _counts(rows: Sequence[Row]) -> list[int]:
+    return [sum(row.status is status for row in rows) for status in Status]
+
+
+def _rows(report: Report) -> list[list[Cell]]:
+    """As in rows.csv, printed numbers as numbers, and a link to the ledger of errata."""
+    lines = {(e["paper"], e["id"]): i for i, e in enumerate(report.errata, HEAD + 1)}
+    return [_row(row, lines) for row in report.rows]
+
+
+def _row(row: Row, lines: Mapping[tuple[str, str], int]) -> list[Cell]:
+    *values, theory, fea, test = cells(row)
+    found = LEDGER.search(row.reason)
+    line = lines.get((found[1], found[2])) if found else None
+    link = Link(f"{found[1]}:{found[2]}", f"'Errata'!A{line}") if found and line else None
+    return [*values, *(Printed(str(p)) for p in (theory, fea, test)), link]
+
+
+def _given(case: CaseResult) -> Iterator[list[Cell]]:
+    for i in case.inputs:
+        yield [case.id, "input", i.symbol, i.name, i.what, i.value, i.unit, i.source]
+    for v in case.values:
+        judged = "judged" if v.judged else "not judged"
+        yield [case.id, "formula", v.symbol, "", v.what, v.value, v.unit, judged]
+
+
+def _levels(row: Row) -> Iterator[list[Cell]]:
+    for i, (size, value) in enumerate(row.levels):
+        u = row.levels_u[i] if row.levels_u else None
+        yield [row.case, row.quantity, row.symbol, row.unit, i, size, value, u]
+
+
+def _paper_table(book: Book, name: str, table: PaperTable) -> None:
+    """As printed; each claim of a printed row has a line, the first beside the row itself."""
+    above = [[f"{table.paper}, {table.name}"], [table.caption], [table.note]]
+    lines: list[list[Cell]] = []
+    for printed in table.rows:
+        said = claims(printed)
+        made_of = [
+            [c.status.value, c.row, a.analytic, a.fem, a.u]
+            for c in said.rows
+            for a in [next(a for cell in printed for a in cell.rows if a.row == c.row)]
+        ] or [["", "; ".join(said.inputs), None, None, None]]
+        aside = "; ".join(said.errata)
+        texts: list[Cell] = [Printed(cell.text) for cell in printed]
+        for i, claim in enumerate(made_of):
+            lines.append([*(texts if i == 0 else [""] * len(texts)), *claim, "" if i else aside])
+    ours = ("status", "row or input", "formula", "FE", "u", "errata")
+    book.table(name, (*table.header, *ours), lines, above=above, numbers=NUMBERS)
+
+
+def _ledgers(book: Book, report: Report) -> None:
+    _records(book, "Errata", report.errata)
+    _records(book, "Equations", report.equations)
+    _records(book, "Printed numbers", report.published)
+
+
+def _records(book: Book, name: str, records: Sequence[Mapping[str, Any]]) -> None:
+    """Records of one kind; the paper and the id come first."""
+    keys = dict.fromkeys(("paper", "id", *(k for record in records for k in record)))
+    header = [k for k in keys if any(k in record for record in records)]
+    book.table(name, header, [[_cell(k, record.get(k)) for k in header] for record in records])
+
+
+def _cell(key: str, value: Any) -> Cell:
+    if isinstance(value, bool):
+        return "yes" if value else ""
+    if isinstance(value, list | tuple):
+        return "; ".join(map(str, value))
+    return Printed(value) if key == "printed" and isinstance(value, str) else value
+
+
+def _flat(record: Mapping[str, Any], path: str = "") -> Iterator[list[Cell]]:
+    for key, value in record.items():
+        if isinstance(value, Mapping):
+            yield from _flat(value, f"{path}{key}: ")
+        else:
+            yield [f"{path}{key}", _cell(key, value)]
