@@ -1,64 +1,137 @@
-"""Plane elasticity by size: assembly, factorisation with the project's ordering, and SciPy's own.
+"""Plane elasticity by size, beside calculix on the same mesh; `make bench`.
 
-The peer solves the same matrix in the same run, so that only the ordering differs. Prints
-seconds and ratios; `make bench`.
+Both run as processes of their own, in turn, with one thread. Ours is timed from the scikit-fem
+mesh in memory to displacements and the stress of every cell, and as a whole process with Python's
+start; calculix as a whole process, which reads its deck and writes displacements and stresses.
+No ratio is printed before displacement and energy agree. Numbers and plot go to benchmarks/out.
 """
 
+import json
+import os
+import platform
+import resource
+import subprocess
+import sys
 import time
-from collections.abc import Callable
+from pathlib import Path
+from statistics import median
 from typing import Any
 
 import numpy as np
-from scipy.sparse.linalg import splu
 
-from fem.plane import solve
-from fem.plane.material import Elastic
-from meshes.ring.quarter import quarter_ring
+from benchmarks import calculix
+from benchmarks.plot import draw
+from benchmarks.ring import RIM_MOVES, ring_mesh, solve_ring
 
-RING = {"r_i": 0.04, "r_o": 0.06}
-
-
-def timed(run: Callable[[], Any], repeat: int = 3) -> tuple[float, Any]:
-    """Best of `repeat` runs [s] and the last result."""
-    best, result = np.inf, None
-    for _ in range(repeat):
-        start = time.perf_counter()
-        result = run()
-        best = min(best, time.perf_counter() - start)
-    return best, result
+OUT = Path(__file__).parent / "out"
+AROUND = (42, 134, 232)  # cells along the quarter: 1e4, 1e5 and 3e5 unknowns
+KINDS = ("triangles", "quadrilaterals")
+REPEAT = 3
+AGREE = 1e-4  # calculix prints six digits; its quadrilaterals have eight nodes, ours nine
 
 
-def measure(refine: int) -> None:
-    """One line: unknowns, seconds of mesh, assembly, both factorisations, and their ratio."""
-    t_mesh, mesh = timed(lambda: quarter_ring(**RING, refine=refine), 1)
-    basis = solve.vector_basis(mesh, None)
-    lam, mu, _ = solve._moduli(mesh, Elastic(E=210e9, nu=0.3), "plane strain")
-    fields = {"lam": solve._per_cell(lam, basis), "mu": solve._per_cell(mu, basis)}
-    t_assembly, K = timed(lambda: solve.stiffness.assemble(basis, **fields))
-    held = np.concatenate([basis.get_dofs("x=0").all("u^1"), basis.get_dofs("y=0").all("u^2")])
-    free = np.setdiff1d(np.arange(basis.N), held)
-    A = K[free][:, free].tocsc()
-    b = np.ones(free.size)
-    symmetric = {"SymmetricMode": True}
-
-    def ours() -> Any:
-        return splu(A, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=symmetric).solve(
-            b
-        )
-
-    t_ours, x = timed(ours)
-    t_default, y = timed(lambda: splu(A).solve(b))
-    agree = np.linalg.norm(x - y) / np.linalg.norm(y)
-    print(
-        f"{basis.N:8d} {t_mesh:8.3f} {t_assembly:10.3f} {t_ours:9.3f} {t_default:14.3f} "
-        f"{t_default / t_ours:7.2f} {agree:10.1e}"
+def ours(kind: str, around: int, deck: Path | None = None) -> dict[str, Any]:
+    """One run of the project's solver in a new process with one thread."""
+    words = [
+        sys.executable,
+        "-m",
+        "benchmarks.ours",
+        kind,
+        str(around),
+        *([str(deck)] if deck else []),
+    ]
+    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    said = subprocess.run(  # noqa: S603
+        words, env=os.environ | threads, capture_output=True, text=True, check=True
     )
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    process = {
+        "process": time.perf_counter() - start,
+        "process cpu": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
+    }
+    return json.loads(said.stdout) | process
+
+
+def check(kind: str, around: int, deck: Path) -> None:
+    """RuntimeError unless both sides and Lamé agree in displacement, and both in energy."""
+    ring = solve_ring(ring_mesh(kind, around))  # type: ignore[arg-type]
+    dofs = calculix.deck_unknowns(ring)
+    theirs, here = calculix.run_deck(deck).u, ring.u[dofs].T
+    energy = float(ring.f[dofs].T.ravel() @ theirs.ravel()), float(ring.f @ ring.u)
+    apart = {
+        "displacement": np.abs(theirs - here).max() / np.abs(here).max(),
+        "energy": abs(energy[0] / energy[1] - 1),
+        "displacement against Lamé": abs(np.hypot(*theirs.T).min() / RIM_MOVES - 1),
+    }
+    for name, value in apart.items():
+        if not value < AGREE:
+            raise RuntimeError(f"{kind}, {around} around: {name} differs by {value:.1e}")
+    print(f"agree to {max(apart.values()):.0e}", end="  ")
+
+
+def measure(kind: str, around: int, peer: bool) -> dict[str, Any]:
+    """Runs of both in turn: medians and minima of seconds, and ratios."""
+    deck = OUT / f"{kind}-{around}.inp"
+    ours(kind, around, deck)  # warms up, and writes the deck
+    if peer:
+        check(kind, around, deck)
+    here, there = [], []
+    for _ in range(REPEAT):
+        here.append(ours(kind, around))
+        if peer:
+            there.append(calculix.run_deck(deck))
+    row: dict[str, Any] = {"kind": kind, "unknowns": here[0]["unknowns"]}
+    for key in ("seconds", "cpu", "process", "process cpu"):
+        row[key] = sorted(run[key] for run in here)
+    row["stages"] = {name: median(r["stages"][name] for r in here) for name in here[0]["stages"]}
+    if peer:
+        row["calculix"] = sorted(run.wall for run in there)
+        row["calculix cpu"] = sorted(run.cpu for run in there)
+        row["calculix 2 threads"] = calculix.run_deck(deck, threads=2).wall
+        pairs = list(zip(here, there, strict=True))
+        row["ratio"] = median(b.wall / a["seconds"] for a, b in pairs)
+        row["ratio cpu"] = median(b.cpu / a["cpu"] for a, b in pairs)
+        row["ratio of processes"] = median(b.wall / a["process"] for a, b in pairs)
+    for file in OUT.glob(f"{deck.stem}.*"):
+        file.unlink()
+    return row
+
+
+def tell(row: dict[str, Any]) -> None:
+    print(f"{row['kind']}, {row['unknowns']} unknowns")
+    for side, wall in (("ours", "seconds"), ("ours", "process"), ("calculix", "calculix")):
+        if wall in row:
+            cpu = row["cpu" if wall == "seconds" else f"{wall} cpu"]
+            what = {"seconds": "mesh to stresses", "process": "with Python's start"}.get(wall, "")
+            t = median(row[wall]), row[wall][0], cpu[0]
+            seconds = "median {:6.2f} s, min {:6.2f} s, processor {:6.2f} s".format(*t)
+            print(f"    {side:9s}{what:20s} {seconds}")
+    print("    " + ", ".join(f"{name} {value:.2f}" for name, value in row["stages"].items()))
+    if "ratio" in row:
+        print(
+            f"    calculix / ours: {row['ratio']:.1f} wall, {row['ratio cpu']:.1f} processor, "
+            f"{row['ratio of processes']:.1f} whole processes; "
+            f"calculix on 2 threads {row['calculix 2 threads']:.2f} s"
+        )
 
 
 def main() -> None:
-    print("unknowns   mesh s assembly s   solve s SciPy default s   ratio  difference")
-    for refine in (4, 8, 16):
-        measure(refine)
+    OUT.mkdir(exist_ok=True)
+    peer = calculix.executable() is not None
+    words = (
+        f"calculix {calculix.version()}, SPOOLES"
+        if peer
+        else "calculix is not installed: ours alone"
+    )
+    print(f"Python {platform.python_version()}, one thread each, {REPEAT} runs in turn; {words}")
+    rows = []
+    for kind in KINDS:
+        for around in AROUND:
+            rows.append(measure(kind, around, peer))
+            tell(rows[-1])
+    (OUT / "plane.json").write_text(json.dumps({"peer": words, "rows": rows}, indent=1), "utf-8")
+    draw(rows, OUT / "plane.svg", OUT / "plane.png")
 
 
 if __name__ == "__main__":

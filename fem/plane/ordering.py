@@ -5,12 +5,16 @@ from skfem import Basis
 
 from fem.plane.discretisation import Indices
 
+MANY, FEW = 16, 4  # directions tried for parts of more than LARGE cells, and for smaller ones
+LARGE = 256
+
 
 def nested_dissection(basis: Basis) -> Indices:
     """Place (unknowns,) of every unknown in the order of elimination.
 
-    Cells are halved across their longer extent, and the halves again, down to single cells.
-    Unknowns that both halves share follow all that lie in one of them alone.
+    Cells are halved by the straight line of several directions that cuts the fewest edges, and
+    the halves again, down to single cells. Unknowns that both halves share follow all that lie in
+    one of them alone.
     """
     path, levels = _halves(basis)
     dofs = np.asarray(basis.element_dofs)
@@ -29,21 +33,28 @@ def nested_dissection(basis: Basis) -> Indices:
 def _halves(basis: Basis) -> tuple[Indices, int]:
     """Path (cells,) of every cell through the halvings, a bit each, and their number."""
     mesh = basis.mesh
-    centre = mesh.p[:, mesh.t].mean(axis=1)
     cells = mesh.nelements
+    x, y = mesh.p[:, mesh.t].mean(axis=1)
+    left, right = mesh.f2t[:, mesh.f2t[1] >= 0]
+    sorted_along = [
+        np.argsort(np.cos(angle) * x + np.sin(angle) * y, kind="stable")
+        for angle in np.linspace(0, np.pi, MANY, endpoint=False)
+    ]
     path, levels = np.zeros(cells, int), 0
     while cells > 1 << levels:
-        parts = 1 << levels
-        extent = np.zeros((2, parts))
-        for i in (0, 1):
-            high, low = np.full(parts, -np.inf), np.full(parts, np.inf)
-            np.maximum.at(high, path, centre[i])
-            np.minimum.at(low, path, centre[i])
-            extent[i] = high - low
-        along = np.where((extent[0] >= extent[1])[path], *centre)
-        order = np.lexsort((along, path))
-        size = np.bincount(path, minlength=parts)
-        rank = np.empty(cells, int)
-        rank[order] = np.arange(cells) - (np.cumsum(size) - size)[path[order]]
-        path, levels = 2 * path + (rank >= (size[path] + 1) // 2), levels + 1
+        size = np.bincount(path, minlength=1 << levels)
+        start = np.cumsum(size) - size
+        inner = path[left] == path[right]
+        a, b = left[inner], right[inner]
+        shortest, half = np.full(size.size, a.size + 1), np.zeros(cells, bool)
+        part = path.astype(np.min_scalar_type(size.size))  # short numbers are sorted faster
+        for along in sorted_along[:: 1 if size[0] > LARGE else MANY // FEW]:
+            order = along[np.argsort(part[along], kind="stable")]
+            rank = np.empty(cells, int)
+            rank[order] = np.arange(cells) - start[path[order]]
+            upper = rank >= (size[path] + 1) // 2
+            cut = np.bincount(path[a[upper[a] != upper[b]]], minlength=size.size)
+            half = np.where((cut < shortest)[path], upper, half)
+            shortest = np.minimum(cut, shortest)
+        path, levels = 2 * path + half, levels + 1
     return path, levels

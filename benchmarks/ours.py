@@ -1,0 +1,76 @@
+"""One solution of the benchmark's ring in a process of its own, timed by stage.
+
+python -m benchmarks.ours KIND AROUND [DECK]    prints JSON; with DECK writes it for calculix
+"""
+
+import json
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+from benchmarks.calculix import write_deck
+from benchmarks.ring import ASSUMPTION, RIM, STEEL, ring_mesh, solve_ring
+from fem.plane import solve
+from fem.plane.cells import Cells
+
+# Everything else is loads, supports and the checks of them.
+STAGES = {
+    "hand-over": (solve, ("vector_basis",)),
+    "assembly": (Cells, ("of", "stiffness")),
+    "ordering": (solve, ("nested_dissection",)),
+    "factorisation": (solve, ("splu",)),
+    "corrections": (Cells, ("internal_forces",)),
+}
+
+
+@contextmanager
+def timed(stages: dict[str, float]) -> Iterator[None]:
+    """Add the seconds of every stage that runs meanwhile to `stages`."""
+
+    def watched(stage: str, run: Callable[..., Any]) -> Callable[..., Any]:
+        def call(*args: Any, **more: Any) -> Any:
+            start = time.perf_counter()
+            try:
+                return run(*args, **more)
+            finally:
+                stages[stage] = stages.get(stage, 0.0) + time.perf_counter() - start
+
+        return call
+
+    with ExitStack() as patches:
+        for stage, (owner, names) in STAGES.items():
+            for name in names:
+                patches.enter_context(
+                    patch.object(owner, name, watched(stage, getattr(owner, name)))
+                )
+        yield
+
+
+def main() -> None:
+    kind, around, *deck = sys.argv[1:]
+    mesh = ring_mesh(kind, int(around))  # type: ignore[arg-type]
+    stages: dict[str, float] = {}
+    start, cpu = time.perf_counter(), time.process_time()
+    with timed(stages):
+        ring = solve_ring(mesh)
+    solved = time.perf_counter()
+    ring.cells()
+    end = time.perf_counter()
+    stages["stresses"] = end - solved
+    stages["the rest"] = end - start - sum(stages.values())
+    answer = {
+        "unknowns": int(ring.basis.N), "seconds": end - start, "cpu": time.process_time() - cpu,
+        "stages": stages, "rim": ring.displacement_at(RIM)[0],
+        "energy": float(ring.f @ ring.u) / 2,
+    }  # fmt: skip
+    if deck:
+        write_deck(Path(deck[0]), ring, material=STEEL, assumption=ASSUMPTION)
+    print(json.dumps(answer))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,49 @@
+"""The benchmark's decks pose the same problem to calculix as to the project's solver."""
+
+import numpy as np
+import pytest
+
+from benchmarks.calculix import deck_unknowns, executable, run_deck, write_deck
+from benchmarks.ring import RIM, RIM_MOVES, STEEL, ring_mesh, solve_ring
+from fem.plane.solve import solve_plane
+
+# Of the largest displacement: calculix prints six digits, and integrates curved triangles with
+# three points each, whose difference falls with the fourth power of the cells.
+AGREE = 5e-5
+installed = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
+
+
+def both(mesh, assumption, folder):
+    """The ring's displacements (nodes, 2) here and in calculix."""
+    ring = solve_plane(
+        mesh, materials=STEEL, assumption=assumption, supports={"x=0": "x", "y=0": "y"},
+        pressures={"bore": 100e6}, thickness=0.3,
+    )  # fmt: skip
+    write_deck(folder / "ring.inp", ring, material=STEEL, assumption=assumption)
+    return ring.u[deck_unknowns(ring)].T, run_deck(folder / "ring.inp").u
+
+
+@installed
+@pytest.mark.parametrize("assumption", ["plane strain", "plane stress"])
+def test_six_node_triangles_move_as_in_calculix(assumption, tmp_path):
+    ours, theirs = both(ring_mesh("triangles", 8), assumption, tmp_path)
+    np.testing.assert_allclose(theirs, ours, atol=AGREE * np.abs(ours).max())
+
+
+@installed
+def test_nine_node_quadrilaterals_move_nearly_as_eight_node_ones_in_calculix(tmp_path):
+    ours, theirs = both(ring_mesh("quadrilaterals", 16), "plane strain", tmp_path)
+    np.testing.assert_allclose(theirs, ours, atol=1e-4 * np.abs(ours).max())
+
+
+@installed
+def test_what_calculix_says_of_a_broken_deck_is_passed_on(tmp_path):
+    (tmp_path / "broken.inp").write_text("*NODE\n1,0,0,0\n*STEP\n*NONSENSE\n*END STEP\n")
+    with pytest.raises(RuntimeError, match=r"calculix failed on broken\.inp"):
+        run_deck(tmp_path / "broken.inp")
+
+
+@pytest.mark.parametrize("kind", ["triangles", "quadrilaterals"])
+def test_the_benchmark_s_ring_moves_as_lame_says(kind):
+    moved, _ = solve_ring(ring_mesh(kind, 16)).displacement_at(RIM)
+    assert moved == pytest.approx(RIM_MOVES, rel=1e-5)
