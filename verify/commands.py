@@ -106,8 +106,7 @@ def _write(report: Report, out: Path, use_cache: bool) -> Path:
     from reports.write import write  # only the command line knows reports
 
     pictures = cache.default_folder().parent / "pictures" if use_cache else None
-    missing = environment.missing_libraries(environment.PICTURES)
-    hint = environment.install_line(missing) if missing else "freewheel doctor says more"
+    hint = environment.remedy_for_pictures().removeprefix("; ")
     written = write(report, out, pictures=pictures, hint=hint)
     for remark in written.remarks:
         print(f"freewheel: {remark}", file=sys.stderr)

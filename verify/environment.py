@@ -31,6 +31,7 @@ LIBRARIES = (
 )
 PACKAGES = ("python3-venv", "make", *(package for _, package, _ in LIBRARIES))
 OPENGL = ("libEGL.so.1", "libGL.so.1")
+DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # what OpenGL without a screen draws with
 
 # A sphere drawn off-screen: exit status 3 where the picture is empty.
 RENDER = """
@@ -91,9 +92,17 @@ def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
     if not problem:
         return ""
     problem = {"exit status 3": "the picture stays empty"}.get(problem, problem)
-    absent = [library for library in OPENGL if sys.platform == "linux" and not loads(library)]
-    remedy = f"missing {', '.join(absent)}: {install_line(absent)}" if absent else ""
-    return f"pyvista cannot draw off-screen ({problem})" + (f"; {remedy}" if remedy else "")
+    return f"pyvista cannot draw off-screen ({problem}){remedy_for_pictures()}"
+
+
+def remedy_for_pictures() -> str:
+    """What to install where pyvista can't draw, to follow the reason; nothing off Linux."""
+    if sys.platform != "linux":
+        return ""
+    absent = [library for library in OPENGL if not loads(library)]
+    if not absent:
+        return f"; Mesa's drivers may be missing: {DRIVERS}"
+    return f"; missing {', '.join(absent)}: {install_line(absent)}"
 
 
 def missing_for_meshes(problem: str) -> str:

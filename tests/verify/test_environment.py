@@ -117,9 +117,9 @@ def test_what_may_crash_is_tried_in_a_process_of_its_own(script, said):
 
 def test_pictures_that_kill_the_process_are_named(stub):
     stub("pyvista", f"import os\nos.kill(os.getpid(), {int(signal.SIGSEGV)})")
-    assert environment.missing_for_pictures() == (
-        "pyvista cannot draw off-screen (killed by SIGSEGV)"
-    )
+    said = environment.missing_for_pictures()
+    assert said.startswith("pyvista cannot draw off-screen (killed by SIGSEGV); ")
+    assert "apt-get install" in said  # the libraries are there: their drivers may be missing
 
 
 def test_missing_opengl_is_named_with_its_packages(stub, without, monkeypatch):

@@ -152,6 +152,9 @@ def test_twenty_kills_lose_and_tear_nothing(place, undisturbed):
         now = place.stored()
         assert kept.items() <= now.items()  # what was stored is never written anew
         kept = now
+    (place.cache / "ring-lame" / ".part-dead").write_bytes(b"half")  # a kill at the worst moment
+    (place.out / ".part-dead").mkdir()
+    (place.out / ".part-dead" / "rows.csv").write_bytes(b"half")
     status, _, err = place.run("--jobs", "2")
     assert status == 0, err
     place.assert_whole()
