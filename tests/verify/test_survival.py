@@ -152,9 +152,6 @@ def test_twenty_kills_lose_and_tear_nothing(place, undisturbed):
         now = place.stored()
         assert kept.items() <= now.items()  # what was stored is never written anew
         kept = now
-    (place.cache / "ring-lame" / ".part-dead").write_bytes(b"half")  # a kill at the worst moment
-    (place.out / ".part-dead").mkdir()
-    (place.out / ".part-dead" / "rows.csv").write_bytes(b"half")
     status, _, err = place.run("--jobs", "2")
     assert status == 0, err
     place.assert_whole()
@@ -201,7 +198,7 @@ def test_two_runs_at_once_with_one_cache_and_one_folder_agree(place, undisturbed
     assert place.results() == undisturbed[0].results()
 
 
-def test_torn_entries_are_solved_again(place, undisturbed):
+def test_torn_entries_are_solved_again_and_what_the_dead_left_goes(place, undisturbed):
     for path in undisturbed[0].stored():
         copy = place.cache / path.relative_to(undisturbed[0].cache)
         copy.parent.mkdir(parents=True, exist_ok=True)
@@ -209,11 +206,15 @@ def test_torn_entries_are_solved_again(place, undisturbed):
     torn, empty = sorted(place.stored(), key=lambda path: path.stat().st_size)[:2]
     torn.write_bytes(torn.read_bytes()[:-10])
     empty.write_bytes(b"")
+    (torn.parent / ".part-dead").write_bytes(b"half")
+    (place.out / ".part-dead").mkdir(parents=True)
+    (place.out / ".part-dead" / "rows.csv").write_bytes(b"half")
     before = place.stored()
     status, _, err = place.run()
     assert status == 0, err
     changed = {path for path, state in place.stored().items() if before[path] != state}
     assert changed == {torn, empty}
+    assert place.left_over() == []
     place.assert_whole()
     assert place.results() == undisturbed[0].results()
 
