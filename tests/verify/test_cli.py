@@ -194,6 +194,8 @@ def test_verify_writes_the_report_and_says_where(tmp_path, capsys):
     written = {p.name for p in (tmp_path / "out").iterdir()}
     assert {
         "report.html",
+        "report.pdf",
+        "tables.xlsx",
         "results.json",
         "results.schema.json",
         "rows.csv",

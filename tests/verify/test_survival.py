@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import xml.etree.ElementTree as ET
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,10 @@ import pytest
 pytestmark = pytest.mark.xdist_group("survival")  # they share the undisturbed run
 KILLS = 20
 RING_LEVELS = 4
-REPORT = re.compile(r"report\.html|results(\.schema)?\.json|rows\.csv|junit\.xml|ring-lame-.*\.vtu")
+REPORT = re.compile(
+    r"report\.(html|pdf)|results(\.schema)?\.json|rows\.csv|tables\.xlsx|verdicts\.md|junit\.xml"
+    r"|ring-lame-.*\.vtu"
+)
 
 
 class Place:
@@ -68,6 +72,12 @@ class Place:
             if path.name.startswith(".part-") or path.name == ".lock":
                 continue
             assert REPORT.fullmatch(path.name)
+            if path.suffix == ".pdf":
+                assert path.read_bytes().rstrip().endswith(b"%%EOF")
+                continue
+            if path.suffix == ".xlsx":
+                assert zipfile.ZipFile(path).testzip() is None
+                continue
             text = path.read_text("utf-8")
             if path.suffix == ".json":
                 assert json.loads(text)
@@ -75,8 +85,10 @@ class Place:
                 assert len(ET.fromstring(text))
             elif path.suffix == ".csv":
                 assert len({len(line) for line in csv.reader(io.StringIO(text))}) == 1
-            else:
+            elif path.suffix == ".html":
                 assert text.rstrip().endswith("</html>")
+            else:
+                assert text.endswith("\n")
 
 
 @pytest.fixture
