@@ -1,11 +1,9 @@
 """How numbers, symbols and equations are written on the page."""
 
-import hashlib
 import math
 import re
 from typing import NamedTuple
 
-import ziamath
 from markupsafe import Markup, escape
 
 from verify.results import Row
@@ -13,38 +11,7 @@ from verify.results import Row
 MINUS = "−"
 
 
-class Glyphs:
-    """Equations as SVG; every glyph is stored once a page and shared."""
-
-    def __init__(self) -> None:
-        self._known: dict[str, str] = {}
-
-    def maths(self, tex: str, size: int = 15) -> Markup:
-        """TeX as inline SVG in the colour of the text; read aloud as its source."""
-        drawn = ziamath.Latex(tex, size=size, color="currentColor").svg()
-        for name, glyph in _SYMBOL.findall(drawn):
-            # ziamath reuses one id for different glyphs: name them by content
-            unique = "g" + hashlib.sha256(glyph.encode()).hexdigest()[:10]
-            self._known[unique] = f'<symbol id="{unique}"{glyph}'
-            drawn = drawn.replace(f'"#{name}"', f'"#{unique}"')
-        drawn = _SYMBOL.sub("", drawn)
-        box = re.search(r'viewBox="([^"]+)"', drawn)
-        assert box is not None
-        _, top, _, height = map(float, box[1].split())
-        start = (
-            f'<svg class="maths" role="img" aria-label="{escape(tex)}" '
-            f'style="vertical-align:{-(height + top):.1f}px" '
-        )
-        return Markup(drawn.replace("<svg ", start, 1))  # noqa: S704 - ziamath's own output
-
-    def symbols(self) -> str:
-        """The shared glyphs, for one hidden SVG."""
-        return "".join(self._known.values())
-
-
 _INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
-# a glyph with its outline, or an empty one (a space), which closes itself
-_SYMBOL = re.compile(r'<symbol id="([^"]+)"([^>]*/>|[^>]*>.*?</symbol>)', re.DOTALL)
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 

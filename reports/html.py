@@ -12,6 +12,7 @@ import jinja2
 from markupsafe import Markup
 
 from reports import formats, plots, signature
+from reports.equations import Glyphs
 from reports.frames import Frame
 from reports.sketch import sketch
 from verify.results import (
@@ -66,9 +67,14 @@ def lines(rows: Sequence[Row]) -> list[Line]:
     return [Line(r, companions.get(r.quantity)) for r in rows if r.quantity not in apart]
 
 
-def page(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
-    """HTML of the whole run; `frames` are the pictures of each case."""
-    glyphs = formats.Glyphs()
+def page(
+    report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | None = None
+) -> str:
+    """HTML of the whole run; `frames` are the pictures of each case.
+
+    `cache` is a folder that keeps drawn equations for the next run.
+    """
+    glyphs = Glyphs(cache)
     script = (HERE / "viewer.js").read_text("utf-8") if _any_views(frames) else ""
     groups = [(case, lines(case.rows)) for case in report.cases]
     body = _environment(glyphs).get_template("report.html.j2").render(
@@ -143,7 +149,7 @@ def plot(figure: Figure) -> Markup:
     return plots.profile(figure) if isinstance(figure, Profile) else plots.dots(figure)
 
 
-def _environment(glyphs: formats.Glyphs) -> jinja2.Environment:
+def _environment(glyphs: Glyphs) -> jinja2.Environment:
     env = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
         lstrip_blocks=True, undefined=jinja2.StrictUndefined,

@@ -34,18 +34,18 @@ class Written:
     remarks: tuple[str, ...]
 
 
-def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: str = "") -> Written:
+def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str = "") -> Written:
     """The report as page, PDF and tables (XLSX, CSV), for programs (JSON, JUnit), fields as VTU.
 
-    `pictures` is a folder that keeps what was drawn for the next run; `hint` says what to install
+    `cache` is a folder that keeps what was drawn for the next run; `hint` says what to install
     where pyvista can't draw. errors.txt holds the tracebacks of cases that failed. All files are
     made before the first takes its place; OSError names the one that can't be written.
     """
     try:
-        drawn = frames(report.cases, pictures, hint)
+        drawn = frames(report.cases, cache, hint)
         with ThreadPoolExecutor(1) as beside:  # typst works beside, for it holds no lock
             paper = beside.submit(pdf, report, drawn)
-            files = dict(_files(report, drawn))
+            files = dict(_files(report, drawn, cache))
     except OSError as error:  # a temporary file of a drawing
         raise OSError(f"{folder}: no report can be made: {error.strerror or error}") from error
     remarks = dict.fromkeys(frame.why for group in drawn.values() for frame in group if frame.why)
@@ -71,7 +71,9 @@ def write(report: Report, folder: Path, *, pictures: Path | None = None, hint: s
     return Written(folder / "report.html", tuple(remarks))
 
 
-def _files(report: Report, drawn: Mapping[str, list[Frame]]) -> Iterator[tuple[str, bytes]]:
+def _files(
+    report: Report, drawn: Mapping[str, list[Frame]], cache: Path | None
+) -> Iterator[tuple[str, bytes]]:
     schema = Path(__file__).parent / "results.schema.json"
     record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
     yield "results.json", record.encode()
@@ -80,7 +82,7 @@ def _files(report: Report, drawn: Mapping[str, list[Frame]]) -> Iterator[tuple[s
     yield "verdicts.md", f"{verdicts(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)
-    yield "report.html", page(report, drawn).encode()
+    yield "report.html", page(report, drawn, cache).encode()
     yield from vtu_files(report)
     if errors := [f"{case.id}\n{trace}" for case in report.cases for trace in case.errors]:
         yield ERRORS, "\n".join(errors).encode()

@@ -105,9 +105,9 @@ def _write(report: Report, out: Path, use_cache: bool) -> Path:
     """Write the report into `out` and say what had to be done in another way; the page."""
     from reports.write import write  # only the command line knows reports
 
-    pictures = cache.default_folder().parent / "pictures" if use_cache else None
+    drawn = cache.default_folder().parent / "pictures" if use_cache else None
     hint = environment.remedy_for_pictures().removeprefix("; ")
-    written = write(report, out, pictures=pictures, hint=hint)
+    written = write(report, out, cache=drawn, hint=hint)
     for remark in written.remarks:
         print(f"freewheel: {remark}", file=sys.stderr)
     return written.page

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 import verify
-from reports.formats import Glyphs
+from reports.equations import Glyphs
 from verify import units
 from verify.case import Context
 from verify.cases.registry import CASES
