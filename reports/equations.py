@@ -2,14 +2,14 @@
 
 import hashlib
 import json
-import os
 import re
-import tempfile
 from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 
 from markupsafe import Markup, escape
+
+from verify.files import write_whole
 
 # a glyph with its outline, or an empty one (a space), which closes itself
 _SYMBOL = re.compile(r'<symbol id="([^"]+)"([^>]*/>|[^>]*>.*?</symbol>)', re.DOTALL)
@@ -72,11 +72,5 @@ class _Kept:
         if not (self._path and self._new):
             return
         with suppress(OSError):
-            self._path.parent.mkdir(parents=True, exist_ok=True)
-            handle, temporary = tempfile.mkstemp(dir=self._path.parent, prefix=".part-")
-            try:
-                with os.fdopen(handle, "w", encoding="utf-8") as file:
-                    json.dump(self._all, file, ensure_ascii=False)
-                Path(temporary).replace(self._path)
-            finally:
-                Path(temporary).unlink(missing_ok=True)
+            kept = json.dumps(self._all, ensure_ascii=False).encode()
+            write_whole(self._path, lambda file: file.write(kept))

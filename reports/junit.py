@@ -1,48 +1,59 @@
 """junit.xml: one suite a case, one test a row, for continuous-integration servers."""
 
-import re
+from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
 
+from reports.xml_text import clean
 from verify.results import CaseResult, Report, Row, Status
-
-NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def junit(report: Report) -> str:
     """The whole run; FAIL is a failure, SKIP is skipped, everything else passes."""
     suites = "\n".join(_suite(case) for case in report.cases)
-    total, failed, skipped = _counts(report.rows)
-    head = f'<testsuites tests="{total}" failures="{failed}" skipped="{skipped}">'
+    seconds = sum(case.seconds for case in report.cases)
+    head = f"<testsuites {_counts(report.rows, seconds)}>"
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{head}\n{suites}\n</testsuites>\n'
 
 
 def _suite(case: CaseResult) -> str:
-    total, failed, skipped = _counts(case.rows)
-    tests = "\n".join(_test(row) for row in case.rows)
+    """A case; each row takes an equal share of its time, for they are computed together."""
+    tests = "\n".join(_test(row, case.seconds / len(case.rows)) for row in case.rows)
+    head = f"<testsuite name={_attribute(case.id)} {_counts(case.rows, case.seconds)}>"
+    return f"{head}\n{tests}\n</testsuite>"
+
+
+def _test(row: Row, seconds: float) -> str:
+    """A row; servers take what stands before the last point of the class name as its package."""
+    head = (
+        f"<testcase classname={_attribute(f'freewheel.{row.case}')} "
+        f'name={_attribute(row.quantity)} time="{seconds:.6f}">'
+    )
+    return f"{head}{_outcome(row)}</testcase>"
+
+
+def _outcome(row: Row) -> str:
+    if row.status is Status.FAIL:
+        message = _attribute(row.reason)
+        return (
+            f'<failure type="{row.kind.value}" message={message}>{_escaped(row.reason)}</failure>'
+        )
+    if row.status is Status.SKIP:
+        return f"<skipped message={_attribute(row.reason)}/>"
+    note = f"{row.status.value}: {row.reason}" if row.reason else row.status.value
+    return f"<system-out>{_escaped(note)}</system-out>"
+
+
+def _counts(rows: Iterable[Row], seconds: float) -> str:
+    states = [row.status for row in rows]
     return (
-        f'<testsuite name={_attribute(case.id)} tests="{total}" failures="{failed}" '
-        f'skipped="{skipped}" time="{case.seconds:.3f}">\n{tests}\n</testsuite>'
+        f'tests="{len(states)}" failures="{states.count(Status.FAIL)}" errors="0" '
+        f'skipped="{states.count(Status.SKIP)}" time="{seconds:.3f}"'
     )
 
 
-def _test(row: Row) -> str:
-    open_tag = f"<testcase classname={_attribute(row.case)} name={_attribute(row.quantity)}"
-    if row.status is Status.FAIL:
-        return f"{open_tag}><failure message={_attribute(row.reason)}/></testcase>"
-    if row.status is Status.SKIP:
-        return f"{open_tag}><skipped message={_attribute(row.reason)}/></testcase>"
-    note = f"{row.status.value}: {row.reason}" if row.reason else row.status.value
-    return f"{open_tag}><system-out>{escape(_clean(note))}</system-out></testcase>"
-
-
-def _counts(rows: tuple[Row, ...]) -> tuple[int, int, int]:
-    states = [row.status for row in rows]
-    return len(rows), states.count(Status.FAIL), states.count(Status.SKIP)
-
-
 def _attribute(text: str) -> str:
-    return quoteattr(_clean(text))
+    return quoteattr(clean(text))
 
 
-def _clean(text: str) -> str:
-    return NOT_XML.sub("\ufffd", text)
+def _escaped(text: str) -> str:
+    return escape(clean(text))

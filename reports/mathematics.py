@@ -8,7 +8,6 @@ nodes), "space" (a width in em), "break" and "align" (lines of one equation meet
 """
 
 import html
-import re
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import groupby
@@ -52,7 +51,7 @@ def _row(elements: Sequence[Element]) -> Node:
             nodes.append(["upright", "".join(_text(e) for e in group)])
         else:
             nodes += [_node(e) for e in group]
-    return ["row", *nodes]
+    return nodes[0] if len(nodes) == 1 else ["row", *nodes]
 
 
 def _opens(elements: Sequence[Element]) -> bool:
@@ -121,7 +120,7 @@ KNOWN = {
     "mi": _identifier,
     "mn": lambda e: ["words", _text(e)],
     "mo": _operator,
-    "mtext": lambda e: ["words", re.sub(r"\s+", " ", _text(e))],
+    "mtext": lambda e: ["words", _text(e)],
     "mspace": _space,
     "mfrac": lambda e: ["fraction", *_parts(e)],
     "msub": lambda e: _scripts(e[0], e[1], None),

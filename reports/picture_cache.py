@@ -5,7 +5,6 @@ import io
 import json
 import os
 import struct
-import tempfile
 import zipfile
 import zlib
 from collections.abc import Mapping
@@ -17,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from verify.files import write_whole
 from verify.results import Array, Field, Picture
 
 CODE = (
@@ -105,16 +105,8 @@ def store(folder: Path, name: str, drawn: Drawn) -> None:
     head = {**vars(drawn), "lines": len(drawn.outline), "opengl": _opengl()}
     del head["png"], head["outline"]
     arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}
-    folder.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=folder, prefix=".part-", suffix=".npz")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            np.savez(file, head=np.array(json.dumps(head)),
-                     png=np.frombuffer(drawn.png, dtype=np.uint8), **arrays)  # fmt: skip
-        Path(temporary).replace(folder / f"{name}.npz")
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+    arrays |= {"head": np.array(json.dumps(head)), "png": np.frombuffer(drawn.png, dtype=np.uint8)}
+    write_whole(folder / f"{name}.npz", lambda file: np.savez(file, **arrays))
 
 
 @cache

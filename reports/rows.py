@@ -4,6 +4,7 @@ import csv
 import io
 from collections.abc import Iterable
 
+from reports.xml_text import clean
 from verify.results import Row
 
 COLUMNS = (
@@ -50,6 +51,7 @@ def rows_csv(rows: Iterable[Row]) -> str:
 
 
 def _harmless(cell: Cell) -> str | float:
-    if isinstance(cell, str) and cell.startswith(FORMULAS):
-        return f"'{cell}"
-    return "" if cell is None else cell
+    if not isinstance(cell, str):
+        return "" if cell is None else cell
+    text = clean(cell).replace("\r", " ")  # csv writes it unquoted, and a line would end there
+    return f"'{text}" if text.startswith(FORMULAS) else text

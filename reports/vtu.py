@@ -1,4 +1,9 @@
-"""One VTU file per solved mesh, for ParaView."""
+"""One VTU file per solved mesh, for ParaView.
+
+Names of arrays carry their unit, as "von_mises [Pa]", because ParaView writes the name beside the
+colour bar; points are in m. Plane vectors get a zero third component, plane stresses (xx, yy, xy,
+zz) become the six of a symmetric tensor, which ParaView names XX to XZ.
+"""
 
 import re
 import tempfile
@@ -8,26 +13,32 @@ from pathlib import Path
 import meshio
 import numpy as np
 
-from verify.results import Field, Report
+from verify.results import Array, Field, Report
 
 CELLS = {2: "line", 3: "triangle", 4: "quad"}
 
 
 def vtu_files(report: Report) -> Iterator[tuple[str, bytes]]:
     """File name and content for every field of every case."""
+    taken: set[str] = set()
     for case in report.cases:
         for field in case.fields:
             slug = re.sub(r"[^a-z0-9]+", "-", f"{case.id}-{field.name}".lower()).strip("-")
-            yield f"{slug}.vtu", vtu(field)
+            name, count = f"{slug}.vtu", 1
+            while name in taken:  # names that differ in signs alone
+                count += 1
+                name = f"{slug}-{count}.vtu"
+            taken.add(name)
+            yield name, vtu(field)
 
 
 def vtu(field: Field) -> bytes:
-    """A field as VTU; plane points and vectors get a zero third component."""
+    """A field as VTU, compressed as meshio writes it."""
     mesh = meshio.Mesh(
         _solid(field.points),
         [(CELLS[field.cells.shape[1]], field.cells)],
-        point_data={k: _solid(v) for k, v in field.point_data.items()},
-        cell_data={k: [v] for k, v in field.cell_data.items()},
+        point_data={_named(field, k): _solid(v) for k, v in field.point_data.items()},
+        cell_data={_named(field, k): [_solid(v)] for k, v in field.cell_data.items()},
     )
     with tempfile.TemporaryDirectory() as folder:  # meshio writes by file name alone
         path = Path(folder) / "field.vtu"
@@ -35,9 +46,17 @@ def vtu(field: Field) -> bytes:
         return path.read_bytes()
 
 
-def _solid(
-    values: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _named(field: Field, key: str) -> str:
+    unit = field.units.get(key, "1")
+    return key if unit == "1" else f"{key} [{unit}]"
+
+
+def _solid(values: Array) -> Array:
+    """Plane vectors and plane stresses in space; anything else as it is."""
     if values.ndim == 2 and values.shape[1] == 2:
         return np.column_stack([values, np.zeros(len(values))])
+    if values.ndim == 2 and values.shape[1] == 4:
+        xx, yy, xy, zz = values.T
+        nothing = np.zeros(len(values))
+        return np.column_stack([xx, yy, zz, xy, nothing, nothing])
     return values

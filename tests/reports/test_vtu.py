@@ -1,0 +1,94 @@
+"""Every VTU of a run is read back by meshio and by VTK itself, which ParaView reads with."""
+
+from dataclasses import replace
+
+import meshio
+import numpy as np
+import pytest
+import pyvista
+
+from reports.vtu import vtu, vtu_files
+from verify.results import Field
+
+VTK = {2: pyvista.CellType.LINE, 3: pyvista.CellType.TRIANGLE, 4: pyvista.CellType.QUAD}
+
+
+def read(content, tmp_path):
+    """By meshio and by VTK."""
+    path = tmp_path / "field.vtu"
+    path.write_bytes(content)
+    return meshio.read(path), pyvista.read(path)
+
+
+def named(field, key):
+    unit = field.units.get(key, "1")
+    return key if unit == "1" else f"{key} [{unit}]"
+
+
+@pytest.fixture
+def triangle():
+    return Field(
+        name="one triangle", points=np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]),
+        cells=np.array([[0, 1, 2]]), point_data={"displacement": np.ones((3, 2))},
+        cell_data={"stress": np.array([[1.0, 2.0, 3.0, 4.0]]), "share": np.array([0.5])},
+        units={"displacement": "m", "stress": "Pa", "share": "1"},
+    )  # fmt: skip
+
+
+def test_every_field_of_a_run_opens_in_two_readers(report, tmp_path):
+    files = dict(vtu_files(report))
+    fields = [field for case in report.cases for field in case.fields]
+    assert len(files) == len(fields) > 3
+    for content, field in zip(files.values(), fields, strict=True):
+        mesh, grid = read(content, tmp_path)
+        corners = field.cells.shape[1]
+        assert len(mesh.points) == grid.n_points == len(field.points)
+        np.testing.assert_array_equal(mesh.cells[0].data, field.cells)
+        np.testing.assert_array_equal(grid.cells.reshape(-1, corners + 1)[:, 1:], field.cells)
+        assert set(grid.celltypes) == {VTK[corners]}
+        assert 0 <= field.cells.min() < field.cells.max() < len(field.points)
+        assert all(len(set(cell)) == corners for cell in field.cells.tolist())
+        np.testing.assert_array_equal(grid.points[:, :2], field.points)
+        for key, values in field.point_data.items():
+            name = named(field, key)
+            shown = values if values.ndim == 1 else np.pad(values, ((0, 0), (0, 1)))
+            np.testing.assert_array_equal(mesh.point_data[name], shown)
+            np.testing.assert_array_equal(grid.point_data[name], shown)
+        for key, values in field.cell_data.items():
+            name = named(field, key)
+            assert len(mesh.cell_data[name][0]) == len(grid.cell_data[name]) == len(values)
+            if values.ndim == 1:
+                np.testing.assert_array_equal(grid.cell_data[name], values)
+
+
+def test_every_dimensional_array_carries_its_unit(report, tmp_path):
+    for content in dict(vtu_files(report)).values():
+        _, grid = read(content, tmp_path)
+        assert grid.point_data.keys() == ["displacement [m]"]
+        assert all(name.endswith(" [Pa]") for name in grid.cell_data.keys())  # noqa: SIM118
+
+
+def test_the_stress_is_a_symmetric_tensor_whose_invariant_is_the_von_mises_stress(report, tmp_path):
+    name = "ring-lame-plane-strain.vtu"
+    _, grid = read(dict(vtu_files(report))[name], tmp_path)
+    xx, yy, zz, xy, yz, xz = grid.cell_data["stress [Pa]"].T
+    mises = np.sqrt(((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * xy**2)
+    np.testing.assert_allclose(mises, grid.cell_data["von_mises [Pa]"], rtol=1e-12)
+    assert not yz.any()
+    assert not xz.any()
+
+
+def test_triangles_and_a_number_without_unit(triangle, tmp_path):
+    mesh, grid = read(vtu(triangle), tmp_path)
+    assert mesh.cells[0].type == "triangle"
+    assert grid.celltypes.tolist() == [VTK[3]]
+    assert grid.area == pytest.approx(0.5)
+    assert grid.cell_data["stress [Pa]"].tolist() == [[1, 2, 4, 3, 0, 0]]
+    assert "share" in grid.cell_data
+
+
+def test_names_that_differ_in_signs_alone_get_two_files(report, triangle):
+    fields = (triangle, replace(triangle, name="one-triangle!"))
+    case = replace(report.cases[0], fields=fields)
+    names = [name for name, _ in vtu_files(replace(report, cases=(case,)))]
+    assert names == ["ring-lame-one-triangle.vtu", "ring-lame-one-triangle-2.vtu"]
