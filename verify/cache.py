@@ -31,6 +31,8 @@ from verify.results import Field
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
 FORMAT = 1
+LARGEST = 2e9  # bytes
+ROOM = 0.2  # of it, made free at once
 # what numpy and zipfile raise on files that were torn or changed
 UNREADABLE = (
     OSError, ValueError, LookupError, EOFError, RuntimeError, TypeError, AttributeError,
@@ -46,6 +48,25 @@ def default_folder() -> Path:
     return Path(__file__).parent.parent / ".cache" / "fem"
 
 
+def picture_folder() -> Path:
+    """Where drawn pictures and equations are kept."""
+    return default_folder() / "pictures"
+
+
+def trim(folder: Path, largest: float = LARGEST) -> None:
+    """Remove what was used least recently until the folder is well below `largest` bytes."""
+    files = [(path.stat(), path) for path in folder.rglob("*.npz")]
+    excess = sum(stat.st_size for stat, _ in files) - largest
+    if excess <= 0:
+        return
+    excess += ROOM * largest
+    for stat, path in sorted(files, key=lambda file: file[0].st_mtime):
+        path.unlink(missing_ok=True)
+        excess -= stat.st_size
+        if excess <= 0:
+            return
+
+
 def key(case: Case, inputs: Inputs, level: int) -> str:
     """Hexadecimal name of one result."""
     canonical = json.dumps(inputs.model_dump(), sort_keys=True)
@@ -59,7 +80,9 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
     path = folder / case.id / f"{key(case, inputs, level)}.npz"
     try:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
-            return _unpack({name: data[name] for name in data.files})
+            found = _unpack({name: data[name] for name in data.files})
+        os.utime(path)  # used: what is not, goes first where room is made
+        return found
     except UNREADABLE:
         return None
 

@@ -55,9 +55,9 @@ def run_verify(
     ]
     results = solve(work, jobs, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
+    _print_verdicts(report)
     page = _write(report, out, use_cache)
-    _print_verdicts(report, time.perf_counter() - start)
-    print(f"report: {page}")
+    print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
     if any(case.errors for case in report.cases):
         print(f"tracebacks: {out / 'errors.txt'}")
     failed = any(
@@ -105,7 +105,7 @@ def _write(report: Report, out: Path, use_cache: bool) -> Path:
     """Write the report into `out` and say what had to be done in another way; the page."""
     from reports.write import write  # only the command line knows reports
 
-    drawn = cache.default_folder().parent / "pictures" if use_cache else None
+    drawn = cache.picture_folder() if use_cache else None
     hint = environment.remedy_for_pictures().removeprefix("; ")
     written = write(report, out, cache=drawn, hint=hint)
     for remark in written.remarks:
@@ -146,7 +146,7 @@ def make_report(
     )
 
 
-def _print_verdicts(report: Report, seconds: float) -> None:
+def _print_verdicts(report: Report) -> None:
     from rich.console import Console
     from rich.table import Table
 
@@ -162,7 +162,7 @@ def _print_verdicts(report: Report, seconds: float) -> None:
                 f"{row.status.value:10} {row.id}: {row.reason}", markup=False, highlight=False,
                 soft_wrap=True,
             )  # fmt: skip
-    console.print(f"{len(report.rows)} rows in {seconds:.1f} s", highlight=False)
+    console.print(f"{len(report.rows)} rows", highlight=False)
 
 
 def _print_check(name: str, case: Case, result: CaseResult, values: Any, use_fem: bool) -> None:

@@ -4,6 +4,7 @@ import os
 import sys
 import tempfile
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -71,8 +72,10 @@ def _writable_cache(work: Sequence[Job]) -> Path | None:
     except OSError as error:
         _say(f"no cache in {folder} ({error.strerror}): going on")
         return None
-    for place in {folder, *(folder / job.case.id for job in work)}:
+    for place in {folder, cache.picture_folder(), *(folder / job.case.id for job in work)}:
         remove_abandoned(place)
+    with suppress(OSError):  # another run may be trimming too
+        cache.trim(folder)
     return folder
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from reports.frames import frames
 from reports.html import page
-from verify.cache import default_folder
+from verify.cache import picture_folder
 
 CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
@@ -30,7 +30,7 @@ DARK = "--blink-settings=preferredColorScheme=0"
 def folder(tmp_path_factory, report, hostile) -> Path:
     """The page, the hostile one, and the host that looks at them in frames."""
     place = tmp_path_factory.mktemp("browser")
-    drawn = frames(report.cases, default_folder().parent / "pictures")
+    drawn = frames(report.cases, picture_folder())
     (place / "report.html").write_text(page(report, drawn), "utf-8")
     (place / "hostile.html").write_text(page(hostile, drawn), "utf-8")
     return place

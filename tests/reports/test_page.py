@@ -10,7 +10,7 @@ import pytest
 
 from reports.frames import frames
 from reports.html import lines, page
-from verify.cache import default_folder
+from verify.cache import picture_folder
 from verify.results import Kind, Row, Status
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}
@@ -61,7 +61,7 @@ class Reader(HTMLParser):
 
 @pytest.fixture(scope="module")
 def drawn(report):
-    return frames(report.cases, default_folder().parent / "pictures")
+    return frames(report.cases, picture_folder())
 
 
 @pytest.fixture(scope="module")

@@ -453,3 +453,25 @@ def test_every_module_that_a_case_really_loads_is_in_its_key(case, monkeypatch):
     }  # they import nothing
     assert loaded - packages <= seen
     assert not {name for name in seen if name.partition(".")[0] in ("analytic", "reports")}
+
+
+def test_what_was_used_least_recently_goes_first_where_room_is_made(tmp_path):
+    for age, name in enumerate(("old", "used", "new")):
+        path = tmp_path / "case" / f"{name}.npz"
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(bytes(100))
+        os.utime(path, (age, age))
+    os.utime(tmp_path / "case" / "old.npz", (9, 9))
+    cache.trim(tmp_path, largest=300)
+    assert len(list(tmp_path.rglob("*.npz"))) == 3  # no more than allowed
+    cache.trim(tmp_path, largest=250)
+    assert [p.stem for p in tmp_path.rglob("*.npz")] in (["old", "new"], ["new", "old"])
+
+
+def test_reading_a_result_counts_as_using_it(tmp_path):
+    case, inputs = CASES[0], CASES[0].inputs()
+    cache.store(tmp_path, case, inputs, 2, FemResult(h=1.0, values={}))
+    (path,) = tmp_path.rglob("*.npz")
+    os.utime(path, (9, 9))
+    assert cache.load(tmp_path, case, inputs, 2) is not None
+    assert path.stat().st_mtime > 9
