@@ -118,7 +118,10 @@ def test_pictures_with_a_bitmap_and_a_gradient_are_drawn(own):
 
 
 def test_the_same_report_gives_the_same_bytes(own):
-    assert pdf(own, {}) == pdf(own, {})
+    own = replace(own, provenance={**own.provenance, "made": "2001-02-03 04:05 UTC"})
+    first = pdf(own, {})
+    assert first == pdf(own, {})
+    assert b"(D:20010203040500Z)" in first
 
 
 def test_a_long_table_is_shortened_and_says_where_the_rest_is(own):

@@ -1,0 +1,189 @@
+"""tables.xlsx read back: numbers are numbers, texts are texts, every table is there."""
+
+import io
+import math
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import openpyxl
+import pytest
+
+from reports.rows import HEADER, cells
+from reports.sheets import LONGEST, Sheets
+from reports.workbook import Book, Link, Printed
+from reports.xlsx import xlsx
+from verify.results import Status, Table
+
+NOON = datetime(2026, 1, 1, 12, tzinfo=UTC)
+
+
+def opened(content):
+    return openpyxl.load_workbook(io.BytesIO(content))
+
+
+def near(value):
+    """The value to the 16 digits that a workbook holds."""
+    return None if value is None else pytest.approx(value, rel=1e-15, abs=0)
+
+
+def one_sheet(header, rows, **options):
+    book = Book("title", NOON)
+    book.table("one", header, rows, **options)
+    return opened(book.content())["one"]
+
+
+@pytest.fixture(scope="module")
+def book(report):
+    return opened(xlsx(report))
+
+
+def test_rows_are_those_of_the_run_with_their_values(report, book):
+    sheet = book["Rows"]
+    head, *lines = sheet.iter_rows(values_only=True)
+    assert head == (*HEADER, "ledger")
+    assert len(lines) == len(report.rows)
+    numbers = range(HEADER.index("analytic"), HEADER.index("order"))
+    for line, row in zip(lines, report.rows, strict=True):
+        expected = cells(row)
+        assert line[:5] == tuple(expected[:5])
+        assert [line[i] for i in numbers] == [near(expected[i]) for i in numbers]
+        assert line[HEADER.index("status")] == row.status.value
+
+
+def test_the_head_of_rows_stays_filters_and_colours(book):
+    sheet = book["Rows"]
+    assert sheet.freeze_panes == "A2"
+    assert sheet.auto_filter.ref == sheet.dimensions
+    (where,) = sheet.conditional_formatting
+    rules = {rule.formula[0].strip('"') for rule in where.rules}
+    assert rules == {status.value for status in Status}
+    (area,) = where.sqref.ranges
+    assert area.min_col == area.max_col == HEADER.index("status") + 1
+    assert (area.min_row, area.max_row) == (2, sheet.max_row)
+
+
+def test_a_row_with_an_erratum_links_to_it(report, book):
+    sheet, errata = book["Rows"], book["Errata"]
+    linked = [c for (c,) in sheet.iter_rows(min_row=2, min_col=len(HEADER) + 1) if c.value]
+    assert len(linked) == sum("ledger " in row.reason for row in report.rows) > 0
+    for cell in linked:
+        line = int(cell.hyperlink.location.removeprefix("'Errata'!A"))
+        paper, entry = (errata.cell(line, k).value for k in (1, 2))
+        assert cell.value == f"{paper}:{entry}"
+
+
+def test_every_table_has_a_sheet(report, book):
+    assert book.sheetnames[:4] == ["Summary", "Rows", "Inputs and values", "Levels"]
+    sheets = Sheets(report)
+    for case, names in zip(report.cases, sheets.of_case, strict=True):
+        for table, name in zip(case.tables, names, strict=True):
+            lines = list(book[name].iter_rows(values_only=True))
+            read = [tuple(cell or "" for cell in line) for line in lines]
+            head = read.index(table.header)
+            assert read[head + 1 :] == [tuple(c or "" for c in row) for row in table.rows]
+    assert [name in book.sheetnames for name in sheets.of_paper].count(True) == len(report.tables)
+    for name in ("Errata", "Equations", "Printed numbers"):
+        records = {"Errata": report.errata, "Equations": report.equations}
+        assert book[name].max_row == 1 + len(records.get(name, report.published))
+
+
+def test_the_levels_are_those_of_the_rows(report, book):
+    lines = list(book["Levels"].iter_rows(min_row=2, values_only=True))
+    expected = [(h, v) for row in report.rows for h, v in row.levels]
+    assert [(line[5], line[6]) for line in lines] == [(near(h), near(v)) for h, v in expected]
+
+
+def test_the_summary_counts(report, book):
+    *_, total = book["Summary"].iter_rows(values_only=True)
+    assert total[2] == len(report.rows)
+    assert list(total[3:]) == [report.count(status) for status in Status]
+
+
+def test_a_claimed_printed_number_stands_beside_what_claims_it(report, book):
+    lines = list(book["wang2023 Table 1"].iter_rows(values_only=True))
+    head = next(line for line in lines if "status" in line)
+    claimed = [line for line in lines if line[head.index("status")] in set(Status)]
+    row = next(row for row in report.rows if row.id == claimed[0][head.index("row or input")])
+    assert claimed[0][head.index("formula")] == pytest.approx(row.analytic)
+    assert claimed[0][1:4] == (0.601, 0.613, 0.610)
+
+
+def test_a_report_of_ones_own_has_no_sheets_of_the_papers(report):
+    names = opened(xlsx(replace(report, name="mine"))).sheetnames
+    assert "Rows" in names
+    assert not {"Errata", "Equations", "Printed numbers", "wang2023 Table 1"} & set(names)
+
+
+@pytest.mark.parametrize(
+    "text", ["=1+1", "+1", "-1", "@A1", "http://example.org", "mailto:a@b", "{=1}", "1", "'x"]
+)
+def test_a_text_stays_a_text(text):
+    cell = one_sheet(["a"], [[text]])["A2"]
+    assert (cell.value, cell.data_type, cell.hyperlink) == (text, "s", None)
+
+
+def test_a_text_that_looks_like_a_formula_stays_one_when_it_is_edited():
+    sheet = one_sheet(["a"], [["=1+1"], ["plain"]])
+    assert sheet["A2"].quotePrefix
+    assert not sheet["A3"].quotePrefix
+
+
+def test_numbers_that_are_none_stay_empty():
+    sheet = one_sheet(["a"], [[math.nan], [math.inf], [-math.inf], [None], [0.0]])
+    assert [sheet.cell(i, 1).value for i in range(2, 7)] == [None, None, None, None, 0]
+
+
+def test_control_characters_and_endless_texts_break_nothing():
+    sheet = one_sheet(["a\x00"], [["x\x07\ud800y"], ["z" * 40_000], ["_x0041_"]])
+    assert sheet["A1"].value == "a\ufffd"
+    assert sheet["A2"].value == "x\ufffd\ufffdy"
+    assert len(sheet["A3"].value) == 32767
+    assert sheet["A4"].value == "_x0041_"
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "shown"),
+    [("0.610", 0.61, "0.000"), ("−3", -3, "0"), ("1.80×10^-3", 1.8e-3, "0.00E+00"),
+     ("0.601; 0.602", "0.601; 0.602", "General"), ("twelve", "twelve", "General")],
+)  # fmt: skip
+def test_a_printed_number_keeps_its_digits(text, value, shown):
+    cell = one_sheet(["a"], [[Printed(text)]])["A2"]
+    assert cell.value == value
+    assert cell.number_format == shown
+
+
+def test_a_link_leads_into_the_workbook():
+    cell = one_sheet(["a"], [[Link("there", "'one'!A1")]])["A2"]
+    assert cell.hyperlink.location == "'one'!A1"
+    assert cell.hyperlink.target is None
+
+
+def test_sheet_names_are_short_lawful_and_each_once(report):
+    titles = [
+        "x" * 40,
+        "X" * 40,
+        "a/b\\c:d*e?f[g]",
+        "History",
+        "rows",
+        "''",
+        "",
+        "Summary",
+        "é\x07",
+    ]
+    tables = tuple(Table(title=t, header=("a",), rows=()) for t in titles)
+    case = replace(report.cases[0], tables=tables)
+    changed = replace(report, cases=(case,))
+    (names,) = Sheets(changed).of_case
+    book = opened(xlsx(changed))
+    assert set(names) <= set(book.sheetnames)
+    assert len({n.casefold() for n in book.sheetnames}) == len(book.sheetnames)
+    assert all(len(n) <= LONGEST and n.casefold() != "history" for n in names)
+
+
+def test_the_same_report_gives_the_same_bytes(report):
+    assert xlsx(report) == xlsx(report)
+
+
+def test_a_hostile_report_is_a_workbook(hostile):
+    sheet = opened(xlsx(hostile))["Rows"]
+    assert {sheet.cell(i, HEADER.index("status") + 1).value for i in range(2, 8)} == set(Status)
