@@ -20,7 +20,6 @@ from fem.plane.material import Assumption, Elastic
 from fem.plane.solution import PlaneSolution
 
 Array = NDArray[np.float64]
-NODES = {3: 6, 4: 8}  # by corners
 
 
 @dataclass(frozen=True, kw_only=True)
