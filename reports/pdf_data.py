@@ -9,7 +9,8 @@ from markupsafe import Markup
 from reports import signature
 from reports.frames import Frame
 from reports.html import WORDS, anchors, cited, claims, drawn_by, title
-from reports.pdf_case import Data, case_data, maths, prose, quantity
+from reports.pdf_case import case_data, maths
+from reports.pdf_tables import Data, prose, quantity
 from reports.richtext import runs
 from reports.sheets import Sheets
 from reports.standalone import HERE, standalone

@@ -61,11 +61,8 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
                 raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
         for name in files:
             (staging / name).replace(folder / name)
-        for stale in (
-            *folder.glob("*.vtu"),
-            folder / ERRORS,
-            folder / PAPER,
-        ):  # of a run over other cases
+        # of a run over other cases, or of one that could do more
+        for stale in (*folder.glob("*.vtu"), folder / ERRORS, folder / PAPER):
             if stale.name not in files:
                 stale.unlink(missing_ok=True)
     return Written(folder / "report.html", tuple(remarks))

@@ -13,8 +13,8 @@ import typst
 from reports.frames import Frame
 from reports.html import anchors
 from reports.pdf import NotSet, _cleaned, pdf
-from reports.pdf_case import LONGEST, SHOWN
 from reports.pdf_data import document
+from reports.pdf_tables import LONGEST, SHOWN
 from reports.standalone import HERE
 from reports.write import PAPER, write
 from verify.results import Status, Table
