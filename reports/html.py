@@ -67,9 +67,7 @@ def lines(rows: Sequence[Row]) -> list[Line]:
     return [Line(r, companions.get(r.quantity)) for r in rows if r.quantity not in apart]
 
 
-def page(
-    report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | None = None
-) -> str:
+def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | None = None) -> str:
     """HTML of the whole run; `frames` are the pictures of each case.
 
     `cache` is a folder that keeps drawn equations for the next run.

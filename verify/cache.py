@@ -13,6 +13,7 @@ import io
 import json
 import os
 import struct
+import time
 import zipfile
 import zlib
 from collections.abc import Iterator
@@ -60,7 +61,7 @@ def trim(folder: Path, largest: float = LARGEST) -> None:
     if excess <= 0:
         return
     excess += ROOM * largest
-    for stat, path in sorted(files, key=lambda file: file[0].st_mtime):
+    for stat, path in sorted(files, key=lambda file: file[0].st_atime):
         path.unlink(missing_ok=True)
         excess -= stat.st_size
         if excess <= 0:
@@ -81,7 +82,8 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
     try:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
             found = _unpack({name: data[name] for name in data.files})
-        os.utime(path)  # used: what is not, goes first where room is made
+        # used: what is not, goes first where room is made
+        os.utime(path, ns=(time.time_ns(), path.stat().st_mtime_ns))
         return found
     except UNREADABLE:
         return None

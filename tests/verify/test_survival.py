@@ -47,9 +47,9 @@ class Place:
         return process.returncode, out, err
 
     def stored(self):
-        """Cache entries with what tells one writing of a file from another."""
+        """Stored levels with what tells one writing of a file from another."""
         return {p: (p.stat().st_ino, p.stat().st_mtime_ns) for p in self.cache.rglob("*.npz")
-                if not p.name.startswith(".part-")}  # fmt: skip
+                if not p.name.startswith(".part-") and p.parent.name != "pictures"}  # fmt: skip
 
     def left_over(self):
         return [p for folder in (self.out, self.cache) for p in folder.rglob(".part-*")]
@@ -63,10 +63,10 @@ class Place:
 
     def assert_whole(self):
         """Every file that a run leaves can be read to its end, and there are no others."""
-        for path in self.stored():
+        for path in {*self.stored(), *self.cache.glob("pictures/[!.]*.npz")}:
             with np.load(path) as data:
                 assert [data[name] for name in data.files]
-        for path in self.cache.glob("*.json"):
+        for path in (*self.cache.glob("*.json"), *self.cache.glob("pictures/*.json")):
             assert json.loads(path.read_text())
         for path in self.out.glob("*"):
             if path.name.startswith(".part-") or path.name == ".lock":
