@@ -12,7 +12,8 @@ from reports import svg
 from reports.picture_cache import Drawn
 from reports.pictures import draw
 from reports.viewer import viewer
-from verify.results import CaseResult, Picture
+from verify.results import CaseResult
+from verify.shown import Picture
 
 NOTHING = Markup("")
 WIDTH = 400.0

@@ -15,16 +15,8 @@ from reports import formats, plots, signature
 from reports.equations import Glyphs
 from reports.frames import Frame
 from reports.sketch import sketch
-from verify.results import (
-    CaseResult,
-    Figure,
-    PaperCell,
-    PaperClaim,
-    Profile,
-    Report,
-    Row,
-    Status,
-)
+from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
+from verify.shown import Figure, Profile
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")

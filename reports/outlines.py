@@ -5,7 +5,7 @@ from collections import defaultdict
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.results import Array
+from verify.shown import Array
 
 Indices = NDArray[np.int64]
 

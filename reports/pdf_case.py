@@ -10,7 +10,8 @@ from reports.pdf_tables import Data, budget, expected, levels, prose, quantity, 
 from reports.richtext import Run, digits, runs
 from reports.sketch import sketch
 from reports.standalone import Drawing, standalone
-from verify.results import CaseResult, FormulaValue, InputValue
+from verify.results import CaseResult
+from verify.shown import FormulaValue, InputValue
 
 MARKS = {"theory": "|", "FEA": "□", "test": "◇"}  # as the graphic of a row draws them
 

@@ -6,7 +6,8 @@ from typing import Any
 
 from reports import formats
 from reports.richtext import Run, digits, runs
-from verify.results import Row, Table
+from verify.results import Row
+from verify.shown import Table
 
 Data = dict[str, Any]
 

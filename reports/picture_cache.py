@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from verify.files import write_whole
-from verify.results import Array, Field, Picture
+from verify.shown import Array, Field, Picture
 
 CODE = (
     "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "polygons", "ramps", "raster",

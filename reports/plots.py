@@ -8,7 +8,8 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from verify.results import Array, Dots, Kind, Profile, Row
+from verify.results import Kind, Row
+from verify.shown import Array, Dots, Profile
 
 WIDTH, HEIGHT = 400.0, 300.0
 

@@ -28,7 +28,7 @@ import numpy as np
 from verify.case import Case, FemResult
 from verify.files import write_whole
 from verify.inputs import Inputs
-from verify.results import Field
+from verify.shown import Field
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
 FORMAT = 1

@@ -7,7 +7,8 @@ from typing import Any, ClassVar, Protocol
 from numpy.typing import NDArray
 
 from verify.inputs import Inputs
-from verify.results import Equation, Field, Figure, Picture, Row, Sketch, Table
+from verify.results import Row
+from verify.shown import Equation, Field, Figure, Picture, Sketch, Table
 
 Values = Mapping[str, float]
 

@@ -7,7 +7,7 @@ from verify import units
 from verify.case import Case, Context
 from verify.inputs import Inputs, meta
 from verify.published.ledger import published
-from verify.results import FormulaValue, InputValue
+from verify.shown import FormulaValue, InputValue
 
 
 def described(case: Case, context: Context) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.fields import FieldInfo
 
 from verify import units
-from verify.results import InputValue
+from verify.shown import InputValue
 
 MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15

@@ -8,7 +8,7 @@ import numpy as np
 from verify.case import Context
 from verify.convergence import grid_convergence
 from verify.judge import numerical_uncertainty
-from verify.results import Array
+from verify.shown import Array
 
 
 def along(context: Context, key: str, *, formal: float | None, scale: float) -> tuple[Array, Array]:

@@ -17,7 +17,8 @@ from reports.pdf_data import document
 from reports.pdf_tables import LONGEST, SHOWN
 from reports.standalone import HERE
 from reports.write import PAPER, write
-from verify.results import Status, Table
+from verify.results import Status
+from verify.shown import Table
 
 NASTY = '#panic("x") <script> $x$ @y *b* _i_ // \\ [z] `r` "q"'
 

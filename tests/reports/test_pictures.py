@@ -13,7 +13,7 @@ from PIL import Image
 from reports import pictures, raster
 from reports.pictures import draw
 from reports.scene import compose
-from verify.results import Field, Picture
+from verify.shown import Field, Picture
 
 WORDS = Picture(field="", data="s", symbol="σ", unit="MPa", factor=1e6, caption="")
 RED, BLUE = (203, 58, 58), (42, 107, 200)  # the ends of the signed ramp

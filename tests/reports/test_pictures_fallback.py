@@ -10,7 +10,7 @@ import pytest
 from reports import picture_cache, pictures
 from reports.bitmaps import FINER, flaw, png
 from reports.pictures import draw
-from verify.results import Field, Picture
+from verify.shown import Field, Picture
 
 WORDS = Picture(field="", data="s", symbol="σ", unit="MPa", factor=1e6, caption="")
 

@@ -15,7 +15,7 @@ from verify import cache
 from verify.case import Case, FemResult
 from verify.cases.registry import CASES
 from verify.inputs import Inputs, quantity
-from verify.results import Field
+from verify.shown import Field
 
 
 class Beam(Inputs):

@@ -11,7 +11,7 @@ from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import ring_shown
 from verify.checks import Exact, Identity, Order
 from verify.inputs import Inputs, quantity
-from verify.results import Field
+from verify.shown import Field
 
 Assumption = Literal["plane stress", "plane strain"]
 ASSUMPTIONS: tuple[Assumption, ...] = ("plane stress", "plane strain")

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.ring import lame
 from verify.case import Context, Values
 from verify.profiles import along
-from verify.results import Equation, Figure, Picture, Profile, Shape, Sketch
+from verify.shown import Equation, Figure, Picture, Profile, Shape, Sketch
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 ACROSS = 13  # stations over the wall

@@ -13,7 +13,7 @@ from verify.cases import spring_readings, spring_shown
 from verify.cases.spring_inputs import AccordionInputs, strip_of
 from verify.checks import Approximation, Identity, Order
 from verify.printed import Contradiction, PrintedMeasurement, PrintedTheory
-from verify.results import Field, Table
+from verify.shown import Field, Table
 
 HEADS: tuple[frame.Head, ...] = ("free", "hinged", "guided")
 TAILS: tuple[frame.Tail, ...] = ("arc", "mid-leaf")

@@ -12,7 +12,7 @@ from verify.cases.spring_accordion import OUTPUTS, warnings
 from verify.cases.spring_accordion import analytic as accordion_values
 from verify.cases.spring_inputs import AccordionInputs, strip_of
 from verify.checks import Approximation
-from verify.results import Field
+from verify.shown import Field
 
 DEMAND = 1e-3
 

@@ -11,7 +11,7 @@ import numpy as np
 from verify.case import Context
 from verify.published.digits import half_last_digit
 from verify.published.ledger import published
-from verify.results import Table
+from verify.shown import Table
 
 LEAVES = {"L_1/sin α": 1.0, "2 L_1/sin α": 2.0}
 OFFSETS = {"r + b/2": (1.0, "b"), "r + b": (2.0, "b"), "r": (0.0, "b"), "r + h/2": (1.0, "h")}

@@ -14,7 +14,7 @@ from verify.cases.spring_inputs import strip_of
 from verify.profiles import along
 from verify.published.digits import half_last_digit
 from verify.published.ledger import published
-from verify.results import Dots, Equation, Figure, Picture, Profile, Shape, Sketch
+from verify.shown import Dots, Equation, Figure, Picture, Profile, Shape, Sketch
 
 MPa, mm = 1e6, 1e-3
 PRINTED = ("k1-theory", "k1-fea", "k1-test")

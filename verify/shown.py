@@ -1,0 +1,149 @@
+"""Value types of what a case shows: fields, pictures, plots, sketches, tables. Plain data."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Field:
+    """A solved mesh for pictures and files: `points` (n, 2 or 3), `cells` (m, corners) and data."""
+
+    name: str
+    points: Array
+    cells: NDArray[np.int64]
+    point_data: Mapping[str, Array] = field(default_factory=dict)
+    cell_data: Mapping[str, Array] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Picture:
+    """How to draw one field: which data, in which unit, deformed how.
+
+    `data` names point or cell data of the field called `field`, `component` a column of it;
+    values are divided by `factor` to come in `unit`; no data draws in one colour. `mirror` lists
+    the coordinates ("x", "y") that reflection negates: "x" completes a part of a symmetric body
+    at the plane x = 0. `width` sweeps a line into a ribbon that can be turned [the points' unit].
+    `window` (left, bottom, right, top) shows a part of the undeformed body, displacements less
+    their mean there.
+    """
+
+    field: str
+    data: str
+    symbol: str
+    unit: str
+    factor: float
+    caption: str
+    component: int | None = None
+    displacement: str = "displacement"
+    mirror: tuple[str, ...] = ()
+    width: float | None = None
+    window: tuple[float, float, float, float] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Profile:
+    """A formula's curve and finite-element values on it, for a plot with the difference below.
+
+    `x`, `y` draw the formula; at `x_fem` the formula gives `y_ref` and finite elements `y_fem`
+    with standard uncertainty `u`. Differences are divided by `scale`. `marks` are printed values.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    x: Array
+    y: Array
+    x_fem: Array
+    y_fem: Array
+    y_ref: Array
+    u: Array
+    scale: float
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Dots:
+    """Values of one quantity side by side: name, value, half-width or None, and whose it is.
+
+    The last is "formula", "fem" or "paper".
+    """
+
+    title: str
+    label: str
+    items: tuple[tuple[str, float, float | None, str], ...]
+    note: str = ""
+
+
+Figure = Profile | Dots
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """A line of a sketch: `points` (n, 2) in the case's own length, drawn as `style`.
+
+    Styles: "body" (closed outline, filled), "modelled" (closed: what finite elements take of
+    it), "hole" (closed, cut out), "line" (centre line of something thin), "axis", "faint",
+    "clamp" (hatched on the left of its direction), "load" (an arrow to its last point),
+    "dimension" (arrows at both ends, `label` between them), "leader" (from the label to its last
+    point) and "text" (`label` at its only point).
+    """
+
+    style: str
+    points: Array
+    label: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sketch:
+    """What a case looks like, as data; `title` says it in words."""
+
+    title: str
+    shapes: tuple[Shape, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FormulaValue:
+    """A value of the analytic side in its display unit; `judged` where a row pairs it with FE."""
+
+    symbol: str
+    what: str
+    value: float
+    unit: str
+    judged: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class Table:
+    """A table to print as it stands; cells are strings or numbers."""
+
+    title: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[str | float | None, ...], ...]
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Equation:
+    """An equation as TeX and the same with numbers put in."""
+
+    tex: str
+    numbers: str = ""
+    place: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class InputValue:
+    """One input in its display unit."""
+
+    name: str
+    symbol: str
+    what: str
+    value: float | int | str
+    unit: str
+    source: str = ""
