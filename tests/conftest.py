@@ -1,5 +1,6 @@
 """Run cases through the shared cache; every process computes what it misses once."""
 
+import signal
 from collections.abc import Callable
 from functools import cache
 
@@ -10,6 +11,11 @@ from verify.case import Case
 from verify.inputs import Inputs
 from verify.results import CaseResult, Row, Status
 from verify.run import Job, judge_case, solve_level
+
+
+# A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @cache

@@ -75,10 +75,10 @@ def duration(seconds: float) -> str:
 @contextmanager
 def _bar() -> Iterator[Show]:
     from rich.console import Console  # slow to import, and only used on a terminal
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-    columns = (
-        TextColumn("finite elements"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
+    columns = (  # together less than 80 characters
+        TextColumn("solving"), BarColumn(16), MofNCompleteColumn(),
         TextColumn("{task.fields[left]}"), TextColumn("{task.description}", style="dim"),
     )  # fmt: skip
     bar = Progress(*columns, console=Console(stderr=True), transient=True)
@@ -86,7 +86,7 @@ def _bar() -> Iterator[Show]:
 
     def show(state: State) -> None:
         left = f"about {duration(state.remaining)} left" if state.running else ""
-        what = names(state.running)
+        what = state.running[0] if state.running else ""  # the longest started first
         bar.update(task, completed=state.done, total=state.total, description=what, left=left)
         bar.start()  # not before there is something to solve
 
