@@ -12,7 +12,6 @@ from verify.inputs import Inputs
 from verify.results import CaseResult, Row, Status
 from verify.run import Job, judge_case, solve_level
 
-
 # A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
