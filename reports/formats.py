@@ -52,37 +52,37 @@ def small(value: float | None, digits: int = 6) -> str | Markup:
 
 
 class Shown(NamedTuple):
-    """Formula, FE and the uncertainty of FE with one number of decimals; u is empty without one."""
+    """Formula, and FE with its standard uncertainty in brackets: 0.5817896(40)."""
 
     formula: str
     fem: str | Markup
-    u: Markup
 
 
 def values(row: Row) -> Shown:
-    """Formula and FE with the decimals that u allows: 0.58177, 0.58179 ± 0.00002."""
-    known = [v for v in (row.analytic, row.fem) if v]
+    """Formula and FE with as many decimals as u has: 0.5820205 and 0.5817896(40).
+
+    The digits in brackets are those of u, in units of the last decimal.
+    """
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
-        return Shown(
-            number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}", Markup("")
-        )
-    if row.kind == "fact" or not known or not u or not math.isfinite(u):
+        return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}")
+    if row.kind == "fact" or row.fem is None or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
-        return Shown(number(row.analytic, digits), small(row.fem, digits), Markup(""))
-    size = math.floor(math.log10(max(map(abs, known))))
-    decimals = min(1 - math.floor(math.log10(u)), 7 - size)  # nobody compares more digits
-    if size > 6 or decimals > 12:
-        return Shown(number(row.analytic, 10), number(row.fem, 10), power(u))
-    decimals = max(decimals, 0)
+        return Shown(number(row.analytic, digits), small(row.fem, digits))
+    fem, decimals = concise(row.fem, u)
+    known = row.analytic
+    return Shown("–" if known is None else f"{known:.{decimals}f}".replace("-", MINUS), fem)
 
-    def fixed(value: float | None) -> str:
-        return "–" if value is None else f"{value:.{decimals}f}".replace("-", MINUS)
 
-    if row.fem is None:
-        return Shown(fixed(row.analytic), "–", Markup(""))
-    spread = Markup(fixed(u)) if decimals < 5 and u >= 10.0**-decimals else power(u)  # noqa: S704
-    return Shown(fixed(row.analytic), fixed(row.fem), spread)
+def concise(value: float, u: float) -> tuple[str, int]:
+    """A value with two digits of its uncertainty in brackets, and how many decimals it shows.
+
+    No more than fourteen digits of the value, which is what a double has to give.
+    """
+    size = math.floor(math.log10(abs(value))) if value else 0
+    decimals = max(min(1 - int(f"{u:.1e}".partition("e")[2]), 13 - size), 0)
+    last = max(round(u * 10.0**decimals), 1)
+    return f"{value:.{decimals}f}({last})".replace("-", MINUS), decimals
 
 
 def difference(row: Row) -> Markup:

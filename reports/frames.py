@@ -65,7 +65,8 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
             height * (y1 - point[1]) / (y1 - y0),
         )
 
-    times = f"Displacements × {svg.plain(drawn.exaggeration)}, dashed: before loading."
+    less = ", less their mean in the window" if picture.window else ""
+    times = f"Displacements × {svg.plain(drawn.exaggeration)}{less}; dashed: before loading."
     moved = times if drawn.exaggeration else ""
     data = base64.b64encode(drawn.png).decode()
     body = [

@@ -113,6 +113,7 @@ class Said:
     """What the suite says of one row of a printed table."""
 
     rows: Sequence[Claim]
+    formulas: Sequence[str | Markup]
     inputs: Sequence[str]
     errata: Sequence[str]
 
@@ -122,15 +123,15 @@ def claims(cells: Sequence[PaperCell]) -> Said:
     rows = {claim.row: _claim(claim) for cell in cells for claim in cell.rows}
     inputs = dict.fromkeys(i for cell in cells for i in cell.inputs)
     errata = dict.fromkeys(e for cell in cells for e in cell.errata)
-    return Said(list(rows.values()), list(inputs), list(errata))
+    formulas = dict.fromkeys(claim.formula for claim in rows.values())  # one value, told once
+    return Said(list(rows.values()), list(formulas), list(inputs), list(errata))
 
 
 def _claim(claim: PaperClaim) -> Claim:
-    fem = Markup("")
+    name, fem = claim.row.partition("/")[2], Markup("")
     if claim.fem is not None:
-        u = Markup(" ± {}").format(formats.small(claim.u, 2)) if claim.u else ""
-        fem = Markup("{}{}").format(formats.small(claim.fem), u)
-    name = claim.row.partition("/")[2]
+        shown = formats.concise(claim.fem, claim.u)[0] if claim.u else formats.small(claim.fem)
+        fem = Markup("{}").format(shown)
     return Claim(claim.row, name, claim.status, formats.small(claim.analytic), fem)
 
 

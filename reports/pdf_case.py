@@ -63,7 +63,6 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
         "quantity": quantity(row),
         "formula": runs(shown.formula),
         "fem": runs(shown.fem),
-        "u": runs(shown.u),
         "paper": [[MARKS[kind], text] for kind in MARKS if (text := printed(row, kind))],
         "difference": runs(formats.difference(row)),
         "signature": standalone(signature.signature(row)),

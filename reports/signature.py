@@ -60,6 +60,8 @@ def signature(row: Row) -> Markup:
             parts.append(svg.line(low, 9, high, 9, "bar"))
         parts.append(svg.circle(x, 9, 3.4, "dot"))
     words = f"difference {where:+.2g} times the tolerance"
+    if row.interval is not None:
+        words = f"model error {where:+.2g} half-widths from the middle of its expected interval"
     return svg.drawing(132, 18, parts, words, f"sig is-{row.status.value.lower()}")
 
 

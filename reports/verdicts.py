@@ -1,5 +1,6 @@
 """What is verified, as a table for a README: one line a case."""
 
+import math
 from collections import Counter
 
 from verify.results import CaseResult, Kind, Report, Row, Status
@@ -36,5 +37,9 @@ def _relative(row: Row) -> float:
 
 
 def _largest(values: list[float]) -> str:
-    """The largest with one digit, in per cent; a dash for none."""
-    return f"{100 * max(values):.1g} %" if values else "–"
+    """The largest with two digits, rounded up, in per cent; a dash for none."""
+    if not values or max(values) <= 0:
+        return "–" if not values else "0 %"
+    percent = 100 * max(values)
+    last = 10.0 ** (math.floor(math.log10(percent)) - 1)
+    return f"{math.ceil(percent / last * (1 - 1e-12)) * last:.2g} %"

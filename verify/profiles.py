@@ -1,7 +1,6 @@
-"""Profiles for plots: finite-element values along a line, with the uncertainty of each point."""
+"""Profiles for plots: finite-element values along a line, with the uncertainty of all of them."""
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,20 +10,21 @@ from verify.judge import numerical_uncertainty
 from verify.shown import Array
 
 
-def along(context: Context, key: str, *, formal: float | None, scale: float) -> tuple[Array, Array]:
+def along(context: Context, key: str, *, formal: float, scale: float) -> tuple[Array, Array]:
     """Values (m,) of the finest level at fixed points and their standard uncertainty (m,).
 
-    `key` names arrays (m,) that every level evaluated at the same points. A point whose
-    differences grow takes the spread of its last three values, three times.
+    `key` names arrays (m,) that every level evaluated at the same points; `formal` is the order
+    of their largest error. A fixed point lies elsewhere in its cell on every mesh, so that its
+    own differences follow no order; their largest over all points do, and one uncertainty, from
+    the grid convergence of that, holds for the whole profile.
     """
     h = [result.h for result in context.fem]
     values = np.array([result.arrays[key] for result in context.fem])
-    u = [_uncertainty(h, column.tolist(), formal, scale) for column in values.T]
-    return values[-1], np.array(u)
-
-
-def _uncertainty(
-    h: Sequence[float], values: Sequence[float], formal: float | None, scale: float
-) -> float:
-    u = numerical_uncertainty(grid_convergence(h, values, formal=formal, scale=scale))
-    return u if math.isfinite(u) else 1.5 * float(np.ptp(values[-3:]))
+    u_it = max(result.u_it.get(key, 0.0) for result in context.fem)
+    change = np.abs(np.diff(values, axis=0)).max(axis=1)
+    series = np.concatenate([[0.0], np.cumsum(change)]).tolist()
+    grid = grid_convergence(h, series, formal=formal, scale=scale, u_it=u_it)
+    u = numerical_uncertainty(grid, u_it)
+    if not math.isfinite(u):  # growing differences: three times their sum over the last levels
+        u = 1.5 * (series[-1] - series[-3])
+    return values[-1], np.full(values.shape[1], u)

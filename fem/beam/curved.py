@@ -85,23 +85,24 @@ def solve_curved_frame(
         )
     K = csc_array(csc_array(K)[order][:, order])
 
-    def resultants(u: Array) -> tuple[Array, Array]:
-        """Strains and section forces (3, m, q): axial, shear, bending."""
+    def strains(u: Array) -> Array:
+        """Axial strain, shear and curvature (3, m, q)."""
         dofs = np.empty(basis.N)
         dofs[order] = u.ravel()
         field = basis.interpolate(dofs)
-        strains = np.array(_strains(field.grad[:, 0] / ds, np.asarray(field)[2], tangent))
-        return strains, np.array([moduli["EA"], moduli["GA"], moduli["EI"]]) * strains
+        return np.array(_strains(field.grad[:, 0] / ds, np.asarray(field)[2], tangent))
 
-    def strain(u: Array) -> tuple[float, Array]:
-        strains, (N, V, M) = resultants(u)
-        energy = float(np.sum((strains * (N, V, M)).sum(axis=0) * ds * basis.dx)) / 2
-        forces = section_work.assemble(basis, t=tangent, ds=ds, N=N, V=V, M=M)
-        return energy, forces[order].reshape(-1, 3)
+    stiff = np.array([moduli["EA"], moduli["GA"], moduli["EI"]])
+
+    def forces(strains: Array) -> tuple[float, Array]:
+        N, V, M = stiff * strains
+        energy = float(np.sum((stiff * strains**2).sum(axis=0) * ds * basis.dx)) / 2
+        internal = section_work.assemble(basis, t=tangent, ds=ds, N=N, V=V, M=M)
+        return energy, internal[order].reshape(-1, 3)
 
     f = np.zeros(3 * len(points))
-    solved = solve_supported(points, elements, K, f, supports, loads, strain)
-    N, V, M = resultants(solved.u)[1]
+    solved, strained = solve_supported(points, elements, K, f, supports, loads, strains, forces)
+    N, V, M = stiff * strained
     forward = np.sign(np.diff(basis.mesh.p[0][basis.mesh.t], axis=0).T)  # against the numbers: -1
     return replace(
         solved,

@@ -115,13 +115,15 @@ def solve_supported(
     f: Array,
     supports: Supports,
     loads: Loads,
-    strain: Callable[[Array], tuple[float, Array]],
-) -> FrameSolution:
+    strains: Callable[[Array], Array],
+    forces: Callable[[Array], tuple[float, Array]],
+) -> tuple[FrameSolution, Array]:
     """Add nodal `loads`, apply `supports` and solve; three unknowns a node.
 
-    `strain` gives the strain energy and the internal forces (nodes, 3) of displacements (nodes,
-    3) from the strains of the elements. The residual is taken from these: in slender frames the
-    rounding of K u, which holds their large rigid motion, would exceed it.
+    `strains` is linear in the displacements (nodes, 3); `forces` gives the strain energy and the
+    internal forces (nodes, 3) of strains. Returns the solution and its strains. These add up from
+    the corrections, each resolved to its own precision: strains of the total displacement would
+    round by its large rigid motion, which a stiff member turns into large forces.
     """
     n = len(points)
     f, u = f.copy(), np.zeros(3 * n)
@@ -146,11 +148,13 @@ def solve_supported(
     except RuntimeError as error:  # SuperLU's word for a zero pivot
         raise ValueError("the frame is a mechanism: a part of it can move freely") from error
     change, stiff = math.inf, abs(K)
+    strained, correction = strains(u.reshape(-1, 3)), np.zeros(3 * n)
     for _ in range(MAX_CORRECTIONS):
-        energy, internal = strain(u.reshape(-1, 3))
+        energy, internal = forces(strained)
         residual = (f - internal.ravel())[free]
-        step = factor.solve(residual)
-        u[free] += step
+        correction[free] = step = factor.solve(residual)
+        u += correction
+        strained = strained + strains(correction.reshape(-1, 3))
         before = change
         size = abs(f @ u) + 2 * energy + ROUND_OFF * (abs(u) @ (stiff @ abs(u)))
         change = abs(float(residual @ step)) / float(size) if size else 0.0
@@ -161,8 +165,9 @@ def solve_supported(
             f"the linear solve did not converge: the last correction still holds {change:.1e} "
             f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
         )
-    energy, internal = strain(u.reshape(-1, 3))
-    return FrameSolution(points, u.reshape(-1, 3), internal - f.reshape(-1, 3), f, energy, change)
+    energy, internal = forces(strained)
+    reactions = internal - f.reshape(-1, 3)
+    return FrameSolution(points, u.reshape(-1, 3), reactions, f, energy, change), strained
 
 
 def _rows(n: int, node: int) -> slice:

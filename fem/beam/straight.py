@@ -84,25 +84,28 @@ def solve_frame(
     tangent, phi = d / length[:, None], 12 * EI / (GA * length**2)
     bend = EI / (length * (1 + phi))
 
-    def resultants(u: Array) -> tuple[Array, Array, Array, Array]:
-        """Elongations and end rotations, then the axial forces and end couples of the nodes."""
-        stretch, turn = _deformation(u, elements, tangent, length)
-        M = bend * np.array([
-            (4 + phi) * turn[0] + (2 - phi) * turn[1],
-            (2 - phi) * turn[0] + (4 + phi) * turn[1],
+    def strains(u: Array) -> Array:
+        return _deformation(u, elements, tangent, length)
+
+    def resultants(strains: Array) -> Array:
+        """Axial forces and end couples of the nodes (3, m): what does work on `strains`."""
+        stretch, first, second = strains
+        return np.array([
+            EA / length * stretch,
+            bend * ((4 + phi) * first + (2 - phi) * second),
+            bend * ((2 - phi) * first + (4 + phi) * second),
         ])  # fmt: skip
-        return stretch, turn, EA / length * stretch, M
 
-    def strain(u: Array) -> tuple[float, Array]:
-        stretch, turn, N, M = resultants(u)
-        energy = float(N @ stretch + np.sum(M * turn)) / 2
-        return energy, _end_forces(N, M, elements, tangent, length, len(points))
+    def forces(strains: Array) -> tuple[float, Array]:
+        N, *M = held = resultants(strains)
+        internal = _end_forces(N, np.array(M), elements, tangent, length, len(points))
+        return float(np.sum(held * strains)) / 2, internal
 
-    solved = solve_supported(points, elements, K, f, supports, loads, strain)
-    _, _, N, M = resultants(solved.u)
+    solved, strained = solve_supported(points, elements, K, f, supports, loads, strains, forces)
+    N, *M = resultants(strained)
     return replace(
         solved, strain_energy=solved.strain_energy + between, between_nodes=between,
-        stations=points[elements], section_forces=_section_forces(N, M, length, fixed_end),
+        stations=points[elements], section_forces=_section_forces(N, np.array(M), length, fixed_end),
     )  # fmt: skip
 
 
@@ -113,12 +116,12 @@ def _section_forces(N: Array, M: Array, L: Array, fixed_end: Array) -> Array:
     return at_nodes.reshape(-1, 2, 3) * np.array([[-1.0], [1.0]])
 
 
-def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> tuple[Array, Array]:
-    """Elongation (m,) and rotations (2, m) of the ends against the turned chord."""
+def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> Array:
+    """Elongation and rotations of both ends against the turned chord, (3, m)."""
     step = u[elements[:, 1], :2] - u[elements[:, 0], :2]
     stretch = (step * tangent).sum(axis=1)
     chord = (tangent[:, 0] * step[:, 1] - tangent[:, 1] * step[:, 0]) / L
-    return stretch, u[elements, 2].T - chord
+    return np.array([stretch, *(u[elements, 2].T - chord)])
 
 
 def _end_forces(

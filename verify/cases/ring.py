@@ -144,6 +144,10 @@ def fem(q: RingInputs, level: int) -> FemResult:
             ),
         )  # fmt: skip
     u_it = {key: round_off * abs(value) for key, value in values.items()}
+    u_it |= {
+        key: round_off * float(np.abs(array).max())
+        for key, array in arrays.items() if key.startswith("profile")
+    }  # fmt: skip
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 

@@ -9,6 +9,7 @@ from analytic.ring import lame
 from verify.case import Context, Values
 from verify.profiles import along
 from verify.shown import Equation, Figure, Picture, Profile, Shape, Sketch
+from verify.tex import factor, tex
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 ACROSS = 13  # stations over the wall
@@ -57,30 +58,34 @@ def sketch(q: Any) -> Sketch:
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
-    r_i, r_o, p_i, p_o = (f"{x:.6g}" for x in (q.r_i / mm, q.r_o / mm, q.p_i / MPa, q.p_o / MPa))
+    r_i, r_o = tex(q.r_i / mm), tex(q.r_o / mm)
+    p_i, p_o = factor(q.p_i / MPa), factor(q.p_o / MPa)
     A = (q.p_i * q.r_i**2 - q.p_o * q.r_o**2) / (q.r_o**2 - q.r_i**2) / MPa
-    B = (q.p_i - q.p_o) * q.r_i**2 * q.r_o**2 / (q.r_o**2 - q.r_i**2)
+    B = (q.p_i - q.p_o) * q.r_i**2 * q.r_o**2 / (q.r_o**2 - q.r_i**2) / MPa / mm**2
     walls = rf"{r_o}^2 - {r_i}^2"
-    stress, moved = v["bore hoop stress"] / MPa, v["bore displacement, plane stress"] / um
+    ring, bore = B / (q.r_i / mm) ** 2, q.r_i / mm
+    stress, moved = v["bore hoop stress"] / MPa, v["bore displacement, plane stress"] / mm
     return (
         Equation(
             tex=r"A = \frac{p_i r_i^2 - p_o r_o^2}{r_o^2 - r_i^2}",
             numbers=rf"= \frac{{{p_i}\cdot {r_i}^2 - {p_o}\cdot {r_o}^2}}{{{walls}}} "
-            rf"= {A:.6g}\ \mathrm{{MPa}}",
+            rf"= {tex(A)}\ \mathrm{{MPa}}",
             place="Lamé; behind Eq. 6",
         ),
         Equation(
             tex=r"B = \frac{(p_i - p_o)\, r_i^2 r_o^2}{r_o^2 - r_i^2}",
             numbers=rf"= \frac{{({p_i} - {p_o})\cdot {r_i}^2\cdot {r_o}^2}}{{{walls}}} "
-            rf"= {B:.6g}\ \mathrm{{N}}",
+            rf"= {tex(B)}\ \mathrm{{N}}",
         ),
         Equation(
             tex=r"\sigma_\theta(r_i) = A + \frac{B}{r_i^2}",
-            numbers=rf"= {A:.5g} + {stress - A:.5g} = {stress:.6g}\ \mathrm{{MPa}}",
+            numbers=rf"= {tex(A)} + {factor(ring)} = {tex(stress)}\ \mathrm{{MPa}}",
         ),
         Equation(
             tex=r"u_r(r_i) = \frac{1}{E}\left[(1-\nu) A r_i + (1+\nu)\frac{B}{r_i}\right]",
-            numbers=rf"= {moved:.6g}\ \mathrm{{\mu m}}",
+            numbers=rf"= \frac{{1}}{{{tex(q.E / MPa)}}}\left[{tex(1 - q.nu)}\cdot {factor(A)}\cdot "
+            rf"{tex(bore)} + {tex(1 + q.nu)}\cdot\frac{{{tex(B)}}}{{{tex(bore)}}}\right] "
+            rf"= {tex(moved)}\ \mathrm{{mm}}",
             place="plane stress",
         ),
     )
@@ -118,8 +123,8 @@ def _profile(
         title=f"{name.capitalize()} across the wall, plane strain", x_label="r [mm]",
         y_label=label, x=fine / mm, y=curve / factor, x_fem=at / mm, y_fem=values / factor,
         y_ref=reference / factor, u=u / factor, scale=scale / factor,
-        note="Points on a radius at 30°; below, what is left of each, in the band of its own "
-        "tolerance.",
+        note="Points on a radius at 30°; below, what is left when the formula is taken away, in "
+        "the band of the profile's own tolerance.",
     )  # fmt: skip
 
 

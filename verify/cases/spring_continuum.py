@@ -8,7 +8,7 @@ import numpy as np
 from analytic.spring import frame
 from verify.case import Case, FemResult, Values
 from verify.cases import spring_shown
-from verify.cases.spring_accordion import OUTPUTS, warnings
+from verify.cases.spring_accordion import OUTPUTS, ROUND_OFF, warnings
 from verify.cases.spring_accordion import analytic as accordion_values
 from verify.cases.spring_inputs import AccordionInputs, strip_of
 from verify.checks import Approximation
@@ -62,14 +62,14 @@ def fem(q: AccordionInputs, level: int) -> FemResult:
         )
         k = -1 / (2 * body.potential_energy)
         values[f"k, {assumption}"] = k
-        u_it[f"k, {assumption}"] = abs(k) * body.residual  # both shares of the energy
+        u_it[f"k, {assumption}"] = abs(k) * max(body.residual, ROUND_OFF)  # shares of energy
         cells = body.cells()
         fields.append(
             Field(
                 name=assumption, points=cells["points"], cells=cells["cells"].astype(np.int64),
                 point_data={"displacement": cells["displacement"]},
-                cell_data={"von_mises": cells["von_mises"]},
-                units={"displacement": "m", "von_mises": "Pa"},
+                cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"]},
+                units={"displacement": "m", "stress": "Pa", "von_mises": "Pa"},
             )
         )  # fmt: skip
     return FemResult(h=1 / level, values=values, u_it=u_it, fields=tuple(fields))

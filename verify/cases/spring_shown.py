@@ -15,6 +15,7 @@ from verify.profiles import along
 from verify.published.digits import half_last_digit
 from verify.published.ledger import published
 from verify.shown import Dots, Equation, Figure, Picture, Profile, Shape, Sketch
+from verify.tex import tex
 
 MPa, mm = 1e6, 1e-3
 PRINTED = ("k1-theory", "k1-fea", "k1-test")
@@ -53,30 +54,31 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
     L2 = float(energy.leaf_length(L1=q.L1, r=q.r, b=q.b, alpha=q.alpha))
     f, T = float(energy.flexibility(**eqs)), [float(t) / mm for t in energy.apex_moments(**eqs)]
     EI = q.E * q.h * q.b**3 / 12
-    L1, r, b, alpha = q.L1 / mm, q.r / mm, q.b / mm, math.degrees(q.alpha)
+    alpha = rf"{tex(math.degrees(q.alpha))}^\circ"
+    half, r, R = tex(q.L1 / 2 / mm), tex(q.r / mm), tex(q.R / mm)
     return (
         Equation(
             tex=r"L_2 = \frac{L_1}{\sin\alpha} + \frac{2(r + b/2)}{\tan\alpha}",
-            numbers=rf"= \frac{{{L1:.6g}}}{{\sin {alpha:.4g}^\circ}} + \frac{{2\cdot "
-            rf"{r + b / 2:.6g}}}{{\tan {alpha:.4g}^\circ}} = {L2 / mm:.6g}\ \mathrm{{mm}}",
+            numbers=rf"= \frac{{{tex(q.L1 / mm)}}}{{\sin {alpha}}} + \frac{{2\cdot {R}}}"
+            rf"{{\tan {alpha}}} = {tex(L2 / mm)}\ \mathrm{{mm}}",
             place="Eq. 3",
         ),
         Equation(
             tex=r"\frac{T_1}{F} = \frac{L_1}{2} + r",
-            numbers=rf"= {L1 / 2:.6g} + {r:.6g} = {T[0]:.6g}\ \mathrm{{mm}}", place="Eq. 1",
+            numbers=rf"= {half} + {r} = {tex(T[0])}\ \mathrm{{mm}}", place="Eq. 1",
         ),
         Equation(
             tex=r"T_i = T_{i-1} \pm (2 r(1-\cos\alpha) + L_2\sin\alpha)\,F",
-            numbers=rf"\Rightarrow\ \frac{{T_2}}{{F}} = {T[1]:.6g}\ \mathrm{{mm}}", place="Eq. 3",
+            numbers=rf"\Rightarrow\ \frac{{T_2}}{{F}} = {tex(T[1])}\ \mathrm{{mm}}", place="Eq. 3",
         ),
         Equation(
             tex=r"\int \left(\frac{M}{F}\right)^2 ds",
-            numbers=rf"= {f / mm**3:.6g}\ \mathrm{{mm^3}}", place="Eqs. 2, 4, 6, 7",
+            numbers=rf"= {tex(f / mm**3)}\ \mathrm{{mm^3}}", place="Eqs. 2, 4, 6, 7",
         ),
         Equation(
             tex=r"k_1 = \frac{E h b^3/12}{\int (M/F)^2 ds}",
-            numbers=rf"= \frac{{{EI / mm**2:.6g}}}{{{f / mm**3:.6g}}} "
-            rf"= {v['k1'] / 1e3:.5f}\ \mathrm{{N/mm}}", place="Eqs. 8 and 9",
+            numbers=rf"= \frac{{{tex(EI / mm**2)}}}{{{tex(f / mm**3)}}} "
+            rf"= {tex(v['k1'] / 1e3)}\ \mathrm{{N/mm}}", place="Eqs. 8 and 9",
         ),
     )  # fmt: skip
 
@@ -168,7 +170,8 @@ def frame_pictures(q: Any) -> Sequence[Picture]:
     return (
         Picture(field="paper's lengths", data="bending_stress", symbol="σ_b", unit="MPa",
                 factor=MPa, width=q.h,
-                caption="Bending stress 6 M/(h b²) under 1 N, on the moved centre line"),
+                caption="Bending stress 6 M/(h b²) under 1 N; positive: tension in the left face, "
+                "seen from head to tail"),
     )  # fmt: skip
 
 

@@ -77,7 +77,7 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
         else:
             why = "theory gives no order" if g.formal is None else "there is no order to use"
             how = f"3 × spread of the last three values, 3 × {last}: {why}"
-        return [("GCI", f"{how} = {gci}{_floored(g, again.gci)}")]
+        return [("GCI", f"{_floored(g, again.gci, how)} = {gci}")]
     apart = abs(again.order - g.formal)
     ratio = g.levels[-2][0] / g.levels[-1][0]
     word = "within" if apart <= 0.5 else "beyond"
@@ -89,11 +89,19 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
         ),
         (
             "GCI",
-            f"F |v1 − v2|/(r^p − 1) = {again.factor:g} × {short(abs(v1 - v2))}/"
-            f"({ratio:.4g}^{again.used:.4f} − 1) = {gci}{_floored(g, again.gci)}",
+            "F |v1 − v2|/(r^p − 1) = "
+            + _floored(
+                g,
+                again.gci,
+                f"{again.factor:g} × {short(abs(v1 - v2))}/({ratio:.4g}^{again.used:.4f} − 1)",
+            )
+            + f" = {gci}",
         ),
     ]
 
 
-def _floored(g: Grid, gci: float) -> str:
-    return f" (no less than {FLOOR:g} of the scale)" if gci <= FLOOR * g.scale else ""
+def _floored(g: Grid, gci: float, how: str) -> str:
+    """How the index came about, with the floor where it is what counts."""
+    if gci > FLOOR * g.scale:
+        return how
+    return f"max({how}, {FLOOR:g} of the scale {short(g.scale)})"

@@ -51,7 +51,9 @@ def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) ->
 
 def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step, ...]:
     """Scale, difference, |d| ≤ U and what the row detects."""
-    d, U, scale = verdict.difference, verdict.tolerance, row.scale
+    U, scale = verdict.tolerance, row.scale
+    # as judged: the shown values were converted, which moves their last digit
+    d = verdict.difference if row.difference is None else row.difference
     named = row.scale_name or "|reference|"
     lines = [("scale", f"{named} = {amount(scale, row.unit)}")]
     if d is None or U is None or scale is None:
