@@ -97,20 +97,24 @@ def solve_frame(
         ])  # fmt: skip
 
     def forces(strains: Array) -> tuple[float, Array]:
-        N, *M = held = resultants(strains)
-        internal = _end_forces(N, np.array(M), elements, tangent, length, len(points))
+        held = resultants(strains)
+        internal = _end_forces(held, elements, tangent, length, len(points))
         return float(np.sum(held * strains)) / 2, internal
 
     solved, strained = solve_supported(points, elements, K, f, supports, loads, strains, forces)
-    N, *M = resultants(strained)
+    section_forces = _section_forces(resultants(strained), length, fixed_end)
     return replace(
         solved, strain_energy=solved.strain_energy + between, between_nodes=between,
-        stations=points[elements], section_forces=_section_forces(N, np.array(M), length, fixed_end),
+        stations=points[elements], section_forces=section_forces,
     )  # fmt: skip
 
 
-def _section_forces(N: Array, M: Array, L: Array, fixed_end: Array) -> Array:
-    """N, V and bending moment (m, 2, 3) at both ends; `fixed_end` are loads along the element."""
+def _section_forces(held: Array, L: Array, fixed_end: Array) -> Array:
+    """N, V and bending moment (m, 2, 3) at both ends of elements that hold N and end couples.
+
+    `fixed_end` are the loads along the element.
+    """
+    N, M = held[0], held[1:]
     V = -M.sum(axis=0) / L
     at_nodes = np.column_stack([-N, -V, M[0], N, V, M[1]]) - fixed_end  # what nodes exert
     return at_nodes.reshape(-1, 2, 3) * np.array([[-1.0], [1.0]])
@@ -124,10 +128,9 @@ def _deformation(u: Array, elements: Indices, tangent: Array, L: Array) -> Array
     return np.array([stretch, *(u[elements, 2].T - chord)])
 
 
-def _end_forces(
-    N: Array, M: Array, elements: Indices, tangent: Array, L: Array, nodes: int
-) -> Array:
-    """Forces and couples (nodes, 3) that hold axial forces and end moments: work-conjugate."""
+def _end_forces(held: Array, elements: Indices, tangent: Array, L: Array, nodes: int) -> Array:
+    """Forces and couples (nodes, 3) that hold axial forces and end couples: work-conjugate."""
+    N, M = held[0], held[1:]
     V = M.sum(axis=0) / L  # the chord's rotation does this work, with the opposite sign
     pull = N[:, None] * tangent - V[:, None] * np.column_stack([-tangent[:, 1], tangent[:, 0]])
     total = np.zeros((nodes, 3))
