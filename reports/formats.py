@@ -6,12 +6,14 @@ from typing import NamedTuple
 
 from markupsafe import Markup, escape
 
+from reports.signature import formula_offset
 from verify.results import Row
 
 MINUS = "−"
 
 
 _INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
+_LEDGER = re.compile(r"ledger ([a-z]+\d*):([a-zA-Z0-9-]+)")
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 
@@ -29,8 +31,16 @@ def prose(text: str) -> Markup:
     def lowered(match: re.Match[str]) -> str:
         return f"<var>{match[1]}<sub>{match[2].strip('{}')}</sub></var>"
 
+    text = re.sub(r"(?<=\d)%", "\u202f%", text)
     raised = _POWER.sub(r"<sup>\1</sup>", str(escape(text)))
     return Markup(_INDEX.sub(lowered, _MINUS.sub(MINUS, raised)))  # noqa: S704 - escaped before
+
+
+def linked(text: str) -> Markup:
+    """The same, where "ledger paper:entry" leads to that entry."""
+    return Markup(  # noqa: S704 - escaped by prose
+        _LEDGER.sub(r'ledger <a href="#erratum-\1-\2">\2</a>', str(prose(text)))
+    )
 
 
 def number(value: float | int | str | None, digits: int = 6) -> str:
@@ -86,10 +96,11 @@ def concise(value: float, u: float) -> tuple[str, int]:
 
 
 def difference(row: Row) -> Markup:
-    """Signed difference on the row's scale; a fact has none."""
-    if row.difference is None or not row.scale or row.kind == "fact":
+    """Formula less reference on the row's scale; a fact has none."""
+    offset = formula_offset(row)
+    if offset is None or not row.scale or row.kind == "fact":
         return Markup("–")
-    return power(row.difference / row.scale, signed=True)
+    return power(offset / row.scale, signed=True)
 
 
 def tolerance(row: Row) -> Markup:

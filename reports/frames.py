@@ -74,7 +74,11 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
             '<image href="data:image/png;base64,{}" width="{:g}" height="{:.1f}" '
             'preserveAspectRatio="none"/>'
         ).format(data, WIDTH, height),
-        *(svg.polyline([at(p) for p in line], "outline") for line in drawn.outline),
+        _clipped(
+            [svg.polyline([at(p) for p in line], "outline") for line in drawn.outline],
+            _name(picture, drawn),
+            height,
+        ),
         *_colour_bar(picture, drawn, height + 14),
     ]
     return Frame(
@@ -86,11 +90,24 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
     )
 
 
+def _clipped(lines: Sequence[Markup], name: str, height: float) -> Markup:
+    """Lines that end where the picture ends: a window shows a part of them."""
+    return Markup(
+        '<defs><clipPath id="clip-{0}"><rect width="{1:g}" height="{2:.1f}"/></clipPath></defs>'
+        '<g clip-path="url(#clip-{0})">{3}</g>'
+    ).format(name, WIDTH, height, Markup("").join(lines))
+
+
+def _name(picture: Picture, drawn: Drawn) -> str:
+    """What tells this picture's definitions from another's on the same page."""
+    return sha256(repr((drawn.ramp, drawn.rectangle, picture)).encode()).hexdigest()[:10]
+
+
 def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
     """The ramp with round numbers below and the symbol beside it; nothing for a plain picture."""
     if not drawn.ramp:
         return []
-    name = "ramp-" + sha256(repr((drawn.ramp, picture)).encode()).hexdigest()[:10]
+    name = f"ramp-{_name(picture, drawn)}"
     last = max(len(drawn.ramp) - 1, 1)
     stops = Markup("").join(
         Markup('<stop offset="{:.4f}" stop-color="{}"/>').format(i / last, colour)

@@ -15,8 +15,9 @@ from reports import formats, plots, signature
 from reports.equations import Glyphs
 from reports.frames import Frame
 from reports.sketch import sketch
+from reports.verdicts import verdicts
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
-from verify.shown import Figure, Profile
+from verify.shown import Figure, Profile, Table
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
@@ -72,6 +73,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         title=title(report), counts=_counts(report.rows), anchors=anchors(report.rows),
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
+        warnings=_warnings(report.cases), verdicts=verdicts(report),
         overview=signature.overview(report.cases, anchors(report.rows)),
         drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
         viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
@@ -80,6 +82,47 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
     return body.replace("<!--glyphs-->", glyphs.symbols())
+
+
+@dataclass(frozen=True)
+class Cause:
+    """Rows of one case that failed, or were not run, for one reason."""
+
+    reason: str
+    rows: Sequence[Row]
+
+
+def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
+    """What failed, told once for each reason."""
+    found: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        if row.status is status:
+            found.setdefault((row.case, row.reason), []).append(row)
+    return [Cause(reason, group) for (_, reason), group in found.items()]
+
+
+def columns(table: Table) -> list[list[tuple[str, bool]]]:
+    """Cells as text and whether they are numbers, each column with one number of decimals."""
+    shown = []
+    for column in zip(*table.rows, strict=True):
+        numbers = [formats.number(x) for x in column if isinstance(x, float)]
+        decimals = max((len(x.partition(".")[2]) for x in numbers if "e" not in x), default=0)
+        shown.append([
+            (f"{x:.{decimals}f}".replace("-", formats.MINUS), True)
+            if isinstance(x, float) and "e" not in formats.number(x)
+            else (formats.number(x), isinstance(x, int | float))
+            for x in column
+        ])  # fmt: skip
+    return [list(row) for row in zip(*shown, strict=True)]
+
+
+def _warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
+    """Each warning once, with the cases that give it."""
+    found: dict[str, list[str]] = {}
+    for case in cases:
+        for text in case.warnings:
+            found.setdefault(text, []).append(case.id)
+    return found
 
 
 def title(report: Report) -> str:
@@ -151,6 +194,9 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "difference": formats.difference, "tolerance": formats.tolerance,
         "relative": formats.relative, "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "sketch": sketch, "plot": plot, "claims": claims,
+        "causes": causes,
+        "columns": columns,
+        "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip

@@ -124,7 +124,7 @@ def convergence(rows: Sequence[Row]) -> Markup:
     axes.base(h, lambda v: f"{v:.3g}")
     axes.titles("mesh size, relative", "difference, relative")
     for row, s in series:
-        colour = f"s{orders.index(row.formal_order or 0.0) % 6}"
+        colour = f"s{_colour(row.formal_order or 0.0)}"
         start = len(axes.body)
         x, y = np.array(s).T
         axes.curve(x, y, f"fit {colour}")
@@ -151,10 +151,15 @@ def _legend(
     for at, i, name, count in sorted(ends):
         last = max(at, last + 30)
         found += [
-            svg.text(340, last, name, f"direct s{i % 6}"),
+            svg.text(340, last, name, f"direct s{_colour(orders[i])}"),
             svg.text(340, last + 13, f"{count} row{'s' * (count > 1)}", "tick"),
         ]
     return found
+
+
+def _colour(order: float) -> int:
+    """One colour an order, the same in every plot."""
+    return {4.0: 0, 3.0: 1, 2.0: 2, 1.0: 3}.get(order, 4)
 
 
 def distances(row: Row) -> list[tuple[float, float]]:

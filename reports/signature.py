@@ -11,6 +11,7 @@ from verify.results import CaseResult, Kind, Published, Row, Status
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0
 WIDE = 1216.0
+LEAST = -12  # decades of the strip
 FAR = 1.7  # tolerances from which a dot becomes an arrow
 MARKS = {
     "theory": "M{x:.1f},5v8",
@@ -19,24 +20,32 @@ MARKS = {
 }
 
 
-def position(row: Row) -> tuple[float | None, float]:
-    """Where the row lies in tolerances, and its standard uncertainty in the same unit.
+def position(row: Row) -> float | None:
+    """Where the formula lies, in tolerances from its reference; None where there is no such thing.
 
-    Approximations are drawn in their expected interval; a fact has neither.
+    An approximation lies in its expected interval: from -1 to 1 there. A balance has no formula:
+    its residual is what is placed.
     """
     if row.interval is not None and row.analytic is not None and row.fem:
         low, high = row.interval
-        half = (high - low) / 2
-        m = row.analytic / row.fem - 1
-        return (m - (low + high) / 2) / half, (row.u_num or 0.0) / abs(row.fem) / half
-    if row.difference is None or not row.tolerance or row.kind is Kind.FACT:
-        return None, 0.0
-    return row.difference / row.tolerance, (row.u_num or 0.0) / row.tolerance
+        return (row.analytic / row.fem - 1 - (low + high) / 2) / ((high - low) / 2)
+    if not row.tolerance or row.kind is Kind.FACT:
+        return None
+    offset = formula_offset(row)
+    return None if offset is None else offset / row.tolerance
+
+
+def formula_offset(row: Row) -> float | None:
+    """Formula less reference in the row's unit; a balance's residual as it is."""
+    if row.difference is None:
+        return None
+    as_judged = row.kind in (Kind.IDENTITY, Kind.TREND) and row.fem is not None  # FE - formula
+    return -row.difference if as_judged else row.difference
 
 
 def signature(row: Row) -> Markup:
-    """A dot in the grey band passes; an outlier is an arrow with its number of tolerances."""
-    where, bar = position(row)
+    """The formula as a dot in the band of its reference; an outlier is an arrow with its factor."""
+    where = position(row)
     if where is None or not math.isfinite(where):
         if row.status is not Status.SKIP:
             return Markup("")
@@ -51,27 +60,29 @@ def signature(row: Row) -> Markup:
         side = math.copysign(1.0, where)
         tip = CENTRE + side * 65
         parts.append(svg.arrow_head(tip, 9, side, 0, "dot"))
-        words = f"{abs(where):.2g}×" if abs(where) < 99.5 else f"{abs(where):.0f}×"
-        parts.append(svg.text(tip - side * 10, 13, words, "times", "end" if side > 0 else "start"))
+        words = f"{abs(where):.2g}×" if abs(where) < 99.5 else f"{min(abs(where), 999):.0f}×"
+        words = "≫" if abs(where) >= 999.5 else words
+        parts.append(svg.text(tip - side * 8, 12, words, "times", "end" if side > 0 else "start"))
     else:
-        x = CENTRE + HALF * where
-        if bar:
-            low, high = max(x - HALF * bar, 1), min(x + HALF * bar, 131)
-            parts.append(svg.line(low, 9, high, 9, "bar"))
-        parts.append(svg.circle(x, 9, 3.4, "dot"))
-    words = f"difference {where:+.2g} times the tolerance"
+        parts.append(svg.circle(CENTRE + HALF * where, 9, 3.4, "dot"))
+    words = f"formula {where:+.2g} tolerances from its reference"
     if row.interval is not None:
         words = f"model error {where:+.2g} half-widths from the middle of its expected interval"
     return svg.drawing(132, 18, parts, words, f"sig is-{row.status.value.lower()}")
 
 
 def _is_blunt(row: Row) -> bool:
-    return row.detects is not None and row.detects > 0.01
+    """Whether the band alone would hide an error of 1 %."""
+    if row.interval is not None:
+        return row.interval[1] - row.interval[0] > 0.02
+    return bool(row.tolerance and row.scale and row.tolerance / row.scale > 0.01)
 
 
 def _mark(row: Row, entry: Published) -> Markup:
     """A printed value on the row's own scale, where it fits."""
-    reference = row.analytic
+    reference = row.fem
+    if reference is None and row.partner is not None:
+        reference = row.partner.value
     if reference is None or not row.tolerance or row.interval is not None:
         return Markup("")
     at = (entry.value - reference) / row.tolerance
@@ -82,30 +93,45 @@ def _mark(row: Row, entry: Published) -> Markup:
 
 
 def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
-    """Every row that has a difference as one dot over the cases; a row not run is a hole."""
+    """Every row with a difference on a logarithmic scale; a row not run is a hole.
+
+    A dot is how far apart the two sides are, a tick the smallest error that the row surely shows.
+    """
     shown = [(case, drawn) for case in cases if (drawn := [r for r in case.rows if _drawn(r)])]
-    total = sum(len(rows) for _, rows in shown)
-    left, width, gap, mid, half = 34.0, WIDE, 18.0, 40.0, 22.0
-    room = width - left - gap * max(len(shown) - 1, 0)
-    parts = [
-        svg.text(left - 8, mid - side * half + 4, name, "tick", "end")
-        for side, name in ((1, "+1"), (0, "0"), (-1, f"{svg.MINUS}1"))
-    ]
+    total = sum(len(rows) for _, rows in shown) or 1
+    gap, left, top, bottom = 18.0, 44.0, 10.0, 130.0
+    room = WIDE - left - gap * max(len(shown) - 1, 0)
+    parts = [_decade(e, left, top, bottom) for e in range(LEAST, 1, 2)]
+    demand = _height(0.01, top, bottom)
+    parts += [svg.line(left, demand, WIDE, demand, "demand")]
     x = left
     for case, rows in shown:
         wide = room * len(rows) / total
-        parts += [
-            svg.rectangle(x, mid - half, wide, 2 * half, "band"),
-            svg.line(x, mid, x + wide, mid, "zero"),
-            *_name(case, x, wide, mid + half + 34),
-        ]
         step = wide / len(rows)
         parts += [
-            _dot(row, anchors[row.id], x + step * (i + 0.5), mid, half)
-            for i, row in enumerate(rows)
-        ]
+            *_name(case, x, wide, bottom + 24),
+            svg.line(x, bottom, x + wide, bottom, "zero"),
+            *(_bar(row, anchors[row.id], x + step * (i + 0.5), top, bottom)
+              for i, row in enumerate(rows)),
+        ]  # fmt: skip
         x += wide + gap
-    return svg.drawing(width, 100, parts, "difference over tolerance of every row", "overview")
+    words = "relative difference of every row, and the smallest error that it surely shows"
+    return svg.drawing(WIDE, bottom + 32, parts, words, "overview")
+
+
+def _height(value: float, top: float, bottom: float) -> float:
+    """Where a relative number is, from 10^LEAST at the bottom to 1 at the top."""
+    share = (math.log10(max(value, 1e-300)) - LEAST) / -LEAST
+    return bottom - (bottom - top) * min(max(share, 0.0), 1.0)
+
+
+def _decade(exponent: int, left: float, top: float, bottom: float) -> Markup:
+    y = _height(10.0**exponent, top, bottom)
+    words = {0: "100 %", -2: "1 %"}.get(exponent)
+    label = Markup('<text class="tick" x="{:.1f}" y="{:.1f}" text-anchor="end">{}</text>').format(
+        left - 8, y + 4, words or svg.decade(exponent)
+    )
+    return svg.line(left, y, WIDE, y, "grid") + label
 
 
 def _name(case: CaseResult, x: float, wide: float, y: float) -> list[Markup]:
@@ -116,20 +142,27 @@ def _name(case: CaseResult, x: float, wide: float, y: float) -> list[Markup]:
 
 
 def _drawn(row: Row) -> bool:
-    return position(row)[0] is not None or row.status is Status.SKIP
+    return _relative(row) is not None or row.status is Status.SKIP
 
 
-def _dot(row: Row, anchor: str, x: float, mid: float, half: float) -> Markup:
-    where, bar = position(row)
-    if where is None or not math.isfinite(where):
-        shape = svg.rectangle(x - 3, mid - half - 1, 6, 2 * half + 2, "none")
-    elif abs(where) > FAR:
-        side = math.copysign(1.0, where)
-        shape = svg.arrow_head(x, mid - side * 39, 0, -side, "dot", 9)
+def _relative(row: Row) -> tuple[float, float] | None:
+    """Size of the difference and what the row detects, both on its scale."""
+    if row.kind is Kind.FACT or row.difference is None or not row.scale:
+        return None
+    if not (math.isfinite(row.difference) and math.isfinite(row.scale)):
+        return None
+    size = abs(row.difference / row.scale)
+    return size, size if row.detects is None else row.detects
+
+
+def _bar(row: Row, anchor: str, x: float, top: float, bottom: float) -> Markup:
+    found = _relative(row)
+    if found is None:
+        shape = svg.rectangle(x - 3, top, 6, bottom - top, "none")
     else:
-        y = mid - half * where
-        reach = min(half * bar, 1.6 * half)
-        shape = svg.line(x, y - reach, x, y + reach, "bar") + svg.circle(x, y, 3.4, "dot")
+        low, high = (_height(value, top, bottom) for value in found)
+        shape = svg.line(x, low, x, high, "bar") + svg.line(x - 4, high, x + 4, high, "bar")
+        shape += svg.circle(x, low, 3.2, "dot")
     return Markup('<a href="#{}" tabindex="-1" class="is-{}"><title>{}: {}</title>{}</a>').format(
         anchor, row.status.value.lower(), row.id, row.status.value, shape
     )

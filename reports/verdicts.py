@@ -1,7 +1,9 @@
-"""What is verified, as a table for a README: one line a case."""
+"""What is verified, one line a case: for the head of the page and as a table for a README."""
 
 import math
 from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from verify.results import CaseResult, Kind, Report, Row, Status
 
@@ -12,31 +14,54 @@ HEAD = (
 JUDGED = (Kind.IDENTITY, Kind.APPROXIMATION)
 
 
-def verdicts(report: Report) -> str:
-    """The table in Markdown; the last two columns are over its identities and approximations."""
-    places = {
-        p["key"]: f"{p['authors'].split(',')[0].split()[-1]} {p['year']}" for p in report.papers
-    }
-    return "\n".join(
-        [HEAD, *(_line(case, places.get(case.paper, case.paper)) for case in report.cases)]
+@dataclass(frozen=True)
+class Verdict:
+    """A case in one line; the last two are over its identities and approximations."""
+
+    case: str
+    what: str
+    rows: int
+    states: str
+    difference: str
+    seen: str
+
+
+def verdicts(report: Report) -> list[Verdict]:
+    """One line a case."""
+    places = {p["key"]: cited(p["authors"], p["year"]) for p in report.papers}
+    return [_verdict(case, places.get(case.paper, case.paper)) for case in report.cases]
+
+
+def markdown(report: Report) -> str:
+    """The same as a table in Markdown."""
+    lines = (
+        f"| `{v.case}` | {v.what} | {v.rows} | {v.states} | {v.difference} | {v.seen} |"
+        for v in verdicts(report)
     )
+    return "\n".join([HEAD, *lines])
 
 
-def _line(case: CaseResult, paper: str) -> str:
+def cited(authors: str, year: int | None) -> str:
+    """The first author's name and the year."""
+    return f"{authors.split(',')[0].split()[-1]} {year or ''}".strip()
+
+
+def _verdict(case: CaseResult, paper: str) -> Verdict:
     count = Counter(row.status for row in case.rows)
     states = ", ".join(f"{count[s]} {s.value}" for s in reversed(Status) if count[s])
-    what = f"{case.title} ({paper}, {case.place})"
     judged = [row for row in case.rows if row.kind in JUDGED and row.detects is not None]
-    differences = _largest([abs(_relative(row)) for row in judged])
-    seen = _largest([row.detects for row in judged if row.detects is not None])
-    return f"| `{case.id}` | {what} | {len(case.rows)} | {states} | {differences} | {seen} |"
+    return Verdict(
+        case.id, f"{case.title} ({paper}, {case.place})", len(case.rows), states,
+        _largest([abs(_relative(row)) for row in judged]),
+        _largest([row.detects for row in judged if row.detects is not None]),
+    )  # fmt: skip
 
 
 def _relative(row: Row) -> float:
     return (row.difference or 0.0) / (row.scale or 1.0)
 
 
-def _largest(values: list[float]) -> str:
+def _largest(values: Sequence[float]) -> str:
     """The largest with two digits, rounded up, in per cent; a dash for none."""
     if not values or max(values) <= 0:
         return "–" if not values else "0 %"

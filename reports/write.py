@@ -16,7 +16,7 @@ from reports.junit import junit
 from reports.pdf import NotSet, pdf
 from reports.records import report_record
 from reports.rows import rows_csv
-from reports.verdicts import verdicts
+from reports.verdicts import markdown
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
 from verify.results import Report
@@ -76,7 +76,7 @@ def _files(
     yield "results.json", record.encode()
     yield schema.name, schema.read_bytes()
     yield "rows.csv", rows_csv(report.rows).encode()
-    yield "verdicts.md", f"{verdicts(report)}\n".encode()
+    yield "verdicts.md", f"{markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)
     yield "report.html", page(report, drawn, cache).encode()

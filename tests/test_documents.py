@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from reports.verdicts import verdicts
+from reports.verdicts import markdown
 from verify.cases.registry import CASES
 from verify.cli import run
 from verify.commands import make_report
@@ -35,7 +35,7 @@ def test_the_debian_packages_are_the_same_everywhere(file):
 
 def test_the_table_of_verdicts_is_that_of_this_code(judged):
     cases = [judged(case) for case in CASES]
-    table = verdicts(make_report(cases, CASES, 0.0))
+    table = markdown(make_report(cases, CASES, 0.0))
     assert f"<!-- verdicts -->\n{table}\n<!-- /verdicts -->" in README, "run make readme"
 
 
