@@ -6,7 +6,6 @@ import shlex
 import sys
 import tempfile
 import time
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -18,9 +17,10 @@ from verify import cache, environment, units
 from verify.case import Case
 from verify.cases.registry import CASES, find
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
-from verify.results import CaseResult, Report, Row, Status
+from verify.results import CaseResult, Report, Status
 from verify.run import Job
 from verify.solving import solve
+from verify.told import print_check, print_verdicts
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)
@@ -55,7 +55,7 @@ def run_verify(
     ]
     results = solve(work, jobs, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
-    _print_verdicts(report)
+    print_verdicts(report)
     page = _write(report, out, use_cache)
     print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
     if any(case.errors for case in report.cases):
@@ -77,15 +77,15 @@ def run_check(
     start = time.perf_counter()
     job = Job(case, inputs, use_fem=use_fem)
     (result,) = solve([job], jobs, use_cache, quiet=as_json)
-    values = case.analytic(inputs)
+    command = f"freewheel check {'--fem ' if use_fem else ''}{shlex.quote(path.name)}"
+    result = replace(result, name=name, command=command)
     if as_json:
+        values = case.analytic(inputs)
         print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
     else:
-        _print_check(name, case, result, values, use_fem)
+        print_check(result, use_fem=use_fem)
     if out is not None:
-        command = f"freewheel check {'--fem ' if use_fem else ''}{shlex.quote(path.name)}"
-        mine = replace(result, name=name, command=command)
-        report = make_report([mine], [case], time.perf_counter() - start, name)
+        report = make_report([result], [case], time.perf_counter() - start, name)
         page = _write(report, out, use_cache)
         print(f"report: {page}", file=sys.stderr if as_json else sys.stdout)
     return 1 if any(row.status in BAD for row in result.rows) else 0
@@ -144,67 +144,6 @@ def make_report(
         name=name,
         **ledgers(results, cases),
     )
-
-
-def _print_verdicts(report: Report) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
-    console = Console()
-    table = Table("case", "rows", *(s.value for s in Status), box=None, pad_edge=False)
-    for case in report.cases:
-        count = Counter(row.status for row in case.rows)
-        table.add_row(case.id, str(len(case.rows)), *(str(count[s] or "·") for s in Status))
-    console.print(table)
-    for row in report.rows:
-        if row.status in (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED):
-            console.print(
-                f"{row.status.value:10} {row.id}: {row.reason}", markup=False, highlight=False,
-                soft_wrap=True,
-            )  # fmt: skip
-    console.print(f"{len(report.rows)} rows", highlight=False)
-
-
-def _print_check(name: str, case: Case, result: CaseResult, values: Any, use_fem: bool) -> None:
-    print(f"{name}: {case.title} ({case.id})")
-    for entry in result.inputs:
-        unit = "" if entry.unit == "1" else f" {entry.unit}"
-        value = f"{entry.value:.6g}" if isinstance(entry.value, float) else entry.value
-        print(f"  {entry.symbol:8} {value}{unit}   {entry.what}")
-    print("formulas")
-    for out in case.outputs:
-        if out.key in values:
-            shown = values[out.key] / units.factor(out.unit)
-            unit = "" if out.unit == "1" else f" {out.unit}"
-            mark = " *" if out.judged else ""
-            print(f"  {out.symbol:8} {shown:.6g}{unit}   {out.what}{mark}")
-    for warning in result.warnings:
-        print(f"warning: {warning}")
-    if use_fem:
-        print("formulas against finite elements")
-        for row in result.rows:
-            print(f"  {row.status.value:5} {describe(row)}")
-    else:
-        print("(check --fem judges what is marked * with finite elements)")
-
-
-def describe(row: Row) -> str:
-    """One line: what was compared, by how much it differs, what was allowed."""
-    unit = "" if row.unit == "1" else f" {row.unit}"
-    parts = [row.quantity]
-    if row.analytic is not None:
-        parts.append(f"formula {row.analytic:.6g}{unit}")
-    if row.fem is not None:
-        parts.append(f"FE {row.fem:.6g}{unit}")
-    if row.difference is not None and row.tolerance is not None and row.scale:
-        parts.append(
-            f"difference {row.difference / row.scale:+.1e}, U {row.tolerance / row.scale:.1e}"
-        )
-    if row.interval is not None:
-        parts.append(f"expected {row.interval[0]:+.1e} to {row.interval[1]:+.1e}")
-    if row.reason:
-        parts.append(row.reason)
-    return "; ".join(parts)
 
 
 def _check_json(

@@ -15,7 +15,8 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 from skfem import Basis
 
-from fem.plane.discretisation import Array, Indices, shapes
+from fem.plane.discretisation import Array, Indices
+from fem.plane.geometry import jacobians, shapes
 
 BLOCK = 512  # cells whose matrices fit the processor's cache together
 
@@ -38,11 +39,7 @@ class Cells:
     @classmethod
     def of(cls, basis: Basis, lam: Array, mu: Array) -> "Cells":
         """The cells of `basis`, at its quadrature points."""
-        nodes = basis.mesh.doflocs[:, np.asarray(basis.mesh.dofs.element_dofs)]
-        nodes = nodes - nodes[:, :1]  # round-off stays small against a cell far from the origin
-        _, along = shapes(basis.mesh.elem(), basis.X)
-        J = np.einsum("inm,jnq->mqij", nodes, along, optimize=True)
-        det = J[..., 0, 0] * J[..., 1, 1] - J[..., 0, 1] * J[..., 1, 0]
+        J, det = jacobians(basis.mesh, basis.X)
         J = np.array([[J[..., 1, 1], -J[..., 0, 1]], [-J[..., 1, 0], J[..., 0, 0]]]) / det
         _, slope = shapes(basis.elem.elem, basis.X)
         m, (n, points) = len(det), slope.shape[1:]

@@ -17,6 +17,9 @@ from skfem import (
     MeshTri1,
 )
 from skfem.mesh import Mesh2D
+from skfem.quadrature import get_quadrature
+
+from fem.plane.geometry import check_unfolded
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -35,7 +38,10 @@ def is_curved(mesh: Mesh2D) -> bool:
 
 
 def vector_basis(mesh: Mesh2D, degree: int | None = None) -> Basis:
-    """Displacements of the given degree; by default the degree of the mesh itself."""
+    """Displacements of the given degree; by default the degree of the mesh itself.
+
+    ValueError for other degrees, and where a cell of the mesh is folded.
+    """
     degree = degree or (2 if is_curved(mesh) else 1)
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
     if (shape, degree) not in ELEMENTS:
@@ -43,15 +49,9 @@ def vector_basis(mesh: Mesh2D, degree: int | None = None) -> Basis:
     # Triangles: exact stiffness on straight cells, one order to spare on curved ones.
     # Quadrilaterals: 2 or 3 Gauss points each way, the full rule of Q1 and Q2.
     order = 2 * degree if shape is MeshQuad1 or is_curved(mesh) else 2 * (degree - 1)
-    return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), intorder=order)
-
-
-def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
-    """Values (n, ...) and slopes (2, n, ...) of the shape functions of `elem` at `X` (2, ...)."""
-    pairs = [elem.lbasis(X, k) for k in range(len(elem.doflocs))]
-    phi = np.array([np.broadcast_to(value, X.shape[1:]) for value, _ in pairs])
-    slope = [[np.broadcast_to(d, X.shape[1:]) for d in slopes] for _, slopes in pairs]
-    return phi, np.array(slope).swapaxes(0, 1)
+    quadrature = get_quadrature(mesh.elem.refdom, order)
+    check_unfolded(mesh, quadrature[0])
+    return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), quadrature=quadrature)
 
 
 class _TraceMapping:

@@ -9,7 +9,8 @@ from scipy.spatial import cKDTree
 from skfem import MeshTri1
 from skfem.mesh import Mesh2D
 
-from fem.plane.discretisation import Array, Indices, is_curved, shapes
+from fem.plane.discretisation import Array, Indices, is_curved
+from fem.plane.geometry import shapes
 
 INSIDE = 1e-4  # of a cell: a wall's parabola misses its circle by less, and so does round-off
 BULGE = 1 / 3  # of a cell's extent, the most by which a quadratic edge leaves the box of its nodes

@@ -1,0 +1,115 @@
+"""What the commands print: verdicts of a run, and how one's own parameters fare."""
+
+from collections.abc import Mapping, Sequence
+
+from verify.results import CaseResult, Kind, Report, Row, Status
+from verify.shown import FormulaValue
+
+COMPANION = ": convergence"  # rows that stand beside the one they are about
+LISTED = (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED)
+
+
+def print_verdicts(report: Report) -> None:
+    """Counts by case, then every row that did not simply pass, each reason once a case."""
+    head = ("case", "rows", *(s.value for s in Status))
+    lines = [head]
+    for case in report.cases:
+        states = [row.status for row in case.rows]
+        counts = (str(states.count(s) or "·") for s in Status)
+        lines.append((case.id, str(len(states)), *counts))
+    for line in _aligned(lines):
+        print(line)
+    for (status, case_id, reason), rows in _causes(report.rows).items():
+        more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
+        print(f"{status.value:10} {case_id}: {rows[0].quantity}{more}: {reason}")
+    print(f"{len(report.rows)} rows")
+
+
+def print_check(result: CaseResult, *, use_fem: bool) -> None:
+    """Inputs, formula values, the judged rows in short, and last what to be warned of."""
+    print(f"{result.name}: {result.title} ({result.id})")
+    for line in _aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
+                          for i in result.inputs]):  # fmt: skip
+        print(f"  {line}")
+    print("formulas")
+    for line in _aligned([_value(v) for v in result.values]):
+        print(f"  {line}")
+    if use_fem:
+        _print_rows(result.rows)
+    else:
+        print("(check --fem judges what is marked * with finite elements)")
+    for warning in result.warnings:
+        print(f"warning: {warning}")
+
+
+def _print_rows(rows: Sequence[Row]) -> None:
+    print("formulas against finite elements")
+    known = {row.quantity for row in rows}
+    shown = [
+        row for row in rows
+        if row.status is not Status.PASS or row.quantity.removesuffix(COMPANION) not in known
+        or not row.quantity.endswith(COMPANION)
+    ]  # fmt: skip
+    head = ("", "", "formula", "FE", "", "difference", "allowed")
+    for line in _aligned([head, *map(_compared, shown)]):
+        print(f"  {line}")
+    for row in shown:
+        if row.status is not Status.PASS:
+            print(f"{row.status.value} {row.quantity}: {row.reason}")
+    passed = sum(row.status is Status.PASS for row in rows)
+    judged = [r for r in rows if r.kind in (Kind.IDENTITY, Kind.APPROXIMATION) and r.detects]
+    print(f"{passed} of {len(rows)} rows pass, their convergence included" + _sharpest(judged))
+
+
+def _sharpest(rows: Sequence[Row]) -> str:
+    if not rows:
+        return ""
+    apart = max(abs(row.difference or 0.0) / (row.scale or 1.0) for row in rows)
+    seen = max(row.detects or 0.0 for row in rows)
+    return (
+        f"; formula and FE are at most {_percent(apart)} apart, and any error above "
+        f"{_percent(seen)} would have been seen"
+    )
+
+
+def _compared(row: Row) -> tuple[str, ...]:
+    """Status, quantity, both values, formula less FE and what is allowed, relative."""
+    cells = [row.status.value, row.quantity, _number(row.analytic), _number(row.fem),
+             _unit(row.unit)]  # fmt: skip
+    if row.analytic is None or row.fem is None or not row.scale or row.kind is Kind.FACT:
+        return (*cells, "", "")
+    cells.append(_percent((row.analytic - row.fem) / row.scale, signed=True))
+    if row.interval is not None:
+        low, high = (_percent(m, signed=True) for m in row.interval)
+        return (*cells, f"{low} to {high}")
+    return (*cells, "" if row.tolerance is None else f"±{_percent(row.tolerance / row.scale)}")
+
+
+def _value(v: FormulaValue) -> tuple[str, ...]:
+    return v.symbol, f"{v.value:.6g}", _unit(v.unit), f"{v.what}{' *' if v.judged else ''}"
+
+
+def _causes(rows: Sequence[Row]) -> Mapping[tuple[Status, str, str], list[Row]]:
+    found: dict[tuple[Status, str, str], list[Row]] = {}
+    for row in rows:
+        if row.status in LISTED:
+            found.setdefault((row.status, row.case, row.reason), []).append(row)
+    return found
+
+
+def _aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
+    """Lines whose columns are as wide as their longest cell."""
+    wide = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    return ["  ".join(map(str.ljust, line, wide)).rstrip() for line in lines]
+
+
+def _number(value: float | int | str | None) -> str:
+    return "" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else unit
+
+
+def _percent(share: float, *, signed: bool = False) -> str:
+    return f"{100 * share:{'+' if signed else ''}.2g} %"
