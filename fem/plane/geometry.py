@@ -1,0 +1,49 @@
+"""The maps of cells into the plane: shape functions, Jacobians, and whether a cell is folded."""
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import Element
+from skfem.mesh import Mesh2D
+
+Array = NDArray[np.float64]
+
+FLAT = 1e-9  # of a cell's largest determinant: below, it vanishes to round-off
+
+
+def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
+    """Values (n, ...) and slopes (2, n, ...) of the shape functions of `elem` at `X` (2, ...)."""
+    pairs = [elem.lbasis(X, k) for k in range(len(elem.doflocs))]
+    phi = np.array([np.broadcast_to(value, X.shape[1:]) for value, _ in pairs])
+    slope = [[np.broadcast_to(d, X.shape[1:]) for d in slopes] for _, slopes in pairs]
+    return phi, np.array(slope).swapaxes(0, 1)
+
+
+def jacobians(mesh: Mesh2D, X: Array) -> tuple[Array, Array]:
+    """dx_i / dX_j (m, q, 2, 2) at reference points `X` (2, q), and determinants (m, q).
+
+    Coordinates count from a node of their own cell: round-off stays small against a cell however
+    far it lies from the origin.
+    """
+    nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)]
+    nodes = nodes - nodes[:, :1]
+    _, slope = shapes(mesh.elem(), X)
+    J = np.einsum("inm,jnq->mqij", nodes, slope, optimize=True)
+    return J, J[..., 0, 0] * J[..., 1, 1] - J[..., 0, 1] * J[..., 1, 0]
+
+
+def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
+    """ValueError naming the first cell whose map folds over or flattens.
+
+    The determinant has one sign, either, at the `quadrature` points (2, q) and the mesh's nodes.
+    """
+    _, det = jacobians(mesh, np.hstack([quadrature, mesh.elem.doflocs.T]))
+    low, high = det.min(axis=1), det.max(axis=1)
+    least = FLAT * np.maximum(abs(low), abs(high))
+    folded = np.flatnonzero(~((low > least) | (high < -least)))
+    if folded.size:
+        k = int(folded[0])
+        x, y = mesh.p[:, mesh.t[:, k]].mean(axis=1)
+        raise ValueError(
+            f"cell {k} of {mesh.nelements}, about ({x:.10g}, {y:.10g}), is folded or flat: the "
+            f"determinant of its map runs from {low[k]:.3g} to {high[k]:.3g} and must keep its sign"
+        )
