@@ -93,6 +93,7 @@ class Case:
     warnings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     equations: Callable[[Any, Values], Sequence[Equation]] = lambda _inputs, _values: ()
     tables: Callable[[Context], Sequence[Table]] = lambda _context: ()
+    too_large: Callable[[Any], str] = lambda _inputs: ""  # why finite elements refuse these inputs
     sketch: Callable[[Any], Sketch | None] = lambda _inputs: None
     figures: Callable[[Context], Sequence[Figure]] = lambda _context: ()
     pictures: Callable[[Any], Sequence[Picture]] = lambda _inputs: ()

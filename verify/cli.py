@@ -1,5 +1,6 @@
 """The command `freewheel`. Exit status 0 passed, 1 a row failed, 2 bad input."""
 
+import errno
 import os
 import signal
 import sys
@@ -187,8 +188,12 @@ def main(arguments: list[str] | None = None) -> None:
 
 def run(arguments: list[str]) -> int:
     """Run one command line and return its exit status."""
+    if "" in arguments:
+        return _complain("an argument is empty: a variable of the shell that is not set?")
     try:
-        return int(app(arguments, result_action="return_value") or 0)
+        status = int(app(arguments, result_action="return_value") or 0)
+        sys.stdout.flush()  # a full disk or a closed pipe is noticed here, not at the very end
+        return status
     except CycloptsError as error:
         return _complain(str(error))
     except KeyboardInterrupt as stop:  # solving says what is kept
@@ -199,6 +204,9 @@ def run(arguments: list[str]) -> int:
     except ImportError as error:
         return _complain(f"{error}: see freewheel doctor")
     except (ValueError, OSError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC and not error.filename:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return _complain(f"standard output: {error.strerror}")
         return _complain(str(error))
     except Exception as error:  # a fault of the program: one line, and the rest in a file
         with tempfile.NamedTemporaryFile(

@@ -72,6 +72,8 @@ def run_check(
 ) -> int:
     """Formulas, warnings and, if asked for, finite elements and a report on a user's parameters."""
     name, case, inputs = load(path)
+    if use_fem and (reason := case.too_large(inputs)):
+        raise InputError(f"{path}: inputs: {reason}")
     if out is not None:
         _writable(out)
     start = time.perf_counter()
@@ -124,6 +126,9 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             values = case.analytic(inputs)
+    except FloatingPointError as error:
+        reason = "the formulas divide by zero or overflow with these values"
+        raise InputError(f"{path}: inputs: {reason} ({error})") from error
     except (ValueError, ArithmeticError) as error:
         raise InputError(f"{path}: inputs: {error}") from error
     if wild := [key for key, value in values.items() if not math.isfinite(value)]:

@@ -23,6 +23,7 @@ from verify.shown import InputValue
 
 MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15
+LONGEST_NAME = 120
 TOP_LEVEL = ("case", "name", "inputs")
 
 
@@ -136,6 +137,10 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
         raise InputError(f'{path}: case: needs a case, such as case = "ring-lame", {_got(case)}')
     if not isinstance(name, str):
         raise InputError(f"{path}: name: needs a text, {_got(name)}")
+    if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
+        raise InputError(
+            f"{path}: name: needs 1 to {LONGEST_NAME} printable characters, {_got(name)}"
+        )
     if not isinstance(raw, dict):
         raise InputError(f"{path}: inputs: needs a table [inputs], {_got(raw)}")
     return case, name, raw

@@ -27,6 +27,8 @@ revolution = 2 * 3.14159265358979323846 * radian = r = rev
 degree = 3.14159265358979323846 / 180 * radian = deg = °
 minute = 60 * second = min
 inch = 0.0254 * meter = in = inches
+foot = 0.3048 * meter = ft = feet
+mil = 2.54e-5 * meter = thou
 newton = 1000 * gram * meter / second ** 2 = N
 pascal = newton / meter ** 2 = Pa
 bar = 1e5 * pascal
@@ -34,6 +36,7 @@ joule = newton * meter = J
 watt = joule / second = W
 hertz = 1 / second = Hz
 pound_force = 4.4482216152605 * newton = lbf
+kilogram_force = 9.80665 * newton = kgf
 psi = pound_force / inch ** 2
 ksi = 1000 * psi
 percent = 0.01 = %
@@ -46,11 +49,17 @@ DIMENSIONS = {
     "J/m": "an energy per length", "N m": "a torque", "r/min": "a speed of rotation",
 }  # fmt: skip
 
+KNOWN = (
+    "m, in, ft, mil, s, min, g, N, kgf, lbf, Pa, bar, psi, ksi, J, W, Hz, rad, deg, rev, % with "
+    "n, µ, m, c, k, M, G before them, and their products"
+)
+
 _WORD = "[A-Za-zµμ°%]"
 _TEXT = re.compile(
     r"\s*(?P<number>[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d{1,3})?)"
     rf"(?:\s*(?P<unit>{_WORD}[^\"']{{0,39}})|\s+(?P<reciprocal>1\s*/[^\"']{{1,39}}))?\s*"
 )
+_COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d))?")
 
 
@@ -89,6 +98,8 @@ def parse(text: str, unit: str) -> float:
     wanted = DIMENSIONS.get(unit, f"a quantity in {unit}")
     example = "" if unit == "1" else f', such as "1.5 {unit}"'
     match = _TEXT.fullmatch(text)
+    if match is None and _COMMA.match(text):
+        raise ValueError(f'"{_short(text)}" has a comma: decimals follow a point, as in 3.5')
     if match is None:
         raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
     number, given = float(match["number"]), (match["unit"] or match["reciprocal"] or "1").strip()
@@ -131,7 +142,7 @@ def _parsed(unit: str) -> "pint.Unit":
     try:
         return registry().Unit("".join(parts))
     except (pint.errors.PintError, AttributeError, ValueError, TypeError) as error:
-        raise ValueError(f'"{_short(unit)}" is not a known unit') from error
+        raise ValueError(f'"{_short(unit)}" is not a known unit; known are {KNOWN}') from error
 
 
 def _short(text: str) -> str:

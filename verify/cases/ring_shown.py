@@ -49,12 +49,17 @@ def sketch(q: Any) -> Sketch:
         if q.p_o:
             at = outside if q.p_o > 0 else outside[::-1]
             shapes.append(Shape(style="load", points=at, label="p_o" if first else ""))
-    shapes += [
-        Shape(style="dimension", points=ray(np.radians(225), 0.0, inner), label="r_i"),
-        Shape(style="dimension", points=ray(np.radians(135), 0.0, 1.0), label="r_o"),
-        Shape(style="leader", points=np.array([[1.3, 0.95], [0.72, 0.52]]), label="FE: a quarter"),
-    ]
-    return Sketch(title="ring under pressure in its bore and on its rim", shapes=tuple(shapes))
+    for name, r, angle, at in (("r_o", q.r_o, 140, 1.0), ("r_i", q.r_i, 217, inner)):
+        start, end = ray(np.radians(angle), 1.32, at)
+        label = f"{name} = {r / mm:.4g} mm"
+        shapes.append(Shape(style="leader", points=np.array([start, end]), label=label))
+    shapes.append(
+        Shape(style="leader", points=np.array([[1.18, 0.98], [0.75, 0.52]]), label="FE: a quarter")
+    )
+    pushed = [f"{p / MPa:.4g} MPa {where}" for p, where in
+              ((q.p_i, "in the bore"), (q.p_o, "on the rim")) if p]  # fmt: skip
+    title = f"ring under {' and '.join(pushed)}; symmetry on both cuts of the quarter"
+    return Sketch(title=title, shapes=tuple(shapes))
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:

@@ -273,7 +273,7 @@ OUTPUTS = (
         symbol="k",
         unit="N/mm",
         judged=False,
-        what="true centre line, E I/(1 − ν²): case spring-continuum judges it",
+        what="true centre line, E I/(1 − ν²), which case spring-continuum judges",
     ),
     Output(key="L0", symbol="L_0", unit="mm", what="free length over all", judged=False),
     Output(key="deflection", symbol="Δ", unit="mm", what="deflection at F, by Eqs. 1-9"),

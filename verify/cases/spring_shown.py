@@ -30,19 +30,27 @@ def sketch(q: Any) -> Sketch:
     L1, tall = q.L1 / mm, float(high[1] - low[1])
     left, right = float(low[0]), float(high[0])
     wall = 0.06 * tall
+    top, foot = high[1] + 0.16 * tall, low[1]
+    leaf = line[int(0.5 * len(line)) + np.argmin(abs(line[int(0.5 * len(line)) :, 1]))]
+    L0 = frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha) / mm
     shapes = (
         Shape(style="axis", points=np.array([[left - 0.3 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
         Shape(style="line", points=line),
         Shape(style="load", points=np.array([[-0.3 * tall, 0.0], [0.0, 0.0]]), label="F"),
         Shape(style="clamp", points=np.array([[end[0] + wall, end[1]], [end[0] - wall, end[1]]])),
-        Shape(style="dimension", label="L_1/2",
+        Shape(style="leader", label="tail clamped",
+              points=np.array([[end[0] + 0.3 * tall, end[1] + 0.45 * tall], end])),
+        Shape(style="dimension", label=f"L_1/2 = {L1 / 2:.4g} mm",
               points=np.array([[-0.12 * tall, 0.0], [-0.12 * tall, L1 / 2]])),
-        Shape(style="dimension", label=f"n = {q.n}",
-              points=np.array([[left, high[1] + 0.16 * tall], [right, high[1] + 0.16 * tall]])),
+        Shape(style="dimension", label=f"L_0 = {L0:.4g} mm, n = {q.n}",
+              points=np.array([[left, top], [right, top]])),
         Shape(style="leader", label=f"r = {q.r / mm:.4g} mm inside",
-              points=np.array([[right * 0.55, low[1] - 0.22 * tall], _bottom(line)])),
+              points=np.array([[0.2 * (left + right), foot - 0.25 * tall], _bottom(line)])),
+        Shape(style="leader", label=f"leaves at α = {math.degrees(q.alpha):.4g}°",
+              points=np.array([[leaf[0] + 0.35 * tall, foot - 0.25 * tall], leaf])),
     )  # fmt: skip
-    return Sketch(title="centre line of the accordion spring, to scale", shapes=shapes)
+    strip = f"strip {q.b / mm:.4g} mm × {q.h / mm:.4g} mm"
+    return Sketch(title=f"centre line of the spring, to scale; {strip}", shapes=shapes)
 
 
 def _bottom(line: Any) -> Any:
