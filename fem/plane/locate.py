@@ -6,38 +6,43 @@ stays small against a cell however far it lies from the origin.
 
 import numpy as np
 from scipy.spatial import cKDTree
-from skfem import MeshTri1
+from skfem import Element, MeshTri1
 from skfem.mesh import Mesh2D
 
 from fem.plane.discretisation import Array, Indices, is_curved
 from fem.plane.geometry import shapes
 
-INSIDE = 1e-4  # of a cell: a wall's parabola misses its circle by less, and so does round-off
+INSIDE = 1e-4  # of a cell: a circle's parabolas miss it by less, and so does round-off
 BULGE = 1 / 3  # of a cell's extent, the most by which a quadratic edge leaves the box of its nodes
 TRIALS = ((4, 0.0), (32, 0.0), (32, INSIDE))  # nearest cells, and gap; after these, all cells
 ROUND_OFF_DIGITS = 9  # of a depth: cells that hold a point as deeply count by their number
 NEWTON_STEPS = 25
 NEWTON_REACH = 0.25  # how far outside its cell an iterate may go, so that it does come back
 NEWTON_DONE = 1e-12
+NEWTON_SHORT = 1e-3  # share of a step; after ten halvings in a row another start does better
 PAIRS = 4_000_000  # points times cells compared at once: some ten megabytes
 
 
 def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     """Cell (m,) and reference coordinates (2, m) of each of `points` (2, m).
 
-    A point between cells gets one of them, always the same. ValueError names the first point that
-    lies in no cell.
+    A point between cells gets one of them, always the same, and so does one where bodies overlap.
+    `INSIDE` of a cell beyond the boundary still counts: the gap between a circle and its parabolas,
+    though not between parabolas and any other curve. ValueError names the first point that lies in
+    no cell, and its distance.
     """
     nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)]
     low, high = nodes.min(axis=1), nodes.max(axis=1)
     margin = (INSIDE + (BULGE if is_curved(mesh) else 0.0)) * (high - low).max(axis=0)
     low, high = low - margin, high + margin
     tree = cKDTree(((low + high) / 2).T)
+    corners = mesh.elem.refdom.p.T
+    starts = np.vstack([corners.mean(axis=0), mesh.elem.doflocs])
     cell, X = np.full(points.shape[1], -1), np.zeros(points.shape)
 
-    def settle(point: Indices, tried: Indices, gap: float) -> None:
+    def settle(point: Indices, tried: Indices, gap: float, starts: Array) -> None:
         """Give each `point` its deepest cell of those `tried` with it, to within `gap` outside."""
-        found, depth = _invert(mesh, nodes[:, :, tried], points[:, point])
+        found, depth = _invert(mesh, nodes[:, :, tried], points[:, point], starts)
         order = np.lexsort((tried, -np.round(depth, ROUND_OFF_DIGITS), point))
         first = order[np.unique(point[order], return_index=True)[1]]
         best = first[depth[first] >= -gap]
@@ -48,14 +53,17 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
         left = np.flatnonzero(cell < 0)
         near = tree.query(points[:, left].T, count)[1].reshape(left.size, count)
         row, column = np.nonzero(_within(points[:, left, None], low[:, near], high[:, near]))
-        settle(left[row], near[row, column], gap)
+        settle(left[row], near[row, column], gap, starts[:1])
     left = np.flatnonzero(cell < 0)
     for part in np.array_split(left, 1 + left.size * mesh.nelements // PAIRS):
         row, tried = np.nonzero(_within(points[:, part, None], low[:, None], high[:, None]))
-        settle(part[row], tried, INSIDE)
+        settle(part[row], tried, INSIDE, starts)
         if np.any(cell[part] < 0):
-            x, y = points[:, part[cell[part] < 0][0]]
-            raise ValueError(f"the point ({x:g}, {y:g}) lies outside the mesh")
+            x, y = outside = points[:, part[cell[part] < 0][0]]
+            raise ValueError(
+                f"the point ({x:.10g}, {y:.10g}) lies outside the mesh, "
+                f"{_distance(mesh, outside):.3g} from its boundary"
+            )
     return cell, X
 
 
@@ -63,31 +71,60 @@ def _within(x: Array, low: Array, high: Array) -> Array:
     return np.all((low <= x) & (x <= high), axis=0)
 
 
-def _invert(mesh: Mesh2D, nodes: Array, x: Array) -> tuple[Array, Array]:
+def _distance(mesh: Mesh2D, x: Array) -> float:
+    """Distance of `x` (2,) to the boundary, as chords of an eighth of a facet."""
+    ends = mesh.mapping().G(np.linspace(0, 1, 9)[None], find=mesh.boundary_facets())
+    ends = ends - x[:, None, None]
+    start, along = ends[..., :-1], np.diff(ends)
+    share = np.clip(-(start * along).sum(axis=0) / (along**2).sum(axis=0), 0, 1)
+    return float(np.hypot(*(start + share * along)).min())
+
+
+def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array, Array]:
     """Reference coordinates (2, m) of `x` (2, m) in cells with `nodes` (2, n, m), and depth (m,).
 
-    Newton's method. The depth is the distance to the nearest edge, as a share of the cell, and
-    minus infinity where no point of the neighbourhood of the cell maps to x.
+    From each of `starts` (k, 2) in turn, until one leads into the cell: beside a distorted one a
+    second point may map to x too. The depth is the distance to the nearest edge, as a share of
+    the cell, and minus infinity where no point of the neighbourhood of the cell maps to x.
     """
     corner = nodes[:, 0]
     nodes, x = nodes - corner[:, None], x - corner
-    triangle = isinstance(mesh, MeshTri1)
-    X = np.full(x.shape, 1 / 3 if triangle else 1 / 2)
-    step = np.full(x.shape[1], np.inf)
+    reach = NEWTON_REACH * INSIDE * np.ptp(nodes, axis=1).max(axis=0, initial=0)
+    X, depth = np.zeros(x.shape), np.full(x.shape[1], -np.inf)
+    for start in starts:
+        left = np.flatnonzero(depth < 0)
+        found, miss = _newton(mesh.elem(), nodes[:, :, left], x[:, left], start)
+        beyond = [1 - found.sum(axis=0)] if isinstance(mesh, MeshTri1) else 1 - found
+        inside = np.where(miss < reach[left], np.min([*found, *beyond], axis=0), -np.inf)
+        deeper = inside > depth[left]
+        X[:, left[deeper]], depth[left[deeper]] = found[:, deeper], inside[deeper]
+    return X, depth
+
+
+def _newton(elem: Element, nodes: Array, x: Array, start: Array) -> tuple[Array, Array]:
+    """Reference coordinates (2, m) from `start` on towards `x`, and by how far these miss it.
+
+    A step that does not bring x closer is halved: where a cell is far from a parallelogram, full
+    steps may run in circles.
+    """
+    X, miss = np.repeat(start[:, None], x.shape[1], axis=1), np.full(x.shape[1], np.inf)
+    at, trial = np.arange(x.shape[1]), X.copy()  # what still moves
+    change, share = np.zeros(x.shape), np.ones(x.shape[1])
     for _ in range(NEWTON_STEPS):
-        phi, slope = shapes(mesh.elem(), X)
-        miss = x - np.einsum("inm,nm->im", nodes, phi)
-        (a, b), (c, d) = np.einsum("inm,jnm->ijm", nodes, slope)
-        change = np.array([d * miss[0] - b * miss[1], a * miss[1] - c * miss[0]])
-        before = X
-        with np.errstate(divide="ignore", invalid="ignore"):  # far outside, cells may fold over
-            X = np.nan_to_num(X + change / (a * d - b * c), nan=0.5)
-        X = np.clip(X, -NEWTON_REACH, 1 + NEWTON_REACH)
-        step = np.abs(X - before).max(axis=0)
-        if np.all(step < NEWTON_DONE):
+        phi, slope = shapes(elem, trial)
+        gap = x[:, at] - np.einsum("inm,nm->im", nodes[:, :, at], phi)
+        closer = np.hypot(*gap) < miss[at]
+        X[:, at[closer]], miss[at[closer]] = trial[:, closer], np.hypot(*gap[:, closer])
+        (a, b), (c, d) = np.einsum("inm,jnm->ijm", nodes[:, :, at], slope)
+        full = np.array([d * gap[0] - b * gap[1], a * gap[1] - c * gap[0]])
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # cells fold outside
+            change = np.where(closer, np.nan_to_num(full / (a * d - b * c), nan=0.0), change)
+        share = np.where(closer, np.minimum(2 * share, 1), share / 2)
+        trial = np.clip(X[:, at] + share * change, -NEWTON_REACH, 1 + NEWTON_REACH)
+        step = np.abs(trial - X[:, at]).max(axis=0)
+        moves = (step > NEWTON_DONE) & (share > NEWTON_SHORT)
+        X[:, at[step <= NEWTON_DONE]] = trial[:, step <= NEWTON_DONE]
+        if not moves.any():
             break
-    phi, _ = shapes(mesh.elem(), X)
-    miss = np.abs(x - np.einsum("inm,nm->im", nodes, phi)).max(axis=0)
-    sides = np.array([*X, 1 - X[0] - X[1]]) if triangle else np.array([*X, *(1 - X)])
-    reached = miss < NEWTON_REACH * INSIDE * np.ptp(nodes, axis=1).max(axis=0)
-    return X, np.where(reached, sides.min(axis=0), -np.inf)
+        at, trial, change, share = at[moves], trial[:, moves], change[:, moves], share[moves]
+    return X, miss

@@ -120,7 +120,8 @@ class PlaneSolution:
     def at(self, points: Array) -> Samples:
         """Samples at `points` (2, m), each from the cell it lies in, with weight 1.
 
-        On an edge between cells from one of them. ValueError names the first point outside.
+        On an edge between cells, or where bodies overlap, from one of them. ValueError names the
+        first point outside, beyond 1e-4 of a cell: so much covers circles made of parabolas.
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from skfem import MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
 
+from fem.plane.discretisation import vector_basis
 from fem.plane.locate import locate
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
@@ -149,8 +150,39 @@ def test_the_gap_between_a_circle_and_its_chords_is_outside(kind):
 def test_the_first_point_outside_is_named(kind):
     solution = linear(block(kind, lambda x, y: np.array([x, y])))
     x = np.array([[0.5, 1.001, 0.2], [0.5, 0.25, -3.0]])
-    with pytest.raises(ValueError, match=r"the point \(1\.001, 0\.25\) lies outside the mesh"):
+    words = r"the point \(1\.001, 0\.25\) lies outside the mesh, 0\.001 from its boundary"
+    with pytest.raises(ValueError, match=words):
         solution.at(x)
+
+
+def test_a_point_outside_far_from_the_origin_is_named_by_its_digits():
+    solution = linear(block("tri3", lambda x, y: np.array([x + 1e6, y])))
+    with pytest.raises(ValueError, match=r"\(1000001\.001, 0\.25\) .* 0\.001 from its boundary"):
+        solution.at(np.array([[1e6 + 1.001], [0.25]]))
+
+
+@curved_element
+def test_the_distance_of_a_point_outside_is_that_to_the_curved_wall(kind):
+    mesh = block(kind, arc, y=np.linspace(0, 1, 13))
+    phi = np.pi / 2 * 1.25 / 12
+    with pytest.raises(ValueError, match=r"outside the mesh, 0\.1 from its boundary"):
+        linear(mesh).at(2.1 * np.array([[np.cos(phi)], [np.sin(phi)]]))
+
+
+@every_element
+@pytest.mark.parametrize("seed", range(4))
+def test_distorted_cells_hide_no_point(kind, seed):
+    # beside some of the quadratic cells a second point maps to x, where Newton's steps may end
+    reach = {"tri6": 0.09}.get(kind, 0.12) / (UNIT.size - 1)  # more would fold cells
+    mesh, rng = block(kind, lambda x, y: np.array([x, y])), np.random.default_rng(seed)
+    movable = slice(mesh.nvertices if kind in ("tri6", "quad9") else 0, None)
+    x = mesh.doflocs.copy()
+    x[:, movable] += rng.uniform(-reach, reach, x[:, movable].shape)
+    mesh = replace(mesh, doflocs=x)
+    vector_basis(mesh)  # nothing is folded
+    x = anywhere(mesh, 20_000, seed)
+    cell, X = locate(mesh, x)
+    np.testing.assert_allclose(mesh.mapping().F(X[:, :, None], tind=cell)[..., 0], x, atol=1e-14)
 
 
 @every_element
