@@ -19,7 +19,6 @@ ROUND_OFF_DIGITS = 9  # of a depth: cells that hold a point as deeply count by t
 NEWTON_STEPS = 25
 NEWTON_REACH = 0.25  # how far outside its cell an iterate may go, so that it does come back
 NEWTON_DONE = 1e-12
-NEWTON_SHORT = 1e-3  # share of a step; after ten halvings in a row another start does better
 PAIRS = 4_000_000  # points times cells compared at once: some ten megabytes
 
 
@@ -102,29 +101,19 @@ def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array,
 
 
 def _newton(elem: Element, nodes: Array, x: Array, start: Array) -> tuple[Array, Array]:
-    """Reference coordinates (2, m) from `start` on towards `x`, and by how far these miss it.
-
-    A step that does not bring x closer is halved: where a cell is far from a parallelogram, full
-    steps may run in circles.
-    """
-    X, miss = np.repeat(start[:, None], x.shape[1], axis=1), np.full(x.shape[1], np.inf)
-    at, trial = np.arange(x.shape[1]), X.copy()  # what still moves
-    change, share = np.zeros(x.shape), np.ones(x.shape[1])
+    """Reference coordinates (2, m) from `start` on towards `x`, and by how far these miss it."""
+    X, at = np.repeat(start[:, None], x.shape[1], axis=1), np.arange(x.shape[1])
     for _ in range(NEWTON_STEPS):
-        phi, slope = shapes(elem, trial)
+        phi, slope = shapes(elem, X[:, at])
         gap = x[:, at] - np.einsum("inm,nm->im", nodes[:, :, at], phi)
-        closer = np.hypot(*gap) < miss[at]
-        X[:, at[closer]], miss[at[closer]] = trial[:, closer], np.hypot(*gap[:, closer])
         (a, b), (c, d) = np.einsum("inm,jnm->ijm", nodes[:, :, at], slope)
-        full = np.array([d * gap[0] - b * gap[1], a * gap[1] - c * gap[0]])
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # cells fold outside
-            change = np.where(closer, np.nan_to_num(full / (a * d - b * c), nan=0.0), change)
-        share = np.where(closer, np.minimum(2 * share, 1), share / 2)
-        trial = np.clip(X[:, at] + share * change, -NEWTON_REACH, 1 + NEWTON_REACH)
-        step = np.abs(trial - X[:, at]).max(axis=0)
-        moves = (step > NEWTON_DONE) & (share > NEWTON_SHORT)
-        X[:, at[step <= NEWTON_DONE]] = trial[:, step <= NEWTON_DONE]
-        if not moves.any():
+        change = np.array([d * gap[0] - b * gap[1], a * gap[1] - c * gap[0]])
+        with np.errstate(divide="ignore", invalid="ignore"):  # far outside, cells may fold over
+            moved = np.nan_to_num(X[:, at] + change / (a * d - b * c), nan=0.5)
+        moved = np.clip(moved, -NEWTON_REACH, 1 + NEWTON_REACH)
+        step, X[:, at] = np.abs(moved - X[:, at]).max(axis=0), moved
+        at = at[step > NEWTON_DONE]
+        if not at.size:
             break
-        at, trial, change, share = at[moves], trial[:, moves], change[:, moves], share[moves]
-    return X, miss
+    phi, _ = shapes(elem, X)
+    return X, np.abs(x - np.einsum("inm,nm->im", nodes, phi)).max(axis=0)
