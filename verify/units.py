@@ -49,10 +49,11 @@ DIMENSIONS = {
     "J/m": "an energy per length", "N m": "a torque", "r/min": "a speed of rotation",
 }  # fmt: skip
 
-KNOWN = (
-    "m, in, ft, mil, s, min, g, N, kgf, lbf, Pa, bar, psi, ksi, J, W, Hz, rad, deg, rev, % with "
-    "n, µ, m, c, k, M, G before them, and their products"
-)
+# Units that people write for these, for messages; all of them with n, µ, m, c, k, M, G before.
+TAKEN = {
+    "mm": "mm, m, in, ft or mil", "MPa": "MPa, Pa, bar, psi or ksi", "N": "N, lbf or kgf",
+    "GPa": "GPa, MPa, psi or ksi", "deg": "deg or rad", "r/min": "r/min, rad/s or Hz",
+}  # fmt: skip
 
 _WORD = "[A-Za-zµμ°%]"
 _TEXT = re.compile(
@@ -107,7 +108,12 @@ def parse(text: str, unit: str) -> float:
         raise ValueError(f'"{_short(text)}" is not finite')
     if given == "1" and unit != "1":
         raise ValueError(f'"{_short(text)}" has no unit: needs {wanted}{example}')
-    if dimensions(given) != dimensions(unit):
+    try:
+        fits = dimensions(given) == dimensions(unit)
+    except ValueError as error:
+        taken = f": {wanted} takes {TAKEN[unit]}" if unit in TAKEN else ""
+        raise ValueError(f"{error}{taken}") from error
+    if not fits:
         raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
     value = number * factor(given)
     if not math.isfinite(value):
@@ -142,7 +148,7 @@ def _parsed(unit: str) -> "pint.Unit":
     try:
         return registry().Unit("".join(parts))
     except (pint.errors.PintError, AttributeError, ValueError, TypeError) as error:
-        raise ValueError(f'"{_short(unit)}" is not a known unit; known are {KNOWN}') from error
+        raise ValueError(f'"{_short(unit)}" is not a known unit') from error
 
 
 def _short(text: str) -> str:

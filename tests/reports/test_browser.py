@@ -65,6 +65,7 @@ def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width)
     assert seen["requests"] == []
     assert not seen["alerts"]
     assert seen["canvases"] == seen["painted"]
+    assert seen["spilled"] == []
 
 
 @pytest.mark.parametrize("flags", [(), (DARK,)], ids=["light", "dark"])

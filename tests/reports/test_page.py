@@ -8,8 +8,9 @@ from html.parser import HTMLParser
 
 import pytest
 
+from reports.formats import concise, values
 from reports.frames import frames
-from reports.html import lines, page
+from reports.html import causes, lines, page
 from verify.cache import picture_folder
 from verify.results import Kind, Row, Status
 
@@ -146,3 +147,50 @@ def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
 
 def test_the_page_stays_small_enough_to_mail(text):
     assert len(text.encode()) < 8e6
+
+
+def test_nothing_that_is_not_known_is_told(text):
+    assert not re.search(r">[^<]*\b(None|nan|inf)\b[^<]*<", text)
+
+
+def test_warnings_stand_in_the_head_once_each(report, text):
+    head = text[: text.index("</header>")]
+    warnings = {w for case in report.cases for w in case.warnings}
+    assert len(warnings) == 3
+    assert head.count("<li>") == len(warnings)
+
+
+def test_failures_of_one_cause_are_told_once(hostile):
+    rows = [replace(hostile.rows[0], quantity=f"q{i}", reason="the same") for i in range(5)]
+    assert [(c.reason, len(c.rows)) for c in causes(rows, Status.FAIL)] == [("the same", 5)]
+
+
+def test_what_was_judged_can_be_read_off_the_page(report, text):
+    """Formula and FE as printed differ by the printed difference, to the last digit shown."""
+    for line in lines(report.rows):
+        row = line.row
+        if row.kind is not Kind.IDENTITY or row.fem is None or not row.u_num:
+            continue
+        shown = values(row)
+        assert f">{shown.formula}</td>" in text
+        assert f">{shown.fem}</td>" in text
+        fem, _, u = str(shown.fem).replace("−", "-").partition("(")
+        decimals = len(fem.partition(".")[2])
+        assert abs(float(fem) - row.fem) <= row.u_num / 5  # u keeps two digits
+        assert float(u.rstrip(")")) * 10.0**-decimals == pytest.approx(row.u_num, rel=0.06)
+
+
+@pytest.mark.parametrize(
+    ("value", "u", "said"),
+    [
+        (0.58178958, 3.9e-7, "0.58178958(39)"),
+        (210.6194, 2.1e-3, "210.6194(21)"),
+        (-57.245, 4.4e-3, "−57.2450(44)"),
+        (1234.5, 25.0, "1234(25)"),
+        (1.0, 9.97e-6, "1.000000(10)"),
+        (0.1, 1e-20, "0.10000000000000(1)"),
+        (0.0, 2e-3, "0.0000(20)"),
+    ],
+)
+def test_an_uncertainty_stands_in_brackets_in_units_of_the_last_digit(value, u, said):
+    assert concise(value, u)[0] == said

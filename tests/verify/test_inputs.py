@@ -573,3 +573,11 @@ def test_a_process_ends_with_status_and_line(fault, written):
     else:
         assert_refused((done.returncode, done.stdout, done.stderr), path)
         assert done.stdout == ""
+
+
+@pytest.mark.parametrize("name", ["", "  ", "a\\u001b[31m", "two\\nlines", "x" * 121])
+def test_a_name_is_short_and_printable(name, tmp_path):
+    path = tmp_path / "a.toml"
+    path.write_text(f'case = "ring-lame"\nname = "{name}"\n[inputs]\n', "utf-8")
+    with pytest.raises(InputError, match=r"name: needs 1 to 120 printable characters"):
+        read_parameter_file(path)

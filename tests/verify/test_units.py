@@ -145,7 +145,7 @@ def test_a_reciprocal_is_read_as_it_is_printed(unit):
         pytest.param("mm", "mm", "is not a length", id="a unit alone"),
         pytest.param("", "mm", "is not a length", id="nothing"),
         pytest.param("   ", "1", "is not a number", id="blanks"),
-        pytest.param("60,5 mm", "mm", "is not a length", id="decimal comma"),
+        pytest.param("60,5 mm", "mm", "decimals follow a point", id="decimal comma"),
         pytest.param("1 000 mm", "mm", "is not a length", id="blank in the number"),
         pytest.param("1_000 mm", "mm", "is not a", id="underscore in the number"),
         pytest.param("60 ± 1 mm", "mm", "is not a length", id="with a tolerance"),
@@ -294,3 +294,18 @@ def test_a_registry_of_the_project_s_units_is_built_in_milliseconds():
     start = time.perf_counter()
     units.registry()
     assert time.perf_counter() - start < 0.1  # the full one takes more than that and reads files
+
+
+def test_a_decimal_comma_is_recognised():
+    with pytest.raises(ValueError, match=r"has a comma: decimals follow a point"):
+        units.parse("3,5 mm", "mm")
+
+
+@pytest.mark.parametrize(("text", "metres"), [("1 ft", 0.3048), ("10 mil", 2.54e-4)])
+def test_workshop_lengths(text, metres):
+    assert units.parse(text, "mm") == pytest.approx(metres, rel=1e-12)
+
+
+def test_an_unknown_unit_names_the_known_ones():
+    with pytest.raises(ValueError, match=r"not a known unit: a length takes mm, m, in, ft or mil"):
+        units.parse("3 furlong", "mm")

@@ -1,0 +1,50 @@
+"""What the terminal is told: short, aligned, the reasons once and the warnings last."""
+
+from dataclasses import replace
+
+import pytest
+
+from verify.cases.registry import CASES
+from verify.commands import make_report
+from verify.results import Status
+from verify.told import print_check, print_verdicts
+
+
+@pytest.fixture
+def ring(judged):
+    return judged(CASES[0])
+
+
+def test_a_check_ends_with_the_total_and_the_warnings(ring, capsys):
+    print_check(replace(ring, name="mine", warnings=("it yields",)), use_fem=True)
+    *_, total, warning = capsys.readouterr().out.splitlines()
+    assert total.startswith(f"{len(ring.rows)} of {len(ring.rows)} rows pass")
+    assert "at most 0.0041 % apart, and any error above 0.0093 % would have been seen" in total
+    assert warning == "warning: it yields"
+
+
+def test_convergence_is_told_only_where_it_failed(ring, capsys):
+    print_check(ring, use_fem=True)
+    assert "convergence;" not in capsys.readouterr().out
+    bad = [replace(r, status=Status.FAIL, reason="grows") if r.quantity.endswith("convergence")
+           else r for r in ring.rows[:2]]  # fmt: skip
+    print_check(replace(ring, rows=tuple(bad)), use_fem=True)
+    said = capsys.readouterr().out
+    assert f"FAIL {bad[1].quantity}: grows" in said
+    assert "1 of 2 rows pass" in said
+
+
+def test_differences_are_formula_less_fe_in_per_cent(ring, capsys):
+    (row,) = (r for r in ring.rows if r.quantity == "bore hoop stress, plane stress")
+    high = replace(row, analytic=row.fem + 0.5 * row.scale, status=Status.FAIL, reason="far")
+    print_check(replace(ring, rows=(high,)), use_fem=True)
+    assert "+50 %" in capsys.readouterr().out
+
+
+def test_one_cause_is_told_once(ring, capsys):
+    failed = tuple(replace(r, status=Status.FAIL, reason="ZeroDivisionError") for r in ring.rows)
+    report = make_report([replace(ring, rows=failed)], CASES[:1], 0.0)
+    print_verdicts(report)
+    said = capsys.readouterr().out
+    assert said.count("ZeroDivisionError") == 1
+    assert f"and {len(failed) - 1} more" in said
