@@ -73,6 +73,21 @@ class Cells:
         K[:, :, 1, :, 1] += trace
         return K
 
+    def gradient(self, u: Array) -> Array:
+        """d_i u_j (m, points, 2, 2) at the quadrature points, component j last."""
+        local = u[self.dofs]
+        local -= local[:, :1]  # a translation strains nothing, and would only round
+        m, rows, _ = self.slope.shape
+        return (self.slope @ local).reshape(m, rows // 2, 2, 2)
+
+    def strain_energy(self, u: Array) -> float:
+        """Half of a(u, u), from the strains of each cell."""
+        grad = self.gradient(u)
+        strain = (grad + grad.swapaxes(2, 3)) / 2
+        density = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1]) ** 2
+        density += 2 * self.mu[:, None] * (strain**2).sum(axis=(2, 3))
+        return float(np.sum(density * self.dx)) / 2
+
     def internal_forces(self, u: Array) -> Array:
         """Forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
 
@@ -80,9 +95,7 @@ class Cells:
         not enter.
         """
         m, rows, _ = self.slope.shape
-        local = u[self.dofs]
-        local -= local[:, :1]  # a translation strains nothing, and would only round
-        grad = (self.slope @ local).reshape(m, rows // 2, 2, 2)
+        grad = self.gradient(u)
         stress = self.mu[:, None, None, None] * (grad + grad.swapaxes(2, 3))
         pressure = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1])
         stress += pressure[:, :, None, None] * np.eye(2)

@@ -10,9 +10,9 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from skfem import Basis
-from skfem.helpers import sym_grad
+from skfem import Basis, FacetBasis
 
+from fem.plane.cells import Cells
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
 from fem.plane.locate import locate
 from fem.plane.supports import Conditions, nearest_node
@@ -82,12 +82,7 @@ class PlaneSolution:
         From the strains, not from u . K u: in slender bodies the rounding of K times their large
         rigid motion would drown the strains.
         """
-        basis = self.basis
-        e = sym_grad(basis.interpolate(self.u))
-        lam, mu = self.lam[:, None], self.mu[:, None]
-        density = lam * (e[0, 0] + e[1, 1]) ** 2
-        density += 2 * mu * (e[0, 0] ** 2 + e[1, 1] ** 2 + 2 * e[0, 1] ** 2)
-        return self.thickness * float(np.sum(density * basis.dx)) / 2
+        return self.thickness * Cells.of(self.basis, self.lam, self.mu).strain_energy(self.u)
 
     @property
     def potential_energy(self) -> float:
@@ -138,23 +133,27 @@ class PlaneSolution:
     def on_boundary(self, name: str) -> Samples:
         """Samples along `name`; on an internal boundary the mean of both sides."""
         facets = named_facets(self.basis.mesh, name)
-        near = self._samples(facet_basis(self.basis, facets))
+        near = self._along(facet_basis(self.basis, facets))
         if np.any(self.basis.mesh.f2t[1, facets] < 0):
             return near
-        far = self._samples(facet_basis(self.basis, facets, side=1))
+        far = self._along(facet_basis(self.basis, facets, side=1))
         no_side = np.zeros((2, 0))
         return Samples(near.x, near.u, (near.stress + far.stress) / 2, near.weight, no_side)
 
     def in_body(self, name: str | None = None) -> Samples:
         """Samples in the cells of body `name`, or everywhere."""
-        if name is None:
-            return self._samples(self.basis)
-        cells = named_cells(self.basis.mesh, name)
-        part = Basis(
-            self.basis.mesh, self.basis.elem, quadrature=self.basis.quadrature,
-            elements=cells, dofs=self.basis.dofs,
-        )  # fmt: skip
-        return self._samples(part, cells)
+        cells = np.arange(self.lam.size)
+        if name is not None:
+            cells = named_cells(self.basis.mesh, name)
+        own = Cells.of(self.basis, self.lam, self.mu)
+        grad = own.gradient(self.u)[cells].transpose(3, 2, 0, 1)
+        return Samples(
+            np.asarray(self.basis.global_coordinates())[:, cells].reshape(2, -1),
+            np.asarray(self.basis.interpolate(self.u))[:, cells].reshape(2, -1),
+            self._stress(grad, cells).reshape(4, -1),
+            own.dx[cells].ravel(),
+            np.zeros((2, 0)),
+        )
 
     def mean_displacement(
         self, boundary: str, direction: tuple[float, float] | Callable[[Array], Array]
@@ -170,7 +169,7 @@ class PlaneSolution:
         `points` (vertices, 2), `cells` (m, 3 or 4), `displacement` (vertices, 2), and per cell
         the mean `stress` (m, 4: xx, yy, xy, zz) and `von_mises` (m,).
         """
-        mesh, s = self.basis.mesh, self._samples(self.basis)
+        mesh, s = self.basis.mesh, self.in_body()
         weight = s.weight.reshape(mesh.nelements, -1)
         stress = np.array([
             (row.reshape(weight.shape) * weight).sum(axis=1) / weight.sum(axis=1)
@@ -186,17 +185,15 @@ class PlaneSolution:
             "von_mises": mises,
         }
 
-    def _samples(self, basis: Basis, cells: Indices | None = None) -> Samples:
-        at = getattr(basis, "tind", None) if cells is None else cells
-        field = basis.interpolate(self.u)
-        stress = self._stress(field.grad, np.arange(self.lam.size) if at is None else at)
-        normal = np.asarray(getattr(basis, "normals", np.zeros((2, 0, 0))))
+    def _along(self, side: FacetBasis) -> Samples:
+        """Samples of the cells on one side of facets."""
+        field = side.interpolate(self.u)
         return Samples(
-            np.asarray(basis.global_coordinates()).reshape(2, -1),
+            np.asarray(side.global_coordinates()).reshape(2, -1),
             np.asarray(field).reshape(2, -1),
-            stress.reshape(4, -1),
-            np.asarray(basis.dx).ravel(),
-            normal.reshape(2, -1),
+            self._stress(field.grad, side.tind).reshape(4, -1),
+            np.asarray(side.dx).ravel(),
+            np.asarray(side.normals).reshape(2, -1),
         )
 
     def _stress(self, grad: Array, cells: Indices) -> Array:

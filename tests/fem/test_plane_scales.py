@@ -133,3 +133,25 @@ def test_millimetres_and_megapascals_are_metres_and_pascals(kind):
         return s.mean_displacement("bore", lambda x: x / np.hypot(*x))
 
     assert_within_mesh_error(movement, 1000 * bore_movement(1.0), kind)
+
+
+@pytest.mark.parametrize("away", [0.0, 1e5, 1e6], ids=lambda a: f"{a:g} lengths away")
+@pytest.mark.parametrize("slenderness", [128, 1024])  # exact beside 1e6
+@pytest.mark.parametrize("kind", ["tri6", "quad9"])
+def test_a_slender_beam_far_away_stores_half_its_loads_work(kind, slenderness, away):
+    straight, shape = KINDS[kind]
+    grid = straight.init_tensor(np.linspace(0, 1, 65), np.array([0, 1 / slenderness]))
+    mesh = shape.from_mesh(grid).with_boundaries({
+        "left": lambda x: x[0] == 0, "right": lambda x: x[0] == 1,
+    })  # fmt: skip
+    mesh = replace(mesh, doflocs=mesh.doflocs + away)
+    s = solve_plane(
+        mesh, materials=Elastic(E=E, nu=NU), assumption="plane stress",
+        supports={"left": "xy"}, tractions={"right": (0.0, 1.0)},
+    )  # fmt: skip
+    assert 2 * s.strain_energy == pytest.approx(s.f @ s.u, rel=1e-11)  # Clapeyron
+    body = s.in_body()
+    # and so say its stresses: sigma : C^-1 : sigma / 2
+    xx, yy, xy, _ = body.stress
+    stored = (xx**2 + yy**2 - 2 * NU * xx * yy + 2 * (1 + NU) * xy**2) / (2 * E)
+    assert body.weight @ stored == pytest.approx(s.strain_energy, rel=1e-11)
