@@ -38,6 +38,11 @@ class Context:
     fem: Sequence[FemResult]
     is_paper: bool  # printed numbers speak of the paper's inputs alone
 
+    @property
+    def converging(self) -> bool:
+        """Whether there are levels enough to say how uncertain the finest is."""
+        return len(self.fem) >= 3
+
     def series(self, key: str) -> tuple[list[float], list[float]]:
         """Mesh sizes and finite-element values of `key`, coarse to fine."""
         return [r.h for r in self.fem], [r.values[key] for r in self.fem]

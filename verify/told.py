@@ -53,9 +53,9 @@ def _print_rows(rows: Sequence[Row]) -> None:
     head = ("", "", "formula", "FE", "", "difference", "allowed")
     for line in _aligned([head, *map(_compared, shown)]):
         print(f"  {line}")
-    for row in shown:
-        if row.status is not Status.PASS:
-            print(f"{row.status.value} {row.quantity}: {row.reason}")
+    for (status, _, reason), group in _causes(shown).items():
+        more = f" and {len(group) - 1} more" if len(group) > 1 else ""
+        print(f"{status.value} {group[0].quantity}{more}: {reason}")
     passed = sum(row.status is Status.PASS for row in rows)
     judged = [r for r in rows if r.kind in (Kind.IDENTITY, Kind.APPROXIMATION) and r.detects]
     print(f"{passed} of {len(rows)} rows pass, their convergence included" + _sharpest(judged))

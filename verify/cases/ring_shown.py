@@ -98,7 +98,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
 
 def figures(context: Context) -> Sequence[Figure]:
     """Lamé's stresses and displacement over the wall, with finite elements on them."""
-    if not context.fem:
+    if not context.converging:
         return ()
     q = context.inputs
     loads = {"r_i": q.r_i, "r_o": q.r_o, "p_i": q.p_i, "p_o": q.p_o}

@@ -1,5 +1,6 @@
 """Accordion spring, linear part: Eqs. 1-9 of Wang et al. 2023 and the curved frame behind them."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -22,6 +23,7 @@ HEAD_SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
 TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 L0_OVER_B = 240  # Eq. 13
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
+MOST_SLENDER = 16_000  # unfolded length over thickness
 ROUND_OFF = 10 * float(np.finfo(float).eps)  # of sums over hundreds of elements
 FREE_STAGE = 11.95 / 25.6  # where Eq. 10's branches meet, over L_0 of the true centre line
 
@@ -151,6 +153,18 @@ def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Any:
     """
     ends, moments = solved.stations[:, 1], -solved.section_forces[:, 1, 2]
     return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])
+
+
+def too_large(q: AccordionInputs) -> str:
+    """Elements of a frame this slender bend by less than what round-off makes of its movement."""
+    leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
+    slender = q.n * (leaf + 2 * q.R * q.alpha) / q.b
+    if slender <= MOST_SLENDER:
+        return ""
+    return (
+        f"n = {q.n} segments unfold to {slender:,.0f} times the thickness, more than "
+        f"{MOST_SLENDER:,}: finite elements lose too many digits there, check it without --fem"
+    )
 
 
 def neglected(q: AccordionInputs, _: Values) -> tuple[float, float]:
@@ -312,6 +326,7 @@ ACCORDION = Case(
         "narrow strip: E I without 1 − ν²",
     ),
     warnings=warnings,
+    too_large=too_large,
     equations=spring_shown.equations,
     tables=tables,
     sketch=spring_shown.sketch,

@@ -104,7 +104,7 @@ def combinations(q: Any) -> list[tuple[str, str, str, bool, float]]:
 
 
 def accordion_figures(context: Context) -> Sequence[Figure]:
-    found: list[Figure] = [_moments(context)] if context.fem else []
+    found: list[Figure] = [_moments(context)] if context.converging else []
     return (*found, _open_questions(context))
 
 
@@ -152,7 +152,7 @@ def _open_questions(context: Context) -> Dots:
 
 def continuum_figures(context: Context) -> Sequence[Figure]:
     """How far each frame theory is from the plane body."""
-    if not context.fem:
+    if not context.converging:
         return ()
     found = []
     for assumption in ("plane stress", "plane strain"):
