@@ -72,6 +72,20 @@ def test_a_fold_between_corners_and_quadrature_points_is_seen_at_a_middle_node(k
         vector_basis(square(kind, inwards), 1)
 
 
+def test_a_fold_between_the_nodes_is_seen_at_a_quadrature_point():
+    # found at random among quadratic cells: from -3.9 to -0.05 at its nodes, 0.2 at a Gauss point
+    nodes = np.array([
+        (0, 0), (0, 1), (1, 1), (1, 0),
+        (-0.072, 0.782), (0.203, 0.738), (0.973, 0.447), (0.72, -0.11), (0.698, 0.447),
+    ])  # fmt: skip
+    cell = MeshQuad2(nodes.T, np.arange(4)[:, None])
+    x = nodes.copy()
+    x[cell.dofs.element_dofs[:, 0]] = nodes  # scikit-fem numbers the edges its own way
+    cell = replace(cell, doflocs=x.T)
+    with pytest.raises(ValueError, match=r"cell 0 of 1, .* to 0\.2"):
+        vector_basis(cell)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_cell_without_area_is_flat(kind):
     with pytest.raises(ValueError, match=r"is folded or flat: .* from 0 to 0"):
