@@ -1,7 +1,7 @@
 """The kinds of claims that pair a formula with finite elements, each judged by `verify.judge`."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from verify import judge
@@ -92,6 +92,9 @@ class Order(Claim):
         verdict = judge.difference(
             fit.order, self.order, U=judge.expanded(fit.u), scale=self.order, demand=self.demand
         )
+        if verdict.difference is not None and abs(verdict.difference) > (verdict.tolerance or 0):
+            said = f"order {fit.order:.2f} ± {judge.expanded(fit.u):.1g}, theory {self.order:g}"
+            verdict = replace(verdict, reason=said)
         return [
             self._row(
                 context.case, Kind.TREND, verdict, analytic=self.order, fem=fit.order,

@@ -48,7 +48,7 @@ def difference(
     d = value - reference
     detects = (U + abs(d)) / scale
     if abs(d) > U:
-        reason = f"differs by {abs(d) / scale:.2g} of the scale, allowed {U / scale:.2g}"
+        reason = f"differs by {100 * abs(d) / scale:.2g} %, allowed {100 * U / scale:.2g} %"
         return Verdict(Status.FAIL, reason, d, U, detects)
     return _sharp(Verdict(Status.PASS, "", d, U, detects), demand)
 

@@ -76,7 +76,7 @@ def test_one_per_cent_is_demanded_where_nothing_else_is():
 
 def test_a_difference_beyond_tolerance_says_both_in_shares_of_the_scale():
     verdict = judge.difference(103.0, 100.0, U=1.0, scale=100.0)
-    assert verdict.reason == "differs by 0.03 of the scale, allowed 0.01"
+    assert verdict.reason == "differs by 3 %, allowed 1 %"
 
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, NAN, INF])
