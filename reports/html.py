@@ -74,7 +74,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         title=title(report), counts=_counts(report.rows), anchors=anchors(report.rows),
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
-        warnings=_warnings(report.cases), verdicts=verdicts(report),
+        warnings=warnings(report.cases), verdicts=verdicts(report),
         overview=signature.overview(report.cases, anchors(report.rows)),
         drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
         viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
@@ -118,7 +118,7 @@ def columns(table: Table) -> list[list[tuple[str, bool]]]:
     return [list(row) for row in zip(*shown, strict=True)]
 
 
-def _warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
+def warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
     """Each warning once, with the cases that give it."""
     found: dict[str, list[str]] = {}
     for case in cases:

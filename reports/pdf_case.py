@@ -33,7 +33,7 @@ def case_data(
         "sketch": standalone(sketch(case.sketch)),
         "sketch_title": case.sketch.title if case.sketch else "",
         "inputs": [_input(i) for i in case.inputs],
-        "values": [_value(v) for v in case.values],
+        "values": [value_cells(v) for v in case.values],
         "equations": [
             {"formula": maths(e.tex), "numbers": maths(e.numbers), "place": e.place}
             for e in case.equations
@@ -86,7 +86,7 @@ def _input(entry: InputValue) -> list[list[Run]]:
     ]  # fmt: skip
 
 
-def _value(value: FormulaValue) -> list[list[Run]]:
+def value_cells(value: FormulaValue) -> list[list[Run]]:
     aside: list[Run] = [] if value.judged else [" ", ["small", "(not judged)"]]
     return [
         runs(formats.symbol(value.symbol)), [*prose(value.what), *aside],

@@ -2,18 +2,21 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from typing import Any
 
+from jinja2 import Template
 from markupsafe import Markup
 
 from reports import signature
 from reports.frames import Frame
-from reports.html import WORDS, anchors, cited, claims, drawn_by, title
-from reports.pdf_case import case_data, maths
+from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, title, warnings
+from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_tables import Data, prose, quantity
 from reports.richtext import runs
 from reports.sheets import Sheets
 from reports.standalone import HERE, standalone
+from reports.verdicts import verdicts
 from verify.results import PaperCell, PaperTable, Report, Row, Status
 
 
@@ -34,14 +37,23 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             for status in (Status.FAIL, Status.SKIP)
             if report.count(status)
         ],
+        "warnings": [prose(text) for text in warnings(report.cases)],
+        "values": [value_cells(v) for case in report.cases if own for v in case.values],
+        "verdicts": [asdict(v) for v in verdicts(report)] if report.rows else [],
         "overview": standalone(signature.overview(report.cases, places)),
-        "key": standalone(Markup((HERE / "key.svg").read_text("utf-8"))),  # noqa: S704 - own file
+        "key": standalone(_key(report)),
         "cases": [
             case_data(case, frames.get(case.id, ()), places, sheets.of_case[i])
             for i, case in enumerate(report.cases)
         ],
         "ledgers": None if own else _ledgers(report, places),
     }
+
+
+def _key(report: Report) -> Markup:
+    """How to read a row, without the papers' marks in a report on one's own parameters."""
+    drawn = Template((HERE / "key.svg").read_text("utf-8"), autoescape=True)
+    return Markup(drawn.render(report=report))  # noqa: S704 - the project's own file
 
 
 def _counts(rows: Sequence[Row]) -> list[Data]:
@@ -51,13 +63,15 @@ def _counts(rows: Sequence[Row]) -> list[Data]:
 
 def _banner(report: Report, status: Status, places: Mapping[str, str]) -> Data:
     rows = [row for row in report.rows if row.status is status]
+    word = "failed" if status is Status.FAIL else "not run"
     return {
         "status": status.value,
-        "head": f"{len(rows)} row{'s' * (len(rows) > 1)} {WORDS[status]}",
+        "head": f"{len(rows)} row{'s' * (len(rows) > 1)} {word}",
         "rows": [
-            {"label": places[r.id], "case": r.case, "quantity": quantity(r),
-             "reason": prose(r.reason)}
-            for r in rows
+            {"label": places[cause.rows[0].id], "case": cause.rows[0].case,
+             "quantity": quantity(cause.rows[0]), "more": len(cause.rows) - 1,
+             "reason": prose(cause.reason)}
+            for cause in causes(rows, status)
         ],
     }  # fmt: skip
 
