@@ -9,7 +9,7 @@ for (const box of document.querySelectorAll(".view")) {
   const stops = packed.ramp.map(s => [1, 3, 5].map(k => parseInt(s.slice(k, k + 2), 16)))
   const reach = k => { let a = Infinity, b = -Infinity; for (let i = k; i < P.length; i += 2) { a = Math.min(a, P[i]); b = Math.max(b, P[i]) } return [(a + b) / 2, (b - a) / 2] }
   const [[mx, rx], [my, ry]] = [reach(0), reach(1)], radius = Math.hypot(rx, ry, half)
-  const start = { yaw: 0.62, pitch: 0.45, zoom: 1 }
+  const start = { yaw: 0.62, pitch: 0.45, zoom: 1.05 }
   let view = { ...start }, waiting = false
   Object.assign(canvas.style, { display: "block", width: "100%", aspectRatio: "16 / 9", touchAction: "pan-y", cursor: "grab" })
 

@@ -34,12 +34,15 @@ def sketch(q: Any) -> Sketch:
     leaf = line[int(0.5 * len(line)) + np.argmin(abs(line[int(0.5 * len(line)) :, 1]))]
     L0 = frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha) / mm
     shapes = (
-        Shape(style="axis", points=np.array([[left - 0.3 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
+        # room on both sides for the labels
+        Shape(style="text", points=np.array([[left - 0.6 * tall, 0.0]])),
+        Shape(style="text", points=np.array([[right + 0.5 * tall, 0.0]])),
+        Shape(style="axis", points=np.array([[left - 0.1 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
         Shape(style="line", points=line),
         Shape(style="load", points=np.array([[-0.3 * tall, 0.0], [0.0, 0.0]]), label="F"),
         Shape(style="clamp", points=np.array([[end[0] + wall, end[1]], [end[0] - wall, end[1]]])),
         Shape(style="leader", label="tail clamped",
-              points=np.array([[end[0] + 0.3 * tall, end[1] + 0.45 * tall], end])),
+              points=np.array([[end[0] + 0.2 * tall, end[1] + 0.45 * tall], end])),
         Shape(style="dimension", label=f"L_1/2 = {L1 / 2:.4g} mm",
               points=np.array([[-0.12 * tall, 0.0], [-0.12 * tall, L1 / 2]])),
         Shape(style="dimension", label=f"L_0 = {L0:.4g} mm, n = {q.n}",
