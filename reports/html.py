@@ -15,8 +15,7 @@ from reports import formats, plots, signature
 from reports.equations import Glyphs
 from reports.frames import Frame
 from reports.sketch import sketch
-from reports.verdicts import cited as short
-from reports.verdicts import verdicts
+from reports.verdicts import first_author, verdicts
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
 from verify.shown import Figure, Profile, Table
 
@@ -79,7 +78,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         drawn={case.id: [f for f in frames.get(case.id, ()) if f.svg] for case in report.cases},
         viewers={case.id: [f for f in frames.get(case.id, ()) if f.view] for case in report.cases},
         drawn_by=drawn_by(frames), names={p["key"]: cited(p) for p in report.papers},
-        short={p["key"]: short(p["authors"], p["year"]) for p in report.papers},
+        short={p["key"]: first_author(p["authors"], p["year"]) for p in report.papers},
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip

@@ -28,7 +28,7 @@ class Verdict:
 
 def verdicts(report: Report) -> list[Verdict]:
     """One line a case."""
-    places = {p["key"]: cited(p["authors"], p["year"]) for p in report.papers}
+    places = {p["key"]: first_author(p["authors"], p["year"]) for p in report.papers}
     return [_verdict(case, places.get(case.paper, case.paper)) for case in report.cases]
 
 
@@ -41,7 +41,7 @@ def markdown(report: Report) -> str:
     return "\n".join([HEAD, *lines])
 
 
-def cited(authors: str, year: int | None) -> str:
+def first_author(authors: str, year: int | None) -> str:
     """The first author's name and the year."""
     return f"{authors.split(',')[0].split()[-1]} {year or ''}".strip()
 
