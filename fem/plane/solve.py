@@ -4,24 +4,16 @@ solve_plane(mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
             supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 100e6})
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import get_args
 
 import numpy as np
 from scipy.sparse.linalg import splu
-from skfem import Basis, LinearForm
-from skfem.helpers import dot
 from skfem.mesh import Mesh2D
 
 from fem.plane.cells import Cells
-from fem.plane.discretisation import (
-    Array,
-    facet_basis,
-    named_cells,
-    named_facets,
-    outer_facets,
-    vector_basis,
-)
+from fem.plane.discretisation import vector_basis
+from fem.plane.loads import Pressure, Vector, body_load, force_load, moduli, surface_load
 from fem.plane.material import Assumption, Elastic
 from fem.plane.ordering import nested_dissection
 from fem.plane.rigid import check_rigid_motions
@@ -34,8 +26,6 @@ from fem.plane.supports import (
     nearest_node,
 )
 
-Pressure = float | Callable[[Array], Array]
-Vector = tuple[float, float] | Callable[[Array], Array]
 MAX_CORRECTIONS = 60
 CONVERGED = 1e-24  # relative energy, the square of relative displacements
 ROUND_OFF = 1e-18
@@ -49,16 +39,6 @@ SUPERLU = {
 }  # fmt: skip
 
 
-@LinearForm
-def push(v, w):
-    return -w.p * dot(w.n, v)
-
-
-@LinearForm
-def pull(v, w):
-    return dot(w.t, v)
-
-
 def solve_plane(
     mesh: Mesh2D,
     *,
@@ -67,6 +47,7 @@ def solve_plane(
     supports: Mapping[str, Support],
     pressures: Mapping[str, Pressure] | None = None,
     tractions: Mapping[str, Vector] | None = None,
+    forces: Mapping[str, tuple[float, float]] | None = None,
     body_forces: Vector | Mapping[str, Vector] | None = None,
     point_forces: Mapping[tuple[float, float], tuple[float, float]] | None = None,
     anchors: Anchors | None = None,
@@ -91,6 +72,8 @@ def solve_plane(
         Boundary name to pressure on it, positive inwards [stress]; number or f(x).
     tractions
         Boundary name to traction vector [stress]; pair of numbers or f(x) of shape (2, ...).
+    forces
+        Boundary name to the total force on it [force], spread evenly.
     body_forces
         Force per volume on everything, or by body; pair of numbers or f(x) of shape (2, ...).
     point_forces, anchors
@@ -113,11 +96,12 @@ def solve_plane(
     if not thickness > 0:
         raise ValueError(f"thickness must be positive, got {thickness:g}")
     basis = vector_basis(mesh, degree)
-    lam, mu, ratio = _moduli(mesh, materials, assumption)
+    lam, mu, ratio = moduli(mesh, materials, assumption)
     cells = Cells.of(basis, thickness * lam, thickness * mu)
     f = thickness * (
-        _surface_load(basis, pressures or {}, tractions or {}) + _body_load(basis, body_forces)
+        surface_load(basis, pressures or {}, tractions or {}) + body_load(basis, body_forces)
     )
+    f += force_load(basis, forces or {})
     for point, force in (point_forces or {}).items():
         f[nearest_node(basis, point)] += force
 
@@ -154,58 +138,3 @@ def _solve(cells, f, T, u0):
             f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
         )
     return u, internal, change
-
-
-def _moduli(
-    mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic], assumption: Assumption
-) -> tuple[Array, Array, Array]:
-    """lambda, mu and sigma_zz/(sigma_xx + sigma_yy) of every cell."""
-    table = np.full((3, mesh.nelements), np.nan)
-    named = {None: materials} if isinstance(materials, Elastic) else materials
-    for body, material in named.items():
-        cells = slice(None) if body is None else named_cells(mesh, body)
-        constants = *material.lame_constants(assumption), material.normal_stress_ratio(assumption)
-        table[:, cells] = np.reshape(constants, (3, 1))
-    if bare := int(np.isnan(table[0]).sum()):
-        raise ValueError(f"{bare} of {mesh.nelements} cells have no material: name every body")
-    return table[0], table[1], table[2]
-
-
-def _surface_load(
-    basis: Basis, pressures: Mapping[str, Pressure], tractions: Mapping[str, Vector]
-) -> Array:
-    f = np.zeros(basis.N)
-    for name, pressure in pressures.items():
-        side = facet_basis(basis, outer_facets(basis.mesh, name))
-        x = np.asarray(side.global_coordinates())
-        p = pressure(x) if callable(pressure) else pressure
-        if not np.all(np.isfinite(p)):
-            raise ValueError(f"the pressure on {name!r} is not finite")
-        f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]).copy())
-    for name, traction in tractions.items():
-        side = facet_basis(basis, named_facets(basis.mesh, name))
-        f += pull.assemble(side, t=_vector(traction, np.asarray(side.global_coordinates())))
-    return f
-
-
-def _body_load(basis: Basis, forces: Vector | Mapping[str, Vector] | None) -> Array:
-    f = np.zeros(basis.N)
-    if forces is None:
-        return f
-    named = forces if isinstance(forces, Mapping) else {None: forces}
-    for body, force in named.items():
-        part = basis
-        if body is not None:
-            cells = named_cells(basis.mesh, body)
-            part = Basis(
-                basis.mesh, basis.elem, quadrature=basis.quadrature, elements=cells, dofs=basis.dofs
-            )
-        f += pull.assemble(part, t=_vector(force, np.asarray(part.global_coordinates())))
-    return f
-
-
-def _vector(value: Vector, x: Array) -> Array:
-    given = value(x) if callable(value) else np.reshape(value, (2, 1, 1))
-    if not np.all(np.isfinite(given)):
-        raise ValueError(f"a load vector is not finite: {value}")
-    return np.broadcast_to(np.asarray(given, float), x.shape).copy()

@@ -9,7 +9,7 @@ import pytest
 from analytic.ring import lame
 from analytic.spring import energy, frame
 from fem.beam import curved, straight
-from fem.plane import discretisation, solution, solve
+from fem.plane import discretisation, loads, solution, solve
 from fem.plane.material import Elastic
 from meshes.ring import quarter
 from verify import claims, convergence
@@ -88,14 +88,14 @@ FEM_FAULTS = [
                  lambda f: lambda self, _: f(self, "plane stress"),
                  id="plane: plane stress for plane strain"),
     pytest.param(RING, solve, "vector_basis",
-                 lambda f: lambda mesh, _degree: f(mesh, 1), id="plane: linear elements"),
+                 lambda f: lambda mesh, _degree, **_: f(mesh, 1), id="plane: linear elements"),
     pytest.param(RING, quarter, "plane_mesh",
                  lambda f: lambda **_: f(straight=True), id="mesh: straight edges"),
     pytest.param(RING, solution.Samples, "polar",
                  lambda f: lambda self: tuple(np.roll(np.array(f(self)), 1, axis=0)),
                  id="plane: stresses swapped"),
-    pytest.param(RING, solve, "push",
-                 lambda _: solve.LinearForm(lambda v, w: w.p * solve.dot(w.n, v)),
+    pytest.param(RING, loads, "push",
+                 lambda _: loads.LinearForm(lambda v, w: w.p * loads.dot(w.n, v)),
                  id="plane: pressure pulls"),
     pytest.param(RING, discretisation._TraceMapping, "invF",
                  lambda f: lambda self, x, tind: 1 - f(self, x, tind),

@@ -1,0 +1,129 @@
+"""What acts on a plane mesh, by name: materials of its bodies, loads on its cells and boundaries.
+
+Loads are forces (unknowns,) for unit thickness or, with `turn`, for the full turn about the y axis,
+x being the radius.
+"""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from skfem import Basis, LinearForm
+from skfem.helpers import dot
+from skfem.mesh import Mesh2D
+
+from fem.plane.discretisation import (
+    Array,
+    facet_basis,
+    named_cells,
+    named_facets,
+    outer_facets,
+)
+from fem.plane.material import Assumption, Elastic
+
+Pressure = float | Callable[[Array], Array]
+Vector = tuple[float, float] | Callable[[Array], Array]
+
+
+@LinearForm
+def push(v, w):
+    return -w.p * dot(w.n, v)
+
+
+@LinearForm
+def pull(v, w):
+    return dot(w.t, v)
+
+
+def moduli(
+    mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic], assumption: Assumption
+) -> tuple[Array, Array, Array]:
+    """lambda, mu and sigma_zz/(sigma_xx + sigma_yy) of every cell; ValueError for bare cells."""
+    table = np.full((3, mesh.nelements), np.nan)
+    named = {None: materials} if isinstance(materials, Elastic) else materials
+    for body, material in named.items():
+        cells = slice(None) if body is None else named_cells(mesh, body)
+        constants = *material.lame_constants(assumption), material.normal_stress_ratio(assumption)
+        table[:, cells] = np.reshape(constants, (3, 1))
+    if bare := int(np.isnan(table[0]).sum()):
+        raise ValueError(f"{bare} of {mesh.nelements} cells have no material: name every body")
+    return table[0], table[1], table[2]
+
+
+def surface_load(
+    basis: Basis,
+    pressures: Mapping[str, Pressure],
+    tractions: Mapping[str, Vector],
+    *,
+    turn: bool = False,
+) -> Array:
+    """Forces of `pressures` (positive inwards) and `tractions` [stress] on named boundaries."""
+    f = np.zeros(basis.N)
+    for name, pressure in pressures.items():
+        side = facet_basis(basis, outer_facets(basis.mesh, name))
+        x = np.asarray(side.global_coordinates())
+        p = pressure(x) if callable(pressure) else pressure
+        if not np.all(np.isfinite(p)):
+            raise ValueError(f"the pressure on {name!r} is not finite")
+        f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]) * _depth(x, turn))
+    for name, traction in tractions.items():
+        side = facet_basis(basis, named_facets(basis.mesh, name))
+        x = np.asarray(side.global_coordinates())
+        f += pull.assemble(side, t=_vector(traction, x) * _depth(x, turn))
+    return f
+
+
+def force_load(
+    basis: Basis, forces: Mapping[str, tuple[float, float]], *, turn: bool = False
+) -> Array:
+    """Forces of the totals `forces` [force] on named boundaries, each spread evenly over its own.
+
+    A total is what acts on the whole thickness or turn. ValueError for a radial one around a turn,
+    which has no resultant, and for a boundary without area.
+    """
+    f = np.zeros(basis.N)
+    for name, force in forces.items():
+        if turn and force[0] != 0:
+            raise ValueError(
+                f"the force on {name!r} has the radial part {force[0]:g}, and radial forces add up "
+                "to nothing around a turn: use tractions or pressures"
+            )
+        side = facet_basis(basis, named_facets(basis.mesh, name))
+        x = np.asarray(side.global_coordinates())
+        depth = _depth(x, turn)
+        area = float((side.dx * depth).sum())
+        if not area > 0:
+            raise ValueError(f"the force on {name!r} has no area to act on: it lies on the axis")
+        f += pull.assemble(side, t=_vector((force[0] / area, force[1] / area), x) * depth)
+    return f
+
+
+def body_load(
+    basis: Basis, forces: Vector | Mapping[str, Vector] | None, *, turn: bool = False
+) -> Array:
+    """Forces of `forces` per volume [force / length^3], on everything or by body."""
+    f = np.zeros(basis.N)
+    if forces is None:
+        return f
+    named = forces if isinstance(forces, Mapping) else {None: forces}
+    for body, force in named.items():
+        part = basis
+        if body is not None:
+            cells = named_cells(basis.mesh, body)
+            part = Basis(
+                basis.mesh, basis.elem, quadrature=basis.quadrature, elements=cells, dofs=basis.dofs
+            )
+        x = np.asarray(part.global_coordinates())
+        f += pull.assemble(part, t=_vector(force, x) * _depth(x, turn))
+    return f
+
+
+def _depth(x: Array, turn: bool) -> Array:
+    """What every area or length in the plane stands for: 1, or the circumference 2 pi r."""
+    return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
+
+
+def _vector(value: Vector, x: Array) -> Array:
+    given = value(x) if callable(value) else np.reshape(value, (2, 1, 1))
+    if not np.all(np.isfinite(given)):
+        raise ValueError(f"a load vector is not finite: {value}")
+    return np.broadcast_to(np.asarray(given, float), x.shape).copy()
