@@ -6,7 +6,12 @@ sigma(u) = lambda tr(eps(u)) I + 2 mu eps(u). Lamé's constants are uniform in a
     K[a i, b j] = lambda M[a i, b j] + mu M[a j, b i] + mu delta_ij sum_k M[a k, b k],
     M[a i, b j] = int d_i N_a d_j N_b,
 
-with shape functions N_a, N_b and components i, j.
+with shape functions N_a, N_b and components i, j. In a body of revolution (`turn`) areas count for
+their turn, 2 pi r dA, and the hoop strain u_r/r joins eps and its trace: with N_a/r in both,
+
+    K[a i, b j] += lambda (delta_i0 G[a, b j] + delta_j0 G[b, a i] + delta_i0 delta_j0 H[a, b])
+                   + 2 mu delta_i0 delta_j0 H[a, b],
+    G[a, b j] = int N_a/r d_j N_b, H[a, b] = int N_a/r N_b/r.
 """
 
 from dataclasses import dataclass
@@ -15,6 +20,7 @@ import numpy as np
 from scipy.sparse import coo_array, csr_array
 from skfem import Basis
 
+from fem.plane.axis import depth
 from fem.plane.discretisation import Array, Indices
 from fem.plane.geometry import jacobians, shapes
 
@@ -23,10 +29,11 @@ BLOCK = 512  # cells whose matrices fit the processor's cache together
 
 @dataclass(frozen=True, kw_only=True)
 class Cells:
-    """Isotropic cells in the plane; quantities refer to unit thickness.
+    """Isotropic cells in the plane; quantities refer to unit thickness, or to the full turn.
 
     `slope` (m, 2 points, n) holds d_i N at the quadrature points, point by point i = x, y; `dx`
-    (m, points) their weights; `dofs` (m, n, 2) the unknowns; `lam`, `mu` (m,) Lamé's constants.
+    (m, points) their weights; `dofs` (m, n, 2) the unknowns; `lam`, `mu` (m,) Lamé's constants;
+    `around` (m, points, n) holds N/r in a body of revolution, else nothing.
     """
 
     slope: Array
@@ -35,17 +42,22 @@ class Cells:
     lam: Array
     mu: Array
     count: int
+    around: Array | None = None
 
     @classmethod
-    def of(cls, basis: Basis, lam: Array, mu: Array) -> "Cells":
+    def of(cls, basis: Basis, lam: Array, mu: Array, *, turn: bool = False) -> "Cells":
         """The cells of `basis`, at its quadrature points."""
         J, det = jacobians(basis.mesh, basis.X)
         J = np.array([[J[..., 1, 1], -J[..., 0, 1]], [-J[..., 1, 0], J[..., 0, 0]]]) / det
-        _, slope = shapes(basis.elem.elem, basis.X)
+        N, slope = shapes(basis.elem.elem, basis.X)
         m, (n, points) = len(det), slope.shape[1:]
         slope = np.einsum("jimq,jnq->mqin", J, slope, optimize=True).reshape(m, 2 * points, n)
         dofs = np.asarray(basis.element_dofs).T.reshape(m, n, 2)
-        return cls(slope=slope, dx=abs(det) * basis.W, dofs=dofs, lam=lam, mu=mu, count=basis.N)
+        dx, around = abs(det) * basis.W, None
+        if turn:
+            x = np.asarray(basis.global_coordinates())
+            dx, around = dx * depth(x, turn), N.T / x[0][:, :, None]
+        return cls(slope=slope, dx=dx, dofs=dofs, lam=lam, mu=mu, count=basis.N, around=around)
 
     def stiffness(self) -> csr_array:
         """K (unknowns, unknowns) of a(u, v) = v . K u."""
@@ -71,6 +83,13 @@ class Cells:
             K[:, :, i, :, j] = lam * M[:, :, i, :, j] + mu * M[:, :, j, :, i]
         K[:, :, 0, :, 0] += trace
         K[:, :, 1, :, 1] += trace
+        if self.around is not None:
+            N = self.around[block] * dx[..., None]
+            G = (N.swapaxes(1, 2) @ g).reshape(m, n, n, 2)
+            H = N.swapaxes(1, 2) @ self.around[block]
+            K[:, :, 0] += lam[..., None] * G
+            K[:, :, :, :, 0] += lam[..., None] * G.transpose(0, 2, 3, 1)
+            K[:, :, 0, :, 0] += (lam + 2 * mu) * H
         return K
 
     def gradient(self, u: Array) -> Array:
@@ -80,12 +99,19 @@ class Cells:
         m, rows, _ = self.slope.shape
         return (self.slope @ local).reshape(m, rows // 2, 2, 2)
 
+    def hoop_strain(self, u: Array) -> Array | float:
+        """u_r / r (m, points) at the quadrature points of a body of revolution, 0 in the plane."""
+        if self.around is None:
+            return 0.0
+        return np.asarray((self.around @ u[self.dofs[..., 0], None])[..., 0])
+
     def strain_energy(self, u: Array) -> float:
         """Half of a(u, u), from the strains of each cell."""
         grad = self.gradient(u)
         strain = (grad + grad.swapaxes(2, 3)) / 2
-        density = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1]) ** 2
-        density += 2 * self.mu[:, None] * (strain**2).sum(axis=(2, 3))
+        hoop = self.hoop_strain(u)
+        density = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1] + hoop) ** 2
+        density += 2 * self.mu[:, None] * ((strain**2).sum(axis=(2, 3)) + hoop**2)
         return float(np.sum(density * self.dx)) / 2
 
     def internal_forces(self, u: Array) -> Array:
@@ -97,8 +123,12 @@ class Cells:
         m, rows, _ = self.slope.shape
         grad = self.gradient(u)
         stress = self.mu[:, None, None, None] * (grad + grad.swapaxes(2, 3))
-        pressure = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1])
+        hoop = self.hoop_strain(u)
+        pressure = self.lam[:, None] * (grad[..., 0, 0] + grad[..., 1, 1] + hoop)
         stress += pressure[:, :, None, None] * np.eye(2)
         stress *= self.dx[:, :, None, None]
         force = self.slope.swapaxes(1, 2) @ stress.reshape(m, rows, 2)
+        if self.around is not None:
+            pull = (pressure + 2 * self.mu[:, None] * hoop) * self.dx
+            force[..., 0] += (pull[:, None] @ self.around)[:, 0]
         return np.bincount(self.dofs.ravel(), force.ravel(), self.count).astype(float)

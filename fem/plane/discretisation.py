@@ -19,6 +19,7 @@ from skfem import (
 from skfem.mesh import Mesh2D
 from skfem.quadrature import get_quadrature
 
+from fem.plane.axis import check_radii
 from fem.plane.geometry import check_unfolded
 
 Array = NDArray[np.float64]
@@ -37,10 +38,11 @@ def is_curved(mesh: Mesh2D) -> bool:
     return mesh.doflocs.shape[1] > mesh.nvertices
 
 
-def vector_basis(mesh: Mesh2D, degree: int | None = None) -> Basis:
+def vector_basis(mesh: Mesh2D, degree: int | None = None, *, turn: bool = False) -> Basis:
     """Displacements of the given degree; by default the degree of the mesh itself.
 
-    ValueError for other degrees, and where a cell of the mesh is folded.
+    With `turn`, x is a radius. ValueError for other degrees, and where a cell of the mesh is folded
+    or, with `turn`, lies beyond the axis.
     """
     degree = degree or (2 if is_curved(mesh) else 1)
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
@@ -49,8 +51,11 @@ def vector_basis(mesh: Mesh2D, degree: int | None = None) -> Basis:
     # Triangles: exact stiffness on straight cells, one order to spare on curved ones.
     # Quadrilaterals: 2 or 3 Gauss points each way, the full rule of Q1 and Q2.
     order = 2 * degree if shape is MeshQuad1 or is_curved(mesh) else 2 * (degree - 1)
-    quadrature = get_quadrature(mesh.elem.refdom, order)
+    # The weight 2 pi r has the degree of the edges, at most 2; N^2 / r is smooth where u_r/r is.
+    quadrature = get_quadrature(mesh.elem.refdom, order + 2 if turn else order)
     check_unfolded(mesh, quadrature[0])
+    if turn:
+        check_radii(mesh, quadrature[0])
     return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), quadrature=quadrature)
 
 

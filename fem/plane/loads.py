@@ -7,18 +7,21 @@ x being the radius.
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from skfem import Basis, LinearForm
+from skfem import Basis, FacetBasis, LinearForm
 from skfem.helpers import dot
 from skfem.mesh import Mesh2D
 
+from fem.plane.axis import depth, has_area, on_axis
 from fem.plane.discretisation import (
     Array,
+    Indices,
     facet_basis,
     named_cells,
     named_facets,
     outer_facets,
 )
 from fem.plane.material import Assumption, Elastic
+from fem.plane.supports import nearest_node
 
 Pressure = float | Callable[[Array], Array]
 Vector = tuple[float, float] | Callable[[Array], Array]
@@ -59,16 +62,16 @@ def surface_load(
     """Forces of `pressures` (positive inwards) and `tractions` [stress] on named boundaries."""
     f = np.zeros(basis.N)
     for name, pressure in pressures.items():
-        side = facet_basis(basis, outer_facets(basis.mesh, name))
+        side = _wall(basis, name, outer_facets(basis.mesh, name), turn)
         x = np.asarray(side.global_coordinates())
         p = pressure(x) if callable(pressure) else pressure
         if not np.all(np.isfinite(p)):
             raise ValueError(f"the pressure on {name!r} is not finite")
-        f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]) * _depth(x, turn))
+        f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]) * depth(x, turn))
     for name, traction in tractions.items():
-        side = facet_basis(basis, named_facets(basis.mesh, name))
+        side = _wall(basis, name, named_facets(basis.mesh, name), turn)
         x = np.asarray(side.global_coordinates())
-        f += pull.assemble(side, t=_vector(traction, x) * _depth(x, turn))
+        f += pull.assemble(side, t=_vector(traction, x) * depth(x, turn))
     return f
 
 
@@ -78,7 +81,7 @@ def force_load(
     """Forces of the totals `forces` [force] on named boundaries, each spread evenly over its own.
 
     A total is what acts on the whole thickness or turn. ValueError for a radial one around a turn,
-    which has no resultant, and for a boundary without area.
+    which has no resultant.
     """
     f = np.zeros(basis.N)
     for name, force in forces.items():
@@ -87,13 +90,11 @@ def force_load(
                 f"the force on {name!r} has the radial part {force[0]:g}, and radial forces add up "
                 "to nothing around a turn: use tractions or pressures"
             )
-        side = facet_basis(basis, named_facets(basis.mesh, name))
+        side = _wall(basis, name, named_facets(basis.mesh, name), turn)
         x = np.asarray(side.global_coordinates())
-        depth = _depth(x, turn)
-        area = float((side.dx * depth).sum())
-        if not area > 0:
-            raise ValueError(f"the force on {name!r} has no area to act on: it lies on the axis")
-        f += pull.assemble(side, t=_vector((force[0] / area, force[1] / area), x) * depth)
+        around = depth(x, turn)
+        area = float((side.dx * around).sum())
+        f += pull.assemble(side, t=_vector((force[0] / area, force[1] / area), x) * around)
     return f
 
 
@@ -113,13 +114,36 @@ def body_load(
                 basis.mesh, basis.elem, quadrature=basis.quadrature, elements=cells, dofs=basis.dofs
             )
         x = np.asarray(part.global_coordinates())
-        f += pull.assemble(part, t=_vector(force, x) * _depth(x, turn))
+        f += pull.assemble(part, t=_vector(force, x) * depth(x, turn))
     return f
 
 
-def _depth(x: Array, turn: bool) -> Array:
-    """What every area or length in the plane stands for: 1, or the circumference 2 pi r."""
-    return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
+def point_load(
+    basis: Basis,
+    forces: Mapping[tuple[float, float], tuple[float, float]],
+    *,
+    turn: bool = False,
+) -> Array:
+    """Forces at nodes, by coordinates; with `turn` the totals around rings.
+
+    ValueError where no node lies, and for a radial force on the axis.
+    """
+    f = np.zeros(basis.N)
+    for point, force in forces.items():
+        if turn and force[0] != 0 and on_axis(basis.mesh, np.array(point)):
+            raise ValueError(
+                f"the point force at {tuple(point)} has the radial part {force[0]:g}: on the axis "
+                "a force can only be axial"
+            )
+        f[nearest_node(basis, point)] += force
+    return f
+
+
+def _wall(basis: Basis, name: str, facets: Indices, turn: bool) -> FacetBasis:
+    """`basis` on the `facets` of boundary `name`; ValueError where a turn gives them no area."""
+    if turn and not has_area(basis.mesh, facets):
+        raise ValueError(f"a load on {name!r} has no area to act on: it lies on the axis, r = 0")
+    return facet_basis(basis, facets)
 
 
 def _vector(value: Vector, x: Array) -> Array:

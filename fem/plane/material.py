@@ -1,10 +1,10 @@
-"""Isotropic linear elasticity reduced to the plane."""
+"""Isotropic linear elasticity reduced to the plane, or to the meridian of a body of revolution."""
 
 import math
 from dataclasses import dataclass
 from typing import Literal
 
-Assumption = Literal["plane strain", "plane stress"]
+Assumption = Literal["plane strain", "plane stress", "axisymmetric"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,5 +28,8 @@ class Elastic:
         return self.E * self.nu / ((1 + self.nu) * (1 - 2 * self.nu)), mu
 
     def normal_stress_ratio(self, assumption: Assumption) -> float:
-        """sigma_zz / (sigma_xx + sigma_yy): nu where the plane may not strain outwards, else 0."""
-        return 0.0 if assumption == "plane stress" else self.nu
+        """sigma_zz / (sigma_xx + sigma_yy): nu where the plane may not strain outwards, else 0.
+
+        NaN in a body of revolution, whose hoop stress follows from a strain of its own.
+        """
+        return {"plane strain": self.nu, "plane stress": 0.0, "axisymmetric": math.nan}[assumption]

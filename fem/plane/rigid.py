@@ -8,12 +8,17 @@ from skfem import Basis
 from fem.plane.discretisation import Array, Indices
 from fem.plane.supports import Conditions
 
+MOTIONS = ("x", "y", "rotation")
 
-def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
+
+def check_rigid_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) -> None:
     """ValueError naming the rigid motion that the conditions leave to a body.
 
     A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
+    With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
     """
+    kinds = [1] if turn else [0, 1, 2]
+    n = len(kinds)
     count, body, hinges = _bodies(basis)
     centre = np.zeros((2, count))
     size = np.zeros(count)
@@ -22,10 +27,10 @@ def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
         centre[:, k], size[k] = at.mean(axis=1), np.ptp(at, axis=1).max()
 
     def motion(x: Array, k: Indices) -> Array:
-        """Displacements (m, 2, 3) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
+        """Displacements (m, 2, n) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
         u, v = (x - centre[:, k]) / size[k]
         one, zero = np.ones_like(u), np.zeros_like(u)
-        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)
+        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)[..., kinds]
 
     of_dof = np.zeros(basis.N, int)
     of_dof[np.asarray(basis.element_dofs)] = body
@@ -34,23 +39,23 @@ def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
         "im,mij->mj", conditions.direction, motion(basis.doflocs[:, conditions.dofs[0]], k)
     )
     blocks = []
-    for j in range(count):  # three rows say as much as all of one body's
-        rows = np.zeros((3, 3 * count))
-        rows[:, 3 * j : 3 * j + 3] = np.linalg.qr(np.vstack([held[k == j], np.zeros((3, 3))]))[1]
+    for j in range(count):  # n rows say as much as all of one body's
+        rows = np.zeros((n, n * count))
+        rows[:, n * j : n * j + n] = np.linalg.qr(np.vstack([held[k == j], np.zeros((n, n))]))[1]
         blocks.append(rows)
     for vertex, first, second in hinges:
-        rows = np.zeros((2, 3 * count))
+        rows = np.zeros((2, n * count))
         at = basis.mesh.p[:, [vertex]]
-        rows[:, 3 * first : 3 * first + 3] = motion(at, np.array([first]))[0]
-        rows[:, 3 * second : 3 * second + 3] = -motion(at, np.array([second]))[0]
+        rows[:, n * first : n * first + n] = motion(at, np.array([first]))[0]
+        rows[:, n * second : n * second + n] = -motion(at, np.array([second]))[0]
         blocks.append(rows)
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
     if s[-1] < 1e-9:
-        free = v[-1].reshape(count, 3)
+        free = v[-1].reshape(count, n)
         worst = int(np.argmax(np.abs(free).max(axis=1)))
         words = ", ".join(
-            f"{c:+.2g} {word}"
-            for c, word in zip(free[worst], ("x", "y", "rotation"), strict=True)
+            f"{c:+.2g} {MOTIONS[kind]}"
+            for c, kind in zip(free[worst], kinds, strict=True)
             if abs(c) > 1e-9
         )
         raise ValueError(

@@ -12,46 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from skfem import Basis, FacetBasis
 
+from fem.plane.axis import depth, has_area, hoop_strain, on_axis
 from fem.plane.cells import Cells
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
 from fem.plane.locate import locate
+from fem.plane.samples import Samples
 from fem.plane.supports import Conditions, nearest_node
-
-
-@dataclass(frozen=True)
-class Samples:
-    """Values at quadrature points: `x`, `u` (2, m), `stress` (4, m) and `weight` (m,).
-
-    Stress rows are xx, yy, xy, zz; `normal` (2, m) is the outward one on outer boundaries, else
-    empty.
-    The weights add up to the area, or to the length of the boundary.
-    """
-
-    x: Array
-    u: Array
-    stress: Array
-    weight: Array
-    normal: Array
-
-    def mean(self, values: Array) -> float:
-        """Average of `values` (m,) over the cells or the boundary."""
-        return float(self.weight @ values / self.weight.sum())
-
-    def traction(self) -> Array:
-        """Sigma . n (2, m) on a boundary."""
-        xx, yy, xy, _ = self.stress
-        n_x, n_y = self.normal
-        return np.array([xx * n_x + xy * n_y, xy * n_x + yy * n_y])
-
-    def polar(self, centre: tuple[float, float] = (0.0, 0.0)) -> tuple[Array, Array, Array, Array]:
-        """Radial displacement, radial, hoop and shear stress (m,) about `centre`."""
-        d = self.x - np.reshape(centre, (2, 1))
-        c, s = d / np.hypot(*d)
-        xx, yy, xy, _ = self.stress
-        radial = xx * c * c + yy * s * s + 2 * xy * s * c
-        hoop = xx * s * s + yy * c * c - 2 * xy * s * c
-        shear = (yy - xx) * s * c + xy * (c * c - s * s)
-        return self.u[0] * c + self.u[1] * s, radial, hoop, shear
 
 
 @dataclass(frozen=True)
@@ -61,7 +27,8 @@ class PlaneSolution:
     `internal` (unknowns,) are the forces of the stresses, `f` those of the loads; their
     difference is the reaction of the supports. `lam`, `mu`, `ratio` are given per cell.
     `residual` is the share of the energy that the solver's last correction held, the square of a
-    relative displacement.
+    relative displacement. With `turn` x is the radius of a body of revolution, y runs along its
+    axis, and integrals and forces are those of the full turn.
     """
 
     basis: Basis
@@ -74,6 +41,7 @@ class PlaneSolution:
     thickness: float
     residual: float
     conditions: Conditions
+    turn: bool = False
 
     @cached_property
     def strain_energy(self) -> float:
@@ -82,7 +50,7 @@ class PlaneSolution:
         From the strains, not from u . K u: in slender bodies the rounding of K times their large
         rigid motion would drown the strains.
         """
-        return self.thickness * Cells.of(self.basis, self.lam, self.mu).strain_energy(self.u)
+        return self.thickness * self._cells().strain_energy(self.u)
 
     @property
     def potential_energy(self) -> float:
@@ -96,13 +64,15 @@ class PlaneSolution:
     def reaction(self, boundary: str) -> tuple[float, float, float]:
         """Force (x, y) and moment about the origin that the supports of `boundary` exert.
 
-        At a corner that several supports hold, each counts what it carries itself.
+        At a corner that several supports hold, each counts what it carries itself. In a body of
+        revolution x is the sum of the radial forces off the axis, y the axial force, and the moment
+        vanishes.
         """
         named_facets(self.basis.mesh, boundary)  # an unknown name is an error, not a zero
         return self._resultant(self.conditions.of(boundary))
 
     def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Force (x, y) that an anchor at `point` exerts."""
+        """Force (x, y) that an anchor at `point` exerts, on a ring in a body of revolution."""
         node = nearest_node(self.basis, point)
         x, y, _ = self._resultant(self.conditions.anchored_at(node))
         return x, y
@@ -117,6 +87,7 @@ class PlaneSolution:
 
         On an edge between cells, or where bodies overlap, from one of them. ValueError names the
         first point outside, beyond 1e-4 of a cell: so much covers circles made of parabolas.
+        On the axis of a body of revolution u_r/r is du_r/dr.
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
@@ -128,10 +99,14 @@ class PlaneSolution:
             u += self.u[dofs] * np.asarray(shape)[..., 0]
             grad += self.u[dofs] * shape.grad[..., 0]
         one, no_side = np.ones(cells.size), np.zeros((2, 0))
-        return Samples(points.copy(), u, self._stress(grad, cells), one, no_side)
+        found = np.asarray(self.basis.mapping.F(X[:, :, None], tind=cells))[..., 0]
+        return Samples(points.copy(), u, self._stress(found, u, grad, cells), one, no_side)
 
     def on_boundary(self, name: str) -> Samples:
-        """Samples along `name`; on an internal boundary the mean of both sides."""
+        """Samples along `name`; on an internal boundary the mean of both sides.
+
+        A boundary on the axis of a body of revolution has no area: there weights are lengths.
+        """
         facets = named_facets(self.basis.mesh, name)
         near = self._along(facet_basis(self.basis, facets))
         if np.any(self.basis.mesh.f2t[1, facets] < 0):
@@ -145,12 +120,14 @@ class PlaneSolution:
         cells = np.arange(self.lam.size)
         if name is not None:
             cells = named_cells(self.basis.mesh, name)
-        own = Cells.of(self.basis, self.lam, self.mu)
+        own = self._cells()
         grad = own.gradient(self.u)[cells].transpose(3, 2, 0, 1)
+        x = np.asarray(self.basis.global_coordinates())[:, cells]
+        u = np.asarray(self.basis.interpolate(self.u))[:, cells]
         return Samples(
-            np.asarray(self.basis.global_coordinates())[:, cells].reshape(2, -1),
-            np.asarray(self.basis.interpolate(self.u))[:, cells].reshape(2, -1),
-            self._stress(grad, cells).reshape(4, -1),
+            x.reshape(2, -1),
+            u.reshape(2, -1),
+            self._stress(x, u, grad, cells).reshape(4, -1),
             own.dx[cells].ravel(),
             np.zeros((2, 0)),
         )
@@ -167,7 +144,7 @@ class PlaneSolution:
         """Plain arrays for pictures and files.
 
         `points` (vertices, 2), `cells` (m, 3 or 4), `displacement` (vertices, 2), and per cell
-        the mean `stress` (m, 4: xx, yy, xy, zz) and `von_mises` (m,).
+        the mean `stress` (m, 4: xx, yy, xy, zz or hoop) and `von_mises` (m,).
         """
         mesh, s = self.basis.mesh, self.in_body()
         weight = s.weight.reshape(mesh.nelements, -1)
@@ -185,28 +162,40 @@ class PlaneSolution:
             "von_mises": mises,
         }
 
+    def _cells(self) -> Cells:
+        return Cells.of(self.basis, self.lam, self.mu, turn=self.turn)
+
     def _along(self, side: FacetBasis) -> Samples:
         """Samples of the cells on one side of facets."""
         field = side.interpolate(self.u)
+        x, u = np.asarray(side.global_coordinates()), np.asarray(field)
+        swept = self.turn and has_area(self.basis.mesh, side.find)
         return Samples(
-            np.asarray(side.global_coordinates()).reshape(2, -1),
-            np.asarray(field).reshape(2, -1),
-            self._stress(field.grad, side.tind).reshape(4, -1),
-            np.asarray(side.dx).ravel(),
+            x.reshape(2, -1),
+            u.reshape(2, -1),
+            self._stress(x, u, field.grad, side.tind).reshape(4, -1),
+            (np.asarray(side.dx) * depth(x, swept)).ravel(),
             np.asarray(side.normals).reshape(2, -1),
         )
 
-    def _stress(self, grad: Array, cells: Indices) -> Array:
-        """Stress (4, m, ...) from the displacement gradient (2, 2, m, ...) in `cells` (m,)."""
-        lam, mu, ratio = (
-            a[cells].reshape(-1, *[1] * (grad.ndim - 3)) for a in (self.lam, self.mu, self.ratio)
-        )
-        dilation = lam * (grad[0, 0] + grad[1, 1])
+    def _stress(self, x: Array, u: Array, grad: Array, cells: Indices) -> Array:
+        """Stress (4, m, ...) at `x` (2, m, ...) in `cells` (m,), from u and its gradient there."""
+        column = -1, *[1] * (grad.ndim - 3)
+        lam, mu, ratio = (a[cells].reshape(column) for a in (self.lam, self.mu, self.ratio))
+        trace, hoop = grad[0, 0] + grad[1, 1], np.zeros(())
+        if self.turn:
+            reach = self.basis.mesh.p[0, self.basis.mesh.t[:, cells]].max(axis=0)
+            hoop = hoop_strain(u[0], grad[0, 0], x[0], reach.reshape(column))
+            trace = trace + hoop
+        dilation = lam * trace
         xx, yy = dilation + 2 * mu * grad[0, 0], dilation + 2 * mu * grad[1, 1]
-        return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), ratio * (xx + yy)])
+        zz = dilation + 2 * mu * hoop if self.turn else ratio * (xx + yy)
+        return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), zz])
 
     def _resultant(self, chosen: NDArray[np.bool_]) -> tuple[float, float, float]:
         forces = self.conditions.forces(self.internal - self.f)
         x, y = (self.conditions.direction * forces)[:, chosen]
         at = self.basis.doflocs[:, self.conditions.dofs[0, chosen]]
+        if self.turn:
+            return float(x[~on_axis(self.basis.mesh, at)].sum()), float(y.sum()), 0.0
         return float(x.sum()), float(y.sum()), float(at[0] @ y - at[1] @ x)

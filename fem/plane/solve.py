@@ -1,4 +1,4 @@
-"""Linear elasticity in the plane: -div sigma = b on any mesh, materials and loads by name.
+"""Linear elasticity, plane or axisymmetric: -div sigma = b on any mesh, loads and all by name.
 
 solve_plane(mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
             supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 100e6})
@@ -13,7 +13,15 @@ from skfem.mesh import Mesh2D
 
 from fem.plane.cells import Cells
 from fem.plane.discretisation import vector_basis
-from fem.plane.loads import Pressure, Vector, body_load, force_load, moduli, surface_load
+from fem.plane.loads import (
+    Pressure,
+    Vector,
+    body_load,
+    force_load,
+    moduli,
+    point_load,
+    surface_load,
+)
 from fem.plane.material import Assumption, Elastic
 from fem.plane.ordering import nested_dissection
 from fem.plane.rigid import check_rigid_motions
@@ -23,7 +31,6 @@ from fem.plane.supports import (
     Support,
     collect,
     free_directions,
-    nearest_node,
 )
 
 MAX_CORRECTIONS = 60
@@ -54,7 +61,7 @@ def solve_plane(
     thickness: float = 1.0,
     degree: int | None = None,
 ) -> PlaneSolution:
-    """Solve for the displacements of one or several plane bodies.
+    """Solve for the displacements of one or several bodies, plane or of revolution.
 
     Parameters
     ----------
@@ -64,7 +71,9 @@ def solve_plane(
     materials
         One material, or one for each body named in `mesh.subdomains`; every cell needs one.
     assumption
-        "plane strain" or "plane stress".
+        "plane strain", "plane stress" or "axisymmetric": then x is the radius r >= 0, y runs along
+        the axis, nodes at r = 0 stay there, and all integrals, forces and reactions are those of
+        the full turn.
     supports
         Boundary name to components: "xy", "n" (a frictionless guide), or a mapping such as
         {"x": 1e-3} or {"n": f}, where f takes points (2, m) and returns (m,) [length].
@@ -73,12 +82,13 @@ def solve_plane(
     tractions
         Boundary name to traction vector [stress]; pair of numbers or f(x) of shape (2, ...).
     forces
-        Boundary name to the total force on it [force], spread evenly.
+        Boundary name to the total force on it [force], spread evenly; none radial around a turn.
     body_forces
         Force per volume on everything, or by body; pair of numbers or f(x) of shape (2, ...).
     point_forces, anchors
-        Forces and supports at mesh nodes, by coordinates. A point force in the plane has an
-        unbounded displacement under it: take differences elsewhere.
+        Forces and supports at mesh nodes, by coordinates. A point force in the plane, or the
+        total on a ring around the axis, has an unbounded displacement under it: take differences
+        elsewhere.
     thickness
         Out-of-plane length; energies, reactions and point forces refer to it.
     degree
@@ -87,29 +97,36 @@ def solve_plane(
     Raises
     ------
     ValueError
-        For unknown names, missing materials, contradicting supports and unsupported bodies.
+        For unknown names, missing materials, contradicting supports, unsupported bodies, and in
+        a body of revolution for r < 0, a thickness and radial forces on the axis.
     ArithmeticError
         Where the last correction of the linear solve holds more than 1e-12 of the energy.
     """
     if assumption not in get_args(Assumption):
-        raise ValueError(f"assumption is 'plane strain' or 'plane stress', got {assumption!r}")
+        known = ", ".join(map(repr, get_args(Assumption)))
+        raise ValueError(f"assumption is one of {known}, got {assumption!r}")
     if not thickness > 0:
         raise ValueError(f"thickness must be positive, got {thickness:g}")
-    basis = vector_basis(mesh, degree)
+    turn = assumption == "axisymmetric"
+    if turn and thickness != 1:
+        raise ValueError(f"a body of revolution has no thickness but its turn, got {thickness:g}")
+    basis = vector_basis(mesh, degree, turn=turn)
     lam, mu, ratio = moduli(mesh, materials, assumption)
-    cells = Cells.of(basis, thickness * lam, thickness * mu)
+    cells = Cells.of(basis, thickness * lam, thickness * mu, turn=turn)
     f = thickness * (
-        surface_load(basis, pressures or {}, tractions or {}) + body_load(basis, body_forces)
+        surface_load(basis, pressures or {}, tractions or {}, turn=turn)
+        + body_load(basis, body_forces, turn=turn)
     )
-    f += force_load(basis, forces or {})
-    for point, force in (point_forces or {}).items():
-        f[nearest_node(basis, point)] += force
+    f += force_load(basis, forces or {}, turn=turn)
+    f += point_load(basis, point_forces or {}, turn=turn)
 
-    conditions = collect(basis, supports, anchors or {})
-    check_rigid_motions(basis, conditions)
+    conditions = collect(basis, supports, anchors or {}, turn=turn)
+    check_rigid_motions(basis, conditions, turn=turn)
     T, u0 = free_directions(basis, conditions, nested_dissection(basis))
     u, internal, residual = _solve(cells, f, T, u0)
-    return PlaneSolution(basis, u, internal, f, lam, mu, ratio, thickness, residual, conditions)
+    return PlaneSolution(
+        basis, u, internal, f, lam, mu, ratio, thickness, residual, conditions, turn
+    )
 
 
 def _solve(cells, f, T, u0):

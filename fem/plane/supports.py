@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from skfem import Basis
 
+from fem.plane.axis import on_axis
 from fem.plane.discretisation import Array, Indices, facet_basis, named_facets, outer_facets
 
 Prescribed = float | Callable[[Array], Array]
@@ -20,6 +21,7 @@ Support = str | Mapping[str, Prescribed]
 Anchors = Mapping[tuple[float, float], Support]
 Owner = str | tuple[float, float]
 COMPONENTS = "xynt"
+AXIS = "the axis"  # owns the condition u_r = 0 on the axis of a body of revolution
 SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one wall
 
 
@@ -69,17 +71,22 @@ def node_dofs(basis: Basis) -> Indices:
     return np.hstack([np.asarray(b)[:2] for b in blocks if b is not None and np.size(b)])
 
 
-def collect(basis: Basis, supports: Mapping[str, Support], anchors: Anchors) -> Conditions:
-    """All conditions of `supports` (by boundary) and `anchors` (by point)."""
-    owners: tuple[Owner, ...] = (*supports, *anchors)
+def collect(
+    basis: Basis, supports: Mapping[str, Support], anchors: Anchors, *, turn: bool = False
+) -> Conditions:
+    """All conditions of `supports` (by boundary) and `anchors` (by point).
+
+    With `turn` x is a radius, and nodes on the axis stay there.
+    """
+    owners: tuple[Owner, ...] = (*supports, *anchors, *([AXIS] if turn else []))
     wanted = [
         (i, component, value)
         for i, support in enumerate((*supports.values(), *anchors.values()))
         for component, value in _components(support, f"support {owners[i]!r}")
     ]
     names = {i for i, component, _ in wanted if component in "nt" and i < len(supports)}
-    guides = _guides(basis, {i: str(owners[i]) for i in sorted(names)})
-    parts = []
+    guides = _guides(basis, {i: str(owners[i]) for i in sorted(names)}, turn)
+    parts = [_kept_on_axis(basis, len(owners) - 1)] if turn else []
     for i, component, value in wanted:
         place = owners[i]
         if isinstance(place, tuple):
@@ -124,7 +131,12 @@ def free_directions(
     tangents: list[Array] = []
     for group in conditions.groups():
         pair = conditions.dofs[:, group[0]]
-        u0[pair], tangent = _resolve(conditions.direction[:, group].T, conditions.value[group])
+        try:
+            u0[pair], tangent = _resolve(conditions.direction[:, group].T, conditions.value[group])
+        except ValueError as error:
+            x, y = basis.doflocs[:, pair[0]]
+            by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[group]}))
+            raise ValueError(f"at ({x:.10g}, {y:.10g}), held by {by}: {error}") from error
         fixed[pair] = True
         if tangent is not None:
             rows += pair.tolist()
@@ -154,11 +166,12 @@ def _nodes(basis: Basis, facets: Indices) -> Indices:
     return np.hstack(nodes)
 
 
-def _guides(basis: Basis, names: Mapping[int, str]) -> dict[int, tuple[Indices, Array]]:
+def _guides(basis: Basis, names: Mapping[int, str], turn: bool) -> dict[int, tuple[Indices, Array]]:
     """Nodes (2, m) and outward normals (2, m) of each named boundary.
 
     A vertex between facets takes their mean normal where they are one smooth wall, over all the
-    names; at a corner it takes the normal of every side.
+    names; at a corner it takes the normal of every side. With `turn` a wall goes on beyond the
+    axis as its mirror image.
     """
     nodes, normals, owner = [], [], []
     for i, name in names.items():
@@ -175,6 +188,10 @@ def _guides(basis: Basis, names: Mapping[int, str]) -> dict[int, tuple[Indices, 
     if not nodes:
         return {}
     dofs, normal, of = np.hstack(nodes), np.hstack(normals), np.concatenate(owner)
+    if turn:
+        pole = on_axis(basis.mesh, basis.doflocs[:, dofs[0]])
+        pole &= normal[1] ** 2 - normal[0] ** 2 > SMOOTH
+        normal[0, pole] = 0.0
     smooth = _smoothed(dofs[0], normal)
     found = {}
     for i in names:
@@ -193,6 +210,15 @@ def _smoothed(node: Indices, normal: Array) -> Array:
         mean = normal[:, group] @ near
         smooth[:, group] = mean / np.hypot(*mean)
     return smooth
+
+
+def _kept_on_axis(basis: Basis, owner: int) -> tuple[Indices, Array, Array, Indices]:
+    """The conditions u_r = 0 at all nodes on the axis."""
+    dofs = node_dofs(basis)
+    dofs = dofs[:, on_axis(basis.mesh, basis.doflocs[:, dofs[0]])]
+    count = dofs.shape[1]
+    direction = np.repeat([[1.0], [0.0]], count, axis=1)
+    return dofs, direction, np.zeros(count), np.full(count, owner)
 
 
 def _at_point(basis: Basis, point: tuple[float, float], component: str) -> tuple[Indices, Array]:

@@ -1,0 +1,46 @@
+"""Bodies of revolution: x is the radius r >= 0, y runs along the axis, cells stand for a turn."""
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem.mesh import Mesh2D
+
+from fem.plane.geometry import Array
+
+ON_AXIS = 1e-9  # of the largest radius: what is nearer lies on the axis but for round-off
+AT_AXIS = 1e-8  # of a cell's radius: u_r/r loses as many digits there as its limit misses
+
+
+def depth(x: Array, turn: bool) -> Array:
+    """What a length or area at `x` (2, ...) stands for: unit thickness, or with `turn` 2 pi r."""
+    return 2 * np.pi * x[0] if turn else np.ones(x.shape[1:])
+
+
+def on_axis(mesh: Mesh2D, x: Array) -> NDArray[np.bool_]:
+    """Which of `x` (2, ...) lie on the axis."""
+    return np.asarray(abs(x[0]) <= ON_AXIS * abs(mesh.p[0]).max())
+
+
+def has_area(mesh: Mesh2D, facets: NDArray[np.int64]) -> bool:
+    """Whether `facets` sweep over any area in a turn: not all of them lie on the axis."""
+    return not np.all(on_axis(mesh, mesh.p[:, mesh.facets[:, facets]]))
+
+
+def check_radii(mesh: Mesh2D, quadrature: Array) -> None:
+    """ValueError naming the first cell beyond the axis, at its nodes or the points (2, q)."""
+    nodes = np.asarray(mesh.doflocs[0, np.asarray(mesh.dofs.element_dofs)])
+    inside = np.asarray(mesh.mapping().F(quadrature))[0]
+    lowest, inmost = nodes.min(axis=0), inside.min(axis=1)
+    beyond = np.flatnonzero((lowest < -ON_AXIS * abs(mesh.p[0]).max()) | (inmost <= 0))
+    if beyond.size:
+        k = int(beyond[0])
+        x, y = mesh.p[:, mesh.t[:, k]].mean(axis=1)
+        raise ValueError(
+            f"cell {k} of {mesh.nelements}, about ({x:.10g}, {y:.10g}), reaches "
+            f"r = {min(lowest[k], inmost[k]):.3g}: in a body of revolution x is the radius, r >= 0"
+        )
+
+
+def hoop_strain(u: Array, slope: Array, r: Array, reach: Array) -> Array:
+    """u_r / r, and on the axis its limit du_r/dr, the `slope`; `reach` is the cells' radius."""
+    near = r < AT_AXIS * reach
+    return np.where(near, slope, u / np.where(near, 1.0, r))
