@@ -1,24 +1,40 @@
 """Whether the supports of a plane problem leave a body, or a chain of hinged ones, free to move."""
 
+from dataclasses import dataclass
+
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from skfem import Basis
 
 from fem.plane.discretisation import Array, Indices
-from fem.plane.supports import Conditions
+from fem.plane.supports import Conditions, node_dofs
 
 MOTIONS = ("x", "y", "rotation")
 
 
-def check_rigid_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) -> None:
-    """ValueError naming the rigid motion that the conditions leave to a body.
+@dataclass(frozen=True)
+class Motions:
+    """Rigid motions left to the bodies.
+
+    `fields` (unknowns, k): their displacements; `words`: for each the body that moves most, and how.
+    """
+
+    fields: Array
+    words: tuple[str, ...]
+
+
+def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
+    """ValueError naming the rigid motion that the conditions leave to a body."""
+    if words := free_motions(basis, conditions).words:
+        raise ValueError(f"{words[-1]}: support it against that")
+
+
+def free_motions(basis: Basis, conditions: Conditions) -> Motions:
+    """The rigid motions that the conditions leave to a body, or to a chain of hinged ones.
 
     A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
-    With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
     """
-    kinds = [1] if turn else [0, 1, 2]
-    n = len(kinds)
     count, body, hinges = _bodies(basis)
     centre = np.zeros((2, count))
     size = np.zeros(count)
@@ -27,10 +43,10 @@ def check_rigid_motions(basis: Basis, conditions: Conditions, *, turn: bool = Fa
         centre[:, k], size[k] = at.mean(axis=1), np.ptp(at, axis=1).max()
 
     def motion(x: Array, k: Indices) -> Array:
-        """Displacements (m, 2, n) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
+        """Displacements (m, 2, 3) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
         u, v = (x - centre[:, k]) / size[k]
         one, zero = np.ones_like(u), np.zeros_like(u)
-        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)[..., kinds]
+        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)
 
     of_dof = np.zeros(basis.N, int)
     of_dof[np.asarray(basis.element_dofs)] = body
@@ -39,28 +55,35 @@ def check_rigid_motions(basis: Basis, conditions: Conditions, *, turn: bool = Fa
         "im,mij->mj", conditions.direction, motion(basis.doflocs[:, conditions.dofs[0]], k)
     )
     blocks = []
-    for j in range(count):  # n rows say as much as all of one body's
-        rows = np.zeros((n, n * count))
-        rows[:, n * j : n * j + n] = np.linalg.qr(np.vstack([held[k == j], np.zeros((n, n))]))[1]
+    for j in range(count):  # three rows say as much as all of one body's
+        rows = np.zeros((3, 3 * count))
+        rows[:, 3 * j : 3 * j + 3] = np.linalg.qr(np.vstack([held[k == j], np.zeros((3, 3))]))[1]
         blocks.append(rows)
     for vertex, first, second in hinges:
-        rows = np.zeros((2, n * count))
+        rows = np.zeros((2, 3 * count))
         at = basis.mesh.p[:, [vertex]]
-        rows[:, n * first : n * first + n] = motion(at, np.array([first]))[0]
-        rows[:, n * second : n * second + n] = -motion(at, np.array([second]))[0]
+        rows[:, 3 * first : 3 * first + 3] = motion(at, np.array([first]))[0]
+        rows[:, 3 * second : 3 * second + 3] = -motion(at, np.array([second]))[0]
         blocks.append(rows)
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
-    if s[-1] < 1e-9:
-        free = v[-1].reshape(count, n)
-        worst = int(np.argmax(np.abs(free).max(axis=1)))
-        words = ", ".join(
-            f"{c:+.2g} {MOTIONS[kind]}"
-            for c, kind in zip(free[worst], kinds, strict=True)
-            if abs(c) > 1e-9
-        )
-        raise ValueError(
-            f"body {worst + 1} of {count} can move rigidly ({words}): support it against that"
-        )
+    free = v[s < 1e-9].reshape(-1, count, 3)
+    nodes = node_dofs(basis)
+    shapes = motion(basis.doflocs[:, nodes[0]], of_dof[nodes[0]])
+    fields = np.zeros((basis.N, len(free)))
+    for i, amplitudes in enumerate(free):
+        fields[nodes, i] = np.einsum("mij,mj->im", shapes, amplitudes[of_dof[nodes[0]]])
+    return Motions(fields, tuple(_words(amplitudes) for amplitudes in free))
+
+
+def _words(amplitudes: Array) -> str:
+    """Which body moves most, and how, by the `amplitudes` (bodies, 3)."""
+    worst = int(np.argmax(np.abs(amplitudes).max(axis=1)))
+    how = ", ".join(
+        f"{c:+.2g} {word}"
+        for c, word in zip(amplitudes[worst], ("x", "y", "rotation"), strict=True)
+        if abs(c) > 1e-9
+    )
+    return f"body {worst + 1} of {len(amplitudes)} can move rigidly ({how})"
 
 
 def _bodies(basis: Basis) -> tuple[int, Indices, list[tuple[int, int, int]]]:
