@@ -13,28 +13,34 @@ from fem.plane.supports import Conditions, node_dofs
 MOTIONS = ("x", "y", "rotation")
 
 
+MOTIONS = ("x", "y", "rotation")
+
+
 @dataclass(frozen=True)
 class Motions:
     """Rigid motions left to the bodies.
 
-    `fields` (unknowns, k): their displacements; `words`: for each the body that moves most, and how.
+    `fields` (unknowns, k) holds their displacements, `words` the body that moves most, and how.
     """
 
     fields: Array
     words: tuple[str, ...]
 
 
-def check_rigid_motions(basis: Basis, conditions: Conditions) -> None:
+def check_rigid_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) -> None:
     """ValueError naming the rigid motion that the conditions leave to a body."""
-    if words := free_motions(basis, conditions).words:
+    if words := free_motions(basis, conditions, turn=turn).words:
         raise ValueError(f"{words[-1]}: support it against that")
 
 
-def free_motions(basis: Basis, conditions: Conditions) -> Motions:
+def free_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) -> Motions:
     """The rigid motions that the conditions leave to a body, or to a chain of hinged ones.
 
     A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
+    With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
     """
+    kinds = [1] if turn else [0, 1, 2]
+    n = len(kinds)
     count, body, hinges = _bodies(basis)
     centre = np.zeros((2, count))
     size = np.zeros(count)
@@ -43,10 +49,10 @@ def free_motions(basis: Basis, conditions: Conditions) -> Motions:
         centre[:, k], size[k] = at.mean(axis=1), np.ptp(at, axis=1).max()
 
     def motion(x: Array, k: Indices) -> Array:
-        """Displacements (m, 2, 3) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
+        """Displacements (m, 2, n) at `x` (2, m) of unit motions of the bodies `k` (m,)."""
         u, v = (x - centre[:, k]) / size[k]
         one, zero = np.ones_like(u), np.zeros_like(u)
-        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)
+        return np.array([[one, zero, -v], [zero, one, u]]).transpose(2, 0, 1)[..., kinds]
 
     of_dof = np.zeros(basis.N, int)
     of_dof[np.asarray(basis.element_dofs)] = body
@@ -55,32 +61,33 @@ def free_motions(basis: Basis, conditions: Conditions) -> Motions:
         "im,mij->mj", conditions.direction, motion(basis.doflocs[:, conditions.dofs[0]], k)
     )
     blocks = []
-    for j in range(count):  # three rows say as much as all of one body's
-        rows = np.zeros((3, 3 * count))
-        rows[:, 3 * j : 3 * j + 3] = np.linalg.qr(np.vstack([held[k == j], np.zeros((3, 3))]))[1]
+    for j in range(count):  # n rows say as much as all of one body's
+        rows = np.zeros((n, n * count))
+        rows[:, n * j : n * j + n] = np.linalg.qr(np.vstack([held[k == j], np.zeros((n, n))]))[1]
         blocks.append(rows)
     for vertex, first, second in hinges:
-        rows = np.zeros((2, 3 * count))
+        rows = np.zeros((2, n * count))
         at = basis.mesh.p[:, [vertex]]
-        rows[:, 3 * first : 3 * first + 3] = motion(at, np.array([first]))[0]
-        rows[:, 3 * second : 3 * second + 3] = -motion(at, np.array([second]))[0]
+        rows[:, n * first : n * first + n] = motion(at, np.array([first]))[0]
+        rows[:, n * second : n * second + n] = -motion(at, np.array([second]))[0]
         blocks.append(rows)
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
-    free = v[s < 1e-9].reshape(-1, count, 3)
+    free = v[s < 1e-9].reshape(-1, count, n)
     nodes = node_dofs(basis)
-    shapes = motion(basis.doflocs[:, nodes[0]], of_dof[nodes[0]])
+    of_node = of_dof[nodes[0]]
+    shapes = motion(basis.doflocs[:, nodes[0]], of_node)
     fields = np.zeros((basis.N, len(free)))
     for i, amplitudes in enumerate(free):
-        fields[nodes, i] = np.einsum("mij,mj->im", shapes, amplitudes[of_dof[nodes[0]]])
-    return Motions(fields, tuple(_words(amplitudes) for amplitudes in free))
+        fields[nodes, i] = np.einsum("mij,mj->im", shapes, amplitudes[of_node])
+    return Motions(fields, tuple(_words(amplitudes, kinds) for amplitudes in free))
 
 
-def _words(amplitudes: Array) -> str:
-    """Which body moves most, and how, by the `amplitudes` (bodies, 3)."""
+def _words(amplitudes: Array, kinds: list[int]) -> str:
+    """Which body moves most, and how, by the `amplitudes` (bodies, kinds of motion)."""
     worst = int(np.argmax(np.abs(amplitudes).max(axis=1)))
     how = ", ".join(
-        f"{c:+.2g} {word}"
-        for c, word in zip(amplitudes[worst], ("x", "y", "rotation"), strict=True)
+        f"{c:+.2g} {MOTIONS[kind]}"
+        for c, kind in zip(amplitudes[worst], kinds, strict=True)
         if abs(c) > 1e-9
     )
     return f"body {worst + 1} of {len(amplitudes)} can move rigidly ({how})"
