@@ -1,0 +1,133 @@
+"""Rectangular blocks: graded about a contact at the origin, and even ones."""
+
+import math
+from typing import Literal
+
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Block, Edge, mesh_blocks
+from meshes.contact.fan import Outline, Zone, fan, strip_cells
+
+SLIM = 2.0  # a longer rectangle is a square and a strip of even cells
+
+
+def half_block(
+    *,
+    width: float,
+    depth: float,
+    zone: float,
+    refine: int,
+    cells: int = 6,
+    above: bool = False,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The block 0 <= x <= width, -depth <= y <= 0, fine at the origin.
+
+    On `refine` 1 `cells` even cells lie on 0 <= x <= `zone` [unit of width] and grow outside; 2
+    halves them all, and so on. Boundaries "surface" (y = 0), "axis" (x = 0), "side" and "bottom"
+    (y = -depth); body "block". The block `above` lies at 0 <= y <= depth. `order` 1 or 2;
+    `straight` cells keep straight edges. Raises ValueError unless 0 < zone < width, depth.
+    """
+    half = _half(width, depth, Zone(zone, cells, refine), "side")
+    blocks = [block.mirrored(1, -1 if above else 1) for block in half]
+    return mesh_blocks(blocks, order=order, straight=straight)
+
+
+def full_block(
+    *,
+    width: float,
+    depth: float,
+    zone: float,
+    refine: int,
+    cells: int = 6,
+    above: bool = False,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The half block and its mirror image as one body, for loads without symmetry.
+
+    It covers -width <= x <= width; boundaries "right" and "left" in place of "side", and "axis"
+    inside the body. Otherwise as `half_block`.
+    """
+    y = -1 if above else 1
+    blocks = [
+        block.mirrored(x, y)
+        for x, side in ((1, "right"), (-1, "left"))
+        for block in _half(width, depth, Zone(zone, cells, refine), side)
+    ]
+    return mesh_blocks(blocks, order=order, straight=straight)
+
+
+def block(
+    *,
+    x: tuple[float, float],
+    y: tuple[float, float],
+    nx: int,
+    ny: int,
+    cells: Literal["quad", "tri"] = "quad",
+    order: int = 2,
+) -> Mesh2D:
+    """The rectangle between two `x` and two `y`, of `nx` by `ny` even cells, halved as `tri`.
+
+    Boundaries "left", "right", "bottom" and "top"; body "block". `order` 1 or 2. Raises ValueError
+    unless the second x and y are above the first and `nx`, `ny` at least 1.
+    """
+    (left, right), (bottom, top) = x, y
+    if not (left < right and bottom < top and min(nx, ny) >= 1):
+        raise ValueError(
+            f"a block needs growing x and y and a cell each way, got x={x}, y={y}, nx={nx}, ny={ny}"
+        )
+    a, b, c, d = (left, bottom), (right, bottom), (right, top), (left, top)
+    edges = (
+        Edge(a, b, nx, name="bottom"),
+        Edge(b, c, ny, name="right"),
+        Edge(d, c, nx, name="top"),
+        Edge(a, d, ny, name="left"),
+    )
+    return mesh_blocks([Block(edges, "block")], cells=cells, order=order)
+
+
+def _half(width: float, depth: float, zone: Zone, side: str) -> list[Block]:
+    if not (0 < zone.width < min(width, depth) and max(width, depth) < math.inf):
+        raise ValueError(
+            "the fine zone of a block needs 0 < zone < width and zone < depth, got "
+            f"zone={zone.width:g} m, width={width:g} m, depth={depth:g} m"
+        )
+    w = depth if width > SLIM * depth else width
+    d = width if depth > SLIM * width else depth
+    names = ("surface", side if w == width else "", "bottom" if d == depth else "")
+    blocks = fan(Outline((w, 0.0), (w, -d), (0.0, -d), names), zone, "block")
+    if w < width:
+        blocks.append(_beside(blocks[1], zone, width, side))
+    if d < depth:
+        blocks.append(_under(blocks[2], zone, depth, side))
+    return blocks
+
+
+def _beside(fanned: Block, zone: Zone, width: float, side: str) -> Block:
+    """The even strip from the fan's end to x = `width`."""
+    surface, end, *_ = fanned.edges
+    n = strip_cells(surface, zone, length=width - end.start[0], thickness=-end.end[1])
+    a, b = (width, end.start[1]), (width, end.end[1])
+    edges = (
+        Edge(end.start, a, n, name="surface"),
+        Edge(a, b, end.cells, name=side),
+        Edge(end.end, b, n, name="bottom"),
+        end,
+    )
+    return Block(edges, fanned.body)
+
+
+def _under(fanned: Block, zone: Zone, depth: float, side: str) -> Block:
+    """The even strip from the fan's foot to y = -`depth`."""
+    *_, last, axis = fanned.edges
+    n = strip_cells(axis, zone, length=depth + last.start[1], thickness=last.end[0])
+    far, foot = (last.end[0], -depth), (0.0, -depth)
+    edges = (
+        Edge(last.start, foot, n, name="axis"),
+        Edge(far, foot, last.cells, name="bottom"),
+        Edge(last.end, far, n, name=side),
+        last,
+    )
+    return Block(edges, fanned.body)

@@ -1,0 +1,154 @@
+"""Four-sided blocks of mapped quadrilaterals, and gmsh's mesh of them."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import gmsh
+from skfem.mesh import Mesh2D
+
+from meshes.plane import plane_mesh
+from meshes.session import gmsh_session
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A side of a block: a line, or an arc about `centre` of less than half a turn.
+
+    `beta` grades its cells from fine at the start to coarse at the end, as meshes.contact.grading
+    has it; 0 keeps them even. All edges of one `name` are a boundary of the mesh.
+    """
+
+    start: Point
+    end: Point
+    cells: int
+    centre: Point | None = None
+    beta: float = 0.0
+    name: str = ""
+
+    @property
+    def length(self) -> float:
+        chord = math.dist(self.start, self.end)
+        if self.centre is None:
+            return chord
+        radius = math.dist(self.centre, self.start)
+        return 2 * radius * math.asin(min(1.0, chord / (2 * radius)))
+
+    def mirrored(self, x: int, y: int) -> "Edge":
+        """The edge with its coordinates times `x` and `y`, each 1 or -1."""
+        a, b, c = (p and (x * p[0], y * p[1]) for p in (self.start, self.end, self.centre))
+        assert a is not None
+        assert b is not None
+        return replace(self, start=a, end=b, centre=c)
+
+
+@dataclass(frozen=True)
+class Block:
+    """Four edges around a piece of a body, each from a corner to the next or back.
+
+    Opposite edges have as many cells. Blocks share the edge between the same two points.
+    """
+
+    edges: tuple[Edge, Edge, Edge, Edge]
+    body: str
+
+    @property
+    def corners(self) -> list[Point]:
+        """Where each edge meets the one before it."""
+        ends = [{edge.start, edge.end} for edge in self.edges]
+        return [(ends[k - 1] & ends[k]).pop() for k in range(4)]
+
+    @property
+    def anticlockwise(self) -> "Block":
+        """The same piece, its edges in mathematical sense."""
+        (x_0, y_0), (x_1, y_1), (x_2, y_2), (x_3, y_3) = self.corners
+        area = (x_2 - x_0) * (y_3 - y_1) - (x_3 - x_1) * (y_2 - y_0)
+        a, b, c, d = self.edges
+        return self if area > 0 else replace(self, edges=(d, c, b, a))
+
+    def mirrored(self, x: int, y: int) -> "Block":
+        """The block with its coordinates times `x` and `y`, each 1 or -1."""
+        a, b, c, d = (edge.mirrored(x, y) for edge in self.edges)
+        return replace(self, edges=(a, b, c, d))
+
+
+def mesh_blocks(
+    blocks: Sequence[Block],
+    *,
+    cells: Literal["quad", "tri"] = "quad",
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The mesh of `blocks`, with the names of their edges and bodies.
+
+    Quadrilaterals, or triangles that halve them. `order` 1 or 2; `straight` cells keep
+    straight edges.
+    """
+    # gmsh's tolerances are lengths: it sees bodies of a size near one, whatever the unit
+    size = max(abs(x) for block in blocks for point in block.corners for x in point)
+    with gmsh_session():
+        drawing = _Drawing(size, cells)
+        for block in blocks:
+            drawing.add(block.anticlockwise)
+        gmsh.model.geo.synchronize()
+        for name, curves in drawing.boundaries.items():
+            gmsh.model.addPhysicalGroup(1, curves, name=name)
+        for name, surfaces in drawing.bodies.items():
+            gmsh.model.addPhysicalGroup(2, surfaces, name=name)
+        gmsh.model.mesh.generate(2)
+        gmsh.model.mesh.setOrder(order)
+        return plane_mesh(straight=straight).scaled((size, size))
+
+
+@dataclass
+class _Drawing:
+    """What the current gmsh model has already, by its place, in units of `size`."""
+
+    size: float
+    cells: Literal["quad", "tri"]
+    points: dict[Point, int] = field(default_factory=dict)
+    curves: dict[frozenset[Point], tuple[int, Point]] = field(default_factory=dict)
+    boundaries: dict[str, list[int]] = field(default_factory=dict)
+    bodies: dict[str, list[int]] = field(default_factory=dict)
+
+    def add(self, block: Block) -> None:
+        """A mapped surface of gmsh."""
+        geo = gmsh.model.geo
+        loop = []
+        for edge, corner in zip(block.edges, block.corners, strict=True):
+            curve, start = self.curve(edge)
+            loop.append(curve if start == corner else -curve)
+        surface = geo.addPlaneSurface([geo.addCurveLoop(loop)])
+        geo.mesh.setTransfiniteSurface(surface)
+        if self.cells == "quad":
+            geo.mesh.setRecombine(2, surface)
+        self.bodies.setdefault(block.body, []).append(surface)
+
+    def curve(self, edge: Edge) -> tuple[int, Point]:
+        """The curve of `edge` and where it starts, drawn at its first use."""
+        ends = frozenset((edge.start, edge.end))
+        if ends not in self.curves:
+            geo = gmsh.model.geo
+            a, b = self.point(edge.start), self.point(edge.end)
+            if edge.centre is None:
+                curve = geo.addLine(a, b)
+            else:
+                curve = geo.addCircleArc(a, self.point(edge.centre), b)
+            if edge.beta == 0:
+                geo.mesh.setTransfiniteCurve(curve, edge.cells + 1)
+            else:
+                geo.mesh.setTransfiniteCurve(curve, edge.cells + 1, "Beta", edge.beta)
+            self.curves[ends] = curve, edge.start
+            if edge.name:
+                self.boundaries.setdefault(edge.name, []).append(curve)
+        return self.curves[ends]
+
+    def point(self, place: Point) -> int:
+        """The point at `place`, drawn at its first use."""
+        if place not in self.points:
+            x, y = place
+            self.points[place] = gmsh.model.geo.addPoint(x / self.size, y / self.size, 0)
+        return self.points[place]

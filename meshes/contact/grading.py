@@ -1,0 +1,46 @@
+"""Where cells grow with the distance from a fine zone, and level off far from it.
+
+Roberts' stretching: with u from 1 at the fine end to 0 at the far one, cells are as long as
+beta^2 - u^2, hence by a constant factor longer than the one before near the fine end, and of one
+size at the far one. Refined cells lie on the same map, so that they halve the coarse ones.
+"""
+
+import math
+
+from scipy.optimize import brentq
+
+FINEST, EVEN = 1e-9, 1e3  # bounds of beta - 1; at the upper one cells differ by 1e-6
+
+
+def cells_along(*, length: float, first: float, growth: float) -> int:
+    """How many cells lead from the size `first` over `length`, none `growth` times the one before.
+
+    `length` and `first` in one unit, `growth` above 1.
+    """
+    rate = math.log(growth)
+    beta = math.sqrt(1 + 2 * first / (rate * length))
+    return math.ceil(math.log((beta + 1) / (beta - 1)) / (beta * rate))
+
+
+def beta(*, length: float, first: float, cells: int) -> float:
+    """The beta whose cells start with the size `first`, or even ones where these are smaller.
+
+    `first` is the size that the map has at its fine end, which that of a refined mesh tends to:
+    there it goes on from the fine zone without a step.
+    """
+
+    def excess(log: float) -> float:
+        beta = 1 + math.exp(log)
+        start = (beta**2 - 1) / (2 * beta) * math.log((beta + 1) / (beta - 1))
+        return start - first * cells / length
+
+    low, high = math.log(FINEST), math.log(EVEN)
+    return 1 + math.exp(high if excess(high) < 0 else brentq(excess, low, high, xtol=1e-12))
+
+
+def last_cell(*, length: float, cells: int, beta: float) -> float:
+    """Size of the last of `cells` that `beta` grades, in the unit of `length`."""
+    ratio = (beta + 1) / (beta - 1)
+    # how far from the far end the last node lies, with u = beta (e - 1) / (e + 1)
+    e = ratio ** (1 / cells)
+    return length * beta * (e - 1) / (e + 1)

@@ -1,0 +1,39 @@
+"""Several meshes as one, each keeping its own nodes, boundaries and bodies."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from skfem.mesh import Mesh2D
+
+
+def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
+    """One mesh of all `meshes`, no nodes merged, also where they touch.
+
+    A boundary "surface" of the mesh "disc" becomes "disc.surface", a body "core" "disc.core"; the
+    body "disc" is the whole of it. Vertices, cells and facets follow in the order of the meshes.
+    Raises ValueError without any mesh, or where they are not all of one kind of cell.
+    """
+    kinds = {name: type(mesh) for name, mesh in meshes.items()}
+    if len(set(kinds.values())) != 1:
+        given = ", ".join(f"{name}: {kind.__name__}" for name, kind in kinds.items())
+        raise ValueError(
+            f"joined meshes must be of one kind of cell, mesh them alike; got {given or 'none'}"
+        )
+    parts = list(meshes.values())
+    starts = np.cumsum([0] + [mesh.doflocs.shape[1] for mesh in parts])
+    nodes = [
+        np.asarray(mesh.dofs.element_dofs) + at for mesh, at in zip(parts, starts, strict=False)
+    ]
+    whole = type(parts[0])(np.hstack([mesh.doflocs for mesh in parts]), np.hstack(nodes))
+    boundaries, bodies, first = {}, {}, 0
+    for name, mesh in meshes.items():
+        cells = np.arange(first, first + mesh.nelements)
+        facet = np.empty(mesh.nfacets, dtype=np.int64)
+        facet[mesh.t2f] = whole.t2f[:, cells]
+        for own, facets in (mesh.boundaries or {}).items():
+            boundaries[f"{name}.{own}"] = facet[facets]
+        bodies[name] = cells
+        for own, chosen in (mesh.subdomains or {}).items():
+            bodies[f"{name}.{own}"] = cells[chosen]
+        first += mesh.nelements
+    return whole.with_boundaries(boundaries).with_subdomains(bodies)
