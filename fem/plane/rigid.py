@@ -13,9 +13,6 @@ from fem.plane.supports import Conditions, node_dofs
 MOTIONS = ("x", "y", "rotation")
 
 
-MOTIONS = ("x", "y", "rotation")
-
-
 @dataclass(frozen=True)
 class Motions:
     """Rigid motions left to the bodies.
