@@ -27,7 +27,7 @@ def half_block(
     On `refine` 1 `cells` even cells lie on 0 <= x <= `zone` [unit of width] and grow outside; 2
     halves them all, and so on. Boundaries "surface" (y = 0), "axis" (x = 0), "side" and "bottom"
     (y = -depth); body "block". The block `above` lies at 0 <= y <= depth. `order` 1 or 2;
-    `straight` cells keep straight edges. Raises ValueError unless 0 < zone < width, depth.
+    `straight` cells keep straight edges. Raises ValueError unless 0 < zone <= width/2, depth.
     """
     half = _half(width, depth, Zone(zone, cells, refine), "side")
     blocks = [block.mirrored(1, -1 if above else 1) for block in half]
@@ -89,9 +89,9 @@ def block(
 
 
 def _half(width: float, depth: float, zone: Zone, side: str) -> list[Block]:
-    if not (0 < zone.width < min(width, depth) and max(width, depth) < math.inf):
+    if not (0 < zone.width <= min(width / 2, depth) and max(width, depth) < math.inf):
         raise ValueError(
-            "the fine zone of a block needs 0 < zone < width and zone < depth, got "
+            "the fine zone of a block needs 0 < zone <= width/2 and zone <= depth, got "
             f"zone={zone.width:g} m, width={width:g} m, depth={depth:g} m"
         )
     w = depth if width > SLIM * depth else width

@@ -1,0 +1,62 @@
+"""Ring whose bore is touched at the origin, such as the race around a roller."""
+
+import math
+
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Block, Edge, Point, mesh_blocks
+from meshes.contact.fan import Outline, Zone, fan, strip_cells
+
+
+def half_race(
+    *,
+    r_i: float,
+    r_o: float,
+    zone: float,
+    refine: int,
+    cells: int = 6,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The half x >= 0 of the ring about (0, r_i), whose bore has its lowest point at the origin.
+
+    On `refine` 1 `cells` even cells lie on the bore over 0 <= x <= `zone` [unit of r_i] and grow
+    outside; 2 halves them all, and so on. Boundaries "bore", "rim" and "axis" (x = 0, both cuts);
+    body "race". `order` 1 or 2; `straight` cells keep straight edges. Raises ValueError unless
+    0 < r_i < r_o and 0 < zone < r_o - r_i, zone <= r_i/2.
+    """
+    if not 0 < r_i < r_o < math.inf:
+        raise ValueError(f"a race needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+    if not 0 < zone <= r_i / 2 or not zone < r_o - r_i:
+        raise ValueError(
+            "the fine zone of a race needs 0 < zone <= r_i/2 and zone < r_o - r_i, got "
+            f"zone={zone:g} m, r_i={r_i:g} m, r_o={r_o:g} m"
+        )
+    core, wall, centre = Zone(zone, cells, refine), r_o - r_i, (0.0, r_i)
+    brink = math.asin(zone / r_i)
+    angle = min(math.pi / 2, brink + math.log(r_o / (r_i + core.depth)))
+    inner, outer = (_at(r, angle, r_i) for r in (r_i, r_o))
+    corner = _at(r_i + core.depth, brink, r_i)
+    bend = _centre(corner, outer, turn=angle - brink)
+    names = ("bore", "", "rim")
+    blocks = fan(Outline(inner, outer, (0.0, -wall), names, r_i, r_i), core, "race", bend)
+    bore, end, *_ = blocks[1].edges
+    n = strip_cells(bore, core, length=r_i * (math.pi - angle), thickness=wall)
+    edges = (
+        Edge(inner, (0.0, 2 * r_i), n, centre, name="bore"),
+        Edge((0.0, 2 * r_i), (0.0, r_i + r_o), end.cells, name="axis"),
+        Edge(outer, (0.0, r_i + r_o), n, centre, name="rim"),
+        end,
+    )
+    return mesh_blocks([*blocks, Block(edges, "race")], order=order, straight=straight)
+
+
+def _at(r: float, angle: float, r_i: float) -> Point:
+    """The point at radius `r`, `angle` [rad] from the lowest one."""
+    return r * math.sin(angle), r_i - r * math.cos(angle)
+
+
+def _centre(a: Point, b: Point, *, turn: float) -> Point:
+    """Centre of the arc from `a` to `b` that turns left by `turn` [rad]."""
+    reach = 1 / (2 * math.tan(turn / 2))
+    return (a[0] + b[0]) / 2 - reach * (b[1] - a[1]), (a[1] + b[1]) / 2 + reach * (b[0] - a[0])
