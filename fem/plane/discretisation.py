@@ -55,7 +55,7 @@ def vector_basis(mesh: Mesh2D, degree: int | None = None, *, turn: bool = False)
     quadrature = get_quadrature(mesh.elem.refdom, order + 2 if turn else order)
     check_unfolded(mesh, quadrature[0])
     if turn:
-        check_radii(mesh, quadrature[0])
+        check_radii(mesh)
     return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), quadrature=quadrature)
 
 

@@ -1,0 +1,96 @@
+"""A body of revolution that makes no sense is refused, and the message names what is wrong."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skfem import MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
+
+from fem.plane.material import Elastic
+from fem.plane.solve import solve_plane
+
+
+def square(shape=MeshQuad1, left=0.0):
+    """Two by one, four cells a unit, from r = `left` on."""
+    base = MeshTri1 if shape in (MeshTri1, MeshTri2) else MeshQuad1
+    grid = base.init_tensor(np.linspace(0, 2, 9), np.linspace(0, 1, 5))
+    mesh = shape.from_mesh(grid) if shape is not base else grid
+    mesh = mesh.with_boundaries({
+        "left": lambda x: x[0] == 0,
+        "right": lambda x: x[0] == 2,
+        "bottom": lambda x: x[1] == 0,
+        "top": lambda x: x[1] == 1,
+    })  # fmt: skip
+    return replace(mesh, doflocs=mesh.doflocs + np.array([[left], [0.0]]))
+
+
+def solve(mesh=None, **changed):
+    problem = {"materials": Elastic(E=210e9, nu=0.3), "assumption": "axisymmetric"}
+    problem["supports"] = {"bottom": "y"}
+    return solve_plane(square() if mesh is None else mesh, **(problem | changed))
+
+
+@pytest.mark.parametrize("shape", [MeshTri1, MeshTri2, MeshQuad1, MeshQuad2])
+@pytest.mark.parametrize("left", [-0.1, -1e-6, -3.0])
+def test_a_cell_beyond_the_axis_is_named_with_its_place(shape, left):
+    with pytest.raises(ValueError, match=r"^cell \d+ of \d+, about \(.*\), reaches r = -.*r >= 0"):
+        solve(square(shape, left))
+
+
+@pytest.mark.parametrize("shape", [MeshTri2, MeshQuad2])
+def test_an_edge_that_bulges_beyond_the_axis_is_named(shape):
+    mesh = square(shape)
+    x = mesh.doflocs.copy()
+    x[0, (x[0] == 0) & (x[1] == 0)] = 0.08  # nodes at r = 0.08, 0, 0: beyond r = 0 between the last
+    with pytest.raises(ValueError, match=r"^cell .* reaches r = -0.01: "):
+        solve(replace(mesh, doflocs=x))
+
+
+@pytest.mark.parametrize("shape", [MeshTri1, MeshTri2, MeshQuad1, MeshQuad2])
+def test_nodes_beyond_the_axis_by_round_off_lie_on_it(shape):
+    near, on = (solve(square(shape, left), pressures={"top": 1e6}) for left in (-1e-16, 0.0))
+    np.testing.assert_allclose(near.u, on.u, rtol=0, atol=1e-12 * abs(on.u).max())
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"thickness": 2.0}, r"no thickness but its turn, got 2"),
+        ({"point_forces": {(0.0, 1.0): (3.0, 1.0)}},
+         r"point force at \(0.0, 1.0\) has the radial part 3: on the axis"),
+        ({"forces": {"right": (3.0, 1.0)}}, r"force on 'right' has the radial part 3"),
+        ({"forces": {"left": (0.0, 1.0)}}, r"load on 'left' has no area.*r = 0"),
+        ({"pressures": {"left": 1.0}}, r"load on 'left' has no area"),
+        ({"tractions": {"left": (0.0, 1.0)}}, r"load on 'left' has no area"),
+        ({"forces": {"top": (0.0, np.inf)}}, r"not finite"),
+        ({"forces": {"rim": (0.0, 1.0)}}, r"no boundary 'rim'"),
+        ({"supports": {}}, r"body 1 of 1 can move rigidly \(\+1 y\): support"),
+        ({"supports": {"right": "n"}}, r"body 1 of 1 can move rigidly \(\+1 y\): support"),
+        ({"supports": {"bottom": {"x": 1e-3, "y": 0.0}}},
+         r"^at \(0, 0\), held by 'bottom', 'the axis': .* contradict each other"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_the_message_names_rule_and_place(changed, message):
+    with pytest.raises(ValueError, match=message):
+        solve(**changed)
+
+
+@pytest.mark.parametrize("support", ["bottom", "right"])
+def test_one_axial_support_holds_a_body_of_revolution(support):
+    s = solve(supports={support: "y"}, forces={"top": (0.0, 1.0)})
+    assert s.reaction(support)[1] == pytest.approx(-1.0, rel=1e-9)
+
+
+def test_two_bodies_each_need_an_axial_support():
+    mesh = square() + square(left=3.0)
+    with pytest.raises(ValueError, match=r"body 2 of 2 can move rigidly \(.1 y\)"):
+        solve(mesh.with_boundaries({"bottom": lambda x: (x[1] == 0) & (x[0] < 2.5)}))
+
+
+def test_a_cone_in_a_frictionless_seat_does_not_move():
+    mesh = square()
+    x, y = mesh.doflocs
+    seat = replace(mesh, doflocs=np.array([x * (1 + y), y]))
+    s = solve(seat, supports={"right": "n"}, pressures={"top": 1e6})
+    assert s.reaction("right")[1] == pytest.approx(1e6 * np.pi * 4**2, rel=1e-9)
