@@ -8,7 +8,7 @@ from skfem.mesh import Mesh2D
 from meshes.contact.blocks import Block, Edge, mesh_blocks
 from meshes.contact.fan import Outline, Zone, fan, strip_cells
 
-SLIM = 2.0  # a longer rectangle is a square and a strip of even cells
+SLIM = 1.5  # a longer rectangle is meshed as about a square and a strip of even cells
 
 
 def half_block(
@@ -94,8 +94,9 @@ def _half(width: float, depth: float, zone: Zone, side: str) -> list[Block]:
             "the fine zone of a block needs 0 < zone <= width/2 and zone <= depth, got "
             f"zone={zone.width:g} m, width={width:g} m, depth={depth:g} m"
         )
-    w = depth if width > SLIM * depth else width
-    d = width if depth > SLIM * width else depth
+    beside = zone.width - zone.depth  # the core's, so that the diagonal runs at half a right angle
+    w = depth + beside if width > SLIM * depth else width
+    d = width - beside if depth > SLIM * width else depth
     names = ("surface", side if w == width else "", "bottom" if d == depth else "")
     blocks = fan(Outline((w, 0.0), (w, -d), (0.0, -d), names), zone, "block")
     if w < width:

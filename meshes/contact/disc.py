@@ -5,7 +5,7 @@ import math
 from skfem.mesh import Mesh2D
 
 from meshes.contact.blocks import Block, Point, mesh_blocks
-from meshes.contact.fan import Outline, Zone, fan
+from meshes.contact.fan import Outline, Zone, core, fan
 
 
 def quarter_disc(
@@ -56,19 +56,15 @@ def _quarter(R: float, zone: float, cells: int, refine: int) -> list[Block]:
         raise ValueError(
             f"the fine zone of a disc needs 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
         )
-    core = Zone(zone, cells, refine)
+    fine = Zone(zone, cells, refine)
+    bend, far = _diagonal(core(fine, -R)[1], math.pi / 4 + math.asin(zone / R), R)
     names = ("surface", "middle", "middle")
-    corner = Outline((R, -R), (R, -R), (0.0, -R), names, centre=-R).edge_of(core)[1]
-    bend, far = _diagonal(R, corner)
-    return fan(Outline((R, -R), far, (0.0, -R), names, centre=-R), core, "disc", bend)
+    return fan(Outline((R, -R), far, (0.0, -R), names, centre=-R), fine, "disc", bend)
 
 
-def _diagonal(R: float, corner: Point) -> tuple[Point, Point]:
-    """Centre and end of the circle from `corner` that meets the cut at a right angle.
-
-    It goes through the points where the axis meets the disc's circle: with that circle and the
-    axis it is one of the circles of bipolar coordinates, which part the disc at even angles.
-    """
+def _diagonal(corner: Point, slope: float, R: float) -> tuple[Point, Point]:
+    """Centre and end of the arc from `corner`, `slope` [rad] down, that meets y = -R squarely."""
     x, y = corner
-    c = (-y * R - (x**2 + y**2) / 2) / x
-    return (-c, -R), (math.hypot(c, R) - c, -R)
+    radius = (R + y) / math.cos(slope)
+    x -= radius * math.sin(slope)
+    return (x, -R), (x + radius, -R)

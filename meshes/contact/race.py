@@ -5,7 +5,7 @@ import math
 from skfem.mesh import Mesh2D
 
 from meshes.contact.blocks import Block, Edge, Point, mesh_blocks
-from meshes.contact.fan import Outline, Zone, fan, strip_cells
+from meshes.contact.fan import Outline, Zone, core, fan, strip_cells
 
 
 def half_race(
@@ -32,16 +32,16 @@ def half_race(
             "the fine zone of a race needs 0 < zone <= r_i/2 and zone < r_o - r_i, got "
             f"zone={zone:g} m, r_i={r_i:g} m, r_o={r_o:g} m"
         )
-    core, wall, centre = Zone(zone, cells, refine), r_o - r_i, (0.0, r_i)
+    fine, wall, centre = Zone(zone, cells, refine), r_o - r_i, (0.0, r_i)
+    # in the plane of angle and ln r, which bends no angle, the fan is a square beside the core
     brink = math.asin(zone / r_i)
-    angle = min(math.pi / 2, brink + math.log(r_o / (r_i + core.depth)))
+    angle = min(math.pi / 2, brink + math.log(r_o / (r_i + fine.depth)))
     inner, outer = (_at(r, angle, r_i) for r in (r_i, r_o))
-    corner = _at(r_i + core.depth, brink, r_i)
-    bend = _centre(corner, outer, turn=angle - brink)
+    bend = _centre(core(fine, r_i)[1], outer, turn=angle - brink)
     names = ("bore", "", "rim")
-    blocks = fan(Outline(inner, outer, (0.0, -wall), names, r_i, r_i), core, "race", bend)
+    blocks = fan(Outline(inner, outer, (0.0, -wall), names, r_i, r_i), fine, "race", bend)
     bore, end, *_ = blocks[1].edges
-    n = strip_cells(bore, core, length=r_i * (math.pi - angle), thickness=wall)
+    n = strip_cells(bore, fine, length=r_i * (math.pi - angle), thickness=wall)
     edges = (
         Edge(inner, (0.0, 2 * r_i), n, centre, name="bore"),
         Edge((0.0, 2 * r_i), (0.0, r_i + r_o), end.cells, name="axis"),
