@@ -1,0 +1,1 @@
+"""Contact of elastic and rigid bodies in the plane, with and without friction."""

@@ -1,0 +1,64 @@
+"""Bodies condensed to their contact surfaces: a dense stiffness, found in one factorisation.
+
+The surface's unknowns come last in the order of elimination, so that the last block of the
+factors is the Schur complement S = K_ss - K_si K_ii^-1 K_is. Bodies that only contact holds have a
+singular S but a regular K_ii: K is factorised with springs M on the surface, which are taken off
+S exactly afterwards.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_array, diags_array
+from scipy.sparse.linalg import SuperLU, splu
+
+from fem.plane.discretisation import Array, Indices
+from fem.plane.solve import SUPERLU
+
+
+@dataclass(frozen=True)
+class Condensed:
+    """Stiffness `S` (s, s) of the last s unknowns, and what leads back to the others."""
+
+    factor: SuperLU
+    S: Array
+    springs: Array
+
+    @property
+    def surface(self) -> slice:
+        return slice(self.factor.shape[0] - self.springs.size, None)
+
+    def load(self, f: Array) -> Array:
+        """The forces (s,) on the surface that replace `f` (unknowns,) on everything."""
+        at_rest = self.factor.solve(f)[self.surface]
+        return self.S @ at_rest + self.springs * at_rest
+
+    def inside(self, f: Array, surface: Array) -> Array:
+        """All unknowns under `f` (unknowns,) where those of the `surface` (s,) are known."""
+        f = f.copy()
+        # with these forces on the sprung surface the factorised matrix moves it to `surface`
+        f[self.surface] += self.S @ surface + self.springs * surface - self.load(f)
+        return self.factor.solve(f)
+
+
+def condense(K: csr_array, count: int) -> Condensed:
+    """`K` (unknowns, unknowns), in order of elimination, condensed to its last `count` unknowns."""
+    n = K.shape[0]
+    springs = K.diagonal()[n - count :].copy()
+    springs[springs <= 0] = springs.max(initial=1.0)
+    everywhere = np.concatenate([np.zeros(n - count), springs])
+    factor = splu((K + diags_array(everywhere)).tocsc(), **SUPERLU)
+    # SuperLU reorders whole branches of the elimination tree; the factors are the same
+    place = factor.perm_c[n - count :]
+    order = np.argsort(place)
+    lower = _block(factor.L, place[order])
+    upper = _block(factor.U, place[order])
+    S = np.empty((count, count))
+    S[np.ix_(order, order)] = lower @ upper
+    S = (S + S.T) / 2
+    S[np.diag_indices(count)] -= springs
+    return Condensed(factor, S, springs)
+
+
+def _block(factor: csr_array, rows: Indices) -> Array:
+    return factor[:, rows][rows].toarray()

@@ -1,0 +1,116 @@
+"""Mortar operators of one pair of surfaces: weighted gaps, slips and the forces conjugate to them.
+
+The contact traction is piecewise linear on the slave's vertices i, with hat functions phi_i along
+its facets. Normal and tangential weighted gap and the work that they do with the traction use the
+same integrals, over segments that no facet of either side interrupts:
+
+    g_i = int phi_i (gap + n . (u_m - u_s)),    s_i = int phi_i t . (u_m - u_s),
+
+n from slave to master, t = n turned by +90 deg. Pressure p = sum p_i phi_i pushes the slave along
+-n and the master along +n; q = sum q_i phi_i pulls the master along +t and the slave along -t.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from fem.contact.pairing import Points
+from fem.contact.trace import Trace
+from fem.plane.discretisation import Array, Indices
+
+BARE = 1e-9  # of a hat's own integral: less than that over the segments carries no traction
+
+
+@dataclass(frozen=True)
+class Mortar:
+    """Operators of a pair; m slave vertices carry its traction.
+
+    `x` (2, m): their places; `hats` (points, m): phi_i; `normal`, `tangential`
+    (points, unknowns): n . (u_m - u_s) and t . (u_m - u_s) of displacements; `weight` (points,)
+    [area]; `size` (m,): the integrals of the hats.
+    """
+
+    points: Points
+    x: Array
+    hats: csr_array
+    normal: csr_array
+    tangential: csr_array
+    weight: Array
+
+    @property
+    def size(self) -> Array:
+        return self.hats.T @ self.weight
+
+    def weighted(self, values: csr_array | Array) -> csr_array | Array:
+        """Integrals (m, ...) of each hat with what is given at the points."""
+        if isinstance(values, np.ndarray):
+            return self.hats.T @ (self.weight * values)
+        scaled = self.hats.copy()
+        scaled.data = scaled.data * np.repeat(self.weight, np.diff(scaled.indptr))
+        return (scaled.T @ values).tocsr()
+
+
+def mortar(
+    slave: Trace,
+    master: Trace | None,
+    points: Points,
+    *,
+    unknowns: int,
+    depth: Array,
+    obstacle: tuple[int, tuple[float, float]] = (0, (0.0, 0.0)),
+) -> Mortar:
+    """Operators at `points` with `depth` (points,), thickness or circumference, of each.
+
+    Without a master mesh, `obstacle` gives the first of the rigid shape's three unknowns (shift
+    x, y, rotation) and the point it turns about.
+    """
+    count = points.s.size
+    rows = np.arange(count)
+    t = np.array([-points.n[1], points.n[0]])
+
+    def relative(direction: Array) -> csr_array:
+        own = _trace_rows(slave, points.slave, points.s, -direction)
+        if master is not None:
+            other = _trace_rows(master, points.master, points.t, direction)
+        else:
+            first, centre = obstacle
+            arm = points.y - np.reshape(centre, (2, 1))
+            turn = direction[1] * arm[0] - direction[0] * arm[1]
+            other = (
+                np.array([*direction, turn]),
+                np.repeat([[first], [first + 1], [first + 2]], count, axis=1),
+            )
+        entries = np.concatenate([own[0].ravel(), other[0].ravel()])
+        columns = np.concatenate([own[1].ravel(), other[1].ravel()])
+        at = np.concatenate([np.tile(rows, len(own[0])), np.tile(rows, len(other[0]))])
+        return csr_array((entries, (at, columns)), (count, unknowns))
+
+    weight = points.weight * depth
+    carriers = slave.carriers()
+    nodes, place = np.unique(carriers, return_inverse=True)
+    place = place.reshape(carriers.shape)
+    local = slave.hats(points.s)
+    hats = csr_array(
+        (local.ravel(), (np.tile(rows, len(local)), place[:, points.slave].ravel())),
+        (count, nodes.size),
+    )
+    whole = np.bincount(place.ravel(), np.tile(slave.lengths() / len(local), len(local)))
+    covered = hats.T @ points.weight > BARE * whole
+    places = np.zeros((2, nodes.size))
+    places[:, place] = slave.nodes[:, : len(local)]
+    return Mortar(
+        points,
+        places[:, covered],
+        hats[:, covered].tocsr(),
+        relative(points.n),
+        relative(t),
+        weight,
+    )
+
+
+def _trace_rows(trace: Trace, k: Indices, s: Array, direction: Array) -> tuple[Array, Indices]:
+    """Entries and unknowns (2 nodes, points) of direction . u at `s` on the facets `k`."""
+    shape = trace.displacement_shapes(s)
+    entries = direction[:, None] * shape[None]
+    return entries.reshape(-1, s.size), trace.dofs[:, :, k].reshape(-1, s.size)

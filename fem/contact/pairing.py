@@ -1,0 +1,198 @@
+"""Who touches whom: the segments of a slave surface, each opposite one facet of the master.
+
+Both the gap and the contact traction run along one direction n, that of the surface on which the
+deformed bodies will meet: n ~ c_1 n_1 - c_2 n_2, with the outward normals of slave and master
+weighted by the bodies' plane moduli, for the stiffer body bends the softer one. With n_1 of a
+round slave alone, Hertz's pressure would be off by the order of a/R instead of its square.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.contact.shapes import Shape
+from fem.contact.trace import Trace, cross
+from fem.plane.discretisation import Array, Indices
+
+FACING = -0.2  # n_1 . n_2 of surfaces that can touch: more than some 100 deg apart
+GAUSS = 4
+NEWTON_STEPS = 30
+DONE = 1e-12
+SHORTEST = 1e-10  # of a facet: shorter segments carry nothing
+PAIRS = 2_000_000  # points times facets compared at once
+STEP = 1e-6  # of a facet, for the derivative of the direction
+
+
+@dataclass(frozen=True)
+class Points:
+    """Gauss points of the segments between two surfaces.
+
+    Facet `slave`, `master` (m,) and parameter `s`, `t` (m,) on each; `x` (2, m) on the slave,
+    `n` (2, m) the direction from slave to master, `gap` (m,) along it (negative: overlap), `weight`
+    (m,) [length]. On a rigid shape `master` is -1 and `y` (2, m) the point opposite.
+    """
+
+    slave: Indices
+    s: Array
+    master: Indices
+    t: Array
+    x: Array
+    y: Array
+    n: Array
+    gap: Array
+    weight: Array
+
+
+def pair_with_shape(slave: Trace, master: Shape) -> Points:
+    """Points of the slave's facets that face a rigid `master`, along the normals of that."""
+    k = np.arange(slave.count)
+    return _gauss(
+        slave, k, np.zeros(k.size), np.ones(k.size), lambda k, s: _onto(slave, master, k, s)
+    )
+
+
+def pair(slave: Trace, master: Trace, share: float) -> Points:
+    """Points of the segments on which `slave` faces `master`.
+
+    `share` is the slave's part c_1/(c_1 + c_2) of the two plane moduli.
+    """
+    ray = _Ray(slave, master, share)
+    k, s_0, s_1 = _segments(ray)
+    opposite = ray.cast(k, (s_0 + s_1) / 2)
+    hit = opposite >= 0
+    k, s_0, s_1, opposite = k[hit], s_0[hit], s_1[hit], opposite[hit]
+    master_of = np.repeat(opposite, GAUSS)
+
+    def onto(k: Indices, s: Array) -> tuple[Indices, Array, Array, Array, NDArray[np.bool_]]:
+        t = ray.refine(k, s, master_of)
+        y = master.places(master_of, t)
+        return master_of, t, y, ray.direction(k, s, master_of, t), np.ones(k.size, bool)
+
+    return _gauss(slave, k, s_0, s_1, onto)
+
+
+def _onto(slave, master, k, s):
+    """The nearest points of a rigid shape, along its normals."""
+    x = slave.places(k, s)
+    y = master.project(x)
+    n = -master.normal(y)
+    faces = (slave.normals(k, s) * n).sum(axis=0) > -FACING
+    return np.full(k.size, -1), np.zeros(k.size), y, n, faces
+
+
+def _gauss(slave, k, s_0, s_1, onto) -> Points:
+    """Gauss points of the segments from `s_0` to `s_1` of the facets `k`."""
+    g, w = np.polynomial.legendre.leggauss(GAUSS)
+    s = (s_0[:, None] + np.outer(s_1 - s_0, (g + 1) / 2)).ravel()
+    weight = np.outer(s_1 - s_0, w / 2).ravel()
+    k = np.repeat(k, GAUSS)
+    master, t, y, n, faces = onto(k, s)
+    x = slave.places(k, s)
+    weight = weight * np.hypot(*slave.tangents(k, s))
+    gap = ((y - x) * n).sum(axis=0)
+    return Points(*(a[..., faces] for a in (k, s, master, t, x, y, n, gap, weight)))
+
+
+def _segments(ray: "_Ray") -> tuple[Indices, Array, Array]:
+    """Facet, start and end (m,) of the slave's pieces between projected master vertices."""
+    count = ray.slave.count
+    k, s = ray.breaks()
+    k = np.concatenate([*[np.arange(count)] * 3, k])
+    s = np.concatenate([np.repeat([0.0, 0.5, 1.0], count), s])
+    order = np.lexsort((s, k))
+    k, s = k[order], s[order]
+    long = (np.diff(k) == 0) & (np.diff(s) > SHORTEST)
+    start = np.flatnonzero(long)
+    return k[start], s[start], s[start + 1]
+
+
+class _Ray:
+    """Rays from the slave along the direction of contact, and where they meet the master."""
+
+    def __init__(self, slave: Trace, master: Trace, share: float) -> None:
+        self.slave, self.master, self.share = slave, master, share
+
+    def direction(self, k: Indices, s: Array, j: Indices, t: Array) -> Array:
+        """Unit vectors (2, m) from slave to master."""
+        n = self.share * self.slave.normals(k, s) - (1 - self.share) * self.master.normals(j, t)
+        return n / np.hypot(*n)
+
+    def miss(self, k: Indices, s: Array, j: Indices, t: Array) -> Array:
+        """How far (m,) the master's point lies beside the ray."""
+        d = self.master.places(j, t) - self.slave.places(k, s)
+        return cross(self.direction(k, s, j, t), d)
+
+    def refine(self, k: Indices, s: Array, j: Indices) -> Array:
+        """Parameters t (m,) at which the rays from `s` meet the facets `j`, prolonged."""
+        return self._root(lambda t: self.miss(k, s, j, t), k.size)
+
+    def breaks(self) -> tuple[Indices, Array]:
+        """Slave facets and parameters opposite to the master's vertices."""
+        j, t = np.tile(np.arange(self.master.count), 2), np.repeat([0.0, 1.0], self.master.count)
+        places = np.vstack([self.master.places(j, t), self.master.normals(j, t)])
+        # one facet speaks for both that share a vertex with one normal
+        size = np.abs(places).max(axis=1, keepdims=True).clip(1e-300)
+        first = np.unique(np.round(places / size, 11), axis=1, return_index=True)[1]
+        j, t, places = j[first], t[first], places[:, first]
+        ends = self._ends(self.slave)
+        k, row = self._between(ends, places[:2], places[2:], -1.0)
+        s = self._root(lambda s: self.miss(k, s, j[row], t[row]), k.size)
+        inside = (s > SHORTEST) & (s < 1 - SHORTEST)
+        return k[inside], s[inside]
+
+    def cast(self, k: Indices, s: Array) -> Indices:
+        """The nearest master facet (m,) that the rays from `s` on `k` meet, -1 for none."""
+        facet = np.full(k.size, -1)
+        x, n = self.slave.places(k, s), self.slave.normals(k, s)
+        hit, point = self._between(self._ends(self.master), x, n, 1.0)
+        at = self.refine(k[point], s[point], hit)
+        distance = np.hypot(*(self.master.places(hit, at) - x[:, point]))
+        order = np.lexsort((distance, point))
+        first = order[np.unique(point[order], return_index=True)[1]]
+        facet[point[first]] = hit[first]
+        return facet
+
+    @staticmethod
+    def _ends(trace: Trace) -> tuple[Array, Array]:
+        """Places and normals (2, 2, m) of the start and end of all facets."""
+        k = np.arange(trace.count)
+        at = [
+            (trace.places(k, e), trace.normals(k, e)) for e in (np.zeros(k.size), np.ones(k.size))
+        ]
+        return np.array([a[0] for a in at]), np.array([a[1] for a in at])
+
+    def _between(self, ends, x: Array, n: Array, side: float) -> tuple[Indices, Indices]:
+        """Facets with `ends`, and points `x`, `n` of the other surface on rays between these.
+
+        `side` is 1 where the points are the slave's, -1 where the facets are.
+        """
+        places, normals = ends
+        own, other = (self.share, 1 - self.share) if side > 0 else (1 - self.share, self.share)
+        facets, points = [], []
+        for part in np.array_split(
+            np.arange(n.shape[1]), 1 + x.shape[1] * places.shape[2] // PAIRS
+        ):
+            X, N = x[:, part, None], n[:, part, None]
+            beyond = [
+                cross(own * N - other * m[:, None], p[:, None] - X) <= 0
+                for p, m in zip(places, normals, strict=True)
+            ]
+            facing = sum(N[i] * (normals[0, i] + normals[1, i])[None] for i in (0, 1)) < 2 * FACING
+            row, facet = np.nonzero((beyond[0] != beyond[1]) & facing)
+            facets.append(facet)
+            points.append(part[row])
+        return np.concatenate(facets), np.concatenate(points)
+
+    @staticmethod
+    def _root(function, size: int) -> Array:
+        """Roots of `function` (m,) -> (m,), from the middle, by Newton's method."""
+        s = np.full(size, 0.5)
+        for _ in range(NEWTON_STEPS):
+            slope = (function(s + STEP) - function(s - STEP)) / (2 * STEP)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                step = np.nan_to_num(function(s) / slope, nan=0.0, posinf=0.0, neginf=0.0)
+            s = np.clip(s - step, -0.5, 1.5)
+            if not np.any(np.abs(step) > DONE):
+                break
+        return s

@@ -1,0 +1,69 @@
+"""Exact shapes of contact surfaces, so that facets do not pollute the gap."""
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from fem.plane.discretisation import Array
+
+
+class Shape(Protocol):
+    """A smooth curve that bounds a body, with its outward side."""
+
+    def project(self, x: Array) -> Array:
+        """The nearest points (2, ...) of the curve to `x` (2, ...)."""
+        ...
+
+    def normal(self, x: Array) -> Array:
+        """Unit normals (2, ...) out of the body at points `x` (2, ...) of the curve."""
+        ...
+
+
+@dataclass(frozen=True)
+class Flat:
+    """The straight line through `point`; `normal` points out of the body."""
+
+    point: tuple[float, float] = (0.0, 0.0)
+    outward: tuple[float, float] = (0.0, 1.0)
+
+    def __post_init__(self) -> None:
+        size = math.hypot(*self.outward)
+        if not (math.isfinite(size) and size > 0 and all(map(math.isfinite, self.point))):
+            raise ValueError(f"a flat needs a point and a direction, got {self}")
+
+    def project(self, x: Array) -> Array:
+        n = self.normal(x)
+        return x - n * ((x - _column(self.point, x)) * n).sum(axis=0)
+
+    def normal(self, x: Array) -> Array:
+        n = np.array(self.outward) / math.hypot(*self.outward)
+        return np.broadcast_to(_column((n[0], n[1]), x), x.shape)
+
+
+@dataclass(frozen=True)
+class Circle:
+    """The circle about `centre`: the rim of a disc, or with `hollow` the bore of a ring."""
+
+    centre: tuple[float, float]
+    radius: float
+    hollow: bool = False
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.radius) and self.radius > 0):
+            raise ValueError(f"a circle's radius must be positive, got {self.radius:g}")
+        if not all(map(math.isfinite, self.centre)):
+            raise ValueError(f"a circle's centre must be finite, got {self.centre}")
+
+    def project(self, x: Array) -> Array:
+        d = x - _column(self.centre, x)
+        return _column(self.centre, x) + self.radius * d / np.hypot(*d)
+
+    def normal(self, x: Array) -> Array:
+        d = x - _column(self.centre, x)
+        return (-1.0 if self.hollow else 1.0) * d / np.hypot(*d)
+
+
+def _column(point: tuple[float, float], x: Array) -> Array:
+    return np.reshape(point, (2, *[1] * (x.ndim - 1)))

@@ -1,0 +1,142 @@
+"""The trace of a mesh on a named boundary: places, normals and displacements along its facets.
+
+A facet's parameter s runs from 0 to 1 with the body on the left, so that the outward normal is
+the tangent turned by -90 deg.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from skfem import Basis
+
+from fem.contact.shapes import Shape
+from fem.plane.discretisation import Array, Indices, is_curved, outer_facets
+
+SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Facets of a contact surface.
+
+    `nodes` (2, 3, m): places of both ends and the middle; `ends` (2, m): vertex numbers;
+    `dofs` (2, k, m): unknowns x, y of the k = 2 or 3 nodes that carry displacements, ends first;
+    `facets` (m,) and `cells` (m,) as numbered in the mesh; `end_normals` (2, 2, m): outward unit
+    normals at both ends, common to the facets of a smooth wall.
+    """
+
+    nodes: Array
+    ends: Indices
+    dofs: Indices
+    facets: Indices
+    cells: Indices
+    end_normals: Array
+    shape: Shape | None
+
+    @property
+    def count(self) -> int:
+        """Number of facets."""
+        return self.facets.size
+
+    def places(self, k: Indices, s: Array) -> Array:
+        """Points (2, ...) at parameters `s` (...) of the facets `k` (...)."""
+        x = np.einsum("n...,in...->i...", _quadratic(s), self.nodes[:, :, k])
+        return x if self.shape is None else self.shape.project(x)
+
+    def tangents(self, k: Indices, s: Array) -> Array:
+        """dx/ds (2, ...) of the facets themselves."""
+        slope = np.array([4 * s - 3, 4 * s - 1, 4 - 8 * s])
+        return np.einsum("n...,in...->i...", slope, self.nodes[:, :, k])
+
+    def normals(self, k: Indices, s: Array) -> Array:
+        """Outward unit normals (2, ...): of the shape, or between those at the facet's ends."""
+        if self.shape is not None:
+            return self.shape.normal(self.places(k, s))
+        n = self.end_normals[:, 0, k] * (1 - s) + self.end_normals[:, 1, k] * s
+        return n / np.hypot(*n)
+
+    def displacement_shapes(self, s: Array) -> Array:
+        """Shape functions (k, ...) of the displacements at `s` (...), in the order of `dofs`."""
+        return np.array([1 - s, s]) if self.dofs.shape[1] == 2 else _quadratic(s)
+
+    def carriers(self) -> Indices:
+        """Nodes (k, m) that carry the traction, numbered by their first unknowns."""
+        return self.dofs[0]
+
+    def hats(self, s: Array) -> Array:
+        """Hat functions (k, ...) of these nodes at `s` (...), linear between neighbours."""
+        if self.dofs.shape[1] == 2:
+            return np.array([1 - s, s])
+        return np.array([np.maximum(1 - 2 * s, 0), np.maximum(2 * s - 1, 0), 1 - np.abs(1 - 2 * s)])
+
+    def lengths(self) -> Array:
+        """Length (m,) of the facets' chords."""
+        return np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))
+
+    def sag(self) -> Array:
+        """By how much (m,) a facet may miss the curve that its end normals belong to."""
+        if self.shape is not None:
+            return np.zeros(self.count)
+        length = np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))
+        turn = np.abs(cross(self.end_normals[:, 0], self.end_normals[:, 1]))
+        middle = self.nodes[:, 2] - self.nodes[:, :2].mean(axis=1)
+        straight = np.hypot(*middle) < 1e-9 * length
+        # a chord misses its arc by h phi / 8, a parabola through three points by h phi^3 / 512
+        return length * np.where(straight, turn / 8, turn**3 / 200)
+
+    def moved(self, displacement: Array) -> "Trace":
+        """The trace with its nodes displaced by `displacement` (unknowns,)."""
+        u = displacement[self.dofs]
+        if u.shape[1] == 2:
+            u = np.concatenate([u, u.mean(axis=1, keepdims=True)], axis=1)
+        nodes = self.nodes + u
+        return replace(self, nodes=nodes, end_normals=_end_normals(nodes, self.ends))
+
+
+def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
+    """The trace of the outer boundary `name`, whose exact shape may be given.
+
+    ValueError for an unknown or inner boundary.
+    """
+    mesh, facets = basis.mesh, np.unique(outer_facets(basis.mesh, name))
+    cells, ends = mesh.f2t[0, facets], mesh.facets[:, facets]
+    a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
+    inside = mesh.p[:, mesh.t[:, cells]].mean(axis=1)
+    ends = np.where(cross(b - a, inside - a) > 0, ends, ends[::-1])
+    a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
+    middle = (a + b) / 2
+    if is_curved(mesh):
+        middle = mesh.doflocs[:, mesh.dofs.facet_dofs[0, facets]]
+    nodes = np.array([a, b, middle]).swapaxes(0, 1)
+    dofs = [basis.nodal_dofs[:2, ends[0]], basis.nodal_dofs[:2, ends[1]]]
+    if basis.facet_dofs is not None and np.size(basis.facet_dofs):
+        dofs.append(basis.facet_dofs[:2, facets])
+    return Trace(
+        nodes, ends, np.array(dofs).swapaxes(0, 1), facets, cells, _end_normals(nodes, ends), shape
+    )
+
+
+def _quadratic(s: Array) -> Array:
+    return np.array([(1 - s) * (1 - 2 * s), s * (2 * s - 1), 4 * s * (1 - s)])
+
+
+def _end_normals(nodes: Array, ends: Indices) -> Array:
+    """Normals (2, 2, m) at both ends of each facet, their mean where two make one smooth wall."""
+    a, b, middle = nodes.swapaxes(0, 1)
+    t = np.array([4 * middle - 3 * a - b, 3 * b + a - 4 * middle])  # dx/ds at s = 0 and 1
+    n = np.array([t[:, 1], -t[:, 0]])
+    n /= np.hypot(*n)
+    flat, at = n.reshape(2, -1), ends.ravel()
+    smooth = flat.copy()
+    order = np.argsort(at, kind="stable")
+    first = np.flatnonzero(np.diff(at[order]) == 0)  # a vertex has at most two facets
+    i, j = order[first], order[first + 1]
+    one_wall = (flat[:, i] * flat[:, j]).sum(axis=0) > SMOOTH
+    i, j = i[one_wall], j[one_wall]
+    mean = flat[:, i] + flat[:, j]
+    smooth[:, i] = smooth[:, j] = mean / np.hypot(*mean)
+    return smooth.reshape(n.shape)
+
+
+def cross(a: Array, b: Array) -> Array:
+    return a[0] * b[1] - a[1] * b[0]
