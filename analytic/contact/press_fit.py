@@ -1,0 +1,173 @@
+r"""Press fit: a stack of concentric walls with interference between neighbours.
+
+At every interface the outer wall's bore and the inner wall's rim, apart by the interference before
+assembly, end at one radius:
+
+.. math:: u_{j+1}(r_j) - u_j(r_j) = \delta_j,
+
+with Lamé's displacements of each wall under the contact pressures on its two sides, a linear
+system with three diagonals. A solid shaft is a wall with r_i = 0. Pressures count positive when
+they push, interferences (radial, half that of the diameters) when the parts overlap. Any
+consistent units.
+
+Range: linear elasticity, small strain, radii of an interface equal but for the interference,
+ends of the walls free to slide on each other (plane stress) or held (plane strain).
+
+References
+----------
+.. [1] S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed.,
+   McGraw-Hill 1970, art. 28.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, Assumption, finite, in_plane, not_negative, positive
+
+
+@dataclass(frozen=True)
+class Wall:
+    """One ring (or, with r_i = 0, a solid shaft): radii [length], E [stress], nu."""
+
+    r_i: float
+    r_o: float
+    E: float
+    nu: float
+
+    def __post_init__(self) -> None:
+        positive(self.E, "Young's modulus", "Pa")
+        in_plane(self.E, self.nu, "plane stress")
+        if not 0 <= self.r_i < self.r_o < np.inf:
+            raise ValueError(f"a wall needs 0 <= r_i < r_o, got r_i={self.r_i} m, r_o={self.r_o} m")
+
+    def stresses(self, r: ArrayLike, *, p_i: float, p_o: float) -> tuple[Array, Array]:
+        """Radial and hoop stress [stress] at the radii r under pressures at bore and rim."""
+        r = self._inside(r)
+        A, B = self._constants(p_i, p_o)
+        bend = B / np.where(r > 0, r, 1.0) ** 2  # B = 0 where r may be 0
+        return A - bend, A + bend
+
+    def displacement(
+        self, r: ArrayLike, *, p_i: float, p_o: float, assumption: Assumption
+    ) -> Array:
+        """Radial displacement [length] at the radii r; outward is positive."""
+        r = self._inside(r)
+        E, nu = in_plane(self.E, self.nu, assumption)
+        A, B = self._constants(p_i, p_o)
+        return np.asarray(((1 - nu) * A * r + (1 + nu) * B / np.where(r > 0, r, 1.0)) / E)
+
+    def _constants(self, p_i: float, p_o: float) -> tuple[float, float]:
+        area = self.r_o**2 - self.r_i**2
+        A = (p_i * self.r_i**2 - p_o * self.r_o**2) / area
+        return A, (p_i - p_o) * self.r_i**2 * self.r_o**2 / area
+
+    def _inside(self, r: ArrayLike) -> Array:
+        r = not_negative(r, "radius", "m")
+        slack = 1e-12 * self.r_o
+        if not np.all((r >= self.r_i - slack) & (r <= self.r_o + slack)):
+            raise ValueError(f"r must lie in the wall [{self.r_i}, {self.r_o}] m, got {r} m")
+        return r
+
+
+def contact_pressures(
+    walls: Sequence[Wall],
+    interferences: ArrayLike,
+    *,
+    p_i: float = 0.0,
+    p_o: float = 0.0,
+    assumption: Assumption,
+) -> Array:
+    """Pressures [stress] at the interfaces from the innermost outward; shaped (walls - 1,).
+
+    p_i and p_o act on the innermost bore and on the outermost rim. Raises ValueError where an
+    interface would have to pull: it opens.
+
+    >>> steel = {"E": 2.0, "nu": 0.25}
+    >>> shaft, hub = Wall(r_i=0.0, r_o=1.0, **steel), Wall(r_i=1.0, r_o=2.0, **steel)
+    >>> p = contact_pressures([shaft, hub], 0.1, assumption="plane stress")
+    >>> p.round(12).tolist()  # E delta / r (1 - (r/r_o)²) / 2
+    [0.075]
+    """
+    delta = _interferences(walls, interferences)
+    stiffness = _stiffness(walls, assumption)
+    lost = interferences_lost(walls, p_i=p_i, p_o=p_o, assumption=assumption)
+    pressures = np.asarray(stiffness @ (delta - lost))
+    if np.any(pressures < 0):
+        j = int(np.argmin(pressures))
+        least = delta[j] - pressures[j] / stiffness[j, j]
+        raise ValueError(
+            f"interface {j} (from 0, innermost) at r={walls[j].r_o:g} m opens: its interference "
+            f"{delta[j]:g} m must exceed {least:g} m with the given pressures and others"
+        )
+    return pressures
+
+
+def interferences_lost(
+    walls: Sequence[Wall], *, p_i: float = 0.0, p_o: float = 0.0, assumption: Assumption
+) -> Array:
+    """Interference [length] that p_i and p_o take from each interface; shaped (walls - 1,).
+
+    It is the gap that they open between walls that do not touch. For two walls it is the
+    interference at which the contact opens; negative where the pressures tighten it.
+    """
+    finite([p_i, p_o], "pressures", "Pa")
+    _check_stack(walls)
+    return _gaps(walls, [p_i, *[0.0] * (len(walls) - 1), p_o], assumption)
+
+
+def opening_interference(
+    walls: Sequence[Wall],
+    interferences: ArrayLike,
+    *,
+    interface: int,
+    p_i: float = 0.0,
+    p_o: float = 0.0,
+    assumption: Assumption,
+) -> float:
+    """Interference [length] below which one interface (from 0, innermost) opens, others given."""
+    delta = _interferences(walls, interferences)
+    if not 0 <= interface < len(delta):
+        raise ValueError(f"interface must be 0 to {len(delta) - 1} (no unit), got {interface}")
+    row = _stiffness(walls, assumption)[interface]
+    lost = interferences_lost(walls, p_i=p_i, p_o=p_o, assumption=assumption)
+    return float(delta[interface] - row @ (delta - lost) / row[interface])
+
+
+def _stiffness(walls: Sequence[Wall], assumption: Assumption) -> Array:
+    """Contact pressures per interference: the inverse of the gaps under unit pressures."""
+    units = np.eye(len(walls) + 1)[1:-1]
+    return np.asarray(np.linalg.inv(np.array([_gaps(walls, u, assumption) for u in units]).T))
+
+
+def _gaps(walls: Sequence[Wall], pressures: ArrayLike, assumption: Assumption) -> Array:
+    """u_(j+1) - u_j at every interface under pressures on all bores and rims, inside first."""
+    p = np.asarray(pressures)
+    bore, rim = np.array(
+        [
+            wall.displacement([wall.r_i, wall.r_o], p_i=i, p_o=o, assumption=assumption)
+            for wall, i, o in zip(walls, p[:-1], p[1:], strict=True)
+        ]
+    ).T
+    return np.asarray(bore[1:] - rim[:-1])
+
+
+def _interferences(walls: Sequence[Wall], interferences: ArrayLike) -> Array:
+    _check_stack(walls)
+    delta = np.atleast_1d(finite(interferences, "interferences", "m"))
+    if delta.shape != (len(walls) - 1,):
+        raise ValueError(f"{len(walls)} walls need {len(walls) - 1} interferences, got {delta} m")
+    return delta
+
+
+def _check_stack(walls: Sequence[Wall]) -> None:
+    if len(walls) < 2:
+        raise ValueError(f"a press fit needs two walls or more, got {len(walls)}")
+    for inner, outer in pairwise(walls):
+        if abs(inner.r_o - outer.r_i) > 1e-6 * inner.r_o:
+            raise ValueError(
+                f"neighbours share a nominal radius, got r_o={inner.r_o} m, r_i={outer.r_i} m"
+            )
