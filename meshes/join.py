@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 import numpy as np
+from skfem.generic_utils import OrientedBoundary
 from skfem.mesh import Mesh2D
 
 
@@ -20,10 +21,8 @@ def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
             f"joined meshes must be of one kind of cell, mesh them alike; got {given or 'none'}"
         )
     parts = list(meshes.values())
-    starts = np.cumsum([0] + [mesh.doflocs.shape[1] for mesh in parts])
-    nodes = [
-        np.asarray(mesh.dofs.element_dofs) + at for mesh, at in zip(parts, starts, strict=False)
-    ]
+    starts = np.cumsum([0, *(mesh.doflocs.shape[1] for mesh in parts[:-1])])
+    nodes = [mesh.dofs.element_dofs + at for mesh, at in zip(parts, starts, strict=True)]
     whole = type(parts[0])(np.hstack([mesh.doflocs for mesh in parts]), np.hstack(nodes))
     boundaries, bodies, first = {}, {}, 0
     for name, mesh in meshes.items():
@@ -31,7 +30,9 @@ def join(meshes: Mapping[str, Mesh2D]) -> Mesh2D:
         facet = np.empty(mesh.nfacets, dtype=np.int64)
         facet[mesh.t2f] = whole.t2f[:, cells]
         for own, facets in (mesh.boundaries or {}).items():
-            boundaries[f"{name}.{own}"] = facet[facets]
+            moved = facet[facets]
+            oriented = isinstance(facets, OrientedBoundary)
+            boundaries[f"{name}.{own}"] = OrientedBoundary(moved, facets.ori) if oriented else moved
         bodies[name] = cells
         for own, chosen in (mesh.subdomains or {}).items():
             bodies[f"{name}.{own}"] = cells[chosen]

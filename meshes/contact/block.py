@@ -1,11 +1,11 @@
 """Rectangular blocks: graded about a contact at the origin, and even ones."""
 
 import math
-from typing import Literal
+from typing import get_args
 
 from skfem.mesh import Mesh2D
 
-from meshes.contact.blocks import Block, Edge, mesh_blocks
+from meshes.contact.blocks import Block, Cells, Edge, mesh_blocks
 from meshes.contact.fan import Outline, Zone, fan, strip_cells
 
 SLIM = 1.5  # a longer rectangle is meshed as about a square and a strip of even cells
@@ -65,7 +65,7 @@ def block(
     y: tuple[float, float],
     nx: int,
     ny: int,
-    cells: Literal["quad", "tri"] = "quad",
+    cells: Cells = "quad",
     order: int = 2,
 ) -> Mesh2D:
     """The rectangle between two `x` and two `y`, of `nx` by `ny` even cells, halved as `tri`.
@@ -74,7 +74,10 @@ def block(
     unless the second x and y are above the first and `nx`, `ny` at least 1.
     """
     (left, right), (bottom, top) = x, y
-    if not (left < right and bottom < top and min(nx, ny) >= 1):
+    if cells not in get_args(Cells):
+        raise ValueError(f"cells are 'quad' or 'tri', got {cells!r}")
+    growing = all(-math.inf < low < high < math.inf for low, high in (x, y))
+    if not growing or min(nx, ny) < 1:
         raise ValueError(
             f"a block needs growing x and y and a cell each way, got x={x}, y={y}, nx={nx}, ny={ny}"
         )

@@ -12,6 +12,7 @@ from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
 Point = tuple[float, float]
+Cells = Literal["quad", "tri"]
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class Edge:
 
     @property
     def length(self) -> float:
+        """In the unit of the points."""
         chord = math.dist(self.start, self.end)
         if self.centre is None:
             return chord
@@ -39,10 +41,12 @@ class Edge:
 
     def mirrored(self, x: int, y: int) -> "Edge":
         """The edge with its coordinates times `x` and `y`, each 1 or -1."""
-        a, b, c = (p and (x * p[0], y * p[1]) for p in (self.start, self.end, self.centre))
-        assert a is not None
-        assert b is not None
-        return replace(self, start=a, end=b, centre=c)
+
+        def place(point: Point) -> Point:
+            return x * point[0], y * point[1]
+
+        centre = None if self.centre is None else place(self.centre)
+        return replace(self, start=place(self.start), end=place(self.end), centre=centre)
 
 
 @dataclass(frozen=True)
@@ -78,7 +82,7 @@ class Block:
 def mesh_blocks(
     blocks: Sequence[Block],
     *,
-    cells: Literal["quad", "tri"] = "quad",
+    cells: Cells = "quad",
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
@@ -108,7 +112,7 @@ class _Drawing:
     """What the current gmsh model has already, by its place, in units of `size`."""
 
     size: float
-    cells: Literal["quad", "tri"]
+    cells: Cells
     points: dict[Point, int] = field(default_factory=dict)
     curves: dict[frozenset[Point], tuple[int, Point]] = field(default_factory=dict)
     boundaries: dict[str, list[int]] = field(default_factory=dict)

@@ -72,28 +72,28 @@ def fan(outline: Outline, zone: Zone, body: str, bend: Point | None = None) -> l
 
     The diagonal between the two is an arc about `bend`, a line without one.
     """
-    o, n, m = (0.0, 0.0), zone.cells * zone.refine, zone.rows * zone.refine
+    n, m = zone.cells * zone.refine, zone.rows * zone.refine
+    centre, around = (c if c is None else (0.0, c) for c in (outline.centre, outline.base))
+    surface, beyond, base = outline.names
+    origin, below = (0.0, 0.0), (0.0, -zone.depth)
     brink, corner = core(zone, outline.centre)
-    below, down = (0.0, -zone.depth), outline.names
-    centre, base = (c if c is None else (0.0, c) for c in (outline.centre, outline.base))
-    foot = Edge(o, brink, n, centre, name=down[0])
-    bottom = Edge(below, corner, n, centre)
-    stem, side = Edge(o, below, m, name="axis"), Edge(brink, corner, m)
-    first = foot.length / zone.cells, zone.depth / zone.rows
-    out, diagonal, axis = graded(
-        [
-            (Edge(brink, outline.end, 0, centre, name=down[0]), first[0]),
-            (Edge(corner, outline.far, 0, bend), math.hypot(*first)),
-            (Edge(below, outline.foot, 0, name="axis"), first[1]),
-        ],
-        zone.refine,
-    )
-    end = Edge(outline.end, outline.far, m, name=down[1])
-    last = Edge(outline.foot, outline.far, n, base, name=down[2])
+    fine = Edge(origin, brink, n, centre, name=surface)
+    inside = Edge(below, corner, n, centre)
+    stem = Edge(origin, below, m, name="axis")
+    side = Edge(brink, corner, m)
+    along, down = fine.length / zone.cells, zone.depth / zone.rows
+    grown = [
+        (Edge(brink, outline.end, 0, centre, name=surface), along),
+        (Edge(corner, outline.far, 0, bend), math.hypot(along, down)),
+        (Edge(below, outline.foot, 0, name="axis"), down),
+    ]
+    out, diagonal, axis = _graded(grown, zone.refine)
+    end = Edge(outline.end, outline.far, m, name=beyond)
+    last = Edge(outline.foot, outline.far, n, around, name=base)
     return [
-        Block((foot, side, bottom, stem), body),
+        Block((fine, side, inside, stem), body),
         Block((out, end, diagonal, side), body),
-        Block((bottom, diagonal, last, axis), body),
+        Block((inside, diagonal, last, axis), body),
     ]
 
 
@@ -106,16 +106,10 @@ def strip_cells(beside: Edge, zone: Zone, *, length: float, thickness: float) ->
     return zone.refine * math.ceil(length / min(GROWTH * last, SQUAT * thickness))
 
 
-def graded(edges: list[tuple[Edge, float]], refine: int) -> list[Edge]:
-    """The edges, all with as many cells, growing from their sizes at the start at `refine` 1."""
-    cells = max(
-        cells_along(length=edge.length, first=first, growth=GROWTH) for edge, first in edges
-    )
+def _graded(edges: list[tuple[Edge, float]], refine: int) -> list[Edge]:
+    """The edges, all with as many cells, growing from their sizes at the start on `refine` 1."""
+    n = max(cells_along(length=edge.length, first=size, growth=GROWTH) for edge, size in edges)
     return [
-        replace(
-            edge,
-            cells=cells * refine,
-            beta=beta(length=edge.length, first=first, cells=cells),
-        )
-        for edge, first in edges
+        replace(edge, cells=n * refine, beta=beta(length=edge.length, first=size, cells=n))
+        for edge, size in edges
     ]
