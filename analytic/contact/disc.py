@@ -18,6 +18,10 @@ q = sqrt(1 - s²) sum b_k U_2k(s), s = x/a, vanishes at the edges and makes the 
 algebraic; the rest of the kernel is analytic, so the series converges geometrically, with the ratio
 :math:`(R/a + \sqrt{R^2/a^2 - 1})^{-2}`. Exact within linear elasticity on the undeformed circle.
 
+The same solution serves a column of equal discs, whose common planes are flats by symmetry. It
+does not serve a disc that is held otherwise than by an opposite contact (a rigid core, a support
+spread over the far side): that changes the correction to Hertz at its leading order.
+
 References
 ----------
 .. [1] N. I. Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity,

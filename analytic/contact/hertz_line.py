@@ -8,8 +8,8 @@ P is the load per unit length, R the relative radius, E* the contact modulus, wh
 whether the bodies are in plane strain (long) or plane stress (thin sheets). Any consistent units.
 
 Range: frictionless, small strain, a much smaller than every radius and than the bodies: each body
-is replaced by a half plane, each circle by a parabola. For a disc between flats `disc` says what
-that costs: 3/16 (a/R)² of p_0.
+is replaced by a half plane, each circle by a parabola. For a disc between flats `disc_series` says
+what that costs: 3/16 (a/R)² of p_0.
 
 References
 ----------

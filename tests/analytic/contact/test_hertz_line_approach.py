@@ -65,5 +65,5 @@ def test_input_that_makes_no_sense_is_refused(change, message):
 
 
 def test_a_contact_wider_than_its_disc_is_refused():
-    with pytest.raises(ValueError, match=r"below the radius, got a=2\.0 m, R=1\.0 m"):
-        approach.approach_to_centre(P=1.0, a=2.0, R=1.0, E_plane=1.0)
+    with pytest.raises(ValueError, match=r"below the radius, got a=1\.0 m, R=1\.0 m"):
+        approach.approach_to_centre(P=1.0, a=1.0, R=1.0, E_plane=1.0)

@@ -122,6 +122,26 @@ def test_a_contact_opens_at_its_opening_interference_and_not_above(interface):
         contact_pressures(STACK, delta, **loads)
 
 
+def test_walls_that_just_touch_carry_nothing():
+    p = contact_pressures(STACK, [0.0, 0.0], assumption="plane stress")
+    np.testing.assert_array_equal(p, 0.0)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+def test_radii_may_differ_by_round_off_of_their_own_size_only(size):
+    """A shared radius by 1e-6 of itself, a point by 1e-12 of the rim."""
+    steel = {"E": 1.0, "nu": 0.3}
+    shaft = Wall(r_i=0.0, r_o=size, **steel)
+    near, far = (Wall(r_i=size * (1 + by), r_o=2 * size, **steel) for by in (9e-7, 2e-6))
+    assert contact_pressures([shaft, near], 1e-3 * size, assumption="plane stress").shape == (1,)
+    with pytest.raises(ValueError, match="share a nominal radius"):
+        contact_pressures([shaft, far], 1e-3 * size, assumption="plane stress")
+    radial, _ = shaft.stresses(size * (1 + 1e-13), p_i=0.0, p_o=1.0)
+    assert float(radial) == pytest.approx(-1.0)
+    with pytest.raises(ValueError, match="must lie in the wall"):
+        shaft.stresses(size * (1 + 1e-11), p_i=0.0, p_o=1.0)
+
+
 def test_the_message_of_an_open_contact_says_what_would_close_it():
     pair, pull = [SHAFT, SLEEVE], {"p_o": -1e-3, "assumption": "plane stress"}
     least = float(interferences_lost(pair, **pull)[0])
@@ -135,6 +155,7 @@ def test_the_message_of_an_open_contact_says_what_would_close_it():
     [
         (lambda: Wall(r_i=1.0, r_o=1.0, E=1.0, nu=0.3), "0 <= r_i < r_o"),
         (lambda: Wall(r_i=-1.0, r_o=1.0, E=1.0, nu=0.3), "0 <= r_i < r_o"),
+        (lambda: Wall(r_i=0.0, r_o=np.inf, E=1.0, nu=0.3), "0 <= r_i < r_o"),
         (lambda: Wall(r_i=0.0, r_o=np.nan, E=1.0, nu=0.3), "0 <= r_i < r_o"),
         (lambda: Wall(r_i=0.0, r_o=1.0, E=np.inf, nu=0.3), "Young's modulus"),
         (lambda: Wall(r_i=0.0, r_o=1.0, E=1.0, nu=0.5), "Poisson's ratio"),
