@@ -1,0 +1,213 @@
+"""Discs, blocks and races are fine where they touch, coarse far from it, and nowhere folded."""
+
+from math import asin
+
+import numpy as np
+import pytest
+from skfem import MeshQuad1, MeshQuad2
+
+from fem.plane.geometry import check_unfolded, jacobians
+from meshes.contact.block import full_block, half_block
+from meshes.contact.disc import half_disc, quarter_disc
+from meshes.contact.race import half_race
+
+ZONE = 0.03
+GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
+
+
+def disc(**changed):
+    return quarter_disc(**{"R": 1.0, "zone": ZONE, "refine": 1} | changed)
+
+
+def halved_disc(**changed):
+    return half_disc(**{"R": 1.0, "zone": ZONE, "refine": 1} | changed)
+
+
+def square(**changed):
+    return half_block(**{"width": 1.0, "depth": 1.2, "zone": ZONE, "refine": 1} | changed)
+
+
+def slab(**changed):
+    return half_block(**{"width": 1.0, "depth": 0.2, "zone": ZONE, "refine": 1} | changed)
+
+
+def column(**changed):
+    return full_block(**{"width": 0.2, "depth": 1.0, "zone": ZONE, "refine": 1} | changed)
+
+
+def race(**changed):
+    return half_race(**{"r_i": 1.0, "r_o": 1.3, "zone": ZONE, "refine": 1} | changed)
+
+
+BODIES = {  # with the radius of the touched surface
+    "disc": (disc, 1.0),
+    "halved disc": (halved_disc, 1.0),
+    "square": (square, None),
+    "slab": (slab, None),
+    "column": (column, None),
+    "race": (race, 1.0),
+}
+every_body = pytest.mark.parametrize(("make", "radius"), BODIES.values(), ids=BODIES)
+EXTREMES = [
+    *[(disc, {"zone": zone}) for zone in (1e-3, 0.1, 0.5)],
+    *[(disc, {"zone": 0.1, "cells": cells}) for cells in (1, 2, 12)],
+    *[(square, {"depth": d, "zone": zone}) for d in (0.6, 1.0, 1.5) for zone in (1e-3, 0.5)],
+    *[(slab, {"depth": d, "zone": zone}) for d in (0.1, 0.6) for zone in (1e-3, 0.1)],
+    *[(column, {"width": w, "zone": zone}) for w in (0.05, 0.6) for zone in (1e-3, 0.025)],
+    *[(race, {"r_o": r_o, "zone": zone}) for r_o in (1.1, 2.0, 4.0) for zone in (1e-3, 0.09)],
+]
+extremes = pytest.mark.parametrize(
+    ("make", "changed"), EXTREMES, ids=lambda v: v.__name__ if callable(v) else str(v)
+)
+
+
+def touched(mesh):
+    """Name of the boundary that goes through the origin and is no axis."""
+    return "bore" if "bore" in mesh.boundaries else "surface"
+
+
+def facet_lengths(mesh, facets):
+    a, b = (mesh.p[:, ends] for ends in mesh.facets[:, facets])
+    return np.hypot(*(b - a))
+
+
+def growth(mesh):
+    """How much longer the longer of two neighbouring facets is, along the touched surface."""
+    facets = np.asarray(mesh.boundaries[touched(mesh)])
+    lengths, ends = facet_lengths(mesh, facets), mesh.facets[:, facets]
+    order = np.lexsort((np.tile(lengths, 2), ends.ravel()))
+    at, sizes = ends.ravel()[order], np.tile(lengths, 2)[order]
+    twice = np.flatnonzero(at[1:] == at[:-1])
+    return (sizes[twice + 1] / sizes[twice]).max()
+
+
+def sides_and_angles(mesh):
+    """Lengths of the four sides of every cell and its angles [deg], between its corners."""
+    corners = mesh.p[:, mesh.t]
+    ahead = np.roll(corners, -1, axis=1) - corners
+    back = np.roll(corners, 1, axis=1) - corners
+    lengths = np.hypot(*ahead)
+    cosine = (ahead * back).sum(axis=0) / lengths / np.hypot(*back)
+    return lengths, np.degrees(np.arccos(cosine))
+
+
+def slenderness(mesh):
+    a, b, c, d = sides_and_angles(mesh)[0]
+    ratio = (a + c) / (b + d)
+    return np.maximum(ratio, 1 / ratio)
+
+
+@every_body
+@pytest.mark.parametrize("refine", [1, 3])
+def test_the_zone_holds_even_cells_and_as_many_as_asked_for(make, radius, refine):
+    mesh = make(refine=refine, cells=5)
+    facets = np.asarray(mesh.boundaries[touched(mesh)])
+    middles = mesh.p[:, mesh.facets[:, facets]].mean(axis=1)
+    inside = facets[(middles[0] > 0) & (middles[0] < ZONE) & (abs(middles[1]) < ZONE)]
+    assert inside.size == 5 * refine
+    # chords of even arcs, or even lines
+    angle = None if radius is None else asin(ZONE / radius) / (5 * refine)
+    size = ZONE / (5 * refine) if angle is None else 2 * radius * np.sin(angle / 2)
+    # gmsh finds even places on an arc by a numerical integral too
+    np.testing.assert_allclose(facet_lengths(mesh, inside), size, rtol=1e-8)
+
+
+@every_body
+def test_cells_at_the_origin_are_square(make, radius):
+    mesh = make(refine=2)
+    near = np.hypot(*mesh.p[:, mesh.t].mean(axis=1)) < ZONE / 2
+    assert near.any()
+    # over the depth of the core, half the zone, arcs shorten by 0.5 ZONE of themselves
+    assert slenderness(mesh)[near].max() < 1 + ZONE
+    assert abs(sides_and_angles(mesh)[1][:, near] - 90).max() < 1
+
+
+@extremes
+def test_neighbours_along_the_surface_grow_by_less_than_six_tenths(make, changed):
+    assert growth(make(**changed)) < 1.6 + 1e-3  # chords of long arcs are not their lengths
+
+
+@extremes
+@pytest.mark.parametrize("refine", [1, 2])
+def test_no_cell_is_folded_or_turned_over(make, changed, refine):
+    mesh = make(**changed, refine=refine)
+    check_unfolded(mesh, GAUSS)
+    assert jacobians(mesh, GAUSS)[1].min() > 0
+
+
+@extremes
+def test_no_cell_is_slender_or_skewed(make, changed):
+    mesh = make(**changed)
+    # n cells share half a right angle, pi/4 r / n wide and up to ln(1.6) r long: 3.6 for n = 6, and
+    # more by the sides of a rectangle where it is no square
+    n = changed.get("cells", 6)
+    assert slenderness(mesh).max() < 3.6 * 1.5 * max(1, n / 6)
+    angles = sides_and_angles(mesh)[1]
+    assert angles.min() > 20
+    assert angles.max() < 160
+
+
+@every_body
+def test_refining_keeps_corners_and_multiplies_cells(make, radius):
+    coarse, fine = (make(refine=refine, order=1) for refine in (1, 3))
+    assert fine.nelements == 9 * coarse.nelements
+    for name in coarse.boundaries:
+        assert fine.boundaries[name].size == 3 * coarse.boundaries[name].size
+    gap = np.hypot(*(coarse.p[:, :, None] - fine.p[:, None, :])).min(axis=1)
+    # gmsh finds the places of graded nodes by a numerical integral
+    np.testing.assert_array_less(gap / (ZONE + np.hypot(*coarse.p)), 1e-6)
+
+
+@every_body
+def test_a_mesh_repeats_exactly(make, radius):
+    first, second = make(), make()
+    np.testing.assert_array_equal(first.doflocs, second.doflocs)
+    np.testing.assert_array_equal(first.t, second.t)
+    for name, facets in first.boundaries.items():
+        np.testing.assert_array_equal(facets, second.boundaries[name])
+
+
+@every_body
+@pytest.mark.parametrize("size", [1e-7, 1e7])
+def test_the_unit_of_length_is_free(make, radius, size):
+    sizes = {
+        disc: {"R": 1.0}, halved_disc: {"R": 1.0}, square: {"width": 1.0, "depth": 1.2},
+        slab: {"width": 1.0, "depth": 0.2}, column: {"width": 0.2, "depth": 1.0},
+        race: {"r_i": 1.0, "r_o": 1.3},
+    }[make]  # fmt: skip
+    scaled = make(**{name: size * value for name, value in sizes.items()}, zone=size * ZONE)
+    mesh = make()
+    np.testing.assert_array_equal(scaled.t, mesh.t)
+    np.testing.assert_allclose(scaled.doflocs / size, mesh.doflocs, atol=1e-9)
+
+
+@every_body
+@pytest.mark.parametrize(
+    ("order", "straight", "shape"),
+    [(1, False, MeshQuad1), (2, False, MeshQuad2), (2, True, MeshQuad1)],
+    ids=["linear", "quadratic", "quadratic, then straight"],
+)
+def test_order_and_straightness_choose_the_cells(make, radius, order, straight, shape):
+    assert type(make(order=order, straight=straight)) is shape
+
+
+@every_body
+@pytest.mark.parametrize("zone", [0.0, -1.0, 3.0, float("nan"), float("inf")])
+def test_a_zone_that_does_not_fit_is_refused(make, radius, zone):
+    with pytest.raises(ValueError, match=rf"0 < zone.* zone={zone:g} m"):
+        make(zone=zone)
+
+
+@every_body
+@pytest.mark.parametrize("name", ["cells", "refine"])
+def test_numbers_of_cells_below_one_are_refused(make, radius, name):
+    with pytest.raises(ValueError, match=f"{name} >= 1, got 0"):
+        make(**{name: 0})
+
+
+def test_a_fine_contact_of_a_small_zone_takes_less_than_20000_unknowns():
+    # R = 10 mm, half-width a = 0.1 mm, zone = 1.5 a, sixteen cells over a
+    mesh = quarter_disc(R=10e-3, zone=0.15e-3, refine=4)
+    facets = np.asarray(mesh.boundaries["surface"])
+    assert facet_lengths(mesh, facets).min() == pytest.approx(0.1e-3 / 16, rel=1e-4)
+    assert 2 * mesh.doflocs.shape[1] < 20_000

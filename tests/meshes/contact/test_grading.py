@@ -1,0 +1,75 @@
+"""Graded cells start with their size, grow by no more than asked, and level off."""
+
+import numpy as np
+import pytest
+
+from meshes.contact.blocks import Block, Edge, mesh_blocks
+from meshes.contact.grading import beta, cells_along, last_cell
+
+CASES = [(1.0, 0.1, 1.6), (1.0, 1e-4, 1.6), (500.0, 1.0, 1.2), (3.0, 2.5, 2.0)]
+cases = pytest.mark.parametrize(("length", "first", "growth"), CASES)
+
+
+def places(length, n, b):
+    """Roberts' stretching in closed form, at n + 1 even parameters."""
+    ratio = ((b + 1) / (b - 1)) ** (1 - np.arange(n + 1) / n)
+    return length * ((b + 1) - (b - 1) * ratio) / (ratio + 1)
+
+
+@cases
+def test_cells_grow_by_no_more_than_asked_and_start_with_their_size(length, first, growth):
+    n = cells_along(length=length, first=first, growth=growth)
+    b = beta(length=length, first=first, cells=n)
+    sizes = np.diff(places(length, n, b))
+    assert (sizes[1:] / sizes[:-1]).max(initial=1) < growth * (1 + 1e-9)
+    # the size at the very start, where a map of many more cells has it
+    many = np.diff(places(length, 10_000 * n, b))
+    assert many[0] * 10_000 == pytest.approx(first, rel=1e-3)
+
+
+@pytest.mark.parametrize(("length", "first", "growth"), CASES[:3])
+def test_one_cell_less_would_have_to_grow_by_more(length, first, growth):
+    n = cells_along(length=length, first=first, growth=growth) - 1
+    b = beta(length=length, first=first, cells=n)
+    # ln growth is the slope of ln size over the number of cells at the fine end
+    assert np.log((b + 1) / (b - 1)) / (b * n) > np.log(growth)
+
+
+def test_cells_that_need_not_grow_are_even():
+    sizes = np.diff(places(1.0, 4, beta(length=1.0, first=0.5, cells=4)))
+    np.testing.assert_allclose(sizes, 0.25, rtol=1e-5)
+
+
+@cases
+def test_the_last_cell_is_the_last_of_the_map(length, first, growth):
+    n = cells_along(length=length, first=first, growth=growth)
+    b = beta(length=length, first=first, cells=n)
+    expected = np.diff(places(length, n, b))[-1]
+    assert last_cell(length=length, cells=n, beta=b) == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_gmsh_lays_the_cells_where_the_map_has_them(backwards):
+    n, b = 12, beta(length=1.0, first=1e-3, cells=12)
+    start, end = ((1.0, 0.0), (0.0, 0.0)) if backwards else ((0.0, 0.0), (1.0, 0.0))
+    edges = (
+        Edge(start, end, n, beta=b, name="graded"),
+        Edge((1.0, 0.0), (1.0, 1.0), 1),
+        Edge((0.0, 1.0), (1.0, 1.0), n),
+        Edge((0.0, 0.0), (0.0, 1.0), 1),
+    )
+    mesh = mesh_blocks([Block(edges, "block")], order=1)
+    x = np.sort(mesh.p[0, np.unique(mesh.facets[:, mesh.boundaries["graded"]])])
+    found = np.sort(1 - x) if backwards else x
+    np.testing.assert_allclose(found, places(1.0, n, b), atol=1e-6)
+
+
+@pytest.mark.parametrize("clockwise", [False, True])
+def test_cells_have_positive_determinants_whatever_the_sense_of_a_block(clockwise):
+    corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)]
+    corners = corners[::-1] if clockwise else corners
+    a, b, c, d = (Edge(corners[k], corners[(k + 1) % 4], 2) for k in range(4))
+    mesh = mesh_blocks([Block((a, b, c, d), "block")], order=1)
+    ax, bx, _, dx = mesh.p[:, mesh.t].swapaxes(0, 1)
+    u, v = bx - ax, dx - ax
+    assert (u[0] * v[1] - u[1] * v[0] > 0).all()
