@@ -10,8 +10,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from skfem import MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
+from skfem import Basis, MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
+from skfem.quadrature import get_quadrature
 
+from fem.plane.cells import Cells
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
 
@@ -74,6 +76,10 @@ def energy():
     return np.outer(weight, weight).ravel() @ (2 * np.pi * x[0] * density) * A * C / 4
 
 
+def replace_rule(basis, rule):
+    return Basis(basis.mesh, basis.elem, quadrature=rule)
+
+
 def assert_order(error, order, kind):
     errors = [abs(error(disc(kind, across))) for across in (6, 12, 24)]
     observed = np.log2(errors[0] / errors[2]) / 2
@@ -92,6 +98,14 @@ def test_displacements_converge_at_one_order_above_the_degree(kind):
         return np.sqrt(inside.mean(((inside.u - exact(inside.x)[0]) ** 2).sum(axis=0)))
 
     assert_order(error, KINDS[kind][2] + 1, kind)
+
+
+@every_element
+def test_quadrature_adds_next_to_nothing_to_the_error_of_the_energy(kind):
+    s = disc(kind, 6)
+    rule = get_quadrature(s.basis.mesh.elem.refdom, 14)
+    fine = Cells.of(replace_rule(s.basis, rule), s.lam, s.mu, turn=True).strain_energy(s.u)
+    assert abs(fine - s.strain_energy) < 0.01 * abs(fine - energy())
 
 
 @every_element

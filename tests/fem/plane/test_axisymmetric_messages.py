@@ -47,9 +47,15 @@ def test_an_edge_that_bulges_beyond_the_axis_is_named(shape):
 
 
 @pytest.mark.parametrize("shape", [MeshTri1, MeshTri2, MeshQuad1, MeshQuad2])
-def test_nodes_beyond_the_axis_by_round_off_lie_on_it(shape):
-    near, on = (solve(square(shape, left), pressures={"top": 1e6}) for left in (-1e-16, 0.0))
+@pytest.mark.parametrize("off", [-1e-16, 1e-16])
+def test_nodes_off_the_axis_by_round_off_lie_on_it(shape, off):
+    near, on = (solve(square(shape, left), pressures={"top": 1e6}) for left in (off, 0.0))
     np.testing.assert_allclose(near.u, on.u, rtol=0, atol=1e-12 * abs(on.u).max())
+    assert near.on_boundary("left").weight.sum() == pytest.approx(1)
+    with pytest.raises(ValueError, match="load on 'left' has no area"):
+        solve(square(shape, off), pressures={"left": 1e6})
+    with pytest.raises(ValueError, match="on the axis a force can only be axial"):
+        solve(square(shape, off), point_forces={(off, 1.0): (1.0, 0.0)})
 
 
 @pytest.mark.parametrize(
@@ -86,6 +92,16 @@ def test_two_bodies_each_need_an_axial_support():
     mesh = square() + square(left=3.0)
     with pytest.raises(ValueError, match=r"body 2 of 2 can move rigidly \(.1 y\)"):
         solve(mesh.with_boundaries({"bottom": lambda x: (x[1] == 0) & (x[0] < 2.5)}))
+
+
+def test_a_guide_keeps_its_slope_at_the_apex_of_a_cone():
+    # a cup's cone rises by 1 to 2: moved by 1e-3 along its normal it lifts the body rigidly
+    mesh = square()
+    x, y = mesh.doflocs
+    cup = replace(mesh, doflocs=np.array([x, 2 * y + x / 2 * (1 - y)]))
+    s = solve(cup, supports={"bottom": {"n": -1e-3}})
+    lift = 1e-3 * np.hypot(1, 0.5)
+    np.testing.assert_allclose(s.in_body().u[1], lift, rtol=1e-9)
 
 
 def test_a_cone_in_a_frictionless_seat_does_not_move():
