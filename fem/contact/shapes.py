@@ -1,7 +1,7 @@
 """Exact shapes of contact surfaces, so that facets do not pollute the gap."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -20,6 +20,38 @@ class Shape(Protocol):
         """Unit normals (2, ...) out of the body at points `x` (2, ...) of the curve."""
         ...
 
+    def moved(self, motion: "Motion") -> "Shape":
+        """The curve after a small rigid motion."""
+        ...
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A small rigid motion: `shift` of the point `about`, and rotation `angle` [rad]."""
+
+    shift: tuple[float, float]
+    angle: float
+    about: tuple[float, float]
+
+    def of(self, point: tuple[float, float]) -> tuple[float, float]:
+        """Where `point` goes, linear in the angle as displacements are."""
+        x, y = np.array(point) + self.displacement(np.array(point)[:, None])[:, 0]
+        return float(x), float(y)
+
+    def displacement(self, x: Array) -> Array:
+        """Displacements (2, m) of points `x` (2, m)."""
+        arm = x - np.reshape(self.about, (2, 1))
+        return np.reshape(self.shift, (2, 1)) + self.angle * np.array([-arm[1], arm[0]])
+
+    @classmethod
+    def fitted(cls, x: Array, u: Array) -> "Motion":
+        """The motion that comes nearest to displacements `u` (2, m) of points `x` (2, m)."""
+        about, shift = x.mean(axis=1), u.mean(axis=1)
+        x, u = x - about[:, None], u - shift[:, None]
+        size = float((x**2).sum())
+        angle = float((x[0] * u[1] - x[1] * u[0]).sum()) / size if size else 0.0
+        return cls((float(shift[0]), float(shift[1])), angle, (float(about[0]), float(about[1])))
+
 
 @dataclass(frozen=True)
 class Flat:
@@ -36,6 +68,10 @@ class Flat:
     def project(self, x: Array) -> Array:
         n = self.normal(x)
         return x - n * ((x - _column(self.point, x)) * n).sum(axis=0)
+
+    def moved(self, motion: Motion) -> "Flat":
+        x, y = self.outward
+        return Flat(motion.of(self.point), (x - motion.angle * y, y + motion.angle * x))
 
     def normal(self, x: Array) -> Array:
         n = np.array(self.outward) / math.hypot(*self.outward)
@@ -59,6 +95,9 @@ class Circle:
     def project(self, x: Array) -> Array:
         d = x - _column(self.centre, x)
         return _column(self.centre, x) + self.radius * d / np.hypot(*d)
+
+    def moved(self, motion: Motion) -> "Circle":
+        return replace(self, centre=motion.of(self.centre))
 
     def normal(self, x: Array) -> Array:
         d = x - _column(self.centre, x)

@@ -1,21 +1,17 @@
 """A solved contact problem: what happens along its surfaces, and the fields in its bodies."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.contact.complementarity import OPEN, STICK
+from fem.contact.bodies import Bodies, Response
+from fem.contact.complementarity import OPEN, STICK, Rest
+from fem.contact.interface import Interface
 from fem.contact.mortar import Mortar
 from fem.plane.discretisation import Array
 from fem.plane.solution import PlaneSolution
-
-if TYPE_CHECKING:
-    from fem.contact.problem import ContactProblem
 
 
 @dataclass(frozen=True)
@@ -102,51 +98,69 @@ class Touch:
 class ContactSolution:
     """A step of a contact problem in equilibrium.
 
-    `touches` follow the problem's pairs. `changes` lists how many vertices changed between open,
-    stick and slip, iteration by iteration.
+    `touches` follow the problem's pairs.
     """
 
-    problem: ContactProblem
-    multipliers: Array
-    states: NDArray[np.int8]
-    slips: Array
-    changes: tuple[int, ...]
-    surface: Array
-    load: Array
-    f: Array
-    u_0: Array
-    after: ContactSolution | None
+    bodies: Bodies
+    interface: Interface
+    responses: tuple[tuple[float, Response], ...]
+    rest: Rest
+    w: Array
+    after: "ContactSolution | None"
+
+    @property
+    def states(self) -> NDArray[np.int8]:
+        """Of every normal row: open, stick or slip."""
+        return self.rest.states
+
+    @property
+    def changes(self) -> tuple[int, ...]:
+        """How many nodes changed between open, stick and slip, iteration by iteration."""
+        return self.rest.changes
+
+    @cached_property
+    def slips(self) -> Array:
+        """Weighted slips of the rows with friction since the very first step."""
+        since = self.w[self.interface.gaps.size :]
+        return since if self.after is None else since + self.after.slips
 
     @cached_property
     def touches(self) -> tuple[Touch, ...]:
-        problem = self.problem
-        displaced = problem.rows @ self.u_0 + problem.C @ self.surface
-        gaps = problem.gaps + displaced[: problem.gaps.size]
-        since = self.slips if self.after is None else self.slips - self.after.slips
-        found = []
-        for i, m in enumerate(problem.mortars):
-            own = slice(problem.starts[i], problem.starts[i + 1])
-            partner = problem.kernel.partner[own]
-            tangential, slip = np.zeros(m.size.size), np.zeros(m.size.size)
-            if np.any(partner >= 0):
-                tangential = self.multipliers[partner]
-                slip = since[partner - problem.gaps.size] / m.size
-            pressure, states = self.multipliers[own], self.states[own]
-            found.append(
-                Touch(
-                    x=m.x, pressure=pressure, traction=tangential,
-                    gap=gaps[own] / m.size, slip=slip, closed=states != OPEN,
-                    sticks=(states == STICK) & (partner >= 0), mortar=m, p=m.hats @ pressure,
-                    q=m.hats @ tangential,
-                )
-            )  # fmt: skip
-        return tuple(found)
+        """Tractions, gaps and slips, pair by pair."""
+        return tuple(self._touch(i) for i in range(len(self.interface.mortars)))
+
+    def _touch(self, i: int) -> Touch:
+        m, kernel = self.interface.mortars[i], self.interface.kernel
+        own = slice(self.interface.starts[i], self.interface.starts[i + 1])
+        partner, states = kernel.partner[own], self.states[own]
+        pressure = self.rest.multipliers[own]
+        traction, slip = np.zeros(m.size.size), np.zeros(m.size.size)
+        if np.any(partner >= 0):
+            traction, slip = self.rest.multipliers[partner], self.w[partner] / m.size
+        return Touch(
+            x=m.x, pressure=pressure, traction=traction, gap=self.w[own] / m.size, slip=slip,
+            closed=states != OPEN, sticks=(states == STICK) & (partner >= 0), mortar=m,
+            p=m.hats @ pressure, q=m.hats @ traction,
+        )  # fmt: skip
 
     @cached_property
-    def _everything(self) -> Array:
-        problem = self.problem
-        forces = self.load + problem.T.T @ (problem.rows.T @ self.multipliers)
-        return problem.T @ problem.condensed.inside(forces, self.surface) + self.u_0
+    def total(self) -> Response:
+        """The response of the bodies to all loads and prescribed displacements, without contact."""
+        none, free = np.zeros(self.bodies.count), np.zeros(self.bodies.unknowns.T.shape[1])
+        surface = np.zeros(self.bodies.unknowns.surface)
+        total = Response(none, none, free, surface, np.zeros(self.bodies.motions.shape[1]))
+        for share, response in self.responses:
+            total = total.plus(response, share)
+        return total
+
+    @cached_property
+    def displacements(self) -> Array:
+        """Of all unknowns: those of the mesh, then x, y and rotation of each obstacle."""
+        b, i, rest = self.bodies, self.interface, self.rest
+        surface = self.total.at_rest + b.compliance(i.C.T @ rest.multipliers)
+        surface += b.motions @ rest.motion
+        forces = self.total.load + b.unknowns.T.T @ (i.rows.T @ rest.multipliers)
+        return b.unknowns.T @ b.condensed.inside(forces, surface) + self.total.u_0
 
     @cached_property
     def plane(self) -> PlaneSolution:
@@ -154,23 +168,26 @@ class ContactSolution:
 
         Contact forces count among its loads: reactions are those of the supports alone.
         """
-        p = self.problem
-        n = p.basis.N
-        u = self._everything[:n]
-        internal = p.cells.internal_forces(u)
-        f = (self.f + p.rows.T @ self.multipliers)[:n]
-        residual = p.T[:n].T @ (f - internal)
+        b = self.bodies
+        n = b.basis.N
+        u = self.displacements[:n]
+        internal = b.cells.internal_forces(u)
+        f = (self.total.f + self.interface.rows.T @ self.rest.multipliers)[:n]
+        elastic = b.unknowns.T[:n, : b.unknowns.T.shape[1] - b.free_obstacles]
+        residual = elastic.T @ (f - internal)
         size = abs(f @ u) + abs(internal @ u)
         return PlaneSolution(
-            p.basis, u, internal, f, p.lam, p.mu, p.ratio, p.thickness,
-            float(np.abs(residual).max() * np.abs(u).max() / size) if size else 0.0,
-            p.conditions, p.turn,
+            b.basis, u, internal, f, b.lam, b.mu, b.ratio, b.thickness,
+            float(np.abs(residual @ (elastic.T @ u)) / size) if size else 0.0, b.conditions, b.turn,
         )  # fmt: skip
 
     def motion(self, obstacle: str) -> tuple[float, float, float]:
-        """Shift (x, y) and rotation [rad] of an obstacle."""
-        at = self.problem.basis.N + 3 * list(self.problem.obstacles).index(obstacle)
-        x, y, r = self._everything[at : at + 3]
+        """Shift (x, y) and rotation [rad] of an obstacle; ValueError for an unknown one."""
+        if obstacle not in self.bodies.obstacles:
+            known = ", ".join(self.bodies.obstacles) or "none"
+            raise ValueError(f"there is no obstacle {obstacle!r}; obstacles: {known}")
+        first = self.bodies.basis.N + 3 * list(self.bodies.obstacles).index(obstacle)
+        x, y, r = self.displacements[first : first + 3]
         return float(x), float(y), float(r)
 
     @property

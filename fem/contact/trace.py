@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from skfem import Basis
 
-from fem.contact.shapes import Shape
+from fem.contact.shapes import Flat, Motion, Shape
 from fem.plane.discretisation import Array, Indices, is_curved, outer_facets
 
 SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
@@ -89,8 +89,18 @@ class Trace:
         u = displacement[self.dofs]
         if u.shape[1] == 2:
             u = np.concatenate([u, u.mean(axis=1, keepdims=True)], axis=1)
-        nodes = self.nodes + u
-        return replace(self, nodes=nodes, end_normals=_end_normals(nodes, self.ends))
+        nodes, shape = self.nodes + u, self.shape
+        if shape is not None:
+            shape = shape.moved(Motion.fitted(self.nodes.reshape(2, -1), u.reshape(2, -1)))
+        normals = _end_normals(nodes, self.ends)
+        return replace(self, nodes=nodes, end_normals=normals, shape=shape)
+
+    def curvature(self) -> float:
+        """The largest turn of a facet's normals by its length [1/length]."""
+        if isinstance(self.shape, Flat):
+            return 0.0
+        turn = np.abs(cross(self.end_normals[:, 0], self.end_normals[:, 1]))
+        return float((turn / self.lengths()).max())
 
 
 def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:

@@ -1,60 +1,51 @@
-"""Free unknowns of elastic bodies, rigid bodies and rigid obstacles, in order of elimination.
+"""Free unknowns of elastic bodies, rigid bodies and obstacles, in order of elimination.
 
-Displacements are u = T q + u_0. Rigid bodies keep up to three unknowns, obstacles those that are
-free. Unknowns of the contact surfaces come last.
+Displacements are u = T q + L b with free unknowns q and prescribed values b. Rigid bodies keep up
+to three unknowns, obstacles those that are free. Unknowns of the contact surfaces come last.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import csr_array, hstack, vstack
+from scipy.sparse import block_diag, csr_array, hstack
 from skfem import Basis
 
-from fem.contact.shapes import Circle, Flat
+from fem.contact.pairs import MOTIONS, Obstacle
 from fem.plane.discretisation import Array, Indices
 from fem.plane.ordering import nested_dissection
 from fem.plane.supports import Conditions, free_directions
 
-MOTIONS = "xyr"
-
-
-@dataclass(frozen=True)
-class Rigid:
-    """The material of a body that does not deform."""
-
-
-@dataclass(frozen=True)
-class Obstacle:
-    """A rigid surface without a mesh.
-
-    `free` names the motions that loads decide, of x, y and r (rotation about the shape's point or
-    centre, in radians); the others are prescribed.
-    """
-
-    shape: Flat | Circle
-    free: str = ""
-
-    def __post_init__(self) -> None:
-        if set(self.free) - set(MOTIONS):
-            raise ValueError(f"an obstacle's free motions are of x, y and r, got {self.free!r}")
-
-    @property
-    def centre(self) -> tuple[float, float]:
-        """The point that it turns about."""
-        return self.shape.centre if isinstance(self.shape, Circle) else self.shape.point
+INDEPENDENT = 1e-9
+CONTRADICTION = 1e-9
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Columns of `T` (all, n) are orthonormal, but for those of obstacles.
+    """What is free and what is prescribed.
 
-    All are the unknowns of the mesh, then three for each obstacle. The last `surface` of the n
-    free ones are those of contact surfaces, rigid bodies and obstacles.
+    Columns of `T` (all, n) are orthonormal, but for those of obstacles. All are the unknowns of the
+    mesh, then three for each obstacle. The last `surface` of the n free ones are those of contact
+    surfaces, rigid bodies and obstacles. `L` (all, m) turns the values of the m conditions and
+    the motions of obstacles into displacements; `rows` (conditions, all) reads them back.
     """
 
     T: csr_array
     surface: int
+    L: csr_array
+    rows: csr_array
+
+    def displaced(self, values: Array) -> Array:
+        """L b; ValueError where the supports of one node, or of a rigid body, contradict."""
+        u = np.asarray(self.L @ values)
+        given = values[: self.rows.shape[0]]
+        missed = np.abs(self.rows @ u - given)
+        if np.any(missed > CONTRADICTION * np.abs(given).max(initial=0)):
+            raise ValueError(
+                "the supports contradict each other at a node or on a rigid body: "
+                f"{given[np.argmax(missed)]:g} is prescribed and missed by {missed.max():.3g}"
+            )
+        return u
 
 
 def unknowns(
@@ -68,69 +59,62 @@ def unknowns(
 ) -> Unknowns:
     """Unknowns of `basis` where `surface` are those on contact surfaces.
 
-    `rigid` lists the unknowns of each rigid body, in pairs x, y.
+    `rigid` lists the unknowns of each rigid body, in pairs x, y. With `turn` bodies move along the
+    axis y only.
     """
-    stiff = np.concatenate([np.zeros(0, int), *rigid])
     place = nested_dissection(basis)
     place[surface] += basis.N
-    elastic = without(conditions, stiff)
-    fixed = csr_array(([1.0] * stiff.size, (stiff, stiff)), (basis.N, basis.N))
-    T, _ = free_directions(basis, elastic, place)
-    keep = np.setdiff1d(np.arange(T.shape[1]), (fixed @ T).tocoo().coords[1])
-    T = T[:, keep]
-    chosen = np.zeros(basis.N)
-    chosen[surface] = 1
-    count = int(np.count_nonzero(abs(T.T) @ chosen))
-    blocks, columns = [T], []
+    stiff = np.zeros(basis.N, bool)
+    stiff[np.concatenate([np.zeros(0, int), *rigid])] = True
+    elastic = ~stiff[conditions.dofs[0]]
+    still = replace(
+        conditions, dofs=conditions.dofs[:, elastic], direction=conditions.direction[:, elastic],
+        value=np.zeros(int(elastic.sum())), owner=conditions.owner[elastic],
+    )  # fmt: skip
+    T, _ = free_directions(basis, still, place)
+    T = T[:, abs(T.T) @ stiff.astype(float) == 0]
+    on_surface = np.zeros(basis.N)
+    on_surface[surface] = 1
+    count = int(np.count_nonzero(abs(T.T) @ on_surface))
+    columns, L = [T], _least_norm(conditions, elastic, basis.N)
     for dofs in rigid:
-        shapes, _ = rigid_motion(basis, conditions, dofs, turn)
-        columns.append(shapes)
-        at = np.repeat(dofs, shapes.shape[1]), np.tile(np.arange(shapes.shape[1]), dofs.size)
-        blocks.append(csr_array((shapes.ravel(), at), (basis.N, shapes.shape[1])))
-    T = hstack(blocks).tocsr()
-    extent = float(np.ptp(basis.mesh.p, axis=1).max())
-    free = [(3 * i + MOTIONS.index(c)) for i, o in enumerate(obstacles) for c in o.free]
-    scale = [1 / extent if k % 3 == 2 else 1.0 for k in free]
-    moving = csr_array((scale, (free, np.arange(len(free)))), (3 * len(obstacles), len(free)))
-    width = T.shape[1]
-    T = vstack([
-        hstack([T, csr_array((basis.N, len(free)))]),
-        hstack([csr_array((3 * len(obstacles), width)), moving]),
-    ]).tocsr()  # fmt: skip
-    count += sum(c.shape[1] for c in columns) + len(free)
-    return Unknowns(T, count)
+        own = np.flatnonzero(np.isin(conditions.dofs[0], dofs))
+        shapes, lift = _rigid(basis, conditions, dofs, own, turn)
+        columns.append(_scattered(shapes, dofs, np.arange(shapes.shape[1]), basis.N))
+        L = L + _scattered(lift, dofs, own, basis.N, conditions.owner.size)
+        count += shapes.shape[1]
+    free, fixed = _moving(obstacles, float(np.ptp(basis.mesh.p, axis=1).max()))
+    n = conditions.owner.size
+    at = np.tile(np.arange(n), 2), conditions.dofs.ravel()
+    rows = csr_array((conditions.direction.ravel(), at), (n, basis.N + 3 * len(obstacles)))
+    return Unknowns(
+        block_diag([hstack(columns), free]).tocsr(), count + free.shape[1],
+        block_diag([L, fixed]).tocsr(), rows,
+    )  # fmt: skip
 
 
-def prescribed(
-    basis: Basis,
-    conditions: Conditions,
-    rigid: Sequence[Indices],
-    obstacles: Mapping[str, Obstacle],
-    motions: Mapping[str, Mapping[str, float]],
-    turn: bool,
-) -> Array:
-    """The prescribed part u_0 (all,) of the displacements; `motions` are those of obstacles."""
-    stiff = np.concatenate([np.zeros(0, int), *rigid])
-    place = np.arange(basis.N)
-    _, u_0 = free_directions(basis, without(conditions, stiff), place)
-    for dofs in rigid:
-        u_0[dofs] = rigid_motion(basis, conditions, dofs, turn)[1]
-    moved = np.zeros((len(obstacles), 3))
-    for i, (name, obstacle) in enumerate(obstacles.items()):
-        for c, value in motions.get(name, {}).items():
-            if c in obstacle.free or c not in MOTIONS:
-                fixed = [m for m in MOTIONS if m not in obstacle.free]
-                raise ValueError(
-                    f"obstacle {name!r}: motions that can be prescribed are {fixed}, got {c!r}"
-                )
-            moved[i, MOTIONS.index(c)] = value
-    return np.concatenate([u_0, moved.ravel()])
+def _least_norm(conditions: Conditions, chosen: Array, count: int) -> csr_array:
+    """Displacements (unknowns, conditions) of least norm that meet unit values of `chosen`."""
+    index = np.flatnonzero(chosen)
+    node, group = np.unique(conditions.dofs[0, index], return_inverse=True)
+    order = np.argsort(group, kind="stable")
+    first = np.searchsorted(group[order], np.arange(node.size))
+    rank = np.arange(index.size) - first[group[order]]
+    d = np.zeros((node.size, int(rank.max(initial=-1)) + 1, 2))
+    d[group[order], rank] = conditions.direction[:, index[order]].T
+    inverse = np.linalg.pinv(d, rcond=INDEPENDENT) if index.size else np.zeros((0, 2, 0))
+    entries = inverse[group[order], :, rank]
+    at = conditions.dofs[:, index[order]].T.ravel(), np.repeat(index[order], 2)
+    return csr_array((entries.ravel(), at), (count, conditions.owner.size))
 
 
-def rigid_motion(
-    basis: Basis, conditions: Conditions, dofs: Indices, turn: bool
+def _rigid(
+    basis: Basis, conditions: Conditions, dofs: Indices, own: Indices, turn: bool
 ) -> tuple[Array, Array]:
-    """Orthonormal motions (unknowns, k) that supports leave a rigid body, and those prescribed."""
+    """Orthonormal free motions (dofs, k) of a rigid body, and those that its supports prescribe.
+
+    The second (dofs, own) takes the values of the `own` conditions.
+    """
     x, y = basis.doflocs[:, dofs[::2]]
     x, y = x - x.mean(), y - y.mean()
     size = max(float(np.ptp(x)), float(np.ptp(y)))
@@ -138,27 +122,30 @@ def rigid_motion(
     shapes[::2, 0] = shapes[1::2, 1] = 1
     shapes[::2, 2], shapes[1::2, 2] = -y / size, x / size
     if turn:
-        shapes = shapes[:, 1:2]  # around the axis a body can only move along it
-    own = np.isin(conditions.dofs[0], dofs)
+        shapes = shapes[:, 1:2]
     row = np.full(basis.N, -1)
     row[dofs] = np.arange(dofs.size)
-    d, value = conditions.direction[:, own], conditions.value[own]
-    at = row[conditions.dofs[:, own]]
+    d, at = conditions.direction[:, own], row[conditions.dofs[:, own]]
     held = d[0, :, None] * shapes[at[0]] + d[1, :, None] * shapes[at[1]]
-    amplitudes = (
-        np.linalg.lstsq(held, value, rcond=1e-9)[0] if value.size else np.zeros(shapes.shape[1])
+    _, s, v = np.linalg.svd(np.vstack([held, np.zeros((shapes.shape[1], shapes.shape[1]))]))
+    free, _ = np.linalg.qr(shapes @ v[s < INDEPENDENT * max(s[0], 1.0)].T)
+    return free, shapes @ np.linalg.pinv(held, rcond=INDEPENDENT)
+
+
+def _moving(obstacles: Sequence[Obstacle], extent: float) -> tuple[csr_array, csr_array]:
+    """Free motions (3 obstacles, k), rotations as a shift at `extent`, and the prescribed ones."""
+    free = [3 * i + MOTIONS.index(c) for i, o in enumerate(obstacles) for c in o.free]
+    count = 3 * len(obstacles)
+    scale = [1 / extent if k % 3 == 2 else 1.0 for k in free]
+    fixed = np.setdiff1d(np.arange(count), free)
+    return (
+        csr_array((scale, (free, np.arange(len(free)))), (count, len(free))),
+        csr_array((np.ones(fixed.size), (fixed, fixed)), (count, count)),
     )
-    if value.size and not np.allclose(held @ amplitudes, value, atol=1e-9 * np.abs(value).max()):
-        raise ValueError("the supports of a rigid body prescribe a deformation of it")
-    _, s, v = np.linalg.svd(np.vstack([held, np.zeros((3, shapes.shape[1]))]))
-    free = shapes @ v[s < 1e-9 * max(s[0], 1.0)].T
-    return np.linalg.qr(free)[0], shapes @ amplitudes
 
 
-def without(conditions: Conditions, dofs: Indices) -> Conditions:
-    """The conditions that do not belong to `dofs`."""
-    keep = ~np.isin(conditions.dofs[0], dofs)
-    return replace(
-        conditions, dofs=conditions.dofs[:, keep], direction=conditions.direction[:, keep],
-        value=conditions.value[keep], owner=conditions.owner[keep],
-    )  # fmt: skip
+def _scattered(
+    block: Array, rows: Indices, columns: Indices, count: int, width: int | None = None
+) -> csr_array:
+    at = np.repeat(rows, columns.size), np.tile(columns, rows.size)
+    return csr_array((block.ravel(), at), (count, columns.size if width is None else width))

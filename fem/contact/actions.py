@@ -1,0 +1,198 @@
+"""Loads and prescribed displacements as sums of unit actions, whose responses are kept.
+
+A step that only changes magnitudes then costs no factorisation and no back-substitution.
+"""
+
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from fem.contact.bodies import Bodies, Response
+from fem.contact.pairs import MOTIONS
+from fem.plane.discretisation import Array, Indices
+from fem.plane.loads import (
+    Pressure,
+    Vector,
+    body_load,
+    force_load,
+    point_load,
+    surface_load,
+)
+from fem.plane.supports import Anchors, Conditions, Prescribed, Support, collect
+
+Forces = Mapping[str, tuple[float, ...]]
+
+
+@dataclass(frozen=True)
+class Action:
+    """`share` times a response that is kept under `key`, or made anew where there is none."""
+
+    share: float
+    key: Hashable
+    forces: Callable[[], Array] | None = None
+    displacements: Callable[[], Array] | None = None
+
+    def respond(self, bodies: Bodies) -> Response:
+        """The response of `bodies` to the unit action."""
+        none = np.zeros(bodies.count)
+        f = none if self.forces is None else self.forces()
+        u_0 = none if self.displacements is None else self.displacements()
+        return bodies.respond(np.concatenate([f, none[f.size :]]), u_0)
+
+
+class Supports:
+    """Prescribed values, support by support and component by component."""
+
+    def __init__(self, bodies: Bodies, supports: Mapping[str, Support], anchors: Anchors) -> None:
+        self._bodies, self._supports = bodies, {k: components(s) for k, s in supports.items()}
+        self.conditions: Conditions = collect(bodies.basis, supports, anchors, turn=bodies.turn)
+        # the same supports with running numbers for values say which condition is whose
+        keys = [(name, c) for name, held in self._supports.items() for c in held]
+        self._number = {key: float(i + 1) for i, key in enumerate(keys)}
+        numbered: dict[str, Support] = {
+            name: {c: self._number[name, c] for c in held} for name, held in self._supports.items()
+        }
+        self._of = collect(bodies.basis, numbered, anchors, turn=bodies.turn).value
+        rest = np.arange(len(supports), len(self.conditions.owners))
+        self._of[np.isin(self.conditions.owner, rest)] = 0.0
+
+    def values(self, displacements: Mapping[str, Support]) -> Array:
+        """Values (m,) of all conditions, then motions of obstacles, with these replaced."""
+        bodies = self._bodies
+        b = np.concatenate([self.conditions.value, np.zeros(3 * len(bodies.obstacles))])
+        for name, given in displacements.items():
+            new = components(given)
+            held = list(self._supports.get(name, {}))
+            if name in bodies.obstacles:
+                held = [m for m in MOTIONS if m not in bodies.obstacles[name].free]
+            if not held or set(new) - set(held):
+                raise ValueError(
+                    f"displacements of {name!r}: supports are set up with the problem and only "
+                    f"their values change; it holds {', '.join(held) or 'nothing'}, "
+                    f"got {', '.join(new)}"
+                )
+            for c, value in new.items():
+                own = self._conditions_of(name, c)
+                if not callable(value):
+                    b[own] = value
+                elif name in bodies.obstacles:
+                    raise ValueError(f"the motion {c} of obstacle {name!r} is a number")
+                else:
+                    b[own] = value(bodies.basis.doflocs[:, self.conditions.dofs[0, own]])
+        if not np.all(np.isfinite(b)):
+            raise ValueError("a prescribed displacement is not finite")
+        return b
+
+    def actions(self, displacements: Mapping[str, Support]) -> list[Action]:
+        """What prescribed displacements do, one component of one support after the other."""
+        b = self.values(displacements)
+        if not np.any(b):
+            return []
+        L = self._bodies.unknowns.L
+        self._bodies.unknowns.displaced(b)  # contradictions show only in the sum
+        of = np.concatenate([self._of, -1.0 - np.arange(b.size - self._of.size)])
+        found = []
+        for block in np.unique(of[b != 0]):
+            own = of == block
+            even = bool(block) and bool(np.all(b[own] == b[own][0]))
+            share = float(b[own][0]) if even else 1.0
+            part = np.where(own, 1.0 if even else b, 0.0)
+            key = ("displacement", float(block)) if even else None
+            found.append(Action(share, key, displacements=partial(L.__matmul__, part)))
+        return found
+
+    def _conditions_of(self, name: str, component: str) -> Indices:
+        if name in self._bodies.obstacles:
+            first = self.conditions.value.size + 3 * list(self._bodies.obstacles).index(name)
+            return np.array([first + MOTIONS.index(component)])
+        return np.flatnonzero(self._of == self._number[name, component])
+
+
+class Loads:
+    """Loads by name, as actions."""
+
+    def __init__(self, bodies: Bodies) -> None:
+        self._bodies = bodies
+        self._scale, self._turn = bodies.thickness, bodies.turn
+
+    def actions(
+        self,
+        pressures: Mapping[str, Pressure],
+        tractions: Mapping[str, Vector],
+        forces: Forces,
+        body_forces: Vector | Mapping[str, Vector] | None,
+        point_forces: Mapping[tuple[float, float], tuple[float, float]],
+    ) -> list[Action]:
+        """What loads do; ValueError for unknown names and values that are not finite."""
+        found: list[Action] = []
+        for name, p in pressures.items():
+            found += self._one(("pressure", name), p, partial(self._pressure, name))
+        for name, t in tractions.items():
+            found += self._components(("traction", name), t, partial(self._traction, name))
+        for name, force in forces.items():
+            if name in self._bodies.obstacles:
+                make = partial(self._on_obstacle, name)
+            else:
+                make = partial(self._force, name)
+            found += self._components(("force", name), force, make)
+        if body_forces is not None:
+            found.append(Action(1.0, None, partial(self._body_force, body_forces)))
+        for point, force in point_forces.items():
+            found += self._components(("force at", point), force, partial(self._at, point))
+        return found
+
+    def _one(
+        self, key: tuple[str, str], value: Pressure, make: Callable[..., Array]
+    ) -> list[Action]:
+        if callable(value):
+            return [Action(1.0, None, partial(make, value))]
+        if not np.isfinite(value):
+            raise ValueError(f"the {key[0]} on {key[1]!r} must be finite, got {value}")
+        return [Action(float(value), key, partial(make, 1.0))]
+
+    def _components(
+        self, key: tuple[str, Hashable], value: Any, make: Callable[..., Array]
+    ) -> list[Action]:
+        if callable(value):
+            return [Action(1.0, None, partial(make, value))]
+        most = 3 if key[1] in self._bodies.obstacles else 2
+        if not (2 <= len(value) <= most and np.all(np.isfinite(value))):
+            raise ValueError(
+                f"the {key[0]} on {key[1]!r} needs finite components x and y, got {value}"
+            )
+        units = np.eye(len(value))
+        return [
+            Action(float(v), (*key, i), partial(make, tuple(units[i].tolist())))
+            for i, v in enumerate(value)
+            if v != 0 or i == 0  # a name is looked up even where nothing acts
+        ]
+
+    def _pressure(self, name: str, p: Pressure) -> Array:
+        return self._scale * surface_load(self._bodies.basis, {name: p}, {}, turn=self._turn)
+
+    def _traction(self, name: str, t: Vector) -> Array:
+        return self._scale * surface_load(self._bodies.basis, {}, {name: t}, turn=self._turn)
+
+    def _force(self, name: str, force: tuple[float, float]) -> Array:
+        return force_load(self._bodies.basis, {name: force}, turn=self._turn)
+
+    def _body_force(self, forces: Vector | Mapping[str, Vector]) -> Array:
+        return self._scale * body_load(self._bodies.basis, forces, turn=self._turn)
+
+    def _at(self, point: tuple[float, float], force: tuple[float, float]) -> Array:
+        return point_load(self._bodies.basis, {point: force}, turn=self._turn)
+
+    def _on_obstacle(self, name: str, force: tuple[float, ...]) -> Array:
+        """Force x, y and moment about its centre."""
+        f = np.zeros(self._bodies.count)
+        first = self._bodies.basis.N + 3 * list(self._bodies.obstacles).index(name)
+        f[first : first + len(force)] = force
+        return f
+
+
+def components(support: Support) -> dict[str, Prescribed]:
+    """Component to value of a support."""
+    return dict.fromkeys(support, 0.0) if isinstance(support, str) else dict(support)

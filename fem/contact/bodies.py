@@ -1,0 +1,163 @@
+"""The bodies of a contact problem: elastic and rigid ones, condensed to their contact surfaces."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import get_args
+
+import numpy as np
+from scipy.linalg import cho_factor, cho_solve
+from skfem import Basis
+from skfem.mesh import Mesh2D
+
+from fem.contact.condensation import Condensed, condense
+from fem.contact.pairs import Obstacle, Rigid
+from fem.contact.unknowns import Unknowns, unknowns
+from fem.plane.cells import Cells
+from fem.plane.discretisation import Array, Indices, named_cells, vector_basis
+from fem.plane.loads import moduli
+from fem.plane.material import Assumption, Elastic
+from fem.plane.rigid import free_motions
+from fem.plane.supports import Conditions
+
+UNHELD = 1e-9  # of a rigid motion: below, the surface does not feel it
+
+
+@dataclass(frozen=True)
+class Response:
+    """What loads `f` (all,) and prescribed displacements `u_0` (all,) do, all of it linear in them.
+
+    `load` (n,) acts on the free unknowns; without contact it would leave the surface `at_rest`
+    (s,) but for the rigid motions, on which it exerts `e` (k,).
+    """
+
+    f: Array
+    u_0: Array
+    load: Array
+    at_rest: Array
+    e: Array
+
+    def plus(self, other: "Response", share: float) -> "Response":
+        return Response(*(
+            getattr(self, name) + share * getattr(other, name) for name in self.__annotations__
+        ))  # fmt: skip
+
+
+class Bodies:
+    """Stiffness and rigid motions of all bodies, seen from the contact surfaces.
+
+    `motions` (s, k) are orthonormal rigid motions that supports leave, `words` says which.
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh2D,
+        materials: Elastic | Mapping[str, Elastic | Rigid],
+        assumption: Assumption,
+        thickness: float,
+        degree: int | None,
+        obstacles: Mapping[str, Obstacle],
+    ) -> None:
+        if assumption not in get_args(Assumption):
+            known = ", ".join(map(repr, get_args(Assumption)))
+            raise ValueError(f"assumption is one of {known}, got {assumption!r}")
+        self.turn = assumption == "axisymmetric"
+        if not 0 < thickness < np.inf or (self.turn and thickness != 1):
+            raise ValueError(f"thickness must be positive, 1 around a turn, got {thickness:g}")
+        for name, obstacle in obstacles.items():
+            if name in (mesh.boundaries or {}):
+                raise ValueError(f"obstacle {name!r} has the name of a boundary: rename it")
+            if self.turn and set(obstacle.free) - {"y"}:
+                raise ValueError(f"obstacle {name!r}: around a turn only y is free")
+        self.obstacles, self.thickness = dict(obstacles), thickness
+        self.basis: Basis = vector_basis(mesh, degree, turn=self.turn)
+        self.lam, self.mu, self.ratio, self._rigid = _moduli(mesh, materials, assumption)
+        self.cells = Cells.of(self.basis, thickness * self.lam, thickness * self.mu, turn=self.turn)
+
+    @property
+    def free_obstacles(self) -> int:
+        """Unknowns of obstacles, the very last of the free ones."""
+        return sum(len(o.free) for o in self.obstacles.values())
+
+    @property
+    def count(self) -> int:
+        """Unknowns of the mesh and of obstacles, free or not."""
+        return int(self.basis.N) + 3 * len(self.obstacles)
+
+    def plane_modulus(self, cells: Indices) -> float:
+        """Mean E/(1 - nu^2), or E in plane stress, of `cells`; infinite where rigid."""
+        lam, mu = self.lam[cells], self.mu[cells]
+        if np.any(mu == 0):
+            return np.inf
+        return float(np.mean(4 * mu * (lam + mu) / (lam + 2 * mu)))
+
+    def condense(self, conditions: Conditions, surface: Indices) -> None:
+        """Factorise, with the unknowns of the contact surfaces (s,) last."""
+        self.conditions = conditions
+        rigid = [_pairs(self.basis, cells) for cells in self._rigid]
+        self.unknowns: Unknowns = unknowns(
+            self.basis, conditions, surface=surface, rigid=rigid,
+            obstacles=list(self.obstacles.values()), turn=self.turn,
+        )  # fmt: skip
+        self.motions, self.words = self._free_motions()
+        K = self.cells.stiffness()
+        K.resize((self.count, self.count))
+        T = self.unknowns.T
+        self.condensed: Condensed = condense((T.T @ K @ T).tocsr(), self.unknowns.surface)
+
+    def _free_motions(self) -> tuple[Array, tuple[str, ...]]:
+        found = free_motions(self.basis, self.conditions, turn=self.turn)
+        T, s = self.unknowns.T, self.unknowns.surface
+        q = (T[: self.basis.N].T @ found.fields)[T.shape[1] - s :]
+        unfelt = np.hypot.reduce(q, axis=0) < UNHELD * np.hypot.reduce(found.fields, axis=0)
+        if np.any(unfelt):
+            self.refuse(found.words[int(np.argmax(unfelt))])
+        free = [(n, c) for n, o in self.obstacles.items() for c in o.free]
+        q = np.hstack([q, np.eye(s)[:, s - len(free) :]])
+        words = *found.words, *(f"obstacle {n!r} can move ({c})" for n, c in free)
+        return np.linalg.qr(q)[0], words
+
+    def refuse(self, words: str) -> None:
+        raise ValueError(f"{words}: neither supports nor contact hold it")
+
+    @cached_property
+    def _factor(self) -> tuple[Array, bool]:
+        # springs on the rigid motions: loads that balance on them leave them at rest
+        S = self.condensed.S
+        size = np.trace(S) / len(S) or 1.0
+        return cho_factor(S + size * self.motions @ self.motions.T, check_finite=False)
+
+    def compliance(self, forces: Array) -> Array:
+        """Displacements (s, ...) of the surface under `forces` (s, ...), without rigid motions."""
+        return np.asarray(cho_solve(self._factor, forces, check_finite=False))
+
+    def respond(self, f: Array, u_0: Array) -> Response:
+        """The response to forces (all,) and prescribed displacements (all,)."""
+        T, internal = self.unknowns.T, np.zeros(self.count)
+        if np.any(u_0):
+            internal[: self.basis.N] = self.cells.internal_forces(u_0[: self.basis.N])
+        load = T.T @ (f - internal)
+        on_surface = self.condensed.load(load)
+        e = self.motions.T @ on_surface
+        return Response(f, u_0, load, self.compliance(on_surface - self.motions @ e), e)
+
+
+def _moduli(
+    mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic | Rigid], assumption: Assumption
+) -> tuple[Array, Array, Array, list[Indices]]:
+    """Moduli of every cell, zero in rigid bodies, and the cells of each of these."""
+    if isinstance(materials, Elastic):
+        return *moduli(mesh, materials, assumption), []
+    rigid = [named_cells(mesh, body) for body, m in materials.items() if isinstance(m, Rigid)]
+    stand_in = Elastic(E=1.0, nu=0.0)
+    elastic = {b: m if isinstance(m, Elastic) else stand_in for b, m in materials.items()}
+    lam, mu, ratio = moduli(mesh, elastic, assumption)
+    for cells in rigid:
+        lam[cells] = mu[cells] = ratio[cells] = 0.0
+    return lam, mu, ratio, rigid
+
+
+def _pairs(basis: Basis, cells: Indices) -> Indices:
+    """Unknowns of the nodes of `cells`, in pairs x, y."""
+    x, y = (np.unique(np.asarray(basis.element_dofs)[i::2, cells]) for i in (0, 1))
+    return np.array([x, y]).T.ravel()

@@ -1,0 +1,135 @@
+"""All contact pairs of a problem as one system: gaps, slips and the compliance behind them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.sparse import csr_array, vstack
+
+from fem.contact.bodies import UNHELD, Bodies, Response
+from fem.contact.complementarity import Complementarity
+from fem.contact.mortar import Mortar, mortar
+from fem.contact.pairing import Points, pair, pair_with_shape
+from fem.contact.pairs import Pair
+from fem.contact.shapes import Motion
+from fem.contact.trace import Trace, trace_of
+from fem.plane.discretisation import Array, Indices
+
+ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that say nothing
+
+
+class Surfaces:
+    """The two traces of every pair in the mesh; no master trace where that is an obstacle."""
+
+    def __init__(self, bodies: Bodies, pairs: Sequence[Pair]) -> None:
+        self.pairs = tuple(pairs)
+        self.slaves = [trace_of(bodies.basis, p.slave, p.slave_shape) for p in pairs]
+        self.masters = [
+            None if p.master in bodies.obstacles
+            else trace_of(bodies.basis, p.master, p.master_shape)
+            for p in pairs
+        ]  # fmt: skip
+
+    @property
+    def unknowns(self) -> Indices:
+        """Unknowns (s,) of the mesh on any of the surfaces."""
+        traces = [t for t in (*self.slaves, *self.masters) if t is not None]
+        return np.unique(np.concatenate([t.dofs.ravel() for t in traces]))
+
+
+class Interface:
+    """The pairs, where surfaces have moved rigidly by `bases` (all,) from their places in the mesh.
+
+    `rows` (r, all) are the weighted gaps of all pairs, one after the other, then the weighted slips
+    of those with friction; `gaps` (m,) the first without displacement; `starts` where each pair's
+    rows begin; `kernel` the compliance of all rows.
+    """
+
+    def __init__(
+        self, bodies: Bodies, surfaces: Surfaces, bases: Sequence[Array | None] | None = None
+    ) -> None:
+        self.bodies, self.pairs = bodies, surfaces.pairs
+        bases = bases or [None] * len(self.pairs)
+        self.mortars = [self._pair(surfaces, i, base) for i, base in enumerate(bases)]
+        self.starts = np.cumsum([0, *(m.size.size for m in self.mortars)])
+        rough = [i for i, p in enumerate(self.pairs) if p.friction > 0]
+        tangential = [self.mortars[i].weighted(self.mortars[i].tangential) for i in rough]
+        self.rows: csr_array = vstack(
+            [*(m.weighted(m.normal) for m in self.mortars), *tangential]
+        ).tocsr()
+        self.gaps = np.concatenate([
+            m.weighted(m.points.gap - p.interference - (0.0 if base is None else m.normal @ base))
+            for m, p, base in zip(self.mortars, self.pairs, bases, strict=True)
+        ])  # fmt: skip
+        unknowns = bodies.unknowns
+        self.C = (self.rows @ unknowns.T[:, unknowns.T.shape[1] - unknowns.surface :]).toarray()
+        friction = np.repeat([p.friction for p in self.pairs], np.diff(self.starts))
+        partner = np.full(friction.size, -1)
+        held = friction > 0
+        partner[held] = friction.size + np.arange(held.sum())
+        B = self.C @ bodies.compliance(self.C.T)
+        self.kernel = Complementarity(
+            B=(B + B.T) / 2, D=self.C @ bodies.motions, friction=friction, partner=partner
+        )
+
+    def shift(self, response: Response) -> Array:
+        """What a response changes of the gaps and slips (r,), the rigid motions apart."""
+        w = self.C @ response.at_rest
+        return w + self.rows @ response.u_0 if np.any(response.u_0) else w
+
+    def check_held(self) -> None:
+        """ValueError where neither supports nor any contact could hold a body."""
+        k = self.bodies.motions.shape[1]
+        if k:
+            _, s, v = np.linalg.svd(np.vstack([self.kernel.D, np.zeros((k, k))]))
+            if s[-1] < UNHELD * max(s[0], 1e-300):
+                self.bodies.refuse(self.bodies.words[int(np.argmax(np.abs(v[-1])))])
+
+    def _pair(self, surfaces: Surfaces, i: int, base: Array | None) -> Mortar:
+        bodies, contact = self.bodies, self.pairs[i]
+        slave, master = surfaces.slaves[i], surfaces.masters[i]
+        if base is not None:
+            slave = slave.moved(base)
+            master = None if master is None else master.moved(base)
+        obstacle = 0, (0.0, 0.0)
+        if master is None:
+            body = bodies.obstacles[contact.master]
+            first = bodies.basis.N + 3 * list(bodies.obstacles).index(contact.master)
+            shape, centre = body.shape, body.centre
+            if base is not None:
+                x, y, angle = base[first : first + 3]
+                motion = Motion((float(x), float(y)), float(angle), centre)
+                shape, centre = shape.moved(motion), motion.of(centre)
+            points, obstacle = pair_with_shape(slave, shape), (first, centre)
+        else:
+            points = pair(slave, master, self._share(slave, master))
+        if not points.s.size:
+            raise ValueError(f"contact {contact}: the surfaces do not face each other anywhere")
+        if base is None and not contact.press_fit:
+            self._check_overlap(contact, slave, master, points)
+        depth = np.full(points.s.size, bodies.thickness)
+        if bodies.turn:
+            depth = 2 * np.pi * points.x[0]
+        return mortar(slave, master, points, unknowns=bodies.count, depth=depth, obstacle=obstacle)
+
+    def _share(self, slave: Trace, master: Trace) -> float:
+        """The slave's part of both plane moduli, 1 or 0 where one body is rigid."""
+        own = self.bodies.plane_modulus(slave.cells)
+        other = self.bodies.plane_modulus(master.cells)
+        if own == other:
+            return 0.5
+        return 1.0 if own == np.inf else own / (own + other)
+
+    def _check_overlap(
+        self, contact: Pair, slave: Trace, master: Trace | None, points: Points
+    ) -> None:
+        extent = np.ptp(self.bodies.basis.mesh.p, axis=1).max()
+        allowed = slave.sag()[points.slave] + ROUND_OFF * extent
+        if master is not None:
+            allowed = allowed + master.sag()[points.master]
+        worst = int(np.argmin(points.gap + allowed))
+        if points.gap[worst] < -allowed[worst]:
+            x, y = points.x[:, worst]
+            raise ValueError(
+                f"contact {contact}: the surfaces overlap by {-points.gap[worst]:.3g} at "
+                f"({x:.5g}, {y:.5g}) before any load: move them apart, or ask for press_fit=True"
+            )

@@ -1,0 +1,69 @@
+"""What may touch what: pairs of boundaries, rigid obstacles, rigid bodies."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fem.contact.shapes import Circle, Flat
+
+MOTIONS = "xyr"
+
+
+@dataclass(frozen=True)
+class Rigid:
+    """The material of a body that does not deform."""
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """A rigid surface without a mesh.
+
+    `free` names the motions that loads decide, of x, y and r (rotation about the shape's point or
+    centre, in radians); the others are prescribed.
+    """
+
+    shape: Flat | Circle
+    free: str = ""
+
+    def __post_init__(self) -> None:
+        if set(self.free) - set(MOTIONS):
+            raise ValueError(f"an obstacle's free motions are of x, y and r, got {self.free!r}")
+
+    @property
+    def centre(self) -> tuple[float, float]:
+        """The point that it turns about."""
+        return self.shape.centre if isinstance(self.shape, Circle) else self.shape.point
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pair:
+    """Two surfaces that may touch, by boundary name; the master may be an obstacle's.
+
+    The traction is carried by the slave's nodes: let the slave have the finer mesh or the smaller
+    surface. `friction` is Coulomb's coefficient. The shapes are exact ones of the meshed
+    boundaries, so that facets do not enter the gap. `interference` [length] is taken off the gap
+    everywhere; `press_fit` accepts surfaces that overlap in the mesh.
+    """
+
+    slave: str
+    master: str
+    friction: float = 0.0
+    slave_shape: Flat | Circle | None = None
+    master_shape: Flat | Circle | None = None
+    interference: float = 0.0
+    press_fit: bool = False
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.friction < np.inf:
+            raise ValueError(
+                f"contact {self}: friction must be 0 or more and finite, got {self.friction:g}"
+            )
+        if not np.isfinite(self.interference):
+            raise ValueError(
+                f"contact {self}: interference must be finite, got {self.interference}"
+            )
+        if self.slave == self.master:
+            raise ValueError(f"contact {self}: a boundary cannot touch itself")
+
+    def __str__(self) -> str:
+        return f"{self.slave!r} on {self.master!r}"
