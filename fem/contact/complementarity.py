@@ -29,6 +29,7 @@ TOLERANCE = 1e-11
 BALANCED = 1e-13
 PATIENCE = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES = 100
+FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
 MAX_RELEASES = 60
 
 
@@ -50,12 +51,14 @@ class Complementarity:
     """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
 
     `friction` (m,) is mu of each normal row; row `partner` (m,) is its tangential one, or -1.
+    `part` (m,) numbers the surface that a normal row belongs to; rows follow each other along it.
     """
 
     B: Array
     D: Array
     friction: Array
     partner: Indices
+    part: Indices
 
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
         """Multipliers and motions under `w_0` (n,), `e` (k,), from given states or from none.
@@ -63,12 +66,14 @@ class Complementarity:
         ArithmeticError where the states keep changing, or rigid motions keep growing.
         """
         m = self.friction.size
+        changes: list[int] = []
+        if start is None and m > FEW:
+            start = self._coarse_states(w_0, e)
         states = np.zeros(m, np.int8) if start is None else start.copy()
         motion = np.zeros(self.D.shape[1])
-        changes: list[int] = []
         stiffness = self._stiffness()
         springs = SPRINGS if self.D.shape[1] else (0.0,)
-        for spring in springs[-1:] if start is not None and start.any() else springs:
+        for spring in springs[-1:] if states.any() else springs:
             multipliers, motion, states = self._settle(
                 w_0, e, motion, spring * stiffness, states, changes
             )
@@ -97,6 +102,30 @@ class Complementarity:
         cone = cone[:, size > 1e-12 * size.max(initial=0)]
         share, _ = nnls(cone / np.hypot.reduce(cone, axis=0), -e, maxiter=100 * cone.shape[1])
         return e + cone / np.hypot.reduce(cone, axis=0) @ share
+
+    def _coarse_states(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
+        """Where groups of rows in one would touch, without friction; None if that is not found.
+
+        From there a few exchanges are left at the edges, instead of one for every row that the
+        contact shrinks by.
+        """
+        m = self.friction.size
+        first = np.searchsorted(self.part, self.part)
+        _, group = np.unique(
+            np.array([self.part, (np.arange(m) - first) // GROUP]), axis=1, return_inverse=True
+        )
+        count = int(group.max()) + 1
+        start = np.searchsorted(group, np.arange(count))
+        B = np.add.reduceat(np.add.reduceat(self.B[:m, :m], start, axis=0), start, axis=1)
+        coarse = Complementarity(
+            B=B, D=np.add.reduceat(self.D[:m], start, axis=0), friction=np.zeros(count),
+            partner=np.full(count, -1), part=self.part[start],
+        )  # fmt: skip
+        try:
+            found = coarse.solve(np.add.reduceat(w_0[:m], start), e)
+        except ArithmeticError:
+            return None
+        return found.states[group]
 
     def _stiffness(self) -> float:
         """What the springs are measured by: the contact's own stiffness against rigid motions."""

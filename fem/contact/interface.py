@@ -68,7 +68,11 @@ class Interface:
         partner[held] = friction.size + np.arange(held.sum())
         B = self.C @ bodies.compliance(self.C.T)
         self.kernel = Complementarity(
-            B=(B + B.T) / 2, D=self.C @ bodies.motions, friction=friction, partner=partner
+            B=(B + B.T) / 2,
+            D=self.C @ bodies.motions,
+            friction=friction,
+            partner=partner,
+            part=np.repeat(np.arange(len(self.pairs)), np.diff(self.starts)),
         )
 
     def shift(self, response: Response) -> Array:

@@ -88,16 +88,18 @@ def mortar(
 
     weight = points.weight * depth
     carriers = slave.carriers()
-    nodes, place = np.unique(carriers, return_inverse=True)
-    place = place.reshape(carriers.shape)
+    along = np.array([0.0, 1.0, 0.5])[: len(carriers), None] + np.arange(slave.count)
+    _, first, place = np.unique(carriers, return_index=True, return_inverse=True)
+    rank = np.argsort(np.argsort(along.ravel()[first]))  # nodes follow each other as facets do
+    place = rank[place].reshape(carriers.shape)
     local = slave.hats(points.s)
     hats = csr_array(
         (local.ravel(), (np.tile(rows, len(local)), place[:, points.slave].ravel())),
-        (count, nodes.size),
+        (count, rank.size),
     )
     whole = np.bincount(place.ravel(), np.tile(slave.lengths() / len(local), len(local)))
     covered = hats.T @ points.weight > BARE * whole
-    places = np.zeros((2, nodes.size))
+    places = np.zeros((2, rank.size))
     places[:, place] = slave.nodes[:, : len(local)]
     return Mortar(
         points,

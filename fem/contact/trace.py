@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from skfem import Basis
+from skfem.mesh import Mesh2D
 
 from fem.contact.shapes import Flat, Motion, Shape
 from fem.plane.discretisation import Array, Indices, is_curved, outer_facets
@@ -17,7 +18,7 @@ SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
 
 @dataclass(frozen=True)
 class Trace:
-    """Facets of a contact surface.
+    """Facets of a contact surface, in the order in which they follow each other.
 
     `nodes` (2, 3, m): places of both ends and the middle; `ends` (2, m): vertex numbers;
     `dofs` (2, k, m): unknowns x, y of the k = 2 or 3 nodes that carry displacements, ends first;
@@ -73,6 +74,14 @@ class Trace:
         """Length (m,) of the facets' chords."""
         return np.hypot(*(self.nodes[:, 1] - self.nodes[:, 0]))
 
+    def arc(self, k: Indices, s: Array) -> Array:
+        """Length (...) along the surface from its start, in chords, to `s` (...) on facets `k`."""
+        length = self.lengths()
+        linked = np.concatenate([[False], self.ends[0, 1:] == self.ends[1, :-1]])
+        before = np.cumsum(length) - length
+        before -= np.maximum.accumulate(np.where(linked, 0.0, before))
+        return before[k] + s * length[k]
+
     def sag(self) -> Array:
         """By how much (m,) a facet may miss the curve that its end normals belong to."""
         if self.shape is not None:
@@ -108,11 +117,8 @@ def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
 
     ValueError for an unknown or inner boundary.
     """
-    mesh, facets = basis.mesh, np.unique(outer_facets(basis.mesh, name))
-    cells, ends = mesh.f2t[0, facets], mesh.facets[:, facets]
-    a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
-    inside = mesh.p[:, mesh.t[:, cells]].mean(axis=1)
-    ends = np.where(cross(b - a, inside - a) > 0, ends, ends[::-1])
+    mesh, facets = basis.mesh, _chained(basis.mesh, np.unique(outer_facets(basis.mesh, name)))
+    cells, ends = mesh.f2t[0, facets], _oriented(mesh, facets)
     a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
     middle = (a + b) / 2
     if is_curved(mesh):
@@ -124,6 +130,30 @@ def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
     return Trace(
         nodes, ends, np.array(dofs).swapaxes(0, 1), facets, cells, _end_normals(nodes, ends), shape
     )
+
+
+def _oriented(mesh: Mesh2D, facets: Indices) -> Indices:
+    """Start and end vertices (2, m) of `facets` with the body on their left."""
+    ends = mesh.facets[:, facets]
+    a, b = mesh.p[:, ends[0]], mesh.p[:, ends[1]]
+    inside = mesh.p[:, mesh.t[:, mesh.f2t[0, facets]]].mean(axis=1)
+    return np.where(cross(b - a, inside - a) > 0, ends, ends[::-1])
+
+
+def _chained(mesh: Mesh2D, facets: Indices) -> Indices:
+    """`facets` in the order in which they follow each other, one chain after the other."""
+    start, end = _oriented(mesh, facets)
+    from_vertex = dict(zip(start.tolist(), range(facets.size), strict=True))
+    heads = np.flatnonzero(~np.isin(start, end)).tolist()
+    order: list[int] = []
+    seen = np.zeros(facets.size, bool)
+    for head in (*heads, *range(facets.size)):  # closed curves have no head
+        at: int | None = head
+        while at is not None and not seen[at]:
+            seen[at] = True
+            order.append(at)
+            at = from_vertex.get(int(end[at]))
+    return facets[order]
 
 
 def _quadratic(s: Array) -> Array:
