@@ -14,7 +14,8 @@ from scipy.sparse import csr_array
 from skfem import Basis
 
 from fem.plane.axis import on_axis
-from fem.plane.discretisation import Array, Indices, facet_basis, named_facets, outer_facets
+from fem.plane.discretisation import Array, Indices, named_facets
+from fem.plane.guides import wall_normals
 
 Prescribed = float | Callable[[Array], Array]
 Support = str | Mapping[str, Prescribed]
@@ -22,7 +23,6 @@ Anchors = Mapping[tuple[float, float], Support]
 Owner = str | tuple[float, float]
 COMPONENTS = "xynt"
 AXIS = "the axis"  # owns the condition u_r = 0 on the axis of a body of revolution
-SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one wall
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def collect(
         for component, value in _components(support, f"support {owners[i]!r}")
     ]
     names = {i for i, component, _ in wanted if component in "nt" and i < len(supports)}
-    guides = _guides(basis, {i: str(owners[i]) for i in sorted(names)}, turn)
+    guides = wall_normals(basis, {i: str(owners[i]) for i in sorted(names)}, turn)
     parts = [_kept_on_axis(basis, len(owners) - 1)] if turn else []
     for i, component, value in wanted:
         place = owners[i]
@@ -164,52 +164,6 @@ def _nodes(basis: Basis, facets: Indices) -> Indices:
     if basis.facet_dofs is not None and np.size(basis.facet_dofs):
         nodes.append(basis.facet_dofs[:2, np.unique(facets)])
     return np.hstack(nodes)
-
-
-def _guides(basis: Basis, names: Mapping[int, str], turn: bool) -> dict[int, tuple[Indices, Array]]:
-    """Nodes (2, m) and outward normals (2, m) of each named boundary.
-
-    A vertex between facets takes their mean normal where they are one smooth wall, over all the
-    names; at a corner it takes the normal of every side. With `turn` a wall goes on beyond the
-    axis as its mirror image.
-    """
-    nodes, normals, owner = [], [], []
-    for i, name in names.items():
-        facets = outer_facets(basis.mesh, name)
-        trace = facet_basis(basis, facets, points=np.array([0.0, 0.5, 1.0]))
-        ends = basis.nodal_dofs[:, basis.mesh.facets[:, facets]]
-        stations = [(ends[:, 0], 0), (ends[:, 1], 2)]
-        if basis.facet_dofs is not None and np.size(basis.facet_dofs):
-            stations.append((basis.facet_dofs[:2, facets], 1))
-        for dofs, k in stations:
-            nodes.append(dofs)
-            normals.append(np.asarray(trace.normals[:, :, k]))
-            owner.append(np.full(dofs.shape[1], i))
-    if not nodes:
-        return {}
-    dofs, normal, of = np.hstack(nodes), np.hstack(normals), np.concatenate(owner)
-    if turn:
-        pole = on_axis(basis.mesh, basis.doflocs[:, dofs[0]])
-        pole &= normal[1] ** 2 - normal[0] ** 2 > SMOOTH
-        normal[0, pole] = 0.0
-    smooth = _smoothed(dofs[0], normal)
-    found = {}
-    for i in names:
-        rows = np.vstack([dofs[:, of == i], smooth[:, of == i]])
-        rows = np.unique(np.round(rows, 12), axis=1)
-        found[i] = rows[:2].astype(int), rows[2:] / np.hypot(*rows[2:])
-    return found
-
-
-def _smoothed(node: Indices, normal: Array) -> Array:
-    """Each normal replaced by the mean of those at its node within 30 deg of it."""
-    smooth = normal.copy()
-    order = np.argsort(node, kind="stable")
-    for group in np.split(order, np.flatnonzero(np.diff(node[order])) + 1):
-        near = normal[:, group].T @ normal[:, group] > SMOOTH
-        mean = normal[:, group] @ near
-        smooth[:, group] = mean / np.hypot(*mean)
-    return smooth
 
 
 def _kept_on_axis(basis: Basis, owner: int) -> tuple[Indices, Array, Array, Indices]:

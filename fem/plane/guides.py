@@ -1,0 +1,59 @@
+"""Outward normals at the nodes of named boundaries, along which guides hold a body."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from skfem import Basis
+
+from fem.plane.axis import on_axis
+from fem.plane.discretisation import Array, Indices, facet_basis, outer_facets
+
+SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one wall
+
+
+def wall_normals(
+    basis: Basis, names: Mapping[int, str], turn: bool
+) -> dict[int, tuple[Indices, Array]]:
+    """Nodes (2, m) and outward normals (2, m) of each named boundary.
+
+    A vertex between facets takes their mean normal where they are one smooth wall, over all the
+    names; at a corner it takes the normal of every side. With `turn` a wall goes on beyond the
+    axis as its mirror image.
+    """
+    nodes, normals, owner = [], [], []
+    for i, name in names.items():
+        facets = outer_facets(basis.mesh, name)
+        trace = facet_basis(basis, facets, points=np.array([0.0, 0.5, 1.0]))
+        ends = basis.nodal_dofs[:, basis.mesh.facets[:, facets]]
+        stations = [(ends[:, 0], 0), (ends[:, 1], 2)]
+        if basis.facet_dofs is not None and np.size(basis.facet_dofs):
+            stations.append((basis.facet_dofs[:2, facets], 1))
+        for dofs, k in stations:
+            nodes.append(dofs)
+            normals.append(np.asarray(trace.normals[:, :, k]))
+            owner.append(np.full(dofs.shape[1], i))
+    if not nodes:
+        return {}
+    dofs, normal, of = np.hstack(nodes), np.hstack(normals), np.concatenate(owner)
+    if turn:
+        pole = on_axis(basis.mesh, basis.doflocs[:, dofs[0]])
+        pole &= normal[1] ** 2 - normal[0] ** 2 > SMOOTH
+        normal[0, pole] = 0.0
+    smooth = _smoothed(dofs[0], normal)
+    found = {}
+    for i in names:
+        rows = np.vstack([dofs[:, of == i], smooth[:, of == i]])
+        rows = np.unique(np.round(rows, 12), axis=1)
+        found[i] = rows[:2].astype(int), rows[2:] / np.hypot(*rows[2:])
+    return found
+
+
+def _smoothed(node: Indices, normal: Array) -> Array:
+    """Each normal replaced by the mean of those at its node within 30 deg of it."""
+    smooth = normal.copy()
+    order = np.argsort(node, kind="stable")
+    for group in np.split(order, np.flatnonzero(np.diff(node[order])) + 1):
+        near = normal[:, group].T @ normal[:, group] > SMOOTH
+        mean = normal[:, group] @ near
+        smooth[:, group] = mean / np.hypot(*mean)
+    return smooth
