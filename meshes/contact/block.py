@@ -112,7 +112,7 @@ def _half(width: float, depth: float, zone: Zone, side: str) -> list[Block]:
 def _beside(fanned: Block, zone: Zone, width: float, side: str) -> Block:
     """The even strip from the fan's end to x = `width`."""
     surface, end, *_ = fanned.edges
-    n = strip_cells(surface, zone, length=width - end.start[0], thickness=-end.end[1])
+    n = strip_cells(surface, zone, length=width - end.start[0])
     a, b = (width, end.start[1]), (width, end.end[1])
     edges = (
         Edge(end.start, a, n, name="surface"),
@@ -126,7 +126,7 @@ def _beside(fanned: Block, zone: Zone, width: float, side: str) -> Block:
 def _under(fanned: Block, zone: Zone, depth: float, side: str) -> Block:
     """The even strip from the fan's foot to y = -`depth`."""
     *_, last, axis = fanned.edges
-    n = strip_cells(axis, zone, length=depth + last.start[1], thickness=last.end[0])
+    n = strip_cells(axis, zone, length=depth + last.start[1])
     far, foot = (last.end[0], -depth), (0.0, -depth)
     edges = (
         Edge(last.start, foot, n, name="axis"),

@@ -91,10 +91,8 @@ def mesh_blocks(
     Quadrilaterals, or triangles that halve them. `order` 1 or 2; `straight` cells keep
     straight edges.
     """
-    # gmsh's tolerances are lengths: it sees bodies of a size near one, whatever the unit
-    size = max(abs(x) for block in blocks for point in block.corners for x in point)
     with gmsh_session():
-        drawing = _Drawing(size, cells)
+        drawing = _Drawing(cells)
         for block in blocks:
             drawing.add(block.anticlockwise)
         gmsh.model.geo.synchronize()
@@ -104,14 +102,13 @@ def mesh_blocks(
             gmsh.model.addPhysicalGroup(2, surfaces, name=name)
         gmsh.model.mesh.generate(2)
         gmsh.model.mesh.setOrder(order)
-        return plane_mesh(straight=straight).scaled((size, size))
+        return plane_mesh(straight=straight)
 
 
 @dataclass
 class _Drawing:
-    """What the current gmsh model has already, by its place, in units of `size`."""
+    """What the current gmsh model has already, by its place."""
 
-    size: float
     cells: Cells
     points: dict[Point, int] = field(default_factory=dict)
     curves: dict[frozenset[Point], tuple[int, Point]] = field(default_factory=dict)
@@ -153,6 +150,5 @@ class _Drawing:
     def point(self, place: Point) -> int:
         """The point at `place`, drawn at its first use."""
         if place not in self.points:
-            x, y = place
-            self.points[place] = gmsh.model.geo.addPoint(x / self.size, y / self.size, 0)
+            self.points[place] = gmsh.model.geo.addPoint(*place, 0)
         return self.points[place]

@@ -11,7 +11,6 @@ from meshes.contact.grading import beta, cells_along, last_cell
 # halve that, for 1.7 times the unknowns.
 DEEP = 1 / 2  # depth of the core over its width
 GROWTH = 1.6  # how much longer than the one before a cell of the coarsest mesh is at most
-SQUAT = 0.3  # of the thickness of a strip: the longest cell along it
 
 
 @dataclass(frozen=True)
@@ -97,13 +96,13 @@ def fan(outline: Outline, zone: Zone, body: str, bend: Point | None = None) -> l
     ]
 
 
-def strip_cells(beside: Edge, zone: Zone, *, length: float, thickness: float) -> int:
-    """How many even cells go on from a graded edge over `length` of a strip.
+def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
+    """How many even cells go on over `length` from the last of a graded edge.
 
-    They are no longer than GROWTH times the edge's last cell and SQUAT times `thickness`.
+    None is longer than GROWTH times that one, about two fifths of the thickness.
     """
     last = last_cell(length=beside.length, cells=beside.cells // zone.refine, beta=beside.beta)
-    return zone.refine * math.ceil(length / min(GROWTH * last, SQUAT * thickness))
+    return zone.refine * math.ceil(length / (GROWTH * last))
 
 
 def _graded(edges: list[tuple[Edge, float]], refine: int) -> list[Edge]:

@@ -41,7 +41,7 @@ def half_race(
     names = ("bore", "", "rim")
     blocks = fan(Outline(inner, outer, (0.0, -wall), names, r_i, r_i), fine, "race", bend)
     bore, end, *_ = blocks[1].edges
-    n = strip_cells(bore, fine, length=r_i * (math.pi - angle), thickness=wall)
+    n = strip_cells(bore, fine, length=r_i * (math.pi - angle))
     edges = (
         Edge(inner, (0.0, 2 * r_i), n, centre, name="bore"),
         Edge((0.0, 2 * r_i), (0.0, r_i + r_o), end.cells, name="axis"),
