@@ -172,7 +172,12 @@ class Complementarity:
         pull = self.D[own].T.copy()
         pull[:, row_of[slip]] += drag * self.D[self.partner[slip]].T
         A = np.block([[columns[own], self.D[own]], [pull, -spring * np.eye(k)]])
-        x = np.linalg.solve(A, np.concatenate([-w_0[own], -e - spring * motion]))
+        try:
+            x = np.linalg.solve(A, np.concatenate([-w_0[own], -e - spring * motion]))
+        except np.linalg.LinAlgError:
+            raise ArithmeticError(
+                "the contact has no unique forces: supports or another pair fix the same nodes"
+            ) from None
         multipliers = np.zeros(w_0.size)
         multipliers[own] = x[:n]
         multipliers[self.partner[slip]] = drag * x[row_of[slip]]

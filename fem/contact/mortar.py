@@ -26,13 +26,15 @@ BARE = 1e-9  # of a hat's own integral: less than that over the segments carries
 class Mortar:
     """Operators of a pair; m slave vertices carry its traction.
 
-    `x` (2, m): their places; `hats` (points, m): phi_i; `normal`, `tangential`
+    `x` (2, m): their places; `arc` (m,): how far
+    along the surface; `hats` (points, m): phi_i; `normal`, `tangential`
     (points, unknowns): n . (u_m - u_s) and t . (u_m - u_s) of displacements; `weight` (points,)
     [area]; `size` (m,): the integrals of the hats.
     """
 
     points: Points
     x: Array
+    arc: Array
     hats: csr_array
     normal: csr_array
     tangential: csr_array
@@ -99,11 +101,14 @@ def mortar(
     )
     whole = np.bincount(place.ravel(), np.tile(slave.lengths() / len(local), len(local)))
     covered = hats.T @ points.weight > BARE * whole
-    places = np.zeros((2, rank.size))
+    places, arc = np.zeros((2, rank.size)), np.zeros(rank.size)
     places[:, place] = slave.nodes[:, : len(local)]
+    ends = np.array([0.0, 1.0, 0.5])[: len(local), None] + np.zeros(slave.count)
+    arc[place[::-1]] = slave.arc(np.arange(slave.count), ends)[::-1]  # the start of a closed curve
     return Mortar(
         points,
         places[:, covered],
+        arc[covered],
         hats[:, covered].tocsr(),
         relative(points.n),
         relative(t),

@@ -18,13 +18,15 @@ from fem.plane.solution import PlaneSolution
 class Touch:
     """What happens between the two surfaces of a pair.
 
-    At the slave's m vertices: `x` (2, m), `pressure`, `traction` (m,) [stress] (along the normal
+    At the slave's m nodes, one after the other along the surface: `x` (2, m), `arc` (m,) [length]
+    from its start, `pressure`, `traction` (m,) [stress] (along the normal
     from slave to master turned by +90 deg, as it acts on the master), `gap`, `slip` (m,) [length]
-    (weighted means about each vertex; slip since the step before), `closed`, `sticks` (m,).
+    (weighted means about each node; slip since the step before), `closed`, `sticks` (m,).
     At the integration points: `points`, `p`, `q` (n,) and `weight` (n,) [area].
     """
 
     x: Array
+    arc: Array
     pressure: Array
     traction: Array
     gap: Array
@@ -34,6 +36,7 @@ class Touch:
     mortar: Mortar
     p: Array
     q: Array
+    turn: bool
 
     @property
     def weight(self) -> Array:
@@ -67,7 +70,7 @@ class Touch:
 
     @property
     def peak(self) -> float:
-        """The largest pressure at a vertex."""
+        """The largest pressure at a node."""
         return float(self.pressure.max(initial=0.0))
 
     def along(self, centre: tuple[float, float] | None = None) -> Array:
@@ -83,10 +86,16 @@ class Touch:
         return t @ (points.x - origin[:, None])
 
     def half_width(self, centre: tuple[float, float] | None = None) -> float:
-        """Half-width 2 sqrt(int p x^2 / int p) of an elliptic pressure with the same moments."""
+        """Half-width of an elliptic pressure with the same moments; 0 without contact.
+
+        2 sqrt(int p x^2 / int p), `centre` being the centre of pressure if not given; of a body of
+        revolution the radius sqrt(5/2 int p r^2 / int p) about the axis.
+        """
         load = self.p * self.weight
         if not load.sum() > 0:
             return 0.0
+        if self.turn:
+            return float(np.sqrt(2.5 * (load @ self.mortar.points.x[0] ** 2) / load.sum()))
         return float(2 * np.sqrt(load @ self.along(centre) ** 2 / load.sum()))
 
     def _density(self) -> Array:
@@ -138,7 +147,7 @@ class ContactSolution:
         if np.any(partner >= 0):
             traction, slip = self.rest.multipliers[partner], self.w[partner] / m.size
         return Touch(
-            x=m.x, pressure=pressure, traction=traction, gap=self.w[own] / m.size, slip=slip,
+            x=m.x, arc=m.arc, turn=self.bodies.turn, pressure=pressure, traction=traction, gap=self.w[own] / m.size, slip=slip,
             closed=states != OPEN, sticks=(states == STICK) & (partner >= 0), mortar=m,
             p=m.hats @ pressure, q=m.hats @ traction,
         )  # fmt: skip
@@ -168,18 +177,8 @@ class ContactSolution:
 
         Contact forces count among its loads: reactions are those of the supports alone.
         """
-        b = self.bodies
-        n = b.basis.N
-        u = self.displacements[:n]
-        internal = b.cells.internal_forces(u)
-        f = (self.total.f + self.interface.rows.T @ self.rest.multipliers)[:n]
-        elastic = b.unknowns.T[:n, : b.unknowns.T.shape[1] - b.free_obstacles]
-        residual = elastic.T @ (f - internal)
-        size = abs(f @ u) + abs(internal @ u)
-        return PlaneSolution(
-            b.basis, u, internal, f, b.lam, b.mu, b.ratio, b.thickness,
-            float(np.abs(residual @ (elastic.T @ u)) / size) if size else 0.0, b.conditions, b.turn,
-        )  # fmt: skip
+        contact = self.interface.rows.T @ self.rest.multipliers
+        return in_plane(self.bodies, self.displacements, self.total.f + contact)
 
     def motion(self, obstacle: str) -> tuple[float, float, float]:
         """Shift (x, y) and rotation [rad] of an obstacle; ValueError for an unknown one."""
@@ -194,3 +193,20 @@ class ContactSolution:
     def strain_energy(self) -> float:
         """Of all bodies [force x length]."""
         return self.plane.strain_energy
+
+
+def in_plane(bodies: Bodies, u: Array, f: Array) -> PlaneSolution:
+    """The bodies under displacements `u` (all,) and forces `f` (all,), those of contact included.
+
+    Reactions are those of the supports alone.
+    """
+    n, T = bodies.basis.N, bodies.unknowns.T
+    internal = bodies.cells.internal_forces(u[:n])
+    elastic = T[:n, : T.shape[1] - bodies.free_obstacles]
+    residual = elastic.T @ (f[:n] - internal)
+    size = abs(f[:n] @ u[:n]) + abs(internal @ u[:n])
+    return PlaneSolution(
+        bodies.basis, u[:n], internal, f[:n], bodies.lam, bodies.mu, bodies.ratio,
+        bodies.thickness, float(np.abs(residual @ (elastic.T @ u[:n])) / size) if size else 0.0,
+        bodies.conditions, bodies.turn,
+    )  # fmt: skip
