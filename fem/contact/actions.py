@@ -167,7 +167,7 @@ class Loads:
         return [
             Action(float(v), (*key, i), partial(make, tuple(units[i].tolist())))
             for i, v in enumerate(value)
-            if v != 0 or i == 0  # a name is looked up even where nothing acts
+            if v != 0 or (i == 1 and not any(value))  # a name is looked up even for nothing
         ]
 
     def _pressure(self, name: str, p: Pressure) -> Array:
