@@ -1,0 +1,158 @@
+"""Contact by Nitsche's method, a second opinion: no multipliers, the bodies' own stresses press.
+
+With P u the pressure that the slave's stresses exert along the direction of contact and g(u) the
+gap, contact is p = P u and p = [P u - g(u)/gamma]_+, for any gamma > 0. Both hold where
+
+    J(u) = a(u, u)/2 - f(u) + int gamma/2 ([P u - g(u)/gamma]_+^2 - (P u)^2)
+
+is least, so that gamma = alpha h/(lambda + 2 mu), h the depth of a cell, costs no order (Chouly and
+Hild 2013; Chouly, Hild and Renard 2015: theta = 1). J is convex unless alpha is too large.
+Coulomb's friction cuts P_t u - s(u)/gamma, s the slip, to +-mu p, with the pressure p of the
+iteration before, so that each J is convex (Tresca's friction).
+
+Pairs, integration points and body stiffness are those of `ContactProblem.solve`. The space of the
+tractions, the condensed system and the active sets are not used: tractions are found at the
+points, from the sparse system of all unknowns.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from fem.contact.actions import Forces
+from fem.contact.approach import APART
+from fem.contact.convex import Piecewise
+from fem.contact.nitsche_rows import Rows, rows
+from fem.contact.nitsche_solution import NitscheSolution, PointTouch, touches_of
+from fem.contact.problem import ContactProblem
+from fem.plane.discretisation import Array, named_facets
+from fem.plane.loads import Pressure, Vector
+from fem.plane.supports import Support
+
+BOUND = 1e-9  # of the largest pressure: by how much bounds of friction may change at last
+MAX_BOUNDS = 200
+
+
+def solve_nitsche(
+    problem: ContactProblem,
+    *,
+    alpha: float = 0.05,
+    pressures: Mapping[str, Pressure] | None = None,
+    tractions: Mapping[str, Vector] | None = None,
+    forces: Forces | None = None,
+    body_forces: Vector | Mapping[str, Vector] | None = None,
+    point_forces: Mapping[tuple[float, float], tuple[float, float]] | None = None,
+    displacements: Mapping[str, Support] | None = None,
+    after: NitscheSolution | None = None,
+) -> NitscheSolution:
+    """The equilibrium of `problem` under the loads of `ContactProblem.solve`.
+
+    Parameters
+    ----------
+    problem
+        Slaves are elastic; what touches of a slave's surface belongs to one pair alone and
+        carries no other load.
+    alpha
+        The weight of the stress against the gap: about 0.01 to 0.2.
+    after
+        The step before, from which friction continues.
+
+    Raises
+    ------
+    ValueError
+        For slaves and loads as above, wrong names, and bodies that start too far apart.
+    ArithmeticError
+        Where `alpha` is too large, where loads move a body that nothing holds, and where the
+        iteration does not converge.
+    """
+    if not 0 < alpha < np.inf:
+        raise ValueError(f"alpha must be positive and finite, got {alpha:g}")
+    _check_slaves(problem, {*(pressures or {}), *(tractions or {}), *(forces or {})})
+    bodies = problem.bodies
+    actions = [
+        *problem.loads.actions(
+            pressures or {}, tractions or {}, forces or {}, body_forces, point_forces or {}
+        ),
+        *problem.supports.actions(displacements or {}),
+    ]  # fmt: skip
+    f, u_0 = np.zeros(bodies.count), np.zeros(bodies.count)
+    for action in actions:
+        response = action.respond(bodies)
+        f, u_0 = f + action.share * response.f, u_0 + action.share * response.u_0
+    own = rows(bodies, problem.surfaces, problem.interface, alpha)
+    n = own.friction.size
+    p, v = np.full(n, np.inf), np.zeros(bodies.unknowns.T.shape[1])
+    if after is not None:
+        own = replace(own, start=own.start - np.concatenate([np.zeros(n), after.slips]))
+        p, v = after.tractions[:n], after.free
+    free, found, iterations = _settle(own, own.energy(bodies, f, u_0), p, v)
+    u = bodies.unknowns.T @ free + u_0
+    mortars = problem.interface.mortars
+    touches = touches_of(mortars, own, own.moved(u), found, turn=bodies.turn)
+    _check_apart(problem, touches)
+    return NitscheSolution(
+        bodies=bodies, touches=touches, displacements=u, forces=f + own.forces(u, found),
+        tractions=found, slips=(own.motion @ u)[n:], free=free, iterations=iterations,
+    )  # fmt: skip
+
+
+def _settle(own: Rows, energy: Piecewise, p: Array, v: Array) -> tuple[Array, Array, int]:
+    """Unknowns, tractions and the number of steps, from friction's pressures `p` (n,) and `v`."""
+    n, iterations = own.friction.size, 0
+    for _ in range(MAX_BOUNDS):
+        low, high = own.limits(p)
+        bounded = replace(energy, low=low, high=high)
+        v, steps = bounded.least(v)
+        found, iterations = bounded.cut(v), iterations + steps
+        change = np.abs(found[:n] - p)[own.rough].max(initial=0.0)
+        p = found[:n]
+        if change <= BOUND * p.max(initial=0.0):
+            return v, found, iterations
+    raise ArithmeticError(
+        f"friction did not converge: after {MAX_BOUNDS} bounds the pressure still changes by "
+        f"{change:.1e} of {p.max():.1e}"
+    )
+
+
+def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
+    """ValueError where the stress of a slave does not tell the traction of its pair."""
+    mesh, surfaces, mortars = problem.bodies.basis.mesh, problem.surfaces, problem.interface.mortars
+    others = [(f"a load on {x!r}", named_facets(mesh, x)) for x in loaded if x in mesh.boundaries]
+    touching = [
+        slave.facets[np.unique(m.points.slave)]
+        for slave, m in zip(surfaces.slaves, mortars, strict=True)
+    ]
+    masters = [
+        np.zeros(0, int) if master is None else master.facets[np.unique(m.points.master)]
+        for master, m in zip(surfaces.masters, mortars, strict=True)
+    ]
+    taken = [
+        (f"the contact {pair}", np.concatenate(facets))
+        for pair, *facets in zip(surfaces.pairs, touching, masters, strict=True)
+    ]
+    for i, (pair, slave) in enumerate(zip(surfaces.pairs, surfaces.slaves, strict=True)):
+        if np.any(problem.bodies.mu[slave.cells] == 0):
+            raise ValueError(
+                f"contact {pair}: the slave is rigid and has no stress, which Nitsche's method "
+                "weighs: swap slave and master"
+            )
+        for what, facets in (*others, *taken[:i], *taken[i + 1 :]):
+            if np.intersect1d(facets, touching[i]).size:
+                raise ValueError(
+                    f"contact {pair}: Nitsche's method needs the slave's surface for itself, "
+                    f"and {what} acts there too"
+                )
+
+
+def _check_apart(problem: ContactProblem, touches: Iterable[PointTouch]) -> None:
+    """ValueError where surfaces that touch were paired too far from each other."""
+    s = problem.surfaces
+    for pair, slave, master, touch in zip(s.pairs, s.slaves, s.masters, touches, strict=True):
+        bend = slave.curvature() + (0.0 if master is None else master.curvature())
+        apart = touch.mortar.points.gap[touch.p > 0].min(initial=np.inf)
+        if np.isfinite(apart) and apart * bend > APART:
+            raise ValueError(
+                f"contact {pair}: the surfaces start {apart:.3g} apart, too far for Nitsche's "
+                "method, which does not pair them anew: let them start close to each other"
+            )

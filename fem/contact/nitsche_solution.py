@@ -1,0 +1,91 @@
+"""What Nitsche's method finds, in the same terms as a `ContactSolution`."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.sparse import diags_array
+from scipy.sparse.linalg import spsolve
+
+from fem.contact.bodies import Bodies
+from fem.contact.mortar import Mortar
+from fem.contact.nitsche_rows import Rows
+from fem.contact.solution import Touch, in_plane
+from fem.plane.discretisation import Array
+from fem.plane.solution import PlaneSolution
+
+
+@dataclass(frozen=True)
+class PointTouch(Touch):
+    """A touch whose tractions are found at the integration points.
+
+    Those at the nodes are their best fit by the mortar's hat functions; a node is closed or sticks
+    where most of the surface about it does.
+    """
+
+    @property
+    def peak(self) -> float:
+        """The largest pressure at an integration point."""
+        return float(self.p.max(initial=0.0))
+
+
+@dataclass(frozen=True, kw_only=True)
+class NitscheSolution:
+    """A solved contact problem.
+
+    `touches` follow the problem's pairs. `displacements` (unknowns,) are those of the mesh, then
+    x, y and rotation of each obstacle; `forces` (unknowns,) the loads and the contact's.
+    `tractions` and `slips` belong to rows at the points, `free` are the unknowns T q + u_0 as q.
+    `iterations` counts linear systems.
+    """
+
+    bodies: Bodies
+    touches: tuple[PointTouch, ...]
+    displacements: Array
+    forces: Array
+    tractions: Array
+    slips: Array
+    free: Array
+    iterations: int
+
+    @cached_property
+    def plane(self) -> PlaneSolution:
+        """Displacements, stresses, reactions and energies; contact forces count as loads."""
+        return in_plane(self.bodies, self.displacements, self.forces)
+
+    @property
+    def strain_energy(self) -> float:
+        """Of all bodies [force x length]."""
+        return self.plane.strain_energy
+
+
+def touches_of(
+    mortars: Sequence[Mortar], own: Rows, moved: Array, found: Array, *, turn: bool
+) -> tuple[PointTouch, ...]:
+    """What happens between the pairs with gaps and slips `moved`, tractions `found` (rows,)."""
+    touches, n = [], own.friction.size
+    ends = np.cumsum([m.weight.size for m in mortars])
+    for end, m in zip(ends, mortars, strict=True):
+        points = np.arange(end - m.weight.size, end)
+        rough = n + np.flatnonzero(np.isin(own.rough, points))
+        q, slip = np.zeros(points.size), np.zeros(points.size)
+        if rough.size:
+            q, slip = found[rough], moved[rough]
+        limit = own.friction[points] * found[points]
+        touches.append(_touch(m, moved[points], slip, found[points], q, limit, turn))
+    return tuple(touches)
+
+
+def _touch(
+    m: Mortar, gap: Array, slip: Array, p: Array, q: Array, limit: Array, turn: bool
+) -> PointTouch:
+    mass = (m.hats.T @ diags_array(m.weight) @ m.hats).tocsc()
+    sticks = (np.abs(q) < limit).astype(float)
+    return PointTouch(
+        x=m.x, arc=m.arc, pressure=spsolve(mass, m.weighted(p)),
+        traction=spsolve(mass, m.weighted(q)),
+        gap=m.weighted(gap) / m.size, slip=m.weighted(slip) / m.size,
+        closed=m.weighted((p > 0).astype(float)) > m.size / 2,
+        sticks=m.weighted(sticks) > m.size / 2, mortar=m, p=p, q=q, turn=turn,
+    )  # fmt: skip
