@@ -76,7 +76,7 @@ def unknowns(
     on_surface = np.zeros(basis.N)
     on_surface[surface] = 1
     count = int(np.count_nonzero(abs(T.T) @ on_surface))
-    columns, L = [T], _least_norm(conditions, elastic, basis.N)
+    columns, L = [T], _least_norm(still, np.flatnonzero(elastic), conditions.owner.size, basis.N)
     for dofs in rigid:
         own = np.flatnonzero(np.isin(conditions.dofs[0], dofs))
         shapes, lift = _rigid(basis, conditions, dofs, own, turn)
@@ -93,19 +93,16 @@ def unknowns(
     )  # fmt: skip
 
 
-def _least_norm(conditions: Conditions, chosen: Array, count: int) -> csr_array:
-    """Displacements (unknowns, conditions) of least norm that meet unit values of `chosen`."""
-    index = np.flatnonzero(chosen)
-    node, group = np.unique(conditions.dofs[0, index], return_inverse=True)
-    order = np.argsort(group, kind="stable")
-    first = np.searchsorted(group[order], np.arange(node.size))
-    rank = np.arange(index.size) - first[group[order]]
-    d = np.zeros((node.size, int(rank.max(initial=-1)) + 1, 2))
-    d[group[order], rank] = conditions.direction[:, index[order]].T
-    inverse = np.linalg.pinv(d, rcond=INDEPENDENT) if index.size else np.zeros((0, 2, 0))
-    entries = inverse[group[order], :, rank]
-    at = conditions.dofs[:, index[order]].T.ravel(), np.repeat(index[order], 2)
-    return csr_array((entries.ravel(), at), (count, conditions.owner.size))
+def _least_norm(conditions: Conditions, index: Indices, of: int, count: int) -> csr_array:
+    """Displacements (count, of) of least norm that meet unit values of `conditions`.
+
+    These are the `index` (m,) of all `of` conditions.
+    """
+    number, dofs, direction = conditions.by_node()
+    inverse = np.linalg.pinv(direction, rcond=INDEPENDENT).swapaxes(1, 2)
+    node, rank = np.nonzero(number >= 0)
+    at = dofs[:, node].T.ravel(), np.repeat(index[number[node, rank]], 2)
+    return csr_array((inverse[node, rank].ravel(), at), (count, of))
 
 
 def _rigid(

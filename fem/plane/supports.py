@@ -5,8 +5,9 @@ Every supported node keeps 0 or 1 free direction, so that the solution is u = T 
 free unknowns q; inclined and curved guides need no penalty.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,8 @@ Support = str | Mapping[str, Prescribed]
 Anchors = Mapping[tuple[float, float], Support]
 Owner = str | tuple[float, float]
 COMPONENTS = "xynt"
+INDEPENDENT = 1e-9  # singular values of the unit directions at a node: below, two are one
+CONTRADICTION = 1e-9  # of the values prescribed at a node
 AXIS = "the axis"  # owns the condition u_r = 0 on the axis of a body of revolution
 
 
@@ -49,19 +52,30 @@ class Conditions:
         points = [i for i, owner in enumerate(self.owners) if isinstance(owner, tuple)]
         return np.isin(self.owner, points) & (self.dofs[0] == node[0])
 
-    def groups(self) -> Iterator[Indices]:
-        """The conditions of one node after the other."""
-        if self.owner.size:
-            order = np.argsort(self.dofs[0], kind="stable")
-            yield from np.split(order, np.flatnonzero(np.diff(self.dofs[0, order])) + 1)
+    def by_node(self) -> tuple[Indices, Indices, Array]:
+        """The conditions of one node side by side.
+
+        Numbers (nodes, c) of the conditions, -1 where a node has fewer than c >= 2; the unknowns
+        (2, nodes) of the nodes; directions (nodes, c, 2), zero where there is no condition.
+        """
+        node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
+        order = np.argsort(group, kind="stable")
+        start = np.searchsorted(group[order], np.arange(node.size))
+        rank = np.arange(order.size) - start[group[order]]
+        number = np.full((node.size, max(2, int(rank.max(initial=-1)) + 1)), -1)
+        number[group[order], rank] = order
+        direction = np.zeros((*number.shape, 2))
+        direction[group[order], rank] = self.direction[:, order].T
+        return number, self.dofs[:, first], direction
 
     def forces(self, reaction: Array) -> Array:
         """Force (m,) along each condition that makes up `reaction` (unknowns,) of the supports."""
+        number, dofs, direction = self.by_node()
+        # least norm: conditions that say the same share what they carry
+        inverse = np.linalg.pinv(direction.swapaxes(1, 2), rcond=INDEPENDENT)
+        each = np.einsum("nci,in->nc", inverse, reaction[dofs])
         force = np.zeros(self.owner.size)
-        for group in self.groups():
-            at = reaction[self.dofs[:, group[0]]]
-            # least norm: conditions that say the same share what they carry
-            force[group] = np.linalg.lstsq(self.direction[:, group], at, rcond=1e-9)[0]
+        force[number[number >= 0]] = each[number >= 0]
         return force
 
 
@@ -126,28 +140,27 @@ def free_directions(
 
     Free unknowns q follow each other as their nodes do by `place` (unknowns,).
     """
-    fixed, u0 = np.zeros(basis.N, bool), np.zeros(basis.N)
-    rows: list[int] = []
-    tangents: list[Array] = []
-    for group in conditions.groups():
-        pair = conditions.dofs[:, group[0]]
-        try:
-            u0[pair], tangent = _resolve(conditions.direction[:, group].T, conditions.value[group])
-        except ValueError as error:
-            x, y = basis.doflocs[:, pair[0]]
-            by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[group]}))
-            raise ValueError(f"at ({x:.10g}, {y:.10g}), held by {by}: {error}") from error
-        fixed[pair] = True
-        if tangent is not None:
-            rows += pair.tolist()
-            tangents.append(tangent)
+    number, dofs, direction = conditions.by_node()
+    value = (
+        np.where(number >= 0, conditions.value[number], 0.0) if number.size else np.zeros((0, 2))
+    )
+    u = np.einsum("nic,nc->ni", np.linalg.pinv(direction, rcond=INDEPENDENT), value)
+    missed = np.abs(np.einsum("nci,ni->nc", direction, u) - value)
+    size = np.abs(value).max(axis=1, keepdims=True, initial=0.0)
+    if np.any(wrong := np.any(missed > CONTRADICTION * size, axis=1)):
+        _refuse(basis, conditions, number[np.argmax(wrong)])
+    u0, fixed = np.zeros(basis.N), np.zeros(basis.N, bool)
+    u0[dofs], fixed[dofs] = u.T, True
+    _, s, v = np.linalg.svd(direction, full_matrices=False)
+    guided = np.flatnonzero(s[:, 1] < INDEPENDENT)
+    rows, tangents = dofs[:, guided].T.ravel(), v[guided, 1].ravel()
     free = np.flatnonzero(~fixed)
-    n, m = free.size, len(tangents)
+    n, m = free.size, guided.size
     column = np.empty(n + m, int)
-    column[np.argsort(place[np.concatenate([free, rows[::2]]).astype(int)])] = np.arange(n + m)
+    column[np.argsort(place[np.concatenate([free, rows[::2]])])] = np.arange(n + m)
     columns = column[np.concatenate([np.arange(n), n + np.repeat(np.arange(m), 2)])]
-    entries = np.concatenate([np.ones(n), np.ravel(tangents)])
-    T = csr_array((entries, (np.concatenate([free, rows]).astype(int), columns)), (basis.N, n + m))
+    entries = np.concatenate([np.ones(n), tangents])
+    T = csr_array((entries, (np.concatenate([free, rows]), columns)), (basis.N, n + m))
     return T, u0
 
 
@@ -186,12 +199,13 @@ def _values(value: Prescribed, x: Array) -> Array:
     return np.broadcast_to(np.asarray(given, float), x.shape[1:]).copy()
 
 
-def _resolve(directions: Array, values: Array) -> tuple[Array, Array | None]:
-    """Displacement that meets all conditions of one node and the direction that stays free."""
-    u = np.asarray(np.linalg.lstsq(directions, values, rcond=1e-9)[0], dtype=np.float64)
-    if not np.allclose(directions @ u, values, rtol=1e-9, atol=1e-9 * np.abs(values).max()):
-        raise ValueError(f"two supports of one node contradict each other: {values.tolist()}")
-    _, s, v = np.linalg.svd(directions)
-    tangent: Array = v[1]
-    independent = int(np.sum(s > 1e-9))
-    return u, tangent if independent == 1 else None
+def _refuse(basis: Basis, conditions: Conditions, number: Indices) -> NoReturn:
+    """Say which of the conditions `number` (c,) of one node contradict each other."""
+    own = number[number >= 0]
+    x, y = basis.doflocs[:, conditions.dofs[0, own[0]]]
+    by = ", ".join(sorted({repr(conditions.owners[i]) for i in conditions.owner[own]}))
+    values = conditions.value[own].tolist()
+    raise ValueError(
+        f"at ({x:.10g}, {y:.10g}), held by {by}: two supports of one node contradict each other: "
+        f"{values}"
+    )
