@@ -1,12 +1,10 @@
 """Bodies that start apart: where their surfaces are once they have come together."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fem.contact.interface import Surfaces
-from fem.contact.mortar import Mortar
 from fem.contact.shapes import Motion
-from fem.contact.solution import ContactSolution
+from fem.contact.solution import ContactSolution, Touch
 from fem.contact.trace import Trace
 from fem.plane.discretisation import Array
 
@@ -20,40 +18,30 @@ def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | No
     parts of the surfaces that touch were paired no farther from each other than a linear gap
     allows.
     """
-    bases: list[Array | None] = [None] * len(surfaces.pairs)
-    needed = False
-    u = None
-    for i, (touch, slave, master) in enumerate(
-        zip(solution.touches, surfaces.slaves, surfaces.masters, strict=True)
-    ):
-        loaded = touch.p > 0
-        if not np.any(loaded):
-            continue
-        bend = slave.curvature() + (0.0 if master is None else master.curvature())
-        needed |= bool(touch.mortar.points.gap[loaded].min() * bend > APART)
-        if u is None:
-            u = solution.displacements
-        bases[i] = _base(u, touch.mortar, loaded, slave, master, solution.bodies.basis.N)
-    return bases if needed else None
+    sides = list(zip(solution.touches, surfaces.slaves, surfaces.masters, strict=True))
+    if not any(_apart(*side) for side in sides):
+        return None
+    u, count = solution.displacements, solution.bodies.basis.N
+    return [_base(u, count, *side) if np.any(side[0].p > 0) else None for side in sides]
 
 
-def _base(
-    u: Array,
-    mortar: Mortar,
-    loaded: NDArray[np.bool_],
-    slave: Trace,
-    master: Trace | None,
-    meshed: int,
-) -> Array:
+def _apart(touch: Touch, slave: Trace, master: Trace | None) -> bool:
+    bend = slave.curvature() + (0.0 if master is None else master.curvature())
+    distance = touch.mortar.points.gap[touch.p > 0]
+    return distance.size > 0 and bool(distance.min() * bend > APART)
+
+
+def _base(u: Array, count: int, touch: Touch, slave: Trace, master: Trace | None) -> Array:
+    """The motions of what touches on both sides, carried on to all of the two surfaces."""
     base = np.zeros(u.size)
-    base[meshed:] = u[meshed:]
-    sides = [(slave, mortar.points.slave)]
-    if master is not None:
-        sides.append((master, mortar.points.master))
-    for trace, facets in sides:
-        dofs = trace.dofs[:, :, np.unique(facets[loaded])].reshape(2, -1)
-        places = trace.nodes[:, : trace.dofs.shape[1], np.unique(facets[loaded])].reshape(2, -1)
-        motion = Motion.fitted(places, u[dofs])
-        nodes = trace.nodes[:, : trace.dofs.shape[1]].reshape(2, -1)
-        base[trace.dofs.reshape(2, -1)] = motion.displacement(nodes)
+    base[count:] = u[count:]
+    points, loaded = touch.mortar.points, touch.p > 0
+    for trace, facets in ((slave, points.slave), (master, points.master)):
+        if trace is not None:
+            places = trace.nodes[:, : trace.dofs.shape[1]]
+            near = np.unique(facets[loaded])
+            motion = Motion.fitted(
+                places[:, :, near].reshape(2, -1), u[trace.dofs[:, :, near]].reshape(2, -1)
+            )
+            base[trace.dofs] = motion.displacement(places.reshape(2, -1)).reshape(places.shape)
     return base
