@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import nnls
 
 from fem.plane.discretisation import Array, Indices
 
@@ -91,8 +92,6 @@ class Complementarity:
 
     def unbalanced(self, e: Array) -> Array:
         """What no admissible contact forces can balance of the loads `e` (k,) on rigid motions."""
-        from scipy.optimize import nnls
-
         m = self.friction.size
         normal = self.D[:m].T
         held = self.partner >= 0
@@ -100,8 +99,9 @@ class Complementarity:
         cone = np.hstack([normal, normal[:, held] + sideways, normal[:, held] - sideways])
         size = np.abs(cone).max(axis=0)
         cone = cone[:, size > 1e-12 * size.max(initial=0)]
-        share, _ = nnls(cone / np.hypot.reduce(cone, axis=0), -e, maxiter=100 * cone.shape[1])
-        return e + cone / np.hypot.reduce(cone, axis=0) @ share
+        cone /= np.hypot.reduce(cone, axis=0)
+        share, _ = nnls(cone, -e, maxiter=100 * cone.shape[1])
+        return e + cone @ share
 
     def _coarse_states(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
         """Where groups of rows in one would touch, without friction; None if that is not found.

@@ -14,6 +14,7 @@ from fem.contact.shapes import Motion
 from fem.contact.trace import Trace, trace_of
 from fem.plane.discretisation import Array, Indices
 
+LEAST = 1e-13  # of the mean compliance
 ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that say nothing
 
 
@@ -67,6 +68,8 @@ class Interface:
         held = friction > 0
         partner[held] = friction.size + np.arange(held.sum())
         B = self.C @ bodies.compliance(self.C.T)
+        # what supports fix on both sides could carry any traction: it takes the least
+        B[np.diag_indices(len(B))] += LEAST * np.trace(B) / len(B)
         self.kernel = Complementarity(
             B=(B + B.T) / 2,
             D=self.C @ bodies.motions,
@@ -94,6 +97,11 @@ class Interface:
         if base is not None:
             slave = slave.moved(base)
             master = None if master is None else master.moved(base)
+        if np.any(bodies.mu[slave.cells] == 0):
+            raise ValueError(
+                f"contact {contact}: the slave is rigid, and the traction belongs to the surface "
+                "that deforms: swap slave and master"
+            )
         obstacle = 0, (0.0, 0.0)
         if master is None:
             body = bodies.obstacles[contact.master]
@@ -116,12 +124,10 @@ class Interface:
         return mortar(slave, master, points, unknowns=bodies.count, depth=depth, obstacle=obstacle)
 
     def _share(self, slave: Trace, master: Trace) -> float:
-        """The slave's part of both plane moduli, 1 or 0 where one body is rigid."""
+        """The slave's part of both plane moduli, 0 where the master is rigid."""
         own = self.bodies.plane_modulus(slave.cells)
         other = self.bodies.plane_modulus(master.cells)
-        if own == other:
-            return 0.5
-        return 1.0 if own == np.inf else own / (own + other)
+        return own / (own + other)
 
     def _check_overlap(
         self, contact: Pair, slave: Trace, master: Trace | None, points: Points

@@ -148,8 +148,9 @@ class ContactSolution:
             traction, slip = self.rest.multipliers[partner], self.w[partner] / m.size
         return Touch(
             x=m.x, arc=m.arc, turn=self.bodies.turn, pressure=pressure, traction=traction,
-            gap=self.w[own] / m.size, slip=slip, closed=states != OPEN, sticks=(states == STICK) & (partner >= 0), mortar=m,
-            p=m.hats @ pressure, q=m.hats @ traction,
+            gap=self.w[own] / m.size, slip=slip, closed=states != OPEN,
+            sticks=(states == STICK) & (partner >= 0), mortar=m, p=m.hats @ pressure,
+            q=m.hats @ traction,
         )  # fmt: skip
 
     @cached_property
