@@ -1,0 +1,141 @@
+r"""First correction to Hertz for spheres, each pressed between two opposite contacts.
+
+A sphere under normal surface loads answers degree by degree of Legendre's series: a normal stress
+:math:`2\mu P_n` moves the surface by c_n R P_n,
+
+.. math:: c_n = \frac{2(1-\nu)n^2 + \nu n - 1 + 2\nu}{(n-1)(n^2 + (1+2\nu)n + 1 + \nu)}
+          = \frac{2(1-\nu)}{n} + \frac{\nu(4\nu - 3)}{n^2} + \dots
+
+A point force P sums (2n + 1) c_n P_n: the first term is the half space's, over the chord d; the
+second is a logarithm, so that near the force
+
+.. math:: u = \frac{P}{\pi E'}\left[\frac1d - \frac{\lambda}{R}\ln\frac{d}{2R}
+          + \frac{\text{const}}{R}\right],
+          \qquad \lambda = \frac{(1-2\nu)^2}{2(1-\nu)}, \quad E' = \frac{E}{1-\nu^2}.
+
+The tilt of the surface against the direction of the force adds a constant too: at x, a force at x'
+acts (x - x') . x' through its tangential part, -(x - x') . x through the tilt of what it moves.
+The logarithm's share of the displacements, whose Laplacian is the pressure's, changes the shape
+that the half spaces have to meet; Galin's integrals give the answer in closed form. With
+:math:`\varepsilon = a \sum \lambda_i E^*/(E_i' R_i)`
+
+.. math::
+    P = \frac{4 E^* a^3}{3R}\left[1 - \frac{3\varepsilon}{2\pi}\right], \qquad
+    p_0 = \frac{2 E^* a}{\pi R}\left[1 - \varepsilon\left(\frac{1}{2\pi} + \frac{\pi}{8}\right)
+    \right],
+
+so that under the same load a exceeds Hertz's by :math:`\varepsilon/2\pi` and p_0 falls short by
+:math:`\pi\varepsilon/8` of it. What is left out is of (a/R_i)² with factors below 1 (the circle's
+fourth power alone: 2/5 of P).
+
+References
+----------
+.. [1] E. Sternberg, F. Rosenthal, The elastic sphere under concentrated loads, J. Appl. Mech. 19
+   (1952) 413-421: the point force and its logarithm.
+.. [2] A. I. Lur'e, Three-Dimensional Problems of the Theory of Elasticity, Interscience 1964:
+   the sphere in Legendre's series.
+.. [3] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, sec. 5.3: any profile of
+   revolution.
+"""
+
+from dataclasses import dataclass
+from math import cbrt, log, pi
+
+import numpy as np
+from scipy.special import digamma
+
+from analytic.contact.checks import poisson, positive
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """Radius [length], infinite for a half space, and material; E [stress] infinite if rigid."""
+
+    R: float
+    E: float
+    nu: float
+
+    def __post_init__(self) -> None:
+        poisson(self.nu)
+        for value, what, unit in ((self.R, "radius", "m"), (self.E, "Young's modulus", "Pa")):
+            if not value > 0:
+                raise ValueError(f"{what} must be positive, got {value} {unit}")
+
+    @property
+    def softness(self) -> float:
+        """1/E' [1/stress]."""
+        return (1 - self.nu**2) / self.E
+
+    @property
+    def logarithm(self) -> float:
+        """lambda over E' R: how strongly the sphere's own shape enters [1/(stress length)]."""
+        return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
+
+    def sinking(self, a: float) -> float:
+        """By how much an elliptic pressure of unit load sinks beyond the half space's share.
+
+        Of the contact's middle against the plane of symmetry half-way to the other contact
+        [length/force], the surface's tilt apart.
+        """
+        if np.isinf(self.R):
+            return 0.0
+        mean_log = log(a / (2 * self.R)) + log(2) - 4 / 3
+        rest = _rest(self.nu) / (4 * pi * (1 - self.nu)) * self.softness / self.R
+        return rest - self.logarithm / pi * mean_log
+
+    @property
+    def tilted(self) -> float:
+        """Sinking per unit load and per tilt of the surface [1/stress]."""
+        return (1 - 2 * self.nu) / (2 * pi * (1 - self.nu)) * self.softness
+
+
+@dataclass(frozen=True)
+class PressedSpheres:
+    """Contact radius, peak pressure and approach of both planes of symmetry, to first order."""
+
+    a: float
+    p_0: float
+    approach: float
+
+
+def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
+    """Two spheres under the load P [force]; at least one elastic and one of finite radius.
+
+    >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.5 - 1e-9), Sphere(R=np.inf, E=np.inf, nu=0)
+    >>> pressed = pressed_spheres(ball, flat, P=4e-6 / 3)  # incompressible: no logarithm
+    >>> round(pressed.a, 9), round(pressed.p_0 * pi, 9)
+    (0.01, 0.02)
+    """
+    positive(P, "load", "N")
+    soft, bent = one.softness + other.softness, 1 / one.R + 1 / other.R
+    if not (soft > 0 and bent > 0):
+        raise ValueError("one body must be elastic and one of finite radius")
+    strength = (one.logarithm + other.logarithm) / soft  # epsilon over a
+    hertz = cbrt(0.75 * P * soft / bent)
+    a = hertz * (1 + hertz * strength / (2 * pi))
+    epsilon = a * strength
+    flat = a**2 * bent * (1 - 4 * epsilon / (3 * pi) * (0.5 + log(2)))
+    # the force acts along the common normal, whose curvature the softer body follows
+    common = (other.softness / one.R - one.softness / other.R) / soft
+    tilt = one.tilted * (1 / one.R - common) + other.tilted * (1 / other.R + common)
+    return PressedSpheres(
+        a=a,
+        p_0=2 * hertz * bent / (pi * soft) * (1 - pi * hertz * strength / 8),
+        approach=flat + P * (one.sinking(a) + other.sinking(a) - tilt),
+    )
+
+
+def _rest(nu: float) -> float:
+    """What two opposite unit forces add at the pole beyond 4(1 - nu) R/d and the logarithm.
+
+    Twice the even terms of the series over the 8 pi mu R of a force, less their first two orders,
+    whose images on the far side are sums of (-1)^n and (-1)^n/n. Partial fractions of (2n + 1) c_n
+    turn the rest into digamma functions.
+    """
+    two = 2 * (1 - 2 * nu) ** 2
+    root = -(1 + 2 * nu) / 2 + 1j * np.sqrt(0.75 - nu**2)
+    top = 2 * (1 - nu) * root**2 + nu * root - 1 + 2 * nu
+    share = (2 * root + 1) * top / ((root - 1) * 2j * root.imag)
+    tail = digamma(0.5) + 2 * np.real(share * digamma(1 - root / 2)) - two * digamma(1.0)
+    uniform = (1 - 2 * nu) / (1 + nu) - 4 * (1 - nu)  # n = 0
+    return float(2 * (1 - nu) - two * log(2) + 2 * uniform - tail)
