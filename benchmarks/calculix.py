@@ -12,6 +12,7 @@ import subprocess
 import time
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TextIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,14 +43,21 @@ def version() -> str:
     return " ".join(re.findall(r"Version\s+(\S+)", said.stdout)) or "unknown"
 
 
-def run_deck(deck: Path, threads: int = 1) -> Run:
-    """Run calculix on `deck`; RuntimeError with its own words where it fails."""
+def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
+    """Run calculix on `deck`; RuntimeError with its own words where it fails, or over the `limit`.
+
+    `limit` is in seconds.
+    """
     command = [str(executable()), "-i", deck.stem]
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    said = subprocess.run(  # noqa: S603
-        command, cwd=deck.parent, env=environment, capture_output=True, text=True, check=False
-    )
+    try:
+        said = subprocess.run(  # noqa: S603
+            command, cwd=deck.parent, env=environment, capture_output=True, text=True,
+            check=False, timeout=limit,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        raise RuntimeError(f"calculix took more than {limit:g} s on {deck.name}") from None
     wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     if said.returncode or "*ERROR" in said.stdout:
         raise RuntimeError(f"calculix failed on {deck.name}: {said.stdout[-500:]}")
@@ -59,16 +67,21 @@ def run_deck(deck: Path, threads: int = 1) -> Run:
 
 def displacements(frd: Path) -> Array:
     """Displacements (nodes, 2) in the order of the node numbers, six digits each."""
-    lines = iter(frd.read_text("ascii").splitlines())
-    for line in lines:
-        if line.startswith(" -4  DISP"):
-            break
-    rows = []
-    for line in lines:
-        if line.startswith(" -1"):
-            rows.append((float(line[13:25]), float(line[25:37])))
+    return nodal(frd, "DISP")[:, :2]
+
+
+def nodal(frd: Path, name: str) -> Array:
+    """Components (nodes, n) of that field in the last increment, in the order of node numbers."""
+    rows: list[list[float]] = []
+    inside = False
+    for line in frd.read_text("ascii").splitlines():
+        if line.startswith(" -4"):
+            inside = line.split()[1] == name
+            rows = [] if inside else rows
+        elif inside and line.startswith(" -1"):
+            rows.append([float(line[i : i + 12]) for i in range(13, len(line.rstrip()), 12)])
         elif line.startswith(" -3"):
-            break
+            inside = False
     return np.array(rows)
 
 
@@ -81,29 +94,54 @@ def write_deck(
     solver: str = "SPOOLES",
 ) -> None:
     """Write the problem that `solution` solves: one material, quadratic, held along x and y."""
-    dofs = deck_unknowns(solution)
-    number = np.zeros(solution.basis.N, int)
-    number[dofs] = np.arange(1, dofs.shape[1] + 1)
-    cells = _cells(solution)
-    kind = ("CPE" if assumption == "plane strain" else "CPS") + str(len(cells))
+    kind = ("CPE" if assumption == "plane strain" else "CPS") + str(len(deck_cells(solution)))
+    with path.open("w", encoding="ascii") as deck:
+        write_body(deck, solution, kind=kind, material=material)
+        deck.write(f"*STEP\n*STATIC, SOLVER={solver}\n")
+        write_loads(deck, solution, solution.f)
+        deck.write("*NODE FILE, OUTPUT=2D\nU\n*EL FILE, OUTPUT=2D\nS\n*END STEP\n")
+
+
+def write_body(
+    deck: TextIO,
+    solution: PlaneSolution,
+    *,
+    kind: str,
+    material: Elastic,
+    places: Array | None = None,
+) -> None:
+    """Nodes at `places` (2, nodes) or where the mesh has them, elements, material, supports."""
+    dofs, number, cells = deck_unknowns(solution), numbers(solution), deck_cells(solution)
     held = solution.conditions
     axis = np.argmax(np.abs(held.direction), axis=0)
     fixed = np.array([number[held.dofs[0]], axis + 1, axis + 1])[:, number[held.dofs[0]] > 0]
-    loaded = [(i, dof) for i in (0, 1) for dof in dofs[i, solution.f[dofs[i]] != 0]]
+    x = solution.basis.doflocs[:, dofs[0]] if places is None else places
     # calculix reads 20 characters of a number and drops the rest, exponent and all
-    with path.open("w", encoding="ascii") as deck:
-        deck.write("*NODE, NSET=ALL\n")
-        nodes = np.column_stack([number[dofs[0]], solution.basis.doflocs[:, dofs[0]].T])
-        np.savetxt(deck, nodes, fmt="%d,%.12e,%.12e,0")
-        deck.write(f"*ELEMENT, TYPE={kind}, ELSET=BODY\n")
-        numbered = np.vstack([np.arange(1, cells.shape[1] + 1), cells])
-        np.savetxt(deck, numbered.T, fmt="%d", delimiter=",")
-        deck.write(f"*MATERIAL, NAME=M\n*ELASTIC\n{material.E!r},{material.nu!r}\n")
-        deck.write(f"*SOLID SECTION, ELSET=BODY, MATERIAL=M\n{solution.thickness!r}\n*BOUNDARY\n")
-        np.savetxt(deck, np.unique(fixed.T, axis=0), fmt="%d", delimiter=",")
-        deck.write(f"*STEP\n*STATIC, SOLVER={solver}\n*CLOAD\n")
-        deck.writelines(f"{number[dof]},{i + 1},{solution.f[dof]:.12e}\n" for i, dof in loaded)
-        deck.write("*NODE FILE, OUTPUT=2D\nU\n*EL FILE, OUTPUT=2D\nS\n*END STEP\n")
+    deck.write("*NODE, NSET=ALL\n")
+    np.savetxt(deck, np.column_stack([number[dofs[0]], x.T]), fmt="%d,%.12e,%.12e,0")
+    deck.write(f"*ELEMENT, TYPE={kind}, ELSET=BODY\n")
+    numbered = np.vstack([np.arange(1, cells.shape[1] + 1), cells])
+    np.savetxt(deck, numbered.T, fmt="%d", delimiter=",")
+    deck.write(f"*MATERIAL, NAME=M\n*ELASTIC\n{material.E!r},{material.nu!r}\n")
+    deck.write(f"*SOLID SECTION, ELSET=BODY, MATERIAL=M\n{solution.thickness!r}\n*BOUNDARY\n")
+    np.savetxt(deck, np.unique(fixed.T, axis=0), fmt="%d", delimiter=",")
+
+
+def write_loads(deck: TextIO, solution: PlaneSolution, f: Array) -> None:
+    """The forces `f` (unknowns,) on the deck's nodes."""
+    dofs, number = deck_unknowns(solution), numbers(solution)
+    deck.write("*CLOAD\n")
+    for i in (0, 1):
+        loaded = dofs[i, f[dofs[i]] != 0]
+        deck.writelines(f"{number[dof]},{i + 1},{f[dof]:.12e}\n" for dof in loaded)
+
+
+def numbers(solution: PlaneSolution) -> NDArray[np.int64]:
+    """The deck's node number of every unknown, 0 where it has none."""
+    dofs = deck_unknowns(solution)
+    number = np.zeros(solution.basis.N, int)
+    number[dofs] = np.arange(1, dofs.shape[1] + 1)
+    return number
 
 
 def deck_unknowns(solution: PlaneSolution) -> NDArray[np.int64]:
@@ -112,7 +150,7 @@ def deck_unknowns(solution: PlaneSolution) -> NDArray[np.int64]:
     return np.hstack([np.asarray(basis.nodal_dofs), np.asarray(basis.facet_dofs)])
 
 
-def _cells(solution: PlaneSolution) -> NDArray[np.int64]:
+def deck_cells(solution: PlaneSolution) -> NDArray[np.int64]:
     """Node numbers (6 or 8, cells), counter-clockwise: corners, then edges."""
     mesh = solution.basis.mesh
     n = len(mesh.t)

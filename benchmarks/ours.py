@@ -6,7 +6,7 @@ python -m benchmarks.ours KIND AROUND [DECK]    prints JSON; with DECK writes it
 import json
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
@@ -28,8 +28,10 @@ STAGES = {
 
 
 @contextmanager
-def timed(stages: dict[str, float]) -> Iterator[None]:
-    """Add the seconds of every stage that runs meanwhile to `stages`."""
+def timed(
+    stages: dict[str, float], table: Mapping[str, tuple[Any, tuple[str, ...]]]
+) -> Iterator[None]:
+    """Add the seconds of every stage of `table` (owner, names) that runs meanwhile to `stages`."""
 
     def watched(stage: str, run: Callable[..., Any]) -> Callable[..., Any]:
         def call(*args: Any, **more: Any) -> Any:
@@ -42,7 +44,7 @@ def timed(stages: dict[str, float]) -> Iterator[None]:
         return call
 
     with ExitStack() as patches:
-        for stage, (owner, names) in STAGES.items():
+        for stage, (owner, names) in table.items():
             for name in names:
                 patches.enter_context(
                     patch.object(owner, name, watched(stage, getattr(owner, name)))
@@ -55,7 +57,7 @@ def main() -> None:
     mesh = ring_mesh(kind, int(around))  # type: ignore[arg-type]
     stages: dict[str, float] = {}
     start, cpu = time.perf_counter(), time.process_time()
-    with timed(stages):
+    with timed(stages, STAGES):
         ring = solve_ring(mesh)
     solved = time.perf_counter()
     ring.cells()

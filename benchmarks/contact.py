@@ -1,0 +1,230 @@
+"""Hertz contact of two elastic bodies beside calculix on the same mesh; `make bench`.
+
+Both run as processes of their own, in turn, with one thread. Ours is timed from the scikit-fem
+mesh in memory to contact pressures, displacements and the stress of every cell, and as a whole
+process with Python's start; calculix as a whole process, which reads its deck and writes the same.
+Meshing counts on neither side, nor does writing the deck; both are told. Both are judged by the
+peak pressure, the half-width from the pressure's moment and the approach of the centres.
+
+calculix is asked in many ways, all of them printed; it is compared in the one that is fastest among
+those nearest to the exact values. One row stands apart: discs that start with an overlap as wide
+as the contact will be, so that calculix has nothing left to search, need the solution to begin
+with. Numbers and plot go to benchmarks/out.
+"""
+
+import json
+import os
+import platform
+import resource
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from benchmarks import calculix, hertz
+from benchmarks.calculix_contact import Answer, Settings, run_deck, write_deck
+from benchmarks.plot_contact import draw
+
+OUT = Path(__file__).parent / "out"
+RUNS = 7
+MINUTE = 60.0  # s
+NEAR = 1.1  # times the smallest error counts as that error
+# circles that overlap by a^2/R cut each other 2a apart: the start that knows the answer
+TOLD = hertz.A**2 / hertz.R / (2 * hertz.EXACT.approach)
+USUAL = Settings()
+TRIED = (
+    *(Settings(slope=slope) for slope in (5, 50, 100, 150, 500, 5000)),
+    *(Settings(slope=slope, element="CPE8") for slope in (50, 150, 500)),
+    *(replace(USUAL, start=start) for start in (0.0, 0.1, 0.5, 1.0)),
+    replace(USUAL, increments=2),
+    replace(USUAL, threads=2),
+    *(replace(USUAL, solver=s) for s in ("ITERATIVE SCALING", "ITERATIVE CHOLESKY", "PARDISO")),
+    replace(USUAL, pairing="SURFACE TO SURFACE, SMALL SLIDING"),
+    replace(USUAL, pairing="NODE TO SURFACE"),
+    replace(USUAL, pairing="MORTAR"),
+    *(
+        replace(USUAL, controls=f"*CONTROLS, PARAMETERS=CONTACT\n{change},.1,100,60")
+        for change in (0.01, 0.1)
+    ),
+)
+LADDER = (  # cells of both fine zones, refinement: 1e3 to 3e5 unknowns
+    ((3, 2), 1), ((6, 5), 1), ((12, 10), 1), (hertz.CELLS, 1), (hertz.CELLS, 2), (hertz.CELLS, 3),
+    (hertz.CELLS, 5),
+)  # fmt: skip
+
+
+def ours(cells: tuple[int, int], refine: int, *more: str) -> dict[str, Any]:
+    """One run of the project's solver in a new process with one thread."""
+    words = [sys.executable, "-m", "benchmarks.ours_contact", *map(str, (*cells, refine)), *more]
+    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    said = subprocess.run(  # noqa: S603
+        words, env=os.environ | threads, capture_output=True, text=True, check=True
+    )
+    wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return json.loads(said.stdout) | {"process": wall, "process cpu": cpu}
+
+
+class Peer:
+    """calculix on one mesh."""
+
+    def __init__(self, cells: tuple[int, int], refine: int) -> None:
+        start = time.perf_counter()
+        mesh = hertz.discs(cells, refine)
+        self.meshing = time.perf_counter() - start
+        self.problem = hertz.pressed(mesh)
+        self.solution = hertz.solve_pressed(self.problem)
+        self.writing = 0.0
+
+    def ask(self, how: Settings, limit: float = MINUTE) -> Answer:
+        """A run; RuntimeError where calculix fails."""
+        deck = OUT / "contact.inp"
+        start = time.perf_counter()
+        write_deck(deck, self.problem, self.solution, how)
+        self.writing = time.perf_counter() - start
+        try:
+            return run_deck(deck, self.problem, self.solution.plane, how, limit)
+        finally:
+            for file in OUT.glob("contact.*"):
+                if file.suffix not in (".svg", ".png", ".json"):
+                    file.unlink()
+
+
+def worst(errors: dict[str, float]) -> float:
+    """The largest of the errors that are judged."""
+    return max(abs(errors[name]) for name in ("p_0", "a", "approach"))
+
+
+def told(errors: dict[str, float]) -> str:
+    names = ("p_0", "a", "approach")
+    return " ".join(f"{name} {errors[name]:+.1e}" for name in names)
+
+
+def try_all(peer: Peer) -> list[tuple[Settings, Answer]]:
+    """Every setting once, printed; those that came to an answer."""
+    found = []
+    for how in (*TRIED, *(replace(USUAL, start=TOLD, slope=s) for s in (50, 150, 500))):
+        try:
+            answer = peer.ask(how)
+        except RuntimeError as error:
+            reason = " ".join(str(error).split())[-90:]
+            print(f"    {how!s:66s} no answer: {reason}")
+            continue
+        found.append((how, answer))
+        print(
+            f"    {how!s:66s} {answer.run.wall:6.2f} s, processor {answer.run.cpu:6.2f} s, "
+            f"{answer.iterations:3d} iterations, errors {told(answer.errors)}"
+        )
+    return found
+
+
+def choose(found: list[tuple[Settings, Answer]], enough: float) -> Settings:
+    """The fastest that errs by `enough` at most, or where there is none by the least."""
+    least = max(enough, NEAR * min(worst(answer.errors) for _, answer in found))
+    near = [(answer.run.cpu, how) for how, answer in found if worst(answer.errors) <= least]
+    return min(near, key=lambda pair: pair[0])[1]
+
+
+def compare(peer: Peer, how: Settings, runs: int) -> dict[str, Any]:
+    """Runs of both in turn: medians of seconds and of ratios."""
+    here, there = [], []
+    for _ in range(runs):
+        here.append(ours(hertz.CELLS, 1))
+        there.append(peer.ask(how))
+    pairs = list(zip(here, there, strict=True))
+    row = {key: median(run[key] for run in here) for key in ("seconds", "cpu", "process")}
+    row |= {
+        "settings": str(how), "runs": runs, "ours": here[0]["errors"],
+        "theirs": there[0].errors, "calculix": median(b.run.wall for b in there),
+        "calculix cpu": median(b.run.cpu for b in there),
+        "iterations": there[0].iterations,
+        "wall": sorted(b.run.wall / a["seconds"] for a, b in pairs),
+        "processor": sorted(b.run.cpu / a["cpu"] for a, b in pairs),
+        "processes": sorted(b.run.wall / a["process"] for a, b in pairs),
+    }  # fmt: skip
+    ratios = ", ".join(
+        f"{median(row[key]):.1f} ({row[key][0]:.1f} to {row[key][-1]:.1f}) {key}"
+        for key in ("wall", "processor", "processes")
+    )
+    print(
+        f"calculix with {how}\n"
+        f"    ours      median {row['seconds']:6.3f} s, processor {row['cpu']:6.3f} s, "
+        f"with Python's start {row['process']:5.2f} s; errors {told(row['ours'])}\n"
+        f"    calculix  median {row['calculix']:6.3f} s, processor {row['calculix cpu']:6.3f} s, "
+        f"{row['iterations']} iterations; errors {told(row['theirs'])}\n"
+        f"    calculix / ours, {runs} runs in turn: {ratios}"
+    )
+    return row
+
+
+def climb(how: Settings | None) -> list[dict[str, Any]]:
+    """Both by size, calculix as long as a run stays within a minute."""
+    rows: list[dict[str, Any]] = []
+    for cells, refine in LADDER:
+        runs = [ours(cells, refine) for _ in range(3 if refine < 3 else 1)]
+        keys = ("set-up", "first", "fields", "step", "seconds")
+        row: dict[str, Any] = {key: median(run[key] for run in runs) for key in keys}
+        row |= {key: runs[0][key] for key in ("unknowns", "surface", "errors", "stages")}
+        if how is not None:
+            try:
+                answer = Peer(cells, refine).ask(how)
+                row["calculix"] = answer.run.wall
+                row["calculix errors"] = answer.errors
+            except RuntimeError as error:
+                print(f"    {error}")
+                how = None
+        rows.append(row)
+        peer = f", calculix {row['calculix']:.2f} s" if "calculix" in row else ""
+        print(
+            f"{row['unknowns']:7d} unknowns: set-up {row['set-up']:.3f} s, first solve "
+            f"{row['first']:.3f} s, fields {row['fields']:.3f} s, further step "
+            f"{1e3 * row['step']:.2f} ms{peer}; errors {told(row['errors'])}"
+        )
+    return rows
+
+
+def steps() -> dict[str, Any]:
+    """Further steps on the condensed problem."""
+    found = {"load": ours(hertz.CELLS, 1), "friction": ours(hertz.CELLS, 1, "friction")}
+    for name, run in found.items():
+        parts = ", ".join(f"{k} {1e3 * v:.2f}" for k, v in sorted(run["step stages"].items()))
+        print(f"further {name} step, {run['unknowns']} unknowns: {1e3 * run['step']:.2f} ms")
+        print(f"    ms: {parts}")
+    used = found["friction"]["friction used"]
+    print(f"    at the last friction step Q is {used:.2f} mu P")
+    return found
+
+
+def main() -> None:
+    OUT.mkdir(exist_ok=True)
+    there = calculix.executable() is not None
+    name = f"calculix {calculix.version()}" if there else "calculix is not installed: ours alone"
+    print(f"Python {platform.python_version()}, one thread each, runs in turn; {name}")
+    result: dict[str, Any] = {"peer": name}
+    how = None
+    if there:
+        peer = Peer(hertz.CELLS, 1)
+        found = try_all(peer)
+        enough = worst(hertz.own_errors(peer.solution))
+        how = choose([(h, a) for h, a in found if h.start != TOLD], enough)
+        print(f"meshing {peer.meshing:.2f} s, writing the deck {peer.writing:.2f} s, not counted")
+        result["tried"] = [
+            {"settings": str(h), "wall": a.run.wall, "cpu": a.run.cpu, "errors": a.errors,
+             "iterations": a.iterations} for h, a in found
+        ]  # fmt: skip
+        result["compared"] = compare(peer, how, RUNS)
+        knowing = choose([(h, a) for h, a in found if h.start == TOLD], enough)
+        print("started from the answer, which ours does not need:")
+        result["told"] = compare(peer, knowing, RUNS)
+    result["steps"] = steps()
+    result["rows"] = climb(how)
+    (OUT / "contact.json").write_text(json.dumps(result, indent=1), "utf-8")
+    draw(result["rows"], OUT / "contact.svg", OUT / "contact.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,112 @@
+"""The benchmark's contact in a process of its own, timed by stage.
+
+python -m benchmarks.ours_contact CELLS CELLS REFINE [friction]    prints JSON
+"""
+
+import json
+import sys
+import time
+from collections.abc import Callable
+from statistics import median
+from typing import Any
+
+from benchmarks import hertz
+from benchmarks.ours import timed
+from fem.contact import bodies, condensation, interface, unknowns
+from fem.contact.complementarity import Complementarity
+from fem.contact.condensation import Condensed
+from fem.contact.solution import ContactSolution
+from fem.plane.cells import Cells
+
+STEPS = 20
+FARTHEST = 1.8e-6  # m, where three quarters of the contact's friction are used up
+SET_UP = {  # everything else is supports, motions, the Schur complement and loads
+    "hand-over": (bodies, ("vector_basis",)),
+    "assembly": (Cells, ("of", "stiffness")),
+    "ordering": (unknowns, ("nested_dissection",)),
+    "factorisation": (condensation, ("splu",)),
+    "pairing": (interface, ("pair",)),
+    "compliance": (bodies.Bodies, ("compliance",)),
+    "active sets": (Complementarity, ("solve",)),
+}
+STEP = {  # everything else is bookkeeping
+    "active sets": (Complementarity, ("solve",)),
+    "balance": (Complementarity, ("unbalanced",)),
+    "inside": (Condensed, ("inside", "load")),
+}
+
+
+def load_steps(mesh: Any) -> dict[str, Any]:
+    """The quarters: set-up, first solve, fields, then further loads."""
+    stages: dict[str, float] = {}
+    start, cpu = time.perf_counter(), time.process_time()
+    with timed(stages, SET_UP):
+        problem = hertz.pressed(mesh)
+        ready = time.perf_counter()
+        solution = hertz.solve_pressed(problem)
+        solved = time.perf_counter()
+        solution.plane.cells()
+    end = time.perf_counter()
+    stages["the rest"] = end - start - sum(stages.values())
+    answer = {
+        "unknowns": int(problem.bodies.basis.N), "surface": problem.bodies.unknowns.surface,
+        "seconds": end - start, "cpu": time.process_time() - cpu, "set-up": ready - start,
+        "first": solved - ready, "fields": end - solved, "stages": stages,
+        "errors": hertz.own_errors(solution),
+    }  # fmt: skip
+
+    def step(i: int, after: ContactSolution) -> ContactSolution:
+        load = -hertz.LOAD / 2 * (1 + i / (5 * STEPS))
+        return problem.solve(forces={"upper.middle": (0.0, load)}, after=after)
+
+    return answer | further(step, step(0, solution))
+
+
+def friction_steps(mesh: Any) -> dict[str, Any]:
+    """The halves, pressed and then pushed sideways."""
+    problem = hertz.sheared(mesh)
+    down = -2 * float(hertz.EXACT.approach)
+
+    def step(i: int, after: ContactSolution | None) -> ContactSolution:
+        moved = {"x": FARTHEST * i / STEPS, "y": down}
+        return problem.solve(displacements={"upper.middle": moved}, after=after)
+
+    used = []
+
+    def pushed(i: int, after: ContactSolution) -> ContactSolution:
+        solution = step(i, after)
+        touch = solution.touches[0]
+        used.append(abs(touch.friction_force) / (hertz.MU * touch.normal_force))
+        return solution
+
+    found = further(pushed, step(0, None))
+    return found | {"unknowns": int(problem.bodies.basis.N), "friction used": used[-1]}
+
+
+def further(
+    step: Callable[[int, ContactSolution], ContactSolution], solution: ContactSolution
+) -> dict[str, Any]:
+    """Median seconds of a further step to its contact tractions, whole and by stage."""
+    seconds, parts = [], []
+    solution = step(1, solution)  # keeps the responses that later steps scale
+    for i in range(1, STEPS + 1):
+        stages: dict[str, float] = {}
+        with timed(stages, STEP):
+            start = time.perf_counter()
+            solution = step(i, solution)
+            solution.touches  # noqa: B018
+            seconds.append(time.perf_counter() - start)
+        parts.append(stages | {"the rest": seconds[-1] - sum(stages.values())})
+    names = {name for part in parts for name in part}
+    middle = {name: median(part.get(name, 0.0) for part in parts) for name in names}
+    return {"step": median(seconds), "step stages": middle}
+
+
+def main() -> None:
+    upper, lower, refine, *friction = sys.argv[1:]
+    mesh = hertz.discs((int(upper), int(lower)), int(refine), whole=bool(friction))
+    print(json.dumps(friction_steps(mesh) if friction else load_steps(mesh)))
+
+
+if __name__ == "__main__":
+    main()
