@@ -110,6 +110,24 @@ def test_constant_pressure_passes_between_meshes_that_do_not_match(
     np.testing.assert_allclose(stress[[0, 2]], 0.0, atol=0.01 * PATCH)
 
 
+def test_interference_and_a_prescribed_displacement_press_single_layers():
+    meshes = {
+        "up": block(x=(0, 1), y=(1, 1.6), nx=7, ny=1),
+        "low": block(x=(0, 1), y=(0, 1), nx=5, ny=1),
+    }
+    problem = ContactProblem(
+        join(meshes), materials={"up": Elastic(E=3.0, nu=0.3), "low": Elastic(E=1.0, nu=0.1)},
+        assumption="plane stress", supports={"low.bottom": "y", "up.top": "y"},
+        anchors={(0.0, 0.0): "x", (0.0, 1.6): "x"},
+        contacts=[Pair(slave="up.bottom", master="low.top", interference=2e-3)],
+    )  # fmt: skip
+    found = solve_nitsche(problem, displacements={"up.top": {"y": -5e-3}})
+    (touch,) = found.touches
+    expected = (5e-3 + 2e-3) / (0.6 / 3.0 + 1.0 / 1.0)
+    np.testing.assert_allclose(touch.p, expected, rtol=PATCH)
+    np.testing.assert_allclose(touch.gap, 0.0, atol=2e-3 * PATCH)
+
+
 @pytest.mark.parametrize("assumption", ["plane strain", "axisymmetric"])
 def test_tractions_are_those_of_the_stresses_on_curved_cells(assumption):
     disc = quarter_disc(R=1.0, zone=0.3, refine=1, cells=3)
