@@ -31,8 +31,7 @@ SET_UP = {  # everything else is supports, motions, the Schur complement and loa
 }
 STEP = {  # everything else is bookkeeping
     "active sets": (Complementarity, ("solve",)),
-    "balance": (Complementarity, ("unbalanced",)),
-    "inside": (Condensed, ("inside", "load")),
+    "back-substitution": (Condensed, ("inside", "load")),
 }
 
 
