@@ -1,0 +1,178 @@
+"""Loads, supports and contact forces balance; work and energy do."""
+
+import numpy as np
+import pytest
+
+from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from meshes.contact.block import block
+from meshes.contact.disc import half_disc
+from meshes.contact.round import full_ring
+from meshes.join import join
+
+EXACT = 1e-8  # of the load
+SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
+
+
+def tower(cells="quad", order=2, thickness=1.0, friction=0.5):
+    """A narrow block on a wide one on a rigid floor, held by friction alone."""
+    make = {"cells": cells, "order": order}
+    mesh = join({
+        "up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5, **make),
+        "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5, **make),
+    })  # fmt: skip
+    return ContactProblem(
+        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane stress", thickness=thickness,
+        obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=friction),
+                  Pair(slave="low.bottom", master="floor", friction=friction)],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("cells", ["quad", "tri"])
+@pytest.mark.parametrize("order", [1, 2])
+def test_what_is_loaded_above_arrives_below(cells, order):
+    load = np.array([1e-3, -8e-3])
+    s = tower(cells, order, thickness=0.3).solve(
+        forces={"up.top": tuple(load)}, body_forces={"low": (0.0, -0.02)}
+    )
+    upper, lower = s.touches
+    weight = np.array([0.0, -0.02 * 0.5 * 0.3])
+    np.testing.assert_allclose(upper.force, load, atol=EXACT * 8e-3)
+    np.testing.assert_allclose(lower.force, load + weight, atol=EXACT * 8e-3)
+    # moments about the origin: of the load at (0.45, 1), and the weight at (0.5, 0.25)
+    moment = 0.45 * load[1] - 1.0 * load[0]
+    assert upper.moment() == pytest.approx(moment, abs=EXACT * 8e-3)
+    assert upper.moment(on="slave") == pytest.approx(-moment, abs=EXACT * 8e-3)
+    assert lower.moment() == pytest.approx(moment + 0.5 * weight[1], abs=EXACT * 8e-3)
+    assert s.plane.residual < 1e-10
+
+
+def test_friction_stays_within_its_bound_and_sticking_points_do_not_slip():
+    problem = tower(friction=0.2)
+    s = problem.solve(forces={"up.top": (0.0, -8e-3)})
+    s = problem.solve(forces={"up.top": (1.4e-3, -8e-3)}, after=s)
+    for touch in s.touches:
+        assert np.all(touch.pressure >= 0)
+        assert np.all(np.abs(touch.traction) <= 0.2 * touch.pressure * (1 + 1e-9))
+        assert np.abs(touch.slip[touch.sticks]).max(initial=0) < 1e-10 * np.abs(touch.slip).max()
+        assert np.abs(touch.gap[touch.closed]).max() < 1e-10
+        slides = touch.closed & ~touch.sticks & (np.abs(touch.slip) > 1e-12)
+        assert np.any(slides)
+        assert np.all(touch.traction[slides] * touch.slip[slides] < 0)  # drag, never drive
+
+
+def test_supports_carry_what_the_contact_brings():
+    mesh = join({"a": block(x=(0, 1), y=(0.5, 1), nx=5, ny=3),
+                 "b": block(x=(0, 1), y=(0, 0.5), nx=6, ny=3)})  # fmt: skip
+    s = ContactProblem(
+        mesh, materials={"a": SOFT, "b": HARD}, assumption="plane strain",
+        supports={"b.bottom": "xy", "a.left": "x"},
+        contacts=[Pair(slave="a.bottom", master="b.top", friction=0.3)],
+    ).solve(forces={"a.top": (2e-3, -9e-3)})  # fmt: skip
+    touch = s.touches[0]
+    foot, wall = s.plane.reaction("b.bottom"), s.plane.reaction("a.left")
+    np.testing.assert_allclose(np.add(foot[:2], wall[:2]), (-2e-3, 9e-3), atol=EXACT * 9e-3)
+    np.testing.assert_allclose(np.negative(foot[:2]), touch.force, atol=EXACT * 9e-3)
+    assert -foot[2] == pytest.approx(touch.moment(), abs=EXACT * 9e-3)
+
+
+def rings(share, *, swap=False, shapes=True):
+    """A ring turned on another that holds it by a press fit, by `share` of what makes it slide."""
+    r, fit, mu = 0.04, 1e-5, 0.2
+    mesh = join({"in": full_ring(r_i=0.02, r_o=r, around=32, across=4),
+                 "out": full_ring(r_i=r, r_o=0.07, around=24, across=5)})  # fmt: skip
+    sides = {"in.rim": Circle((0, 0), r), "out.bore": Circle((0, 0), r, hollow=True)}
+    slave, master = list(sides)[::-1] if swap else list(sides)
+    exact = {"slave_shape": sides[slave], "master_shape": sides[master]} if shapes else {}
+    problem = ContactProblem(
+        mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
+        supports={"in.bore": "xy"},
+        contacts=[Pair(slave=slave, master=master, friction=mu, interference=fit, **exact)],
+    )  # fmt: skip
+    pressed = problem.solve()
+    moment = share * mu * r * pressed.touches[0].normal_force
+
+    def around(x):
+        return moment / (2 * np.pi * 0.07**2) * np.array([-x[1], x[0]]) / np.hypot(*x)
+
+    return problem.solve(tractions={"out.rim": around}, after=pressed), moment
+
+
+@pytest.mark.parametrize("swap", [False, True], ids=["", "swapped"])
+def test_a_ring_hands_its_torque_to_the_ring_that_it_is_pressed_on(swap):
+    # the load itself acts on parabolas, 1e-5 of the moment off the circle
+    s, moment = rings(0.9, swap=swap)
+    touch, sign = s.touches[0], 1 if swap else -1
+    assert s.plane.reaction("in.bore")[2] == pytest.approx(-moment, rel=2e-5)
+    assert sign * touch.moment() == pytest.approx(moment, rel=2e-5)
+    assert sign * touch.moment(on="slave") == pytest.approx(-moment, rel=2e-5)
+    np.testing.assert_allclose(touch.force, 0.0, atol=EXACT * touch.normal_force)
+
+
+def test_moments_on_both_sides_differ_by_friction_across_what_parts_them():
+    # a gap or an overlap between slave and master is the arm of the tangential forces:
+    # without exact shapes that is the distance of the parabolas, 1e-5 of the radius
+    s, moment = rings(0.9, shapes=False)
+    touch = s.touches[0]
+    points = touch.mortar.points
+    apart = (touch.q * points.gap) @ touch.weight
+    assert touch.moment() + touch.moment(on="slave") == pytest.approx(apart, abs=1e-9 * moment)
+    assert abs(apart) < 2e-5 * moment
+
+
+def test_a_press_fit_turns_at_its_friction_and_not_before():
+    s, _ = rings(0.999)
+    assert np.any(s.touches[0].sticks)
+    with pytest.raises(ArithmeticError, match="does not come to rest"):
+        rings(1.001)
+
+
+def test_work_done_slowly_without_friction_is_the_strain_energy():
+    """U(2 F) - U(F) = int F ddelta by Simpson's rule, whose error the finer steps divide by 16."""
+    R = 10e-3
+    mesh = half_disc(R=R, zone=0.5e-3, refine=1)
+    problem = ContactProblem(
+        mesh, materials={"disc": Elastic(E=210e9, nu=0.3)}, assumption="plane strain",
+        supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat())},
+        contacts=[Pair(slave="surface", master="flat", slave_shape=Circle((0, R), R))],
+    )  # fmt: skip
+
+    def steps(count):
+        down = np.linspace(0, 8e-6, count + 1)
+        s = [problem.solve(displacements={"middle": {"x": 0.0, "y": -d}}) for d in down]
+        force = np.array([-step.touches[0].force[1] for step in s])
+        return np.trapezoid(force, down), s[-1].strain_energy
+
+    errors = [work / energy - 1 for work, energy in (steps(n) for n in (16, 32))]
+    assert abs(errors[1]) < 1e-3
+    assert errors[0] / errors[1] == pytest.approx(4, rel=0.2)  # of the trapezoidal rule
+
+
+def test_friction_only_takes_energy():
+    R = 10e-3
+    a = 0.02 * R
+    mesh = join({"disc": half_disc(R=R, zone=1.4 * a, refine=1),
+                 "block": block(x=(-R, R), y=(-R, 0), nx=1, ny=1)})  # fmt: skip
+    problem = ContactProblem(
+        mesh, materials={"disc": Elastic(E=210e9, nu=0.3), "block": Rigid()},
+        assumption="plane strain", supports={"disc.middle": "xy", "block.bottom": "xy"},
+        contacts=[Pair(slave="disc.surface", master="block.top", friction=0.3,
+                       slave_shape=Circle((0, R), R), master_shape=Flat())],
+    )  # fmt: skip
+    s, before, lost, path = None, 0.0, [], []
+    for x in 0.6e-6 * np.sin(np.linspace(0, 4 * np.pi, 97)):
+        s = problem.solve(displacements={"disc.middle": {"x": x, "y": -2e-6}}, after=s)
+        touch = s.touches[0]
+        forces = touch.traction * touch.mortar.size
+        lost.append(-float((forces + before) @ touch.slip) / 2)
+        before = forces
+        path.append((x, touch.force[0], s.strain_energy))
+    assert min(lost) > -1e-12 * max(lost)
+    x, force, energy = np.array(path).T
+    work = float(np.trapezoid(force[48:], x[48:]))  # the second turn
+    assert work > 0.005 * np.ptp(x) * np.ptp(force)
+    # linear in a step but for the few points that change their state in it
+    assert work - energy[-1] + energy[48] == pytest.approx(sum(lost[49:]), rel=2e-3)

@@ -1,0 +1,188 @@
+"""Bodies that nothing but contact holds, bodies that start apart, and bodies that do not deform."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from meshes.contact.block import block
+from meshes.contact.disc import half_disc
+from meshes.contact.round import full_disc
+from meshes.join import join
+
+R, LOAD = 10e-3, 1e5
+STEEL = Elastic(E=210e9, nu=0.3)
+EXACT = 1e-8
+
+
+def at(mesh, x, y):
+    return replace(mesh, doflocs=mesh.doflocs + np.reshape((x, y), (2, 1)))
+
+
+def roller(gap=0.0, friction=0.0, free="y"):
+    """A whole disc between two flats, `gap` below the upper one, which presses it down."""
+    upright = {(0.0, 0.0): "x", (0.0, 2 * R): "x"}
+    return ContactProblem(
+        at(full_disc(R=R, around=64), 0.0, R), materials=STEEL, assumption="plane strain",
+        anchors={} if friction else upright,
+        obstacles={"floor": Obstacle(Flat()),
+                   "press": Obstacle(Flat((0.0, 2 * R + gap), (0.0, -1.0)), free=free)},
+        contacts=[Pair(slave="rim", master=flat, slave_shape=Circle((0.0, R), R),
+                       friction=friction) for flat in ("floor", "press")],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.3])
+@pytest.mark.parametrize("gap", [0.0, 1e-9, 1e-5, 1e-3])
+def test_a_roller_between_flats_is_found_from_afar(gap, friction):
+    s = roller(gap, friction).solve(forces={"press": (0.0, -LOAD)})
+    floor, press = s.touches
+    np.testing.assert_allclose(floor.force, (0.0, -LOAD), atol=EXACT * LOAD)
+    np.testing.assert_allclose(press.force, (0.0, LOAD), atol=EXACT * LOAD)
+    together = roller(0.0, friction).solve(forces={"press": (0.0, -LOAD)})
+    closer = -s.motion("press")[1] - gap
+    assert closer == pytest.approx(-together.motion("press")[1], rel=1e-6)
+    assert s.strain_energy == pytest.approx(together.strain_energy, rel=1e-6)
+
+
+def test_the_press_driven_as_far_gives_the_same_force():
+    by_force = roller().solve(forces={"press": (0.0, -LOAD)})
+    down = by_force.motion("press")[1]
+    by_hand = roller(free="").solve(displacements={"press": {"y": down}})
+    np.testing.assert_allclose(by_hand.touches[1].force, (0.0, LOAD), atol=1e-7 * LOAD)
+    apart = roller(free="").solve(displacements={"press": {"y": 1e-4}})
+    assert apart.touches[0].force == apart.touches[1].force == (0.0, 0.0)
+    assert apart.strain_energy == 0.0
+
+
+def test_the_press_sinks_as_the_energy_wants_it():
+    # F = dU/d(delta) of a system without friction, by central differences
+    problem, step = roller(free=""), 1e-3
+    down = -5e-6
+
+    def press(d):
+        return problem.solve(displacements={"press": {"y": d}})
+
+    slope = (press(down * (1 + step)).strain_energy - press(down * (1 - step)).strain_energy) / (
+        2 * step * down
+    )
+    assert press(down).touches[1].force[1] == pytest.approx(-slope, rel=1e-4)
+
+
+@pytest.mark.parametrize("gap", [0.0, 2e-6, 1e-3])
+@pytest.mark.parametrize("friction", [0.0, 0.4])
+def test_three_blocks_fall_on_each_other(gap, friction):
+    mesh = join({
+        name: block(x=(0.0, 1.0), y=(k * (0.5 + gap), k * (0.5 + gap) + 0.5), nx=5 + k, ny=3)
+        for k, name in enumerate(("low", "middle", "top"))
+    })  # fmt: skip
+    sides = {} if friction else {"supports": {f"{b}.left": "x" for b in ("low", "middle", "top")}}
+    s = ContactProblem(
+        mesh, materials=Elastic(E=1e6, nu=0.3), assumption="plane stress",
+        obstacles={"floor": Obstacle(Flat())}, **sides,
+        contacts=[Pair(slave="low.bottom", master="floor", friction=friction),
+                  Pair(slave="middle.bottom", master="low.top", friction=friction),
+                  Pair(slave="top.bottom", master="middle.top", friction=friction)],
+    ).solve(body_forces=(0.0, -10.0))  # fmt: skip
+    for touch, share in zip(s.touches, (3, 2, 1), strict=True):
+        np.testing.assert_allclose(touch.force, (0.0, -5.0 * share), atol=EXACT * 15)
+
+
+def test_a_disc_rests_in_a_groove():
+    n = {"left": (1.0, 1.0), "right": (-1.0, 1.0)}
+    foot = R / np.sqrt(2)
+    s = ContactProblem(
+        full_disc(R=R, around=64), materials=STEEL, assumption="plane strain",
+        anchors={(0.0, R): "x"},  # against turning; the groove holds it otherwise
+        obstacles={k: Obstacle(Flat((-foot * v[0], -foot), v)) for k, v in n.items()},
+        contacts=[Pair(slave="rim", master=k, slave_shape=Circle((0, 0), R)) for k in n],
+    ).solve(body_forces=(0.0, -LOAD / (np.pi * R**2)))  # fmt: skip
+    for touch in s.touches:  # the weight is that of the disc made of parabolas
+        assert touch.normal_force == pytest.approx(LOAD / np.sqrt(2), rel=1e-6)
+
+
+@pytest.mark.parametrize("share", [0.3, 0.9, 0.999])
+def test_a_block_on_a_rough_floor_holds_below_its_friction(share):
+    s = pushed(share)
+    np.testing.assert_allclose(s.touches[0].force, (0.3 * share, -1.0), atol=EXACT)
+    assert np.any(s.touches[0].sticks)
+
+
+@pytest.mark.parametrize("share", [1.001, 3.0])
+def test_a_block_pushed_beyond_its_friction_is_refused(share):
+    with pytest.raises(ValueError, match="loads do move it"):
+        pushed(share)
+
+
+def pushed(share):
+    problem = ContactProblem(
+        block(x=(-1, 1), y=(0, 1), nx=8, ny=4), materials=Elastic(E=100.0, nu=0.3),
+        assumption="plane strain", obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="bottom", master="floor", friction=0.3)],
+    )  # fmt: skip
+    down = problem.solve(forces={"top": (0.0, -1.0)})
+    return problem.solve(forces={"top": (0.0, -1.0), "right": (0.3 * share, 0.0)}, after=down)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.99])
+def test_a_block_rests_on_an_incline_below_the_angle_of_friction(share):
+    s, angle = on_incline(share)
+    touch = s.touches[0]
+    np.testing.assert_allclose(touch.force, (0.0, -2.0), atol=EXACT)
+    assert abs(touch.friction_force) / touch.normal_force == pytest.approx(np.tan(angle))
+
+
+def test_a_block_slides_down_beyond_the_angle_of_friction():
+    with pytest.raises(ValueError, match="loads do move it"):
+        on_incline(1.01)
+
+
+def on_incline(share):
+    angle = np.arctan(0.3 * share)
+    c, s = np.cos(angle), np.sin(angle)
+    flat = block(x=(-1, 1), y=(0, 1), nx=8, ny=4)
+    mesh = replace(flat, doflocs=np.array([[c, s], [-s, c]]) @ flat.doflocs)
+    return ContactProblem(
+        mesh, materials=Elastic(E=1e3, nu=0.3), assumption="plane strain",
+        obstacles={"incline": Obstacle(Flat((0.0, 0.0), (s, c)))},
+        contacts=[Pair(slave="bottom", master="incline", friction=0.3)],
+    ).solve(body_forces=(0.0, -1.0)), angle  # fmt: skip
+
+
+def test_a_rigid_mesh_and_an_obstacle_of_its_shape_are_one():
+    a = 0.02 * R
+    disc = half_disc(R=R, zone=1.4 * a, refine=1)
+    ball = {"slave_shape": Circle((0.0, R), R)}
+    flat = ContactProblem(
+        disc, materials=STEEL, assumption="plane strain", supports={"middle": "xy"},
+        obstacles={"anvil": Obstacle(Flat())},
+        contacts=[Pair(slave="surface", master="anvil", **ball)],
+    ).solve(displacements={"middle": {"x": 0.0, "y": -2e-6}})  # fmt: skip
+    anvil = block(x=(-R, R), y=(-R, 0), nx=3, ny=2)
+    meshed = ContactProblem(
+        join({"disc": disc, "anvil": anvil}), materials={"disc": STEEL, "anvil": Rigid()},
+        assumption="plane strain", supports={"disc.middle": "xy", "anvil.bottom": "xy"},
+        contacts=[Pair(slave="disc.surface", master="anvil.top", **ball)],
+    ).solve(displacements={"disc.middle": {"x": 0.0, "y": -2e-6}})  # fmt: skip
+    # the two integrate over other segments
+    assert meshed.touches[0].normal_force == pytest.approx(flat.touches[0].normal_force, rel=2e-4)
+    assert meshed.touches[0].peak == pytest.approx(flat.touches[0].peak, rel=2e-4)
+
+
+def test_contact_opens_and_closes_again_as_often_as_it_is_driven():
+    disc = half_disc(R=R, zone=0.3e-3, refine=1)
+    problem = ContactProblem(
+        disc, materials=STEEL, assumption="plane strain", supports={"middle": "xy"},
+        obstacles={"anvil": Obstacle(Flat())},
+        contacts=[Pair(slave="surface", master="anvil", slave_shape=Circle((0.0, R), R))],
+    )  # fmt: skip
+    s, pressed = None, {}
+    for down in (1e-6, 2e-6, -1e-6, 2e-6, 0.0, -1e-3, 1e-6):
+        s = problem.solve(displacements={"middle": {"x": 0.0, "y": -down}}, after=s)
+        force = s.touches[0].normal_force
+        assert force == pytest.approx(pressed.setdefault(down, force), rel=EXACT)
+        assert (force > 0) == (down > 0)
