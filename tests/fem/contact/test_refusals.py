@@ -1,0 +1,185 @@
+"""A contact problem that makes no sense is refused in one line that names what is wrong."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from meshes.contact.block import block
+from meshes.join import join
+
+NAN = float("nan")
+STEEL = Elastic(E=210e9, nu=0.3)
+TOUCH = Pair(slave="a.bottom", master="b.top", friction=0.2)
+LID = Obstacle(Flat((0, 2), (0, -1)))
+UNDER_LID = [TOUCH, Pair(slave="a.top", master="lid")]
+
+
+def blocks(x=0.0, y=1.0):
+    return join({"a": block(x=(x, x + 1), y=(y, y + 1), nx=4, ny=2),
+                 "b": block(x=(0, 1), y=(0, 1), nx=5, ny=2)})  # fmt: skip
+
+
+def problem(mesh=None, **changes):
+    given = {"materials": STEEL, "assumption": "plane strain", "supports": {"b.bottom": "xy"},
+             "contacts": [TOUCH]}  # fmt: skip
+    return ContactProblem(mesh or blocks(), **(given | changes))
+
+
+def test_the_problem_that_these_tests_spoil_is_sound():
+    touch = problem().solve(forces={"a.top": (0, -1e3)}).touches[0]
+    assert touch.force == pytest.approx((0, -1e3), abs=1e-5)
+    lid = problem(obstacles={"lid": replace(LID, free="y")}, contacts=UNDER_LID)
+    assert lid.solve(forces={"lid": (0, -5.0)}).touches[1].force == pytest.approx(
+        (0, 5.0), abs=1e-7
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"contacts": []}, "needs a pair"),
+        ({"contacts": [Pair(slave="a.bot", master="b.top")]}, "no boundary 'a.bot'"),
+        ({"contacts": [Pair(slave="a.bottom", master="tpo")]}, "no boundary 'tpo'"),
+        ({"contacts": [Pair(slave="a.left", master="b.left")]}, "do not face each other"),
+        ({"supports": {"b.bot": "xy"}}, "no boundary 'b.bot'"),
+        ({"supports": {}}, "neither supports nor contact hold it"),
+        ({"contacts": [Pair(slave="a.bottom", master="b.top")]}, "neither supports nor contact"),
+        ({"materials": {"a": STEEL, "c": STEEL}}, "no body 'c'"),
+        ({"materials": {"a": STEEL}}, "have no material"),
+        ({"assumption": "plane"}, "assumption is one of"),
+        ({"thickness": 0.0}, "thickness must be positive"),
+        ({"thickness": -1.0}, "thickness must be positive"),
+        ({"thickness": NAN}, "thickness must be positive"),
+        ({"assumption": "axisymmetric", "thickness": 2.0}, "thickness must be positive, 1 around"),
+        ({"degree": 3}, "degree 1 or 2"),
+        ({"obstacles": {"b.top": LID}}, "has the name of a boundary"),
+        ({"obstacles": {"lid": replace(LID, free="y")}}, "obstacle 'lid' can move"),
+        ({"contacts": [TOUCH, Pair(slave="lid", master="b.top")], "obstacles": {"lid": LID}},
+         "no boundary 'lid'"),
+        ({"contacts": [Pair(slave="a.bottom", master="lid")],
+          "obstacles": {"lid": Obstacle(Flat((0, 1), (0, -1)))}}, "do not face each other"),
+        ({"contacts": [Pair(slave="a.bottom", master="lid")],
+          "obstacles": {"lid": Obstacle(Flat((0, 1.5)))}}, "overlap by 0.5"),
+        ({"assumption": "axisymmetric", "contacts": UNDER_LID,
+          "obstacles": {"lid": replace(LID, free="x")}}, "around a turn only y is free"),
+        ({"materials": {"a": STEEL, "b": Rigid()},
+          "supports": {"b.bottom": {"x": 0.0, "y": lambda x: x[0] ** 2}}}, "contradict"),
+    ],
+)  # fmt: skip
+def test_a_problem_is_refused(changes, message):
+    with pytest.raises(ValueError, match=message):
+        problem(**changes)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Pair(slave="a", master="a"), "cannot touch itself"),
+        (lambda: Pair(slave="a", master="b", friction=-0.1), "friction must be 0 or more"),
+        (lambda: Pair(slave="a", master="b", friction=NAN), "friction must be 0 or more"),
+        (lambda: Pair(slave="a", master="b", friction=np.inf), "friction must be 0 or more"),
+        (lambda: Pair(slave="a", master="b", interference=NAN), "interference must be finite"),
+        (lambda: Obstacle(Flat(), free="z"), "free motions are of x, y and r"),
+        (lambda: Circle((0, 0), -1.0), "radius must be positive"),
+        (lambda: Circle((0, NAN), 1.0), "centre must be finite"),
+        (lambda: Flat((0, 0), (0, 0)), "needs a point and a direction"),
+    ],
+)
+def test_a_part_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+@pytest.mark.parametrize(
+    ("loads", "message"),
+    [
+        ({"forces": {"a.top": (0, 1e3)}}, "loads do move it"),
+        ({"forces": {"a.top": (1e3, 0)}}, "loads do move it"),
+        ({"forces": {"a.top": (0, -1e3)}, "point_forces": {(0, 2): (0, 1e3)}}, "loads do move it"),
+        ({"forces": {"a.tpo": (0, -1)}}, "no boundary 'a.tpo'"),
+        ({"tractions": {"a.tpo": (0, -1)}}, "no boundary 'a.tpo'"),
+        ({"pressures": {"a.tpo": 1.0}}, "no boundary 'a.tpo'"),
+        ({"forces": {"a.top": (0, NAN)}}, "finite"),
+        ({"tractions": {"a.top": (0, -np.inf)}}, "finite"),
+        ({"pressures": {"a.top": NAN}}, "finite"),
+        ({"pressures": {"a.top": lambda x: NAN * x[0]}}, "finite"),
+        ({"body_forces": (0, NAN)}, "finite"),
+        ({"point_forces": {(0, 2): (0, NAN)}}, "finite"),
+        ({"forces": {"a.top": (1.0,)}}, "components x and y"),
+        ({"forces": {"a.top": (0, -1.0, 1.0)}}, "components x and y"),
+        ({"point_forces": {(0.3, 7): (0, -1)}}, "no node at"),
+        ({"displacements": {"a.top": {"y": -1e-3}}}, "it holds nothing"),
+        ({"displacements": {"zz": {"y": -1e-3}}}, "it holds nothing"),
+        ({"displacements": {"b.bottom": {"n": 1e-3}}}, "it holds x, y"),
+        ({"displacements": {"b.bottom": {"x": 0, "y": NAN}}}, "not finite"),
+    ],
+)
+def test_loads_are_refused(loads, message):
+    sound = problem()
+    with pytest.raises(ValueError, match=message):
+        sound.solve(**loads)
+
+
+@pytest.mark.parametrize(
+    ("loads", "message"),
+    [
+        ({"displacements": {"lid": {"y": NAN}}}, "not finite"),
+        ({"displacements": {"lid": {"n": 1.0}}}, "it holds x, y, r"),
+        ({"displacements": {"lid": {"y": lambda x: x[0]}}}, "is a number"),
+        ({"forces": {"lid": (0, -1, 0, 0)}}, "components"),
+    ],
+)
+def test_what_is_asked_of_an_obstacle_is_refused(loads, message):
+    lid = problem(obstacles={"lid": LID}, contacts=UNDER_LID)
+    with pytest.raises(ValueError, match=message):
+        lid.solve(**loads)
+
+
+@pytest.mark.parametrize(("y", "by"), [(0.99, "0.01"), (0.5, "0.5")])
+def test_bodies_that_overlap_are_refused_unless_they_are_a_press_fit(y, by):
+    with pytest.raises(ValueError, match=f"'a.bottom' on 'b.top': the surfaces overlap by {by}"):
+        problem(blocks(y=y))
+
+
+def test_an_overlap_that_is_asked_for_is_pressed_out():
+    fit = replace(TOUCH, press_fit=True)
+    mesh = blocks(y=1 - 1e-6)
+    s = problem(mesh, contacts=[fit]).solve(forces={"a.top": (0, -1e3)})
+    assert s.touches[0].force == pytest.approx((0, -1e3), abs=1e-5)
+
+
+def test_surfaces_side_by_side_never_meet():
+    with pytest.raises(ValueError, match="do not face each other anywhere"):
+        problem(blocks(x=5.0))
+
+
+def test_folded_cells_are_refused():
+    mesh = blocks()
+    nodes = mesh.doflocs.copy()
+    nodes[:, 0] = 5.0
+    with pytest.raises(ValueError, match="folded"):
+        problem(replace(mesh, doflocs=nodes))
+
+
+def test_a_boundary_inside_a_body_has_no_side_to_touch():
+    mesh = blocks().with_boundaries(
+        {"inside": lambda x: np.isclose(x[1], 0.5)}, boundaries_only=False
+    )
+    with pytest.raises(ValueError, match="'inside' lies inside the mesh"):
+        problem(mesh, contacts=[Pair(slave="a.bottom", master="inside")])
+
+
+def test_a_body_beyond_the_axis_is_refused():
+    with pytest.raises(ValueError, match="r >= 0"):
+        problem(blocks(x=-0.5), assumption="axisymmetric", supports={"b.bottom": "y"})
+
+
+def test_a_moment_acts_on_one_of_two_sides():
+    s = problem().solve(forces={"a.top": (0, -1e3)})
+    with pytest.raises(ValueError, match="'master' or 'slave'"):
+        s.touches[0].moment(on="both")
