@@ -24,14 +24,21 @@ from scipy.optimize import nnls
 from fem.plane.discretisation import Array, Indices
 
 OPEN, STICK, FORWARD, BACKWARD = 0, 1, 2, 3  # slip states by the sign of l_t: + and -
-SIGN = np.array([0.0, 0.0, 1.0, -1.0])
-SPRINGS = (1e-2, 1e-4, 1e-7)  # of the contact's own stiffness
+HELD = 4  # open, but sticking or slipping (5, 6) on friction whose limit is given
+SIGN = np.array([0.0, 0.0, 1.0, -1.0, 0.0, 1.0, -1.0])
+SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
+WEAKEST = 1e-12
 TOLERANCE = 1e-11
 BALANCED = 1e-13
 PATIENCE = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES = 100
+UNHELD = 1e-9  # of the loads on rigid motions: less than that may be missing
+BARE = 1e-12  # of the largest: rows that act on no rigid motion
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
 MAX_RELEASES = 60
+MAX_LIMITS = 80
+SETTLED = 1e-9  # of the limits on the traction
+NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not
 
 
 @dataclass(frozen=True)
@@ -66,66 +73,104 @@ class Complementarity:
 
         ArithmeticError where the states keep changing, or rigid motions keep growing.
         """
-        m = self.friction.size
         changes: list[int] = []
-        if start is None and m > FEW:
-            start = self._coarse_states(w_0, e)
-        states = np.zeros(m, np.int8) if start is None else start.copy()
-        motion = np.zeros(self.D.shape[1])
-        stiffness = self._stiffness()
-        springs = SPRINGS if self.D.shape[1] else (0.0,)
-        for spring in springs[-1:] if states.any() else springs:
-            multipliers, motion, states = self._settle(
-                w_0, e, motion, spring * stiffness, states, changes
-            )
-        for _ in range(MAX_RELEASES):
-            size = np.abs(e).sum() + np.abs(self.D.T) @ np.abs(multipliers)
-            if np.all(np.abs(e + self.D.T @ multipliers) <= BALANCED * size):
-                return Rest(multipliers, motion, states, tuple(changes))
-            multipliers, motion, states = self._settle(
-                w_0, e, motion, springs[-1] * stiffness, states, changes
-            )
-        raise ArithmeticError(
-            "the contact does not come to rest: its forces still miss the loads by "
-            f"{np.abs(e + self.D.T @ multipliers).max():.2e} after {len(changes)} iterations"
-        )
+        none = np.zeros(self.friction.size, np.int8)
+        if start is None:
+            start = self._start(w_0, e)
+        if start is not None and start.any():
+            try:
+                return self._released(w_0, e, start, SPRINGS[-1:], changes)
+            except ArithmeticError:
+                pass  # a start that leads nowhere is no reason to give up
+        return self._released(w_0, e, none, SPRINGS, changes)
 
-    def unbalanced(self, e: Array) -> Array:
-        """What no admissible contact forces can balance of the loads `e` (k,) on rigid motions."""
+    def _released(self, w_0, e, states, springs, changes):
+        """Rest on ever weaker springs, and then on none."""
+        motion = np.zeros(self.D.shape[1])
+        if not motion.size:
+            springs = (0.0,)
+        stiffness = self._stiffness()
+        for spring in springs:
+            at = self._settle(w_0, e, motion, spring * stiffness, states, changes)
+            multipliers, motion, states = at
+        missed, size = self._missed(e, multipliers)
+        spring = springs[-1]
+        for _ in range(MAX_RELEASES):
+            if missed <= BALANCED * size:
+                break
+            at = self._settle(w_0, e, motion, spring * stiffness, states, changes)
+            before = missed
+            missed, size = self._missed(e, at[0])
+            multipliers, motion, states = at
+            if missed > before / 2:
+                if missed <= NEUTRAL * size:
+                    break  # a motion that the contact hardly feels stays where it is
+                spring = max(spring / 10, WEAKEST)  # a gap still has to close
+        else:
+            raise ArithmeticError(
+                "the contact does not come to rest: its forces still miss the loads by "
+                f"{missed:.2e} of {size:.2e} after {len(changes)} iterations"
+            )
+        return Rest(multipliers, motion, states, tuple(changes))
+
+    def _missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
+        """What is missing to balance on the rigid motions, and the size of the forces there."""
+        size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
+        missed = np.abs(e + self.D.T @ multipliers)
+        return float(missed.max(initial=0.0)), float(size.max(initial=0.0))
+
+    def missing(self, e: Array) -> Array:
+        """What no admissible contact forces can balance of the loads `e` (k,) on rigid motions.
+
+        Zero where they can, to round-off.
+        """
         m = self.friction.size
+        if not np.any(e):
+            return np.zeros_like(e)
         normal = self.D[:m].T
         held = self.partner >= 0
         sideways = self.friction[held] * self.D[self.partner[held]].T
         cone = np.hstack([normal, normal[:, held] + sideways, normal[:, held] - sideways])
-        size = np.abs(cone).max(axis=0)
-        cone = cone[:, size > 1e-12 * size.max(initial=0)]
+        size = np.abs(cone).max(axis=0, initial=0.0)
+        cone = cone[:, size > BARE * size.max(initial=0.0)]
         cone /= np.hypot.reduce(cone, axis=0)
         share, _ = nnls(cone, -e, maxiter=100 * cone.shape[1])
-        return e + cone @ share
+        missed = e + cone @ share
+        return missed if np.linalg.norm(missed) > UNHELD * np.linalg.norm(e) else np.zeros_like(e)
 
-    def _coarse_states(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
-        """Where groups of rows in one would touch, without friction; None if that is not found.
-
-        From there a few exchanges are left at the edges, instead of one for every row that the
-        contact shrinks by.
-        """
+    def smooth(self, group: int = 1) -> "Complementarity":
+        """The same without friction, and with `group` rows of a surface at a time in one."""
+        start = np.flatnonzero(np.diff(self._groups(group), prepend=-1))
         m = self.friction.size
-        first = np.searchsorted(self.part, self.part)
-        _, group = np.unique(
-            np.array([self.part, (np.arange(m) - first) // GROUP]), axis=1, return_inverse=True
-        )
-        count = int(group.max()) + 1
-        start = np.searchsorted(group, np.arange(count))
-        B = np.add.reduceat(np.add.reduceat(self.B[:m, :m], start, axis=0), start, axis=1)
-        coarse = Complementarity(
-            B=B, D=np.add.reduceat(self.D[:m], start, axis=0), friction=np.zeros(count),
-            partner=np.full(count, -1), part=self.part[start],
+        return Complementarity(
+            B=np.add.reduceat(np.add.reduceat(self.B[:m, :m], start, axis=0), start, axis=1),
+            D=np.add.reduceat(self.D[:m], start, axis=0), friction=np.zeros(start.size),
+            partner=np.full(start.size, -1), part=self.part[start],
         )  # fmt: skip
+
+    def _groups(self, group: int) -> Indices:
+        """Numbers (m,) of the groups that normal rows belong to."""
+        along = np.arange(self.part.size) - np.searchsorted(self.part, self.part)
+        new = (along % group == 0).astype(int)
+        return np.cumsum(new) - 1
+
+    def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
+        """Where the surfaces would touch without friction, as a start; None if that is not found.
+
+        Where there is none, groups of rows are taken in one: from there a few exchanges are left at
+        the edges, instead of one for every row that the contact shrinks by.
+        """
+        m, rough = self.friction.size, bool(np.any(self.partner >= 0))
+        if not rough and m <= FEW:
+            return None
+        simpler, group = self.smooth(1 if rough else GROUP), self._groups(1 if rough else GROUP)
+        if rough and np.any(simpler.missing(e)):
+            return None  # friction holds what slides
+        first = np.flatnonzero(np.diff(group, prepend=-1))
         try:
-            found = coarse.solve(np.add.reduceat(w_0[:m], start), e)
+            return simpler.solve(np.add.reduceat(w_0[:m], first), e).states[group]
         except ArithmeticError:
             return None
-        return found.states[group]
 
     def _stiffness(self) -> float:
         """What the springs are measured by: the contact's own stiffness against rigid motions."""
@@ -133,12 +178,31 @@ class Complementarity:
         return float(own.max(initial=0.0))
 
     def _settle(self, w_0, e, motion, spring, states, changes):
-        """States that fit, with springs that pull the motions back to `motion`."""
+        """Multipliers, motions and states that fit, with springs back to `motion`."""
+        try:
+            return self._exchange(w_0, e, motion, spring, states, changes)
+        except ArithmeticError:
+            if not np.any(self.partner >= 0):
+                raise
+        # Friction may make the exchanges go round in circles. With limits on the traction that are
+        # given instead of drawn from the pressure, the problem is convex and they end.
+        limit = np.zeros(states.size)
+        for step in range(MAX_LIMITS):
+            multipliers, _, states = self._exchange(w_0, e, motion, spring, states, changes, limit)
+            wanted = self.friction * np.maximum(multipliers[: states.size], 0.0)
+            if np.abs(wanted - limit).max() <= SETTLED * np.abs(wanted).max():
+                break
+            limit = wanted if step < MAX_LIMITS // 4 else (wanted + limit) / 2
+        states = np.where(states >= HELD, OPEN, states).astype(np.int8)
+        return self._exchange(w_0, e, motion, spring, states, changes)
+
+    def _exchange(self, w_0, e, motion, spring, states, changes, limit=None):
+        """As `_settle`, with Coulomb's limit of the tangential traction or a given one (m,)."""
         fewest, patience = states.size + 1, PATIENCE
-        most = MAX_EXCHANGES + 50 * states.size
+        most = MAX_EXCHANGES + 10 * states.size
         for _ in range(most):
-            multipliers, moved = self._linear(w_0, e, motion, spring, states)
-            wanted = self._wanted(w_0, multipliers, moved, states)
+            multipliers, moved = self._linear(w_0, e, motion, spring, states, limit)
+            wanted = self._wanted(w_0, multipliers, moved, states, limit)
             other = np.flatnonzero(wanted != states)
             changes.append(other.size)
             if not other.size:
@@ -156,51 +220,64 @@ class Complementarity:
             f"{states.size} points still change between open, stick and slip"
         )
 
-    def _linear(self, w_0, e, motion, spring, states):
+    def _linear(self, w_0, e, motion, spring, states, limit):
         """Multipliers and motions that `states` imply."""
         m, k = self.friction.size, self.D.shape[1]
-        closed = np.flatnonzero(states != OPEN)
-        stick = closed[(states[closed] == STICK) & (self.partner[closed] >= 0)]
-        slip = closed[states[closed] >= FORWARD]
+        rough = self.partner >= 0
+        closed = np.flatnonzero((states != OPEN) & (states < HELD))
+        stick = np.flatnonzero(((states == STICK) | (states == HELD)) & rough)
+        slip = np.flatnonzero(SIGN[states] != 0)
         own = np.concatenate([closed, self.partner[stick]])
-        n = own.size
-        columns = self.B[:, own]
-        row_of = np.full(m, -1)
-        row_of[closed] = np.arange(closed.size)
-        drag = SIGN[states[slip]] * self.friction[slip]
-        columns[:, row_of[slip]] += drag * self.B[:, self.partner[slip]]
-        pull = self.D[own].T.copy()
-        pull[:, row_of[slip]] += drag * self.D[self.partner[slip]].T
+        columns, pull = self.B[:, own], self.D[own].T.copy()
+        given = np.zeros(w_0.size)  # tangential multipliers that do not depend on the pressure
+        if limit is not None:
+            given[self.partner[slip]] = SIGN[states[slip]] * limit[slip]
+        else:
+            row_of = np.full(m, -1)
+            row_of[closed] = np.arange(closed.size)
+            drag = SIGN[states[slip]] * self.friction[slip]
+            columns[:, row_of[slip]] += drag * self.B[:, self.partner[slip]]
+            pull[:, row_of[slip]] += drag * self.D[self.partner[slip]].T
         A = np.block([[columns[own], self.D[own]], [pull, -spring * np.eye(k)]])
+        known = np.concatenate([
+            -w_0[own] - self.B[own] @ given, -e - spring * motion - self.D.T @ given
+        ])  # fmt: skip
         try:
-            x = np.linalg.solve(A, np.concatenate([-w_0[own], -e - spring * motion]))
+            x = np.linalg.solve(A, known)
         except np.linalg.LinAlgError:
             raise ArithmeticError(
                 "the contact has no unique forces: supports or another pair fix the same nodes"
             ) from None
-        multipliers = np.zeros(w_0.size)
-        multipliers[own] = x[:n]
-        multipliers[self.partner[slip]] = drag * x[row_of[slip]]
-        return multipliers, x[n:]
+        multipliers = given
+        multipliers[own] += x[: own.size]
+        if limit is None:
+            multipliers[self.partner[slip]] = drag * x[row_of[slip]]
+        return multipliers, x[own.size :]
 
-    def _wanted(self, w_0, multipliers, motion, states):
+    def _wanted(self, w_0, multipliers, motion, states, limit):
         """The states (m,) that multipliers and gaps call for."""
         m = self.friction.size
-        drawn = self.B @ multipliers
-        w = w_0 + drawn + self.D @ motion
-        tiny_w = TOLERANCE * (np.abs(w_0).max(initial=0) + np.abs(drawn).max(initial=0))
+        w = w_0 + self.B @ multipliers + self.D @ motion
+        # of each row's own terms: far from the contact gaps are larger than any slip in it
+        reach = np.sqrt(np.diag(self.B))
+        size = np.abs(w_0) + reach * (reach @ np.abs(multipliers)) + np.abs(self.D) @ np.abs(motion)
+        tiny_w = TOLERANCE * size
         normal = multipliers[:m]
         tiny = TOLERANCE * np.abs(normal).max(initial=0)
-        wanted = states.copy()
-        wanted[(states == OPEN) & (w[:m] < -tiny_w)] = STICK
         rough = self.partner >= 0
-        tangential, slip = np.zeros(m), np.zeros(m)
+        tangential, slip, tiny_slip = np.zeros(m), np.zeros(m), np.zeros(m)
         tangential[rough] = multipliers[self.partner[rough]]
-        slip[rough] = w[self.partner[rough]]
-        limit = self.friction * normal + tiny
-        stick = (states == STICK) & rough
-        wanted[stick & (tangential > limit)] = FORWARD
-        wanted[stick & (tangential < -limit)] = BACKWARD
-        wanted[(SIGN[states] * slip > tiny_w)] = STICK
-        wanted[(states != OPEN) & (normal < -tiny)] = OPEN
-        return wanted
+        slip[rough], tiny_slip[rough] = w[self.partner[rough]], tiny_w[self.partner[rough]]
+        most = (self.friction * normal if limit is None else limit) + tiny
+        along = np.array([STICK, STICK, FORWARD, BACKWARD, STICK, FORWARD, BACKWARD])[states]
+        sticks = (along == STICK) & rough
+        along[sticks & (tangential > most)] = FORWARD
+        along[sticks & (tangential < -most)] = BACKWARD
+        along[SIGN[states] * slip > tiny_slip] = STICK
+        closed = (states != OPEN) & (states < HELD)
+        opens, closes = closed & (normal < -tiny), ~closed & (w[:m] < -tiny_w[:m])
+        closed = (closed & ~opens) | closes
+        if limit is not None:  # friction with a limit of its own does not ask for pressure
+            return np.where(closed, along, np.where(rough, along + HELD - STICK, OPEN))
+        along[closes] = STICK
+        return np.where(closed, along, OPEN)

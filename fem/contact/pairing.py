@@ -61,6 +61,7 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
     k, s_0, s_1 = _segments(ray)
     opposite = ray.cast(k, (s_0 + s_1) / 2)
     hit = opposite >= 0
+    hit[hit] = np.logical_not(_through(slave, ray, k[hit], (s_0 + s_1)[hit] / 2, opposite[hit]))
     k, s_0, s_1, opposite = k[hit], s_0[hit], s_1[hit], opposite[hit]
     master_of = np.repeat(opposite, GAUSS)
 
@@ -70,6 +71,21 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
         return master_of, t, y, ray.direction(k, s, master_of, t), np.ones(k.size, bool)
 
     return _gauss(slave, k, s_0, s_1, onto)
+
+
+def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices) -> Array:
+    """Whether the points `s` on `k` see their `opposite` facets only through their own body."""
+    x = slave.places(k, s)
+    t = ray.refine(k, s, opposite)
+    gap = ((ray.master.places(opposite, t) - x) * slave.normals(k, s)).sum(axis=0)
+    behind = np.flatnonzero(gap < 0)
+    own = _Ray(slave, slave, 1.0)
+    exit_, found = own.cast(k[behind], s[behind]), np.zeros(k.size, bool)
+    leaves = behind[exit_ >= 0]
+    t = own.refine(k[leaves], s[leaves], exit_[exit_ >= 0])
+    way = np.hypot(*(slave.places(exit_[exit_ >= 0], t) - x[:, leaves]))
+    found[leaves] = way < -gap[leaves]
+    return found
 
 
 def _onto(slave, master, k, s):

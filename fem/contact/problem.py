@@ -19,9 +19,11 @@ from skfem.mesh import Mesh2D
 
 from fem.contact.actions import Action, Forces, Loads, Supports
 from fem.contact.approach import approached
-from fem.contact.bodies import UNHELD, Bodies, Response
+from fem.contact.bodies import Bodies, Response
+from fem.contact.complementarity import Rest
 from fem.contact.interface import Interface, Surfaces
 from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.shapes import Motion
 from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
 from fem.plane.loads import Pressure, Vector
@@ -29,6 +31,8 @@ from fem.plane.material import Assumption, Elastic
 from fem.plane.supports import Anchors, Support
 
 MAX_APPROACHES = 8
+LARGEST_TURN = 0.2  # rad: far beyond what small rotations describe
+LIGHT = 1e-6  # the part of the loads that brings bodies together and hardly deforms them
 
 
 class ContactProblem:
@@ -142,24 +146,43 @@ class ContactProblem:
     def _equilibrium(
         self, actions: Sequence[Action], interface: Interface, after: ContactSolution | None
     ) -> ContactSolution:
-        w = np.zeros(interface.rows.shape[0])
-        e = np.zeros(self.bodies.motions.shape[1])
+        kernel, m = interface.kernel, interface.gaps.size
+        w, e = np.zeros(interface.rows.shape[0]), np.zeros(self.bodies.motions.shape[1])
         responses = [(a.share, self._response(a)) for a in actions]
         for action, (share, response) in zip(actions, responses, strict=True):
             w += share * self._shift(interface, action.key, response)
             e += share * response.e
-        m = interface.gaps.size
-        w[:m] += interface.gaps
-        if after is not None:
-            w[m:] -= after.slips
         self._check_balance(interface, e)
-        start = None if after is None else after.states
-        rest = interface.kernel.solve(w, e, start)
+        if after is not None:
+            slips = after.slips
+        elif any(np.any(response.u_0) for _, response in responses):
+            slips = np.zeros(w.size - m)
+        else:
+            slips = self._touching(interface, w, e)
+        w[:m] += interface.gaps
+        w[m:] -= slips
+        rest = kernel.solve(w, e, None if after is None else after.states)
+        self._check_small(rest)
         return ContactSolution(
             bodies=self.bodies, interface=interface, responses=tuple(responses), rest=rest,
-            w=w + interface.kernel.B @ rest.multipliers + interface.kernel.D @ rest.motion,
-            after=after,
+            w=w + kernel.B @ rest.multipliers + kernel.D @ rest.motion, slips_before=slips,
         )  # fmt: skip
+
+    def _touching(self, interface: Interface, w: Array, e: Array) -> Array:
+        """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought together.
+
+        Friction counts from there; what bodies slide before they touch costs nothing.
+        """
+        m, smooth = interface.gaps.size, interface.kernel.smooth()
+        slips = np.zeros(w.size - m)
+        if not (slips.size and np.any(e)) or np.any(smooth.missing(e)):
+            return slips
+        try:
+            rest = smooth.solve(interface.gaps + LIGHT * w[:m], LIGHT * e)
+        except ArithmeticError:
+            return slips
+        B, D = interface.kernel.B, interface.kernel.D
+        return LIGHT * w[m:] + B[m:, :m] @ rest.multipliers + D[m:] @ rest.motion
 
     def _response(self, action: Action) -> Response:
         if action.key is None:
@@ -175,11 +198,31 @@ class ContactProblem:
             self._shifts[key] = interface.shift(response)
         return self._shifts[key]
 
-    def _check_balance(self, interface: Interface, e: Array) -> None:
-        if not np.any(e):
+    def _check_small(self, rest: Rest) -> None:
+        """ArithmeticError where rigid motions are too large for gaps that are linear in them."""
+        if not rest.motion.size:
             return
-        missing = interface.kernel.unbalanced(e)
-        if np.linalg.norm(missing) > UNHELD * np.linalg.norm(e):
+        T, s = self.bodies.unknowns.T, self.bodies.unknowns.surface
+        u = T[:, T.shape[1] - s :] @ (self.bodies.motions @ rest.motion)
+        extent = float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
+        for pair, slave, master in zip(
+            self.surfaces.pairs, self.surfaces.slaves, self.surfaces.masters, strict=True
+        ):
+            for name, trace in ((pair.slave, slave), (pair.master, master)):
+                if trace is None:
+                    continue
+                places = trace.nodes[:, : trace.dofs.shape[1]].reshape(2, -1)
+                motion = Motion.fitted(places, u[trace.dofs].reshape(2, -1))
+                moved, turned = np.hypot(*motion.shift), abs(motion.angle)
+                if moved > extent or turned > LARGEST_TURN:
+                    raise ArithmeticError(
+                        f"under these loads {name!r} would move by {moved:.3g} and turn by "
+                        f"{turned:.3g} rad before contact held it: it slides or rolls away"
+                    )
+
+    def _check_balance(self, interface: Interface, e: Array) -> None:
+        missing = interface.kernel.missing(e)
+        if np.any(missing):
             worst = int(np.argmax(np.abs(missing)))
             raise ValueError(
                 f"{self.bodies.words[worst]}, and the loads do move it: contact can only push, "

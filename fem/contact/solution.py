@@ -115,7 +115,7 @@ class ContactSolution:
     responses: tuple[tuple[float, Response], ...]
     rest: Rest
     w: Array
-    after: "ContactSolution | None"
+    slips_before: Array
 
     @property
     def states(self) -> NDArray[np.int8]:
@@ -129,9 +129,8 @@ class ContactSolution:
 
     @cached_property
     def slips(self) -> Array:
-        """Weighted slips of the rows with friction since the very first step."""
-        since = self.w[self.interface.gaps.size :]
-        return since if self.after is None else since + self.after.slips
+        """Weighted slips of the rows with friction since the mesh."""
+        return self.slips_before + self.w[self.interface.gaps.size :]
 
     @cached_property
     def touches(self) -> tuple[Touch, ...]:
