@@ -52,7 +52,8 @@ def solve_nitsche(
     ----------
     problem
         What faces a master of a slave's surface belongs to one pair alone and carries no
-        other load.
+        other load. At the edge of contact the pressure is smoothest where the slave is the softer
+        body, or its facets are the shorter ones.
     alpha
         The weight of the stress against the gap: 0.01 to 0.1. Less lets the pressure oscillate.
     after

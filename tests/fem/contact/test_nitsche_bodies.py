@@ -17,7 +17,7 @@ from meshes.join import join
 STEEL = Elastic(E=210e9, nu=0.3)
 R, A, MU = 10e-3, 0.1e-3, 0.3
 ZONE = 1.3 * A
-ORDER_2 = 1.25  # grid convergence index at the formal order
+UNSEEN_ORDER = 3.0  # grid convergence index where two meshes do not show the order
 BALANCE = 1e-9
 
 
@@ -25,8 +25,8 @@ BALANCE = 1e-9
 def sliding(refine):
     """A disc pressed on a block, pushed sideways and back: both solutions, step by step."""
     meshes = {
-        "disc": half_disc(R=R, zone=ZONE, refine=refine),
-        "block": full_block(width=2 * R, depth=2 * R, zone=ZONE, refine=refine, cells=5),
+        "disc": half_disc(R=R, zone=ZONE, refine=refine, cells=4),
+        "block": full_block(width=2 * R, depth=2 * R, zone=ZONE, refine=refine, cells=3),
     }
     pair = Pair(
         slave="disc.surface", master="block.surface", friction=MU, slave_shape=Circle((0, R), R)
@@ -70,13 +70,13 @@ def test_partial_slip_and_its_history_are_the_mortars():
         return np.array([touch.friction_force, touch.normal_force, solution.strain_energy])
 
     coarse, fine = (np.array([quantities(s) for s in sliding(refine)[-1]]) for refine in (1, 2))
-    errors = ORDER_2 * abs(fine - coarse).sum(axis=0) / 3
+    errors = UNSEEN_ORDER * abs(fine - coarse).sum(axis=0) / 3
     assert np.all(abs(fine[1] - fine[0]) <= errors)
 
 
 @pytest.mark.parametrize("refine", [1, 2])
 def test_the_stick_zone_ends_within_a_facet_of_the_mortars(refine):
-    facet = ZONE / 6 / refine
+    facet = ZONE / 4 / refine
     (m,), (n,) = (s.touches for s in sliding(refine)[1])
     wide, expected = (np.ptp(touch.x[0][touch.sticks]) for touch in (n, m))
     assert 0 < wide < 2 * n.half_width()
