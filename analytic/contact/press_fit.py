@@ -60,6 +60,14 @@ class Wall:
         A, B = self._constants(p_i, p_o)
         return np.asarray(((1 - nu) * A * r + (1 + nu) * B / np.where(r > 0, r, 1.0)) / E)
 
+    def strain_energy(self, *, p_i: float, p_o: float, assumption: Assumption) -> float:
+        """Strain energy of the whole wall per length [stress x length²].
+
+        Half the work of its pressures.
+        """
+        bore, rim = self.displacement([self.r_i, self.r_o], p_i=p_i, p_o=p_o, assumption=assumption)
+        return float(np.pi * (p_i * self.r_i * bore - p_o * self.r_o * rim))
+
     def _constants(self, p_i: float, p_o: float) -> tuple[float, float]:
         area = self.r_o**2 - self.r_i**2
         A = (p_i * self.r_i**2 - p_o * self.r_o**2) / area
@@ -104,6 +112,39 @@ def contact_pressures(
             f"{delta[j]:g} m must exceed {least:g} m with the given pressures and others"
         )
     return pressures
+
+
+def pressure_of_overlap(
+    inner: Wall, outer: Wall, *, p_i: float = 0.0, p_o: float = 0.0, assumption: Assumption
+) -> float:
+    """Pressure [stress] on the rim of `inner`, whose r_o exceeds the r_i of `outer` as drawn.
+
+    Each wall keeps its own radius and the force between them is one, so that the outer wall's
+    pressure is r_o/r_i times that. `contact_pressures`, with one radius for both, leaves out terms
+    of overlap over radius. Raises ValueError where the walls do not overlap or come apart.
+
+    >>> steel = {"E": 2.0, "nu": 0.25}
+    >>> shaft, hub = Wall(r_i=0.0, r_o=1.0, **steel), Wall(r_i=1 - 1e-6, r_o=2.0, **steel)
+    >>> p = pressure_of_overlap(shaft, hub, assumption="plane stress")
+    >>> round(p * 1e6, 5)  # 3/4 of E times the overlap
+    0.75
+    """
+    finite([p_i, p_o], "pressures", "Pa")
+    overlap = inner.r_o - outer.r_i
+    if not 0 < overlap < 0.1 * inner.r_o:
+        raise ValueError(f"walls must overlap by less than a tenth of r_o, got {overlap} m")
+
+    def gap(p: float, p_i: float, p_o: float) -> float:
+        bore = outer.displacement(
+            outer.r_i, p_i=p * inner.r_o / outer.r_i, p_o=p_o, assumption=assumption
+        )
+        rim = inner.displacement(inner.r_o, p_i=p_i, p_o=p, assumption=assumption)
+        return float(bore - rim)
+
+    p = (overlap - gap(0.0, p_i, p_o)) / gap(1.0, 0.0, 0.0)
+    if p < 0:
+        raise ValueError(f"the walls come apart: their overlap {overlap:g} m is too small")
+    return p
 
 
 def interferences_lost(

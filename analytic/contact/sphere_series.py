@@ -68,7 +68,7 @@ class Sphere:
 
     @property
     def logarithm(self) -> float:
-        """lambda over E' R: how strongly the sphere's own shape enters [1/(stress length)]."""
+        """The lambda over E' R: how strongly the sphere's own shape enters [1/(stress length)]."""
         return (1 - 2 * self.nu) ** 2 / (2 * (1 - self.nu)) * self.softness / self.R
 
     def sinking(self, a: float) -> float:

@@ -12,6 +12,7 @@ from analytic.contact import (
     hertz_point,
     partial_slip,
     press_fit,
+    sphere_series,
     tangential_cycle,
 )
 
@@ -50,6 +51,17 @@ def swing(k, s):
 
 def fit(k, s):
     return {"p_i": 1e6 * s, "p_o": 2e6 * s, "assumption": "plane stress"}
+
+
+def overlap(k, s):
+    shaft, hub = stack(k, s)
+    return shaft, press_fit.Wall(r_i=0.01999 * k, r_o=0.04 * k, E=hub.E, nu=hub.nu)
+
+
+def spheres(k, s):
+    one = sphere_series.Sphere(R=0.01 * k, E=2e11 * s, nu=0.3)
+    other = sphere_series.Sphere(R=0.03 * k, E=1e11 * s, nu=0.2)
+    return sphere_series.pressed_spheres(one, other, P=1e3 * s * k**2)
 
 
 CASES = [
@@ -164,6 +176,17 @@ CASES = [
     pytest.param(
         lambda k, s: press_fit.contact_pressures(stack(k, s), 1e-5 * k, **fit(k, s))[0],
         MPA, id="press fit: pressure"),
+    pytest.param(
+        lambda k, s: press_fit.pressure_of_overlap(*overlap(k, s), **fit(k, s)),
+        MPA, id="press fit: overlap"),
+    pytest.param(
+        lambda k, s: stack(k, s)[0].strain_energy(
+            p_i=1e6 * s, p_o=2e6 * s, assumption="plane strain"),
+        MPA * MM**2, id="press fit: energy"),
+    *(
+        pytest.param(lambda k, s, n=n: getattr(spheres(k, s), n), factor, id=f"spheres: {n}")
+        for n, factor in {"a": MM, "p_0": MPA, "approach": MM}.items()
+    ),
     pytest.param(
         lambda k, s: press_fit.interferences_lost(stack(k, s), **fit(k, s))[0],
         MM, id="press fit: interference lost"),

@@ -10,6 +10,7 @@ from analytic.contact.press_fit import (
     contact_pressures,
     interferences_lost,
     opening_interference,
+    pressure_of_overlap,
 )
 
 SHAFT = Wall(r_i=0.4, r_o=1.0, E=3.0, nu=0.2)
@@ -186,3 +187,53 @@ def test_the_message_of_an_open_contact_says_what_would_close_it():
 def test_input_that_makes_no_sense_is_refused(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+@pytest.mark.parametrize("assumption", ASSUMPTIONS)
+def test_the_strain_energy_is_the_work_of_the_interference(assumption):
+    """Without other loads both walls together store pi r p delta."""
+    walls = [SHAFT, SLEEVE]
+    p = float(contact_pressures(walls, 1e-3, assumption=assumption)[0])
+    stored = SHAFT.strain_energy(p_i=0.0, p_o=p, assumption=assumption)
+    stored += SLEEVE.strain_energy(p_i=p, p_o=0.0, assumption=assumption)
+    assert stored == pytest.approx(np.pi * 1.0 * p * 1e-3, rel=1e-12)
+
+
+def test_the_strain_energy_is_that_of_the_stresses():
+    r, weight = np.polynomial.legendre.leggauss(40)
+    r, weight = 0.7 + 0.3 * r, 0.3 * weight
+    radial, hoop = SHAFT.stresses(r, p_i=2.0, p_o=5.0)
+    density = (radial**2 + hoop**2 - 2 * 0.2 * radial * hoop) / (2 * 3.0)
+    stored = SHAFT.strain_energy(p_i=2.0, p_o=5.0, assumption="plane stress")
+    assert stored == pytest.approx(2 * np.pi * weight @ (density * r), rel=1e-12)
+
+
+@pytest.mark.parametrize("assumption", ASSUMPTIONS)
+def test_walls_that_overlap_carry_the_pressure_of_one_radius_in_the_limit(assumption):
+    loads = {"assumption": assumption}
+
+    def difference(overlap):
+        hub = Wall(r_i=1.0 - overlap, r_o=1.3, E=1.0, nu=0.35)
+        p = pressure_of_overlap(SHAFT, hub, **loads)
+        return p / float(contact_pressures([SHAFT, SLEEVE], overlap, **loads)[0]) - 1
+
+    assert difference(1e-3) == pytest.approx(10 * difference(1e-4), rel=0.02)
+    assert 0 < abs(difference(1e-3)) < 0.02
+
+
+def test_walls_that_overlap_end_at_one_radius():
+    hub = Wall(r_i=0.98, r_o=1.3, E=1.0, nu=0.35)
+    p = pressure_of_overlap(SHAFT, hub, p_i=0.02, assumption="plane strain")
+    rim = SHAFT.displacement(1.0, p_i=0.02, p_o=p, assumption="plane strain")
+    bore = hub.displacement(0.98, p_i=p / 0.98, p_o=0.0, assumption="plane strain")
+    assert 1.0 + rim == pytest.approx(0.98 + bore, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("bore", "p_o", "message"),
+    [(1.0, 0.0, "must overlap"), (0.5, 0.0, "less than a tenth"), (0.999, -9.0, "come apart")],
+)
+def test_walls_that_do_not_press_on_each_other_are_refused(bore, p_o, message):
+    hub = Wall(r_i=bore, r_o=1.3, E=1.0, nu=0.35)
+    with pytest.raises(ValueError, match=message):
+        pressure_of_overlap(SHAFT, hub, p_o=p_o, assumption="plane stress")
