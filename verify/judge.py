@@ -168,6 +168,21 @@ def _least(chi2: Callable[[float], float]) -> float:
     return float((low + high) / 2)
 
 
+def quadratic_coefficient(
+    eps: Sequence[float], d: Sequence[float], u: Sequence[float]
+) -> tuple[float, float]:
+    """The c of d = c eps^2 + e eps^4 by weighted least squares, and its expanded uncertainty.
+
+    The standard uncertainties `u` of the points may have one sign at all of them, as those of
+    alike meshes do: their effects on c add up.
+    """
+    x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
+    if x.size < 3 or not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma) & (sigma > 0))):
+        raise ValueError(f"a coefficient needs three finite points, got d = {y.tolist()}")
+    inverse = np.linalg.pinv(np.column_stack([x**2, x**4]) / sigma[:, None])
+    return float(inverse[0] @ (y / sigma)), float(COVERAGE * np.abs(inverse[0]).sum())
+
+
 def asymptotic(fit: LimitFit, *, q: float | None, scale: float, demand: float = DEMAND) -> Verdict:
     """|d0| <= U0 and, where theory gives the exponent, |q - q_theory| <= U_q."""
     _positive(scale)

@@ -23,6 +23,8 @@ WORDS = {Status.PASS: "holds", Status.FAIL: "does not hold"}
 def trend(row: Row) -> Derivation:
     """The order with which errors fall."""
     assert row.analytic is not None
+    if row.levels_u:
+        return coefficient(row, row.analytic)
     h, errors = zip(*row.levels, strict=True)
     fit = fit_order(h, errors)
     U = judge.expanded(fit.u)
@@ -42,6 +44,21 @@ def trend(row: Row) -> Derivation:
         *difference_steps(row, verdict, "observed − theory"),
     )
     return Derivation(found, verdict, fit.u)
+
+
+def coefficient(row: Row, theory: float) -> Derivation:
+    """The leading coefficient of what a formula neglects."""
+    eps, d = zip(*row.levels, strict=True)
+    c, U = judge.quadratic_coefficient(eps, d, row.levels_u)
+    verdict = judge.difference(c, theory, U=U, scale=abs(theory), demand=demand(row))
+    points = zip(row.levels, row.levels_u, strict=True)
+    found = (
+        *((f"ε = {e:.4g}", f"formula/FE − 1 = {y:+.4e}, u = {short(u)}") for (e, y), u in points),
+        ("fit", f"c ε² + e ε⁴ with c = {c:+.5f}; the points' u add up to U = {short(U)}"),
+        ("theory", f"{theory:g}"),
+        *difference_steps(row, verdict, "observed − theory"),
+    )
+    return Derivation(found, verdict, U / judge.COVERAGE)
 
 
 def limit(row: Row) -> Derivation:

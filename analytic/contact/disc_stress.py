@@ -1,0 +1,102 @@
+r"""Stresses on the axis of a disc pressed between two rigid flats.
+
+Two opposite forces at the ends of a chord of half-length y' leave in the disc their two radial
+(Flamant) fields and a uniform tension that frees the rim; integrated over the pressure of `disc`,
+with h the heights below the upper and above the lower contact, on the axis x = 0
+
+.. math::
+    \sigma_x = \int\left[\frac{y'}{\pi R^2} - \frac{2}{\pi}\sum_h
+        \frac{x'^2 h}{(x'^2 + h^2)^2}\right] q\,dx', \qquad
+    \sigma_y = \int\left[\frac{y'}{\pi R^2} - \frac{2}{\pi}\sum_h
+        \frac{h^3}{(x'^2 + h^2)^2}\right] q\,dx'.
+
+What Hertz's half plane lacks is of the first order here, unlike in the pressure. The opposite
+contact adds sigma_y = -P/(pi R), hence the shear stress P/(2 pi R) = p_0 a/(4R); and the circle
+bends away, so that forces at x' are nearer to the depth z by x'²/(2R). With the half plane's
+kernel the largest shear stress is, at its depth h = g^(-1/2) a (g the golden ratio),
+
+.. math:: \frac{\tau}{p_0} = g^{-5/2} + \frac{a}{R}\left[\frac{1}{4} - \frac{1}{\pi}
+    \int_{-1}^{1} \frac{s^2}{2}\,\frac{6 s^2 h^2 - h^4 - s^4}{(s^2 + h^2)^3}
+    \sqrt{1 - s^2}\,ds\right] = 0.3003 + 0.2082\,\frac{a}{R}, \qquad h = g^{-1/2}.
+
+References
+----------
+.. [1] S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed.,
+   McGraw-Hill 1970, art. 41: the disc under forces at the ends of a chord.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import minimize_scalar
+
+from analytic.contact.checks import Array, positive
+from analytic.contact.disc import PressedDisc
+from analytic.contact.hertz_line_stress import GOLDEN
+
+POINTS = 600
+
+
+def axis_stresses(z: ArrayLike, *, disc: PressedDisc) -> tuple[Array, Array]:
+    """sigma_x across and sigma_y along the load [stress] at depths z below the contact's middle.
+
+    z from 0.1 a to the centre R; tension is positive. Depths nearer to the surface need more
+    points than are taken, and are refused.
+
+    >>> from analytic.contact.disc import disc_in_contact
+    >>> disc = disc_in_contact(a=1e-3, R=1.0, E_plane=1.0)
+    >>> sx, sy = axis_stresses(1.0, disc=disc)  # at the centre, in P/(pi R)
+    >>> round(float(sx / disc.P * np.pi), 5), round(float(sy / disc.P * np.pi), 5)
+    (1.0, -3.0)
+    """
+    z = positive(z, "depth", "m")
+    if not np.all((z >= 0.1 * disc.a) & (z <= disc.R)):
+        raise ValueError(
+            f"depths may reach from 0.1 a to R, got z={z} m with a={disc.a:g} m, R={disc.R:g} m"
+        )
+    turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
+    x = disc.a * np.cos(turn)
+    q = disc.pressure(x) * disc.a * np.sin(turn) * np.pi / (POINTS + 1)
+    y = np.sqrt(disc.R**2 - x**2)
+    height = disc.R - z[..., None]
+    tension = q @ y / (np.pi * disc.R**2)
+    across, along = tension, tension
+    for h in (y - height, y + height):
+        radial = -2 / np.pi * h / (x**2 + h**2) ** 2
+        across = across + (radial * x**2) @ q
+        along = along + (radial * h**2) @ q
+    return np.asarray(across), np.asarray(along)
+
+
+def largest_shear_stress(*, disc: PressedDisc) -> tuple[float, float]:
+    """Largest shear stress in the plane on the axis [stress] and its depth [length].
+
+    >>> from analytic.contact.disc import disc_in_contact
+    >>> disc = disc_in_contact(a=1e-2, R=1.0, E_plane=1.0)
+    >>> tau, z = largest_shear_stress(disc=disc)  # 0.3003 + 0.2082 a/R + ...
+    >>> round(tau / disc.p_0, 4)
+    0.3024
+    """
+
+    def shear(t: float) -> float:
+        across, along = axis_stresses(t * disc.a, disc=disc)
+        return float(across - along) / 2
+
+    top = min(1.6, disc.R / disc.a)
+    found = minimize_scalar(
+        lambda t: -shear(t) / disc.p_0, bounds=(0.4, top), method="bounded", options={"xatol": 1e-9}
+    )
+    return shear(float(found.x)), float(found.x) * disc.a
+
+
+def shear_excess(*, a: ArrayLike, R: ArrayLike) -> Array:
+    """Relative excess of the true largest shear over Hertz's 0.300 p_0: 0.693 a/R.
+
+    >>> round(float(shear_excess(a=0.01, R=1.0)), 5)
+    0.00693
+    """
+    turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
+    s, h = np.cos(turn), GOLDEN**-0.5
+    bend = s**2 / 2 * (6 * s**2 * h**2 - h**4 - s**4) / (s**2 + h**2) ** 3
+    nearer = float(bend @ np.sin(turn) ** 2 / (POINTS + 1))
+    ratio = positive(a, "half-width", "m") / positive(R, "radius", "m")
+    return np.asarray(GOLDEN**2.5 * (1 / 4 - nearer) * ratio)

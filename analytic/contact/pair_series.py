@@ -1,0 +1,129 @@
+r"""First corrections to Hertz for two discs, each pressed from both sides, by asymptotic expansion.
+
+Disc 1 lies above the contact, disc 2 below; R is the relative radius, s_i = E*/E_i' the share of
+each in the compliance. The deformed surfaces meet on a parabola of curvature
+
+.. math:: \kappa = \frac{s_2}{R_1} - \frac{s_1}{R_2},
+
+to which the pressure is normal. Each addition to the kernel :math:`2/(\pi E^*) \ln|x - x'|` or to
+the gap changes the profile :math:`x^2/(2R)` that Hertz's half planes see, to
+:math:`(1 + \alpha)\,x^2/(2R) + \gamma x^4`, which presses by
+
+.. math:: \frac{p_0}{p_H} = 1 + \frac{\alpha + \gamma R a^2}{2}, \qquad
+          \frac{w}{a_H} = 1 - \frac{\alpha}{2} - \gamma R a^2,
+
+w being the half-width of the moments, 2 sqrt(int q x² / int q). Contributions to alpha, gamma R:
+
+- the discs, as in `disc_series`: :math:`a^2/4 \sum s_i/R_i^2` and :math:`R/8 \sum R_i^{-3}`;
+- along the inclined normal the gap is longer by kappa² x²: :math:`\kappa^2/2` to gamma R;
+- the pressure's component along x, kappa x' q, moves the surfaces along x, which closes the gap
+  by kappa x: kernel :math:`\kappa^2 x x' \ln|x - x'|`, hence :math:`\kappa^2 a^2`, -kappa²/3;
+- the load stretches disc i along x by :math:`2 P x/(\pi E_i' R_i)`, half by the curvature of its
+  rim, half by the load from the other side: :math:`-\kappa a^2 (s_1/R_1 - s_2/R_2)`;
+- normals link points at x_1 and :math:`x_2 = x_1 + \kappa x_1^3/(2R)`: with x halfway,
+  :math:`-\kappa^2/4` to the sum for p_0.
+
+Where the materials differ (Dundurs' beta), half planes couple both directions, too: the kernel
+:math:`\beta\kappa|x - x'|/E^*` acts at the first order,
+
+.. math:: -\beta\kappa a\,\frac{2G - 1/3}{\pi} \text{ in } p_0, \qquad
+          +\beta\kappa a\,\frac{64}{45\pi} \text{ in } w,
+
+with Catalan's constant G. Left out: (a/R)⁴, and beta (a/R)² where beta is not 0.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact.checks import Assumption, in_plane, positive
+from analytic.contact.hertz_line import contact_modulus, relative_radius
+from analytic.contact.partial_slip import dundurs_beta
+
+CATALAN = 0.915965594177219
+
+
+@dataclass(frozen=True, kw_only=True)
+class Excess:
+    """Relative excess of the true value over Hertz's under the same load; the terms apart."""
+
+    first: float  # of the order beta a/R
+    second: float  # of the order (a/R)²
+
+    @property
+    def total(self) -> float:
+        """Both orders."""
+        return self.first + self.second
+
+
+def excess(
+    *,
+    a: float,
+    R_1: float,
+    R_2: float,
+    E_1: float,
+    nu_1: float,
+    E_2: float,
+    nu_2: float,
+    assumption: Assumption,
+) -> tuple[Excess, Excess]:
+    """Excess of the peak pressure and of the moments' half-width (no unit).
+
+    `a` is Hertz's half-width; R_2 may be infinite, a flat.
+
+    >>> steel = {"E_1": 2.0, "nu_1": 0.3, "E_2": 2.0, "nu_2": 0.3, "assumption": "plane strain"}
+    >>> p, w = excess(a=0.1, R_1=1.0, R_2=1.0, **steel)  # as on a rigid flat: 3/16, -1/4
+    >>> round(p.total, 12), round(w.total, 12)
+    (0.001875, -0.0025)
+    """
+    a, R_1 = float(positive(a, "half-width", "m")), float(positive(R_1, "radius", "m"))
+    R_2 = float(R_2)
+    if not R_2 > 0:
+        raise ValueError(f"R_2 must be positive: two discs or a disc on a flat, got R_2={R_2} m")
+    materials = {"E_1": E_1, "nu_1": nu_1, "E_2": E_2, "nu_2": nu_2}
+    kappa = meeting_curvature(R_1=R_1, R_2=R_2, **materials, assumption=assumption)
+    s_1, s_2 = shares(**materials, assumption=assumption)
+    b_1, b_2, R = 1 / R_1, 1 / R_2, float(relative_radius(R_1=R_1, R_2=R_2))
+    beta = float(dundurs_beta(**materials, assumption=assumption))
+    discs, circles = (s_1 * b_1**2 + s_2 * b_2**2) / 8, R * (b_1**3 + b_2**3) / 8
+    stretch = kappa * (s_1 * b_1 - s_2 * b_2) / 2
+    askew = kappa * (s_1 - s_2) / (8 * R)  # w is measured halfway between x_1 and x_2
+    p = discs + circles / 2 + kappa**2 / 3 - stretch
+    w = -discs - circles - 2 / 3 * kappa**2 + kappa**2 / 2 + stretch + askew
+    coupled = beta * kappa * a
+    return (
+        Excess(first=-coupled * (2 * CATALAN - 1 / 3) / np.pi, second=p * a**2),
+        Excess(first=coupled * 64 / (45 * np.pi), second=w * a**2),
+    )
+
+
+def shares(
+    *, E_1: float, nu_1: float, E_2: float, nu_2: float, assumption: Assumption
+) -> tuple[float, float]:
+    """Shares s_i = E*/E_i' of the bodies in the compliance (no unit); they add up to 1."""
+    E_star = contact_modulus(E_1=E_1, nu_1=nu_1, E_2=E_2, nu_2=nu_2, assumption=assumption)
+    both = ((E_1, nu_1), (E_2, nu_2))
+    s_1, s_2 = (float(E_star / in_plane(E, nu, assumption)[0]) for E, nu in both)
+    return s_1, s_2
+
+
+def meeting_curvature(
+    *,
+    R_1: float,
+    R_2: float,
+    E_1: float,
+    nu_1: float,
+    E_2: float,
+    nu_2: float,
+    assumption: Assumption,
+) -> float:
+    """Curvature kappa [1/length] of the line on which the bodies meet, positive around body 1.
+
+    R_2 is negative for a bore.
+
+    >>> like = {"E_1": 1.0, "nu_1": 0.3, "E_2": 1.0, "nu_2": 0.3, "assumption": "plane strain"}
+    >>> meeting_curvature(R_1=1.0, R_2=4.0, **like), meeting_curvature(R_1=1.0, R_2=-4.0, **like)
+    (0.375, 0.625)
+    """
+    s_1, s_2 = shares(E_1=E_1, nu_1=nu_1, E_2=E_2, nu_2=nu_2, assumption=assumption)
+    return s_2 / R_1 - s_1 / R_2
