@@ -140,3 +140,22 @@ def test_a_punch_on_a_foundation_under_the_same_pressure(cells, order, swap, nx)
         anchors={corner: "x"}, contacts=[pair("punch.bottom", "low.top", swap)],
     ).solve(pressures={"punch.top": P, "low.free": P})  # fmt: skip
     assert_uniform(s, TILT)
+
+
+@either_slave
+@every_cell
+def test_vertices_that_all_but_meet_leave_no_sliver_out(cells, order, swap):
+    def wavy(mesh):
+        x, y = mesh.doflocs
+        return replace(mesh, doflocs=np.array([x + 3e-4 * np.sin(np.pi * x), y]))
+
+    make = {"nx": 5, "ny": 2, "cells": cells, "order": order}
+    mesh = join({"up": wavy(block(x=(0, 1), y=(1, 2), **make)),
+                 "low": block(x=(0, 1), y=(0, 1), **make)})  # fmt: skip
+    s = ContactProblem(
+        mesh, materials={"up": Elastic(E=3.0, nu=0.3), "low": Elastic(E=1.0, nu=0.2)},
+        assumption="plane strain", supports={"low.bottom": "y", "low.left": "x", "up.left": "x"},
+        contacts=[pair("up.bottom", "low.top", swap)],
+    ).solve(pressures={"up.top": P})  # fmt: skip
+    assert_uniform(s)
+    assert abs(s.touches[0].force[1]) == pytest.approx(P, rel=EXACT)
