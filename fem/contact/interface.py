@@ -41,7 +41,8 @@ class Interface:
     """The pairs, where surfaces have moved rigidly by `bases` (all,) from their places in the mesh.
 
     `rows` (r, all) are the weighted gaps of all pairs, one after the other, then the weighted slips
-    of those with friction; `gaps` (m,) the first without displacement; `starts` where each pair's
+    of those with friction; `gaps` (m,) the first without displacement, and `sizes`
+    (m,) the integrals of their hats; `starts` where each pair's
     rows begin; `kernel` the compliance of all rows.
     """
 
@@ -61,6 +62,7 @@ class Interface:
             m.weighted(m.points.gap - p.interference - (0.0 if base is None else m.normal @ base))
             for m, p, base in zip(self.mortars, self.pairs, bases, strict=True)
         ])  # fmt: skip
+        self.sizes = np.concatenate([m.size for m in self.mortars])
         unknowns = bodies.unknowns
         self.C = (self.rows @ unknowns.T[:, unknowns.T.shape[1] - unknowns.surface :]).toarray()
         friction = np.repeat([p.friction for p in self.pairs], np.diff(self.starts))
