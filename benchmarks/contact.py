@@ -66,7 +66,8 @@ def ours(cells: tuple[int, int], refine: int, *more: str) -> dict[str, Any]:
     )
     wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    return json.loads(said.stdout) | {"process": wall, "process cpu": cpu}
+    answer: dict[str, Any] = json.loads(said.stdout)
+    return answer | {"process": wall, "process cpu": cpu}
 
 
 class Peer:
@@ -162,17 +163,17 @@ def compare(peer: Peer, how: Settings, runs: int) -> dict[str, Any]:
 
 
 def climb(how: Settings | None) -> list[dict[str, Any]]:
-    """Both by size, calculix as long as a run stays within a minute."""
+    """Both by size in processor seconds, calculix as long as a run stays within a minute."""
     rows: list[dict[str, Any]] = []
     for cells, refine in LADDER:
         runs = [ours(cells, refine) for _ in range(3 if refine < 3 else 1)]
-        keys = ("set-up", "first", "fields", "step", "seconds")
+        keys = ("set-up", "first", "fields", "step", "cpu")
         row: dict[str, Any] = {key: median(run[key] for run in runs) for key in keys}
         row |= {key: runs[0][key] for key in ("unknowns", "surface", "errors", "stages")}
         if how is not None:
             try:
                 answer = Peer(cells, refine).ask(how)
-                row["calculix"] = answer.run.wall
+                row["calculix"] = answer.run.cpu
                 row["calculix errors"] = answer.errors
             except RuntimeError as error:
                 print(f"    {error}")

@@ -11,7 +11,7 @@ mpl.rcParams["svg.hashsalt"] = "contact"
 LARGE = 1e4  # unknowns from which on exponents are fitted: below, calls cost more than numbers
 CURVES = (  # name, key of a row, colour, marker
     ("calculix, end to end", "calculix", "#b5482a", "s"),
-    ("this project, end to end", "seconds", "#1f4e79", "o"),
+    ("this project, end to end", "cpu", "#1f4e79", "o"),
     ("set-up", "set-up", "#5b9bd5", "^"),
     ("first solve", "first", "#70ad47", "v"),
     ("further step", "step", "#7f6000", "D"),
@@ -33,7 +33,7 @@ def draw(rows: list[dict[str, Any]], *files: Path) -> None:
             label += f", $n^{{{np.polyfit(np.log(n[large]), np.log(t[large]), 1)[0]:.2f}}}$"
         axes.loglog(n, t, color=colour, marker=marker, lw=1.6, ms=5, label=label)
     axes.set(title="two discs in contact, quadratic quadrilaterals", xlabel="unknowns")
-    axes.set(ylabel="seconds")
+    axes.set(ylabel="processor seconds")
     axes.grid(visible=True, which="major", color="#dddddd", lw=0.6)
     figure.legend(frameon=False, fontsize=8, loc="outside right upper")
     axes.spines[["top", "right"]].set_visible(False)
