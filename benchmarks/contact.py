@@ -22,6 +22,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 from statistics import median
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from benchmarks import calculix, hertz
@@ -83,16 +84,12 @@ class Peer:
 
     def ask(self, how: Settings, limit: float = MINUTE) -> Answer:
         """A run; RuntimeError where calculix fails."""
-        deck = OUT / "contact.inp"
-        start = time.perf_counter()
-        write_deck(deck, self.problem, self.solution, how)
-        self.writing = time.perf_counter() - start
-        try:
+        with TemporaryDirectory() as folder:
+            deck = Path(folder) / "contact.inp"
+            start = time.perf_counter()
+            write_deck(deck, self.problem, self.solution, how)
+            self.writing = time.perf_counter() - start
             return run_deck(deck, self.problem, self.solution.plane, how, limit)
-        finally:
-            for file in OUT.glob("contact.*"):
-                if file.suffix not in (".svg", ".png", ".json"):
-                    file.unlink()
 
 
 def worst(errors: dict[str, float]) -> float:
