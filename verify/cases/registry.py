@@ -3,11 +3,12 @@
 from difflib import get_close_matches
 
 from verify.case import Case
+from verify.cases.contact_slip import SLIP
 from verify.cases.ring import LAME
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_continuum import CONTINUUM
 
-CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM)
+CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM, SLIP)
 
 
 def find(case_id: str) -> Case:
