@@ -164,7 +164,7 @@ def climb(how: Settings | None) -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = []
     for cells, refine in LADDER:
         runs = [ours(cells, refine) for _ in range(3 if refine < 3 else 1)]
-        keys = ("set-up", "first", "fields", "step", "cpu")
+        keys = ("set-up", "first", "fields", "step cpu", "cpu")
         row: dict[str, Any] = {key: median(run[key] for run in runs) for key in keys}
         row |= {key: runs[0][key] for key in ("unknowns", "surface", "errors", "stages")}
         if how is not None:
@@ -180,7 +180,7 @@ def climb(how: Settings | None) -> list[dict[str, Any]]:
         print(
             f"{row['unknowns']:7d} unknowns: set-up {row['set-up']:.3f} s, first solve "
             f"{row['first']:.3f} s, fields {row['fields']:.3f} s, further step "
-            f"{1e3 * row['step']:.2f} ms{peer}; errors {told(row['errors'])}"
+            f"{1e3 * row['step cpu']:.2f} ms{peer}; errors {told(row['errors'])}"
         )
     return rows
 

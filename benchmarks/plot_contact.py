@@ -14,7 +14,7 @@ CURVES = (  # name, key of a row, colour, marker
     ("this project, end to end", "cpu", "#1f4e79", "o"),
     ("set-up", "set-up", "#5b9bd5", "^"),
     ("first solve", "first", "#70ad47", "v"),
-    ("further step", "step", "#7f6000", "D"),
+    ("further step", "step cpu", "#7f6000", "D"),
 )
 
 
