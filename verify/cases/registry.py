@@ -3,12 +3,14 @@
 from difflib import get_close_matches
 
 from verify.case import Case
+from verify.cases.contact_press_fit import PRESS_FIT
 from verify.cases.contact_slip import SLIP
+from verify.cases.contact_sphere import SPHERE
 from verify.cases.ring import LAME
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_continuum import CONTINUUM
 
-CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM, SLIP)
+CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM, SLIP, SPHERE, PRESS_FIT)
 
 
 def find(case_id: str) -> Case:
