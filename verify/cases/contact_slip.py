@@ -119,7 +119,7 @@ def l2_margin(
 def two_ways(context: Context) -> tuple[float, float]:
     """How far below `AGREE` the loop's area and the work of friction differ."""
     area, work = (context.series(key)[1][-1] for key in ("loop's area", "friction's work"))
-    u = context.fem[-1].u_it["loop's area"]
+    u = context.fem[-1].u_it["area by steps"]
     return AGREE - abs(area / work - 1), 2 * u / work
 
 
@@ -131,9 +131,9 @@ def step_order(context: Context) -> tuple[float, float]:
     """
     result = context.fem[-1]
     x, Q = result.arrays["loop, x"], result.arrays["loop, Q"]
-    work, jitter = result.values["friction's work"], result.u_it["friction's work"]
+    work, area = result.values["friction's work"], result.values["loop's area"]
     coarse, fine = (abs(abs(np.trapezoid(Q[::n], x[::n])) - work) for n in (4, 2))
-    return float(np.log2(coarse / fine) - 1.8), float(2 * jitter / fine / np.log(2))
+    return float(np.log2(coarse / fine) - 1.8), float(2 * abs(area - work) / fine / np.log(2))
 
 
 def warnings(q: SlipInputs, v: Values) -> Sequence[str]:

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import CubicSpline
 
 from verify.case import FemResult
@@ -22,7 +23,7 @@ ZONE = 1.1  # half-width of the fine cells over Hertz's
 SWEEP, SWEPT = 80, 0.92  # steps of the first loading and Q/(mu P) at its end
 WINDOW = 0.06  # of Q/(mu P) about a row's, over which the sweep is smoothed
 STEPS = 32  # of a swing from Q_max to -Q_max
-ACROSS = np.linspace(-1.0, 1.0, 41)  # x/a of the profiles
+ACROSS = np.linspace(-0.95, 0.95, 39)  # x/a of the profiles
 GROWTH = np.linspace(0.1, 0.85, 16)  # Q/(mu P) where the stick zone's growth is shown
 AROUND = np.linspace(-1.0, 1.0, 17)  # Q/Q_max where the loop is shown, on both branches
 HIT = 1e-12  # of P, within which loads are met
@@ -129,13 +130,17 @@ def loading(rollers: Rollers) -> tuple[dict[str, float], dict[str, float], dict[
         swept.append((touch.friction_force / (q.mu * q.P), stick_share(touch), x))
     k, c2, x = np.array(swept).T
     arrays["profile, growth"] = np.sqrt([smoothed(k, c2, share)[0] for share in GROWTH])
+    # Masing: each branch of a cycle is the first loading, twice as large
+    area = 8 * cumulative_trapezoid(k, x, initial=0.0) - 4 * k * x
+    jitter = smoothed(k, area, q.share)[2] * q.mu * q.P
+    u_it |= {"friction's work": jitter, "loop's area": jitter}
     for name, share in (*((f"stick, k = {s:g}", s) for s in SHARES), ("stick at Q_max", q.share)):
-        c2_k, u = smoothed(k, c2, share)
+        c2_k, u, _ = smoothed(k, c2, share)
         values[name] = values["half-width"] * np.sqrt(c2_k)
         u_it[name] = u * values[name] / (2 * c2_k)
-    far, u_far = smoothed(k, x, SHARES[-1])
+    far, u_far, _ = smoothed(k, x, SHARES[-1])
     for share in SHARES:
-        x_k, u = smoothed(k, x, share)
+        x_k, u, _ = smoothed(k, x, share)
         part = share / SHARES[-1]
         values[f"beyond chord, k = {share:g}"] = x_k - part * far
         u_it[f"beyond chord, k = {share:g}"] = float(np.hypot(u, part * u_far))
@@ -152,10 +157,8 @@ def cycle(
     values: dict[str, float] = {}
     arrays = traction(q, first, "Q/Q_max = 1")
     for stage in STAGES:
-        state, at = rollers.loaded(stage * Q_max, top * (stage, 1.0), first)
+        state, _ = rollers.loaded(stage * Q_max, top * (stage, 1.0), first)
         arrays |= traction(q, state, f"Q/Q_max = {stage:g}")
-        if stage == 0:
-            values["left at Q = 0"] = at[0]
     back = state  # -Q_max, in one step
 
     steps = np.linspace(1.0, -1.0, STEPS + 1)[1:]
@@ -172,7 +175,9 @@ def cycle(
     arrays["profile, loop"] = around(arrays["loop, x"], arrays["loop, Q"])
     area, coarser = (simpson(arrays["loop, x"][::n], arrays["loop, Q"][::n]) for n in (1, 2))
     values |= {"loop's area": area}
-    u_it = {"loop's area": abs(area - coarser), "friction's work": abs(area - work)}
+    down, moved = arrays["loop, Q"][: STEPS + 1] / Q_max, arrays["loop, x"][: STEPS + 1]
+    values["left at Q = 0"], left, _ = smoothed(down, moved, 0.0, window=5.0 * 2 / STEPS)
+    u_it = {"left at Q = 0": left, "area by steps": abs(area - coarser)}
 
     plane, touch = first.plane, first.touches[0]
     upper, lower = (np.array(plane.reaction(f"{side}.middle")) for side in SIDES)
@@ -195,17 +200,18 @@ def stick_share(touch: Any) -> float:
     return float(4 * M_2 / (M_0 * touch.half_width((0.0, 0.0)) ** 2) - 1)
 
 
-def smoothed(k: Array, v: Array, at: float) -> tuple[float, float]:
-    """Value at k = `at` of a cubic through the samples around it, and its standard uncertainty.
+def smoothed(k: Array, v: Array, at: float, window: float = WINDOW) -> tuple[float, float, float]:
+    """Value at k = `at` of a cubic through the samples around it, its uncertainty, and a sample's.
 
     As the slip strips grow, nodes let go one by one; the value jitters with the place of the
     strip's end between two nodes.
     """
-    chosen = np.abs(k - at) <= WINDOW
-    A = np.vander((k[chosen] - at) / WINDOW, 4)
+    chosen = np.abs(k - at) <= window
+    A = np.vander((k[chosen] - at) / window, 4)
     constants = np.linalg.lstsq(A, v[chosen], rcond=None)[0]
     scatter = np.linalg.norm(A @ constants - v[chosen]) / np.sqrt(max(chosen.sum() - 4, 1))
-    return float(constants[-1]), float(scatter * np.sqrt(np.linalg.inv(A.T @ A)[-1, -1]))
+    share = np.sqrt(np.linalg.inv(A.T @ A)[-1, -1])
+    return float(constants[-1]), float(scatter * share), float(scatter)
 
 
 def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Array]:

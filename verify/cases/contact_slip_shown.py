@@ -148,11 +148,14 @@ def _chained(
     def chain(parts: Sequence[Any]) -> Any:
         return np.concatenate([part[:: (-1) ** i] for i, part in enumerate(parts)])
 
+    x = np.tile(ACROSS, len(names))
+    order = np.argsort(x, kind="stable")
+    y_fem = np.concatenate([values for values, _ in found])[order] / scale
     return Profile(
         title=title, x_label="x/a", y_label="q/(μp_0)", x=chain([FINE] * len(curves)),
-        y=chain(curves) / scale, x_fem=chain([ACROSS] * len(names)),
-        y_fem=chain([values for values, _ in found]) / scale, y_ref=chain(references) / scale,
-        u=chain([u for _, u in found]) / scale, scale=1.0,
+        y=chain(curves) / scale, x_fem=x[order], y_fem=y_fem,
+        y_ref=np.concatenate(references)[order] / scale,
+        u=np.full(x.size, max(u.max() for _, u in found)) / scale, scale=1.0,
         note=note + " Below: what is left at fixed places, in the band of all meshes.",
     )  # fmt: skip
 
@@ -183,11 +186,12 @@ def _loop(context: Context) -> Profile:
     fine = np.linspace(-1.0, 1.0, 101)
     scale = context.analytic["left at Q = 0"]
     values, u = along(context, "profile, loop", formal=1.0, scale=scale)
+    x = np.concatenate([AROUND[::-1], AROUND])
+    order = np.argsort(x, kind="stable")
     return Profile(
         title="Loop of displacement over force", x_label="Q/Q_max", y_label="δ − δ_c [nm]",
-        x=np.concatenate([fine[::-1], fine]), y=beyond(fine) / nm,
-        x_fem=np.concatenate([AROUND[::-1], AROUND]), y_fem=values / nm,
-        y_ref=beyond(AROUND) / nm, u=u / nm, scale=scale / nm,
+        x=np.concatenate([fine[::-1], fine]), y=beyond(fine) / nm, x_fem=x[order],
+        y_fem=values[order] / nm, y_ref=beyond(AROUND)[order] / nm, u=u / nm, scale=scale / nm,
         note="Displacement beyond the straight line δ_c between both reversals; above on the way "
         "down. What the loop encloses is lost.",
     )  # fmt: skip
