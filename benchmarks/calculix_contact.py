@@ -76,6 +76,7 @@ def write_deck(
             ("SLAVE", problem.surfaces.slaves[0]),
             ("MASTER", problem.surfaces.masters[0]),
         ):
+            assert trace is not None, "calculix has no obstacles without a mesh"
             deck.write(f"*SURFACE, NAME={name}\n")
             deck.writelines(f"{cell},S{side}\n" for cell, side in _sides(plane, trace))
         deck.write("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n")

@@ -70,7 +70,7 @@ def sheared(mesh: Mesh2D) -> ContactProblem:
 
 def on_middle(x: Array, share: float = 1.0) -> Array:
     """Pressure on the middle y = R of the upper disc at `x` (2, ...), under a share of the load."""
-    return share * LOAD / (np.pi * R) * (4 / (1 + (x[0] / R) ** 2) ** 2 - 1)
+    return np.asarray(share * LOAD / (np.pi * R) * (4 / (1 + (x[0] / R) ** 2) ** 2 - 1))
 
 
 def solve_pressed(problem: ContactProblem, share: float = 1.0) -> ContactSolution:
