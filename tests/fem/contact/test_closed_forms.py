@@ -63,7 +63,7 @@ def test_a_roller_in_a_bore_meets_hertz():
     assert touch.peak == pytest.approx(2 * load / (np.pi * a), rel=2e-3)
 
 
-@pytest.mark.parametrize("refine", [2, 3])  # the axis once went open on the third mesh
+@pytest.mark.parametrize("refine", [2, 3])  # on the third mesh the axis is prone to open
 @pytest.mark.parametrize("partner", ["flat", "sphere"])
 def test_spheres_meet_hertz(partner, refine):
     a = 0.02 * R
@@ -133,11 +133,15 @@ def test_a_punch_off_its_middle_tilts_as_the_half_plane_has_it():
     assert touch.moment(on="slave") == pytest.approx(-off * load, rel=1e-6)
 
 
-@pytest.mark.parametrize("assumption", ["plane strain", "plane stress"])
 @pytest.mark.parametrize(
-    ("overlap", "swap", "friction"), [(False, False, 0.2), (False, True, 0.0), (True, False, 0.0),
-                                      (True, True, 0.2)]
-)  # fmt: skip
+    ("assumption", "overlap", "swap", "friction"),
+    [
+        ("plane strain", False, False, 0.2),
+        ("plane stress", False, True, 0.0),
+        ("plane strain", True, False, 0.0),
+        ("plane stress", True, True, 0.2),
+    ],
+)
 def test_a_press_fit_meets_lame(assumption, swap, overlap, friction):
     i, r_i, r, r_o = 1e-5, 20e-3, 40e-3, 70e-3
     E_1, nu_1, E_2, nu_2 = 210e9, 0.3, 70e9, 0.33
@@ -169,8 +173,8 @@ def test_a_press_fit_meets_lame(assumption, swap, overlap, friction):
 
 def layer(load):
     """A layer pressed on a foundation over a fifth of its thickness; where it lifts off."""
-    mesh = join({"layer": block(x=(0, 6), y=(0, 1), nx=60, ny=8),
-                 "low": half_block(width=40, depth=40, zone=3, refine=1, cells=30)})  # fmt: skip
+    mesh = join({"layer": block(x=(0, 4), y=(0, 1), nx=40, ny=6),
+                 "low": half_block(width=40, depth=40, zone=2, refine=1, cells=20)})  # fmt: skip
     s = ContactProblem(
         mesh, materials=Elastic(E=1.0, nu=NU), assumption="plane strain",
         supports={"layer.left": "x", "low.axis": "x", "low.bottom": "y"},

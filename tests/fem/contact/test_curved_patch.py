@@ -1,5 +1,7 @@
 """A disc in a ring of its own material under outer pressure: hydrostatic, but for the facets."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -14,6 +16,7 @@ P, R = 0.01, 1.0  # any; P/E = 1/300 is what gaps between facets count against
 SHAPES = {"disc.rim": Circle((0, 0), R), "ring.bore": Circle((0, 0), R, hollow=True)}
 
 
+@cache
 def nested(refine, *, swap, shapes, friction=0.3, order=2):
     mesh = join({
         "disc": full_disc(R=R, around=24 * refine, order=order),

@@ -60,20 +60,19 @@ def stack(cells, order):
 
 
 @pytest.mark.parametrize("assumption", ["plane strain", "plane stress"])
-@pytest.mark.parametrize("angle", [0.0, TILT])
 @either_slave
 @every_cell
-def test_three_materials_in_a_stack_pass_a_pressure_on(cells, order, swap, angle, assumption):
+def test_three_materials_in_a_stack_pass_a_pressure_on(cells, order, swap, assumption):
     sides = [f"{body}.left" for body in ("low", "middle", "top")]
     problem = ContactProblem(
-        turned(stack(cells, order), angle), assumption=assumption, thickness=0.7,
+        turned(stack(cells, order), TILT), assumption=assumption, thickness=0.7,
         materials={"top": Elastic(E=5.0, nu=0.2), "middle": Elastic(E=3.0, nu=0.3),
                    "low": Elastic(E=1.0, nu=0.0)},
         supports={"low.bottom": "n"} | dict.fromkeys(sides, "n"),
         contacts=[pair("middle.bottom", "low.top", swap), pair("top.bottom", "middle.top", swap)],
     )  # fmt: skip
     s = problem.solve(pressures={"top.top": P})
-    assert_uniform(s, angle)
+    assert_uniform(s, TILT)
     for touch in s.touches:
         assert np.hypot(*touch.force) == pytest.approx(0.7 * P, rel=EXACT)
 
@@ -125,7 +124,7 @@ def foundation(cells, order):
     })  # fmt: skip
 
 
-@pytest.mark.parametrize("nx", [3, 4, 9])
+@pytest.mark.parametrize("nx", [3, 7])
 @either_slave
 @every_cell
 def test_a_punch_on_a_foundation_under_the_same_pressure(cells, order, swap, nx):
