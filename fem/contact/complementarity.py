@@ -16,6 +16,7 @@ finite without friction). The motions start on weak springs that are let go step
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -171,6 +172,10 @@ class Complementarity:
             return simpler.solve(np.add.reduceat(w_0[:m], first), e).states[group]
         except ArithmeticError:
             return None
+
+    @cached_property
+    def _sizes(self) -> tuple[Array, Array]:
+        return np.abs(self.B), np.abs(self.D)
 
     def _stiffness(self) -> float:
         """What the springs are measured by: the contact's own stiffness against rigid motions."""
