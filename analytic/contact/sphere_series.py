@@ -91,11 +91,17 @@ class Sphere:
 
 @dataclass(frozen=True)
 class PressedSpheres:
-    """Contact radius, peak pressure and approach of both planes of symmetry, to first order."""
+    """Contact radius, peak pressure and approach of both planes of symmetry, to first order.
+
+    The `excess` of each is its relative one over Hertz's under the same load.
+    """
 
     a: float
     p_0: float
     approach: float
+    a_excess: float
+    p_0_excess: float
+    approach_excess: float
 
 
 def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
@@ -112,16 +118,21 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
         raise ValueError("one body must be elastic and one of finite radius")
     strength = (one.logarithm + other.logarithm) / soft  # epsilon over a
     hertz = cbrt(0.75 * P * soft / bent)
-    a = hertz * (1 + hertz * strength / (2 * pi))
-    epsilon = a * strength
-    flat = a**2 * bent * (1 - 4 * epsilon / (3 * pi) * (0.5 + log(2)))
+    epsilon = hertz * strength
+    wider, lower = epsilon / (2 * pi), -pi * epsilon / 8
+    a = hertz * (1 + wider)
+    flat = a**2 * bent * (1 - 4 * a * strength / (3 * pi) * (0.5 + log(2)))
     # the force acts along the common normal, whose curvature the softer body follows
     common = (other.softness / one.R - one.softness / other.R) / soft
     tilt = one.tilted * (1 / one.R - common) + other.tilted * (1 / other.R + common)
+    approach = flat + P * (one.sinking(a) + other.sinking(a) - tilt)
     return PressedSpheres(
         a=a,
-        p_0=2 * hertz * bent / (pi * soft) * (1 - pi * hertz * strength / 8),
-        approach=flat + P * (one.sinking(a) + other.sinking(a) - tilt),
+        p_0=2 * hertz * bent / (pi * soft) * (1 + lower),
+        approach=approach,
+        a_excess=wider,
+        p_0_excess=lower,
+        approach_excess=approach / (hertz**2 * bent) - 1,
     )
 
 

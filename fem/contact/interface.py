@@ -14,7 +14,7 @@ from fem.contact.shapes import Motion
 from fem.contact.trace import Trace, trace_of
 from fem.plane.discretisation import Array, Indices
 
-LEAST = 1e-13  # of the mean compliance
+LEAST = 1e-13  # of the mean compliance per area
 ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that say nothing
 
 
@@ -70,8 +70,10 @@ class Interface:
         held = friction > 0
         partner[held] = friction.size + np.arange(held.sum())
         B = self.C @ bodies.compliance(self.C.T)
-        # what supports fix on both sides could carry any traction: it takes the least
-        B[np.diag_indices(len(B))] += LEAST * np.trace(B) / len(B)
+        # what supports fix on both sides could carry any traction: it takes the least; by area,
+        # which around a turn differs by many orders of magnitude from row to row
+        area = np.concatenate([self.sizes, *(self.mortars[i].size for i in rough)])
+        B[np.diag_indices(len(B))] += LEAST * np.mean(np.diag(B) / area**2) * area**2
         self.kernel = Complementarity(
             B=(B + B.T) / 2,
             D=self.C @ bodies.motions,

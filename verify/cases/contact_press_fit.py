@@ -194,7 +194,7 @@ def read(q: FitInputs, fit: "ContactSolution", kind: str) -> dict[str, float]:
     push = touch.force[0]
     found = {
         "p": p,
-        "scatter": float(np.ptp(touch.pressure)),
+        "scatter": float(np.sqrt((touch.p - p) ** 2 @ touch.weight / touch.weight.sum())),
         "U": 4 * fit.strain_energy,
         "outer balance": plane.reaction("outer.x=0")[0] + push - q.p_o * q.r_o,
     }
@@ -280,7 +280,7 @@ CHECKS = tuple(
     for kind, a in FITS
     for check in (
         identity(kind, a, "contact pressure, mean", "p", "p", "MPa", formal=4),
-        identity(kind, a, "contact pressure, scatter along the fit", "scatter", "Δp", "MPa",
+        identity(kind, a, "contact pressure, rms scatter along the fit", "scatter", "Δp", "MPa",
                  formal=2, analytic="none", scale=f"{kind}, {a}: p"),
         *(
             identity(kind, a, f"displacement of the {words}", f"u, {place}", f"u_r({r})", "µm",

@@ -19,7 +19,7 @@ ZONE, CELLS = 1.5, 6  # of fine cells: width over a, and number of cells on the 
 HIT, STEPS = 1e-12, 30  # of the load, within which it is met, and by how many steps
 ACROSS = np.linspace(0.0, 0.95, 39)  # r/a of the plotted pressure
 DEEP = np.linspace(0.05, 2.5, 50)  # z/a of the plotted stresses
-ABOUT = np.linspace(0.3, 0.7, 81)  # z/a between which the shear stress has its largest value
+ABOUT, WIDE = (0.25, 0.75), 0.3  # z/a about the largest shear stress, and r/a
 VIEW = 4.0  # half-widths about the contact whose cells are kept
 
 
@@ -47,7 +47,8 @@ def fem(q: SphereInputs, level: int) -> FemResult:
             bodies["lower"] = -1.0
             values[f"{pair}: lower balance"] = state.plane.reaction("lower.middle")[1] - push(state)
         for body, side in bodies.items():
-            largest, depth = largest_shear(ABOUT, np.array(axis(state, side * a * ABOUT)))
+            inside = state.plane.in_body(body)
+            largest, depth = largest_shear(inside.x, inside.stress, a)
             values |= {f"{pair}: {body} shear": largest, f"{pair}: {body} depth": a * depth}
             arrays[f"{pair}: {body} axis"] = np.array(axis(state, side * a * DEEP)).ravel()
         order = np.argsort(touch.x[0])
@@ -128,12 +129,21 @@ def axis(state: "ContactSolution", y: Array) -> tuple[Array, Array]:
     return stress[0], stress[1]
 
 
-def largest_shear(z: Array, stresses: Array) -> tuple[float, float]:
-    """Largest shear stress and its depth, of a polynomial through that at the depths `z`."""
-    fit = np.polynomial.Polynomial.fit(z, (stresses[0] - stresses[1]) / 2, 4)
-    fine = np.linspace(z[0], z[-1], 4001)
-    best = int(np.argmax(fit(fine)))
-    return float(fit(fine[best])), float(fine[best])
+def largest_shear(x: Array, stress: Array, a: float) -> tuple[float, float]:
+    """Largest shear stress on the axis and its depth over `a`.
+
+    Of a polynomial, even in r, through (sigma_r - sigma_z)/2 at the points `x` (2, m) about there:
+    single stresses jump from cell to cell.
+    """
+    r, z = x[0] / a, np.abs(x[1]) / a
+    near = (r < WIDE) & (z > ABOUT[0]) & (z < ABOUT[1])
+    r, z, shear = r[near], z[near], (stress[0] - stress[1])[near] / 2
+    columns = [z**i * r ** (2 * j) for j in range(3) for i in range(6 - j)]
+    fit = np.linalg.lstsq(np.array(columns).T, shear, rcond=None)[0]
+    fine = np.linspace(*ABOUT, 4001)
+    on_axis = np.polynomial.polynomial.polyval(fine, fit[:6])
+    best = int(np.argmax(on_axis))
+    return float(on_axis[best]), float(fine[best])
 
 
 def field(state: "ContactSolution", name: str, reach: float) -> Field:
