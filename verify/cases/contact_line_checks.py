@@ -1,0 +1,114 @@
+"""Claims of the line contacts: profiles, sweeps to the limit, and what every one of them balances."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from analytic.contact import hertz_line
+from verify import judge
+from verify.case import Context
+from verify.checks import Exact, Fact, Identity
+from verify.claims import Claim
+from verify.convergence import grid_convergence
+from verify.results import Kind, Row, Status
+from verify.shown import Array
+
+Points = Callable[[Context], tuple[list[float], list[float], list[float]]]
+
+PROFILE = 0.03  # acceptance figure of q(x) in L2
+SHARP = {"p0": 5e-4, "a": 1e-3, "approach": 1e-3}  # acceptance
+LIMITS = "acceptance figure of the contact models"
+ROUND = "direct solve; the load is met within 1e-12 of itself"
+
+BALANCES = tuple(
+    Exact(name=name, symbol=symbol, unit=unit, fem=key, scale=scale, bound=1e-8, bound_reason=ROUND)
+    for name, symbol, unit, key, scale in (
+        ("balance of forces across", "ΣF_x", "N/mm", "balance x", "P"),
+        ("balance of forces along the load", "ΣF_y", "N/mm", "balance y", "P"),
+        ("balance of moments", "ΣM", "N", "moment", "P R"),
+    )
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProfileError(Identity):
+    """The L2 distance of a profile from the exact one vanishes with the mesh, as its order says."""
+
+    errors: Callable[[Context], list[float]]
+
+    def rows(self, context: Context) -> list[Row]:
+        fem = [
+            replace(result, values={**result.values, self.fem: error})
+            for result, error in zip(context.fem, self.errors(context), strict=True)
+        ]
+        return super().rows(replace(context, fem=fem))
+
+
+def l2_errors(
+    pressure: Callable[[Context, Array], Array],
+) -> Callable[[Context], list[float]]:
+    """Relative L2 errors of the finite-element pressure, per level, at its integration points."""
+
+    def errors(context: Context) -> list[float]:
+        found = []
+        for result in context.fem:
+            x, p, weight = (result.arrays[key] for key in ("x", "p", "weight"))
+            exact = pressure(context, x)
+            found.append(float(np.sqrt(((p - exact) ** 2 @ weight) / (exact**2 @ weight))))
+        return found
+
+    return errors
+
+
+def relative_uncertainty(context: Context, key: str) -> float:
+    """Standard uncertainty of the finest value over itself; infinite where it does not converge."""
+    h, v = context.series(key)
+    u_it = max(r.u_it.get(key, 0.0) for r in context.fem)
+    grid = grid_convergence(h, v, formal=2.0, scale=abs(v[-1]), u_it=u_it)
+    return judge.numerical_uncertainty(grid, u_it) / abs(v[-1])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Coefficient(Claim):
+    """d = c eps^2 + e eps^4 with the c that theory gives (kind trend).
+
+    `points(context)` gives eps, d = formula/FE - 1 and its standard uncertainty.
+    """
+
+    kind = Kind.TREND
+
+    points: Points
+    theory: float
+
+    def rows(self, context: Context) -> list[Row]:
+        eps, d, u = self.points(context)
+        try:
+            c, U = judge.quadratic_coefficient(eps, d, u)
+        except ValueError as error:
+            verdict = judge.Verdict(Status.FAIL, f"no coefficient: {error}")
+            return [self._row(context.case, Kind.TREND, verdict, analytic=self.theory)]
+        verdict = judge.difference(c, self.theory, U=U, scale=abs(self.theory), demand=self.demand)
+        return [
+            self._row(
+                context.case, Kind.TREND, verdict, analytic=self.theory, fem=c,
+                scale=abs(self.theory), u_num=U / judge.COVERAGE,
+                levels=tuple(zip(eps, d, strict=True)), levels_u=tuple(u),
+            )
+        ]  # fmt: skip
+
+
+def hertz_profile() -> Fact:
+    """The pressure profile is Hertz's within the acceptance figure."""
+
+    def margin(context: Context) -> tuple[float, float]:
+        v = context.analytic
+
+        def hertz(_: Context, x: Array) -> Array:
+            return hertz_line.pressure(x, a=v["Hertz a"], p_0=v["Hertz p0"])
+
+        errors = l2_errors(hertz)(context)
+        return PROFILE - errors[-1], abs(errors[-1] - errors[-2])
+
+    name = f"pressure profile within {PROFILE:.0%} of Hertz's in L2"
+    return Fact(name=name, symbol="‖p − p_H‖/‖p_H‖", unit="1", margin=margin)
