@@ -58,7 +58,7 @@ def approach_to_rim(
 @cache
 def _constant(ratio: float, nu: float) -> float:
     """The sum of delta_n, with what is left out as if it fell with 1/n²."""
-    n = np.arange(2, TERMS + 1)
+    n = np.arange(2, TERMS + 1, dtype=np.float64)
     delta = np.concatenate([[_first(ratio, nu) - 1], _higher(n, ratio, nu) - 1 / n])
     tail = delta[-1] * TERMS  # sum of c/n² beyond n is c/n
     return float(_uniform(ratio, nu) / 2 + delta.sum() + tail)
@@ -66,7 +66,7 @@ def _constant(ratio: float, nu: float) -> float:
 
 def _uniform(ratio: float, nu: float) -> float:
     """E' U_0/(2 r_i): Lamé's bore under uniform pressure."""
-    # u = A r + B/r with u = 0 at the rim; sigma_r E'-free: (A (1+nu) - B (1-nu)/r²)/(1-nu²)
+    # u = A (r - ratio²/r), without movement at the rim, in units of r_i
     A = -(1 - nu**2) / ((1 + nu) + (1 - nu) * ratio**2)
     return float((A - A * ratio**2) / 2)
 

@@ -1,4 +1,4 @@
-"""Claims of the line contacts: profiles, sweeps to the limit, and what every one of them balances."""
+"""Claims of the line contacts: profiles, coefficients of what is neglected, balances."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

@@ -108,7 +108,7 @@ class Pressed:
         """All of it; `more` values, and arrays of the pressure for profiles."""
         shear, depth = self.shear()
         values = self.values() | self.balance(supports) | {"shear": shear, "depth": depth} | more
-        x, q = self.load
+        x, _ = self.load
         order = np.argsort(x)
         arrays = {"x": x[order], "p": self.touch.p[order], "weight": self.touch.weight[order]}
         vertices = np.argsort(self.touch.x[0])
@@ -132,7 +132,8 @@ class Pressed:
             cells=corners.reshape(near.sum(), -1).astype(np.int64),
             point_data={"displacement": cells["displacement"][used]},
             cell_data={
-                "shear": np.hypot((xx - yy) / 2, xy) / self.peak, "von_mises": cells["von_mises"][near]
+                "shear": np.hypot((xx - yy) / 2, xy) / self.peak,
+                "von_mises": cells["von_mises"][near],
             },
             units={"displacement": "m", "shear": "1", "von_mises": "Pa"},
         )  # fmt: skip

@@ -152,7 +152,7 @@ class RaceInputs(TwoBodies):
 
     @model_validator(mode="after")
     def _fits(self) -> "RaceInputs":
-        if not self.R <= 0.9 * self.r_i:
+        if self.R / self.r_i > 0.9:
             raise ValueError(
                 f"the roller must be smaller than 0.9 of the bore, got R = {self.R * 1e3:g} mm, "
                 f"r_i = {self.r_i * 1e3:g} mm: a closer fit is no line contact"

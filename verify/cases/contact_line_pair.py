@@ -46,7 +46,7 @@ def fem(q: PairInputs, level: int) -> FemResult:
     from meshes.join import join
 
     def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        fine = {"zone": zone, "cells": cells, "refine": refine}
+        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
         return ContactProblem(
             join({"upper": quarter_disc(R=q.R_1, **fine),
                   "lower": quarter_disc(R=q.R_2, below=True, **fine)}),

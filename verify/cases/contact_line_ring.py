@@ -51,7 +51,7 @@ def fem(q: RaceInputs, level: int) -> FemResult:
     from meshes.join import join
 
     def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        fine = {"zone": zone, "cells": cells, "refine": refine}
+        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
         return ContactProblem(
             join({"roller": quarter_disc(R=q.R, **fine),
                   "race": half_race(r_i=q.r_i, r_o=q.r_o, **fine)}),

@@ -1,6 +1,6 @@
 """What the report shows of a line contact: sketches, formulas with numbers, profiles, pictures."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,6 +14,7 @@ from verify.shown import Array, Dots, Equation, Figure, Picture, Profile, Shape,
 from verify.tex import tex
 
 MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
+Reference = Callable[[Context, Any], Any]
 STATIONS = np.linspace(0.0, 1.15, 24)  # of the profile, x/a
 SHORT = {"p0": "p_0", "a": "a", "approach": "δ"}
 
@@ -182,9 +183,7 @@ def ring_equations(q: Any, v: Values) -> Sequence[Equation]:
     )  # fmt: skip
 
 
-def pressure_figure(
-    context: Context, reference: Callable[[Context, Any], Any], name: str, note: str
-) -> Profile:
+def pressure_figure(context: Context, reference: Reference, name: str, note: str) -> Profile:
     """Pressure along the contact with `reference` as its line, over x in micrometres."""
     a, p_0 = context.analytic["Hertz a"], context.analytic["Hertz p0"]
     at = STATIONS * a
@@ -209,7 +208,7 @@ def hertz_pressure(context: Context, x: Any) -> Any:
     return hertz_line.pressure(x, a=v["Hertz a"], p_0=v["Hertz p0"])
 
 
-def convergence_figures(context: Context, side: str) -> list[Figure]:
+def convergence_figures(context: Context) -> list[Figure]:
     """How p_0, a and the approach go to the formula `side`, each beside a line of order 2."""
     found: list[Figure] = []
     for key, symbol in SHORT.items():
@@ -220,7 +219,7 @@ def convergence_figures(context: Context, side: str) -> list[Figure]:
         ideal = error[-1] - 2 * (cells - cells[-1])
         found.append(
             Profile(
-                title=f"Convergence of {symbol}{side}", x_label="log10 of cells on the half-width",
+                title=f"Convergence of {symbol}", x_label="log10 of cells on the half-width",
                 y_label=f"log10 |{symbol}/limit − 1|", x=cells, y=ideal, x_fem=cells, y_fem=error,
                 y_ref=ideal, u=np.full(cells.size, 0.15), scale=1.0,
                 note="Line: order 2 through the finest mesh; the limit is extrapolated with it. "
@@ -230,11 +229,12 @@ def convergence_figures(context: Context, side: str) -> list[Figure]:
     return found
 
 
-def flat_figures(context: Context) -> Sequence[Figure]:
-    if not context.converging:
-        return ()
-    from verify.cases.contact_line_flat import deviations, exact_pressure
-
+def flat_figures(
+    context: Context,
+    exact_pressure: Reference,
+    neglected: Mapping[str, tuple[list[float], list[float], list[float]]],
+) -> Sequence[Figure]:
+    """Profiles beside the disc and Hertz, what he neglects over a/R, and convergence."""
     found: list[Figure] = [
         pressure_figure(context, exact_pressure, "the disc",
                         "Line: the disc on its own arc; dots: finest mesh. Below, the difference "
@@ -243,7 +243,7 @@ def flat_figures(context: Context) -> Sequence[Figure]:
                         "The same dots beside Hertz's ellipse."),
     ]  # fmt: skip
     for key, theory, words in (("p0", -3 / 16, "−3/16"), ("a", 1 / 4, "+1/4")):
-        eps, d, u = map(np.array, deviations(key)(context))
+        eps, d, u = map(np.array, neglected[key])
         x = np.linspace(0.0, eps[-1], 101)
         found.append(
             Profile(
@@ -254,7 +254,7 @@ def flat_figures(context: Context) -> Sequence[Figure]:
                 "meshes, whose band is drawn.",
             )
         )  # fmt: skip
-    return (*found, *convergence_figures(context, ""))
+    return (*found, *convergence_figures(context))
 
 
 def two_body_figures(context: Context) -> Sequence[Figure]:
@@ -271,7 +271,7 @@ def two_body_figures(context: Context) -> Sequence[Figure]:
         Dots(title="Hertz against finite elements", label="Hertz/FE − 1 [1/1000]",
              items=(*shown, ("finite elements", 0.0, None, "fem")),
              note="The rows above judge these against what is derived."),
-        *convergence_figures(context, ""),
+        *convergence_figures(context),
     )  # fmt: skip
 
 

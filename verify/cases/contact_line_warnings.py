@@ -26,7 +26,7 @@ def warnings(q: LineInputs, a: float, p_0: float, shear: float) -> Sequence[str]
             f"p_0 = {p_0 / 1e6:.4g} MPa is beyond 4000 MPa, the static rating of hardened rollers "
             "(ISO 76): expect lasting dents; give R_p"
         )
-    if q.L < 10 * a:
+    if a > q.L / 10:
         found.append(
             f"L = {q.L * 1e3:.4g} mm is only {q.L / a:.3g} times a: no line contact, the ends "
             "carry their share differently"

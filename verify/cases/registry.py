@@ -3,6 +3,9 @@
 from difflib import get_close_matches
 
 from verify.case import Case
+from verify.cases.contact_line_flat import FLAT
+from verify.cases.contact_line_pair import PAIR
+from verify.cases.contact_line_ring import RING
 from verify.cases.contact_press_fit import PRESS_FIT
 from verify.cases.contact_slip import SLIP
 from verify.cases.contact_sphere import SPHERE
@@ -10,7 +13,7 @@ from verify.cases.ring import LAME
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_continuum import CONTINUUM
 
-CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM, SLIP, SPHERE, PRESS_FIT)
+CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM, FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT)
 
 
 def find(case_id: str) -> Case:
