@@ -8,7 +8,8 @@ import numpy as np
 
 from analytic.contact import hertz_line, partial_slip, tangential_cycle
 from verify.case import Context, Values
-from verify.cases.contact_slip_fem import ACROSS, AROUND, GROWTH, SHARES, STAGES
+from verify.cases.contact_slip_fem import GROWTH, SHARES, STAGES
+from verify.cases.contact_slip_read import ACROSS, AROUND
 from verify.profiles import along
 from verify.shown import Dots, Equation, Figure, Picture, Profile, Shape, Sketch
 from verify.tex import tex
