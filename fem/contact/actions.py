@@ -141,7 +141,7 @@ class Loads:
         if body_forces is not None:
             found.append(Action(1.0, None, partial(self._body_force, body_forces)))
         for point, force in point_forces.items():
-            found += self._components(("force at", point), force, partial(self._at, point))
+            found += self._components(("point force", point), force, partial(self._at, point))
         return found
 
     def _one(
@@ -158,11 +158,18 @@ class Loads:
     ) -> list[Action]:
         if callable(value):
             return [Action(1.0, None, partial(make, value))]
-        most = 3 if key[1] in self._bodies.obstacles else 2
+        obstacle = self._bodies.obstacles.get(key[1]) if isinstance(key[1], str) else None
+        most = 2 if obstacle is None else 3
         if not (2 <= len(value) <= most and np.all(np.isfinite(value))):
             raise ValueError(
                 f"the {key[0]} on {key[1]!r} needs finite components x and y, got {value}"
             )
+        for motion, v in zip(MOTIONS, value, strict=False):
+            if obstacle is not None and v != 0 and motion not in obstacle.free:
+                raise ValueError(
+                    f"the force on obstacle {key[1]!r} has the component {v:g} along {motion}, "
+                    f"which is not free: its free motions are {obstacle.free or 'none'}"
+                )
         units = np.eye(len(value))
         return [
             Action(float(v), (*key, i), partial(make, tuple(units[i].tolist())))

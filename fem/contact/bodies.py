@@ -148,6 +148,11 @@ def _moduli(
     """Moduli of every cell, zero in rigid bodies, and the cells of each of these."""
     if isinstance(materials, Elastic):
         return *moduli(mesh, materials, assumption), []
+    if not isinstance(materials, Mapping):
+        raise ValueError(f"materials are Elastic, or a mapping of bodies to it, got {materials!r}")
+    for body, material in materials.items():
+        if not isinstance(material, Elastic | Rigid):
+            raise ValueError(f"the material of {body!r} is Elastic or Rigid, got {material!r}")
     rigid = [named_cells(mesh, body) for body, m in materials.items() if isinstance(m, Rigid)]
     stand_in = Elastic(E=1.0, nu=0.0)
     elastic = {b: m if isinstance(m, Elastic) else stand_in for b, m in materials.items()}

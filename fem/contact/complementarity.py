@@ -33,6 +33,7 @@ TOLERANCE = 1e-11
 BALANCED = 1e-13
 PATIENCE = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES = 100
+BRIEF = 40  # exchanges before friction is suspected of going round in circles
 UNHELD = 1e-9  # of the loads on rigid motions: less than that may be missing
 BARE = 1e-12  # of the largest: rows that act on no rigid motion
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
@@ -174,6 +175,13 @@ class Complementarity:
             return None
 
     @cached_property
+    def _scales(self) -> tuple[Array, Array]:
+        """Units (n,) of multipliers and (k,) of motions, in which the system is about one."""
+        own = 1 / np.sqrt(np.diag(self.B))
+        felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
+        return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
+
+    @cached_property
     def _sizes(self) -> tuple[Array, Array]:
         return np.abs(self.B), np.abs(self.D)
 
@@ -184,11 +192,12 @@ class Complementarity:
 
     def _settle(self, w_0, e, motion, spring, states, changes):
         """Multipliers, motions and states that fit, with springs back to `motion`."""
-        try:
+        if not np.any(self.partner >= 0):
             return self._exchange(w_0, e, motion, spring, states, changes)
+        try:
+            return self._exchange(w_0, e, motion, spring, states, changes, most=BRIEF)
         except ArithmeticError:
-            if not np.any(self.partner >= 0):
-                raise
+            pass
         # Friction may make the exchanges go round in circles. With limits on the traction that are
         # given instead of drawn from the pressure, the problem is convex and they end.
         limit = np.zeros(states.size)
@@ -201,10 +210,10 @@ class Complementarity:
         states = np.where(states >= HELD, OPEN, states).astype(np.int8)
         return self._exchange(w_0, e, motion, spring, states, changes)
 
-    def _exchange(self, w_0, e, motion, spring, states, changes, limit=None):
+    def _exchange(self, w_0, e, motion, spring, states, changes, limit=None, most=None):
         """As `_settle`, with Coulomb's limit of the tangential traction or a given one (m,)."""
         fewest, patience = states.size + 1, PATIENCE
-        most = MAX_EXCHANGES + 10 * states.size
+        most = most or MAX_EXCHANGES + 10 * states.size
         for _ in range(most):
             multipliers, moved = self._linear(w_0, e, motion, spring, states, limit)
             wanted = self._wanted(w_0, multipliers, moved, states, limit)
@@ -244,11 +253,12 @@ class Complementarity:
             columns[:, row_of[slip]] += drag * self.B[:, self.partner[slip]]
             pull[:, row_of[slip]] += drag * self.D[self.partner[slip]].T
         A = np.block([[columns[own], self.D[own]], [pull, -spring * np.eye(k)]])
+        scale = np.concatenate([self._scales[0][own], self._scales[1]])
         known = np.concatenate([
             -w_0[own] - self.B[own] @ given, -e - spring * motion - self.D.T @ given
         ])  # fmt: skip
         try:
-            x = np.linalg.solve(A, known)
+            x = scale * np.linalg.solve(scale[:, None] * A * scale, scale * known)
         except np.linalg.LinAlgError:
             raise ArithmeticError(
                 "the contact has no unique forces: supports or another pair fix the same nodes"

@@ -26,7 +26,7 @@ class Obstacle:
     free: str = ""
 
     def __post_init__(self) -> None:
-        if set(self.free) - set(MOTIONS):
+        if set(self.free) - set(MOTIONS) or len(set(self.free)) < len(self.free):
             raise ValueError(f"an obstacle's free motions are of x, y and r, got {self.free!r}")
 
     @property

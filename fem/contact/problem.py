@@ -21,7 +21,7 @@ from fem.contact.actions import Action, Forces, Loads, Supports
 from fem.contact.approach import approached
 from fem.contact.bodies import Bodies, Response
 from fem.contact.complementarity import Rest
-from fem.contact.interface import Interface, Surfaces
+from fem.contact.interface import ROUND_OFF, Interface, Surfaces
 from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
@@ -80,6 +80,12 @@ class ContactProblem:
         """
         if not contacts:
             raise ValueError("a contact problem needs a pair of surfaces, got none")
+        seen: set[frozenset[str]] = set()
+        for pair in contacts:
+            sides = frozenset((pair.slave, pair.master))
+            if sides in seen:
+                raise ValueError(f"contact {pair}: these two surfaces are paired twice")
+            seen.add(sides)
         self.bodies = Bodies(mesh, materials, assumption, thickness, degree, obstacles or {})
         self.surfaces = Surfaces(self.bodies, contacts)
         self.supports = Supports(self.bodies, supports or {}, anchors or {})
@@ -130,6 +136,8 @@ class ContactProblem:
             ),
             *self.supports.actions(displacements or {}),
         ]  # fmt: skip
+        if after is not None and after.bodies is not self.bodies:
+            raise ValueError("the step `after` belongs to another contact problem")
         interface = self.interface if after is None else after.interface
         found = self._equilibrium(actions, interface, after)
         for _ in range(MAX_APPROACHES):
@@ -211,6 +219,7 @@ class ContactProblem:
         closed = np.flatnonzero(rest.states)
         gaps = interface.gaps[closed] / interface.sizes[closed]
         size = np.abs(elastic).max() + np.abs(gaps).max(initial=0.0)
+        size += ROUND_OFF * float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
         moved = float(np.abs(self.bodies.motions @ rest.motion).max())
         if moved > RUNAWAY * size:
             worst = int(np.argmax(np.abs(rest.motion)))

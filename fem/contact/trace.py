@@ -13,6 +13,7 @@ from skfem.mesh import Mesh2D
 from fem.contact.shapes import Flat, Motion, Shape
 from fem.plane.discretisation import Array, Indices, is_curved, outer_facets
 
+BESIDE = 1e-3  # of a facet: vertices farther from a shape do not lie on it
 SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one smooth wall
 
 
@@ -127,9 +128,27 @@ def trace_of(basis: Basis, name: str, shape: Shape | None = None) -> Trace:
     dofs = [basis.nodal_dofs[:2, ends[0]], basis.nodal_dofs[:2, ends[1]]]
     if basis.facet_dofs is not None and np.size(basis.facet_dofs):
         dofs.append(basis.facet_dofs[:2, facets])
-    return Trace(
+    trace = Trace(
         nodes, ends, np.array(dofs).swapaxes(0, 1), facets, cells, _end_normals(nodes, ends), shape
     )
+    if shape is not None:
+        _check_shape(trace, name, shape)
+    return trace
+
+
+def _check_shape(trace: Trace, name: str, shape: Shape) -> None:
+    """ValueError unless `shape` runs through the vertices, with its normals on the same side."""
+    x = trace.nodes[:, :2]
+    beside = np.hypot(*(shape.project(x) - x))
+    astray = beside > BESIDE * trace.lengths()
+    against = (shape.normal(x) * trace.end_normals).sum(axis=0) < 0
+    if np.any(astray | against):
+        i, k = np.argwhere(astray | against)[0]
+        what = f"lies {beside[i, k]:.3g} beside it" if astray[i, k] else "has its body beyond it"
+        raise ValueError(
+            f"boundary {name!r} is not of the shape {shape}: its vertex at "
+            f"({x[0, i, k]:.10g}, {x[1, i, k]:.10g}) {what}"
+        )
 
 
 def _oriented(mesh: Mesh2D, facets: Indices) -> Indices:
