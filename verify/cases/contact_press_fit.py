@@ -22,6 +22,7 @@ FITS = (
 )  # fmt: skip
 SMOOTH = "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
 MOST_CELLS = 400_000
+THINNEST = 0.04  # wall over r_f that the cells around are short against
 
 
 class FitInputs(Inputs):
@@ -226,7 +227,13 @@ def field(fit: "ContactSolution", name: str) -> Field:
 
 
 def too_large(q: FitInputs) -> str:
-    """Cells around follow the thinnest half wall, cells across the ratio of the radii."""
+    """Cells around must be short against the thinnest wall for the pressure to come out even."""
+    wall = min(q.r_f - q.r_i, q.r_o - q.r_f)
+    if wall < THINNEST * q.r_f:
+        return (
+            f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_f: these cells are too "
+            "long for an even pressure on it, check it without --fem"
+        )
     thin = np.log(min(2 * q.r_f / (q.r_f + q.r_i), 2 * q.r_o / (q.r_o + q.r_f)))
     around = 12 * LEVELS[-1] * max(12.0, np.pi / 2 / np.sqrt(2 * thin))
     cells = around * LEVELS[-1] * (np.log(q.r_o / q.r_i) / 0.4 + 4)

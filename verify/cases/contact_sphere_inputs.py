@@ -40,6 +40,11 @@ class SphereInputs(Inputs):
                 f"radii may differ a thousandfold, got R_1 = {self.R_1 * 1e3:g} mm, "
                 f"R_2 = {self.R_2 * 1e3:g} mm: take the larger one as flat"
             )
+        if not 1e-3 <= self.E_1 / self.E_2 <= 1e3:
+            raise ValueError(
+                f"moduli may differ a thousandfold, got E_1 = {self.E_1 / 1e9:g} GPa, "
+                f"E_2 = {self.E_2 / 1e9:g} GPa: take the stiffer body as rigid"
+            )
         for pair in PAIRS:
             wide = self.a(pair) / (self.R_1 if pair == "flat" else least)
             if not 1e-5 <= wide <= WIDEST:
