@@ -1,7 +1,7 @@
 """The claims that only partial slip makes: half planes for discs, tractions, energies, steps."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -60,7 +60,10 @@ class Traction(Fact):
     paper_only: ClassVar[bool] = True
 
     def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
+        if not context.is_paper:
+            return []
+        error = L2 - self.margin(context)[0]
+        return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
 
 
 def first_traction(q: SlipInputs, x: Any, k: float) -> Any:
