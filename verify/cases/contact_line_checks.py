@@ -16,6 +16,7 @@ from verify.shown import Array
 
 Points = Callable[[Context], tuple[list[float], list[float], list[float]]]
 
+FLOOR = 3e-4  # of Hertz/FE - 1: nothing sharper is claimed at one load
 PROFILE = 0.03  # acceptance figure of q(x) in L2
 SHARP = {"p0": 5e-4, "a": 1e-3, "approach": 1e-3}  # acceptance
 LIMITS = "acceptance figure of the contact models"
@@ -29,6 +30,17 @@ BALANCES = tuple(
         ("balance of moments", "ΣM", "N", "moment", "P R"),
     )
 )
+
+
+def about(
+    m: float, unknown: float, *, least: float = FLOOR, demand: float = judge.DEMAND
+) -> tuple[float, float] | None:
+    """Interval m ± unknown, `least` at least; None where it says less than the row demands.
+
+    There the bodies are too small for an estimate, and the formula's error is measured.
+    """
+    unknown = max(float(unknown), least)
+    return (m - unknown, m + unknown) if unknown <= demand / 2 else None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from verify.inputs import Inputs, quantity
 
+NARROWEST = 1e-4  # and down to which round-off leaves them sharp
 WIDEST = 0.3  # a over the smallest radius up to which finite elements follow
 
 
@@ -166,6 +167,17 @@ class RaceInputs(TwoBodies):
             self, f"R = {self.R * 1e3:g} mm and a wall of {(self.r_o - self.r_i) * 1e3:g} mm"
         )
         return self
+
+
+def too_small(q: LineInputs) -> str:
+    """Contacts so narrow lose too many digits among the displacements of their bodies."""
+    ratio = q.guess / q.smallest
+    if ratio >= NARROWEST:
+        return ""
+    return (
+        f"a = {q.guess * 1e3:.3g} mm is {ratio:.1g} of the bodies, less than {NARROWEST:g}: finite "
+        "elements lose too many digits there, check it without --fem"
+    )
 
 
 def check_load(q: LineInputs, sizes: str) -> None:

@@ -15,7 +15,7 @@ from verify.tex import tex
 
 MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
 Reference = Callable[[Context, Any], Any]
-STATIONS = np.linspace(0.0, 1.15, 24)  # of the profile, x/a
+STATIONS = np.linspace(0.0, 0.95, 20)  # x/a of the profile; its slope at the edge is infinite
 SHORT = {"p0": "p_0", "a": "a", "approach": "δ"}
 
 
@@ -194,7 +194,7 @@ def pressure_figure(context: Context, reference: Reference, name: str, note: str
         for r in context.fem
     ]
     values, u = along(replace(context, fem=fem), "p", formal=1.0, scale=p_0)
-    x = np.linspace(0.0, STATIONS[-1] * a, 401)
+    x = np.linspace(0.0, 1.15 * a, 461)
     return Profile(
         title=f"Pressure in the contact beside {name}", x_label="x [µm]", y_label="p [MPa]",
         x=x / um, y=reference(context, x) / MPa, x_fem=at / um, y_fem=values / MPa,
@@ -238,7 +238,7 @@ def flat_figures(
     found: list[Figure] = [
         pressure_figure(context, exact_pressure, "the disc",
                         "Line: the disc on its own arc; dots: finest mesh. Below, the difference "
-                        "in the band of the profile, widest at the edge of contact."),
+                        "in the band of the whole profile."),
         pressure_figure(context, hertz_pressure, "Hertz",
                         "The same dots beside Hertz's ellipse."),
     ]  # fmt: skip
@@ -267,7 +267,7 @@ def two_body_figures(context: Context) -> Sequence[Figure]:
     )
     return (
         pressure_figure(context, hertz_pressure, "Hertz",
-                        "Line: Hertz; dots: finest mesh, whose band is widest at the edge."),
+                        "Line: Hertz; dots: finest mesh, in the band of the whole profile."),
         Dots(title="Hertz against finite elements", label="Hertz/FE − 1 [1/1000]",
              items=(*shown, ("finite elements", 0.0, None, "fem")),
              note="The rows above judge these against what is derived."),
@@ -277,7 +277,8 @@ def two_body_figures(context: Context) -> Sequence[Figure]:
 
 def pictures(q: Any) -> Sequence[Picture]:
     reach = 0.75 * VIEW * q.guess
-    window = (-reach, -reach, reach, reach)
+    below = -reach if hasattr(q, "E_2") else -reach / 3  # a rigid flat has nothing to show
+    window = (-reach, below, reach, reach)
     return (
         Picture(field="contact", data="shear", symbol="τ/p_0", unit="1", factor=1.0,
                 caption="Largest shear stress in the plane over p_0, cell means: 0.30 at 0.79 a "
