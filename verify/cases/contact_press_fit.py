@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import model_validator
 
+from analytic.contact.checks import Assumption
 from analytic.contact.press_fit import Wall, contact_pressures, pressure_of_overlap
 from verify.case import Case, FemResult, Output, Values
 from verify.cases import contact_press_fit_shown as shown
@@ -16,7 +17,7 @@ from verify.shown import Field
 if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution
 
-FITS = (
+FITS: tuple[tuple[str, Assumption], ...] = (
     ("rings", "plane stress"), ("rings", "plane strain"), ("drawn", "plane strain"),
     ("shaft", "plane stress"),
 )  # fmt: skip
@@ -165,7 +166,7 @@ def solve(q: FitInputs, level: int, kind: str, assumption: Any) -> "ContactSolut
     supports = {"outer.x=0": "x", "outer.y=0": "y"}
     pressures = {"outer.rim": q.p_o}
     if kind == "shaft":  # the quarter that touches the origin from below, moved to the rings' place
-        fine = {"zone": q.r_f / 2, "cells": 5, "refine": 2 * level}
+        fine: dict[str, Any] = {"zone": q.r_f / 2, "cells": 5, "refine": 2 * level}
         inner = quarter_disc(R=q.r_f, below=True, **fine).translated((0.0, q.r_f))
         supports |= {"inner.axis": "x", "inner.middle": "y"}
     else:

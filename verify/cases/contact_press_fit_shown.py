@@ -62,7 +62,7 @@ def sketch(q: Any) -> Sketch:
         if q.p_o:
             points = ray(degrees, 1.2, 1.0)
             shapes.append(Shape(style="load", points=points, label="p_o" if first else ""))
-    labels = (("r_o", q.r_o, 140, 1.0), ("r_f", q.r_f, 180, fit), ("r_i", q.r_i, 220, inner))
+    labels = (("r_o", q.r_o, 130, 1.0), ("r_f", q.r_f, 158, fit), ("r_i", q.r_i, 220, inner))
     for name, r, degrees, at in labels:
         shapes.append(
             Shape(style="leader", points=ray(degrees, 1.35, at), label=f"{name} = {r / mm:.4g} mm")
@@ -74,7 +74,7 @@ def sketch(q: Any) -> Sketch:
     ]  # fmt: skip
     title = (
         f"inner ring (E = {q.E_i / 1e9:.4g} GPa) pressed into the outer one "
-        f"({q.E_o / 1e9:.4g} GPa); p_i = {q.p_i / MPa:.4g} MPa, p_o = {q.p_o / MPa:.4g} MPa"
+        f"({q.E_o / 1e9:.4g} GPa), {q.p_i / MPa:.4g} MPa in the bore, {q.p_o / MPa:.4g} MPa outside"
     )
     return Sketch(title=title, shapes=tuple(shapes))
 
@@ -159,10 +159,10 @@ def figures(context: Context) -> Sequence[Figure]:
 def pictures(_: Any) -> Sequence[Picture]:
     return (
         Picture(field="rings, plane stress", data="hoop_stress", symbol="σ_θ", unit="MPa",
-                factor=MPa, mirror=("x", "y"),
+                factor=MPa, mirror=("x", "y"), displacement="",
                 caption="Hoop stress of both rings, plane stress, cell means"),
         Picture(field="shaft, plane stress", data="von_mises", symbol="σ_v", unit="MPa",
-                factor=MPa, mirror=("x", "y"),
+                factor=MPa, mirror=("x", "y"), displacement="",
                 caption="Von Mises stress with a solid shaft, plane stress, cell means"),
     )  # fmt: skip
 

@@ -68,7 +68,7 @@ def pressed(q: SphereInputs, pair: str, level: int) -> "ContactProblem":
     from meshes.contact.disc import quarter_disc
     from meshes.join import join
 
-    fine = {"zone": ZONE * q.a(pair), "cells": CELLS, "refine": level}
+    fine: dict[str, Any] = {"zone": ZONE * q.a(pair), "cells": CELLS, "refine": level}
     meshes = {"upper": quarter_disc(R=q.R_1, **fine)}
     materials = {"upper": Elastic(E=q.E_1, nu=q.nu_1)}
     master, shape, obstacles = "flat", None, {"flat": Obstacle(Flat())}

@@ -20,7 +20,6 @@ def sketch(q: Any) -> Sketch:
     r, R = 1.0, q.R_2 / q.R_1
     t = np.linspace(0, 2 * np.pi, 145)
     ball = np.column_stack([r * np.sin(t), r + r * np.cos(t)])
-    quarter = np.vstack([[0.0, r], [r * np.sin(t[36:73]), r + r * np.cos(t[36:73])]][:1])
     arc = t[36:73]
     quarter = np.vstack([[[0.0, r]], np.column_stack([r * np.sin(arc), r + r * np.cos(arc)])])
     turn = np.arcsin(min(1.0, 1.6 / R))
@@ -40,7 +39,7 @@ def sketch(q: Any) -> Sketch:
               points=np.array([[-1.7, 1.9], [-0.8, 1.6]])),
         Shape(style="leader", label=f"R_2 = {q.R_2 / mm:.4g} mm",
               points=np.array([[-right - 0.5, -deep - 0.25], [-0.6 * right, -0.7 * deep]])),
-        Shape(style="leader", label="FE: a quarter of each, turned",
+        Shape(style="leader", label="FE: quarters, turned",
               points=np.array([[1.7, 1.9], [0.45, 0.6]])),
         Shape(style="leader", label=f"a = {q.a('sphere') / um:.4g} µm",
               points=np.array([[1.7, 0.45], [0.03, 0.01]])),
@@ -155,10 +154,10 @@ def _errors(context: Context, pair: str, v: Values) -> Dots:
 
 def pictures(q: Any) -> Sequence[Picture]:
     reach = VIEW * q.a("sphere") * 0.65
-    window = (0.0, -reach, reach, reach)
+    window = (-reach, -reach, reach, reach)
     return tuple(
         Picture(field="sphere", data=data, symbol=symbol, unit="MPa", factor=MPa, mirror=("x",),
-                window=window, caption=f"{words} about the contact of both spheres, cell means")
+                displacement="", window=window, caption=f"{words} about the contact of both spheres, cell means")
         for data, symbol, words in (
             ("von_mises", "σ_v", "Von Mises stress"), ("axial_stress", "σ_z", "Axial stress")
         )
