@@ -162,7 +162,7 @@ def test_the_series_of_two_discs_is_needed_for_a_sharp_row(judged, red, patched)
     ("case", "inputs", "said"),
     [
         (FLAT, {"F": 1e6}, "flattens a = "),
-        (PAIR, {"R_2": 1e4}, "radii may differ"),
+        (PAIR, {"R_2": 50.0}, "radii may differ"),
         (RING, {"R": 19e-3}, "smaller than 0.9 of the bore"),
         (RING, {"r_o": 19e-3}, "r_i < r_o"),
         (RING, {"r_o": 19.45e-3}, "a wall of"),

@@ -24,7 +24,7 @@ CELLS = 6  # on it, on the mesh of level 1: four on the half-width
 COARSE = 2  # the level that says where the contact ends
 HIT = 1e-12  # of P, within which the load is met
 MOST = 40
-AXIS = np.linspace(0.4, 1.3, 181)  # depths over a at which stresses are taken
+AXIS = np.linspace(0.5, 1.25, 301)  # depths over a at which stresses are taken
 VIEW = 4.0  # half-widths about the contact whose cells are shown
 
 Build = Callable[[float, int, int], "ContactProblem"]
