@@ -7,6 +7,7 @@ from typing import get_args
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
+from scipy.sparse import csr_array
 from skfem import Basis
 from skfem.mesh import Mesh2D
 
@@ -100,10 +101,21 @@ class Bodies:
             obstacles=list(self.obstacles.values()), turn=self.turn,
         )  # fmt: skip
         self.motions, self.words = self._free_motions()
+        self.condensed: Condensed = condense(self._stiffness(), self.unknowns.surface)
+
+    def _stiffness(self) -> csr_array:
+        """T' K T (n, n); where T only selects unknowns, K is assembled in that order at once."""
+        T = self.unknowns.T
+        if np.all(T.data == 1) and np.all(np.diff(T.indptr) <= 1) and not self._rigid:
+            place = np.full(self.count, -1)
+            place[np.diff(T.indptr) == 1] = T.indices
+            elastic = place[: self.basis.N]
+            K = self.cells.stiffness(elastic)
+            K.resize((T.shape[1], T.shape[1]))
+            return K
         K = self.cells.stiffness()
         K.resize((self.count, self.count))
-        T = self.unknowns.T
-        self.condensed: Condensed = condense((T.T @ K @ T).tocsr(), self.unknowns.surface)
+        return (T.T @ K @ T).tocsr()
 
     def _free_motions(self) -> tuple[Array, tuple[str, ...]]:
         found = free_motions(self.basis, self.conditions, turn=self.turn)
@@ -115,7 +127,12 @@ class Bodies:
         free = [(n, c) for n, o in self.obstacles.items() for c in o.free]
         q = np.hstack([q, np.eye(s)[:, s - len(free) :]])
         words = *found.words, *(f"obstacle {n!r} can move ({c})" for n, c in free)
+        self._fields = q / np.hypot.reduce(q, axis=0)
         return np.linalg.qr(q)[0], words
+
+    def named(self, amplitudes: Array) -> str:
+        """The single motion that is nearest to the `amplitudes` (k,) of rigid motions, in words."""
+        return self.words[int(np.argmax(np.abs(self._fields.T @ (self.motions @ amplitudes))))]
 
     def refuse(self, words: str) -> None:
         raise ValueError(f"{words}: neither supports nor contact hold it")

@@ -9,7 +9,7 @@ S exactly afterwards.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csr_array, diags_array
+from scipy.sparse import csc_array, csr_array, diags_array
 from scipy.sparse.linalg import SuperLU, splu
 
 from fem.plane.discretisation import Array, Indices
@@ -45,9 +45,14 @@ def condense(K: csr_array, count: int) -> Condensed:
     """`K` (unknowns, unknowns), in order of elimination, condensed to its last `count` unknowns."""
     n = K.shape[0]
     springs = K.diagonal()[n - count :].copy()
-    springs[springs <= 0] = springs.max(initial=1.0)
-    everywhere = np.concatenate([np.zeros(n - count), springs])
-    factor = splu((K + diags_array(everywhere)).tocsc(), **SUPERLU)
+    none = springs <= 0
+    springs[none] = springs.max(initial=0.0) or 1.0
+    if np.any(none):
+        K = K + diags_array(np.concatenate([np.zeros(n - count), springs]))
+    else:
+        K.setdiag(K.diagonal() + np.concatenate([np.zeros(n - count), springs]))
+    # K is symmetric: its rows are its columns
+    factor = splu(csc_array((K.data, K.indices, K.indptr), K.shape), **SUPERLU)
     # SuperLU reorders whole branches of the elimination tree; the factors are the same
     place = factor.perm_c[n - count :]
     order = np.argsort(place)

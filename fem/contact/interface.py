@@ -93,7 +93,7 @@ class Interface:
         if k:
             _, s, v = np.linalg.svd(np.vstack([self.kernel.D, np.zeros((k, k))]))
             if s[-1] < UNHELD * max(s[0], 1e-300):
-                self.bodies.refuse(self.bodies.words[int(np.argmax(np.abs(v[-1])))])
+                self.bodies.refuse(self.bodies.named(v[-1]))
 
     def _pair(self, surfaces: Surfaces, i: int, base: Array | None) -> Mortar:
         bodies, contact = self.bodies, self.pairs[i]

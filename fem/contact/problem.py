@@ -222,17 +222,15 @@ class ContactProblem:
         size += ROUND_OFF * float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
         moved = float(np.abs(self.bodies.motions @ rest.motion).max())
         if moved > RUNAWAY * size:
-            worst = int(np.argmax(np.abs(rest.motion)))
             raise ArithmeticError(
-                f"{self.bodies.words[worst]}, and does so by {moved:.3g} where surfaces deform by "
-                f"{size:.3g}: under these loads it slides or rolls away"
+                f"{self.bodies.named(rest.motion)}, and does so by {moved:.3g} where surfaces "
+                f"deform by {size:.3g}: under these loads it slides or rolls away"
             )
 
     def _check_balance(self, interface: Interface, e: Array) -> None:
         missing = interface.kernel.missing(e)
         if np.any(missing):
-            worst = int(np.argmax(np.abs(missing)))
             raise ValueError(
-                f"{self.bodies.words[worst]}, and the loads do move it: contact can only push, "
+                f"{self.bodies.named(missing)}, and the loads do move it: contact can only push, "
                 "and no contact force balances them"
             )

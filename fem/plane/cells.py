@@ -59,16 +59,28 @@ class Cells:
             dx, around = dx * depth(x, turn), N.T / x[0][:, :, None]
         return cls(slope=slope, dx=dx, dofs=dofs, lam=lam, mu=mu, count=basis.N, around=around)
 
-    def stiffness(self) -> csr_array:
-        """K (unknowns, unknowns) of a(u, v) = v . K u."""
+    def stiffness(self, place: Indices | None = None) -> csr_array:
+        """K (unknowns, unknowns) of a(u, v) = v . K u.
+
+        With `place` (unknowns,), a number for every unknown that is kept and -1 for the others,
+        K has the rows and columns of these alone.
+        """
         m, _, n = self.slope.shape
         K = np.empty((m, 2 * n, 2 * n))
         for start in range(0, m, BLOCK):
             block = slice(start, start + BLOCK)
             K[block] = self._stiffness(block).reshape(-1, 2 * n, 2 * n)
-        dofs = self.dofs.reshape(m, 2 * n).astype(np.int32)
+        dofs, count = self.dofs.reshape(m, 2 * n).astype(np.int32), self.count
+        if place is not None:
+            count = int(place.max()) + 1
+            dofs = place.astype(np.int32)[dofs]
+            left = dofs < 0
+            K[left] = 0.0
+            K.swapaxes(1, 2)[left] = 0.0
+            # entries of no weight at the first unknown, which has some of its own
+            dofs[left] = 0
         at = np.repeat(dofs, 2 * n, axis=1).ravel(), np.tile(dofs, 2 * n).ravel()
-        return coo_array((K.ravel(), at), (self.count, self.count)).tocsr()
+        return coo_array((K.ravel(), at), (count, count)).tocsr()
 
     def _stiffness(self, block: slice) -> Array:
         """K[a i, b j] of the cells in `block`."""

@@ -44,7 +44,7 @@ def vector_basis(mesh: Mesh2D, degree: int | None = None, *, turn: bool = False)
     With `turn`, x is a radius. ValueError for other degrees, and where a cell of the mesh is folded
     or, with `turn`, lies beyond the axis.
     """
-    degree = degree or (2 if is_curved(mesh) else 1)
+    degree = degree if degree is not None else 2 if is_curved(mesh) else 1
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1
     if (shape, degree) not in ELEMENTS:
         raise ValueError(f"displacements have degree 1 or 2, got degree={degree}")

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import lu
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from skfem import Basis
@@ -69,7 +70,8 @@ def free_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) ->
         rows[:, n * second : n * second + n] = -motion(at, np.array([second]))[0]
         blocks.append(rows)
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
-    free = v[s < 1e-9].reshape(-1, count, n)
+    # a basis with as many zeros as it can have: single motions of single bodies, where there are
+    free = lu(v[s < 1e-9].T, permute_l=True)[0].T.reshape(-1, count, n)
     nodes = node_dofs(basis)
     of_node = of_dof[nodes[0]]
     shapes = motion(basis.doflocs[:, nodes[0]], of_node)

@@ -24,6 +24,7 @@ Anchors = Mapping[tuple[float, float], Support]
 Owner = str | tuple[float, float]
 COMPONENTS = "xynt"
 INDEPENDENT = 1e-9  # singular values of the unit directions at a node: below, two are one
+COINCIDENT = 1e-9  # of the mesh's extent
 CONTRADICTION = 1e-9  # of the values prescribed at a node
 AXIS = "the axis"  # owns the condition u_r = 0 on the axis of a body of revolution
 
@@ -121,10 +122,14 @@ def collect(
 
 
 def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
-    """The two unknowns of the node at `point`; ValueError where no node lies there."""
+    """The two unknowns of the node at `point`; ValueError where none or several lie there."""
     dofs = node_dofs(basis)
     distance = np.hypot(*(basis.doflocs[:, dofs[0]] - np.reshape(point, (2, 1))))
     nearest = int(np.argmin(distance))
+    if np.count_nonzero(distance <= COINCIDENT * np.ptp(basis.mesh.p, axis=1).max()) > 1:
+        raise ValueError(
+            f"several nodes at {tuple(point)}: bodies touch there; take another point or a boundary"
+        )
     if distance[nearest] > 1e-6 * np.ptp(basis.mesh.p, axis=1).max():
         raise ValueError(
             f"no node at {tuple(point)}: the nearest is {distance[nearest]:.3g} away; "
