@@ -102,10 +102,10 @@ def test_the_sphere_s_own_logarithm_shows_in_the_peak_pressure(judged, red, monk
                      lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k), id="linear elements"),
         pytest.param(contact_sphere_fem, "push", lambda f: lambda state: 2 * f(state),
                      id="twice the force"),
-        pytest.param(contact_sphere_fem, "pressed",
+        pytest.param(contact_sphere_fem, "fem_problem",
                      lambda f: lambda q, *a: f(q.model_copy(update={"E_1": 1.01 * q.E_1}), *a),
                      id="a stiffer sphere"),
-        pytest.param(contact_sphere_fem, "pressed",
+        pytest.param(contact_sphere_fem, "fem_problem",
                      lambda f: lambda q, *a: f(q.model_copy(update={"nu_1": 0.0}), *a),
                      id="Poisson's ratio forgotten"),
     ],
@@ -172,3 +172,16 @@ def test_the_largest_shear_stress_of_exact_stresses_is_hertz_s():
     stress = np.tile([radial, axial], 3)
     found = contact_sphere_fem.largest_shear(x, stress, 1.0)
     assert found == pytest.approx((0.310, 0.481), abs=6e-4)
+
+
+@pytest.mark.parametrize("P", [16.0, 1e-5])
+def test_pressures_next_to_the_axis_are_even_however_small_the_contact(P):
+    """Rows there weigh less than those at the equator by many orders of magnitude."""
+    q = SphereInputs(P=P)
+    a = q.a("flat")
+    spheres = contact_sphere_fem.fem_problem(q, "flat", 2)
+    down = {"upper.middle": {"y": -(a**2) / q.R_1}}
+    touch = spheres.solve(displacements=down).touches[0]
+    near = touch.x[0] < a / 3
+    p = touch.pressure[near] / np.sqrt(1 - (touch.x[0][near] / a) ** 2)
+    assert np.ptp(p) < 2e-3 * p.mean()

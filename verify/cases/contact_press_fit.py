@@ -136,7 +136,7 @@ def fem(q: FitInputs, level: int) -> FemResult:
     fields: tuple[Field, ...] = ()
     round_off = 0.0
     for kind, a in FITS:
-        fit, name = solve(q, level, kind, a), f"{kind}, {a}"
+        fit, name = fem_fit(q, level, kind, a), f"{kind}, {a}"
         values |= {f"{name}: {key}": value for key, value in read(q, fit, kind).items()}
         round_off = max(round_off, fit.plane.residual)
         if kind != "drawn":
@@ -152,7 +152,7 @@ def fem(q: FitInputs, level: int) -> FemResult:
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
-def solve(q: FitInputs, level: int, kind: str, assumption: Any) -> "ContactSolution":
+def fem_fit(q: FitInputs, level: int, kind: str, assumption: Any) -> "ContactSolution":
     """Quarters of both walls, three cells around the inner one to two around the outer one."""
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem

@@ -29,7 +29,7 @@ def fem(q: SphereInputs, level: int) -> FemResult:
     fields: list[Field] = []
     round_off = HIT
     for pair in PAIRS:
-        spheres, a = pressed(q, pair, level), q.a(pair)
+        spheres, a = fem_problem(q, pair, level), q.a(pair)
         hertz = a**2 / q.hertz(pair)["R"]
         given = spheres.solve(displacements={"upper.middle": {"y": -hertz}})
         approach, state = at_load(spheres, q.P, hertz, given)
@@ -59,7 +59,7 @@ def fem(q: SphereInputs, level: int) -> FemResult:
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
 
-def pressed(q: SphereInputs, pair: str, level: int) -> "ContactProblem":
+def fem_problem(q: SphereInputs, pair: str, level: int) -> "ContactProblem":
     """The upper sphere with its equator driven along y, on a rigid flat or on the lower sphere."""
     from fem.contact.pairs import Obstacle, Pair
     from fem.contact.problem import ContactProblem

@@ -157,7 +157,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     window = (-reach, -reach, reach, reach)
     return tuple(
         Picture(field="sphere", data=data, symbol=symbol, unit="MPa", factor=MPa, mirror=("x",),
-                displacement="", window=window, caption=f"{words} about the contact of both spheres, cell means")
+                displacement="", window=window,
+                caption=f"{words} about the contact of both spheres, cell means")
         for data, symbol, words in (
             ("von_mises", "σ_v", "Von Mises stress"), ("axial_stress", "σ_z", "Axial stress")
         )
