@@ -141,8 +141,16 @@ PAIR = Case(
     checks=CHECKS,
     outputs=(
         *TWO_BODY_OUTPUTS,
-        Output(key="series p0", symbol="p_0", unit="MPa", what="peak pressure, second order"),
-        Output(key="series a", symbol="a", unit="µm", what="half-width, second order"),
+        Output(
+            key="series p0",
+            symbol="p_0",
+            unit="MPa",
+            what="peak pressure, second order",
+            judged=False,
+        ),
+        Output(
+            key="series a", symbol="a", unit="µm", what="half-width, second order", judged=False
+        ),
         Output(key="Hertz approach", symbol="δ", unit="µm", what="approach of the centres"),
     ),
     readings=(

@@ -137,7 +137,7 @@ RING = Case(
     paper="huang2018",
     place="Eqs. 2-5, the line contact behind them (Hertz)",
     lead="A roller of the sprag's radius in the outer race. The bore bends the same way as the "
-    "roller, which widens the contact, and the wall is a few hundred half-widths thick at most; "
+    "roller, which widens the contact, and the wall is some fifty half-widths thick; "
     "how far centre and held rim approach is derived from the ring's own Fourier series.",
     inputs=RaceInputs,
     analytic=analytic,
