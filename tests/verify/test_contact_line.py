@@ -128,24 +128,20 @@ def solve_anew(case):
     return judge_case(Job(case, q), [solve_level(case, q, level, None) for level in case.levels])
 
 
-def test_the_coarser_levels_pass_where_nothing_is_broken(red):
-    assert not names(red(solve_anew(COARSE))) - {"half-width, Hertz", "peak pressure, Hertz"}
-
-
 @pytest.mark.parametrize(
-    ("owner", "name", "fault", "seen"),
+    ("owner", "name", "fault"),
     [
         pytest.param(Elastic, "lame_constants", lambda f: lambda self, _: f(self, "plane stress"),
-                     "approach of the centres, Hertz", id="plane stress for plane strain"),
+                     id="plane stress for plane strain"),
         pytest.param(bodies, "vector_basis", lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k),
-                     "largest shear stress, Hertz: convergence", id="linear elements"),
-        pytest.param(contact_line_fem, "HIT", lambda _: 1e-2, "approach of the centres, Hertz",
-                     id="a load that is missed by a per cent"),
+                     id="linear elements"),
+        pytest.param(contact_line_fem, "HIT", lambda _: 1e-2, id="a load missed by a per cent"),
     ],
 )  # fmt: skip
-def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, seen, monkeypatch, red):
+def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, monkeypatch, red):
+    before = names(red(solve_anew(COARSE)))
     monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
-    assert names(red(solve_anew(COARSE)))
+    assert names(red(solve_anew(COARSE))) - before
 
 
 def test_the_series_of_two_discs_is_needed_for_a_sharp_row(judged, red, patched):
