@@ -28,13 +28,15 @@ UNHELD = 1e-9  # of a rigid motion: below, the surface does not feel it
 class Response:
     """What loads `f` (all,) and prescribed displacements `u_0` (all,) do, all of it linear in them.
 
-    `load` (n,) acts on the free unknowns; without contact it would leave the surface `at_rest`
-    (s,) but for the rigid motions, on which it exerts `e` (k,).
+    `load` (n,) acts on the free unknowns, as `on_surface` (s,) would on the surface alone; without
+    contact it leaves the surface `at_rest` (s,) but for the rigid motions, on which it exerts `e`
+    (k,).
     """
 
     f: Array
     u_0: Array
     load: Array
+    on_surface: Array
     at_rest: Array
     e: Array
 
@@ -156,7 +158,8 @@ class Bodies:
         load = T.T @ (f - internal)
         on_surface = self.condensed.load(load)
         e = self.motions.T @ on_surface
-        return Response(f, u_0, load, self.compliance(on_surface - self.motions @ e), e)
+        at_rest = self.compliance(on_surface - self.motions @ e)
+        return Response(f, u_0, load, on_surface, at_rest, e)
 
 
 def _moduli(

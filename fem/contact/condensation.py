@@ -33,11 +33,14 @@ class Condensed:
         at_rest = self.factor.solve(f)[self.surface]
         return self.S @ at_rest + self.springs * at_rest
 
-    def inside(self, f: Array, surface: Array) -> Array:
-        """All unknowns under `f` (unknowns,) where those of the `surface` (s,) are known."""
+    def inside(self, f: Array, on_surface: Array, surface: Array) -> Array:
+        """All unknowns under `f` (unknowns,) where those of the `surface` (s,) are known.
+
+        `on_surface` (s,) is what `load` makes of `f`.
+        """
         f = f.copy()
         # with these forces on the sprung surface the factorised matrix moves it to `surface`
-        f[self.surface] += self.S @ surface + self.springs * surface - self.load(f)
+        f[self.surface] += self.S @ surface + self.springs * surface - on_surface
         return self.factor.solve(f)
 
 

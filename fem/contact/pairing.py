@@ -17,11 +17,10 @@ from fem.plane.discretisation import Array, Indices
 
 FACING = -0.2  # n_1 . n_2 of surfaces that can touch: more than some 100 deg apart
 GAUSS = 4
-NEWTON_STEPS = 30
+SECANT_STEPS = 40
 DONE = 1e-12
 SHORTEST = 1e-10  # of a facet: shorter segments carry nothing
 PAIRS = 2_000_000  # points times facets compared at once
-STEP = 1e-6  # of a facet, for the derivative of the direction
 
 
 @dataclass(frozen=True)
@@ -59,9 +58,11 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
     """
     ray = _Ray(slave, master, share)
     k, s_0, s_1 = _segments(ray)
-    opposite = ray.cast(k, (s_0 + s_1) / 2)
+    opposite, t = ray.cast(k, (s_0 + s_1) / 2)
     hit = opposite >= 0
-    hit[hit] = np.logical_not(_through(slave, ray, k[hit], (s_0 + s_1)[hit] / 2, opposite[hit]))
+    hit[hit] = np.logical_not(
+        _through(slave, ray, k[hit], (s_0 + s_1)[hit] / 2, opposite[hit], t[hit])
+    )
     k, s_0, s_1, opposite = k[hit], s_0[hit], s_1[hit], opposite[hit]
     master_of = np.repeat(opposite, GAUSS)
 
@@ -73,17 +74,15 @@ def pair(slave: Trace, master: Trace, share: float) -> Points:
     return _gauss(slave, k, s_0, s_1, onto)
 
 
-def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices) -> Array:
-    """Whether the points `s` on `k` see their `opposite` facets only through their own body."""
+def _through(slave: Trace, ray: "_Ray", k: Indices, s: Array, opposite: Indices, t: Array) -> Array:
+    """Whether points `s` on `k` see those at `t` on `opposite` only through their own body."""
     x = slave.places(k, s)
-    t = ray.refine(k, s, opposite)
     gap = ((ray.master.places(opposite, t) - x) * slave.normals(k, s)).sum(axis=0)
     behind = np.flatnonzero(gap < 0)
-    own = _Ray(slave, slave, 1.0)
-    exit_, found = own.cast(k[behind], s[behind]), np.zeros(k.size, bool)
+    own, found = _Ray(slave, slave, 1.0), np.zeros(k.size, bool)
+    exit_, t = own.cast(k[behind], s[behind])
     leaves = behind[exit_ >= 0]
-    t = own.refine(k[leaves], s[leaves], exit_[exit_ >= 0])
-    way = np.hypot(*(slave.places(exit_[exit_ >= 0], t) - x[:, leaves]))
+    way = np.hypot(*(slave.places(exit_[exit_ >= 0], t[exit_ >= 0]) - x[:, leaves]))
     found[leaves] = way < -gap[leaves]
     return found
 
@@ -157,17 +156,17 @@ class _Ray:
         inside = (s > SHORTEST) & (s < 1 - SHORTEST)
         return k[inside], s[inside]
 
-    def cast(self, k: Indices, s: Array) -> Indices:
-        """The nearest master facet (m,) that the rays from `s` on `k` meet, -1 for none."""
-        facet = np.full(k.size, -1)
+    def cast(self, k: Indices, s: Array) -> tuple[Indices, Array]:
+        """The nearest master facet (m,) that the rays from `s` on `k` meet, -1 for none, and t."""
+        facet, t = np.full(k.size, -1), np.zeros(k.size)
         x, n = self.slave.places(k, s), self.slave.normals(k, s)
         hit, point = self._between(self._ends(self.master), x, n, 1.0)
         at = self.refine(k[point], s[point], hit)
         distance = np.hypot(*(self.master.places(hit, at) - x[:, point]))
         order = np.lexsort((distance, point))
         first = order[np.unique(point[order], return_index=True)[1]]
-        facet[point[first]] = hit[first]
-        return facet
+        facet[point[first]], t[point[first]] = hit[first], at[first]
+        return facet, t
 
     @staticmethod
     def _ends(trace: Trace) -> tuple[Array, Array]:
@@ -202,13 +201,14 @@ class _Ray:
 
     @staticmethod
     def _root(function, size: int) -> Array:
-        """Roots of `function` (m,) -> (m,), from the middle, by Newton's method."""
-        s = np.full(size, 0.5)
-        for _ in range(NEWTON_STEPS):
-            slope = (function(s + STEP) - function(s - STEP)) / (2 * STEP)
+        """Roots of `function` (m,) -> (m,), from the ends of facets on, by the secant method."""
+        before, s = np.zeros(size), np.ones(size)
+        f_before, f = function(before), function(s)
+        for _ in range(SECANT_STEPS):
             with np.errstate(divide="ignore", invalid="ignore"):
-                step = np.nan_to_num(function(s) / slope, nan=0.0, posinf=0.0, neginf=0.0)
-            s = np.clip(s - step, -0.5, 1.5)
+                step = np.nan_to_num(f * (s - before) / (f - f_before), posinf=0.0, neginf=0.0)
+            before, s = s, np.clip(s - step, -0.5, 1.5)
             if not np.any(np.abs(step) > DONE):
                 break
+            f_before, f = f, function(s)
         return s

@@ -157,7 +157,8 @@ class ContactSolution:
         """The response of the bodies to all loads and prescribed displacements, without contact."""
         none, free = np.zeros(self.bodies.count), np.zeros(self.bodies.unknowns.T.shape[1])
         surface = np.zeros(self.bodies.unknowns.surface)
-        total = Response(none, none, free, surface, np.zeros(self.bodies.motions.shape[1]))
+        e = np.zeros(self.bodies.motions.shape[1])
+        total = Response(none, none, free, surface, surface, e)
         for share, response in self.responses:
             total = total.plus(response, share)
         return total
@@ -166,10 +167,12 @@ class ContactSolution:
     def displacements(self) -> Array:
         """Of all unknowns: those of the mesh, then x, y and rotation of each obstacle."""
         b, i, rest = self.bodies, self.interface, self.rest
-        surface = self.total.at_rest + b.compliance(i.C.T @ rest.multipliers)
-        surface += b.motions @ rest.motion
-        forces = self.total.load + b.unknowns.T.T @ (i.rows.T @ rest.multipliers)
-        return b.unknowns.T @ b.condensed.inside(forces, surface) + self.total.u_0
+        pushed = i.C.T @ rest.multipliers
+        surface = self.total.at_rest + b.compliance(pushed) + b.motions @ rest.motion
+        forces = self.total.load.copy()
+        forces[b.condensed.surface] += pushed
+        q = b.condensed.inside(forces, self.total.on_surface + pushed, surface)
+        return b.unknowns.T @ q + self.total.u_0
 
     @cached_property
     def plane(self) -> PlaneSolution:

@@ -77,8 +77,9 @@ class Cells:
             left = dofs < 0
             K[left] = 0.0
             K.swapaxes(1, 2)[left] = 0.0
-            # entries of no weight at the first unknown, which has some of its own
-            dofs[left] = 0
+            # nothing, added where the cell has entries anyway: the pattern stays as it is
+            kept = np.take_along_axis(dofs, np.argmax(~left, axis=1)[:, None], axis=1)
+            dofs = np.where(left, np.maximum(kept, 0), dofs)
         at = np.repeat(dofs, 2 * n, axis=1).ravel(), np.tile(dofs, 2 * n).ravel()
         return coo_array((K.ravel(), at), (count, count)).tocsr()
 

@@ -158,7 +158,9 @@ def free_directions(
     u0[dofs], fixed[dofs] = u.T, True
     _, s, v = np.linalg.svd(direction, full_matrices=False)
     guided = np.flatnonzero(s[:, 1] < INDEPENDENT)
-    rows, tangents = dofs[:, guided].T.ravel(), v[guided, 1].ravel()
+    tangent = np.where(np.abs(v[guided, 1]) < INDEPENDENT**2, 0.0, v[guided, 1])
+    tangent *= np.sign(tangent.sum(axis=1, keepdims=True)) + (tangent.sum(axis=1) == 0)[:, None]
+    rows, tangents = dofs[:, guided].T.ravel(), tangent.ravel()
     free = np.flatnonzero(~fixed)
     n, m = free.size, guided.size
     column = np.empty(n + m, int)
@@ -166,6 +168,7 @@ def free_directions(
     columns = column[np.concatenate([np.arange(n), n + np.repeat(np.arange(m), 2)])]
     entries = np.concatenate([np.ones(n), tangents])
     T = csr_array((entries, (np.concatenate([free, rows]), columns)), (basis.N, n + m))
+    T.eliminate_zeros()
     return T, u0
 
 
