@@ -12,6 +12,7 @@ from verify.results import Kind, Row
 from verify.shown import Array, Dots, Profile
 
 WIDTH, HEIGHT = 400.0, 300.0
+LABEL = 36.0  # width of a mesh size's label
 
 
 @dataclass
@@ -121,7 +122,7 @@ def convergence(rows: Sequence[Row]) -> Markup:
     )  # fmt: skip
     every = -(-(high - low) // 7) or 1
     axes.grid([10.0**e for e in range(low, high + 1, every)], lambda v: svg.decade(_exponent(v)))
-    axes.base(h, lambda v: f"{v:.3g}")
+    axes.base(_apart(h, axes), lambda v: f"{v:.3g}")
     axes.titles("mesh size, relative", "difference, relative")
     for row, s in series:
         colour = f"s{_colour(row.formal_order or 0.0)}"
@@ -136,6 +137,15 @@ def convergence(rows: Sequence[Row]) -> Markup:
     axes.body += _legend(axes, orders, series)
     count = f"{len(series)} quantities approach their finest value"
     return svg.drawing(WIDTH, HEIGHT, axes.body, count, "chart")
+
+
+def _apart(h: Sequence[float], axes: Axes) -> list[float]:
+    """Mesh sizes, from the coarsest, whose labels do not run into each other."""
+    kept: list[float] = []
+    for value in sorted(h, reverse=True):
+        if not kept or axes.X(kept[-1]) - axes.X(value) > LABEL:
+            kept.append(value)
+    return kept
 
 
 def _legend(
@@ -166,6 +176,8 @@ def distances(row: Row) -> list[tuple[float, float]]:
     """Mesh size and relative distance of each level but the last, or the stored errors."""
     if len(row.levels) < 3:
         return []
+    if row.kind is Kind.ASYMPTOTIC or (row.kind is Kind.TREND and row.fem != row.order):
+        return []  # levels of another parameter than the mesh
     if row.kind is Kind.TREND:
         return [(h, abs(e)) for h, e in row.levels if e]
     finest = row.levels[-1][1]

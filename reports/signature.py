@@ -11,6 +11,7 @@ from verify.results import CaseResult, Kind, Published, Row, Status
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0
 WIDE = 1216.0
+LINE, NAMES = 16.0, 3  # height of a line of names, and how many there may be
 LEAST = -12  # decades of the strip
 FAR = 1.7  # tolerances from which a dot becomes an arrow
 MARKS = {
@@ -104,19 +105,20 @@ def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
     parts = [_decade(e, left, top, bottom) for e in range(LEAST, 1, 2)]
     demand = _height(0.01, top, bottom)
     parts += [svg.line(left, demand, WIDE, demand, "demand")]
-    x = left
+    x, taken = left, [-gap] * NAMES
     for case, rows in shown:
         wide = room * len(rows) / total
         step = wide / len(rows)
         parts += [
-            *_name(case, x, wide, bottom + 24),
+            _name(case, x, wide, bottom + 24, taken),
             svg.line(x, bottom, x + wide, bottom, "zero"),
             *(_bar(row, anchors[row.id], x + step * (i + 0.5), top, bottom)
               for i, row in enumerate(rows)),
         ]  # fmt: skip
         x += wide + gap
     words = "relative difference of every row, and the smallest error that it surely shows"
-    return svg.drawing(WIDE, bottom + 32, parts, words, "overview")
+    lines = sum(end > 0 for end in taken)
+    return svg.drawing(WIDE, bottom + 16 + LINE * max(lines, 1), parts, words, "overview")
 
 
 def _height(value: float, top: float, bottom: float) -> float:
@@ -134,11 +136,19 @@ def _decade(exponent: int, left: float, top: float, bottom: float) -> Markup:
     return svg.line(left, y, WIDE, y, "grid") + label
 
 
-def _name(case: CaseResult, x: float, wide: float, y: float) -> list[Markup]:
-    """The case's name below its rows, from the right where it would leave the image."""
+def _name(case: CaseResult, x: float, wide: float, y: float, taken: list[float]) -> Markup:
+    """The case's name below its rows, from the right where it would leave the image.
+
+    It stands on the first line on which the last name ends (`taken`) before it.
+    """
     words = case.name or case.id
-    right = x + 8.0 * len(words) > WIDE
-    return [svg.text(x + wide, y, words, "part", "end") if right else svg.text(x, y, words, "part")]
+    long = 8.0 * len(words)
+    right = x + long > WIDE
+    start = x + wide - long if right else x
+    line = next((i for i, end in enumerate(taken) if end < start), len(taken) - 1)
+    taken[line] = start + long + 6
+    y += LINE * line
+    return svg.text(x + wide, y, words, "part", "end") if right else svg.text(x, y, words, "part")
 
 
 def _drawn(row: Row) -> bool:

@@ -97,9 +97,7 @@ def ring_sketch(q: Any) -> Sketch:
         leader(f"R = {q.R / mm:.4g} mm", (-1.35, R), (-R, R)),
         leader(f"r_i = {q.r_i / mm:.4g} mm", (-1.3, 1.6 * r_i), (-0.78 * r_i, 1.63 * r_i)),
         leader(f"r_o = {q.r_o / mm:.4g} mm, held", (1.25, -0.1), (0.72, r_i - 0.7)),
-        leader(
-            "FE: half a race, a quarter roller", (1.25, 1.5), (0.7 * (r_i + 1) / 1.4, r_i + 0.5)
-        ),
+        leader("FE: half, quarter", (1.25, 1.5), (0.7 * (r_i + 1) / 1.4, r_i + 0.5)),
     )
     return Sketch(title=f"roller in a race, to scale, {q.L / mm:.4g} mm long", shapes=shapes)
 
@@ -176,7 +174,8 @@ def ring_equations(q: Any, v: Values) -> Sequence[Equation]:
         ),
         Equation(
             tex=r"\delta = \frac{P}{\pi E_1'}\left[2 \ln\frac{4 R}{a} - 1\right] + "
-            r"\frac{2P}{\pi E_2'}\left[\ln\frac{2 r_i}{a} + \frac{1}{2} + \sum_n \delta_n\right]",
+            r"\frac{2P}{\pi E_2'}\left[\ln\frac{2 r_i}{a} + \frac{1}{2} + s\right],\quad "
+            r"s = \sum_n s_n",
             numbers=rf"= {tex(v['Hertz approach'] / mm)}\ \mathrm{{mm}}",
             place="centre of the roller to the held rim",
         ),
