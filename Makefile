@@ -21,6 +21,7 @@ check: .venv/.ready
 
 bench: .venv/.ready
 	$(BIN)/python -m benchmarks.plane
+	$(BIN)/python -m benchmarks.contact
 
 # The table of verdicts in README.md, from the last run of `make verify`.
 readme: verify
