@@ -61,9 +61,9 @@ def analytic(q: FlatInputs) -> Values:
 def fem(q: FlatInputs, level: int) -> FemResult:
     swept: dict[str, float] = {}
     for e in SWEEP:
-        at = pressed(q, swept_load(q, e), e * q.R, level).values()
+        at = disc_fem(q, swept_load(q, e), e * q.R, level).values()
         swept |= {f"{key}, a/R = {e:g}": value for key, value in at.items()}
-    return pressed(q, q.P, q.guess, level).result(level, ("axis", "middle"), **swept)
+    return disc_fem(q, q.P, q.guess, level).result(level, ("axis", "middle"), **swept)
 
 
 def swept_load(q: FlatInputs, ratio: float) -> float:
@@ -71,7 +71,7 @@ def swept_load(q: FlatInputs, ratio: float) -> float:
     return float(np.pi / 4 * ratio**2 * q.R / q.softness)
 
 
-def pressed(q: FlatInputs, P: float, guess: float, level: int) -> Pressed:
+def disc_fem(q: FlatInputs, P: float, guess: float, level: int) -> Pressed:
     """The quarter of the disc on the flat y = 0 under the load P [N/m]."""
     from fem.contact.pairs import Obstacle, Pair
     from fem.contact.problem import ContactProblem
