@@ -160,6 +160,8 @@ class Loads:
             return [Action(1.0, None, partial(make, value))]
         obstacle = self._bodies.obstacles.get(key[1]) if isinstance(key[1], str) else None
         most = 2 if obstacle is None else 3
+        if not isinstance(value, tuple | list | np.ndarray):
+            raise ValueError(f"the {key[0]} on {key[1]!r} has components x and y, got {value!r}")
         if not (2 <= len(value) <= most and np.all(np.isfinite(value))):
             raise ValueError(
                 f"the {key[0]} on {key[1]!r} needs finite components x and y, got {value}"
@@ -202,4 +204,6 @@ class Loads:
 
 def components(support: Support) -> dict[str, Prescribed]:
     """Component to value of a support."""
+    if not isinstance(support, str | Mapping):
+        raise ValueError(f'a support is like "xy" or {{"x": 1e-3}}, got {support!r}')
     return dict.fromkeys(support, 0.0) if isinstance(support, str) else dict(support)

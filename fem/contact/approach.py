@@ -19,14 +19,19 @@ def approached(solution: ContactSolution, surfaces: Surfaces) -> list[Array | No
     allows.
     """
     sides = list(zip(solution.touches, surfaces.slaves, surfaces.masters, strict=True))
-    if not any(_apart(*side) for side in sides):
+    obstacles = solution.bodies.obstacles
+    masters = [
+        obstacles[p.master].shape.curvature if m is None else m.curvature()
+        for p, m in zip(surfaces.pairs, surfaces.masters, strict=True)
+    ]
+    bends = [s.curvature() + m for s, m in zip(surfaces.slaves, masters, strict=True)]
+    if not any(_apart(touch, bend) for (touch, _, _), bend in zip(sides, bends, strict=True)):
         return None
     u, count = solution.displacements, solution.bodies.basis.N
     return [_base(u, count, *side) if np.any(side[0].p > 0) else None for side in sides]
 
 
-def _apart(touch: Touch, slave: Trace, master: Trace | None) -> bool:
-    bend = slave.curvature() + (0.0 if master is None else master.curvature())
+def _apart(touch: Touch, bend: float) -> bool:
     distance = touch.mortar.points.gap[touch.p > 0]
     return distance.size > 0 and bool(distance.min() * bend > APART)
 

@@ -28,9 +28,12 @@ OPEN, STICK, FORWARD, BACKWARD = 0, 1, 2, 3  # slip states by the sign of l_t: +
 HELD = 4  # open, but sticking or slipping (5, 6) on friction whose limit is given
 SIGN = np.array([0.0, 0.0, 1.0, -1.0, 0.0, 1.0, -1.0])
 SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
-WEAKEST = 1e-12
+WEAKEST, STAYING = 1e-12, 1e-2
+FELT = 1e-7  # of the largest stiffness against a rigid motion: below, the motion is neutral
 TOLERANCE = 1e-11
 BALANCED = 1e-13
+NOTHING = 1e-13  # of the forces that would close the gaps
+AWAY = "; bodies may slide or roll away under these loads, unless held or pressed together first"
 PATIENCE = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES = 100
 BRIEF = 40  # exchanges before friction is suspected of going round in circles
@@ -40,6 +43,8 @@ FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in 
 MAX_RELEASES = 60
 MAX_LIMITS = 80
 SETTLED = 1e-9  # of the limits on the traction
+ASKEW = 1e-2  # of the loads: so much may act on a neutral motion until surfaces are paired anew
+OFFSET = 1e-3  # and this much where they are: moments count about places in the mesh
 NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not
 
 
@@ -91,16 +96,17 @@ class Complementarity:
         motion = np.zeros(self.D.shape[1])
         if not motion.size:
             springs = (0.0,)
-        stiffness = self._stiffness()
         for spring in springs:
-            at = self._settle(w_0, e, motion, spring * stiffness, states, changes)
+            at = self._settle(w_0, e, motion, self._springs(spring), states, changes)
             multipliers, motion, states = at
         missed, size = self._missed(e, multipliers)
+        nothing = NOTHING * float(np.max(np.abs(w_0) / np.diag(self.B), initial=0.0))
+        nothing *= float(np.abs(self.D).max(initial=0.0))
         spring = springs[-1]
         for _ in range(MAX_RELEASES):
-            if missed <= BALANCED * size:
+            if missed <= max(BALANCED * size, nothing):
                 break
-            at = self._settle(w_0, e, motion, spring * stiffness, states, changes)
+            at = self._settle(w_0, e, motion, self._springs(spring), states, changes)
             before = missed
             missed, size = self._missed(e, at[0])
             multipliers, motion, states = at
@@ -111,14 +117,14 @@ class Complementarity:
         else:
             raise ArithmeticError(
                 "the contact does not come to rest: its forces still miss the loads by "
-                f"{missed:.2e} of {size:.2e} after {len(changes)} iterations"
+                f"{missed:.2e} of {size:.2e} after {len(changes)} iterations{AWAY}"
             )
         return Rest(multipliers, motion, states, tuple(changes))
 
     def _missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
         """What is missing to balance on the rigid motions, and the size of the forces there."""
         size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
-        missed = np.abs(e + self.D.T @ multipliers)
+        missed = np.abs(self._felt[0].T @ (e + self.D.T @ multipliers))
         return float(missed.max(initial=0.0)), float(size.max(initial=0.0))
 
     def missing(self, e: Array) -> Array:
@@ -126,19 +132,28 @@ class Complementarity:
 
         Zero where they can, to round-off.
         """
-        m = self.friction.size
+        m, (felt, neutral) = self.friction.size, self._felt
         if not np.any(e):
             return np.zeros_like(e)
-        normal = self.D[:m].T
+        if np.linalg.norm(neutral.T @ e) > ASKEW * np.linalg.norm(e):
+            return neutral @ (neutral.T @ e)
+        D = self.D @ felt
+        normal = D[:m].T
         held = self.partner >= 0
-        sideways = self.friction[held] * self.D[self.partner[held]].T
+        sideways = self.friction[held] * D[self.partner[held]].T
         cone = np.hstack([normal, normal[:, held] + sideways, normal[:, held] - sideways])
         size = np.abs(cone).max(axis=0, initial=0.0)
         cone = cone[:, size > BARE * size.max(initial=0.0)]
         cone /= np.hypot.reduce(cone, axis=0)
-        share, _ = nnls(cone, -e, maxiter=100 * cone.shape[1])
-        missed = e + cone @ share
+        share, _ = nnls(cone, -felt.T @ e, maxiter=100 * cone.shape[1])
+        missed = felt @ (felt.T @ e + cone @ share)
         return missed if np.linalg.norm(missed) > UNHELD * np.linalg.norm(e) else np.zeros_like(e)
+
+    def unfelt(self, e: Array) -> Array:
+        """What of the loads `e` (k,) acts on neutral motions; zero where that is little."""
+        _, neutral = self._felt
+        found = neutral @ (neutral.T @ e)
+        return found if np.linalg.norm(found) > OFFSET * np.linalg.norm(e) else np.zeros_like(e)
 
     def smooth(self, group: int = 1) -> "Complementarity":
         """The same without friction, and with `group` rows of a surface at a time in one."""
@@ -185,10 +200,22 @@ class Complementarity:
     def _sizes(self) -> tuple[Array, Array]:
         return np.abs(self.B), np.abs(self.D)
 
-    def _stiffness(self) -> float:
-        """What the springs are measured by: the contact's own stiffness against rigid motions."""
+    @cached_property
+    def _felt(self) -> tuple[Array, Array]:
+        """Motions (k, .) that the contact resists, and neutral ones that it hardly feels.
+
+        A smooth pin in a hole may turn: facets alone resist that.
+        """
+        own = self.D / np.sqrt(np.diag(self.B))[:, None]
+        size, motions = np.linalg.eigh(own.T @ own)
+        felt = size > FELT * size.max(initial=0.0)
+        return motions[:, felt], motions[:, ~felt]
+
+    def _springs(self, share: float) -> Array:
+        """Springs (k, k) on rigid motions; those on neutral ones stay as they are."""
         own = (self.D**2 / np.diag(self.B)[:, None]).sum(axis=0)
-        return float(own.max(initial=0.0))
+        felt, neutral = self._felt
+        return float(own.max(initial=0.0)) * (share * felt @ felt.T + STAYING * neutral @ neutral.T)
 
     def _settle(self, w_0, e, motion, spring, states, changes):
         """Multipliers, motions and states that fit, with springs back to `motion`."""
@@ -231,12 +258,12 @@ class Complementarity:
             states[other] = wanted[other]
         raise ArithmeticError(
             f"the contact did not converge: after {most} iterations {other.size} of "
-            f"{states.size} points still change between open, stick and slip"
+            f"{states.size} points still change between open, stick and slip{AWAY}"
         )
 
     def _linear(self, w_0, e, motion, spring, states, limit):
         """Multipliers and motions that `states` imply."""
-        m, k = self.friction.size, self.D.shape[1]
+        m = self.friction.size
         rough = self.partner >= 0
         closed = np.flatnonzero((states != OPEN) & (states < HELD))
         stick = np.flatnonzero(((states == STICK) | (states == HELD)) & rough)
@@ -252,10 +279,10 @@ class Complementarity:
             drag = SIGN[states[slip]] * self.friction[slip]
             columns[:, row_of[slip]] += drag * self.B[:, self.partner[slip]]
             pull[:, row_of[slip]] += drag * self.D[self.partner[slip]].T
-        A = np.block([[columns[own], self.D[own]], [pull, -spring * np.eye(k)]])
+        A = np.block([[columns[own], self.D[own]], [pull, -spring]])
         scale = np.concatenate([self._scales[0][own], self._scales[1]])
         known = np.concatenate([
-            -w_0[own] - self.B[own] @ given, -e - spring * motion - self.D.T @ given
+            -w_0[own] - self.B[own] @ given, -e - spring @ motion - self.D.T @ given
         ])  # fmt: skip
         try:
             x = scale * np.linalg.solve(scale[:, None] * A * scale, scale * known)

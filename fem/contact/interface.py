@@ -14,6 +14,7 @@ from fem.contact.shapes import Motion
 from fem.contact.trace import Trace, trace_of
 from fem.plane.discretisation import Array, Indices
 
+SPIN = 1e-3  # turn times extent over displacement: below, a motion is a translation
 LEAST = 1e-13  # of the mean compliance per area
 ROUND_OFF = 1e-9  # of the mesh's extent: overlaps that say nothing
 
@@ -23,6 +24,15 @@ class Surfaces:
 
     def __init__(self, bodies: Bodies, pairs: Sequence[Pair]) -> None:
         self.pairs = tuple(pairs)
+        known = {*(bodies.basis.mesh.boundaries or {}), *bodies.obstacles}
+        for p in pairs:
+            if p.slave in bodies.obstacles:
+                raise ValueError(f"contact {p}: an obstacle can only be the master: swap them")
+            if p.master not in known:
+                raise ValueError(
+                    f"contact {p}: there is no boundary or obstacle {p.master!r}; there are: "
+                    f"{', '.join(sorted(known))}"
+                )
         self.slaves = [trace_of(bodies.basis, p.slave, p.slave_shape) for p in pairs]
         self.masters = [
             None if p.master in bodies.obstacles
@@ -87,13 +97,29 @@ class Interface:
         w = self.C @ response.at_rest
         return w + self.rows @ response.u_0 if np.any(response.u_0) else w
 
-    def check_held(self) -> None:
-        """ValueError where neither supports nor any contact could hold a body."""
+    def check_held(self, surfaces: Surfaces) -> None:
+        """ValueError where neither supports nor any contact could hold a body.
+
+        A round body may spin in a round one: that moves nothing against anything.
+        """
         k = self.bodies.motions.shape[1]
-        if k:
-            _, s, v = np.linalg.svd(np.vstack([self.kernel.D, np.zeros((k, k))]))
-            if s[-1] < UNHELD * max(s[0], 1e-300):
-                self.bodies.refuse(self.bodies.named(v[-1]))
+        if not k:
+            return
+        _, s, v = np.linalg.svd(np.vstack([self.kernel.D, np.zeros((k, k))]))
+        free = v[s < UNHELD * max(s[0], 1e-300)].T
+        if not free.size:
+            return
+        T = self.bodies.unknowns.T
+        u = T[:, T.shape[1] - self.bodies.unknowns.surface :] @ (self.bodies.motions @ free)
+        traces = [t for t in (*surfaces.slaves, *surfaces.masters) if t is not None]
+        turns = np.array([
+            [Motion.fitted(t.points, u[t.dofs.reshape(2, -1), j]).angle * t.extent
+             for j in range(free.shape[1])]
+            for t in traces
+        ])  # fmt: skip
+        _, s, v = np.linalg.svd(np.vstack([turns, np.zeros((free.shape[1], free.shape[1]))]))
+        if s[-1] < SPIN * np.abs(u).max():
+            self.bodies.refuse(self.bodies.named(free @ v[-1]))
 
     def _pair(self, surfaces: Surfaces, i: int, base: Array | None) -> Mortar:
         bodies, contact = self.bodies, self.pairs[i]

@@ -13,6 +13,7 @@ there on surfaces slide by little against their radii.
 """
 
 from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from skfem.mesh import Mesh2D
@@ -20,7 +21,7 @@ from skfem.mesh import Mesh2D
 from fem.contact.actions import Action, Forces, Loads, Supports
 from fem.contact.approach import approached
 from fem.contact.bodies import Bodies, Response
-from fem.contact.complementarity import Rest
+from fem.contact.complementarity import OPEN, Rest
 from fem.contact.interface import ROUND_OFF, Interface, Surfaces
 from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.solution import ContactSolution
@@ -92,7 +93,7 @@ class ContactProblem:
         self.bodies.condense(self.supports.conditions, self.surfaces.unknowns)
         self.bodies.unknowns.displaced(self.supports.values({}))
         self.interface = Interface(self.bodies, self.surfaces)
-        self.interface.check_held()
+        self.interface.check_held(self.surfaces)
         self.loads = Loads(self.bodies)
         self._responses: dict[Hashable, Response] = {}
         self._shifts: dict[Hashable, Array] = {}
@@ -107,6 +108,7 @@ class ContactProblem:
         point_forces: Mapping[tuple[float, float], tuple[float, float]] | None = None,
         displacements: Mapping[str, Support] | None = None,
         after: ContactSolution | None = None,
+        steps: int = 1,
     ) -> ContactSolution:
         """The equilibrium under these loads, which replace those of the step `after`.
 
@@ -122,13 +124,17 @@ class ContactProblem:
             obstacles such as {"anvil": {"y": -1e-5}}. What is not named has its first value.
         after
             The step before, from which friction continues.
+        steps
+            Even shares in which everything changes from `after`, or from nothing. Friction depends
+            on the way there: pressing unlike bodies together takes some 20, or as many `solve`.
+            Within a share, slip counts from where a gap closes.
 
         Raises
         ------
         ValueError
-            For unknown names, and loads that the contact cannot balance: they pull bodies apart.
+            For unknown names, and loads that no contact forces balance: they pull bodies apart.
         ArithmeticError
-            Where the contact does not converge.
+            Where the contact does not converge, or comes to no rest: bodies slide or roll away.
         """
         actions = [
             *self.loads.actions(
@@ -138,11 +144,24 @@ class ContactProblem:
         ]  # fmt: skip
         if after is not None and after.bodies is not self.bodies:
             raise ValueError("the step `after` belongs to another contact problem")
+        if steps < 1:
+            raise ValueError(f"steps must be 1 or more, got {steps}")
+        before = () if after is None else after.actions
+        for share in np.arange(1, steps + 1) / steps:
+            ramped = [replace(a, share=share * a.share) for a in actions]
+            ramped += [replace(a, share=(1 - share) * a.share) for a in before if share < 1]
+            after = self._step(ramped, after)
+        assert after is not None
+        return after
+
+    def _step(self, actions: list[Action], after: ContactSolution | None) -> ContactSolution:
+        """Equilibrium under `actions`, paired where bodies that start apart meet."""
         interface = self.interface if after is None else after.interface
         found = self._equilibrium(actions, interface, after)
         for _ in range(MAX_APPROACHES):
             bases = approached(found, self.surfaces)
             if bases is None:
+                self._refuse(found.interface.kernel.unfelt(found.e))
                 return found
             moved = Interface(self.bodies, self.surfaces, bases)
             found = self._equilibrium(actions, moved, after)
@@ -151,7 +170,7 @@ class ContactProblem:
         )
 
     def _equilibrium(
-        self, actions: Sequence[Action], interface: Interface, after: ContactSolution | None
+        self, actions: list[Action], interface: Interface, after: ContactSolution | None
     ) -> ContactSolution:
         kernel, m = interface.kernel, interface.gaps.size
         w, e = np.zeros(interface.rows.shape[0]), np.zeros(self.bodies.motions.shape[1])
@@ -159,21 +178,40 @@ class ContactProblem:
         for action, (share, response) in zip(actions, responses, strict=True):
             w += share * self._shift(interface, action.key, response)
             e += share * response.e
-        self._check_balance(interface, e)
-        if after is not None:
-            slips = after.slips
-        elif any(np.any(response.u_0) for _, response in responses):
-            slips = np.zeros(w.size - m)
-        else:
-            slips = self._touching(interface, w, e)
+        self._refuse(kernel.missing(e))
+        slips = self._touching(interface, w, e) if after is None else after.slips
         w[:m] += interface.gaps
+        slips = slips + self._closing(interface, w, slips, after)
         w[m:] -= slips
         rest = kernel.solve(w, e, None if after is None else after.states)
         self._check_small(interface, responses, rest)
         return ContactSolution(
-            bodies=self.bodies, interface=interface, responses=tuple(responses), rest=rest,
-            w=w + kernel.B @ rest.multipliers + kernel.D @ rest.motion, slips_before=slips,
+            bodies=self.bodies, interface=interface, actions=tuple(actions),
+            responses=tuple(responses), rest=rest, slips_before=slips,
+            e=e, w=w + kernel.B @ rest.multipliers + kernel.D @ rest.motion,
         )  # fmt: skip
+
+    @staticmethod
+    def _closing(
+        interface: Interface, w: Array, slips: Array, after: ContactSolution | None
+    ) -> Array:
+        """What surfaces that are apart slide of themselves, on from `slips`, until a gap closes.
+
+        Other contact forces and rigid motions stay as they are for that, and the rest of `w` grows
+        evenly. Where a pair touches already, its nodes stick or slip from where they are.
+        """
+        kernel, m = interface.kernel, interface.gaps.size
+        gaps, trial, apart = interface.gaps, w, np.ones(m, bool)
+        if after is not None:
+            gaps = after.w[:m]
+            trial = w + kernel.B @ after.rest.multipliers + kernel.D @ after.rest.motion
+            apart = ~np.isin(kernel.part, kernel.part[after.states != OPEN])
+        closes = np.flatnonzero((kernel.partner >= 0) & apart & (gaps > 0) & (trial[:m] < 0))
+        rows = kernel.partner[closes]
+        share = gaps[closes] / (gaps[closes] - trial[closes])
+        found = np.zeros(slips.size)
+        found[rows - m] = share * (trial[rows] - slips[rows - m])
+        return found
 
     def _touching(self, interface: Interface, w: Array, e: Array) -> Array:
         """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought together.
@@ -227,8 +265,8 @@ class ContactProblem:
                 f"deform by {size:.3g}: under these loads it slides or rolls away"
             )
 
-    def _check_balance(self, interface: Interface, e: Array) -> None:
-        missing = interface.kernel.missing(e)
+    def _refuse(self, missing: Array) -> None:
+        """ValueError where loads on rigid motions are `missing` (k,) their contact forces."""
         if np.any(missing):
             raise ValueError(
                 f"{self.bodies.named(missing)}, and the loads do move it: contact can only push, "

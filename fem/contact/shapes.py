@@ -24,6 +24,11 @@ class Shape(Protocol):
         """The curve after a small rigid motion."""
         ...
 
+    @property
+    def curvature(self) -> float:
+        """Of the curve [1/length], without sign."""
+        ...
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -69,6 +74,10 @@ class Flat:
         n = self.normal(x)
         return x - n * ((x - _column(self.point, x)) * n).sum(axis=0)
 
+    @property
+    def curvature(self) -> float:
+        return 0.0
+
     def moved(self, motion: Motion) -> "Flat":
         x, y = self.outward
         return Flat(motion.of(self.point), (x - motion.angle * y, y + motion.angle * x))
@@ -95,6 +104,10 @@ class Circle:
     def project(self, x: Array) -> Array:
         d = x - _column(self.centre, x)
         return _column(self.centre, x) + self.radius * d / np.hypot(*d)
+
+    @property
+    def curvature(self) -> float:
+        return 1 / self.radius
 
     def moved(self, motion: Motion) -> "Circle":
         return replace(self, centre=motion.of(self.centre))

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.contact.actions import Action
 from fem.contact.bodies import Bodies, Response
 from fem.contact.complementarity import OPEN, STICK, Rest
 from fem.contact.interface import Interface
@@ -112,8 +113,10 @@ class ContactSolution:
 
     bodies: Bodies
     interface: Interface
+    actions: tuple[Action, ...]
     responses: tuple[tuple[float, Response], ...]
     rest: Rest
+    e: Array
     w: Array
     slips_before: Array
 

@@ -10,7 +10,7 @@ import numpy as np
 from skfem import Basis
 from skfem.mesh import Mesh2D
 
-from fem.contact.shapes import Flat, Motion, Shape
+from fem.contact.shapes import Motion, Shape
 from fem.plane.discretisation import Array, Indices, is_curved, outer_facets
 
 BESIDE = 1e-3  # of a facet: vertices farther from a shape do not lie on it
@@ -39,6 +39,16 @@ class Trace:
     def count(self) -> int:
         """Number of facets."""
         return self.facets.size
+
+    @property
+    def points(self) -> Array:
+        """Places (2, k m) of the nodes, in the order of `dofs`."""
+        return self.nodes[:, : self.dofs.shape[1]].reshape(2, -1)
+
+    @property
+    def extent(self) -> float:
+        """The larger side of the box around the surface."""
+        return float(np.ptp(self.points, axis=1).max())
 
     def places(self, k: Indices, s: Array) -> Array:
         """Points (2, ...) at parameters `s` (...) of the facets `k` (...)."""
@@ -107,8 +117,8 @@ class Trace:
 
     def curvature(self) -> float:
         """The largest turn of a facet's normals by its length [1/length]."""
-        if isinstance(self.shape, Flat):
-            return 0.0
+        if self.shape is not None:
+            return self.shape.curvature
         turn = np.abs(cross(self.end_normals[:, 0], self.end_normals[:, 1]))
         return float((turn / self.lengths()).max())
 

@@ -79,6 +79,5 @@ def test_no_part_of_the_interface_rubs_or_opens(friction):
     assert np.abs(touch.traction).max() < 1e-4 * P  # the stresses' own error
 
 
-def test_without_friction_nothing_holds_the_disc_against_turning():
-    with pytest.raises(ValueError, match="rotation"):
-        nested(1, swap=False, shapes=True, friction=0.0)
+def test_without_friction_the_disc_may_turn_and_the_state_is_as_hydrostatic():
+    assert stress_error(nested(1, swap=False, shapes=True, friction=0.0)) < 1e-4

@@ -44,7 +44,7 @@ def test_the_problem_that_these_tests_spoil_is_sound():
     [
         ({"contacts": []}, "needs a pair"),
         ({"contacts": [Pair(slave="a.bot", master="b.top")]}, "no boundary 'a.bot'"),
-        ({"contacts": [Pair(slave="a.bottom", master="tpo")]}, "no boundary 'tpo'"),
+        ({"contacts": [Pair(slave="a.bottom", master="tpo")]}, "no boundary or obstacle 'tpo'"),
         ({"contacts": [Pair(slave="a.left", master="b.left")]}, "do not face each other"),
         ({"supports": {"b.bot": "xy"}}, "no boundary 'b.bot'"),
         ({"supports": {}}, "neither supports nor contact hold it"),
@@ -60,7 +60,7 @@ def test_the_problem_that_these_tests_spoil_is_sound():
         ({"obstacles": {"b.top": LID}}, "has the name of a boundary"),
         ({"obstacles": {"lid": replace(LID, free="y")}}, "obstacle 'lid' can move"),
         ({"contacts": [TOUCH, Pair(slave="lid", master="b.top")], "obstacles": {"lid": LID}},
-         "no boundary 'lid'"),
+         "an obstacle can only be the master"),
         ({"contacts": [Pair(slave="a.bottom", master="lid")],
           "obstacles": {"lid": Obstacle(Flat((0, 1), (0, -1)))}}, "do not face each other"),
         ({"contacts": [Pair(slave="a.bottom", master="lid")],
