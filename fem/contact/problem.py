@@ -197,15 +197,18 @@ class ContactProblem:
     ) -> Array:
         """What surfaces that are apart slide of themselves, on from `slips`, until a gap closes.
 
-        Other contact forces and rigid motions stay as they are for that, and the rest of `w` grows
-        evenly. Where a pair touches already, its nodes stick or slip from where they are.
+        Other contact forces stay as they are for that, and the rest of `w` grows evenly. Nodes of
+        a pair that touches already stick or slip from where they are, and so do those of bodies
+        that only contact holds: how these move is not known beforehand.
         """
         kernel, m = interface.kernel, interface.gaps.size
-        gaps, trial, apart = interface.gaps, w, np.ones(m, bool)
+        gaps, trial = interface.gaps, w
+        touching = gaps <= 0
         if after is not None:
-            gaps = after.w[:m]
+            gaps, touching = after.w[:m], after.states != OPEN
             trial = w + kernel.B @ after.rest.multipliers + kernel.D @ after.rest.motion
-            apart = ~np.isin(kernel.part, kernel.part[after.states != OPEN])
+        held = np.abs(kernel.D[:m]).sum(axis=1) == 0
+        apart = held & ~np.isin(kernel.part, kernel.part[touching])
         closes = np.flatnonzero((kernel.partner >= 0) & apart & (gaps > 0) & (trial[:m] < 0))
         rows = kernel.partner[closes]
         share = gaps[closes] / (gaps[closes] - trial[closes])
@@ -216,18 +219,20 @@ class ContactProblem:
     def _touching(self, interface: Interface, w: Array, e: Array) -> Array:
         """Weighted slips (r - m,) of bodies that loads `w`, `e` have just brought together.
 
-        Friction counts from there; what bodies slide before they touch costs nothing.
+        Friction counts from there; what bodies slide before they touch costs nothing. Bodies that
+        overlap from the start, or that no load moves, stick from where they are.
         """
-        m, smooth = interface.gaps.size, interface.kernel.smooth()
+        kernel, m, smooth = interface.kernel, interface.gaps.size, interface.kernel.smooth()
         slips = np.zeros(w.size - m)
-        if not (slips.size and np.any(e)) or np.any(smooth.missing(e)):
+        driven = np.linalg.norm(kernel.D.T @ (w / np.diag(kernel.B)))
+        moved = np.linalg.norm(e) > ROUND_OFF * driven
+        if not (slips.size and moved and interface.gaps.min() >= 0) or np.any(smooth.missing(e)):
             return slips
         try:
             rest = smooth.solve(interface.gaps + LIGHT * w[:m], LIGHT * e)
         except ArithmeticError:
             return slips
-        B, D = interface.kernel.B, interface.kernel.D
-        return LIGHT * w[m:] + B[m:, :m] @ rest.multipliers + D[m:] @ rest.motion
+        return LIGHT * w[m:] + kernel.B[m:, :m] @ rest.multipliers + kernel.D[m:] @ rest.motion
 
     def _response(self, action: Action) -> Response:
         if action.key is None:
