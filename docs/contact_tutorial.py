@@ -60,7 +60,16 @@ for load in np.linspace(LOAD / 4, LOAD, 4):
         f"to {angle.max():3.0f} deg, the hole carries {-touch.force[1]:6.2f} N/mm"
     )
 
-# What else there is: tractions and slips along the surface (touch.x, touch.pressure,
+# What else a problem may have: exact circles, so that facets do not enter the gap,
+# `Pair(..., slave_shape=Circle((0, -PLAY), R - PLAY))`; a fit, `interference=0.01`, or bodies drawn
+# with overlap, `press_fit=True`; a rigid surface without a mesh that a force or a displacement
+# drives, `obstacles={"punch": Obstacle(Circle((0, 20), 5), free="y")}` as a pair's master, then
+# `solve(forces={"punch": (0, -100)})` or, where y is not free,
+# `solve(displacements={"punch": {"y": -0.1}})`; a body of `Rigid()`; `steps=20` where friction
+# depends on the way. A torque is a traction or body force that depends on the place:
+# `body_forces={"pin": lambda x: 2.0 * np.array([-x[1], x[0]])}`.
+
+# What comes out: tractions and slips along the surface (touch.x, touch.pressure,
 # touch.traction, touch.slip, touch.sticks), and the fields in the bodies, as for any plane problem.
 
 stress = step.plane.at(np.array([[0.0], [-R - 1.0]])).stress

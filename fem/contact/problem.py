@@ -9,7 +9,9 @@
     pushed = problem.solve(forces={"disc.top": (1e4, -1e5)}, after=pressed)
 
 Strains and rotations are small. Bodies that start apart are first moved together rigidly; from
-there on surfaces slide by little against their radii.
+there on surfaces slide by little against their radii. Pressures of nearly incompressible bodies
+(nu above 0.48) alternate from node to node, as displacements of any one degree have it; their
+resultants and half-widths do not suffer.
 """
 
 from collections.abc import Hashable, Mapping, Sequence

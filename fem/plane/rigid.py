@@ -3,10 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import lu
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 from skfem import Basis
+from skfem.mesh import Mesh2D
 
 from fem.plane.discretisation import Array, Indices
 from fem.plane.supports import Conditions, node_dofs
@@ -78,10 +80,19 @@ def free_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) ->
     fields = np.zeros((basis.N, len(free)))
     for i, amplitudes in enumerate(free):
         fields[nodes, i] = np.einsum("mij,mj->im", shapes, amplitudes[of_node])
-    return Motions(fields, tuple(_words(amplitudes, kinds) for amplitudes in free))
+    names = [_name(basis.mesh, body == k) for k in range(count)]
+    return Motions(fields, tuple(_words(amplitudes, kinds, names) for amplitudes in free))
 
 
-def _words(amplitudes: Array, kinds: list[int]) -> str:
+def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:
+    """The first name in the mesh for cells of one body alone, in brackets; empty without one."""
+    for name, cells in (mesh.subdomains or {}).items():
+        if np.all(own[cells]):
+            return f" ({name!r})"
+    return ""
+
+
+def _words(amplitudes: Array, kinds: list[int], names: list[str]) -> str:
     """Which body moves most, and how, by the `amplitudes` (bodies, kinds of motion)."""
     worst = int(np.argmax(np.abs(amplitudes).max(axis=1)))
     how = ", ".join(
@@ -89,7 +100,7 @@ def _words(amplitudes: Array, kinds: list[int]) -> str:
         for c, kind in zip(amplitudes[worst], kinds, strict=True)
         if abs(c) > 1e-9
     )
-    return f"body {worst + 1} of {len(amplitudes)} can move rigidly ({how})"
+    return f"body {worst + 1} of {len(amplitudes)}{names[worst]} can move rigidly ({how})"
 
 
 def _bodies(basis: Basis) -> tuple[int, Indices, list[tuple[int, int, int]]]:
