@@ -29,7 +29,8 @@ Where the materials differ (Dundurs' beta), half planes couple both directions, 
 .. math:: -\beta\kappa a\,\frac{2G - 1/3}{\pi} \text{ in } p_0, \qquad
           +\beta\kappa a\,\frac{64}{45\pi} \text{ in } w,
 
-with Catalan's constant G. Left out: (a/R)⁴, and beta (a/R)² where beta is not 0.
+with Catalan's constant G. Left out: (a/R)⁴ (of equal discs -0.057 in p_0 and 0.129 in w, by
+`disc`), (beta kappa a)² (the same kernel taken twice: 0.108 and 0.103), and beta kappa a (a/R)².
 """
 
 from dataclasses import dataclass
@@ -95,6 +96,35 @@ def excess(
         Excess(first=-coupled * (2 * CATALAN - 1 / 3) / np.pi, second=p * a**2),
         Excess(first=coupled * 64 / (45 * np.pi), second=w * a**2),
     )
+
+
+def left_out(
+    *,
+    a: float,
+    R_1: float,
+    R_2: float,
+    E_1: float,
+    nu_1: float,
+    E_2: float,
+    nu_2: float,
+    assumption: Assumption,
+) -> float:
+    r"""Bound (no unit) of what both excesses leave out, with e = a over the smaller radius.
+
+    .. math:: \frac{e^4}{8} + \frac{(\beta\kappa a)^2}{4} + \frac{|\beta\kappa a|\, e^2}{2}
+
+    The first factor is the largest known one, the second twice that for what else couples at its
+    order, the third is argued: the discs change the first order as they change the pressure.
+
+    >>> steel = {"E_1": 2.0, "nu_1": 0.3, "E_2": 2.0, "nu_2": 0.3, "assumption": "plane strain"}
+    >>> round(left_out(a=0.1, R_1=1.0, R_2=1.0, **steel), 12)
+    1.25e-05
+    """
+    materials = {"E_1": E_1, "nu_1": nu_1, "E_2": E_2, "nu_2": nu_2}
+    kappa = meeting_curvature(R_1=R_1, R_2=R_2, **materials, assumption=assumption)
+    coupled = abs(float(dundurs_beta(**materials, assumption=assumption)) * kappa * a)
+    e = a / min(R_1, R_2)
+    return e**4 / 8 + coupled**2 / 4 + coupled * e**2 / 2
 
 
 def shares(
