@@ -1,5 +1,6 @@
 """A roller in a concave race whose rim is held: Hertz's line contact inside a ring."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -151,8 +152,20 @@ RING = Case(
             unit="µm",
             what="approach of the roller's centre and the rim",
         ),
-        Output(key="roller", symbol="δ_1", unit="µm", what="part of the approach, in the roller", judged=False),
-        Output(key="race", symbol="δ_2", unit="µm", what="part of the approach, in the race", judged=False),
+        Output(
+            key="roller",
+            symbol="δ_1",
+            unit="µm",
+            what="part of the approach, in the roller",
+            judged=False,
+        ),
+        Output(
+            key="race",
+            symbol="δ_2",
+            unit="µm",
+            what="part of the approach, in the race",
+            judged=False,
+        ),
     ),
     readings=(
         "rollers are long: plane strain, E/(1 − ν²) of each",
