@@ -123,4 +123,4 @@ def hertz_profile() -> Fact:
         return PROFILE - errors[-1], abs(errors[-1] - errors[-2])
 
     name = f"pressure profile within {PROFILE:.0%} of Hertz's in L2"
-    return Fact(name=name, symbol="‖p − p_H‖/‖p_H‖", unit="1", margin=margin)
+    return Fact(name=name, symbol="e_2", unit="1", margin=margin)

@@ -153,20 +153,6 @@ def deviations(key: str) -> Any:
     return points
 
 
-def alike(key: str) -> Any:
-    """The same for a fit that takes errors of the points as independent.
-
-    Those of alike meshes are not, they are one and the same; sqrt(n) times as large, independent
-    ones leave the limit as uncertain as that.
-    """
-
-    def points(context: Context) -> tuple[list[float], list[float], list[float]]:
-        eps, d, u = deviations(key)(context)
-        return eps, d, [len(eps) ** 0.5 * one for one in u]
-
-    return points
-
-
 NAMES = {"p0": ("peak pressure", "p_0", "MPa"), "a": ("half-width", "a", "µm"),
          "approach": ("approach of flat and centre", "δ", "µm")}  # fmt: skip
 SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
@@ -181,7 +167,7 @@ CHECKS = (
                  analytic=f"disc {key}{where}", formal=2, demand=SHARP[key], demand_reason=LIMITS)
         for where in ("", AT) for key, (name, symbol, unit) in NAMES.items()
     ),
-    ProfileError(name="pressure profile, disc", symbol="‖p − p_disc‖/‖p_disc‖", unit="1", fem="L2",
+    ProfileError(name="pressure profile, error in L2, disc", symbol="e_2", unit="1", fem="L2",
                  analytic="zero", scale="one", formal=1, demand=0.03, demand_reason=LIMITS,
                  errors=l2_errors(exact_pressure)),
     Identity(name="largest shear stress, disc", symbol="τ_max", unit="MPa", fem="shear",
@@ -201,7 +187,7 @@ CHECKS = (
                   "term, taken as 1 × (a/R)²"),
     *(
         Limit(name=f"{name}, Hertz as a/R vanishes", symbol="d_0", unit="1",
-              points=alike(key), exponent=2, demand=SHARP[key], demand_reason=LIMITS)
+              points=deviations(key), exponent=2, demand=SHARP[key], demand_reason=LIMITS)
         for key, (name, _, _) in NAMES.items() if key != "approach"
     ),
     *(
