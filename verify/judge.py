@@ -122,8 +122,10 @@ class LimitFit:
 def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> LimitFit:
     """Weighted least squares of d = d0 + c eps^q over at least four points and a decade.
 
-    For every q the constants follow linearly; the best q is searched in (0, 10]. The covariance
-    takes the larger of the stated standard uncertainties `u` and the scatter about the fit.
+    For every q the constants follow linearly; the best q is searched in (0, 10]. The stated
+    standard uncertainties `u` may have one sign at all points, as those of alike meshes do: their
+    effects on a constant add up. Scatter about the fit counts instead where it does more, as
+    independent errors.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     decade = np.all(np.isfinite(x)) and np.all(x > 0) and x.size >= 4
@@ -146,7 +148,8 @@ def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> L
     (d0, c), chi2 = linear(q)
     J = np.column_stack([np.ones_like(s), s**q, c * s**q * np.log(s)]) / sigma[:, None]
     inflate = max(1.0, chi2 / (s.size - 3)) ** 0.5
-    spread = np.linalg.norm(np.linalg.pinv(J), axis=1) * inflate
+    inverse = np.linalg.pinv(J)
+    spread = np.maximum(np.abs(inverse).sum(axis=1), np.linalg.norm(inverse, axis=1) * inflate)
     return LimitFit(
         float(d0 * size), float(COVERAGE * spread[0] * size), float(c * size / x.max() ** q),
         float(q), float(COVERAGE * spread[2]),

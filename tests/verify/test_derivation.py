@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 
 from verify.case import Context, FemResult
+from verify.cases.contact_line_checks import Coefficient
 from verify.cases.registry import CASES
 from verify.checks import Approximation, Fact, Identity, Limit
 from verify.derivation.grid import regrid
@@ -145,6 +146,21 @@ def test_a_limit_is_fitted_again():
     assert row.status is Status.PASS
     assert_the_same(row)
     assert "q = 2.0000" in dict(steps(row))["fit"]
+
+
+@pytest.mark.parametrize(("theory", "status"), [(3.0, Status.PASS), (3.1, Status.FAIL)])
+def test_a_coefficient_is_fitted_again(theory, status):
+    eps = [0.02, 0.05, 0.1]
+    claim = Coefficient(
+        name="coefficient", symbol="c", unit="1", theory=theory,
+        points=lambda _c: (eps, [3 * e**2 - 2 * e**4 for e in eps], [1e-6] * 3),
+    )  # fmt: skip
+    (row,) = claim.rows(context(SERIES["monotone"]))
+    assert row.status is status
+    assert_the_same(row)
+    said = dict(steps(row))
+    assert "c = +3.00000" in said["fit"]
+    assert said["theory"] == f"{theory:g}"
 
 
 @pytest.mark.parametrize(

@@ -327,9 +327,9 @@ EPS = np.geomspace(0.1, 0.01, 6)
 
 
 def by_hand(eps, *, c, q, u):
-    """Standard uncertainties of d0 and q from the normal equations of d = d0 + c eps^q."""
+    """What errors u of any signs do to d0 and q, by the normal equations of d = d0 + c eps^q."""
     J = np.column_stack([np.ones_like(eps), eps**q, c * eps**q * np.log(eps)])
-    return u * np.sqrt(np.diag(np.linalg.inv(J.T @ J)))[[0, 2]]
+    return u * np.abs(np.linalg.inv(J.T @ J) @ J.T).sum(axis=1)[[0, 2]]
 
 
 @pytest.mark.parametrize("q", [0.5, 1.0, 2.0, 3.0])
@@ -378,7 +378,8 @@ def test_scatter_larger_than_stated_widens_the_uncertainty():
     w = np.linalg.svd(J.T)[2][-1]  # J^T w = 0, |w| = 1
     fit = judge.fit_limit(eps, c * eps**q + 50 * u * w, np.full(4, u))
     # chi^2/(4 - 3) = 50^2; the curvature of the fit adds parts of the order 50 u / c = 2e-4
-    expected = tuple(50 * 2 * by_hand(eps, c=c, q=q, u=u))
+    independent = u * np.sqrt(np.diag(np.linalg.inv(J.T @ J)))[[0, 2]]
+    expected = tuple(50 * 2 * independent)
     assert (fit.U0, fit.U_q) == pytest.approx(expected, rel=1e-3)
 
 
@@ -479,6 +480,45 @@ def test_a_decade_exactly_is_enough():
     eps = [1.0, 0.5, 0.2, 0.1]
     fit = judge.fit_limit(eps, [0.3 * x for x in eps], [1e-6] * 4)
     assert fit.q == pytest.approx(1.0, abs=1e-6)
+
+
+# Coefficients: d = c eps^2 + e eps^4.
+
+
+@pytest.mark.parametrize("c", [0.25, -0.1875])
+def test_a_coefficient_is_given_back_with_what_the_points_add_up_to(c):
+    """All points off by one u: a line of constants through x^2 and x^4, by the normal equations."""
+    eps, u = np.array([0.015, 0.03, 0.06, 0.1, 0.15]), 1e-6
+    A = np.column_stack([eps**2, eps**4])
+    weights = np.linalg.solve(A.T @ A, A.T)[0]
+    found, U = judge.quadratic_coefficient(eps, c * eps**2 + 0.7 * eps**4, np.full(5, u))
+    assert found == pytest.approx(c, rel=1e-10)
+    assert pytest.approx(2 * u * np.abs(weights).sum(), rel=1e-9) == U
+    worst = c * eps**2 + u * np.sign(weights)
+    off, _ = judge.quadratic_coefficient(eps, worst, np.full(5, u))
+    assert abs(off - c) == pytest.approx(U / 2, rel=1e-6)
+
+
+def test_a_vague_point_hardly_moves_a_coefficient():
+    eps = np.array([0.02, 0.05, 0.1, 0.15])
+    d = 0.25 * eps**2
+    d[0] += 1e-3
+    found, _ = judge.quadratic_coefficient(eps, d, [1e-2, 1e-7, 1e-7, 1e-7])
+    assert found == pytest.approx(0.25, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("eps", "d", "u"),
+    [
+        pytest.param([0.1, 0.2], [0.1, 0.2], [1e-6] * 2, id="two points"),
+        pytest.param([0.1, 0.2, 0.3], [0.1, NAN, 0.2], [1e-6] * 3, id="NaN"),
+        pytest.param([0.1, 0.2, 0.3], [0.1, 0.2, 0.3], [1e-6, INF, 1e-6], id="did not converge"),
+        pytest.param([0.1, 0.2, 0.3], [0.1, 0.2, 0.3], [1e-6, 0.0, 1e-6], id="no uncertainty"),
+    ],
+)
+def test_a_coefficient_needs_three_finite_points(eps, d, u):
+    with pytest.raises(ValueError, match="three finite points"):
+        judge.quadratic_coefficient(eps, d, u)
 
 
 @fixed

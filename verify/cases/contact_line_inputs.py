@@ -41,6 +41,11 @@ class LineInputs(Inputs):
         raise NotImplementedError
 
     @property
+    def smallest_name(self) -> str:
+        """What that length is."""
+        return "the roller's radius"
+
+    @property
     def guess(self) -> float:
         """About the half-width [m]: the size of the finest cells, which decides no result."""
         return math.sqrt(4 * self.P * self.softness / (math.pi * self.curvature))
@@ -117,6 +122,10 @@ class PairInputs(TwoBodies):
     def smallest(self) -> float:
         return min(self.R_1, self.R_2)
 
+    @property
+    def smallest_name(self) -> str:
+        return "the upper roller's radius" if self.R_1 <= self.R_2 else "the lower roller's radius"
+
     @model_validator(mode="after")
     def _load(self) -> "PairInputs":
         if not 1e-3 <= self.R_1 / self.R_2 <= 1e3:
@@ -150,6 +159,10 @@ class RaceInputs(TwoBodies):
     @property
     def smallest(self) -> float:
         return min(self.R, self.r_o - self.r_i)
+
+    @property
+    def smallest_name(self) -> str:
+        return "the roller's radius" if self.smallest == self.R else "the race's wall"
 
     @model_validator(mode="after")
     def _fits(self) -> "RaceInputs":

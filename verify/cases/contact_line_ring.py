@@ -19,6 +19,7 @@ from verify.cases.contact_line_pair import TWO_BODY_OUTPUTS, all_warnings
 from verify.checks import Approximation
 
 THICKEST = 8.0  # r_o/r_i
+THINNEST = 0.08  # wall over r_i: the whole bore may touch, and half a minute goes by there
 
 
 def analytic(q: RaceInputs) -> Values:
@@ -75,7 +76,17 @@ def fem(q: RaceInputs, level: int) -> FemResult:
 
 
 def too_large(q: RaceInputs) -> str:
-    """Cells about the contact are carried far into a wall this thick, and are coarse there."""
+    """Cells about the contact are carried far into a thick wall, and are coarse there.
+
+    In a thin wall they are no longer than it all around the bore, any part of which may touch:
+    the compliance of so many points takes minutes.
+    """
+    wall = q.r_o - q.r_i
+    if wall < THINNEST * q.r_i:
+        return (
+            f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_i: finite elements as "
+            "short as that all around the bore take minutes, check it without --fem"
+        )
     if q.r_o > THICKEST * q.r_i:
         return (
             f"r_o = {q.r_o / q.r_i:.3g} r_i is more than {THICKEST:g} r_i: finite elements are "

@@ -13,8 +13,8 @@ def warnings(q: LineInputs, a: float, p_0: float, shear: float) -> Sequence[str]
     ratio = a / q.smallest
     if ratio > 0.05:
         found.append(
-            f"a = {a * 1e3:.4g} mm is {ratio:.1%} of the smallest body: Hertz errs by about "
-            f"{ratio**2:.1g} of p_0, and the load moves its own geometry"
+            f"a = {a * 1e3:.4g} mm is {ratio:.1%} of the smallest body, {q.smallest_name} of "
+            f"{q.smallest * 1e3:.4g} mm: Hertz takes it for a half plane, which it hardly is"
         )
     if q.R_p is not None and 2 * shear > q.R_p:
         found.append(

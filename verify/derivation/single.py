@@ -70,6 +70,7 @@ def limit(row: Row) -> Derivation:
     found: list[Step] = [
         *((f"ε = {e:.4g}", f"formula/FE − 1 = {y:+.4e}, u = {short(u)}") for (e, y), u in points),
         ("fit", f"d0 + c ε^q with d0 = {fit.d0:+.4e}, c = {short(fit.c)}, q = {fit.q:.4f}"),
+        ("U0", f"2 × the points' u added up, or their scatter: {short(fit.U0)}"),
         ("test", f"|d0| ≤ U0, that is {short(abs(fit.d0))} ≤ {short(fit.U0)}: "
          f"{'holds' if abs(fit.d0) <= fit.U0 else 'does not hold'}"),
     ]  # fmt: skip
