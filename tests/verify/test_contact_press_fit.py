@@ -144,3 +144,16 @@ def test_thin_walls_are_checked_without_finite_elements():
     q = build(FitInputs, RAW | {"r_i": "25.8 mm", "delta": "1 µm"}, "my.toml")
     assert "without --fem" in PRESS_FIT.too_large(q)
     assert not PRESS_FIT.too_large(build(FitInputs, RAW, "my.toml"))
+
+
+NANOMETRE = {"delta": "1 nm", "E_o": "2 GPa", "p_i": "0 MPa", "p_o": "0 MPa"}
+
+
+def test_a_nanometre_of_interference_is_judged_within_round_off(judged, red):
+    assert not red(judged(PRESS_FIT, build(FitInputs, RAW | NANOMETRE, "my.toml")))
+
+
+def test_interference_below_round_off_is_checked_without_finite_elements():
+    q = build(FitInputs, RAW | NANOMETRE | {"delta": "0.001 nm"}, "my.toml")
+    assert "rounded positions" in PRESS_FIT.too_large(q)
+    assert "\n" not in PRESS_FIT.too_large(q)

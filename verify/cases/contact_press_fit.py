@@ -23,6 +23,9 @@ FITS: tuple[tuple[str, Assumption], ...] = (
 )  # fmt: skip
 SMOOTH = "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
 MOST_CELLS = 400_000
+LOUDEST = 1e-3  # share of the pressure up to which rounded positions may scatter it
+AROUND = 150  # about the finest mesh's nodes on a quarter
+EPS = float(np.finfo(np.float64).eps)
 THINNEST = 0.04  # wall over r_f that the cells around are short against
 
 
@@ -134,11 +137,17 @@ def fem(q: FitInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
     arrays: dict[str, Any] = {}
     fields: tuple[Field, ...] = ()
-    round_off = 0.0
+    u_it: dict[str, float] = {}
+    worst = 0.0
     for kind, a in FITS:
         fit, name = fem_fit(q, level, kind, a), f"{kind}, {a}"
-        values |= {f"{name}: {key}": value for key, value in read(q, fit, kind).items()}
-        round_off = max(round_off, fit.plane.residual)
+        found = read(q, fit, kind)
+        values |= {f"{name}: {key}": value for key, value in found.items()}
+        size = sizes(found)
+        round_off = fit.plane.residual + EPS * q.r_f / q.delta
+        worst = max(worst, round_off)
+        u_it |= {f"{name}: {key}": round_off * size[key] for key in found}
+        u_it[f"{name}: scatter"] = jitter(q, fit.touches[0].x.shape[1])
         if kind != "drawn":
             fields += (field(fit, name),)
         if name == "rings, plane stress":
@@ -147,9 +156,28 @@ def fem(q: FitInputs, level: int) -> FemResult:
             order = np.argsort(turn)
             arrays["p along"] = np.interp(shown.TURNS, turn[order], touch.pressure[order])
             arrays |= {f"profile {k}": v for k, v in shown.across(q, fit.plane).items()}
-    u_it = {key: round_off * abs(value) for key, value in values.items()}
-    u_it |= {key: round_off * float(np.abs(v).max()) for key, v in arrays.items()}
+    u_it |= {key: worst * float(np.abs(v).max()) for key, v in arrays.items()}
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+
+
+def sizes(found: dict[str, float]) -> dict[str, float]:
+    """What round-off of each value is a share of: the largest of its kind.
+
+    Positions are rounded to EPS r_f, and their differences are what the interference is told by.
+    """
+    largest: dict[str, float] = {}
+    for key, value in found.items():
+        kind = key.split(",")[0]
+        largest[kind] = max(largest.get(kind, 0.0), abs(value))
+    return {key: largest[key.split(",")[0]] for key in found}
+
+
+def jitter(q: FitInputs, around: int) -> float:
+    """Pressure [Pa] that rounded positions make from node to node, `around` of them on a quarter.
+
+    The inner wall, whose cells are shorter, is pushed from cell to cell by EPS r_f.
+    """
+    return EPS * q.E_i * around / (np.pi / 2)
 
 
 def fem_fit(q: FitInputs, level: int, kind: str, assumption: Any) -> "ContactSolution":
@@ -234,6 +262,12 @@ def too_large(q: FitInputs) -> str:
         return (
             f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_f: these cells are too "
             "long for an even pressure on it, check it without --fem"
+        )
+    p = min(value for key, value in analytic(q).items() if key.endswith(": p"))
+    if jitter(q, AROUND) > LOUDEST * p:
+        return (
+            f"delta = {q.delta * 1e6:.3g} µm is so little of r_f = {q.r_f * 1e3:.4g} mm that "
+            f"rounded positions make more than {LOUDEST:g} of the pressure: check it without --fem"
         )
     thin = np.log(min(2 * q.r_f / (q.r_f + q.r_i), 2 * q.r_o / (q.r_o + q.r_f)))
     around = 12 * LEVELS[-1] * max(12.0, np.pi / 2 / np.sqrt(2 * thin))

@@ -18,8 +18,9 @@ class SlipInputs(Inputs):
     P: float = quantity("70 N/mm", "N/mm", "P", "normal load per length", gt=0, le=1e6)
     mu: float = quantity(0.1, "1", "μ", "coefficient of friction", ge=1e-3, le=1)
     share: float = quantity(
-        0.6, "1", "Q/(μP)", "amplitude of the tangential load in a cycle", gt=0, lt=1
-    )
+        0.6, "1", "Q/(μP)", "amplitude of the tangential load in a cycle; --fem: 0.5 to 0.9",
+        gt=0, lt=1,
+    )  # fmt: skip
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     hardness: float | None = quantity(
