@@ -1,4 +1,4 @@
-"""What a picture shows of a field: points, displacements and one value per cell, mirrored."""
+"""What a picture shows of a field: points, displacements and values of cells, mirrored."""
 
 from dataclasses import dataclass, replace
 
@@ -16,7 +16,10 @@ ON_PLANE = 1e-9  # of the body's size
 
 @dataclass(frozen=True, kw_only=True)
 class Body:
-    """`points` and `displacement` (n, 3) [model's length], `cells` (m, corners), `values` (m,)."""
+    """`points` and `displacement` (n, 3) [model's length], `cells` (m, corners).
+
+    `values` are (m,), one a cell, or (m, 4), one a corner and bilinear between them.
+    """
 
     points: Array
     displacement: Array
@@ -62,7 +65,7 @@ def body(field: Field, picture: Picture) -> Body:
 
 
 def _valued(shown: Body, field: Field, picture: Picture, used: Indices) -> Body:
-    """One value per cell; lines with data at their ends are cut into pieces."""
+    """One value per cell, or one a corner of plane quadrilaterals; lines are cut into pieces."""
     name = picture.data
     if name in field.cell_data:
         return replace(shown, values=_column(field.cell_data[name], picture))
@@ -72,7 +75,9 @@ def _valued(shown: Body, field: Field, picture: Picture, used: Indices) -> Body:
     at_points = _column(field.point_data[name][used], picture)
     if shown.cells.shape[1] == 2:
         return _in_pieces(shown, at_points)
-    return replace(shown, values=at_points[shown.cells].mean(axis=1))
+    at_corners = at_points[shown.cells]
+    smooth = shown.cells.shape[1] == 4 and field.points.shape[1] == 2
+    return replace(shown, values=at_corners if smooth else at_corners.mean(axis=1))
 
 
 def _column(data: Array, picture: Picture) -> Array:

@@ -75,7 +75,7 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
             'preserveAspectRatio="none"/>'
         ).format(data, WIDTH, height),
         _clipped(
-            [svg.polyline([at(p) for p in line], "outline") for line in drawn.outline],
+            [svg.polyline([at(p) for p in line], "outline") for line in drawn.outline if moved],
             _name(picture, drawn),
             height,
         ),

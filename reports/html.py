@@ -14,10 +14,11 @@ from markupsafe import Markup
 from reports import formats, plots, signature
 from reports.equations import Glyphs
 from reports.frames import Frame
+from reports.refinement import refinement
 from reports.sketch import sketch
 from reports.verdicts import first_author, verdicts
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
-from verify.shown import Figure, Profile, Table
+from verify.shown import Dots, Figure, Profile, Refinement, Table
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
@@ -181,7 +182,13 @@ def _claim(claim: PaperClaim) -> Claim:
 
 def plot(figure: Figure) -> Markup:
     """The drawing of a figure."""
-    return plots.profile(figure) if isinstance(figure, Profile) else plots.dots(figure)
+    match figure:
+        case Profile():
+            return plots.profile(figure)
+        case Refinement():
+            return refinement(figure)
+        case Dots():
+            return plots.dots(figure)
 
 
 def _environment(glyphs: Glyphs) -> jinja2.Environment:

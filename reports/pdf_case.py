@@ -35,7 +35,7 @@ def case_data(
         "inputs": [_input(i) for i in case.inputs],
         "values": [value_cells(v) for v in case.values],
         "equations": [
-            {"formula": maths(e.tex), "numbers": maths(e.numbers), "place": e.place}
+            {"formula": maths(e.tex), "numbers": maths(e.numbers), "place": prose(e.place)}
             for e in case.equations
         ],
         "readings": [prose(x) for x in case.readings],
@@ -103,7 +103,7 @@ def _figures(case: CaseResult, frames: Sequence[Frame]) -> list[Data]:
     curves = standalone(plots.convergence([row for row in case.rows if row.levels]))
     words = (
         "Distance to the finest level, or to the exact value where an order is judged; one colour "
-        "for each order of theory."
+        "for each order of theory. Rows without an order are not drawn."
     )
     found += [_figure(curves, "Convergence", words)] if curves else []
     return found + [_figure(standalone(f.svg), f.caption, f.note) for f in frames if f.svg]

@@ -1,6 +1,7 @@
 """Plots about 400 units wide, legible on a phone: profiles, convergence, values side by side."""
 
 import math
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
@@ -95,8 +96,8 @@ def profile(p: Profile) -> Markup:
     below.base(svg.ticks(*x, 6), svg.plain)
     below.titles(p.x_label, "")
     below.body.append(
-        Markup('<text class="label" x="12" y="194">(FE {} formula) / {} [{}]</text>').format(
-            svg.MINUS, f"{svg.plain(float(f'{p.scale:.4g}'))}", svg.decade(exponent)
+        Markup('<text class="label" x="12" y="194">{}, in {}</text>').format(
+            svg.lowered(_rest(p)), svg.decade(exponent)
         )
     )
     below.dots(p.x_fem, rest / k, "fe", 2.2)
@@ -104,12 +105,23 @@ def profile(p: Profile) -> Markup:
     return svg.drawing(WIDTH, HEIGHT, top.body + below.body, label, "chart")
 
 
+def _rest(p: Profile) -> str:
+    """What the lower part of a profile shows, in words."""
+    difference = f"FE {svg.MINUS} formula"
+    if p.scale == 1 and not p.scale_name:
+        return difference
+    unit = re.search(r"\[([^\]]+)\]$", p.y_label)
+    number = svg.plain(float(f"{p.scale:.4g}"))
+    return f"({difference})/{p.scale_name or (f'({number} {unit[1]})' if unit else number)}"
+
+
 def convergence(rows: Sequence[Row]) -> Markup:
     """Distance to the finest value (errors, where an order is judged) over mesh size, log-log.
 
-    One colour an order of theory, so that parallel lines of one colour are the message.
+    One colour an order of theory, so that parallel lines of one colour are the message; rows
+    whose levels show no order (noise, oscillation) would only cross them and are left out.
     """
-    series = [(row, s) for row in rows if (s := distances(row)) and row.order != "round-off"]
+    series = [(row, s) for row in rows if (s := distances(row)) and has_order(row)]
     if not series:
         return Markup("")
     orders = sorted({row.formal_order or 0.0 for row, _ in series}, reverse=True)
@@ -170,6 +182,11 @@ def _legend(
 def _colour(order: float) -> int:
     """One colour an order, the same in every plot."""
     return {4.0: 0, 3.0: 1, 2.0: 2, 1.0: 3}.get(order, 4)
+
+
+def has_order(row: Row) -> bool:
+    """Whether the row's levels show an order of convergence."""
+    return row.order != "round-off" and (row.grid is None or row.grid.order is not None)
 
 
 def distances(row: Row) -> list[tuple[float, float]]:

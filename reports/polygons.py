@@ -12,6 +12,8 @@ STROKE = 5.0  # pixels across a line
 THINNEST = 4.0  # pixels across a strip
 GRID_CELLS, GRID_PIXELS = 5000, 9.0  # edges of cells show below this count, above this length
 GRID = (16, 20, 24, 80)
+PIECE, MOST = 8.0, 16  # pixels across a piece of a cell, pieces along its edge
+Coloured = tuple[Array, NDArray[np.uint8]]  # corners (m, 4, 3) and RGBA (m, 4)
 
 
 def shaded(corners: Array, colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -25,15 +27,44 @@ def shaded(corners: Array, colours: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return shaded
 
 
+def pieces(corners: Array, values: Array) -> tuple[Array, Array]:
+    """Quadrilaterals (m, 4, 3) cut so small that their bilinear values (m, 4) look continuous.
+
+    Gives the corners (k, 4, 3) of the pieces and the values (k,) at their centres.
+    """
+    sides = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).max(axis=1)
+    counts = np.clip(np.ceil(sides / PIECE), 1, MOST).astype(np.int64)
+    cut: list[Array] = []
+    found: list[Array] = []
+    for n in np.unique(counts).tolist():
+        mine = counts == n
+        s, t = (ends.ravel() for ends in np.meshgrid(np.arange(n) / n, np.arange(n) / n))
+        step = 1 / n
+        places = [(s, t), (s + step, t), (s + step, t + step), (s, t + step)]
+        weights = np.stack([_bilinear(*place) for place in places], axis=1)
+        cut.append(np.einsum("pqc,mcx->mpqx", weights, corners[mine]).reshape(-1, 4, 3))
+        middle = _bilinear(s + step / 2, t + step / 2)
+        found.append((values[mine] @ middle.T).ravel())
+    return np.concatenate(cut), np.concatenate(found)
+
+
+def _bilinear(s: Array, t: Array) -> Array:
+    """Shares (p, 4) of the corners at places 0 <= s, t <= 1 of a quadrilateral."""
+    return np.column_stack([(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t])
+
+
 def polygons(
-    at: Array, cells: Indices, colours: NDArray[np.uint8]
+    at: Array, cells: Indices, colours: NDArray[np.uint8], fill: Coloured | None = None
 ) -> tuple[Array, Indices, NDArray[np.uint8]]:
-    """Lines as strokes with round joints; surfaces with their grid, thin ones with a rim."""
+    """Lines as strokes with round joints; surfaces with their grid, thin ones with a rim.
+
+    `fill` is what surfaces are filled with in place of one colour a cell.
+    """
     if cells.shape[1] == 2:
         parts = [_strokes(at, cells, colours, STROKE), _joints(at, cells, colours)]
     else:
         quads = cells if cells.shape[1] == 4 else cells[:, [0, 1, 2, 2]]
-        parts = [(at[quads], colours)]
+        parts = [fill or (at[quads], colours)]
         pairs, counts, owner = edges(cells)
         rim = counts == 1
         thickness = _thickness(at[cells], at[pairs[rim]])

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from reports import ramps
 from reports.bodies import Body, body
 from reports.outlines import Indices, polylines
-from reports.polygons import polygons, shaded
+from reports.polygons import pieces, polygons, shaded
 from verify.shown import Array, Field, Picture
 
 WIDTH, HEIGHT = 1300, 860  # pixels at most
@@ -64,10 +64,14 @@ def compose(field: Field, picture: Picture) -> Scene:
         scale, values = ramps.plain(), np.zeros(len(cells))
     else:
         scale, values = ramps.scale(seen.values), turned.values[inside]
+    fill = None
+    if values.ndim == 2:
+        corners, at_centres = pieces(at[cells], values)
+        fill, values = (corners, scale.colours(at_centres)), values.mean(axis=1)
     colours = scale.colours(values)
     if field.points.shape[1] == 3 and cells.shape[1] > 2:
         colours = shaded(at[cells], colours)
-    vertices, faces, rgba = polygons(at, cells, colours)
+    vertices, faces, rgba = polygons(at, cells, colours, fill)
     return Scene(
         width=width, height=height, vertices=vertices, faces=faces, colours=rgba,
         rectangle=rectangle, scale=scale, exaggeration=factor,

@@ -51,7 +51,7 @@ class Profile:
     """A formula's curve and finite-element values on it, for a plot with the difference below.
 
     `x`, `y` draw the formula; at `x_fem` the formula gives `y_ref` and finite elements `y_fem`
-    with standard uncertainty `u`. Differences are divided by `scale`. `marks` are printed values.
+    with standard uncertainty `u`. Differences are divided by `scale`, which `scale_name` names.
     """
 
     title: str
@@ -64,6 +64,24 @@ class Profile:
     y_ref: Array
     u: Array
     scale: float
+    scale_name: str = ""
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Refinement:
+    """Errors on finer and finer meshes, log-log: how fast each quantity goes to its limit.
+
+    Each of `errors`, a name and relative errors (m,), is drawn over `cells` (m,), how many lie on
+    the length that `x_label` names, beside a line of `order` through its last point.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    cells: Array
+    errors: tuple[tuple[str, Array], ...]
+    order: float
     note: str = ""
 
 
@@ -71,7 +89,7 @@ class Profile:
 class Dots:
     """Values of one quantity side by side: name, value, half-width or None, and whose it is.
 
-    The last is "formula", "fem" or "paper".
+    The last is "formula", "fe" or "paper".
     """
 
     title: str
@@ -80,7 +98,7 @@ class Dots:
     note: str = ""
 
 
-Figure = Profile | Dots
+Figure = Profile | Refinement | Dots
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,12 +10,23 @@ from analytic.contact import hertz_line
 from verify.case import Context, Values
 from verify.cases.contact_line_fem import VIEW
 from verify.profiles import along
-from verify.shown import Array, Dots, Equation, Figure, Picture, Profile, Shape, Sketch
+from verify.shown import (
+    Array,
+    Dots,
+    Equation,
+    Figure,
+    Picture,
+    Profile,
+    Refinement,
+    Shape,
+    Sketch,
+)
 from verify.tex import tex
 
 MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
 Reference = Callable[[Context, Any], Any]
-STATIONS = np.linspace(0.0, 0.95, 20)  # x/a of the profile; its slope at the edge is infinite
+# x/a of the profile; the slope at the edge is infinite, and the last coarse cell errs most
+STATIONS = np.linspace(0.0, 0.85, 18)
 SHORT = {"p0": "p_0", "a": "a", "approach": "δ"}
 
 
@@ -83,6 +94,7 @@ def pair_sketch(q: Any) -> Sketch:
 
 def ring_sketch(q: Any) -> Sketch:
     r_i, R = q.r_i / q.r_o, q.R / q.r_o
+    force = 2 * R + 0.38  # the upper end of its arrow, with its label above
     half = np.vstack([circle(0, r_i, 1.0, -90, 180), circle(0, r_i, r_i, 90, -180)])
     shapes = (
         Shape(style="text", points=line((-2.0, 0.0))),
@@ -92,7 +104,8 @@ def ring_sketch(q: Any) -> Sketch:
         Shape(style="modelled", points=half),
         Shape(style="body", points=circle(0.0, R, R)),
         Shape(style="modelled", points=sector(R, R)),
-        Shape(style="axis", points=line((0.0, r_i - 1.15), (0.0, r_i + 1.15))),
+        Shape(style="axis", points=line((0.0, r_i - 1.15), (0.0, force))),
+        Shape(style="axis", points=line((0.0, force + 0.3), (0.0, r_i + 1.15))),
         load(2 * R + 0.03, 0.35, f"F = {q.F:.4g} N"),
         leader(f"R = {q.R / mm:.4g} mm", (-1.35, R), (-R, R)),
         leader(f"r_i = {q.r_i / mm:.4g} mm", (-1.3, 1.6 * r_i), (-0.78 * r_i, 1.63 * r_i)),
@@ -102,11 +115,13 @@ def ring_sketch(q: Any) -> Sketch:
     return Sketch(title=f"roller in a race, to scale, {q.L / mm:.4g} mm long", shapes=shapes)
 
 
-def hertz_equations(q: Any, v: Values, radius: str, modulus: str) -> tuple[Equation, ...]:
-    """Load per length, half-width, peak pressure, shear; N and mm."""
+def hertz_equations(
+    q: Any, v: Values, radius: str, modulus: str, *, symbol: str = "R"
+) -> tuple[Equation, ...]:
+    """Load per length, half-width, peak pressure, shear; `symbol` is the relative radius."""
     P, R = q.P / 1e3, 1 / q.curvature / mm
     E = 1 / q.softness / MPa
-    a, p_0 = v["Hertz a"] / mm, v["Hertz p0"] / MPa
+    a, p_0 = v["Hertz a"] / um, v["Hertz p0"] / MPa
     return (
         Equation(tex=radius, numbers=rf"= {tex(R)}\ \mathrm{{mm}}"),
         Equation(tex=modulus, numbers=rf"= {tex(E)}\ \mathrm{{MPa}}", place="plane strain"),
@@ -115,14 +130,15 @@ def hertz_equations(q: Any, v: Values, radius: str, modulus: str) -> tuple[Equat
             numbers=rf"= \frac{{{tex(q.F)}}}{{{tex(q.L / mm)}}} = {tex(P)}\ \mathrm{{N/mm}}",
         ),
         Equation(
-            tex=r"a = \sqrt{\frac{4 P R}{\pi E^*}}",
+            tex=rf"a = \sqrt{{\frac{{4 P {symbol}}}{{\pi E^*}}}}",
             numbers=rf"= \sqrt{{\frac{{4\cdot {tex(P)}\cdot {tex(R)}}}{{\pi\cdot {tex(E)}}}}} "
-            rf"= {tex(a)}\ \mathrm{{mm}}",
+            rf"= {tex(a)}\ \mathrm{{\mu m}}",
             place="Hertz; behind Eqs. 2-5",
         ),
         Equation(
             tex=r"p_0 = \frac{2 P}{\pi a}",
-            numbers=rf"= \frac{{2\cdot {tex(P)}}}{{\pi\cdot {tex(a)}}} "
+            numbers=rf"= \frac{{2\cdot {tex(P)}\ \mathrm{{N/mm}}}}"
+            rf"{{\pi\cdot {tex(a)}\ \mathrm{{\mu m}}}} "
             rf"= {tex(p_0)}\ \mathrm{{MPa}}",
         ),
         Equation(
@@ -135,19 +151,20 @@ def hertz_equations(q: Any, v: Values, radius: str, modulus: str) -> tuple[Equat
 
 def flat_equations(q: Any, v: Values) -> Sequence[Equation]:
     P, R, E = q.P / 1e3, q.R / mm, 1 / q.softness / MPa
-    a = v["Hertz a"] / mm
+    a = v["Hertz a"] / um
     return (
         *hertz_equations(q, v, "R", r"E^* = \frac{E}{1 - \nu^2}"),
         Equation(
             tex=r"\delta = \frac{P}{\pi E^*}\left[2 \ln\frac{4 R}{a} - 1\right]",
-            numbers=rf"= \frac{{{tex(P)}}}{{\pi\cdot {tex(E)}}}\left[2 \ln\frac{{4\cdot {tex(R)}}}"
-            rf"{{{tex(a)}}} - 1\right] = {tex(v['Hertz approach'] / mm)}\ \mathrm{{mm}}",
+            numbers=rf"= \frac{{{tex(P)}}}{{\pi\cdot {tex(E)}}}\left[2 \ln\frac{{4\cdot {tex(R)}"
+            rf"\ \mathrm{{mm}}}}{{{tex(a)}\ \mathrm{{\mu m}}}} - 1\right] "
+            rf"= {tex(v['Hertz approach'] / um)}\ \mathrm{{\mu m}}",
             place="centre of the roller",
         ),
         Equation(
-            tex=r"\frac{p_0}{p_H} = 1 + \frac{3}{16}\frac{a^2}{R^2} + \dots",
-            numbers=rf"= {tex(1 + 3 / 16 * v['a/R'] ** 2, 9)}",
-            place="disc, derived",
+            tex=r"\frac{p_{0,\mathrm{disc}}}{p_0} - 1 = \frac{3}{16}\frac{a^2}{R^2} + \dots",
+            numbers=rf"= {tex(3 / 16 * v['a/R'] ** 2, 4)}",
+            place="derived",
         ),
     )
 
@@ -159,8 +176,9 @@ def pair_equations(q: Any, v: Values) -> Sequence[Equation]:
             r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}\ \Rightarrow\ E^*",
         ),
         Equation(
-            tex=r"\delta = \sum_i \frac{P}{\pi E_i'}\left[2 \ln\frac{4 R_i}{a} - 1\right]",
-            numbers=rf"= {tex(v['Hertz approach'] / mm)}\ \mathrm{{mm}}",
+            tex=r"\delta = \sum_i \frac{P}{\pi E_i'}\left[2 \ln\frac{4 R_i}{a} - 1\right],\quad "
+            r"E_i' = \frac{E_i}{1 - \nu_i^2}",
+            numbers=rf"\Rightarrow\ \delta = {tex(v['Hertz approach'] / um)}\ \mathrm{{\mu m}}",
             place="centre to centre",
         ),
     )  # fmt: skip
@@ -171,13 +189,19 @@ def ring_equations(q: Any, v: Values) -> Sequence[Equation]:
         *hertz_equations(
             q, v, r"\frac{1}{R'} = \frac{1}{R} - \frac{1}{r_i}\ \Rightarrow\ R'",
             r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}\ \Rightarrow\ E^*",
+            symbol="R'",
         ),
         Equation(
             tex=r"\delta = \frac{P}{\pi E_1'}\left[2 \ln\frac{4 R}{a} - 1\right] + "
             r"\frac{2P}{\pi E_2'}\left[\ln\frac{2 r_i}{a} + \frac{1}{2} + s\right],\quad "
-            r"s = \sum_n s_n",
-            numbers=rf"= {tex(v['Hertz approach'] / mm)}\ \mathrm{{mm}}",
+            r"E_i' = \frac{E_i}{1 - \nu_i^2}",
+            numbers=rf"\Rightarrow\ \delta = {tex(v['Hertz approach'] / um)}\ \mathrm{{\mu m}}",
             place="centre of the roller to the held rim",
+        ),
+        Equation(
+            tex=r"s = \frac{E_2' U_0}{4 r_i} + \sum_{n=1}^{\infty}"
+            r"\left(\frac{E_2' U_n}{2 r_i} - \frac{1}{n}\right)",
+            place="a pressure cos nθ widens the bore by U_n cos nθ",
         ),
     )  # fmt: skip
 
@@ -197,7 +221,8 @@ def pressure_figure(context: Context, reference: Reference, name: str, note: str
     return Profile(
         title=f"Pressure in the contact beside {name}", x_label="x [µm]", y_label="p [MPa]",
         x=x / um, y=reference(context, x) / MPa, x_fem=at / um, y_fem=values / MPa,
-        y_ref=reference(context, at) / MPa, u=u / MPa, scale=p_0 / MPa, note=note,
+        y_ref=reference(context, at) / MPa, u=u / MPa, scale=p_0 / MPa,
+        scale_name="p_0", note=note,
     )  # fmt: skip
 
 
@@ -207,25 +232,22 @@ def hertz_pressure(context: Context, x: Any) -> Any:
     return hertz_line.pressure(x, a=v["Hertz a"], p_0=v["Hertz p0"])
 
 
-def convergence_figures(context: Context) -> list[Figure]:
-    """How p_0, a and the approach go to the formula `side`, each beside a line of order 2."""
-    found: list[Figure] = []
-    for key, symbol in SHORT.items():
-        h, v = context.series(key)
-        limit = v[-1] + (v[-1] - v[-2]) / ((h[-2] / h[-1]) ** 2 - 1)
-        error = np.log10(np.maximum(np.abs(np.array(v) / limit - 1), 1e-16))
-        cells = np.log10(4 / np.array(h))
-        ideal = error[-1] - 2 * (cells - cells[-1])
-        found.append(
-            Profile(
-                title=f"Convergence of {symbol}", x_label="log10 of cells on the half-width",
-                y_label=f"log10 |{symbol}/limit − 1|", x=cells, y=ideal, x_fem=cells, y_fem=error,
-                y_ref=ideal, u=np.full(cells.size, 0.15), scale=1.0,
-                note="Line: order 2 through the finest mesh; the limit is extrapolated with it. "
-                "The band is a factor of 2.",
-            )
-        )  # fmt: skip
-    return found
+def extrapolated(h: Sequence[float], v: Sequence[float]) -> float:
+    """Limit of values that go there with order 2, from the last two meshes."""
+    return v[-1] + (v[-1] - v[-2]) / ((h[-2] / h[-1]) ** 2 - 1)
+
+
+def refinement(context: Context, limits: Mapping[str, float], note: str) -> Refinement:
+    """How p_0, a and the approach go to their `limits`, each beside a line of order 2."""
+    levels = {key: context.series(key) for key in SHORT}
+    return Refinement(
+        title="Convergence of p_0, a and δ, each for itself", x_label="cells on the half-width",
+        y_label="|FE/limit − 1|", cells=4 / np.array(levels["a"][0]),
+        errors=tuple(
+            (SHORT[key], np.abs(np.array(v) / limits[key] - 1)) for key, (_, v) in levels.items()
+        ),
+        order=2.0, note=f"Lines: order 2 through the finest mesh; {note}.",
+    )  # fmt: skip
 
 
 def flat_figures(
@@ -237,9 +259,7 @@ def flat_figures(
     found: list[Figure] = [
         pressure_figure(context, exact_pressure, "the disc",
                         "Line: the disc on its own arc; dots: finest mesh. Below, the difference "
-                        "in the band of the whole profile."),
-        pressure_figure(context, hertz_pressure, "Hertz",
-                        "The same dots beside Hertz's ellipse."),
+                        "in the band of the whole profile, which ends at 0.85 a."),
     ]  # fmt: skip
     for key, theory, words in (("p0", -3 / 16, "−3/16"), ("a", 1 / 4, "+1/4")):
         eps, d, u = map(np.array, neglected[key])
@@ -247,13 +267,14 @@ def flat_figures(
         found.append(
             Profile(
                 title=f"What Hertz neglects in {SHORT[key]}", x_label="a/R",
-                y_label=f"{SHORT[key]}: Hertz/FE − 1 [1/1000]", x=x, y=1e3 * theory * x**2,
-                x_fem=eps, y_fem=1e3 * d, y_ref=1e3 * theory * eps**2, u=1e3 * u, scale=1e3,
+                y_label=f"{SHORT[key]}: Hertz/FE − 1", x=x, y=theory * x**2,
+                x_fem=eps, y_fem=d, y_ref=theory * eps**2, u=u, scale=1.0,
                 note=f"Line: {words} (a/R)², derived; what is left below is of (a/R)⁴ and of the "
                 "meshes, whose band is drawn.",
             )
         )  # fmt: skip
-    return (*found, *convergence_figures(context))
+    limits = {key: context.analytic[f"disc {key}"] for key in SHORT}
+    return (*found, refinement(context, limits, "the limit is the exact disc"))
 
 
 def two_body_figures(context: Context) -> Sequence[Figure]:
@@ -264,13 +285,16 @@ def two_body_figures(context: Context) -> Sequence[Figure]:
         (f"{symbol}", (v[f"Hertz {key}"] / context.series(key)[1][-1] - 1) * 1e3, None, "formula")
         for key, symbol in SHORT.items()
     )
+    limits = {key: extrapolated(*context.series(key)) for key in SHORT}
     return (
         pressure_figure(context, hertz_pressure, "Hertz",
-                        "Line: Hertz; dots: finest mesh, in the band of the whole profile."),
+                        "Line: Hertz; dots: finest mesh, in the band of the whole profile, which "
+                        "ends at 0.85 a."),
         Dots(title="Hertz against finite elements", label="Hertz/FE − 1 [1/1000]",
-             items=(*shown, ("finite elements", 0.0, None, "fem")),
+             items=(*shown, ("finite elements", 0.0, None, "fe")),
              note="The rows above judge these against what is derived."),
-        *convergence_figures(context),
+        refinement(context, limits, "the limit extrapolates the last two meshes with it, so that "
+                   "the coarser ones tell"),
     )  # fmt: skip
 
 
@@ -281,8 +305,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     return (
         Picture(field="contact", data="shear", symbol="τ/p_0", unit="1", factor=1.0,
                 caption="Largest shear stress in the plane over p_0, cell means: 0.30 at 0.79 a "
-                "below the surface", mirror=("x",), window=window),
+                "below the surface", mirror=("x",), displacement="", window=window),
         Picture(field="contact", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
                 caption="Von Mises stress about the contact, cell means", mirror=("x",),
-                window=window),
+                displacement="", window=window),
     )  # fmt: skip

@@ -150,7 +150,7 @@ def figures(context: Context) -> Sequence[Figure]:
     found.append(Profile(
         title="Contact pressure along the fit, rings, plane stress", x_label="angle [deg]",
         y_label="p [MPa]", x=np.degrees(TURNS), y=even / MPa, x_fem=np.degrees(TURNS),
-        y_fem=values / MPa, y_ref=even / MPa, u=u / MPa, scale=p / MPa,
+        y_fem=values / MPa, y_ref=even / MPa, u=u / MPa, scale=p / MPa, scale_name="p",
         note="The meshes do not match: three cells on the inner ring lie on two of the outer one.",
     ))  # fmt: skip
     return tuple(found)

@@ -86,11 +86,30 @@ def near(q: SlipInputs, cells: dict[str, Any]) -> Field:
     centre = cells["points"][index].mean(axis=1)
     kept = np.flatnonzero(np.abs(centre).max(axis=1) <= VIEW * q.a)
     used, index = np.unique(index[kept], return_inverse=True)
-    xx, yy, xy, _ = cells["stress"][kept].T
+    points, index = cells["points"][used], index.reshape(kept.size, -1)
+    stress = cells["stress"][kept]
     return Field(
-        name="pushed", points=cells["points"][used], cells=index.reshape(kept.size, -1),
-        point_data={"displacement": cells["displacement"][used]},
-        cell_data={"stress": cells["stress"][kept],
-                   "largest_shear": np.hypot((xx - yy) / 2, xy)},
-        units={"displacement": "m", "stress": "Pa", "largest_shear": "Pa"},
+        name="pushed", points=points, cells=index,
+        point_data={"displacement": cells["displacement"][used],
+                    "shear_at_nodes": largest_shear(at_nodes(points, index, stress))},
+        cell_data={"stress": stress, "largest_shear": largest_shear(stress)},
+        units={"displacement": "m", "stress": "Pa", "largest_shear": "Pa", "shear_at_nodes": "Pa"},
     )  # fmt: skip
+
+
+def largest_shear(stress: Array) -> Array:
+    """Largest shear stress in the plane (m,) of stresses (m, 4): xx, yy, xy, zz."""
+    xx, yy, xy, _ = stress.T
+    return np.asarray(np.hypot((xx - yy) / 2, xy))
+
+
+def at_nodes(points: Array, cells: NDArray[np.int64], values: Array) -> Array:
+    """Values (n, k) at nodes: means of the cells' values (m, k) about each, weighed by area."""
+    x, y = points[cells].transpose(2, 0, 1)
+    after = np.roll(np.arange(cells.shape[1]), -1)
+    area = np.abs((x * y[:, after] - y * x[:, after]).sum(axis=1)) / 2
+    total, weight = np.zeros((len(points), values.shape[1])), np.zeros(len(points))
+    for corner in cells.T:
+        np.add.at(total, corner, values * area[:, None])
+        np.add.at(weight, corner, area)
+    return total / weight[:, None]

@@ -56,7 +56,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
         Equation(
             tex=r"a = \sqrt{\frac{4 P (R/2)}{\pi E^*}}, \quad E^* = \frac{E}{2(1-\nu^2)}",
             numbers=rf"= \sqrt{{\frac{{2\cdot {P}\cdot {tex(q.R * 1e3)}}}{{\pi\cdot {E}}}}} "
-            rf"= {tex(q.a * 1e3)}\ \mathrm{{mm}}",
+            rf"= {tex(q.a / um)}\ \mathrm{{\mu m}}",
             place="Hertz",
         ),
         Equation(
@@ -65,29 +65,29 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
             place="Cattaneo, at Q_max",
         ),
         Equation(
-            tex=r"q(x) = \mu p_0\left[\sqrt{1-\frac{x^2}{a^2}}"
+            tex=r"q_1(x, Q) = \mu p_0\left[\sqrt{1-\frac{x^2}{a^2}}"
             r" - \frac{c}{a}\sqrt{1-\frac{x^2}{c^2}}\right]",
-            numbers=rf"\Rightarrow\ q(0) = {tex(q.mu)}\cdot {tex(v['peak pressure'] / MPa)}"
-            rf"\,(1 - {tex(math.sqrt(rest))}) = "
+            numbers=rf"\Rightarrow\ q_1(0, Q_{{max}}) = {tex(q.mu)}"
+            rf"\cdot {tex(v['peak pressure'] / MPa)}\,(1 - {tex(math.sqrt(rest))}) = "
             rf"{tex(q.mu * v['peak pressure'] / MPa * (1 - math.sqrt(rest)))}\ \mathrm{{MPa}}",
-            place="Cattaneo",
+            place="Cattaneo, first loading",
         ),
         Equation(
             tex=r"\delta = \frac{\mu P}{\pi E^*}\left[k + (1-k)\ln(1-k)\right],"
             r"\quad k = \frac{Q}{\mu P}",
             numbers=rf"= \frac{{{kN}}}{{\pi\cdot {E}}}\cdot {tex(k + rest * math.log(rest))} "
-            rf"= {tex(v['beyond stick'] * 1e3)}\ \mathrm{{mm}}",
-            place="beyond a contact that sticks whole",
+            rf"= {tex(v['beyond stick'] / nm)}\ \mathrm{{nm}}",
+            place="beyond a contact that sticks whole; with Q_max",
         ),
         Equation(
-            tex=r"q = q_1(Q_{max}) - 2\,q_1\left(\frac{Q_{max}-Q}{2}\right)",
+            tex=r"q(x) = q_1(x, Q_{max}) - 2\,q_1\left(x, \frac{Q_{max}-Q}{2}\right)",
             place="Mindlin, on the way down",
         ),
         Equation(
             tex=r"W = \frac{2(\mu P)^2}{\pi E^*}\left[k(2-k) + 2(1-k)\ln(1-k)\right]",
             numbers=rf"= \frac{{2\cdot {kN}^2}}{{\pi\cdot {E}}}\cdot {tex(bracket)} "
-            rf"= {tex(v['energy'])}\ \mathrm{{N}}",
-            place="energy of a cycle, per length",
+            rf"= {tex(v['energy'] / uJ)}\ \mathrm{{\mu J/m}}",
+            place="energy of a cycle, per length; k of Q_max",
         ),
     )  # fmt: skip
 
@@ -193,6 +193,7 @@ def _loop(context: Context) -> Profile:
         title="Loop of displacement over force", x_label="Q/Q_max", y_label="δ − δ_c [nm]",
         x=np.concatenate([fine[::-1], fine]), y=beyond(fine) / nm, x_fem=x[order],
         y_fem=values[order] / nm, y_ref=beyond(AROUND)[order] / nm, u=u / nm, scale=scale / nm,
+        scale_name="δ(0)",
         note="Displacement beyond the straight line δ_c between both reversals; above on the way "
         "down. What the loop encloses is lost.",
     )  # fmt: skip
@@ -217,7 +218,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     p_0 = float(hertz_line.peak_pressure(P=q.P, R=relative, E_star=q.E_star))
     w = 2.0 * q.a
     return (
-        Picture(field="pushed", data="largest_shear", symbol="τ_max/p_0", unit="1", factor=p_0,
-                caption="Largest shear stress about the contact at Q_max, over p_0, cell means",
+        Picture(field="pushed", data="shear_at_nodes", symbol="τ_max/p_0", unit="1", factor=p_0,
+                caption="Largest shear stress about the contact at Q_max, over p_0, from means "
+                "of cells at nodes", displacement="",
                 window=(-w, -w, w, w)),
     )  # fmt: skip

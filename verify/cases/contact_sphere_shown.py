@@ -41,7 +41,7 @@ def sketch(q: Any) -> Sketch:
               points=np.array([[-right - 0.5, -deep - 0.25], [-0.6 * right, -0.7 * deep]])),
         Shape(style="leader", label="FE: quarters, turned",
               points=np.array([[1.7, 1.9], [0.45, 0.6]])),
-        Shape(style="leader", label=f"a = {q.a('sphere') / um:.4g} µm",
+        Shape(style="leader", label=f"a = {q.a('sphere') / mm:.4g} mm",
               points=np.array([[1.7, 0.45], [0.03, 0.01]])),
     ]  # fmt: skip
     title = (
@@ -113,6 +113,7 @@ def _pressure(context: Context, pair: str, words: str) -> Profile:
         y_label="p [MPa]", x=fine / um, y=hertz_point.pressure(fine, a=a, p_0=p_0) / MPa,
         x_fem=a * ACROSS / um, y_fem=values / MPa,
         y_ref=hertz_point.pressure(a * ACROSS, a=a, p_0=p_0) / MPa, u=u / MPa, scale=p_0 / MPa,
+        scale_name="p_0",
         note="Line: Hertz; dots: finite elements. Near the edge a small change of a is a large one "
         "of p.",
     )  # fmt: skip
@@ -130,6 +131,7 @@ def _stress(context: Context, body: str, nu: float, i: int) -> Profile:
         title=f"{name} stress on the axis of the {body} sphere, on each other",
         x_label="depth [µm]", y_label=label, x=fine / um, y=curve / MPa, x_fem=a * DEEP / um,
         y_fem=values[own] / MPa, y_ref=at / MPa, u=u[own] / MPa, scale=p_0 / MPa,
+        scale_name="p_0",
         note="Line: half space under Hertz's pressure; the band is that of finite elements alone.",
     )  # fmt: skip
 

@@ -1,0 +1,79 @@
+"""What plots draw and how they name it."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from reports.html import plot
+from reports.plots import convergence, profile
+from reports.refinement import refinement
+from verify.results import Grid
+from verify.shown import Dots, Profile, Refinement
+
+X = np.linspace(0.0, 1.0, 5)
+PROFILE = Profile(
+    title="p", x_label="x", y_label="p [MPa]", x=X, y=X, x_fem=X, y_fem=X + 0.02, y_ref=X,
+    u=np.full(5, 0.02), scale=2.0,
+)  # fmt: skip
+CELLS = np.array([8.0, 12.0, 24.0])
+FINER = Refinement(
+    title="finer", x_label="cells", y_label="error", cells=CELLS,
+    errors=(("a", 1 / CELLS**2), ("b", 1 / CELLS**2)), order=2.0,
+)  # fmt: skip
+
+
+def words(drawing):
+    return re.sub("<[^>]*>", "", re.sub('aria-label="[^"]*"', "", drawing))
+
+
+@pytest.mark.parametrize(
+    ("changed", "told"),
+    [
+        ({}, "(FE − formula)/(2 MPa), in 10"),
+        ({"scale_name": "p"}, "(FE − formula)/p, in 10"),
+        ({"scale": 1.0}, "FE − formula, in 10"),
+        ({"y_label": "p"}, "(FE − formula)/2, in 10"),
+    ],
+)
+def test_a_difference_is_named_by_what_divides_it(changed, told):
+    drawn = words(profile(replace(PROFILE, **changed)))
+    assert told in drawn
+    assert ("/" in drawn) == ("/" in told)
+
+
+def test_errors_of_theory_lie_on_their_lines_and_the_line_has_the_order():
+    drawn = refinement(FINER)
+    y = {cy for _, cy in re.findall(r'circle class="s0" cx="([\d.]+)" cy="([\d.]+)"', drawn)}
+    line = re.search(r'class="fit s0" d="M([^"]*)"', drawn)[1]
+    assert y == {point.split(",")[1] for point in line.split("L")}
+    assert len(y) == 3
+
+
+def test_names_of_equal_errors_do_not_cover_each_other():
+    at = [float(y) for y in re.findall(r'class="direct s\d" x="\d+\.\d" y="([\d.]+)"',
+                                       refinement(FINER))]  # fmt: skip
+    assert len(at) == 2
+    assert abs(at[0] - at[1]) >= 12  # the letters' height
+
+
+def test_an_error_of_zero_is_left_out_and_zeros_alone_draw_nothing():
+    some = replace(FINER, errors=(("a", np.array([1e-2, 0.0, 1e-4])),))
+    assert refinement(some).count("<circle") == 2
+    assert not refinement(replace(FINER, errors=(("a", np.zeros(3)),)))
+
+
+def test_rows_whose_levels_show_no_order_are_not_drawn_as_if_they_had_one(report):
+    row = next(r for c in report.cases for r in c.rows if r.grid and r.grid.order and r.levels)
+    assert convergence([row])
+    noisy = Grid(**{**vars(row.grid), "behaviour": "noisy", "order": None, "used": None})
+    assert not convergence([replace(row, grid=noisy)])
+
+
+def test_every_dot_is_of_a_colour_that_the_page_has(report):
+    figures = [f for case in report.cases for f in case.figures]
+    whose = {item[3] for f in figures if isinstance(f, Dots) for item in f.items}
+    assert whose
+    assert whose <= {"formula", "fe", "paper"}
+    assert all(plot(f) for f in figures)
