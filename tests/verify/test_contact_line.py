@@ -6,9 +6,15 @@ import pytest
 from pydantic import ValidationError
 
 from analytic.contact import clamped_race, hertz_line, pair_series
-from fem.contact import bodies
+from fem.contact import bodies, interface
 from fem.plane.material import Elastic
-from verify.cases import contact_line_fem, contact_line_flat, contact_line_pair
+from verify.cases import (
+    contact_line_fem,
+    contact_line_flat,
+    contact_line_pair,
+    contact_line_ring,
+    contact_line_unlike,
+)
 from verify.cases.contact_line_flat import FLAT
 from verify.cases.contact_line_pair import PAIR
 from verify.cases.contact_line_ring import RING
@@ -152,6 +158,67 @@ def test_the_series_of_two_discs_is_needed_for_a_sharp_row(judged, red, patched)
     patched(pair_series, "excess", without)
     assert contact_line_pair.pair_series is pair_series
     assert "peak pressure, Hertz" in names(red(judged(PAIR)))
+
+
+UNLIKE_ROWS = {f"{name}, {contact_line_unlike.WHERE}, Hertz"
+               for name in ("peak pressure", "half-width")}  # fmt: skip
+
+
+def without(order, place):
+    """The series of two discs without a term of p_0 (place 0) or of the half-width (1)."""
+
+    def wrong(right, **more):
+        both = list(right(**more))
+        both[place] = replace(both[place], **{order: 0.0})
+        return tuple(both)
+
+    return wrong
+
+
+@pytest.mark.parametrize("order", ["first", "second"])
+@pytest.mark.parametrize(("place", "name"), [(0, "peak pressure"), (1, "half-width")])
+def test_unlike_rollers_need_both_orders_of_the_series(place, name, order, judged, red, patched):
+    row = f"{name}, {contact_line_unlike.WHERE}, Hertz"
+    assert row not in names(red(judged(PAIR)))
+    patched(pair_series, "excess", without(order, place))
+    assert row in names(red(judged(PAIR)))
+
+
+@pytest.mark.parametrize("factor", [-1.0, 0.5, 0.9])
+def test_unlike_rollers_tell_beta_and_its_sign(factor, judged, red, patched):
+    patched(pair_series, "dundurs_beta", lambda right, **k: factor * right(**k))
+    assert names(red(judged(PAIR))) >= UNLIKE_ROWS
+
+
+def test_unlike_rollers_tell_the_curvature_on_which_they_meet(judged, red, patched):
+    patched(pair_series, "shares", lambda right, **k: right(**k)[::-1])
+    assert names(red(judged(PAIR))) >= UNLIKE_ROWS
+
+
+def test_a_direction_of_contact_halfway_between_the_bodies_turns_rows_red(judged, red, monkeypatch):
+    assert not red(judged(PAIR))
+    monkeypatch.setattr(interface.Interface, "_share", lambda *_: 0.5)
+    assert names(red(solve_anew(PAIR))) >= UNLIKE_ROWS
+
+
+@pytest.mark.parametrize("case", [PAIR, RING], ids=lambda case: case.id)
+@pytest.mark.parametrize(
+    ("module", "name"),
+    [("contact_line_pair", "tilted_shear_excess"), ("contact_line_ring", "tilted_shear_excess"),
+     ("contact_line_pair", "shear_excess"), ("contact_line_ring", "shear_excess")],
+)  # fmt: skip
+def test_both_terms_of_the_shear_are_needed(case, module, name, judged, red, patched):
+    owner = {"contact_line_pair": contact_line_pair, "contact_line_ring": contact_line_ring}[module]
+    patched(owner, name, lambda right, *a, **k: -right(*a, **k))
+    hit = module.endswith(case.id.removeprefix("contact-"))
+    assert ("largest shear stress, Hertz" in names(red(judged(case)))) is hit
+
+
+def test_a_thin_race_is_named_and_checked_without_finite_elements():
+    q = RING.inputs(r_o=20e-3)
+    assert any("the race's wall of 0.56 mm" in said for said in RING.warnings(q, RING.analytic(q)))
+    assert "a wall of 0.56 mm" in RING.too_large(q)
+    assert not RING.too_large(RING.inputs(r_o=21.5e-3))
 
 
 @pytest.mark.parametrize(
