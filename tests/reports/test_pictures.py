@@ -12,6 +12,7 @@ from PIL import Image
 
 from reports import pictures, raster
 from reports.pictures import draw
+from reports.polygons import pieces
 from reports.scene import compose
 from verify.shown import Field, Picture
 
@@ -205,3 +206,32 @@ def test_pictures_of_real_meshes_are_small(judged):
         scene = compose(field, picture)
         assert len(raster.draw(scene)) < 80_000
         assert max(scene.width, scene.height) <= 1300
+
+
+def test_values_at_nodes_run_evenly_through_a_large_cell():
+    points = np.array([[0.0, 0], [4, 0], [4, 2], [0, 2]])
+    field = Field(name="cell", points=points, cells=np.array([[0, 1, 2, 3]]),
+                  point_data={"s": 1e6 * points[:, 0]})  # fmt: skip
+    scene = compose(field, WORDS)
+    filled = scene.vertices[scene.faces][:-4]  # the last four are the cell's edges
+    left, right = filled[..., 0].min(), filled[..., 0].max()
+    share = (filled[..., 0].mean(axis=1) - left) / (right - left)
+    assert (scene.scale.low, scene.scale.high) == (0.0, 4.0)
+    drawn, wanted = scene.colours[:-4].astype(int), scene.scale.colours(4 * share).astype(int)
+    assert np.abs(drawn - wanted).max() <= 1  # rounding
+    assert len(np.unique(drawn, axis=0)) > 10
+
+
+def test_pieces_of_cells_cover_them_and_no_more():
+    corners = np.array([[[0.0, 0, 0], [60, 0, 0], [70, 30, 0], [0, 20, 0]]])
+    cut, values = pieces(corners, np.array([[0.0, 1, 1, 0]]))
+    assert len(cut) == len(values) == 81  # the longest edge, 70.7 pixels, in pieces of 8
+    assert area(cut).sum() == pytest.approx(area(corners).sum(), rel=1e-12)
+    assert np.all(area(cut) > 0)
+    assert np.all((values > 0) & (values < 1))
+
+
+def area(corners):
+    """Signed areas (m,) of quadrilaterals (m, 4, 3)."""
+    (x0, y0), (x1, y1) = ((corners[:, i + 2] - corners[:, i])[:, :2].T for i in (0, 1))
+    return (x0 * y1 - y0 * x1) / 2

@@ -15,7 +15,14 @@ from verify.cases import contact_slip_fem
 from verify.cases.contact_slip import SLIP, analytic, too_large
 from verify.cases.contact_slip_claims import HALF_PLANES, neglected
 from verify.cases.contact_slip_inputs import SlipInputs
-from verify.cases.contact_slip_read import AROUND, around, simpson, smoothed, stick_share
+from verify.cases.contact_slip_read import (
+    AROUND,
+    around,
+    at_nodes,
+    simpson,
+    smoothed,
+    stick_share,
+)
 from verify.results import Kind, Status
 from verify.run import Job, judge_case, solve_level
 
@@ -78,6 +85,14 @@ def test_a_cubic_passes_smoothing_unchanged_and_jitter_is_stated():
     value, u, scatter = smoothed(k, cubic + jitter, 0.4)
     assert abs(value - 2.6) < 2 * u
     assert 0.5e-3 < scatter < 2e-3
+
+
+def test_values_at_nodes_are_means_of_the_cells_about_them_weighed_by_area():
+    points = np.array([[0.0, 0], [1, 0], [4, 0], [0, 1], [1, 1], [4, 1]])
+    cells = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
+    at = at_nodes(points, cells, np.array([[8.0, 1.0], [4.0, 1.0]]))
+    assert at[:, 0].tolist() == [8.0, 5.0, 4.0, 8.0, 5.0, 4.0]  # areas 1 and 3
+    assert np.all(at[:, 1] == 1)
 
 
 def loop(n):
