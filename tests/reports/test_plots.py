@@ -9,7 +9,7 @@ import pytest
 from reports.html import plot
 from reports.plots import convergence, profile
 from reports.refinement import refinement
-from verify.results import Grid
+from verify.results import Grid, Kind, Row, Status
 from verify.shown import Dots, Profile, Refinement
 
 X = np.linspace(0.0, 1.0, 5)
@@ -64,11 +64,15 @@ def test_an_error_of_zero_is_left_out_and_zeros_alone_draw_nothing():
     assert not refinement(replace(FINER, errors=(("a", np.zeros(3)),)))
 
 
-def test_rows_whose_levels_show_no_order_are_not_drawn_as_if_they_had_one(report):
-    row = next(r for c in report.cases for r in c.rows if r.grid and r.grid.order and r.levels)
+def test_rows_whose_levels_show_no_order_are_not_drawn_as_if_they_had_one():
+    levels = ((1.0, 4.0), (0.5, 1.0), (0.25, 0.25))
+    grid = Grid(unit="1", levels=levels, scale=1.0, allowed=1.0, behaviour="monotone", gci=0.1,
+                u_it=0.0, order=2.0, formal=2.0, used=2.0, factor=1.25)  # fmt: skip
+    row = Row(case="c", quantity="q", symbol="q", unit="1", kind=Kind.IDENTITY, status=Status.PASS,
+              levels=levels, grid=grid, order=2.0, formal_order=2.0)  # fmt: skip
     assert convergence([row])
-    noisy = Grid(**{**vars(row.grid), "behaviour": "noisy", "order": None, "used": None})
-    assert not convergence([replace(row, grid=noisy)])
+    noisy = replace(grid, behaviour="noisy", order=None, used=None, factor=None)
+    assert not convergence([replace(row, grid=noisy, order="noisy")])
 
 
 def test_every_dot_is_of_a_colour_that_the_page_has(report):

@@ -300,7 +300,7 @@ def two_body_figures(context: Context) -> Sequence[Figure]:
 
 def pictures(q: Any) -> Sequence[Picture]:
     reach = 0.75 * VIEW * q.guess
-    below = -reach if hasattr(q, "E_2") else -reach / 3  # a rigid flat has nothing to show
+    below = -reach if hasattr(q, "E_2") else -reach / 20  # a rigid flat has nothing to show
     window = (-reach, below, reach, reach)
     return (
         Picture(field="contact", data="shear", symbol="τ/p_0", unit="1", factor=1.0,
