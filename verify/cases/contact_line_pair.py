@@ -15,6 +15,8 @@ from verify.cases.contact_line_unlike import UNLIKE, unlike_fem, unlike_values
 from verify.cases.contact_line_warnings import warnings
 from verify.checks import Approximation
 
+BLUNT = 1e-3  # of Hertz's shear over the finite elements': smoothed stresses are no sharper
+
 
 def analytic(q: PairInputs) -> Values:
     R = float(hertz_line.relative_radius(R_1=q.R_1, R_2=q.R_2))
@@ -97,7 +99,7 @@ def shear_bound(q: PairInputs, v: Values) -> tuple[float, float] | None:
     """Both first-order terms; (a/R)^2, of equal discs 0.57 of it, and the coupling count once."""
     first = float(shear_excess(a=v["Hertz a"], R=q.R_1)) + tilted_shear_excess(v["kappa a"])
     e = v["Hertz a"] / q.smallest
-    return about(1 / (1 + first) - 1, e**2 + v["coupled"])
+    return about(1 / (1 + first) - 1, e**2 + v["coupled"], least=BLUNT)
 
 
 SERIES = "derived series of two discs; its next terms count once, 3e-4 at least"
@@ -113,7 +115,7 @@ CHECKS = (
     Approximation(name="largest shear stress, Hertz", symbol="τ_max", unit="MPa", fem="shear",
                   analytic="Hertz shear", formal=2, interval=shear_bound,
                   source="derived: −0.693 a/R_1 of a flat, −0.093 κa of inclined pressure; (a/R)² "
-                  "and what unlike materials couple count once, 3e-4 at least"),
+                  "and what unlike materials couple count once, 1e-3 at least"),
     *UNLIKE,
     hertz_profile(),
     *BALANCES,

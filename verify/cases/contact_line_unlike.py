@@ -31,15 +31,16 @@ def unlike(q: PairInputs) -> PairInputs:
 def unlike_values(q: PairInputs) -> Values:
     """Hertz's half-width and peak pressure, and what the series says of them."""
     soft = unlike(q)
-    given = {**soft.materials, "assumption": "plane strain"}
     R = float(hertz_line.relative_radius(R_1=q.R_1, R_2=q.R_2))
-    E_star = float(hertz_line.contact_modulus(**given))
+    E_star = float(hertz_line.contact_modulus(**soft.materials, assumption="plane strain"))
     a = float(hertz_line.half_width(P=soft.P, R=R, E_star=E_star))
     p_0 = float(hertz_line.peak_pressure(P=soft.P, R=R, E_star=E_star))
-    p, w = pair_series.excess(a=a, R_1=q.R_1, R_2=q.R_2, **given)
+    sizes = {"a": a, "R_1": q.R_1, "R_2": q.R_2}
+    p, w = pair_series.excess(**sizes, **soft.materials, assumption="plane strain")
+    left_out = pair_series.left_out(**sizes, **soft.materials, assumption="plane strain")
     found = {
         "Hertz a": a, "Hertz p0": p_0, "excess p0": p.total, "excess a": w.total,
-        "left out": pair_series.left_out(a=a, R_1=q.R_1, R_2=q.R_2, **given),
+        "left out": left_out,
     }  # fmt: skip
     return {f"{key}, {WHERE}": value for key, value in found.items()}
 
