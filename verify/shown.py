@@ -52,6 +52,7 @@ class Profile:
 
     `x`, `y` draw the formula; at `x_fem` the formula gives `y_ref` and finite elements `y_fem`
     with standard uncertainty `u`. Differences are divided by `scale`, which `scale_name` names.
+    Those of a formula that `neglects` something may exceed the uncertainty.
     """
 
     title: str
@@ -66,6 +67,7 @@ class Profile:
     scale: float
     scale_name: str = ""
     note: str = ""
+    neglects: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -23,7 +23,7 @@ def context(errors, u_it=0.0):
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
 def test_every_point_of_the_paper_profiles_lies_in_its_band(case, judged):
     for figure in judged(case).figures:
-        if isinstance(figure, Profile):
+        if isinstance(figure, Profile) and not figure.neglects:
             assert np.all(np.abs(figure.y_fem - figure.y_ref) <= 2 * figure.u), figure.title
 
 

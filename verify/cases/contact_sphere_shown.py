@@ -131,7 +131,7 @@ def _stress(context: Context, body: str, nu: float, i: int) -> Profile:
         title=f"{name} stress on the axis of the {body} sphere, on each other",
         x_label="depth [µm]", y_label=label, x=fine / um, y=curve / MPa, x_fem=a * DEEP / um,
         y_fem=values[own] / MPa, y_ref=at / MPa, u=u[own] / MPa, scale=p_0 / MPa,
-        scale_name="p_0",
+        scale_name="p_0", neglects=True,
         note="Line: half space under Hertz's pressure; the band is that of finite elements alone.",
     )  # fmt: skip
 
