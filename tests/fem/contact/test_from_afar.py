@@ -155,3 +155,23 @@ def test_an_obstacle_turns_about_its_point(angle):
     assert (touch.moment() < 0) == (angle > 0)
     if angle:
         assert touch.x[0] @ touch.pressure > 0
+
+
+def test_a_round_punch_that_turns_drags_as_one_that_is_shifted():
+    R, down, aside = 5.0, -0.05, 2e-3
+    punch = ContactProblem(
+        full_block(width=10.0, depth=10.0, zone=1.0, refine=1), materials=SOFT,
+        assumption="plane strain", supports={"bottom": "xy"},
+        obstacles={"punch": Obstacle(Circle((0.0, R), R))},
+        contacts=[Pair(slave="surface", master="punch", friction=0.9)],
+    )  # fmt: skip
+    pressed = punch.solve(displacements={"punch": {"y": down}})
+    drags = [
+        punch.solve(displacements={"punch": {"y": down, **way}}, after=pressed).touches[0]
+        for way in ({"r": aside / R}, {"x": aside})
+    ]
+    # the point of contact is R below the centre: turning to the left moves it to the right, and
+    # the block with it, which pulls the punch back
+    turned, shifted = (touch.friction_force for touch in drags)
+    assert abs(turned) > 0.3
+    assert turned == pytest.approx(shifted, rel=0.02)  # (a/R)^2, by which the contact is curved
