@@ -32,9 +32,10 @@ def jacobians(mesh: Mesh2D, X: Array) -> tuple[Array, Array]:
 
 
 def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
-    """ValueError naming the first cell whose map folds over or flattens.
+    """ValueError naming the first cell that folds over, flattens, or lies on its neighbour.
 
-    The determinant has one sign, either, at the `quadrature` points (2, q) and the mesh's nodes.
+    The determinant has one sign, either, at the `quadrature` points (2, q) and the mesh's nodes;
+    two cells lie on either side of the edge that they share.
     """
     _, det = jacobians(mesh, np.hstack([quadrature, mesh.elem.doflocs.T]))
     low, high = det.min(axis=1), det.max(axis=1)
@@ -46,4 +47,18 @@ def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:
         raise ValueError(
             f"cell {k} of {mesh.nelements}, about ({x:.10g}, {y:.10g}), is folded or flat: the "
             f"determinant of its map runs from {low[k]:.3g} to {high[k]:.3g} and must keep its sign"
+        )
+    inner = mesh.f2t[1] >= 0
+    start, end = (mesh.p[:, ends] for ends in mesh.facets[:, inner])
+    along = end - start
+    sides = []
+    for cells in mesh.f2t[:, inner]:
+        beside = mesh.p[:, mesh.t[:, cells]].mean(axis=1) - start
+        sides.append(along[0] * beside[1] - along[1] * beside[0])
+    if np.any(same := sides[0] * sides[1] > 0):
+        first, second = mesh.f2t[:, inner][:, np.argmax(same)]
+        x, y = (start + end)[:, np.argmax(same)] / 2
+        raise ValueError(
+            f"cells {first} and {second} of {mesh.nelements} lie on the same side of their common "
+            f"edge about ({x:.10g}, {y:.10g}): one of them is inverted"
         )

@@ -115,3 +115,24 @@ def test_thin_and_tapered_cells_are_no_folds(kind):
         return np.array([x[0], 1e-4 * x[1] * (1 - 0.999 * x[0])])
 
     vector_basis(square(kind, thin))
+
+
+@pytest.mark.parametrize("kind", ["tri3", "tri6"])
+def test_a_cell_that_is_inverted_between_its_neighbours_is_refused(kind):
+    # each map of its own keeps its sign: only the neighbours tell
+    def move(x):
+        middle = np.argmin(np.hypot(*(x - 0.5)))
+        x[:, middle] += (0.6, 0.02)
+        return x
+
+    straight, shape = KINDS[kind]
+    mesh = replace(straight.init_tensor(AXIS, AXIS), doflocs=move(square("tri3").doflocs))
+    with pytest.raises(ValueError, match=r"same side of their common edge about .* inverted"):
+        vector_basis(mesh if shape is straight else shape.from_mesh(mesh))
+
+
+def test_triangles_of_either_turn_side_by_side_are_not_inverted():
+    mesh = square("tri3")
+    t = mesh.t.copy()
+    t[1:, ::2] = t[:0:-1, ::2]
+    vector_basis(MeshTri1(mesh.doflocs, t, sort_t=False))
