@@ -10,8 +10,9 @@ verify: .venv/.ready
 quick: .venv/.ready
 	$(BIN)/freewheel verify --quick
 
+# One BLAS thread a worker, as `verify` has it: two workers of two threads each wait for each other.
 test: .venv/.ready
-	$(BIN)/pytest -n 2 --dist loadgroup
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist loadgroup
 
 check: .venv/.ready
 	$(BIN)/ruff check .
