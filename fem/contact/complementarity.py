@@ -197,10 +197,6 @@ class Complementarity:
         return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
 
     @cached_property
-    def _sizes(self) -> tuple[Array, Array]:
-        return np.abs(self.B), np.abs(self.D)
-
-    @cached_property
     def _felt(self) -> tuple[Array, Array]:
         """Motions (k, .) that the contact resists, and neutral ones that it hardly feels.
 
