@@ -62,10 +62,14 @@ def small(value: float | None, digits: int = 6) -> str | Markup:
 
 
 class Shown(NamedTuple):
-    """Formula, and FE with its standard uncertainty in brackets: 0.5817896(40)."""
+    """Formula, and FE with its standard uncertainty in brackets: 0.5817896(40).
+
+    Another method's value stands in the place of FE, with its name `by`.
+    """
 
     formula: str
     fem: str | Markup
+    by: str = ""
 
 
 def values(row: Row) -> Shown:
@@ -76,12 +80,14 @@ def values(row: Row) -> Shown:
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
         return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}")
-    if row.kind == "fact" or row.fem is None or not u or not math.isfinite(u):
+    by = row.by if row.grid is not None and row.by != "FE" else ""
+    found = row.reference if by else row.fem
+    if row.kind == "fact" or found is None or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
-        return Shown(number(row.analytic, digits), small(row.fem, digits))
-    fem, decimals = concise(row.fem, u)
+        return Shown(number(row.analytic, digits), small(found, digits), by)
+    fem, decimals = concise(found, u)
     known = row.analytic
-    return Shown("–" if known is None else f"{known:.{decimals}f}".replace("-", MINUS), fem)
+    return Shown("–" if known is None else f"{known:.{decimals}f}".replace("-", MINUS), fem, by)
 
 
 def concise(value: float, u: float) -> tuple[str, int]:

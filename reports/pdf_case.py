@@ -62,7 +62,7 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
         "label": anchors[row.id],
         "quantity": quantity(row),
         "formula": runs(shown.formula),
-        "fem": runs(shown.fem),
+        "fem": [*runs(shown.fem), *([" ", ["small", shown.by]] if shown.by else [])],
         "paper": [[MARKS[kind], text] for kind in MARKS if (text := printed(row, kind))],
         "difference": runs(formats.difference(row)),
         "signature": standalone(signature.signature(row)),

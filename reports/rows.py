@@ -8,8 +8,8 @@ from reports.xml_text import clean
 from verify.results import Row
 
 COLUMNS = (
-    "case", "quantity", "symbol", "unit", "kind", "analytic", "fem", "difference", "scale",
-    "tolerance", "u_num", "u_ref", "u_input", "order", "status", "reason",
+    "case", "quantity", "symbol", "unit", "kind", "by", "analytic", "fem", "reference",
+    "difference", "scale", "tolerance", "u_num", "u_ref", "u_input", "order", "status", "reason",
 )  # fmt: skip
 RELATIVE = (
     "difference_relative", "tolerance_relative", "detects_relative", "demand_relative",

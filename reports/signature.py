@@ -27,9 +27,9 @@ def position(row: Row) -> float | None:
     An approximation lies in its expected interval: from -1 to 1 there. A balance has no formula:
     its residual is what is placed.
     """
-    if row.interval is not None and row.analytic is not None and row.fem:
+    if row.interval is not None and row.analytic is not None and row.reference:
         low, high = row.interval
-        return (row.analytic / row.fem - 1 - (low + high) / 2) / ((high - low) / 2)
+        return (row.analytic / row.reference - 1 - (low + high) / 2) / ((high - low) / 2)
     if not row.tolerance or row.kind is Kind.FACT:
         return None
     offset = formula_offset(row)
@@ -40,7 +40,8 @@ def formula_offset(row: Row) -> float | None:
     """Formula less reference in the row's unit; a balance's residual as it is."""
     if row.difference is None:
         return None
-    as_judged = row.kind in (Kind.IDENTITY, Kind.TREND) and row.fem is not None  # FE - formula
+    computed = row.fem is not None or row.grid is not None
+    as_judged = row.kind in (Kind.IDENTITY, Kind.TREND) and computed  # reference - formula
     return -row.difference if as_judged else row.difference
 
 
@@ -81,9 +82,7 @@ def _is_blunt(row: Row) -> bool:
 
 def _mark(row: Row, entry: Published) -> Markup:
     """A printed value on the row's own scale, where it fits."""
-    reference = row.fem
-    if reference is None and row.partner is not None:
-        reference = row.partner.value
+    reference = row.reference
     if reference is None or not row.tolerance or row.interval is not None:
         return Markup("")
     at = (entry.value - reference) / row.tolerance

@@ -104,9 +104,13 @@ def convergence_verdict(
 
 @dataclass(frozen=True, kw_only=True)
 class FemClaim(Claim):
-    """A claim about finite-element values `fem`, whose order in theory is `formal`."""
+    """A claim about finite-element values `fem`, whose order in theory is `formal`.
+
+    `by` names another method, refined like a mesh, whose values these are.
+    """
 
     fem: str
+    by: str = ""
     formal: float | None = None
     scale: str = ""  # analytic key of the natural magnitude; the reference itself where empty
 
@@ -160,8 +164,11 @@ class FemClaim(Claim):
     ) -> dict[str, Any]:
         """What every finite-element row records; `scale` is what convergence was judged on [SI]."""
         recorded = self._recorded(context, grid, u_it, scale)
+        finest = context.series(self.fem)[1][-1]
+        partner = Partner(by=self.by, value=finest) if self.by else None
         return {
-            "fem": context.series(self.fem)[1][-1], "u_num": u_num, "formal_order": self.formal,
+            "fem": None if partner else finest, "partner": partner,
+            "u_num": u_num, "formal_order": self.formal,
             "order": grid.behaviour if grid.behaviour == "round-off" else grid.order,
             "levels": recorded.levels, "grid": recorded,
             "published": self._printed(context),

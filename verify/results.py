@@ -118,6 +118,16 @@ class Row:
         """`case/quantity`, unique in a run."""
         return f"{self.case}/{self.quantity}"
 
+    @property
+    def by(self) -> str:
+        """Whose value the formula is compared with."""
+        return "FE" if self.partner is None or self.fem is not None else self.partner.by
+
+    @property
+    def reference(self) -> float | None:
+        """The value that the formula is compared with: finite elements', or the partner's."""
+        return self.fem if self.fem is not None or self.partner is None else self.partner.value
+
 
 @dataclass(frozen=True, kw_only=True)
 class CaseResult:

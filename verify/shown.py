@@ -100,7 +100,33 @@ class Dots:
     note: str = ""
 
 
-Figure = Profile | Refinement | Dots
+@dataclass(frozen=True, kw_only=True)
+class Curve:
+    """One of several curves: points x, y (m,), drawn as "line", "dashes" or "dots".
+
+    Curves of one `colour` (0 to 5) belong together.
+    """
+
+    name: str
+    x: Array
+    y: Array
+    style: str = "line"
+    colour: int = 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Curves:
+    """Several curves on the same axes, named below; `y_top` cuts what runs off to infinity."""
+
+    title: str
+    x_label: str
+    y_label: str
+    curves: tuple[Curve, ...]
+    note: str = ""
+    y_top: float | None = None
+
+
+Figure = Profile | Refinement | Dots | Curves
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -74,15 +74,19 @@ def _sharpest(rows: Sequence[Row]) -> str:
 
 def _compared(row: Row) -> tuple[str, ...]:
     """Status, quantity, both values, formula less FE and what is allowed, relative."""
-    cells = [row.status.value, row.quantity, _number(row.analytic), _number(row.fem),
+    cells = [row.status.value, row.quantity, _number(row.analytic), _reference(row),
              _unit(row.unit)]  # fmt: skip
-    if row.analytic is None or row.fem is None or not row.scale or row.kind is Kind.FACT:
+    if row.analytic is None or row.reference is None or not row.scale or row.kind is Kind.FACT:
         return (*cells, "", "")
-    cells.append(_percent((row.analytic - row.fem) / row.scale, signed=True))
+    cells.append(_percent((row.analytic - row.reference) / row.scale, signed=True))
     if row.interval is not None:
         low, high = (_percent(m, signed=True) for m in row.interval)
         return (*cells, f"{low} to {high}")
     return (*cells, "" if row.tolerance is None else f"±{_percent(row.tolerance / row.scale)}")
+
+
+def _reference(row: Row) -> str:
+    return _number(row.reference) + (f" ({row.by})" if row.by != "FE" else "")
 
 
 def _value(v: FormulaValue) -> tuple[str, ...]:

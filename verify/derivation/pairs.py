@@ -29,7 +29,7 @@ def identity(row: Row) -> Derivation:
     v, r = row.grid.levels[-1][1], row.analytic
     found: list[Step] = [
         ("formula", amount(r, row.unit, long)),
-        ("FE", f"{amount(v, row.unit, long)} on the finest mesh"),
+        _finest(row, v),
         *grid_steps(row.grid),
     ]
     if not again.converges:
@@ -41,7 +41,7 @@ def identity(row: Row) -> Derivation:
         ("u_ref", "0: the formula is evaluated to round-off"),
         ("u_input", "0: both sides take the same inputs"),
         expanded(row.unit, u_num, 0.0, 0.0, U),
-        *difference_steps(row, verdict, "FE − formula"),
+        *difference_steps(row, verdict, f"{row.by} − formula"),
     ]
     return Derivation(tuple(found), verdict, u_num)
 
@@ -81,7 +81,7 @@ def approximation(row: Row) -> Derivation:
     v, formula = row.grid.levels[-1][1], row.analytic
     found: list[Step] = [
         ("formula", f"{amount(formula, row.unit, long)}, which neglects something"),
-        ("FE", f"{amount(v, row.unit, long)} on the finest mesh"),
+        _finest(row, v),
         *grid_steps(row.grid),
     ]
     if not again.converges:
@@ -90,12 +90,17 @@ def approximation(row: Row) -> Derivation:
     verdict = judge.approximation(formula, v, U=U, interval=row.interval, demand=demand(row))
     found += [
         *uncertainty_steps(row.grid),
-        ("u_ref", "0: the finite elements are the reference, and u_num is theirs"),
+        ("u_ref", f"0: the reference is {row.by}, and u_num its own"),
         ("u_input", "0: both sides take the same inputs"),
         expanded(row.unit, u_num, 0.0, 0.0, U),
         *_model_error(row, formula, v, U, verdict),
     ]
     return Derivation(tuple(found), verdict, u_num)
+
+
+def _finest(row: Row, v: float) -> Step:
+    where = "on the finest mesh" if row.by == "FE" else "at the finest refinement"
+    return (row.by, f"{amount(v, row.unit, long)} {where}")
 
 
 def _model_error(
@@ -105,8 +110,8 @@ def _model_error(
         return (("test", "a number is not finite, or zero: not converged"),)
     m, U_m = formula / v - 1, abs(formula / v) * U / abs(v)
     found: list[Step] = [
-        ("m", f"formula/FE − 1 = {m:+.4e}, the signed model error"),
-        ("U_m", f"|formula/FE| U/|FE| = {short(U_m)}"),
+        ("m", f"formula/{row.by} − 1 = {m:+.4e}, the signed model error"),
+        ("U_m", f"|formula/{row.by}| U/|{row.by}| = {short(U_m)}"),
     ]
     if row.interval is None:
         return (*found, ("expected", f"no interval known beforehand ({row.interval_source})"))

@@ -51,7 +51,8 @@ def _has_numbers(row: Row) -> bool:
 
 def _printed(row: Row, entry: Published) -> Step:
     """A published value with what formula and finite elements give of it."""
-    ours = (("formula", row.analytic), ("FE", row.fem))
+    computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
+    ours = (("formula", row.analytic), (row.by, row.reference if computed else None))
     ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]
     unit = "" if entry.unit == "1" else f" {entry.unit}"
     text = f"{entry.printed}{unit} ({entry.kind}, {entry.document}, {entry.place})"

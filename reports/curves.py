@@ -1,0 +1,58 @@
+"""Plot of several curves on the same axes, each named in a key below."""
+
+import numpy as np
+from markupsafe import Markup
+
+from reports import svg
+from reports.plots import HEIGHT, WIDTH, Axes
+from verify.shown import Curve, Curves
+
+LINE = 18.0  # height of a line of the key
+SWATCH = 22.0
+LETTER = 6.2  # about the width of a letter of the key
+KEY = 316.0  # where the key starts
+
+
+def curves(c: Curves) -> Markup:
+    """Lines, dashes and dots in the colours of their group; curves cut at the top say so."""
+    x = [np.asarray(k.x, dtype=float) for k in c.curves]
+    y = [np.asarray(k.y, dtype=float) for k in c.curves]
+    low, high = min(min(v.min() for v in y), 0.0), max(v.max() for v in y)
+    high = high if c.y_top is None else min(high, c.y_top)
+    axes = Axes(
+        (52, 28, 390, 262),
+        (float(min(v.min() for v in x)), float(max(v.max() for v in x))),
+        (float(low), float(high + 0.06 * ((high - low) or 1.0))),
+    )
+    axes.grid(svg.ticks(*axes.y), svg.plain)
+    axes.base(svg.ticks(*axes.x, 6), svg.plain)
+    axes.titles(c.x_label, c.y_label)
+    for curve, u, v in zip(c.curves, x, y, strict=True):
+        seen = v <= axes.y[1]
+        if curve.style == "dots":
+            axes.dots(u[seen], v[seen], f"s{curve.colour}", 2.4)
+        else:
+            axes.curve(u[seen], v[seen], _css(curve))
+    rows = _key(axes, c.curves)
+    return svg.drawing(WIDTH, HEIGHT + LINE * rows + 4, axes.body, c.title, "chart")
+
+
+def _key(axes: Axes, named: tuple[Curve, ...]) -> int:
+    """Draw names with their swatches, as many a line as fit; returns the number of lines."""
+    left, row = 12.0, 0
+    for curve in named:
+        wide = SWATCH + 8 + LETTER * len(curve.name) + 14
+        if left > 12.0 and left + wide > WIDTH:
+            left, row = 12.0, row + 1
+        y = KEY + LINE * row
+        if curve.style == "dots":
+            axes.body.append(svg.circle(left + SWATCH / 2, y - 4, 2.6, f"s{curve.colour}"))
+        else:
+            axes.body.append(svg.line(left, y - 4, left + SWATCH, y - 4, _css(curve)))
+        axes.body.append(svg.text(left + SWATCH + 6, y, curve.name, "tick"))
+        left += wide
+    return row + 1
+
+
+def _css(curve: Curve) -> str:
+    return f"fit s{curve.colour}{' dashes' if curve.style == 'dashes' else ''}"
