@@ -3,6 +3,7 @@
 The key covers the case, its inputs, the level, the sources of exactly the fem and meshes modules
 that the case's `fem` function reaches, that function with the module-level names it uses, and the
 versions of the libraries. A changed formula or judging rule therefore reruns no finite elements.
+Analytic modules count where such a function itself imports one, as its reference (a half-space).
 Files are JSON inside npz, written under a temporary name and renamed.
 """
 
@@ -136,9 +137,16 @@ def _unpack(data: dict[str, Any]) -> FemResult:
 @cache
 def source_of(function: Any) -> str:
     """Hash of a `fem` function: itself, the names of its module it uses, the modules it reaches."""
+    used, reached = parts_of(function)
+    text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_file_hash(m)}" for m in reached)])
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
+    """Code of a `fem` function and of the names of its module it uses, and modules it reaches."""
     module = inspect.getmodule(function)
     if module is None or module.__file__ is None:
-        return "unknown"
+        return {}, []
     tree = ast.parse(Path(module.__file__).read_text("utf-8"))
     own = {name: node for node in tree.body for name in _defined(node)}
     borrowed: dict[str, set[str]] = {}  # names that the module's own imports bind
@@ -146,7 +154,8 @@ def source_of(function: Any) -> str:
         if isinstance(node, ast.Import | ast.ImportFrom):
             for alias in node.names:
                 name = (alias.asname or alias.name).partition(".")[0]
-                borrowed.setdefault(name, set()).update(_imported(node, module.__name__))
+                found = (m for m in _imported(node, module.__name__) if not _is_formula(m))
+                borrowed.setdefault(name, set()).update(found)
     used: dict[str, str] = {}
     start: set[str] = set()
     queue = [function.__name__]
@@ -158,9 +167,7 @@ def source_of(function: Any) -> str:
             used[name] = _plain(own[name])
             queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
             start.update(_imported(own[name], module.__name__))
-    reached = sorted(_reached(start))
-    text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_file_hash(m)}" for m in reached)])
-    return hashlib.sha256(text.encode()).hexdigest()
+    return used, sorted(_reached(start))
 
 
 def _defined(node: ast.stmt) -> list[str]:
@@ -172,7 +179,12 @@ def _defined(node: ast.stmt) -> list[str]:
 
 
 def _imported(node: ast.AST, importer: str) -> Iterator[str]:
-    """Modules of fem, meshes and the cases that `node`, a part of `importer`, imports."""
+    """Modules of analytic, fem, meshes and the cases that `node`, a part of `importer`, imports.
+
+    Without what a whole module imports of analytic at its top: the formulas of the other side.
+    """
+    formulas = set(node.body) if isinstance(node, ast.Module) else set()
+    formulas = set() if importer.startswith("analytic.") else formulas
     for item in ast.walk(node):
         names: list[str] = []
         if isinstance(item, ast.Import):
@@ -181,12 +193,18 @@ def _imported(node: ast.AST, importer: str) -> Iterator[str]:
             parent = importer.rsplit(".", item.level)[0] if item.level else ""
             source = ".".join(filter(None, (parent, item.module)))
             names = [source, *(f"{source}.{alias.name}" for alias in item.names)]
-        yield from (n for n in names if _counts(n))
+        kept = (n for n in names if not (item in formulas and _is_formula(n)))
+        yield from (n for n in kept if _counts(n))
+
+
+def _is_formula(name: str) -> bool:
+    return name.partition(".")[0] == "analytic"
 
 
 def _counts(name: str) -> bool:
     """Whether `name` is a module on which a finite-element result may depend."""
-    if not (name.partition(".")[0] in ("fem", "meshes") or name.startswith("verify.cases.")):
+    package = name.partition(".")[0]
+    if not (package in ("analytic", "fem", "meshes") or name.startswith("verify.cases.")):
         return False
     parent = find_spec(name.rpartition(".")[0] or name)
     if parent is None or parent.submodule_search_locations is None:

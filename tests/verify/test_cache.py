@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import analytic
 import fem
 from verify import cache
 from verify.case import Case, FemResult
@@ -285,6 +286,16 @@ def deep(x):
 def apart(x):
     return 12.0
 ''',
+    "made_formula": '''
+from analytic.made_modulus import MODULUS
+
+
+def formula(x):
+    return MODULUS * x
+''',
+    "made_modulus": '''
+MODULUS = 15.0
+''',
 }  # fmt: skip
 
 
@@ -293,7 +304,7 @@ def source(tmp_path_factory, monkeypatch):
     """Source hash of the made-up case's fem function, after replacements in its modules."""
     import verify.cases
 
-    packages = (fem, fem.__path__), (verify.cases, verify.cases.__path__)
+    packages = [(package, package.__path__) for package in (analytic, fem, verify.cases)]
 
     def hashed(**changes):
         folder = tmp_path_factory.mktemp("variant")
@@ -305,7 +316,7 @@ def source(tmp_path_factory, monkeypatch):
         for package, path in packages:
             monkeypatch.setattr(package, "__path__", [*path, str(folder)])
         for name in SOURCES:
-            for package in ("fem", "verify.cases"):
+            for package in ("analytic", "fem", "verify.cases"):
                 monkeypatch.delitem(sys.modules, f"{package}.{name}", raising=False)
         importlib.invalidate_caches()
         cache.source_of.cache_clear()
@@ -315,7 +326,7 @@ def source(tmp_path_factory, monkeypatch):
 
     yield hashed
     for name in SOURCES:
-        for package in ("fem", "verify.cases"):
+        for package in ("analytic", "fem", "verify.cases"):
             sys.modules.pop(f"{package}.{name}", None)
             vars(sys.modules[package]).pop(name, None)
     cache.source_of.cache_clear()
@@ -390,6 +401,20 @@ def test_a_module_is_reached_by_every_form_of_import(changes, source):
     assert source(made_up=changes) != source(made_up=changes, made_deep=deep)
 
 
+USE = "from analytic.made_formula import formula"
+REFERENCE = [("helper(level)", "formula(level)"), ("    from fem", f"    {USE}\n    from fem")]
+OTHER_SIDE = [("return 6.0", "return formula(6.0)"), ("FACTOR = 2.0", f"{USE}\nFACTOR = 2.0")]
+SHAPED = [("def shape(x):", f"{USE}\n\n\ndef shape(x):")]
+
+
+@pytest.mark.parametrize("new", [{"made_formula": [("* x", "/ x")]},
+                                 {"made_modulus": [("15.0", "15.5")]}])  # fmt: skip
+def test_a_formula_counts_only_where_the_function_itself_imports_it_as_its_reference(new, source):
+    assert source(made_up_case=REFERENCE) != source(made_up_case=REFERENCE, **new)
+    for sides in ({"made_up_case": OTHER_SIDE}, {"made_up_shapes": SHAPED}):
+        assert source(**sides) == source(**sides, **new)
+
+
 TAKE = "from verify.cases.made_up_shapes import shape"
 
 
@@ -420,6 +445,9 @@ def test_a_helper_s_helper_in_a_third_case_module_is_reached(source):
     assert here != source(made_up_shapes=sized, made_up_sizes=[("14.0", "14.5")])
 
 
+# Formulas are the other side: no result depends on them, but for a reference that is one.
+HALF_SPACE: set[str] = set()
+
 LOADED = """
 import json, sys
 from verify.cases.registry import find
@@ -430,29 +458,16 @@ print(json.dumps(sorted(m for m in sys.modules if m.partition(".")[0] in ("fem",
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_every_module_that_a_case_really_loads_is_in_its_key(case, monkeypatch):
+def test_every_module_that_a_case_really_loads_is_in_its_key(case):
     done = subprocess.run(
         [sys.executable, "-c", LOADED, case.id], capture_output=True, text=True, timeout=120,
         check=True, env=os.environ,
     )  # fmt: skip
     loaded = set(json.loads(done.stdout))
-    seen = set()
-    right = cache.find_spec
-
-    def spying(name):
-        seen.add(name)
-        return right(name)
-
-    monkeypatch.setattr(cache, "find_spec", spying)
-    cache.source_of.cache_clear()
-    cache._tree.cache_clear()
-    cache.source_of(case.fem)
-    packages = {name.rpartition(".")[0] for name in loaded} | {
-        "fem",
-        "meshes",
-    }  # they import nothing
-    assert loaded - packages <= seen
-    assert not {name for name in seen if name.partition(".")[0] in ("analytic", "reports")}
+    _, reached = cache.parts_of(case.fem)
+    packages = {name.rpartition(".")[0] for name in loaded}  # they import nothing
+    assert loaded - packages - {"fem", "meshes"} <= set(reached)
+    assert all(name in HALF_SPACE for name in reached if name.startswith("analytic"))
 
 
 def test_what_was_used_least_recently_goes_first_where_room_is_made(tmp_path):
