@@ -1,0 +1,170 @@
+"""Bodies of revolution whose loads vary round the axis: one (r, z) problem for each harmonic.
+
+FourierSolid(mesh, Elastic(E=210e9, nu=0.3), {"middle": "z"}).solve(
+    {0: {"rim": (-p, 0, 0)}, 2: {"rim": (-p, 0, 0)}})       # p (1 + cos 2 t) on the rim
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from scipy.linalg import solve_triangular
+from scipy.sparse import csr_array
+from scipy.sparse.linalg import SuperLU, splu
+from skfem import Basis, ElementVector
+from skfem.mesh import Mesh2D
+
+from fem.fourier.harmonic_cells import HarmonicCells
+from fem.fourier.loads import Tractions, surface_load, turn_of
+from fem.fourier.solution import FourierSolution, HarmonicSolution
+from fem.fourier.supports import check_components, check_held, free_unknowns
+from fem.plane.discretisation import Array, Indices, named_facets, vector_basis
+from fem.plane.loads import moduli
+from fem.plane.material import Elastic
+from fem.plane.ordering import nested_dissection
+
+AMPLITUDES = 3  # along r, t and z
+RESIDUAL_LIMIT = 1e-8  # of the load's forces, after the correction
+# symmetric, positive definite and handed over in its order of elimination
+SUPERLU = {
+    "permc_spec": "NATURAL", "diag_pivot_thresh": 0.0, "relax": 10, "panel_size": 10,
+    "options": {"SymmetricMode": True},
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class FourierSolid:
+    """Linear elastic bodies on a `mesh` of their half-section: x the radius r >= 0, y the axis z.
+
+    `materials` is one material or one for each body named in `mesh.subdomains`; `supports` names
+    boundaries and the components "r", "t", "z" that vanish there in every harmonic. `degree` of
+    the displacements is 1 or 2, by default that of the mesh. ValueError for unknown names, cells
+    without material, folded or beyond the axis.
+    """
+
+    mesh: Mesh2D
+    materials: Elastic | Mapping[str, Elastic]
+    supports: Mapping[str, str] = field(default_factory=dict)
+    degree: int | None = None
+
+    def __post_init__(self) -> None:
+        check_components(self.supports)
+        for name in self.supports:
+            named_facets(self.mesh, name)
+        _ = self.cells  # refuses the mesh and its materials here
+
+    @cached_property
+    def basis(self) -> Basis:
+        """Three amplitudes a node."""
+        plane = vector_basis(self.mesh, self.degree, turn=True)
+        return Basis(
+            self.mesh, ElementVector(plane.elem.elem, AMPLITUDES), quadrature=plane.quadrature
+        )
+
+    @cached_property
+    def cells(self) -> HarmonicCells:
+        """The cells with their moduli."""
+        lam, mu, _ = moduli(self.mesh, self.materials, "axisymmetric")
+        return HarmonicCells.of(self.basis, lam, mu)
+
+    @cached_property
+    def parts(self) -> tuple[csr_array, csr_array, csr_array]:
+        """K_0, K_1, K_2 of the stiffness for one radian."""
+        return self.cells.stiffness_parts()
+
+    @cached_property
+    def place(self) -> Indices:
+        """Order of elimination (unknowns,)."""
+        return nested_dissection(self.basis)
+
+    def harmonic(self, n: int, *, antisymmetric: bool = False) -> "Harmonic":
+        """The problem of (U cos n t, V sin n t, W cos n t), or of (U sin, V cos, W sin), factorised.
+
+        ValueError unless n is a whole number >= 0, and where the supports leave a body free to move
+        rigidly.
+        """
+        return Harmonic.of(self, _whole(n), antisymmetric)
+
+    def flexibility(self, n: int, f: Array) -> Array:
+        """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their own displacements.
+
+        For forces on few unknowns, such as pressures on one surface: these are eliminated last,
+        and the others only factorised. Symmetric harmonics; errors as for `harmonic`.
+        """
+        place = np.where(np.any(f, axis=1), self.basis.N, 0) + self.place
+        own = Harmonic.of(self, _whole(n), False, place)
+        return own.flexibility(f)
+
+    def solve(self, tractions: Mapping[int, Tractions]) -> FourierSolution:
+        """The sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
+        return FourierSolution(
+            tuple(self.harmonic(n).solve(own) for n, own in tractions.items())
+        )
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """One factorised harmonic of `solid`: u = T q, K the stiffness of the whole turn."""
+
+    solid: FourierSolid
+    n: int
+    antisymmetric: bool
+    T: csr_array
+    K: csr_array
+    factor: SuperLU
+
+    @classmethod
+    def of(
+        cls, solid: FourierSolid, n: int, antisymmetric: bool, place: Indices | None = None
+    ) -> "Harmonic":
+        """Assemble and factorise, in the order of `place` (unknowns,) or the solid's own."""
+        place = solid.place if place is None else place
+        T = free_unknowns(solid.basis, solid.supports, n, antisymmetric, place)
+        check_held(solid.basis, T, n, antisymmetric)
+        K_0, K_1, K_2 = solid.parts
+        signed = -n if antisymmetric else n
+        K = turn_of(n) * (T.T @ (K_0 + signed * K_1 + signed**2 * K_2) @ T)
+        return cls(solid, n, antisymmetric, T, K, splu(K.tocsc(), **SUPERLU))
+
+    def solve(self, tractions: Tractions) -> HarmonicSolution:
+        """Amplitudes (t_r, t_t, t_z) [stress] of tractions by boundary, numbers or f(x)."""
+        f = surface_load(self.solid.basis, tractions, self.n)
+        u = self.displacements(f)
+        return HarmonicSolution(self.solid.basis, self.solid.cells, self.n, self.antisymmetric, u, f)
+
+    def displacements(self, f: Array) -> Array:
+        """Amplitudes (unknowns, ...) under forces `f` (unknowns, ...), one correction included.
+
+        ArithmeticError where the balance misses more than 1e-8 of the forces.
+        """
+        load = self.T.T @ f
+        q = self.factor.solve(load)
+        q += self.factor.solve(load - self.K @ q)
+        missed = abs(load - self.K @ q).max(initial=0.0)
+        if not missed <= RESIDUAL_LIMIT * abs(load).max(initial=0.0):
+            raise ArithmeticError(
+                f"harmonic {self.n}: the linear solve misses {missed:.1e} of forces up to "
+                f"{abs(load).max():.1e}"
+            )
+        return np.asarray(self.T @ q)
+
+    def flexibility(self, f: Array) -> Array:
+        """The work f_i . u_j (k, k) of loads `f` (unknowns, k), u_j their own displacements.
+
+        With K = L R only the rows of L and R from the first force on take part.
+        """
+        assert np.array_equal(self.factor.perm_r, self.factor.perm_c)  # pivots on the diagonal
+        load = np.empty((self.K.shape[0], f.shape[1]))
+        load[self.factor.perm_r] = self.T.T @ f
+        first = int(np.argmax(np.any(load, axis=1)))
+        L, R = (part[first:, first:].toarray() for part in (self.factor.L, self.factor.U))
+        q = solve_triangular(R, solve_triangular(L, load[first:], lower=True, unit_diagonal=True))
+        work = load[first:].T @ q
+        return np.asarray((work + work.T) / 2)
+
+
+def _whole(n: int) -> int:
+    if n != int(n) or n < 0:
+        raise ValueError(f"a harmonic is a whole number >= 0, got {n}")
+    return int(n)

@@ -1,0 +1,36 @@
+"""Pressures that only push: p >= 0, gap >= 0, p . gap = 0, under a given total load."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve
+
+from fem.plane.discretisation import Array
+
+MAX_CHANGES = 60
+ROUND_OFF = 1e-11  # of the largest pressure, and of the largest gap
+
+
+def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array, float]:
+    """Pressures (n,) and approach of cells with the compliance `A`, `gap` and `area`.
+
+    A p + area (gap - approach) is 0 where p > 0, and positive elsewhere; area . p = load. `A`
+    (n, n) is symmetric, positive definite. Every cell starts in contact; those that pull leave, those
+    that overlap come back, until none does. ArithmeticError where that does not end.
+    """
+    touching: NDArray[np.bool_] = np.ones(gap.size, bool)
+    for _ in range(MAX_CHANGES):
+        own = np.ix_(touching, touching)
+        unit, shut = cho_solve(cho_factor(A[own]), np.array([area, area * gap]).T[touching]).T
+        approach = (load + area[touching] @ shut) / (area[touching] @ unit)
+        p = np.zeros(gap.size)
+        p[touching] = approach * unit - shut
+        opening = A @ p / area + gap - approach
+        pulls = p < -ROUND_OFF * abs(p).max()
+        overlaps = ~touching & (opening < -ROUND_OFF * abs(gap).max())
+        if not np.any(pulls | overlaps):
+            return np.maximum(p, 0.0), float(approach)
+        touching = (touching & ~pulls) | overlaps
+    raise ArithmeticError(
+        f"the contact did not settle in {MAX_CHANGES} changes: {pulls.sum()} cells pull, "
+        f"{overlaps.sum()} overlap"
+    )

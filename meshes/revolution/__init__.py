@@ -1,0 +1,1 @@
+"""Half-sections of bodies of revolution: x is the radius, y the axis."""

@@ -1,0 +1,65 @@
+"""Half-sections of solid and hollow cylinders on stations of radius and of the axis."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from skfem import MeshQuad1
+
+from meshes.contact.grading import beta, cells_along
+
+Array = NDArray[np.float64]
+
+
+def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
+    """Rectangular cells between growing stations `r` >= 0 and `z`, straight.
+
+    Boundaries "axis" (the first r is 0) or "bore", "rim", "start" (first z) and "end"; body
+    "body". ValueError unless stations grow, two or more, and none lies beyond the axis.
+    """
+    r, z = _growing(r, "r"), _growing(z, "z")
+    if r[0] < 0:
+        raise ValueError(f"radii are not negative, got r={r[0]:g} m")
+    mesh = MeshQuad1.init_tensor(r, z)
+    return mesh.with_boundaries({
+        "axis" if r[0] == 0 else "bore": lambda x: x[0] == r[0],
+        "rim": lambda x: x[0] == r[-1],
+        "start": lambda x: x[1] == z[0],
+        "end": lambda x: x[1] == z[-1],
+    }).with_subdomains({"body": np.arange(mesh.nelements)})  # fmt: skip
+
+
+def stations(*, start: float, end: float, first: float, growth: float, refine: int = 1) -> Array:
+    """Stations from `start`, where cells are `first` long, to `end`, in either direction.
+
+    Away from `start` a cell is at most `growth` times as long as the one before; far off they level
+    out. `refine` 2 halves all, and so on. ValueError unless 0 < first <= |end - start|.
+    """
+    length = abs(end - start)
+    if not 0 < first <= length < np.inf or not growth > 1 or refine < 1:
+        raise ValueError(
+            "stations need 0 < first <= |end - start|, growth > 1 and refine >= 1, got "
+            f"first={first:g} m, |end - start|={length:g} m, growth={growth:g}, refine={refine}"
+        )
+    n = cells_along(length=length, first=first, growth=growth)
+    b = beta(length=length, first=first, cells=n)
+    e = ((b + 1) / (b - 1)) ** (1 - np.arange(refine * n + 1) / (refine * n))
+    far = b * (e - 1) / (e + 1)  # from the far end, as a share of the length
+    found = end - (end - start) * far
+    found[0], found[-1] = start, end
+    return np.asarray(found if end > start else found[::-1])
+
+
+def chain(parts: Sequence[Array]) -> Array:
+    """Growing stations, one part after the other, each starting where the last one ended."""
+    for before, after in zip(parts, parts[1:], strict=False):
+        if before[-1] != after[0]:
+            raise ValueError(f"stations end at {before[-1]:g} m and go on at {after[0]:g} m")
+    return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
+
+
+def _growing(values: ArrayLike, name: str) -> Array:
+    found = np.asarray(values, float)
+    if found.ndim != 1 or found.size < 2 or not np.all(np.diff(found) > 0):
+        raise ValueError(f"stations {name} must grow, two or more, got {found}")
+    return found
