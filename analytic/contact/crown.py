@@ -131,7 +131,8 @@ def straight_length(*, K_2: ArrayLike, length: ArrayLike) -> Array:
 
 def _position(y: ArrayLike, length: ArrayLike) -> Array:
     """2|y|/l; ValueError beyond the ends, where rounding is forgiven."""
-    t = 2 * np.abs(finite(y, "position", "m")) / positive(length, "length", "m")
+    y, length = finite(y, "position", "m"), positive(length, "length", "m")
+    t = 2 * np.abs(y) / length
     if not np.all(t <= 1 + 1e-12):
         raise ValueError(f"position must lie on the roller, |y| <= l/2, got y={y} m, l={length} m")
     return np.asarray(np.minimum(t, 1.0))

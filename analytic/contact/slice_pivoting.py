@@ -1,0 +1,74 @@
+r"""Unilateral contact of coupled slices: which of them carry, and how much, for many cases at once.
+
+With the matrix S of compliances and f the wanted deflections (to the power 10/9) the forces obey
+
+.. math:: q \ge 0, \qquad S q - f \ge 0, \qquad q^T (S q - f) = 0.
+
+S being positive definite there is one solution. Slices that would pull leave and slices that would
+interpenetrate come back, all at once as long as fewer and fewer do so, and otherwise one at a time,
+the last one first, which ends for any S of that kind (block principal pivoting with Murty's rule).
+
+References
+----------
+.. [1] J. J. Júdice, F. M. Pires, A block principal pivoting algorithm for large-scale strictly
+   monotone linear complementarity problems, Computers & Operations Research 21 (1994) 587-596.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array
+
+PATIENCE = 3  # blocks that may go without progress
+PIVOTS = 1000
+ROUND_OFF = 1e-13  # of the largest f: what does not count as a pull or as an overlap
+
+
+def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Forces of S (cases, n, n), f (cases, n), and how they grow where f grows by `rate`.
+
+    `carries` is where the search starts and, changed in place, where it ends. ArithmeticError if
+    it does not.
+    """
+    q, growth = np.zeros_like(f), np.zeros_like(f)
+    best = np.full(len(f), f.shape[1] + 1)
+    patience = np.full(len(f), PATIENCE)
+    left = np.arange(len(f))
+    for _ in range(PIVOTS):
+        some, on = S[left], carries[left]
+        solved = _solve(some, np.stack([f[left], rate[left]], axis=-1), on)
+        q[left], growth[left] = solved[..., 0], solved[..., 1]
+        wrong = _wrong(some, q[left], f[left], on)
+        count = wrong.sum(axis=1)
+        fewer = count < best[left]
+        patience[left] = np.where(fewer, PATIENCE, patience[left] - 1)
+        best[left] = np.minimum(best[left], count)
+        one_only = patience[left] < 0
+        wrong[one_only] = _last(wrong[one_only])
+        carries[left] = on ^ wrong
+        left = left[count > 0]
+        if not len(left):
+            return np.maximum(q, 0.0), growth
+    raise ArithmeticError(f"the carrying slices were not found in {PIVOTS} exchanges")
+
+
+def _solve(S: Array, right: Array, on: NDArray[np.bool_]) -> Array:
+    """Solution on the slices that carry; 0 on the others."""
+    both = on[:, :, None] & on[:, None, :]
+    matrix = np.where(both, S, 0.0)
+    diagonal = np.arange(S.shape[1])
+    matrix[:, diagonal, diagonal] += ~on
+    return np.asarray(np.linalg.solve(matrix, np.where(on[:, :, None], right, 0.0)))
+
+
+def _wrong(S: Array, q: Array, f: Array, on: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Slices that carry and pull, and slices that do not and interpenetrate."""
+    largest = ROUND_OFF * f.max(axis=1, keepdims=True)
+    overlap = f - np.einsum("cij,cj->ci", S, q)
+    return np.asarray(np.where(on, q * S[:, :1, 0] < -largest, overlap > largest))
+
+
+def _last(wrong: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """The last of the wrong slices of each case alone."""
+    after = np.cumsum(wrong[:, ::-1], axis=1)[:, ::-1]
+    return np.asarray(wrong & (after == 1))
