@@ -1,0 +1,112 @@
+r"""Newton's linear system of the strips: J ds - dDelta = -g on those that carry, many cases at once.
+
+J is the logarithm of all strips (one matrix for every case), bands of the near ones that vary with
+the case, and a diagonal. `conjugate_gradients` never forms it: it takes the bands as symmetric,
+which they are up to the change of half-width from strip to strip, and keeps the sum of the loads
+by projection. `direct` forms it and takes it as it is.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array
+
+STEPS = 5  # of conjugate gradients: 1e-3 left, as Newton's next iteration wants
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class System:
+    """What Newton's step is to solve: `push` is -g on the strips that carry, (N, n).
+
+    Shared `far` matrices (n, n); `bands` (M, N, n), of which the first is the diagonal; `carries`
+    (N, n); the load still `missing` (N,), or None where the approach is given.
+    """
+
+    far: tuple[Array, ...]
+    bands: Array
+    s: Array
+    push: Array
+    carries: Mask
+    missing: Array | None
+
+
+def direct(system: System) -> tuple[Array, Array]:
+    """Step of the loads (N, n) and of the approach (N,), by elimination."""
+    J, push = _dense(system), system.push
+    if system.missing is None:
+        return np.linalg.solve(J, push[..., None])[..., 0], np.zeros(len(push))
+    both = np.linalg.solve(J, np.stack([push, system.carries.astype(np.float64)], axis=-1))
+    sums = both.sum(axis=1)
+    rise = (system.missing - sums[:, 0]) / sums[:, 1]
+    return both[..., 0] + rise[:, None] * both[..., 1], rise
+
+
+def conjugate_gradients(system: System) -> tuple[Array, Array]:
+    """Step of the loads (N, n) and of the approach (N,), to about 1e-3 of itself."""
+    inverse = np.where(system.carries, 1 / system.bands[0], 0.0)
+    own, s = system.bands[0], system.s
+    constant, linear = _shared(system)
+
+    def apply(x: Array) -> Array:
+        return x @ constant + (s * x) @ linear + s * (x @ linear) + own * x
+
+    weight = inverse.sum(axis=-1)
+    free = system.missing is None
+    step = np.zeros_like(inverse)
+    residual = system.push
+    if system.missing is not None:
+        step = inverse * (system.missing / weight)[:, None]
+        residual = residual - apply(step)
+    direction, old = step, np.ones(len(weight))
+    for count in range(STEPS):
+        z = inverse * residual
+        if not free:
+            z -= inverse * (z.sum(axis=-1) / weight)[:, None]
+        new = np.einsum("cj,cj->c", z, residual)
+        direction = z if count == 0 else z + (new / old)[:, None] * direction
+        image = apply(direction)
+        work = np.einsum("cj,cj->c", direction, image)
+        along = (new / np.where(work > 0, work, np.inf))[:, None]
+        step = step + along * direction
+        residual = residual - along * image
+        old = np.where(new > 0, new, np.inf)
+    rise = np.zeros(len(weight)) if free else -(inverse * residual).sum(axis=-1) / weight
+    return step, rise
+
+
+def _shared(system: System) -> tuple[Array, Array]:
+    """Matrices A, B (n, n) with J_jk = A_jk + B_jk s_k beside the diagonal, fitted to the bands."""
+    far, bands, s = system.far, system.bands, system.s
+    n = s.shape[-1]
+    constant, linear = far[0].copy(), 2 * far[1] if len(far) > 1 else np.zeros((n, n))
+    mean = s.mean()
+    spread = s - mean
+    slopes = np.tensordot(bands[1:], spread, 2) / max(float((spread**2).sum()), 1e-300)
+    for m, (level, slope) in enumerate(
+        zip(bands[1:].mean(axis=(1, 2)), slopes, strict=True), start=1
+    ):
+        for matrix, value in ((constant, level - slope * mean), (linear, slope)):
+            flat = matrix.reshape(-1)
+            flat[m * n :: n + 1] += value
+            flat[m : n * (n - m) : n + 1] += value
+    return constant, linear / 2
+
+
+def _dense(system: System) -> Array:
+    """J (N, n, n); strips that carry nothing are held by a huge diagonal."""
+    far, bands = system.far, system.bands
+    _, cases, n = bands.shape
+    J = np.empty((cases, n, n))
+    J[:] = far[0]
+    if len(far) > 1:
+        J += 2 * far[1] * system.s[:, None, :]
+    flat = J.reshape(cases, n * n)
+    for m in range(1, len(bands)):
+        flat[:, m * n :: n + 1] += bands[m, :, :-m]
+        flat[:, m : n * (n - m) : n + 1] += bands[m, :, m:]
+    flat[:, :: n + 1] = np.where(system.carries, bands[0], 1e30)
+    return J

@@ -1,0 +1,179 @@
+r"""Unilateral contact of equal strips, many cases at once, with every scale taken out.
+
+With the line load as :math:`s = b^2/D^2 = 4qR/(\pi E^*D^2)` and lengths along the normal in units of
+:math:`D^2/(2\pi R)`, radius, modulus and width leave the problem, and cases of every kind share one
+influence: sought is s >= 0 with
+
+.. math::
+    g_j = \sum_k H_{|j-k|}(s_k) + h_j - \Delta \ge 0, \qquad s_j g_j = 0, \qquad
+    H_m(s) = s\left[F\Big(\frac{m + 1/2}{\sqrt s}\Big) - F\Big(\frac{m - 1/2}{\sqrt s}\Big)\right]
+
+(F: `strip_influence`) for a given Delta or a given sum of s. Far strips act through the logarithm
+and a few powers of s, matrices that all cases share; the M nearest through the table. Newton's
+method on the strips that carry: a strip that would pull leaves, one that the others let sink
+through the surface comes back.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array
+from analytic.contact.strip_influence import excess, far_coefficients
+from analytic.contact.strip_linear import System, conjugate_gradients, direct
+
+TOLERANCE = 1e-10  # of the largest displacement and of the load
+ITERATIONS = 60
+UNDAMPED = 12  # iterations after which a strip may lose nine tenths of its load at most
+FAR = 3.0  # half-widths from which on the series of F serves: 9^-8 c_8 = 1e-11
+TERMS = 7
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Loads s (N, n), approach Delta (N,), residual (N,) relative, and the iterations taken."""
+
+    s: Array
+    Delta: Array
+    residual: Array
+    iterations: int
+
+
+@dataclass(frozen=True)
+class Response:
+    """Displacement u (N, n) under s; near bands (M, N, n) of u/s and of du/ds; far matrices.
+
+    The bands for m > 0 are what the strip adds to the logarithm of far[0].
+    """
+
+    u: Array
+    ratios: Array
+    slopes: Array
+    far: tuple[Array, ...]
+
+
+def respond(s: Array) -> Response:
+    """Displacement of every strip under the loads s, (N, n), of all strips."""
+    n = s.shape[-1]
+    near = min(n, int(np.ceil(FAR * np.sqrt(s.max(initial=0.0)) + 0.5)))
+    far = _far(n, near)
+    u = s @ far[0]
+    power = s
+    for matrix in far[1:] if near < n else ():
+        power = power * s
+        u += power @ matrix
+    log_root = 0.5 * np.log(np.maximum(s, 1e-300))
+    edges = np.log(np.arange(near) + 0.5)[:, None, None]
+    value, slope = excess(edges - log_root)
+    tangent = value - 0.5 * slope
+    value[1:] -= value[:-1].copy()
+    tangent[1:] -= tangent[:-1].copy()
+    own = np.pi / 2 * (np.log(2.0) - log_root)
+    value[0] = 2 * (value[0] + own + np.pi / 4)
+    tangent[0] = 2 * (tangent[0] + own)
+    part = value * s
+    u += part[0]
+    for m in range(1, near):
+        u[:, m:] += part[m, :, :-m]
+        u[:, :-m] += part[m, :, m:]
+    return Response(u, value, tangent, far)
+
+
+def solve(h: Array, *, total: Array | None = None, Delta: Array | None = None) -> Solved:
+    """Loads s of the cases h (N, n), under the sum `total` or the approach `Delta`, both (N,).
+
+    Cases that converged leave the iteration. ArithmeticError where one doesn't converge.
+    """
+    cases = len(h)
+    s, level = _uncoupled(h, total, Delta)
+    solved = Solved(np.empty_like(h), np.empty(cases), np.empty(cases), 0)
+    left = np.arange(cases)
+    for iteration in range(1, ITERATIONS + 1):
+        response = respond(s)
+        gap = response.u + h - level[:, None]
+        carries = (s > 0) | (gap < 0)
+        residual = _residual(s, gap, h, level, total)
+        done = residual <= TOLERANCE
+        if done.any():
+            at = left[done]
+            solved.s[at], solved.Delta[at], solved.residual[at] = s[done], level[done], residual[done]
+            if done.all():
+                return Solved(solved.s, solved.Delta, solved.residual, iteration)
+            go = ~done
+            left, s, level, gap, carries, h = (
+                a[go] for a in (left, s, level, gap, carries, h)
+            )
+            total = None if total is None else total[go]
+            response = Response(
+                response.u[go], response.ratios[:, go], response.slopes[:, go], response.far
+            )
+        step, rise = (conjugate_gradients if iteration <= UNDAMPED else direct)(
+            _system(s, gap, carries, response, total)
+        )
+        s = np.maximum(s + step, 0.1 * s if iteration > UNDAMPED else 0.0)
+        s[s < 1e-14 * s.max(axis=-1, keepdims=True)] = 0.0
+        level = level + rise
+    raise ArithmeticError(
+        f"strips of {len(left)} of {cases} cases did not converge in {ITERATIONS} iterations: "
+        f"relative residual {residual.max():.1e}, first case {left[0]}"
+    )
+
+
+def _system(
+    s: Array, gap: Array, carries: Mask, response: Response, total: Array | None
+) -> System:
+    """Newton's system.
+
+    A strip about to carry has no slope at s = 0 (it is a logarithm): it takes the one at the load
+    that its penetration will call for, from below.
+    """
+    seed = np.clip(-gap / 30, 1e-300, 0.5)
+    response.slopes[0] = np.where(
+        s > 0, response.slopes[0], np.pi * (np.log(2.0) - 0.5 * np.log(seed))
+    )
+    missing = None if total is None else total - s.sum(axis=-1)
+    push = np.where(carries, -gap, 0.0)
+    return System(response.far, response.slopes, s, push, carries, missing)
+
+
+def _residual(s: Array, gap: Array, h: Array, level: Array, total: Array | None) -> Array:
+    """Largest violation of the contact conditions and of the load, relative, (N,)."""
+    wrong = np.where(s > 0, np.abs(gap), np.maximum(-gap, 0.0)).max(axis=-1)
+    reach = level - h.min(axis=-1)
+    residual = np.where(wrong > 0, wrong / np.maximum(reach, 1e-300), 0.0)
+    if total is None:
+        return np.asarray(residual)
+    return np.asarray(np.maximum(residual, np.abs(s.sum(axis=-1) / total - 1)))
+
+
+def _uncoupled(h: Array, total: Array | None, Delta: Array | None) -> tuple[Array, Array]:
+    """Start: every strip a spring of the stiffness that the whole row has on average."""
+    n = h.shape[-1]
+    softness = np.pi * (np.log(2 * n) + 0.5)
+    if Delta is None:
+        assert total is not None
+        ordered = np.sort(h, axis=-1)
+        count = np.arange(1, n + 1)
+        levels = (softness * total[:, None] + np.cumsum(ordered, axis=-1)) / count
+        carrying = (levels > ordered).sum(axis=-1, keepdims=True)
+        Delta = np.take_along_axis(levels, carrying - 1, axis=-1)[:, 0]
+    return np.maximum(Delta[:, None] - h, 0.0) / softness, Delta
+
+
+@lru_cache(maxsize=64)
+def _far(n: int, near: int) -> tuple[Array, ...]:
+    """Matrices (n, n) of the powers s, s², ... in u: the logarithm for all, the series for far."""
+    m = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
+    beyond, before = m + 0.5, np.where(m > 0, m - 0.5, 1.0)
+    log = np.where(m > 0, np.pi / 2 * np.log(beyond / before), 0.0)
+    if near >= n:
+        return (log,)
+    c = far_coefficients(TERMS)
+    return log, *(
+        np.where(m >= near, c[i - 1] * (beyond ** (-2.0 * i) - before ** (-2.0 * i)), 0.0)
+        for i in range(1, TERMS + 1)
+    )

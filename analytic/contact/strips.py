@@ -1,0 +1,181 @@
+r"""Finite line contact by semi-analytic strips: Hertz across, half-space along.
+
+A roller is cut across into n equal strips of width D = l/n along its axis y. In each the pressure
+across is Hertz's ellipse with the strip's own half-width and is constant over D,
+
+.. math::
+    b_k = \sqrt{\frac{4q_kR}{\pi E^*}}, \qquad p_k = \frac{2q_k}{\pi b_k}, \qquad
+    \sum_k C_{jk}(b_k)\, q_k \ge \delta - z_j, \quad q_j \ge 0, \quad
+    D\sum_k q_k = W,
+
+with equality where q_j > 0; C (`strip_influence`) is what a strip of elliptic pressure on a
+half-space sinks the middle line of another by, both bodies together. z is the gap that crown, tilt
+and faults leave beside the parabola x²/2R. SI or any consistent units.
+
+Range: frictionless, small strain, b much smaller than R and than the length over which q changes;
+`strip_error.neglected` says what that costs. Where the roller ends under load (no crown) the
+pressure has no limit as strips become narrower: only the mid pressure and loads of finite lengths
+have. The half-space goes on beyond the roller's end faces.
+
+References
+----------
+.. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, secs. 4.2 and 5.6.
+.. [2] J. J. Kalker, On elastic line contact, J. Appl. Mech. 39 (1972) 1125-1132 (the slender
+   contact whose leading order this is).
+"""
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.checks import Array, finite, positive
+from analytic.contact.strip_newton import Solved, solve
+
+AT_ONCE = 8000  # strips in work at a time: their arrays fit the cache
+
+
+@dataclass(frozen=True)
+class Strips:
+    """Strips in contact: q, half_width, pressure, carries (..., n), the others (...).
+
+    q is the line load [N/m], pressure the one in the middle of each strip [Pa], half_width b [m],
+    approach delta [m], load W [N]. `residual` is the largest violation of the contact conditions,
+    relative to the deepest displacement, or of the load, relative. gap, length, R and E_star are
+    what was given.
+    """
+
+    q: Array
+    half_width: Array
+    pressure: Array
+    carries: NDArray[np.bool_]
+    approach: Array
+    load: Array
+    residual: Array
+    gap: Array
+    length: Array
+    R: Array
+    E_star: Array
+
+    @property
+    def peak(self) -> Array:
+        """Largest pressure [Pa] of the strips, (...)."""
+        return np.asarray(self.pressure.max(axis=-1))
+
+    @property
+    def mid(self) -> Array:
+        """Pressure [Pa] at mid-length, (...): between two strips, the mean of their squares' root.
+
+        p² is proportional to q, which is smooth there.
+        """
+        n = self.q.shape[-1]
+        middle = self.pressure[..., (n - 1) // 2] ** 2 + self.pressure[..., n // 2] ** 2
+        return np.asarray(np.sqrt(middle / 2))
+
+
+def press(
+    gap: ArrayLike,
+    *,
+    length: ArrayLike,
+    R: ArrayLike,
+    E_star: ArrayLike,
+    load: ArrayLike | None = None,
+    approach: ArrayLike | None = None,
+    workers: int = 1,
+) -> Strips:
+    """Contact of a roller of the length l, under its `load` or at its `approach`.
+
+    `gap` (..., n) is the height z [m] at the strips' centres; length, relative radius R [m],
+    contact modulus E_star [Pa], load [N] or approach [m] are (...): all broadcast, each case is
+    solved to 1e-10, `workers` threads share the cases. An approach that reaches nothing gives no
+    load. ValueError for input that makes no sense and for a contact wider than the roller is long;
+    ArithmeticError if a case doesn't converge.
+
+    >>> roller = press(np.zeros(400), length=100.0, R=1.0, E_star=4.0, load=100 * np.pi * 1e-4)
+    >>> round(float(roller.half_width[200]), 3), round(float(roller.mid), 3)  # Hertz: 0.01, 0.02
+    (0.01, 0.02)
+    """
+    if (load is None) == (approach is None):
+        raise ValueError("give either the load [N] or the approach [m], not both or neither")
+    z = finite(gap, "gap", "m")
+    if z.ndim == 0 or z.shape[-1] == 0:
+        raise ValueError(f"gap must have the strips along its last axis, got shape {z.shape} m")
+    n = z.shape[-1]
+    l_, R, E_star = (
+        positive(length, "length", "m"),
+        positive(R, "relative radius", "m"),
+        positive(E_star, "contact modulus", "Pa"),
+    )
+    given = positive(load, "load", "N") if approach is None else finite(approach, "approach", "m")
+    try:
+        shape = np.broadcast_shapes(z.shape[:-1], l_.shape, R.shape, E_star.shape, given.shape)
+    except ValueError:
+        raise ValueError(
+            f"gap {z.shape} without its last axis, length {l_.shape}, R {R.shape}, E_star "
+            f"{E_star.shape} and load or approach {given.shape} must broadcast [shapes]"
+        ) from None
+    z = np.broadcast_to(z, (*shape, n))
+    l_, R, E_star, given = (np.broadcast_to(a, shape) for a in (l_, R, E_star, given))
+    D = l_ / n
+    height = D**2 / (2 * np.pi * R)
+    line = np.pi * E_star * D**2 / (4 * R)
+    lowest = z.min(axis=-1)
+    h = ((z - lowest[..., None]) / height[..., None]).reshape(-1, n)
+    if approach is None:
+        total = (given / (line * D)).ravel()
+        _refuse_wide(total / n, n)
+        solved = _in_parts(lambda at: solve(h[at], total=total[at]), h, workers)
+    else:
+        Delta = ((given - lowest) / height).ravel()
+        _refuse_wide(Delta / 8, n)  # b = l/2 all along sinks by 6 times s
+        solved = _in_parts(lambda at: solve(h[at], Delta=Delta[at]), h, workers)
+    _refuse_wide(solved.s.max(axis=-1, initial=0.0), n)
+    s = solved.s.reshape(*shape, n)
+    q = s * line[..., None]
+    root = np.sqrt(s)
+    return Strips(
+        q=q,
+        half_width=root * D[..., None],
+        pressure=root * (E_star * D / (2 * R))[..., None],
+        carries=s > 0,
+        approach=solved.Delta.reshape(shape) * height + lowest,
+        load=q.sum(axis=-1) * D,
+        residual=solved.residual.reshape(shape),
+        gap=z,
+        length=l_,
+        R=R,
+        E_star=E_star,
+    )
+
+
+def _in_parts(part: Callable[[slice], Solved], h: Array, workers: int) -> Solved:
+    """`part` of every slice of the cases, put together again."""
+    cases, n = h.shape
+    size = max(1, AT_ONCE // n)
+    parts = [slice(i, i + size) for i in range(0, cases, size)]
+    if workers > 1 and len(parts) > 1:
+        with ThreadPoolExecutor(workers) as pool:
+            solved = list(pool.map(part, parts))
+    else:
+        solved = [part(at) for at in parts]
+    if not solved:
+        return Solved(np.empty((0, n)), np.empty(0), np.empty(0), 0)
+    return Solved(
+        np.concatenate([p.s for p in solved]),
+        np.concatenate([p.Delta for p in solved]),
+        np.concatenate([p.residual for p in solved]),
+        max(p.iterations for p in solved),
+    )
+
+
+def _refuse_wide(s: Array, n: int) -> None:
+    """ValueError where b = sqrt(s) D exceeds half the length n D."""
+    wide = np.sqrt(np.maximum(s, 0.0)) / n
+    if np.any(wide > 0.5):
+        case = int(np.argmax(wide))
+        raise ValueError(
+            "a line contact must be longer than wide: half-width must be below half the length, "
+            f"got b/l = {wide[case]:.3g} [-] in case {case}"
+        )
