@@ -1,0 +1,221 @@
+r"""Frictionless normal contact of half-spaces with any gap between them, by boundary elements.
+
+Pressure is uniform in each of nx by ny equal cells; the displacement of their centres is Love's
+(`love`), summed by fast transforms (`half_space_convolution`); the unilateral conditions hold to
+the tolerance (`half_space_cg`). E* is the contact modulus of both bodies together. Any consistent
+units.
+
+Range: small strain, contact much smaller than the bodies, no free edge near it. Cells are whole
+inside the contact or outside: its rim is stepped, errors of pressures fall with about the cell's
+size to the power 1 to 1.5. Pressure that is singular, at the rim of a punch or the end of a roller
+without crown, has no peak to converge to: it grows as 1/sqrt(cell).
+
+References
+----------
+.. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, sec. 5.9.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.checks import Array, finite, positive
+from analytic.contact.half_space_cg import solve
+from analytic.contact.half_space_convolution import Convolution
+
+TOLERANCE = 1e-10
+LIMIT = 1000  # iterations; tens are usual
+MIRROR = 1e-13  # of the gap's range: what its halves may differ by as mirror images
+
+
+@dataclass(frozen=True, kw_only=True)
+class HalfSpaceContact:
+    """Fields (nx, ny) over the cells; x and y from the middle of the grid.
+
+    `displacement` is the sum of both bodies', `gap` what is left between them; residual: the
+    largest gap where pressure acts or overlap where none does, over the largest displacement.
+    """
+
+    pressure: Array
+    displacement: Array
+    gap: Array
+    approach: float
+    cell: tuple[float, float]
+    iterations: int
+    residual: float
+
+    @property
+    def x(self) -> Array:
+        """Centres (nx,) of the cells [length]."""
+        return centres(self.pressure.shape[0], self.cell[0])
+
+    @property
+    def y(self) -> Array:
+        """Centres (ny,) of the cells [length]."""
+        return centres(self.pressure.shape[1], self.cell[1])
+
+    @property
+    def carries(self) -> NDArray[np.bool_]:
+        """Cells (nx, ny) in contact."""
+        return self.pressure > 0
+
+    @property
+    def area(self) -> float:
+        """Area of one cell."""
+        return self.cell[0] * self.cell[1]
+
+    @property
+    def load(self) -> float:
+        """Force that presses the bodies together."""
+        return float(self.pressure.sum() * self.area)
+
+    @property
+    def moments(self) -> tuple[float, float]:
+        """Tilting moments about x and y: integrals of y p and of x p."""
+        along, across = self.pressure.sum(axis=0), self.pressure.sum(axis=1)
+        return float(along @ self.y * self.area), float(across @ self.x * self.area)
+
+    @property
+    def energy(self) -> float:
+        """Strain energy of both bodies."""
+        return float(np.vdot(self.pressure, self.displacement) * self.area / 2)
+
+    @property
+    def complementarity(self) -> float:
+        """Integral of pressure times what is left of the gap, over load times displacement."""
+        scale = self.load * float(self.displacement.max())
+        work = float(np.vdot(self.pressure, np.abs(self.gap)) * self.area)
+        return work / scale if scale > 0 else 0.0
+
+
+class HalfSpace:
+    """Grid of `shape` = (nx, ny) cells `cell` = (hx, hy) and its influence, for many contacts."""
+
+    def __init__(self, shape: tuple[int, int], *, cell: tuple[float, float], E_star: float) -> None:
+        if len(shape) != 2 or not all(isinstance(n, int | np.integer) and n > 0 for n in shape):
+            raise ValueError(f"a grid has nx by ny cells, whole numbers from 1, got {shape}")
+        if np.shape(cell) != (2,):
+            raise ValueError(f"a cell has two sides hx, hy, got {cell} m")
+        sides = positive(cell, "sides of a cell", "m")
+        self.shape = int(shape[0]), int(shape[1])
+        self.cell = float(sides[0]), float(sides[1])
+        self.E_star = float(positive(E_star, "contact modulus", "Pa"))
+        self._influence: dict[tuple[bool, bool], Convolution] = {}
+
+    def press(
+        self,
+        gap: ArrayLike,
+        *,
+        load: float | None = None,
+        approach: float | None = None,
+        start: ArrayLike | None = None,
+        tolerance: float = TOLERANCE,
+        limit: int = LIMIT,
+    ) -> HalfSpaceContact:
+        """Contact under either `load` or `approach`, with the `gap` (nx, ny) before it.
+
+        `start` is a guess of the pressure. Where the gap is a mirror image of itself about the
+        middle of an even number of cells, so is the pressure, and half is solved. An approach
+        that reaches nothing gives zero load. Raises ArithmeticError where `limit` iterations
+        leave a residual above `tolerance`.
+        """
+        gap = _field(gap, self.shape, "gap", "m")
+        load, approach = _one_of(load, approach)
+        tolerance = float(positive(tolerance, "tolerance", ""))
+        K = self.influence(gap)
+        part = K.half(gap)
+        total = None
+        if load is not None:
+            total = load / (self.cell[0] * self.cell[1]) * part.size / gap.size
+        guess = _first(K, part, approach)
+        if start is not None:
+            started = K.half(np.maximum(_field(start, self.shape, "starting pressure", "Pa"), 0.0))
+            guess = started if np.any(started > 0) else guess
+        if approach is not None and approach <= gap.min():
+            guess = np.zeros_like(part)
+        found = solve(
+            K, part, total=total, approach=approach or 0.0, start=guess,
+            tolerance=tolerance, limit=limit,
+        )  # fmt: skip
+        displacement = K.whole(found.displacement)
+        return HalfSpaceContact(
+            pressure=K.whole(found.pressure), displacement=displacement,
+            gap=displacement + gap - found.approach, approach=found.approach, cell=self.cell,
+            iterations=found.iterations, residual=found.residual,
+        )  # fmt: skip
+
+    def press_each(
+        self, gap: ArrayLike, loads: Iterable[float], **how: Any
+    ) -> list[HalfSpaceContact]:
+        """A contact for each of `loads`, each starting from the one before."""
+        found: list[HalfSpaceContact] = []
+        for load in loads:
+            start = found[-1].pressure if found else None
+            found.append(self.press(gap, load=load, start=start, **how))
+        return found
+
+    def influence(self, gap: Array) -> Convolution:
+        """The influence, on halves where `gap` allows it; made once."""
+        near = MIRROR * np.ptp(gap)
+        mirrored = tuple(
+            n % 2 == 0 and bool(np.abs(gap - np.flip(gap, axis)).max() <= near)
+            for axis, n in enumerate(self.shape)
+        )
+        assert len(mirrored) == 2
+        if mirrored not in self._influence:
+            self._influence[mirrored] = Convolution(
+                self.shape, cell=self.cell, E_star=self.E_star, mirrored=mirrored
+            )
+        return self._influence[mirrored]
+
+
+def press(
+    gap: ArrayLike,
+    *,
+    cell: tuple[float, float],
+    E_star: float,
+    load: float | None = None,
+    approach: float | None = None,
+    **how: Any,
+) -> HalfSpaceContact:
+    """One contact with the `gap` (nx, ny) before it; `HalfSpace.press` says what is returned.
+
+    >>> one = press([[0.0]], cell=(1.0, 1.0), E_star=4 / np.pi, load=1.0)
+    >>> bool(np.isclose(one.approach, np.log(1 + np.sqrt(2))))  # Love's 4 h asinh(1) / (pi E*)
+    True
+    """
+    shape = np.shape(gap)
+    if len(shape) != 2:
+        raise ValueError(f"the gap has nx by ny values, got shape {shape}")
+    return HalfSpace(shape, cell=cell, E_star=E_star).press(
+        gap, load=load, approach=approach, **how
+    )
+
+
+def centres(n: int, side: float) -> Array:
+    """Centres (n,) of equal cells in a row, from the middle of the row."""
+    return (np.arange(n) - (n - 1) / 2) * side
+
+
+def _field(values: ArrayLike, shape: tuple[int, int], what: str, unit: str) -> Array:
+    if np.shape(values) != shape:
+        raise ValueError(f"{what} needs a value a cell, {shape}, got shape {np.shape(values)}")
+    return finite(values, what, unit)
+
+
+def _one_of(load: float | None, approach: float | None) -> tuple[float | None, float | None]:
+    if (load is None) == (approach is None):
+        raise ValueError(f"give either load or approach, got load={load} N, approach={approach} m")
+    if load is not None:
+        return float(positive(load, "load", "N")), None
+    return None, float(finite(approach if approach is not None else 0.0, "approach", "m"))
+
+
+def _first(K: Convolution, gap: Array, approach: float | None) -> Array:
+    """Pressures to start from: uniform, or those that would lift an overlap by themselves."""
+    if approach is None:
+        return np.ones_like(gap)
+    return np.asarray(np.maximum(K.precondition(np.maximum(approach - gap, 0.0)), 0.0))

@@ -1,0 +1,102 @@
+"""Displacements of a half-space's cells from their pressures, and an approximate inverse of that.
+
+On a grid of equal cells the influence depends on the distance alone: a convolution, done by fast
+transforms over a grid padded with as many zeros, so that nothing repeats. Where pressures are
+mirror images about the middle of an even number of cells, cosines over one half take the place of
+exponentials over the whole. Workers of the transforms: `scipy.fft.set_workers`.
+
+References
+----------
+.. [1] S. Liu, Q. Wang, G. Liu, Wear 243 (2000) 101-111: convolution by padded transforms.
+.. [2] E. A. H. Vollebregt, J. Optim. Theory Appl. 162 (2014) 931-953: transforms to precondition.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from analytic.contact import love
+from analytic.contact.checks import Array
+
+Pair = tuple[int, int]
+Spectrum = NDArray[np.float64] | NDArray[np.complex128]
+
+
+class Convolution:
+    """Cells `shape`, half of them along an axis that is `mirrored` (True: even count needed)."""
+
+    def __init__(
+        self,
+        shape: Pair,
+        *,
+        cell: tuple[float, float],
+        E_star: float,
+        mirrored: tuple[bool, bool] = (False, False),
+    ) -> None:
+        self.shape, self.mirrored = shape, mirrored
+        self.period: Pair = tuple(_fast(n) for n in shape)  # type: ignore[assignment]
+        size = tuple(n + 1 for n in self.period)
+        kernel = fft.dctn(love.table(size, cell=cell, E_star=E_star), type=1)  # type: ignore[arg-type]
+        self._symbol = self._arranged(kernel)
+        coarse = kernel[::2, ::2]
+        self._inverse = self._arranged(1 / np.where(coarse > 0, coarse, coarse.max()))
+
+    def displacement(self, pressure: Array) -> Array:
+        """Displacements [length] under `pressure`, both as large as the solved part of the grid."""
+        return self._filter(pressure, 2, self._symbol)
+
+    def precondition(self, displacement: Array) -> Array:
+        """Pressures [stress] roughly under `displacement`, as if both repeated: definite."""
+        return self._filter(displacement, 1, self._inverse)
+
+    def half(self, field: Array) -> Array:
+        """The part of a whole field that is solved for."""
+        return field[tuple(np.s_[n // 2 :] if m else np.s_[:] for n, m in self._axes())]
+
+    def whole(self, field: Array) -> Array:
+        """The whole of a field from its solved part."""
+        for axis, (_, mirrored) in enumerate(self._axes()):
+            if mirrored:
+                field = np.concatenate([np.flip(field, axis), field], axis)
+        return field
+
+    def _axes(self) -> list[tuple[int, bool]]:
+        return list(zip(self.shape, self.mirrored, strict=True))
+
+    def _arranged(self, kernel: Array) -> Array:
+        """A kernel's transform at the frequencies 0 to half a period, as the fields' stand."""
+        x, y = (n - 1 for n in kernel.shape)
+        if self.mirrored[1]:
+            kernel = kernel[:, :y]
+        if self.mirrored[0]:
+            kernel = kernel[:x]
+        elif not self.mirrored[1]:  # all frequencies, those below zero last
+            kernel = np.concatenate([kernel, kernel[x - 1 : 0 : -1]])
+        return np.ascontiguousarray(kernel)
+
+    def _filter(self, field: Array, periods: int, symbol: Array) -> Array:
+        """`field`, padded to `periods`, with each frequency times its `symbol`."""
+        order = sorted((1, 0), key=lambda axis: not self.mirrored[axis])
+        now: Spectrum = field
+        for axis in order:  # zeros are padded axis by axis: what is nothing is not transformed
+            n = periods * self.period[axis]
+            if self.mirrored[axis]:
+                now = fft.dct(now, n=n // 2, axis=axis)
+            else:
+                now = (fft.fft if np.iscomplexobj(now) else fft.rfft)(now, n=n, axis=axis)
+        now *= symbol
+        for axis in reversed(order):
+            n = periods * self.period[axis]
+            if self.mirrored[axis]:
+                now = fft.idct(now, n=n // 2, axis=axis)
+            elif axis == order[0] or self.mirrored[order[0]]:
+                now = fft.irfft(now, n=n, axis=axis)
+            else:
+                now = fft.ifft(now, n=n, axis=axis)
+            now = now[: field.shape[0]] if axis == 0 else now[:, : field.shape[1]]
+        return np.asarray(now, dtype=np.float64)
+
+
+def _fast(n: int) -> int:
+    """The next even size with fast transforms."""
+    return 2 * int(fft.next_fast_len(-(-n // 2), real=True))
