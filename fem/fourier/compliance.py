@@ -1,12 +1,12 @@
 """How far the surface of a body of revolution gives way under pressure, harmonic by harmonic.
 
-A cylindrical surface of radius R carries the pressure cos(n t) on one of several cells along z. The
-inward displacement it makes, times cos(n t) too, integrated over each cell and one radian, is
-G_n (cells, cells), symmetric. n G_n tends to a limit for large n and is smooth in ln n before, so
-that few harmonics need a solution.
+A cylindrical surface of radius R carries the tractions cos(n t) inwards or sin(n t) around on one of
+several cells along z. The displacements they make in these directions, times cos(n t) or sin(n t),
+integrated over each cell and one radian, are G_n, symmetric. n G_n tends to a limit for large n and
+is smooth in ln n before, so that few harmonics need a solution.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,15 +18,18 @@ from fem.plane.discretisation import Array, Indices, facet_basis, outer_facets
 
 AT_STATION = 1e-9  # of the surface's length
 LOW = 8  # multiples of the lowest harmonic that are all solved
+SAME = 1e-9
+INWARDS, AROUND = (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 ENOUGH = 150.0  # harmonic times the narrowest cell's angle, beyond which the sum breaks off
 
 
 @dataclass(frozen=True)
 class SurfaceCompliance:
-    """`G` (orders, cells, cells) [length^4/force] for the harmonics `orders` on cells in z.
+    """`G` (orders, 2, cells, 2, cells) [length^4/force] of the harmonics `orders`.
 
-    The cells lie between `stations` (cells + 1,) on the surface of radius `radius`; loads repeat
-    `places` times around the turn, so that all harmonics are multiples of it.
+    Its directions are inwards and around. The cells lie between `stations` (cells + 1,) in z on the
+    surface of radius `radius`; loads repeat `places` times around the turn, so that all harmonics
+    are multiples of it. `softness` is (1 - nu^2)/E at the surface [1/stress].
     """
 
     radius: float
@@ -34,22 +37,26 @@ class SurfaceCompliance:
     places: int
     orders: Indices
     G: Array
+    softness: float
 
-    def between(self, across: Array) -> Array:
-        """Matrix (M, M, cells, cells) of a patch: mean inward displacements times area.
+    def between(self, across: Array, tilt: float) -> Array:
+        """Matrix (M, M, cells, cells) of a patch: mean displacements under pressure, times area.
 
         Unknowns are pressures on |s| in M cells between the growing arc lengths `across` (M + 1,)
-        from 0 on. Entry [k, l, i, j] is the integral, over the cell (k, i) and its mirror image in
-        s, of the displacement under pressure 1 on the cell (l, j), its image and both's repetitions
-        at the other places.
+        from 0 on. They act along the contact's normal, which leans by `tilt` s [rad] from the
+        radius towards s = 0; displacements count along it too. Entry [k, l, i, j] is the integral,
+        over the cell (k, i) and its mirror image in s, of the displacement under pressure 1 on the
+        cell (l, j), its image and both's repetitions at the other places.
         """
         angle = np.asarray(across, float) / self.radius
-        weight = np.zeros((self.orders.size, angle.size - 1, angle.size - 1))
+        M = angle.size - 1
+        weight = np.zeros((self.orders.size, 2, M, 2, M))
         for n, share in self._harmonics(float(np.diff(angle).min())):
-            wave = _waves(angle, n)
+            waves = _waves(angle, n, tilt * self.radius).reshape(2 * M, n.size)
             for s in np.flatnonzero(share.any(axis=0)):
-                weight[s] += (wave * (self.places / turn_of(int(n[-1])) * share[:, s])) @ wave.T
-        return np.einsum("skl,sij->klij", weight, self.G, optimize=True)
+                factor = self.places / turn_of(int(n[-1])) * share[:, s]
+                weight[s] += ((waves * factor) @ waves.T).reshape(2, M, 2, M)
+        return np.einsum("sakbl,saibj->klij", weight, self.G, optimize=True)
 
     def _harmonics(self, finest: float) -> Iterator[tuple[Indices, Array]]:
         """Blocks of harmonics n (b,), and how each G_n is made of those solved (b, orders)."""
@@ -65,10 +72,12 @@ class SurfaceCompliance:
         yield n, share
 
 
-def _waves(angle: Array, n: Indices) -> Array:
-    """Integral (cells, orders) of cos(n t) over the cells between `angle` and their images."""
-    wave = np.sin(angle[:, None] * n) / np.maximum(n, 1)
-    return np.asarray(2 * np.diff(np.where(n > 0, wave, angle[:, None]), axis=0))
+def _waves(angle: Array, n: Indices, tilt: float) -> Array:
+    """Integrals (2, cells, orders) of cos(n t) and of tilt t sin(n t), cells and images together."""
+    t, m = angle[:, None], np.maximum(n, 1)
+    inwards = np.where(n > 0, np.sin(n * t) / m, t)
+    around = tilt * (np.sin(n * t) / m**2 - t * np.cos(n * t) / m)
+    return np.asarray(2 * np.diff([inwards, np.where(n > 0, around, 0.0)], axis=1))
 
 
 def harmonics(*, places: int, highest: float, growth: float = 1.3) -> Indices:
@@ -96,15 +105,20 @@ def surface_compliance(
         raise ValueError(
             f"orders must be 0 and at least two growing multiples of places={places}, got {orders}"
         )
-    radius, f = _unit_pressures(solid, boundary, np.asarray(stations, float))
-    G = np.empty((orders.size, f.shape[1], f.shape[1]))
-    for k, n in enumerate(orders):
-        G[k] = turn_of(int(n)) * solid.flexibility(int(n), f)
-    return SurfaceCompliance(radius, np.asarray(stations, float), places, orders, G)
+    stations = np.asarray(stations, float)
+    cells, radius = _surface_cells(solid, boundary, stations)
+    f = np.hstack([_unit_loads(solid, cells, traction) for traction in (INWARDS, AROUND)])
+    m = stations.size - 1
+    G = np.array([turn_of(int(n)) * solid.flexibility(int(n), f) for n in orders])
+    return SurfaceCompliance(
+        radius, stations, places, orders, G.reshape(-1, 2, m, 2, m), _softness(solid, cells)
+    )
 
 
-def _unit_pressures(solid: FourierSolid, boundary: str, stations: Array) -> tuple[float, Array]:
-    """Radius of the boundary and the forces (unknowns, cells) of pressure 1 on each, per radian."""
+def _surface_cells(
+    solid: FourierSolid, boundary: str, stations: Array
+) -> tuple[list[Indices], float]:
+    """Facets of each cell between `stations`, and the radius of the boundary."""
     facets = outer_facets(solid.mesh, boundary)
     r, z = solid.mesh.p[:, solid.mesh.facets[:, facets]]
     radius, close = float(r.max()), AT_STATION * max(float(np.ptp(z)), float(r.max()))
@@ -117,11 +131,27 @@ def _unit_pressures(solid: FourierSolid, boundary: str, stations: Array) -> tupl
         if abs(z - station).min() > close:
             raise ValueError(f"the boundary {boundary!r} has no node at the station z={station:g}")
     cell = np.searchsorted(stations, z.mean(axis=0)) - 1
-    f = np.zeros((solid.basis.N, stations.size - 1))
-    for j in range(stations.size - 1):
-        side = facet_basis(solid.basis, facets[cell == j])
+    return [facets[cell == j] for j in range(stations.size - 1)], radius
+
+
+def _unit_loads(
+    solid: FourierSolid, cells: Sequence[Indices], traction: tuple[float, float, float]
+) -> Array:
+    """Forces (unknowns, cells) of `traction` on each cell, for one radian."""
+    f = np.zeros((solid.basis.N, len(cells)))
+    for j, facets in enumerate(cells):
+        side = facet_basis(solid.basis, facets)
         x = np.asarray(side.global_coordinates())
-        inward = np.zeros((3, *x.shape[1:]))
-        inward[0] = -np.asarray(side.normals)[0]
-        f[:, j] = pull.assemble(side, t=inward)
-    return radius, f
+        t = np.broadcast_to(np.reshape(traction, (3, 1, 1)), (3, *x.shape[1:]))
+        f[:, j] = pull.assemble(side, t=t)
+    return f
+
+
+def _softness(solid: FourierSolid, cells: Sequence[Indices]) -> float:
+    """(1 - nu^2)/E of the solid behind the surface; ValueError where it is not one material's."""
+    behind = solid.mesh.f2t[0, np.concatenate(cells)]
+    lam, mu = solid.cells.lam[behind], solid.cells.mu[behind]
+    softness = (lam + 2 * mu) / (4 * mu * (lam + mu))
+    if np.ptp(softness) > SAME * softness.max():
+        raise ValueError("the surface in contact must be of one material")
+    return float(softness[0])

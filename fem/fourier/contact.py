@@ -86,7 +86,10 @@ def patch_contact(
     across = _check(bodies, across, load)
     first, second = bodies
     M, m = across.size - 1, first.stations.size - 1
-    A = first.between(across) + second.between(across)
+    # the surface between the bodies takes a share of the curvature from each, as each gives way
+    curvature = sum(1 / body.radius for body in bodies)
+    tilts = [body.softness / sum(b.softness for b in bodies) * curvature for body in bodies]
+    A = sum(body.between(across, tilt) for body, tilt in zip(bodies, tilts, strict=True))
     A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)
     gap = _mean(across, lambda s: sum(b.radius - np.sqrt(b.radius**2 - s**2) for b in bodies))[:, None]
     if crown is not None:
