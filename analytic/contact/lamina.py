@@ -11,8 +11,8 @@ approach; any consistent units with one's own.
 
 References
 ----------
-.. [1] T. A. Harris, M. N. Kotzalas, Rolling Bearing Analysis, 5th ed., CRC Press 2006: the lamina
-   model of bearings, from memory.
+.. [1] T. A. Harris, M. N. Kotzalas, Rolling Bearing Analysis, 5th ed., CRC Press 2006, for the
+   lamina model; second-hand.
 """
 
 import numpy as np

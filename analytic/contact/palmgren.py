@@ -13,7 +13,8 @@ The contact cut into n equal slices keeps this law as a whole if each slice obey
 
 References
 ----------
-.. [1] A. Palmgren, Ball and Roller Bearing Engineering, 3rd ed., SKF Industries 1959, for the law.
+.. [1] A. Palmgren, Ball and Roller Bearing Engineering, 3rd ed., SKF Industries 1959;
+   the law and its number second-hand.
 """
 
 import numpy as np

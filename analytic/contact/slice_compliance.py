@@ -14,6 +14,11 @@ displacement of a half-space under a uniform load on the rectangle D x 2b,
 
 d being the distance along the centre line, D the length of a slice, b the half-width.
 
+Other kernels of the same width (Hertz's ellipse across, the mean over the slice that sinks) change
+the peak of the paper's crowned roller by 0.2 % or less from 41 slices on, as long as it is not in
+the end slices. Twice or half the width moves it by up to 1.3 % with 41 slices and, where it takes
+the peak to the ends, by 6 % with 101: the width is no free choice.
+
 References
 ----------
 .. [1] C. Huang, Y. Zhao, M. Liu (2018), Eqs. 2 and 3.
