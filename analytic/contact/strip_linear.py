@@ -1,4 +1,4 @@
-r"""Newton's linear system of the strips: J ds - dDelta = -g on those that carry, many cases at once.
+r"""Newton's linear systems of many cases of strips: J ds - dDelta = -g on those that carry.
 
 J is the logarithm of all strips (one matrix for every case), bands of the near ones that vary with
 the case, and a diagonal. `conjugate_gradients` never forms it: it takes the bands as symmetric,
@@ -47,34 +47,41 @@ def direct(system: System) -> tuple[Array, Array]:
 
 def conjugate_gradients(system: System) -> tuple[Array, Array]:
     """Step of the loads (N, n) and of the approach (N,), to about 1e-3 of itself."""
-    inverse = np.where(system.carries, 1 / system.bands[0], 0.0)
-    own, s = system.bands[0], system.s
+    own, s, n = system.bands[0], system.s, system.s.shape[-1]
+    inverse = np.where(system.carries, 1 / own, 0.0)
+    weight = inverse.sum(axis=-1)
+    share = inverse / weight[:, None]
     constant, linear = _shared(system)
+    both = np.hstack([constant, linear])
 
     def apply(x: Array) -> Array:
-        return x @ constant + (s * x) @ linear + s * (x @ linear) + own * x
+        image = x @ both
+        out = (s * x) @ linear
+        out += image[:, :n]
+        out += s * image[:, n:]
+        out += own * x
+        return out
 
-    weight = inverse.sum(axis=-1)
     free = system.missing is None
-    step = np.zeros_like(inverse)
-    residual = system.push
-    if system.missing is not None:
-        step = inverse * (system.missing / weight)[:, None]
-        residual = residual - apply(step)
+    step, residual = np.zeros_like(inverse), system.push.copy()
+    if system.missing is not None and system.missing.any():
+        step = share * system.missing[:, None]
+        residual -= apply(step)
     direction, old = step, np.ones(len(weight))
     for count in range(STEPS):
         z = inverse * residual
         if not free:
-            z -= inverse * (z.sum(axis=-1) / weight)[:, None]
+            z -= share * z.sum(axis=-1)[:, None]
         new = np.einsum("cj,cj->c", z, residual)
         direction = z if count == 0 else z + (new / old)[:, None] * direction
         image = apply(direction)
         work = np.einsum("cj,cj->c", direction, image)
         along = (new / np.where(work > 0, work, np.inf))[:, None]
-        step = step + along * direction
-        residual = residual - along * image
+        step += along * direction
+        image *= along
+        residual -= image
         old = np.where(new > 0, new, np.inf)
-    rise = np.zeros(len(weight)) if free else -(inverse * residual).sum(axis=-1) / weight
+    rise = np.zeros(len(weight)) if free else -(share * residual).sum(axis=-1)
     return step, rise
 
 

@@ -1,6 +1,6 @@
 r"""Unilateral contact of equal strips, many cases at once, with every scale taken out.
 
-With the line load as :math:`s = b^2/D^2 = 4qR/(\pi E^*D^2)` and lengths along the normal in units of
+With the line load as :math:`s = b^2/D^2 = 4qR/(\pi E^*D^2)` and heights in units of
 :math:`D^2/(2\pi R)`, radius, modulus and width leave the problem, and cases of every kind share one
 influence: sought is s >= 0 with
 
@@ -24,7 +24,6 @@ from analytic.contact.checks import Array
 from analytic.contact.strip_influence import excess, far_coefficients
 from analytic.contact.strip_linear import System, conjugate_gradients, direct
 
-TOLERANCE = 1e-10  # of the largest displacement and of the load
 ITERATIONS = 60
 UNDAMPED = 12  # iterations after which a strip may lose nine tenths of its load at most
 FAR = 3.0  # half-widths from which on the series of F serves: 9^-8 c_8 = 1e-11
@@ -83,7 +82,9 @@ def respond(s: Array) -> Response:
     return Response(u, value, tangent, far)
 
 
-def solve(h: Array, *, total: Array | None = None, Delta: Array | None = None) -> Solved:
+def solve(
+    h: Array, *, tolerance: float, total: Array | None = None, Delta: Array | None = None
+) -> Solved:
     """Loads s of the cases h (N, n), under the sum `total` or the approach `Delta`, both (N,).
 
     Cases that converged leave the iteration. ArithmeticError where one doesn't converge.
@@ -97,16 +98,19 @@ def solve(h: Array, *, total: Array | None = None, Delta: Array | None = None) -
         gap = response.u + h - level[:, None]
         carries = (s > 0) | (gap < 0)
         residual = _residual(s, gap, h, level, total)
-        done = residual <= TOLERANCE
+        done = residual <= tolerance
         if done.any():
             at = left[done]
-            solved.s[at], solved.Delta[at], solved.residual[at] = s[done], level[done], residual[done]
+            solved.s[at], solved.Delta[at], solved.residual[at] = (
+                s[done],
+                level[done],
+                residual[done],
+            )
             if done.all():
                 return Solved(solved.s, solved.Delta, solved.residual, iteration)
             go = ~done
-            left, s, level, gap, carries, h = (
-                a[go] for a in (left, s, level, gap, carries, h)
-            )
+            left, level = left[go], level[go]
+            s, gap, h, carries = s[go], gap[go], h[go], carries[go]
             total = None if total is None else total[go]
             response = Response(
                 response.u[go], response.ratios[:, go], response.slopes[:, go], response.far
@@ -123,9 +127,7 @@ def solve(h: Array, *, total: Array | None = None, Delta: Array | None = None) -
     )
 
 
-def _system(
-    s: Array, gap: Array, carries: Mask, response: Response, total: Array | None
-) -> System:
+def _system(s: Array, gap: Array, carries: Mask, response: Response, total: Array | None) -> System:
     """Newton's system.
 
     A strip about to carry has no slope at s = 0 (it is a logarithm): it takes the one at the load

@@ -89,42 +89,22 @@ def press(
     """Contact of a roller of the length l, under its `load` or at its `approach`.
 
     `gap` (..., n) is the height z [m] at the strips' centres; length, relative radius R [m],
-    contact modulus E_star [Pa], load [N] or approach [m] are (...): all broadcast. Each case is
-    solved to `tolerance` (of the deepest displacement and of the load; 1e-8 is a fifth quicker and
-    its loads good to 1e-7); `workers` threads share the cases, one BLAS thread each is best. An approach that reaches nothing gives no
-    load. ValueError for input that makes no sense and for a contact wider than the roller is long;
-    ArithmeticError if a case doesn't converge.
+    contact modulus E_star [Pa], load [N] or approach [m] are (...): all broadcast. An approach that
+    reaches nothing gives no load. Each case is solved to `tolerance` (of the deepest displacement
+    and of the load; at 1e-8 loads are good to 1e-7); `workers` threads share the cases, with one
+    BLAS thread each. ValueError for input that makes no sense and for a contact wider than the
+    roller is long; ArithmeticError if a case doesn't converge.
 
     >>> roller = press(np.zeros(400), length=100.0, R=1.0, E_star=4.0, load=100 * np.pi * 1e-4)
     >>> round(float(roller.half_width[200]), 3), round(float(roller.mid), 3)  # Hertz: 0.01, 0.02
     (0.01, 0.02)
     """
-    if (load is None) == (approach is None):
-        raise ValueError("give either the load [N] or the approach [m], not both or neither")
-    z = finite(gap, "gap", "m")
-    if z.ndim == 0 or z.shape[-1] == 0:
-        raise ValueError(f"gap must have the strips along its last axis, got shape {z.shape} m")
-    n = z.shape[-1]
-    l_, R, E_star = (
-        positive(length, "length", "m"),
-        positive(R, "relative radius", "m"),
-        positive(E_star, "contact modulus", "Pa"),
-    )
     if not 1e-12 <= tolerance <= 1e-4:
         raise ValueError(f"tolerance must lie in [1e-12, 1e-4], got {tolerance} [-]")
-    given = positive(load, "load", "N") if approach is None else finite(approach, "approach", "m")
-    try:
-        shape = np.broadcast_shapes(z.shape[:-1], l_.shape, R.shape, E_star.shape, given.shape)
-    except ValueError:
-        raise ValueError(
-            f"gap {z.shape} without its last axis, length {l_.shape}, R {R.shape}, E_star "
-            f"{E_star.shape} and load or approach {given.shape} must broadcast [shapes]"
-        ) from None
-    z = np.broadcast_to(z, (*shape, n))
-    l_, R, E_star, given = (np.broadcast_to(a, shape) for a in (l_, R, E_star, given))
-    D = l_ / n
-    height = D**2 / (2 * np.pi * R)
-    line = np.pi * E_star * D**2 / (4 * R)
+    z, length, R, E_star, given = _cases(gap, length, R, E_star, load, approach)
+    shape, n = z.shape[:-1], z.shape[-1]
+    D = length / n
+    height, line = D**2 / (2 * np.pi * R), np.pi * E_star * D**2 / (4 * R)
     lowest = z.min(axis=-1)
     h = ((z - lowest[..., None]) / height[..., None]).reshape(-1, n)
     if approach is None:
@@ -141,21 +121,56 @@ def press(
         )
     _refuse_wide(solved.s.sum(axis=-1) / np.maximum((solved.s > 0).sum(axis=-1), 1), n)
     s = solved.s.reshape(*shape, n)
-    q = s * line[..., None]
-    root = np.sqrt(s)
+    q, root = s * line[..., None], np.sqrt(s)
     return Strips(
         q=q,
         half_width=root * D[..., None],
         pressure=root * (E_star * D / (2 * R))[..., None],
         carries=s > 0,
-        approach=solved.Delta.reshape(shape) * height + lowest,
+        approach=solved.Delta.reshape(shape) * height + lowest if approach is None else given,
         load=q.sum(axis=-1) * D,
         residual=solved.residual.reshape(shape),
         gap=z,
-        length=l_,
+        length=length,
         R=R,
         E_star=E_star,
     )
+
+
+def _cases(
+    gap: ArrayLike,
+    length: ArrayLike,
+    R: ArrayLike,
+    E_star: ArrayLike,
+    load: ArrayLike | None,
+    approach: ArrayLike | None,
+) -> tuple[Array, Array, Array, Array, Array]:
+    """Gap (..., n), length, R, E_star and load or approach (...), checked and broadcast."""
+    z = finite(gap, "gap", "m")
+    if z.ndim == 0 or z.shape[-1] == 0:
+        raise ValueError(f"gap must have the strips along its last axis, got shape {z.shape} m")
+    if load is not None and approach is None:
+        given = positive(load, "load", "N")
+    elif approach is not None and load is None:
+        given = finite(approach, "approach", "m")
+    else:
+        raise ValueError("give either the load [N] or the approach [m], not both or neither")
+    scalars = (
+        positive(length, "length", "m"),
+        positive(R, "relative radius", "m"),
+        positive(E_star, "contact modulus", "Pa"),
+        given,
+    )
+    try:
+        shape = np.broadcast_shapes(z.shape[:-1], *(a.shape for a in scalars))
+    except ValueError:
+        shapes = ", ".join(str(a.shape) for a in scalars)
+        raise ValueError(
+            f"cases must broadcast: got gap {z.shape} (its last axis the strips), and length, R, "
+            f"E_star, load or approach {shapes} [shapes]"
+        ) from None
+    l_, R, E_star, given = (np.broadcast_to(a, shape) for a in scalars)
+    return np.broadcast_to(z, (*shape, z.shape[-1])), l_, R, E_star, given
 
 
 def _in_parts(part: Callable[[slice], Solved], h: Array, workers: int) -> Solved:
