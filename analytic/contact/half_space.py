@@ -95,12 +95,10 @@ class HalfSpace:
     """Grid of `shape` = (nx, ny) cells `cell` = (hx, hy) and its influence, for many contacts."""
 
     def __init__(self, shape: tuple[int, int], *, cell: tuple[float, float], E_star: float) -> None:
-        if len(shape) != 2 or not all(isinstance(n, int | np.integer) and n > 0 for n in shape):
-            raise ValueError(f"a grid has nx by ny cells, whole numbers from 1, got {shape}")
         if np.shape(cell) != (2,):
             raise ValueError(f"a cell has two sides hx, hy, got {cell} m")
         sides = positive(cell, "sides of a cell", "m")
-        self.shape = int(shape[0]), int(shape[1])
+        self.shape = whole_counts(shape)
         self.cell = float(sides[0]), float(sides[1])
         self.E_star = float(positive(E_star, "contact modulus", "Pa"))
         self._influence: dict[tuple[bool, bool], Convolution] = {}
@@ -197,7 +195,14 @@ def press(
 
 def centres(n: int, side: float) -> Array:
     """Centres (n,) of equal cells in a row, from the middle of the row."""
-    return (np.arange(n) - (n - 1) / 2) * side
+    return np.asarray((np.arange(n) - (n - 1) / 2) * side, dtype=np.float64)
+
+
+def whole_counts(shape: tuple[int, int]) -> tuple[int, int]:
+    """`shape` of a grid; ValueError unless two whole numbers from 1."""
+    if len(shape) != 2 or not all(isinstance(n, int | np.integer) and n > 0 for n in shape):
+        raise ValueError(f"a grid has nx by ny cells, whole numbers from 1, got {shape}")
+    return int(shape[0]), int(shape[1])
 
 
 def _field(values: ArrayLike, shape: tuple[int, int], what: str, unit: str) -> Array:

@@ -1,0 +1,158 @@
+r"""A roller of finite length on a half-space, by boundary elements (`half_space`).
+
+The gap is :math:`x^2/2R + z(y) + \theta y` with R the relative radius, z the crown and y from
+mid-length; pressure acts on |y| < l/2 alone, whereas the half-space goes on beyond the roller's
+ends. Any consistent units.
+
+Range: that of `half_space`. Without a crown the pressure is singular at the ends: the largest one
+grows as 1/sqrt(cell) and means nothing without its cells; mid pressure, approach and the load in
+the last stretch (`end_load`) converge.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, finite, positive
+from analytic.contact.half_space import HalfSpaceContact, centres, press, whole_counts
+
+Crown = Callable[[Array], ArrayLike] | ArrayLike
+SCOUT = 32  # cells across that find the contact's width before the real ones are laid
+MARGIN = 1.25  # of the contact's width, or of the Hertzian one where none is known
+WIDER = 1.5  # for a patch whose sides the contact reaches
+MOST = 40  # times that a patch is made wider
+
+
+@dataclass(frozen=True, kw_only=True)
+class RollerContact:
+    """Contact of a roller of `length` l; arrays are (ny,), a value a cell along the roller."""
+
+    contact: HalfSpaceContact
+    length: float
+
+    @property
+    def y(self) -> Array:
+        """Centres of the cells along the roller [length]."""
+        return self.contact.y
+
+    @property
+    def line_load(self) -> Array:
+        """Load per length q [force/length]."""
+        return np.asarray(self.contact.pressure.sum(axis=0) * self.contact.cell[0])
+
+    @property
+    def centre_pressure(self) -> Array:
+        """Pressure at x = 0; by an even parabola through the nearest cells of an even count."""
+        return _middle(self.contact.pressure)
+
+    @property
+    def half_width(self) -> Array:
+        """Half-width b [length] of the ellipse with the pressure's second moment across; or 0."""
+        p, x = self.contact.pressure, self.contact.x[:, None]
+        total = p.sum(axis=0)
+        share = p / np.where(total > 0, total, 1.0)
+        mean = (share * x).sum(axis=0)
+        return np.asarray(2 * np.sqrt((share * (x - mean) ** 2).sum(axis=0)))
+
+    @property
+    def mid_pressure(self) -> float:
+        """Pressure [stress] at x = 0, y = 0."""
+        return float(_middle(self.centre_pressure))
+
+    @property
+    def peak_pressure(self) -> float:
+        """Largest pressure [stress] at x = 0."""
+        return float(self.centre_pressure.max())
+
+    def end_load(self, stretch: float) -> tuple[float, float]:
+        """Loads [force] within `stretch` of the ends at -l/2 and l/2, of a cut cell its share."""
+        stretch = float(positive(stretch, "stretch", "m"))
+        if stretch > self.length:
+            raise ValueError(f"stretch is at most the length {self.length} m, got {stretch} m")
+        force = self.line_load * self.contact.cell[1]
+        cells = stretch / self.contact.cell[1]
+        share = np.clip(cells - np.arange(force.size), 0.0, 1.0)
+        return float(share @ force), float(share[::-1] @ force)
+
+
+def press_roller(
+    crown: Crown = 0.0,
+    *,
+    R: float,
+    length: float,
+    E_star: float,
+    load: float | None = None,
+    approach: float | None = None,
+    cells: tuple[int, int] = (64, 256),
+    tilt: float = 0.0,
+    width: float | None = None,
+    **how: Any,
+) -> RollerContact:
+    """Contact of the roller under either `load` or `approach`.
+
+    `crown` is the profile z(y) [length], a function or its values at the cells (ny,) or a number;
+    `tilt` the angle θ about x. `width` is the patch's across, whole; without it a coarse solution
+    finds it, so that a study of refinement should give one. A patch whose sides the contact
+    reaches is made wider. Further words are those of `HalfSpace.press`.
+
+    >>> found = press_roller(R=1.0, length=100.0, E_star=np.pi, load=100.0, cells=(32, 64))
+    >>> hertz = np.sqrt(found.line_load[32])  # sqrt(P E* / (pi R)) of the load in the middle
+    >>> bool(abs(found.mid_pressure / hertz - 1) < 0.01)
+    True
+    """
+    cells = whole_counts(cells)
+    R, length = float(positive(R, "relative radius", "m")), float(positive(length, "length", "m"))
+    E_star = float(positive(E_star, "contact modulus", "Pa"))
+    profile = _profile(crown, centres(cells[1], length / cells[1]), float(finite(tilt, "tilt", "")))
+
+    def pressed(across: int, patch: float) -> HalfSpaceContact:
+        hx = patch / across
+        gap = centres(across, hx)[:, None] ** 2 / (2 * R) + profile
+        return press(
+            gap, cell=(hx, length / cells[1]), E_star=E_star, load=load, approach=approach, **how
+        )
+
+    if width is None:
+        if load is not None:
+            b = np.sqrt(4 * float(positive(load, "load", "N")) * R / (np.pi * E_star * length))
+        else:  # pressure acts within the overlap
+            deepest = float(finite(approach or 0.0, "approach", "m")) - float(profile.min())
+            b = np.sqrt(2 * R * deepest) if deepest > 0 else length / cells[1]
+        scout = _within(pressed, SCOUT, 2 * MARGIN * float(b))
+        reach = np.abs(scout.x[scout.carries.any(axis=1)]).max(initial=0.0) + scout.cell[0] / 2
+        width = MARGIN * 2 * float(reach)
+    return RollerContact(contact=_within(pressed, cells[0], width), length=length)
+
+
+def _within(
+    pressed: Callable[[int, float], HalfSpaceContact], across: int, patch: float
+) -> HalfSpaceContact:
+    """The contact in a `patch`, made wider until it does not reach the sides."""
+    patch = float(positive(patch, "width of the patch", "m"))
+    for _ in range(MOST):
+        found = pressed(across, patch)
+        if across < 3 or not found.carries[[0, -1]].any():
+            return found
+        patch *= WIDER
+    raise ArithmeticError(f"contact reaches the sides of a patch {patch:.3g} m wide")
+
+
+def _profile(crown: Crown, y: Array, tilt: float) -> Array:
+    heights = finite(crown(y) if callable(crown) else crown, "crown", "m")
+    if heights.shape not in ((), y.shape):
+        raise ValueError(f"the crown needs a height a cell along, {y.shape}, got {heights.shape}")
+    return np.asarray(np.broadcast_to(heights, y.shape) + tilt * y)
+
+
+def _middle(values: Array) -> Array:
+    """`values` (n, ...) halfway along their first axis; to fourth order in the cells."""
+    n = len(values)
+    if n % 2:
+        return np.asarray(values[n // 2])
+    inner = (values[n // 2 - 1] + values[n // 2]) / 2
+    if n < 4:
+        return np.asarray(inner)
+    return np.asarray((9 * inner - (values[n // 2 - 2] + values[n // 2 + 1]) / 2) / 8)
