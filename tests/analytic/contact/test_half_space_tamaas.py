@@ -1,0 +1,74 @@
+"""The half-space beside tamaas, a solver of others, on the same grids."""
+
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.contact import love
+from analytic.contact.half_space import centres, press
+
+E_STAR = 1.1319e11  # Pa
+NEAR = 1e-5  # relative difference of pressures in the mean square
+
+
+@pytest.fixture
+def tamaas() -> ModuleType:
+    module = pytest.importorskip("tamaas", reason="tamaas is not installed")
+    module.set_log_level(module.LogLevel.warning)
+    return module
+
+
+def model(tamaas: ModuleType, shape: tuple[int, int], cell: tuple[float, float]) -> Any:
+    """Two half-spaces of modulus E* together whose grid does not repeat.
+
+    Registering the padded operator is not all: the solver repeats the grid unless it is told.
+    """
+    sides = [n * h for n, h in zip(shape, cell, strict=True)]
+    found = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, sides, list(shape))
+    found.E, found.nu = E_STAR, 0.0
+    tamaas.ModelFactory.registerNonPeriodic(found, "dcfft")
+    return found
+
+
+def pressed(
+    tamaas: ModuleType, gap: np.ndarray, cell: tuple[float, float], load: float
+) -> np.ndarray:
+    """Pressure (nx, ny) by tamaas; its surface is what sticks out."""
+    there = model(tamaas, gap.shape, cell)
+    solver = tamaas.PolonskyKeerRey(there, np.ascontiguousarray(-gap), 1e-12)
+    solver.setIntegralOperator("dcfft")
+    solver.max_iter = 20_000
+    solver.solve(load / (gap.size * cell[0] * cell[1]))
+    return np.array(there.traction)
+
+
+def test_tamaas_takes_loves_influence_between_cell_centres(tamaas: ModuleType) -> None:
+    shape, cell = (12, 20), (2e-6, 7e-6)
+    there, load, found = model(tamaas, shape, cell), np.zeros(shape), np.zeros(shape)
+    load[0, 0] = 1.0
+    there.operators["dcfft"](load, found)
+    assert found == pytest.approx(love.table(shape, cell=cell, E_star=E_STAR), rel=1e-11)
+
+
+def test_a_crowned_roller_has_the_same_pressures(tamaas: ModuleType) -> None:
+    length, load, R = 9e-3, 3400.0, 2.9519e-3
+    cell = (9.1e-6, length / 128)
+    unit, y = load / (np.pi * length * E_STAR), centres(128, length / 128)
+    t = np.maximum(0.0, (np.abs(y) - length / 2) / (0.35 * length) + 1)
+    crown = -unit * np.log(1 - (1 - np.exp(-1e-5 / unit)) * t**2)
+    gap = centres(32, cell[0])[:, None] ** 2 / (2 * R) + crown + 1e-4 * y  # tilted a little
+    ours = press(gap, cell=cell, E_star=E_STAR, load=load).pressure
+    theirs = pressed(tamaas, gap, cell, load)
+    assert np.linalg.norm(ours - theirs) < NEAR * np.linalg.norm(theirs)
+
+
+def test_a_sphere_has_the_same_pressures(tamaas: ModuleType) -> None:
+    cell, R = (4e-6, 4e-6), 1e-2
+    x = centres(64, cell[0])
+    gap = (x[:, None] ** 2 + x**2) / (2 * R)
+    load = 4 * E_STAR * (1e-4) ** 3 / (3 * R)
+    ours = press(gap, cell=cell, E_star=E_STAR, load=load).pressure
+    theirs = pressed(tamaas, gap, cell, load)
+    assert np.linalg.norm(ours - theirs) < NEAR * np.linalg.norm(theirs)
