@@ -55,11 +55,13 @@ class Neglected:
     pressure (..., n) is NaN where a strip or its neighbour carries nothing or the roller ends; peak
     and mid are (...). The true deviation should lie between half and twice of it as long as it is
     a few per cent and q varies over some b. Next to a free end it does not: peak is NaN there.
+    approach (...) is the fraction by which the roller sinks deeper.
     """
 
     pressure: Array
     peak: Array
     mid: Array
+    approach: Array
 
 
 def neglected(solution: Strips) -> Neglected:
@@ -79,7 +81,8 @@ def neglected(solution: Strips) -> Neglected:
     epsilon[~inner] = np.nan
 
     s = (solution.half_width / D) ** 2
-    shift = _shift(s.reshape(-1, n), np.nan_to_num(epsilon).reshape(-1, n)).reshape(s.shape)
+    shift, rise = _shift(s.reshape(-1, n), np.nan_to_num(epsilon).reshape(-1, n))
+    shift, rise = shift.reshape(s.shape), rise.reshape(s.shape[:-1])
     with np.errstate(divide="ignore", invalid="ignore"):
         pressure = epsilon / 2 + shift / (2 * s)
     highest = solution.pressure.argmax(axis=-1)[..., None]
@@ -87,6 +90,7 @@ def neglected(solution: Strips) -> Neglected:
         pressure=pressure,
         peak=np.take_along_axis(pressure, highest, axis=-1)[..., 0],
         mid=(pressure[..., (n - 1) // 2] + pressure[..., n // 2]) / 2,
+        approach=rise * (D**2 / (2 * np.pi * R))[..., 0] / solution.approach,
     )
 
 
@@ -107,8 +111,8 @@ def discretisation(coarse: Strips, fine: Strips) -> tuple[Array, Array]:
     return np.asarray(peak), np.asarray(mid)
 
 
-def _shift(s: Array, epsilon: Array) -> Array:
-    """Change of s (N, n) at the same sum, where half-widths shrink by the fraction epsilon/2.
+def _shift(s: Array, epsilon: Array) -> tuple[Array, Array]:
+    """Changes of s (N, n) at the same sum and of Delta (N,) as half-widths shrink by epsilon/2.
 
     With u = s Phi(s) a narrower ellipse of the same load changes u by
     -epsilon s² dPhi/ds = -epsilon s (du/ds - u/s).
@@ -116,10 +120,10 @@ def _shift(s: Array, epsilon: Array) -> Array:
     response = respond(s)
     carries = s > 0
     push = np.where(carries, _narrowing(response, epsilon * s), 0.0)
-    step, _ = direct(
+    step, rise = direct(
         System(response.far, response.slopes, s, push, carries, missing=np.zeros(len(s)))
     )
-    return np.where(carries, step, 0.0)
+    return np.where(carries, step, 0.0), rise
 
 
 def _narrowing(response: Response, x: Array) -> Array:
