@@ -106,6 +106,8 @@ def surface_compliance(
             f"orders must be 0 and at least two growing multiples of places={places}, got {orders}"
         )
     stations = np.asarray(stations, float)
+    if stations.ndim != 1 or stations.size < 2 or not np.all(np.diff(stations) > 0):
+        raise ValueError(f"stations must grow along z, two or more, got {stations}")
     cells, radius = _surface_cells(solid, boundary, stations)
     f = np.hstack([_unit_loads(solid, cells, traction) for traction in (INWARDS, AROUND)])
     m = stations.size - 1

@@ -91,9 +91,16 @@ def patch_contact(
     tilts = [body.softness / sum(b.softness for b in bodies) * curvature for body in bodies]
     A = sum(body.between(across, tilt) for body, tilt in zip(bodies, tilts, strict=True))
     A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)
-    gap = _mean(across, lambda s: sum(b.radius - np.sqrt(b.radius**2 - s**2) for b in bodies))[:, None]
+    gap = _mean(across, lambda s: sum(b.radius - np.sqrt(b.radius**2 - s**2) for b in bodies))[
+        :, None
+    ]
     if crown is not None:
-        gap = gap + _mean(first.stations, crown)
+        heights = _mean(first.stations, crown)
+        if not np.all(np.isfinite(heights)):
+            raise ValueError(
+                f"the crown is not finite on {first.stations[0]:g} <= z <= {first.stations[-1]:g} m"
+            )
+        gap = gap + heights
     gap = np.broadcast_to(gap, (M, m))
     area = 2 * np.outer(np.diff(across), np.diff(first.stations))
     p, approach = push_together(A, gap.ravel(), area.ravel(), load)
@@ -113,12 +120,14 @@ def _check(
     first, second = bodies
     if not 0 < load < np.inf:
         raise ValueError(f"the load must be positive and finite, got load={load:g} N")
-    if across.ndim != 1 or across.size < 3 or across[0] != 0 or np.any(np.diff(across) <= 0):
+    if across.ndim != 1 or across.size < 3 or across[0] != 0 or not np.all(np.diff(across) > 0):
         raise ValueError(f"across grows from 0 over two cells or more, got {across}")
     if not across[-1] < min(body.radius for body in bodies):
         raise ValueError(f"the patch |s| <= {across[-1]:g} m must be narrower than both radii")
     if first.places != second.places:
-        raise ValueError(f"bodies are loaded at as many places, got {first.places}, {second.places}")
+        raise ValueError(
+            f"bodies are loaded at as many places, got {first.places}, {second.places}"
+        )
     same = first.stations.shape == second.stations.shape
     if not same or np.ptp(first.stations - second.stations) > SAME * np.ptp(first.stations):
         raise ValueError("both bodies need the same stations along z, up to a common shift")

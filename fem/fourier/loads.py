@@ -32,7 +32,9 @@ def surface_load(basis: Basis, tractions: Tractions, n: int) -> Array:
     for name, traction in tractions.items():
         facets = named_facets(basis.mesh, name)
         if not has_area(basis.mesh, facets):
-            raise ValueError(f"a load on {name!r} has no area to act on: it lies on the axis, r = 0")
+            raise ValueError(
+                f"a load on {name!r} has no area to act on: it lies on the axis, r = 0"
+            )
         side = facet_basis(basis, facets)
         x = np.asarray(side.global_coordinates())
         t = np.asarray(traction(x) if callable(traction) else np.reshape(traction, (-1, 1, 1)))

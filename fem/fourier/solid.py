@@ -98,9 +98,7 @@ class FourierSolid:
 
     def solve(self, tractions: Mapping[int, Tractions]) -> FourierSolution:
         """The sum of the symmetric harmonics under `tractions`: n -> boundary -> amplitudes."""
-        return FourierSolution(
-            tuple(self.harmonic(n).solve(own) for n, own in tractions.items())
-        )
+        return FourierSolution(tuple(self.harmonic(n).solve(own) for n, own in tractions.items()))
 
 
 @dataclass(frozen=True)
@@ -131,7 +129,9 @@ class Harmonic:
         """Amplitudes (t_r, t_t, t_z) [stress] of tractions by boundary, numbers or f(x)."""
         f = surface_load(self.solid.basis, tractions, self.n)
         u = self.displacements(f)
-        return HarmonicSolution(self.solid.basis, self.solid.cells, self.n, self.antisymmetric, u, f)
+        return HarmonicSolution(
+            self.solid.basis, self.solid.cells, self.n, self.antisymmetric, u, f
+        )
 
     def displacements(self, f: Array) -> Array:
         """Amplitudes (unknowns, ...) under forces `f` (unknowns, ...), one correction included.

@@ -1,0 +1,44 @@
+"""Half-sections of cylinders that are touched on a part of their length, fine at its end."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+from skfem import MeshQuad1
+
+from meshes.revolution.section import chain, section, stations
+
+ALONG, DOWN = 1.6, 2.0  # by how much cells grow along the rim and below it, coarsest mesh
+
+
+def half_cylinder(
+    *,
+    R: float,
+    contact: ArrayLike,
+    overhang: float = 0.0,
+    bore: float = 0.0,
+    first: float,
+    refine: int = 1,
+) -> MeshQuad1:
+    """The half z >= 0 of a cylinder of radius `R`, whose rim is touched at the stations `contact`.
+
+    `contact` grows from 0 to the contact's end, beyond which the cylinder goes on by `overhang`; its
+    last cell is also the first beyond. Cells below the rim are `first` deep, and grow downwards;
+    `refine` 2 halves these and the ones beyond, whereas `contact` is handed over as it is meant.
+    All in one unit of length. Boundaries "rim", "axis" or "bore", "start" (z = 0) and "end"; body
+    "body". ValueError unless 0 <= bore < R, overhang >= 0, and stations from 0 grow.
+    """
+    z = np.asarray(contact, float)
+    if not 0 <= bore < R < math.inf:
+        raise ValueError(f"a cylinder needs 0 <= bore < R, got bore={bore:g} m, R={R:g} m")
+    if not 0 <= overhang < math.inf:
+        raise ValueError(f"an overhang is not negative, got overhang={overhang:g} m")
+    if z.ndim != 1 or z.size < 2 or z[0] != 0 or not np.all(np.diff(z) > 0):
+        raise ValueError(f"stations of contact must grow from 0, got {z}")
+    if overhang > 0:
+        last = min(refine * float(z[-1] - z[-2]), overhang)
+        end = float(z[-1]) + overhang
+        beyond = stations(start=float(z[-1]), end=end, first=last, growth=ALONG, refine=refine)
+        z = chain([z, beyond])
+    below = stations(start=R, end=bore, first=first, growth=DOWN, refine=refine)
+    return section(r=below, z=z)

@@ -1,0 +1,193 @@
+"""What harmonics have exactly on any mesh: uniform strain, bending, rigid motions, weak forms."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skfem import BilinearForm, MeshQuad1, MeshQuad2, MeshTri1, MeshTri2
+from skfem.helpers import ddot
+
+from fem.fourier.loads import surface_load
+from fem.fourier.solid import FourierSolid
+from fem.fourier.solution import FourierSolution
+from fem.fourier.supports import node_dofs, rigid_motions
+from fem.plane.material import Elastic
+
+E, NU = 210.0, 0.3
+G = E / (2 * (1 + NU))
+STEEL = Elastic(E=E, nu=NU)
+ROUND_OFF = 1e-11
+KINDS = {
+    "tri6, straight": (MeshTri1, MeshTri1),
+    "tri6": (MeshTri1, MeshTri2),
+    "quad9, straight": (MeshQuad1, MeshQuad1),
+    "quad9": (MeshQuad1, MeshQuad2),
+}
+every_cell = pytest.mark.parametrize("kind", KINDS)
+any_bore = pytest.mark.parametrize("bore", [0.0, 0.5], ids=["solid", "hollow"])
+PLACES = np.array([[0.7, 1.1, 1.9, 2.0], [0.2, 0.9, 0.5, 0.0]])
+ANGLES = np.array([0.3, 1.7, 4.0, 5.5])
+
+
+def tube(kind, bore=0.0):
+    """A tube or bar of outer radius 2, 0 <= z <= 1, wavy cells within."""
+    straight, shape = KINDS[kind]
+    grid = straight.init_tensor(np.linspace(0, 1, 6), np.linspace(0, 1, 4))
+    mesh = shape.from_mesh(grid) if shape is not straight else grid
+    mesh = mesh.with_boundaries({
+        "bore": lambda x: x[0] == 0, "rim": lambda x: x[0] == 1,
+        "bottom": lambda x: x[1] == 0, "top": lambda x: x[1] == 1,
+    })  # fmt: skip
+    s, t = mesh.doflocs
+    wave = np.sin(np.pi * s) * np.sin(np.pi * t)
+    s, t = s + 0.05 * wave * np.cos(5 * t), t + 0.06 * np.sin(np.pi * t) * np.cos(4 * s)
+    return replace(mesh, doflocs=np.array([bore + (2 - bore) * s, t]))
+
+
+def walls(bore, tractions):
+    """`tractions` (rim, bottom, top), the bore's opposite to the rim's."""
+    rim, bottom, top = tractions
+    minus = tuple(-t for t in rim)
+    return {"rim": rim, "bottom": bottom, "top": top} | ({"bore": minus} if bore else {})
+
+
+def cartesian(u, angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([u[0] * c - u[1] * s, u[0] * s + u[1] * c, u[2]])
+
+
+@every_cell
+@any_bore
+def test_a_pull_along_x_is_exact(kind, bore):
+    # sigma_xx = 1: t_r = cos^2 t = (1 + cos 2t)/2, t_t = -sin t cos t = -sin(2t)/2 on the rim
+    none = (0.0, 0.0, 0.0)
+    uniform = FourierSolid(tube(kind, bore), STEEL, {"bottom": "z"}, degree=2).harmonic(0)
+    double = FourierSolid(tube(kind, bore), STEEL, degree=2).harmonic(2)
+    whole = FourierSolution((
+        uniform.solve(walls(bore, ((0.5, 0.0, 0.0), none, none))),
+        double.solve(walls(bore, ((0.5, -0.5, 0.0), none, none))),
+    ))  # fmt: skip
+    u, sigma = whole.at(PLACES, ANGLES)
+    r, z = PLACES
+    c, s = np.cos(ANGLES), np.sin(ANGLES)
+    expected = np.array([r * c, -NU * r * s, -NU * z]) / E
+    np.testing.assert_allclose(cartesian(u, ANGLES), expected, atol=ROUND_OFF * 2 / E)
+    stress = np.array([c * c, s * s, 0 * c, -s * c, 0 * c, 0 * c])
+    np.testing.assert_allclose(sigma, stress, atol=ROUND_OFF)
+    volume = np.pi * (4 - bore**2)
+    assert whole.strain_energy == pytest.approx(volume / (2 * E), rel=ROUND_OFF)
+
+
+@every_cell
+@any_bore
+def test_a_shear_in_x_and_z_is_exact(kind, bore):
+    # sigma_xz = 1: t_z = cos t on the rim, t_x = 1 on the top; held at the bottom against n = 1
+    solid = FourierSolid(tube(kind, bore), STEEL, {"bottom": "rtz"}, degree=2)
+    solution = solid.harmonic(1).solve({
+        "rim": (0.0, 0.0, 1.0), "top": (1.0, -1.0, 0.0),
+        **({"bore": (0.0, 0.0, -1.0)} if bore else {}),
+    })  # fmt: skip
+    u, sigma = FourierSolution((solution,)).at(PLACES, ANGLES)
+    z, none = PLACES[1], np.zeros(4)
+    np.testing.assert_allclose(cartesian(u, ANGLES), [z / G, none, none], atol=ROUND_OFF / G)
+    c, s = np.cos(ANGLES), np.sin(ANGLES)
+    np.testing.assert_allclose(sigma, [none, none, none, none, -s, c], atol=ROUND_OFF)
+    area = np.pi * (4 - bore**2)
+    force, moment = solution.reaction("bottom")
+    assert force == pytest.approx(-area, rel=1e-9)
+    assert moment == pytest.approx(0.0, abs=1e-9 * area)
+
+
+@pytest.mark.parametrize("kind", ["tri6, straight", "quad9, straight"])
+@any_bore
+def test_pure_bending_balances_its_loads(kind, bore):
+    # sigma_zz = x: E u = (-z^2/2 - nu (x^2 - y^2)/2, -nu x y, x z), a field of n = 1 alone
+    solid = FourierSolid(tube(kind, bore), STEEL, degree=2)
+    U, V, W = node_dofs(solid.basis)
+    r, z = solid.basis.doflocs[:, U]
+    u = np.zeros(solid.basis.N)
+    u[U], u[V], u[W] = -(z**2) / 2 - NU * r**2 / 2, z**2 / 2 - NU * r**2 / 2, r * z
+    force = np.pi * solid.cells.internal_forces(u / E, 1)
+    pull = {
+        "top": lambda x: np.array([0 * x[0], 0 * x[0], x[0]]),
+        "bottom": lambda x: np.array([0 * x[0], 0 * x[0], -x[0]]),
+    }
+    load = surface_load(solid.basis, pull, 1)
+    np.testing.assert_allclose(force, load, atol=ROUND_OFF * abs(load).max())
+    inertia = np.pi / 4 * (16 - bore**4)
+    assert load @ u / E == pytest.approx(inertia / E, rel=ROUND_OFF)  # moment I on the length 1
+
+
+@pytest.mark.parametrize("antisymmetric", [False, True], ids=["symmetric", "antisymmetric"])
+@pytest.mark.parametrize("n", [0, 1])
+@any_bore
+def test_rigid_motions_however_large_cost_nothing(n, antisymmetric, bore):
+    solid = FourierSolid(tube("quad9", bore), STEEL, degree=2)
+    motions = rigid_motions(solid.basis, n, antisymmetric)
+    assert motions.shape[1] == n + 1
+    for motion in motions.T:
+        force = solid.cells.internal_forces(1e6 * motion, -n if antisymmetric else n)
+        assert abs(force).max() < 1e6 * E * 1e-12
+
+
+def test_there_are_no_rigid_motions_from_the_second_harmonic_on():
+    solid = FourierSolid(tube("quad9"), STEEL, degree=2)
+    assert rigid_motions(solid.basis, 2, False).shape[1] == 0
+    K = solid.harmonic(2).K.toarray()
+    assert np.linalg.eigvalsh(K).min() > 0
+
+
+def strain(u, n, r):
+    """Tensor amplitudes of eps in r, t, z, from values and slopes of U, V, W."""
+    (U, V, W), ((U_r, U_z), (V_r, V_z), (W_r, W_z)) = u, u.grad
+    rt, tz, zr = (V_r - (V + n * U) / r) / 2, (V_z - n * W / r) / 2, (U_z + W_r) / 2
+    return np.array([[U_r, rt, zr], [rt, (U + n * V) / r, tz], [zr, tz, W_z]])
+
+
+@BilinearForm
+def stiffness(u, v, w):
+    r = w.x[0]
+    eps, own = strain(u, w.n, r), strain(v, w.n, r)
+    trace, its = (np.trace(e) for e in (eps, own))
+    return r * (w.lam * trace * its + 2 * w.mu * ddot(eps, own))
+
+
+@every_cell
+@any_bore
+@pytest.mark.parametrize("n", [0, 1, 7])
+def test_stiffness_and_forces_are_those_of_the_weak_form(kind, bore, n):
+    mesh = tube(kind, bore)
+    solid = FourierSolid(mesh, Elastic(E=3.0, nu=0.45), degree=2)
+    lam, mu = solid.cells.lam[0], solid.cells.mu[0]
+    expected = stiffness.assemble(solid.basis, n=n, lam=lam, mu=mu)
+    K_0, K_1, K_2 = solid.parts
+    found = (K_0 + n * K_1 + n**2 * K_2).toarray()
+    np.testing.assert_allclose(found, expected.toarray(), atol=ROUND_OFF * abs(expected).max())
+    u = np.random.default_rng(4).standard_normal(solid.basis.N)
+    force = solid.cells.internal_forces(u, n)
+    np.testing.assert_allclose(force, expected @ u, atol=ROUND_OFF * abs(expected @ u).max())
+
+
+@any_bore
+def test_antisymmetric_harmonics_are_symmetric_ones_turned(bore):
+    # cos n(t - pi/2n) = sin n t: what was along r and z at an angle is there a quarter wave on
+    solid = FourierSolid(tube("quad9", bore), STEEL, degree=2)
+    load = {"rim": lambda x: np.array([1 + x[1], 0.3 + 0 * x[0], x[1] ** 2])}
+    turned = {"rim": lambda x: np.array([1 + x[1], -0.3 + 0 * x[0], x[1] ** 2])}
+    n = 3
+    even = FourierSolution((solid.harmonic(n).solve(load),))
+    odd = FourierSolution((solid.harmonic(n, antisymmetric=True).solve(turned),))
+    for a, b in zip(even.at(PLACES, ANGLES), odd.at(PLACES, ANGLES + np.pi / 2 / n), strict=True):
+        np.testing.assert_allclose(a, b, atol=1e-10 * abs(a).max())
+    assert odd.strain_energy == pytest.approx(even.strain_energy, rel=1e-10)
+
+
+def test_energy_is_half_the_work_of_the_tractions_over_the_turn():
+    solid = FourierSolid(tube("quad9", 0.5), STEEL, degree=2)
+    s = solid.harmonic(2).solve({"rim": (-1.0, 0.0, 0.0)})
+    z, w = np.polynomial.legendre.leggauss(12)
+    z, w = (z + 1) / 2, w / 2
+    inward = -s.amplitudes_at(np.array([np.full(z.size, 2.0), z]))[0][0]
+    work = np.pi * 2 * (w @ inward)  # int cos^2 over the turn, on the radius 2
+    assert s.work == pytest.approx(work, rel=1e-4)  # quadratic pieces, one Gauss rule over all
+    assert s.strain_energy == pytest.approx(s.work / 2, rel=1e-10)

@@ -1,0 +1,79 @@
+"""Half-sections of cylinders: names, areas, and cells that grow away from where it matters."""
+
+import numpy as np
+import pytest
+
+from meshes.revolution.cylinder import half_cylinder
+from meshes.revolution.section import chain, section, stations
+
+
+def length(mesh, name):
+    ends = mesh.p[:, mesh.facets[:, mesh.boundaries[name]]]
+    return np.hypot(*(ends[:, 1] - ends[:, 0])).sum()
+
+
+@pytest.mark.parametrize(("bore", "inside"), [(0.0, "axis"), (0.5, "bore")])
+def test_a_section_names_its_four_sides(bore, inside):
+    mesh = section(r=[bore, 1.0, 2.0], z=[-1.0, 0.0, 2.0])
+    assert set(mesh.boundaries) == {inside, "rim", "start", "end"}
+    assert length(mesh, "rim") == length(mesh, inside) == 3
+    assert length(mesh, "start") == length(mesh, "end") == 2 - bore
+    assert np.all(mesh.p[0, mesh.facets[:, mesh.boundaries["rim"]]] == 2)
+    assert np.all(mesh.p[1, mesh.facets[:, mesh.boundaries["end"]]] == 2)
+    assert mesh.subdomains["body"].size == mesh.nelements == 4
+
+
+@pytest.mark.parametrize(("start", "end"), [(4.5, 0.0), (4.5, 6.5)])
+def test_stations_are_fine_at_their_start_and_grow_by_no_more_than_asked(start, end):
+    s = stations(start=start, end=end, first=0.05, growth=1.6)
+    size = np.diff(s) if end > start else np.diff(s)[::-1]
+    assert (s[0], s[-1]) == (min(start, end), max(start, end))
+    assert np.all(size > 0)
+    assert np.all(size[1:] <= 1.6 * size[:-1])
+    assert 0.8 * 0.05 < size[0] < 1.6 * 0.05
+
+
+def test_refined_stations_hold_the_coarse_ones():
+    coarse = stations(start=4.5, end=0.0, first=0.05, growth=1.6)
+    fine = stations(start=4.5, end=0.0, first=0.05, growth=1.6, refine=3)
+    np.testing.assert_allclose(fine[::3], coarse, atol=1e-12)
+
+
+def test_a_chain_goes_on_where_it_ended():
+    np.testing.assert_array_equal(chain([np.array([0.0, 1.0]), np.array([1.0, 3.0])]), [0, 1, 3])
+    with pytest.raises(ValueError, match="end at 1 m and go on at 2 m"):
+        chain([np.array([0.0, 1.0]), np.array([2.0, 3.0])])
+
+
+def test_a_cylinder_keeps_the_stations_of_contact_and_goes_on_beyond():
+    z = stations(start=4.5, end=0.0, first=0.1, growth=1.6)
+    mesh = half_cylinder(R=4.0, contact=z, overhang=2.0, bore=1.0, first=0.02)
+    rim = np.unique(mesh.p[1, mesh.facets[:, mesh.boundaries["rim"]]])
+    np.testing.assert_array_equal(rim[: z.size], z)
+    assert rim[-1] == 6.5
+    assert rim[z.size] - z[-1] == pytest.approx(z[-1] - z[-2], rel=0.5)
+    assert mesh.p[0].min() == 1.0
+    flush = half_cylinder(R=4.0, contact=z, first=0.02)
+    assert flush.p[1].max() == 4.5
+    assert "axis" in flush.boundaries
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: section(r=[0.0, 2.0, 1.0], z=[0.0, 1.0]), "stations r must grow"),
+        (lambda: section(r=[0.0, 2.0], z=[0.0]), "stations z must grow, two or more"),
+        (lambda: section(r=[0.0, 2.0], z=[0.0, np.nan]), "stations z must grow"),
+        (lambda: section(r=[-1.0, 2.0], z=[0.0, 1.0]), "not negative, got r=-1 m"),
+        (lambda: stations(start=0.0, end=1.0, first=2.0, growth=1.5), "0 < first <= "),
+        (lambda: stations(start=0.0, end=1.0, first=0.1, growth=1.0), "growth > 1"),
+        (lambda: stations(start=0.0, end=1.0, first=0.1, growth=2.0, refine=0), "refine >= 1"),
+        (lambda: half_cylinder(R=1.0, contact=[0, 1], bore=1.0, first=0.1), "0 <= bore < R"),
+        (lambda: half_cylinder(R=1.0, contact=[0, 1], overhang=-1.0, first=0.1), "not negative"),
+        (lambda: half_cylinder(R=1.0, contact=[1, 2], first=0.1), "grow from 0"),
+        (lambda: half_cylinder(R=1.0, contact=[0, np.nan], first=0.1), "grow from 0"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
