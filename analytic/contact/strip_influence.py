@@ -44,7 +44,7 @@ def log_part(v: Array) -> Array:
 
 
 def excess(log_v: Array) -> tuple[Array, Array]:
-    """F less its logarithm, and the derivative by ln v, of any shape.
+    """F less its logarithm, and the derivative by ln v, of any shape but ().
 
     >>> value, _ = excess(np.log([1e-2, 1.0, 1e4]))
     >>> F = value + log_part(np.array([1e-2, 1.0, 1e4]))

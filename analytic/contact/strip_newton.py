@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array
 from analytic.contact.strip_influence import excess, far_coefficients
-from analytic.contact.strip_linear import System, conjugate_gradients, direct
+from analytic.contact.strip_linear import System, conjugate_gradients, direct, product
 
 ITERATIONS = 60
 UNDAMPED = 12  # iterations after which a strip may lose nine tenths of its load at most
@@ -60,26 +60,30 @@ def respond(s: Array) -> Response:
     n = s.shape[-1]
     near = min(n, int(np.ceil(FAR * np.sqrt(s.max(initial=0.0)) + 0.5)))
     far = _far(n, near)
-    u = s @ far[0]
+    u = product(s, far[0])
     power = s
     for matrix in far[1:] if near < n else ():
         power = power * s
-        u += power @ matrix
+        u += product(power, matrix)
     log_root = 0.5 * np.log(np.maximum(s, 1e-300))
-    edges = np.log(np.arange(near) + 0.5)[:, None, None]
-    value, slope = excess(edges - log_root)
-    tangent = value - 0.5 * slope
-    value[1:] -= value[:-1].copy()
-    tangent[1:] -= tangent[:-1].copy()
+    ratios, slopes = np.empty((2, near, *s.shape))
+    value, tangent = np.zeros((2, *s.shape))
+    for m in range(near):  # one band at a time stays in the cache
+        before, before_tangent = value, tangent
+        value, tangent = excess(np.log(m + 0.5) - log_root)
+        tangent *= -0.5
+        tangent += value
+        np.subtract(value, before, out=ratios[m])
+        np.subtract(tangent, before_tangent, out=slopes[m])
     own = np.pi / 2 * (np.log(2.0) - log_root)
-    value[0] = 2 * (value[0] + own + np.pi / 4)
-    tangent[0] = 2 * (tangent[0] + own)
-    part = value * s
-    u += part[0]
+    ratios[0] = 2 * (ratios[0] + own + np.pi / 4)
+    slopes[0] = 2 * (slopes[0] + own)
+    u += ratios[0] * s
     for m in range(1, near):
-        u[:, m:] += part[m, :, :-m]
-        u[:, :-m] += part[m, :, m:]
-    return Response(u, value, tangent, far)
+        part = ratios[m] * s
+        u[:, m:] += part[:, :-m]
+        u[:, :-m] += part[:, m:]
+    return Response(u, ratios, slopes, far)
 
 
 def solve(

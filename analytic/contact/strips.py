@@ -34,7 +34,7 @@ from numpy.typing import ArrayLike, NDArray
 from analytic.contact.checks import Array, finite, positive
 from analytic.contact.strip_newton import Solved, solve
 
-AT_ONCE = 8000  # strips in work at a time: their arrays fit the cache
+AT_ONCE = 40_000  # loads in work at a time: the cache holds them
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,8 @@ from analytic.contact.strip_influence import excess, far_coefficients, log_part
 
 
 def F(v):
-    return excess(np.log(v))[0] + log_part(np.asarray(v))
+    v = np.atleast_1d(v)
+    return np.squeeze(excess(np.log(v))[0] + log_part(v))
 
 
 @pytest.mark.parametrize("v", [1e-5, 1e-3, 0.03, 0.3, 0.5, 1.0, 1.7, 4.0, 7.3, 7.5, 30.0, 1e3, 1e6])
