@@ -132,8 +132,6 @@ class HalfSpace:
         if start is not None:
             started = K.half(np.maximum(_field(start, self.shape, "starting pressure", "Pa"), 0.0))
             guess = started if np.any(started > 0) else guess
-        if approach is not None and approach <= gap.min():
-            guess = np.zeros_like(part)
         found = solve(
             K, part, total=total, approach=approach or 0.0, start=guess,
             tolerance=tolerance, limit=limit,

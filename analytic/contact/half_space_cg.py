@@ -72,7 +72,8 @@ def solve(
         overlap += delta
         free = carries | (overlap > 0)
         overlap *= free
-        residual = float(np.abs(overlap).max() / np.abs(now.displacement).max(initial=abs(delta)))
+        wrong = float(np.abs(overlap).max())
+        residual = wrong / float(np.abs(now.displacement).max(initial=abs(delta))) if wrong else 0.0
         if residual <= tolerance:
             return Pressed(
                 pressure=now.pressure, displacement=now.displacement, approach=delta,

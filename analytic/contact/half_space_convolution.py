@@ -38,8 +38,7 @@ class Convolution:
         size = tuple(n + 1 for n in self.period)
         kernel = fft.dctn(love.table(size, cell=cell, E_star=E_star), type=1)  # type: ignore[arg-type]
         self._symbol = self._arranged(kernel)
-        coarse = kernel[::2, ::2]
-        self._inverse = self._arranged(1 / np.where(coarse > 0, coarse, coarse.max()))
+        self._inverse = self._arranged(1 / kernel[::2, ::2])  # positive for cells of any shape
 
     def displacement(self, pressure: Array) -> Array:
         """Displacements [length] under `pressure`, both as large as the solved part of the grid."""

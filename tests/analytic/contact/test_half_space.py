@@ -1,5 +1,7 @@
 """Half-spaces in contact against closed forms, conditions of contact and each other's runs."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -150,13 +152,14 @@ def test_two_pressures_do_the_same_work_on_each_other() -> None:
 
 
 def test_the_preconditioner_is_symmetric_and_definite() -> None:
-    for shape in ((9, 14), (3, 200), (1, 40)):
-        K = Convolution(shape, cell=(1e-8, 3e-6), E_star=E_STAR)
+    for shape, side in itertools.product(((9, 14), (3, 200), (1, 40)), (1e-10, 3e-6, 1e-2)):
+        K = Convolution(shape, cell=(side, 3e-6), E_star=E_STAR)
         p, q = np.random.default_rng(7).standard_normal((2, *shape))
         assert np.vdot(p, K.precondition(q)) == pytest.approx(
             np.vdot(q, K.precondition(p)), rel=1e-10
         )
         assert np.vdot(p, K.precondition(p)) > 0
+        assert K._inverse.min() > 0
 
 
 @pytest.mark.parametrize("axis", [0, 1])
@@ -209,6 +212,13 @@ def test_a_series_of_loads_gives_what_each_alone_gives() -> None:
         assert found.load == pytest.approx(load, rel=1e-12)
 
 
+def test_each_of_a_series_starts_from_the_one_before() -> None:
+    grid = HalfSpace((24, 20), cell=(1e-6, 2e-6), E_star=E_STAR)
+    found = grid.press_each(rough(4), [5.0, 50.0, 50.5])
+    assert found[2].iterations < found[1].iterations - 2
+    assert grid.press(rough(4), load=50.0, start=found[1].pressure).iterations == 0
+
+
 def test_a_finer_tolerance_is_met() -> None:
     gap, side = paraboloid(48)
     found = press(gap, cell=(side, side), E_star=E_STAR, load=LOAD, tolerance=1e-13)
@@ -221,6 +231,12 @@ def test_an_approach_that_reaches_nothing_loads_nothing() -> None:
     assert found.load == 0
     assert not found.carries.any()
     assert np.array_equal(found.gap, paraboloid(16)[0] + 1e-6)
+
+
+def test_bodies_that_just_touch_bear_nothing() -> None:
+    assert press([[0.0, 1.0]], cell=(1.0, 1.0), E_star=1.0, approach=0.0).load == 0
+    lifted = press([[0.0, 1.0]], cell=(1.0, 1.0), E_star=1.0, approach=-1.0, start=[[1.0, 1.0]])
+    assert lifted.load == 0
 
 
 def test_what_does_not_converge_says_so() -> None:
