@@ -1,9 +1,9 @@
 """How far the surface of a body of revolution gives way under pressure, harmonic by harmonic.
 
-A cylindrical surface of radius R carries the tractions cos(n t) inwards or sin(n t) around on one of
-several cells along z. The displacements they make in these directions, times cos(n t) or sin(n t),
-integrated over each cell and one radian, are G_n, symmetric. n G_n tends to a limit for large n and
-is smooth in ln n before, so that few harmonics need a solution.
+A cylindrical surface, rim or bore, carries the tractions cos(n t) into the body or sin(n t) around
+on one of several cells along z. The displacements they make in these directions, times cos(n t) or
+sin(n t), integrated over each cell and one radian, are G_n, symmetric. n G_n tends to a limit for
+large n and is smooth in ln n before, so that few harmonics need a solution.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,7 +19,6 @@ from fem.plane.discretisation import Array, Indices, facet_basis, outer_facets
 AT_STATION = 1e-9  # of the surface's length
 LOW = 8  # multiples of the lowest harmonic that are all solved
 SAME = 1e-9
-INWARDS, AROUND = (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 ENOUGH = 150.0  # harmonic times the narrowest cell's angle, beyond which the sum breaks off
 
 
@@ -27,26 +26,35 @@ ENOUGH = 150.0  # harmonic times the narrowest cell's angle, beyond which the su
 class SurfaceCompliance:
     """`G` (orders, 2, cells, 2, cells) [length^4/force] of the harmonics `orders`.
 
-    Its directions are inwards and around. The cells lie between `stations` (cells + 1,) in z on the
-    surface of radius `radius`; loads repeat `places` times around the turn, so that all harmonics
-    are multiples of it. `softness` is (1 - nu^2)/E at the surface [1/stress].
+    Its directions are into the body and around. The cells lie between `stations` (cells + 1,) in z
+    on a surface of the `curvature` 1/R, negative for a bore; loads repeat `places` times around the
+    turn, so that all harmonics are multiples of it. `softness` is (1 - nu^2)/E there [1/stress].
     """
 
-    radius: float
+    curvature: float
     stations: Array
     places: int
     orders: Indices
     G: Array
     softness: float
 
+    @property
+    def radius(self) -> float:
+        """R [length]."""
+        return 1 / abs(self.curvature)
+
+    def depth(self, s: Array) -> Array:
+        """How far the surface has receded at the arc length `s`."""
+        return np.asarray((1 - np.cos(self.curvature * s)) / self.curvature)
+
     def between(self, across: Array, tilt: float) -> Array:
         """Matrix (M, M, cells, cells) of a patch: mean displacements under pressure, times area.
 
         Unknowns are pressures on |s| in M cells between the growing arc lengths `across` (M + 1,)
         from 0 on. They act along the contact's normal, which leans by `tilt` s [rad] from the
-        radius towards s = 0; displacements count along it too. Entry [k, l, i, j] is the integral,
-        over the cell (k, i) and its mirror image in s, of the displacement under pressure 1 on the
-        cell (l, j), its image and both's repetitions at the other places.
+        surface's towards s = 0; displacements count along it too. Entry [k, l, i, j] is the
+        integral, over the cell (k, i) and its mirror image in s, of the displacement under
+        pressure 1 on the cell (l, j), its image and both's repetitions at the other places.
         """
         angle = np.asarray(across, float) / self.radius
         M = angle.size - 1
@@ -73,11 +81,17 @@ class SurfaceCompliance:
 
 
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
-    """Integrals (2, cells, orders) of cos(n t) and of tilt t sin(n t), cells and images together."""
+    """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t) for the lean l = tilt t.
+
+    Those are cos^2 l and sin l cos l: the components of a pressure on the length cos l dt that lies
+    square to it. Cells and images are taken together.
+    """
     t, m = angle[:, None], np.maximum(n, 1)
-    inwards = np.where(n > 0, np.sin(n * t) / m, t)
-    around = tilt * (np.sin(n * t) / m**2 - t * np.cos(n * t) / m)
-    return np.asarray(2 * np.diff([inwards, np.where(n > 0, around, 0.0)], axis=1))
+    sine, cosine = np.sin(n * t) / m, np.cos(n * t) / m
+    square = np.where(n > 0, t**2 * sine + 2 * t * cosine / m - 2 * sine / m**2, t**3 / 3)
+    inwards = np.where(n > 0, sine, t) - tilt**2 * square
+    around = tilt * np.where(n > 0, sine / m - t * cosine, 0.0)
+    return np.asarray(2 * np.diff([inwards, around], axis=1))
 
 
 def harmonics(*, places: int, highest: float, growth: float = 1.3) -> Indices:
@@ -108,19 +122,20 @@ def surface_compliance(
     stations = np.asarray(stations, float)
     if stations.ndim != 1 or stations.size < 2 or not np.all(np.diff(stations) > 0):
         raise ValueError(f"stations must grow along z, two or more, got {stations}")
-    cells, radius = _surface_cells(solid, boundary, stations)
-    f = np.hstack([_unit_loads(solid, cells, traction) for traction in (INWARDS, AROUND)])
+    cells, curvature = _surface_cells(solid, boundary, stations)
+    inwards, around = (-float(np.sign(curvature)), 0.0, 0.0), (0.0, 1.0, 0.0)
+    f = np.hstack([_unit_loads(solid, cells, traction) for traction in (inwards, around)])
     m = stations.size - 1
     G = np.array([turn_of(int(n)) * solid.flexibility(int(n), f) for n in orders])
     return SurfaceCompliance(
-        radius, stations, places, orders, G.reshape(-1, 2, m, 2, m), _softness(solid, cells)
+        curvature, stations, places, orders, G.reshape(-1, 2, m, 2, m), _softness(solid, cells)
     )
 
 
 def _surface_cells(
     solid: FourierSolid, boundary: str, stations: Array
 ) -> tuple[list[Indices], float]:
-    """Facets of each cell between `stations`, and the radius of the boundary."""
+    """Facets of each cell between `stations`, and the boundary's curvature."""
     facets = outer_facets(solid.mesh, boundary)
     r, z = solid.mesh.p[:, solid.mesh.facets[:, facets]]
     radius, close = float(r.max()), AT_STATION * max(float(np.ptp(z)), float(r.max()))
@@ -133,7 +148,9 @@ def _surface_cells(
         if abs(z - station).min() > close:
             raise ValueError(f"the boundary {boundary!r} has no node at the station z={station:g}")
     cell = np.searchsorted(stations, z.mean(axis=0)) - 1
-    return [facets[cell == j] for j in range(stations.size - 1)], radius
+    inside = solid.mesh.p[0, solid.mesh.t[:, solid.mesh.f2t[0, facets[0]]]].mean()
+    curvature = np.sign(radius - inside) / radius
+    return [facets[cell == j] for j in range(stations.size - 1)], curvature
 
 
 def _unit_loads(

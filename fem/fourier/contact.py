@@ -25,6 +25,7 @@ SAME = 1e-9  # stations of both bodies, of their extent
 class PatchContact:
     """Pressures `p` (M, cells) between `across` (M + 1,) and `stations` (cells + 1,).
 
+    `across` are distances from the plane through the axes, of what was at the arc lengths s.
     `load` and `approach` are those of the length modelled.
     """
 
@@ -46,10 +47,10 @@ class PatchContact:
 
     @property
     def ridge(self) -> Array:
-        """Pressure (cells,) at s = 0, from the parabola through the means of the first two cells."""
+        """Pressure (cells,) at x = 0, by the parabola through the means of the first two cells."""
         a, b, c = self.across[:3] ** 3 / 3
         h, k = np.diff(self.across[:3])
-        first, second = (b - a) / h, (c - b) / k  # mean s^2
+        first, second = (b - a) / h, (c - b) / k  # mean x^2
         bend = (self.p[1] - self.p[0]) / (second - first)
         return np.asarray(self.p[0] - first * bend)
 
@@ -66,7 +67,7 @@ class PatchContact:
         return float(self.line_load @ np.diff(ends))
 
     def ridge_at(self, z: float) -> float:
-        """Pressure at s = 0 and `z`, between the middles of cells."""
+        """Pressure at x = 0 and `z`, between the middles of cells."""
         return float(PchipInterpolator(self.z, self.ridge, extrapolate=True)(z))
 
 
@@ -77,40 +78,39 @@ def patch_contact(
     load: float,
     crown: Callable[[Array], Array] | None = None,
 ) -> PatchContact:
-    """The contact of `bodies`, whose surfaces curve away from each other, under `load` [force].
+    """The contact of `bodies` under `load` [force], that of the length modelled.
 
-    Their undeformed gap is that of their circles, R - sqrt(R^2 - s^2) each, plus `crown` (z). A
-    hollow surface is not meant. ValueError where stations or places of the bodies differ, or where
-    the contact is as wide as the patch.
+    Their undeformed gap is that of their circles, R - R cos(s/R) for a rim and less that for a
+    bore, plus `crown` (z). ValueError where stations or
+    places of the bodies differ, where their surfaces don't curve away from each other, or where the
+    contact is as wide as the patch.
     """
     across = _check(bodies, across, load)
-    first, second = bodies
-    M, m = across.size - 1, first.stations.size - 1
+    stations = bodies[0].stations
+    M, m = across.size - 1, stations.size - 1
     # the surface between the bodies takes a share of the curvature from each, as each gives way
-    curvature = sum(1 / body.radius for body in bodies)
-    tilts = [body.softness / sum(b.softness for b in bodies) * curvature for body in bodies]
-    A = sum(body.between(across, tilt) for body, tilt in zip(bodies, tilts, strict=True))
+    curvature, softness = (sum(b.curvature for b in bodies), sum(b.softness for b in bodies))
+    A = np.add(*(body.between(across, curvature * body.softness / softness) for body in bodies))
     A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)
-    gap = _mean(across, lambda s: sum(b.radius - np.sqrt(b.radius**2 - s**2) for b in bodies))[
-        :, None
-    ]
+    gap = _mean(across, lambda s: np.add(*(body.depth(s) for body in bodies)))[:, None]
     if crown is not None:
-        heights = _mean(first.stations, crown)
+        heights = _mean(stations, crown)
         if not np.all(np.isfinite(heights)):
             raise ValueError(
-                f"the crown is not finite on {first.stations[0]:g} <= z <= {first.stations[-1]:g} m"
+                f"the crown is not finite on {stations[0]:g} <= z <= {stations[-1]:g} m"
             )
         gap = gap + heights
     gap = np.broadcast_to(gap, (M, m))
-    area = 2 * np.outer(np.diff(across), np.diff(first.stations))
+    x = np.sin(curvature / 2 * across) / (curvature / 2)
+    area = 2 * np.outer(np.diff(x), np.diff(stations))
     p, approach = push_together(A, gap.ravel(), area.ravel(), load)
     p = p.reshape(M, m)
     if np.any(p[-1] > 0):
-        z = first.stations[int(np.argmax(p[-1]))]
+        z = stations[int(np.argmax(p[-1]))]
         raise ValueError(
             f"the contact is as wide as its patch, |s| <= {across[-1]:g} m, at z={z:g} m: widen it"
         )
-    return PatchContact(across, first.stations, p, load, approach)
+    return PatchContact(x, stations, p, load, approach)
 
 
 def _check(
@@ -124,6 +124,11 @@ def _check(
         raise ValueError(f"across grows from 0 over two cells or more, got {across}")
     if not across[-1] < min(body.radius for body in bodies):
         raise ValueError(f"the patch |s| <= {across[-1]:g} m must be narrower than both radii")
+    if not first.curvature + second.curvature > 0:
+        raise ValueError(
+            "the surfaces must curve away from each other, got the radii (a bore's negative) "
+            f"{1 / first.curvature:g} m and {1 / second.curvature:g} m"
+        )
     if first.places != second.places:
         raise ValueError(
             f"bodies are loaded at as many places, got {first.places}, {second.places}"

@@ -79,7 +79,7 @@ class FourierSolid:
         return nested_dissection(self.basis)
 
     def harmonic(self, n: int, *, antisymmetric: bool = False) -> "Harmonic":
-        """The problem of (U cos n t, V sin n t, W cos n t), or of (U sin, V cos, W sin), factorised.
+        """The problem of (U cos n t, V sin n t, W cos n t), or (U sin, V cos, W sin), factorised.
 
         ValueError unless n is a whole number >= 0, and where the supports leave a body free to move
         rigidly.

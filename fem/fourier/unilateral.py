@@ -14,8 +14,8 @@ def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array
     """Pressures (n,) and approach of cells with the compliance `A`, `gap` and `area`.
 
     A p + area (gap - approach) is 0 where p > 0, and positive elsewhere; area . p = load. `A`
-    (n, n) is symmetric, positive definite. Every cell starts in contact; those that pull leave, those
-    that overlap come back, until none does. ArithmeticError where that does not end.
+    (n, n) is symmetric, positive definite. Every cell starts in contact; those that pull leave,
+    those that overlap come back, until none does. ArithmeticError where that does not end.
     """
     touching: NDArray[np.bool_] = np.ones(gap.size, bool)
     for _ in range(MAX_CHANGES):

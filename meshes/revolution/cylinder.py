@@ -22,9 +22,9 @@ def half_cylinder(
 ) -> MeshQuad1:
     """The half z >= 0 of a cylinder of radius `R`, whose rim is touched at the stations `contact`.
 
-    `contact` grows from 0 to the contact's end, beyond which the cylinder goes on by `overhang`; its
-    last cell is also the first beyond. Cells below the rim are `first` deep, and grow downwards;
-    `refine` 2 halves these and the ones beyond, whereas `contact` is handed over as it is meant.
+    `contact` grows from 0 to the contact's end, beyond which the cylinder goes on by `overhang`;
+    its last cell is also the first beyond. Cells below the rim are `first` deep, and grow
+    downwards; `refine` 2 halves these and the ones beyond, whereas `contact` is as handed over.
     All in one unit of length. Boundaries "rim", "axis" or "bore", "start" (z = 0) and "end"; body
     "body". ValueError unless 0 <= bore < R, overhang >= 0, and stations from 0 grow.
     """

@@ -1,6 +1,7 @@
 """Half-sections of solid and hollow cylinders on stations of radius and of the axis."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -52,7 +53,7 @@ def stations(*, start: float, end: float, first: float, growth: float, refine: i
 
 def chain(parts: Sequence[Array]) -> Array:
     """Growing stations, one part after the other, each starting where the last one ended."""
-    for before, after in zip(parts, parts[1:], strict=False):
+    for before, after in pairwise(parts):
         if before[-1] != after[0]:
             raise ValueError(f"stations end at {before[-1]:g} m and go on at {after[0]:g} m")
     return np.concatenate([parts[0], *(part[1:] for part in parts[1:])])

@@ -1,0 +1,263 @@
+"""Contact of two bodies of revolution against Hertz, a half-space and exact symmetries."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from skfem import MeshQuad1
+
+from fem.fourier.compliance import harmonics, surface_compliance
+from fem.fourier.contact import patch_contact
+from fem.fourier.loads import turn_of
+from fem.fourier.solid import FourierSolid
+from fem.fourier.unilateral import push_together
+from fem.plane.material import Elastic
+from meshes.revolution.cylinder import half_cylinder
+from meshes.revolution.section import stations
+
+STEEL = Elastic(E=206.0, nu=0.3)
+GUIDED = {"start": "z", "end": "z"}
+HALF = {"start": "z"}
+
+
+def modulus(*materials):
+    return 1 / sum((1 - m.nu**2) / m.E for m in materials)
+
+
+def body(mesh, z, cell, material=STEEL, supports=HALF, boundary="rim", growth=1.3):
+    """Compliance of a surface whose pressures vary over cells of the arc length `cell`."""
+    R = mesh.p[0].max()
+    return surface_compliance(
+        FourierSolid(mesh, material, supports, degree=2), boundary, stations=z,
+        orders=harmonics(places=2, highest=2 * np.pi * R / cell, growth=growth),
+    )  # fmt: skip
+
+
+def slice_of(R, cell, *, refine=1, **of):
+    """A slice of the length 0.5, guided at both ends: plane strain."""
+    z = np.array([0.0, 0.2, 0.5])
+    return body(
+        half_cylinder(R=R, contact=z, first=cell, refine=refine), z, cell, supports=GUIDED, **of
+    )
+
+
+def hertz(bodies, q):
+    """Half width and pressure under the line load q."""
+    E = 1 / sum(b.softness for b in bodies)
+    a = np.sqrt(4 * q / (np.pi * E * sum(b.curvature for b in bodies)))
+    return a, 2 * q / (np.pi * a)
+
+
+def guided_contact(ratio, cells=24, refine=1, of=(1.0, 1.0)):
+    """Slices of the radii `of` under the load that Hertz gives the half width `ratio`."""
+    across = np.linspace(0, 4 / 3 * ratio, cells + 1)
+    bodies = tuple(slice_of(R, across[1], refine=refine) for R in of)
+    q = np.pi * ratio**2 * sum(1 / R for R in of) / 4 / sum(b.softness for b in bodies)
+    return patch_contact(bodies, across=across, load=0.5 * q), hertz(bodies, q)
+
+
+@pytest.mark.parametrize("of", [(1.0, 1.0), (1.0, 2.8)], ids=["equal", "unlike"])
+def test_slices_in_plane_strain_press_as_hertz_says(of):
+    c, (a, p_0) = guided_contact(0.03, 48, 2, of=of)
+    assert a == pytest.approx(0.03)
+    assert np.ptp(c.line_load) < 1e-6 * c.line_load[0]
+    assert c.ridge == pytest.approx(p_0, rel=1e-3)
+    assert c.half_width == pytest.approx(a, rel=1.5e-3)
+    s = (c.across[1:] + c.across[:-1]) / 2
+    inside = s < 0.9 * a
+    shape = p_0 * np.sqrt(1 - (s[inside] / a) ** 2)
+    np.testing.assert_allclose(c.p[inside, 0], shape, rtol=0, atol=5e-3 * p_0)
+
+
+def test_what_hertz_leaves_out_falls_with_the_square_of_the_width():
+    # 3/16 (a/R)^2 of p_0 and -1/4 (a/R)^2 of the width, by expansion of a disc between flats
+    ratios = np.array([0.3, 0.15])
+    both = [guided_contact(r, 32) for r in ratios]
+    excess = np.array([(c.ridge[0] / p_0 - 1, c.half_width[0] / a - 1) for c, (a, p_0) in both])
+    np.testing.assert_allclose(excess.T, np.outer([3 / 16, -1 / 4], ratios**2), atol=2e-3)
+
+
+def test_refined_cells_bring_the_pressure_nearer_to_its_limit():
+    # 4/3 of the width over 8, 16, ... cells: the edge of the contact lies between two of them
+    ridge = [guided_contact(0.03, n, max(1, n // 16))[0].ridge[0] for n in (8, 16, 32, 64)]
+    steps = abs(np.diff(ridge))
+    rates = np.log2(steps[:-1] / steps[1:])
+    assert np.all(rates > 1), f"rates {rates}, ridge {ridge}"
+
+
+def test_a_roller_in_a_bore_presses_on_a_wider_strip():
+    z, ratio = np.array([0.0, 0.5]), 0.05
+    cell = 4 / 3 * ratio / 32
+    ring = MeshQuad1.init_tensor(
+        stations(start=2.0, end=5.0, first=cell, growth=1.6), z
+    ).with_boundaries({
+        "bore": lambda x: x[0] == 2, "start": lambda x: x[1] == 0, "end": lambda x: x[1] == 0.5,
+    })  # fmt: skip
+    inner = half_cylinder(R=1.0, contact=z, first=cell)
+    bodies = (
+        body(inner, z, cell, supports=GUIDED),
+        body(ring, z, cell, supports=GUIDED, boundary="bore"),
+    )
+    assert bodies[1].curvature == -0.5
+    q = np.pi * ratio**2 * 0.5 / 4 * modulus(STEEL, STEEL)
+    c = patch_contact(bodies, across=np.linspace(0, 4 / 3 * ratio, 33), load=0.5 * q)
+    a, p_0 = hertz(bodies, q)
+    assert a == pytest.approx(ratio)
+    assert c.ridge == pytest.approx(p_0, rel=3e-3)
+    assert c.half_width == pytest.approx(a, rel=3e-3)
+    with pytest.raises(ValueError, match=r"must curve away from each other, got .* -2 m and -2 m"):
+        patch_contact((bodies[1], bodies[1]), across=np.linspace(0, 0.1, 9), load=1.0)
+
+
+@cache
+def roller(overhang=0.0, R=1.0, nu=0.3, E=206.0, refine=1, length=1.0):
+    """Half of a roller of the half `length`, touched all along it, and its stations."""
+    z = stations(start=length, end=0.0, first=0.02, growth=1.6, refine=refine)
+    mesh = half_cylinder(R=R, contact=z, overhang=overhang, first=0.01, refine=refine)
+    return body(mesh, z, 0.06 / 12, material=Elastic(E=E, nu=nu))
+
+
+ACROSS = np.linspace(0, 0.06, 13)
+
+
+def test_the_same_bodies_the_other_way_round_press_alike():
+    pair = roller(0.5, R=2.0, E=70.0, nu=0.2), roller()
+    here = patch_contact(pair, across=ACROSS, load=0.15)
+    there = patch_contact(pair[::-1], across=ACROSS, load=0.15)
+    np.testing.assert_allclose(here.p, there.p, atol=1e-9 * here.p.max())
+    assert here.approach == pytest.approx(there.approach, rel=1e-10)
+    assert here.load_between(0, 1) == pytest.approx(0.15, rel=1e-10)
+    assert here.load_between(0.2, 1) + here.load_between(0, 0.2) == pytest.approx(0.15)
+
+
+def test_without_lateral_strain_flush_ends_cost_nothing():
+    # nu = 0: plane strain is plane stress, and the plane solution leaves the end faces free
+    c = patch_contact((roller(nu=0.0), roller(nu=0.0)), across=ACROSS, load=0.15)
+    np.testing.assert_allclose(c.p / c.p.max(), np.repeat(c.p[:, :1], c.z.size, 1) / c.p.max(),
+                               atol=2e-6)  # fmt: skip
+
+
+def test_at_flush_free_ends_the_pressure_falls_below_that_of_plane_stress():
+    c = patch_contact((roller(refine=2), roller(refine=2)), across=ACROSS, load=0.15)
+    assert np.all(np.diff(c.line_load) < 0)
+    assert np.all(np.diff(c.ridge[-8:]) < 0)
+    # freed of nu times the sum of the others, the end face loses about nu (1 + 2 nu) = 0.48 of p
+    assert 0.45 < c.ridge[-1] / c.ridge[0] < 1 - 0.3**2
+
+
+def test_a_race_that_goes_on_presses_harder_at_the_end_and_bodies_that_both_do_harder_still():
+    end = patch_contact((roller(), roller(0.5)), across=ACROSS, load=0.12)
+    both = patch_contact((roller(0.5), roller(0.5)), across=ACROSS, load=0.12)
+    flush = patch_contact((roller(), roller()), across=ACROSS, load=0.12)
+    last = [c.load_between(0.95, 1.0) / 0.05 / 0.12 for c in (flush, end, both)]
+    assert last[0] < 1 < last[1] < last[2]
+
+    def steepness(c):
+        return -np.polyfit(np.log(1 - c.z[-4:]), np.log(c.ridge[-4:]), 1)[0]
+
+    # a right-angled edge on a flat of its own material: 0.226; a step in a half-space: 0.5
+    assert 0.02 < steepness(end) < 0.226 < steepness(both) < 0.5
+
+
+def love(across, z, E):
+    """Mean displacements of a half-space times area, by rectangles and both their images."""
+    s, t = ((x[1:] + x[:-1]) / 2 for x in (across, z))
+
+    def corner(x, y):
+        return x * np.arcsinh(y / abs(x)) + y * np.arcsinh(x / abs(y))
+
+    def cells(ends):
+        return [(ends[1:], ends[:-1], 1.0), (-ends[:-1], -ends[1:], 1.0)]
+
+    A = 0.0
+    for x_1, x_0, _ in cells(across):
+        for y_1, y_0, _ in cells(z):
+            for x, sign in ((x_1, 1), (x_0, -1)):
+                for y, other in ((y_1, 1), (y_0, -1)):
+                    dx = x[None, None, :, None] - s[:, None, None, None]
+                    dy = y[None, None, None, :] - t[None, :, None, None]
+                    A = A + sign * other * corner(dx, dy)
+    area = 2 * np.outer(np.diff(across), np.diff(z)).ravel()
+    A = A.reshape(area.size, area.size) / (np.pi * E) * area[:, None]
+    return (A + A.T) / 2, area
+
+
+@pytest.mark.parametrize(("length", "bound"), [(0.4, 0.03), (0.2, 0.015)])
+def test_short_contacts_of_bodies_that_go_on_are_those_of_a_half_space(length, bound):
+    # what the finite bodies add to a half-space's kernel is even over a length short against R
+    one = roller(1.0, length=length)
+    across, z = ACROSS, one.stations
+    load = 0.12 * length
+    c = patch_contact((one, one), across=across, load=load)
+    A, area = love(across, z, modulus(STEEL, STEEL))
+    parabola = np.diff(across**3) / 3 / np.diff(across)  # mean of s^2/2R, R = 1/2
+    gap = np.repeat(parabola[:, None], z.size - 1, axis=1).ravel()
+    p, _ = push_together(A, gap, area, load)
+    q = 2 * np.diff(across) @ p.reshape(c.p.shape)
+    np.testing.assert_allclose(c.line_load[:-1] / q[:-1], 1, atol=bound)
+
+
+def test_a_whole_body_is_its_half_and_the_mirror_image():
+    z = np.array([0.0, 0.3, 0.7, 1.0])
+    both = np.concatenate([-z[:0:-1], z])
+    r = stations(start=1.0, end=0.0, first=0.01, growth=2.0)
+    mesh = MeshQuad1.init_tensor(r, both).with_boundaries({
+        "rim": lambda x: x[0] == 1, "middle": lambda x: x[1] == 0,
+    }, boundaries_only=False)  # fmt: skip
+    whole = body(mesh, both, ACROSS[1], supports={"middle": "z"})
+    half = body(half_cylinder(R=1.0, contact=z, first=0.01), z, ACROSS[1])
+    two = patch_contact((whole, whole), across=ACROSS, load=0.2)
+    one = patch_contact((half, half), across=ACROSS, load=0.1)
+    np.testing.assert_allclose(two.p[:, 3:], one.p, atol=2e-3 * one.p.max())
+    np.testing.assert_allclose(two.p, two.p[:, ::-1], atol=1e-9 * one.p.max())
+    assert two.approach == pytest.approx(one.approach, rel=1e-4)
+
+
+def test_harmonics_between_those_solved_are_interpolated_well():
+    across = ACROSS
+    z = np.array([0.0, 0.5, 0.9, 1.0])
+    mesh = half_cylinder(R=1.0, contact=z, first=0.01)
+    few, many = (body(mesh, z, across[1], growth=g).between(across, 2.0) for g in (1.3, 1.1))
+    assert abs(few - many).max() < 1e-4 * abs(many).max()
+
+
+def test_a_patch_gives_way_symmetrically_and_costs_energy():
+    A = roller().between(ACROSS, 2.0)
+    M, m = ACROSS.size - 1, roller().stations.size - 1
+    A = A.transpose(0, 2, 1, 3).reshape(M * m, M * m)
+    np.testing.assert_allclose(A, A.T, atol=1e-12 * abs(A).max())
+    assert np.linalg.eigvalsh(A).min() > 0
+
+
+@pytest.mark.parametrize("n", [0, 2, 14])
+def test_what_is_eliminated_last_gives_the_same_displacements(n):
+    mesh = half_cylinder(R=1.0, contact=[0.0, 0.5, 1.0], first=0.1)
+    solid = FourierSolid(mesh, STEEL, HALF, degree=2)
+    f = np.zeros((solid.basis.N, 3))
+    rim = np.unique(solid.basis.nodal_dofs[0, mesh.facets[:, mesh.boundaries["rim"]]])
+    f[rim] = np.random.default_rng(5).standard_normal((rim.size, 3))
+    solved = f.T @ solid.harmonic(n).displacements(f)
+    np.testing.assert_allclose(solid.flexibility(n, f), solved, atol=1e-10 * abs(solved).max())
+    assert turn_of(n) == pytest.approx(np.pi * (2 if n == 0 else 1))
+
+
+def test_springs_under_a_stamp_share_the_load_as_far_as_they_reach():
+    # springs of the compliance k per area: p = (d - gap)/k where positive
+    gap, area = np.array([0.0, 1.0, 2.0, 3.0]), np.full(4, 0.5)
+    p, d = push_together(np.diag(2.0 * area), gap, area, load=0.75)
+    assert d == pytest.approx(2.0)
+    assert p == pytest.approx([1.0, 0.5, 0.0, 0.0])
+
+
+def test_unit_systems_do_not_matter():
+    def solve(length, force):
+        z = length * np.array([0.0, 0.5, 0.9, 1.0])
+        mesh = half_cylinder(R=length, contact=z, first=0.01 * length)
+        one = body(
+            mesh, z, ACROSS[1] * length, material=Elastic(E=206.0 * force / length**2, nu=0.3)
+        )
+        c = patch_contact((one, one), across=ACROSS * length, load=0.15 * force)
+        return c.p * length**2 / force, c.approach / length
+
+    for here, there in zip(solve(1.0, 1.0), solve(1e-3, 1e6), strict=True):
+        np.testing.assert_allclose(here, there, rtol=1e-7, atol=1e-9)
