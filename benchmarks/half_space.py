@@ -26,7 +26,8 @@ from typing import Any
 import numpy as np
 from scipy import fft
 
-from analytic.contact.half_space import centres, press
+from analytic.contact.half_space import press
+from analytic.contact.half_space_contact import centres
 from analytic.contact.half_space_convolution import Convolution
 from benchmarks.plot_half_space import draw
 

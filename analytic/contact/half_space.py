@@ -6,8 +6,8 @@ the tolerance (`half_space_cg`). E* is the contact modulus of both bodies togeth
 units.
 
 Range: small strain, contact much smaller than the bodies, no free edge near it. Cells are whole
-inside the contact or outside: its rim is stepped, errors of pressures fall with about the cell's
-size to the power 1 to 1.5. Pressure that is singular, at the rim of a punch or the end of a roller
+inside the contact or outside: its rim is stepped, so that pressures err by about the cell's size in
+the mean square; peak and approach of a round contact by about its square. Pressure that is singular, at the rim of a punch or the end of a roller
 without crown, has no peak to converge to: it grows as 1/sqrt(cell).
 
 References
@@ -16,79 +16,19 @@ References
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array, finite, positive
 from analytic.contact.half_space_cg import solve
+from analytic.contact.half_space_contact import HalfSpaceContact
 from analytic.contact.half_space_convolution import Convolution
 
 TOLERANCE = 1e-10
 LIMIT = 1000  # iterations; tens are usual
 MIRROR = 1e-13  # of the gap's range: what its halves may differ by as mirror images
-
-
-@dataclass(frozen=True, kw_only=True)
-class HalfSpaceContact:
-    """Fields (nx, ny) over the cells; x and y from the middle of the grid.
-
-    `displacement` is the sum of both bodies', `gap` what is left between them; residual: the
-    largest gap where pressure acts or overlap where none does, over the largest displacement.
-    """
-
-    pressure: Array
-    displacement: Array
-    gap: Array
-    approach: float
-    cell: tuple[float, float]
-    iterations: int
-    residual: float
-
-    @property
-    def x(self) -> Array:
-        """Centres (nx,) of the cells [length]."""
-        return centres(self.pressure.shape[0], self.cell[0])
-
-    @property
-    def y(self) -> Array:
-        """Centres (ny,) of the cells [length]."""
-        return centres(self.pressure.shape[1], self.cell[1])
-
-    @property
-    def carries(self) -> NDArray[np.bool_]:
-        """Cells (nx, ny) in contact."""
-        return self.pressure > 0
-
-    @property
-    def area(self) -> float:
-        """Area of one cell."""
-        return self.cell[0] * self.cell[1]
-
-    @property
-    def load(self) -> float:
-        """Force that presses the bodies together."""
-        return float(self.pressure.sum() * self.area)
-
-    @property
-    def moments(self) -> tuple[float, float]:
-        """Tilting moments about x and y: integrals of y p and of x p."""
-        along, across = self.pressure.sum(axis=0), self.pressure.sum(axis=1)
-        return float(along @ self.y * self.area), float(across @ self.x * self.area)
-
-    @property
-    def energy(self) -> float:
-        """Strain energy of both bodies."""
-        return float(np.vdot(self.pressure, self.displacement) * self.area / 2)
-
-    @property
-    def complementarity(self) -> float:
-        """Integral of pressure times what is left of the gap, over load times displacement."""
-        scale = self.load * float(self.displacement.max())
-        work = float(np.vdot(self.pressure, np.abs(self.gap)) * self.area)
-        return work / scale if scale > 0 else 0.0
 
 
 class HalfSpace:
@@ -189,11 +129,6 @@ def press(
     return HalfSpace(shape, cell=cell, E_star=E_star).press(
         gap, load=load, approach=approach, **how
     )
-
-
-def centres(n: int, side: float) -> Array:
-    """Centres (n,) of equal cells in a row, from the middle of the row."""
-    return np.asarray((np.arange(n) - (n - 1) / 2) * side, dtype=np.float64)
 
 
 def whole_counts(shape: tuple[int, int]) -> tuple[int, int]:

@@ -17,7 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array, finite, positive
-from analytic.contact.half_space import HalfSpaceContact, centres, press, whole_counts
+from analytic.contact.half_space import press, whole_counts
+from analytic.contact.half_space_contact import HalfSpaceContact, centres
 
 Crown = Callable[[Array], ArrayLike] | ArrayLike
 SCOUT = 32  # cells across that find the contact's width before the real ones are laid

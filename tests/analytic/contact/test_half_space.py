@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from scipy.special import ellipe, ellipk
 
 from analytic.contact import love
-from analytic.contact.half_space import HalfSpace, HalfSpaceContact, centres, press
+from analytic.contact.half_space import HalfSpace, press
+from analytic.contact.half_space_contact import HalfSpaceContact, centres
 from analytic.contact.half_space_convolution import Convolution
 
 E_STAR, R, A = 1e11, 1e-2, 1e-4  # Pa, m and m: a sphere with this half-width of contact

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from analytic.contact import love
-from analytic.contact.half_space import centres, press
+from analytic.contact.half_space import press
+from analytic.contact.half_space_contact import centres
 
 E_STAR = 1.1319e11  # Pa
 NEAR = 1e-5  # relative difference of pressures in the mean square
