@@ -7,8 +7,8 @@ units.
 
 Range: small strain, contact much smaller than the bodies, no free edge near it. Cells are whole
 inside the contact or outside: its rim is stepped, so that pressures err by about the cell's size in
-the mean square; peak and approach of a round contact by about its square. Pressure that is singular, at the rim of a punch or the end of a roller
-without crown, has no peak to converge to: it grows as 1/sqrt(cell).
+the mean square, peak and approach of a round contact by about its square. Pressure that is singular
+(the rim of a punch, the end of a roller without crown) has no peak: it grows as 1/sqrt(cell).
 
 References
 ----------
