@@ -42,12 +42,11 @@ def direct(system: System) -> tuple[Array, Array]:
     """Step of the loads (N, n) and of the approach (N,), by elimination."""
     J, push = _dense(system), system.push
     if system.missing is None:
-        return np.linalg.solve(J, push[..., None])[..., 0], np.zeros(len(push))
+        return np.asarray(np.linalg.solve(J, push[..., None])[..., 0]), np.zeros(len(push))
     both = np.linalg.solve(J, np.stack([push, system.carries.astype(np.float64)], axis=-1))
     sums = both.sum(axis=1)
-    rise = (system.missing - sums[:, 0]) / sums[:, 1]
-    step = both[..., 0] + rise[:, None] * both[..., 1]
-    return np.asarray(step, dtype=np.float64), np.asarray(rise, dtype=np.float64)
+    rise = np.asarray((system.missing - sums[:, 0]) / sums[:, 1])
+    return np.asarray(both[..., 0] + rise[:, None] * both[..., 1]), rise
 
 
 def product(x: Real, matrix: Real) -> Real:
