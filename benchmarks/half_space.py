@@ -127,6 +127,7 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
     if python is None:
         runs = [ours(asked) for _ in range(RUNS)]
         row["ours"] = median(run["seconds"] for run in runs)
+        row["ours cpu"] = median(run["cpu"] for run in runs)
         row["residual"] = residual(asked, runs[0]["pressure"])
         print(f"{asked.kind}, {nx} x {ny} cells: {row['ours']:.4f} s, {row['residual']:.1e} left")
         return row
@@ -142,6 +143,7 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
     runs = RUNS if yours["seconds"] < SHORT else LONG
     pairs = [(ours(asked, tolerance), theirs(asked, python)) for _ in range(runs)]
     row["ours"], row["tamaas"] = (median(float(p[i]["seconds"]) for p in pairs) for i in (0, 1))
+    row["ours cpu"], row["tamaas cpu"] = (median(float(p[i]["cpu"]) for p in pairs) for i in (0, 1))
     row["ratios"] = sorted(float(b["seconds"] / a["seconds"]) for a, b in pairs)
     row["cpu ratios"] = sorted(float(b["cpu"] / a["cpu"]) for a, b in pairs)
     print(
@@ -157,19 +159,23 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
     return row
 
 
+def version(python: str) -> str:
+    """tamaas' version there; ends the run where there is none."""
+    words = [python, "-c", "import tamaas; print(tamaas.__version__)"]
+    try:
+        said = subprocess.run(words, capture_output=True, text=True, check=True)  # noqa: S603
+    except (OSError, subprocess.CalledProcessError):
+        print(f"TAMAAS_PYTHON must name a Python that has tamaas, got {python}", file=sys.stderr)
+        raise SystemExit(2) from None
+    return said.stdout.strip()
+
+
 def main() -> None:
     OUT.mkdir(exist_ok=True)
     python = tamaas_python()
     name = "tamaas is not installed (TAMAAS_PYTHON names a Python that has it): ours alone"
     if python is not None:
-        said = subprocess.run(  # noqa: S603
-            [python, "-c", "import tamaas; print(tamaas.__version__)"],
-            capture_output=True, text=True, check=False,
-        )  # fmt: skip
-        if said.returncode:
-            print(f"TAMAAS_PYTHON: {python} has no tamaas", file=sys.stderr)
-            raise SystemExit(2)
-        name = f"tamaas {said.stdout.strip()}"
+        name = f"tamaas {version(python)}"
     print(f"Python {platform.python_version()}, {THREADS} thread(s) each; {name}", flush=True)
     rows = [compare(asked, python) for asked in ASKED]
     (OUT / "half_space.json").write_text(json.dumps({"peer": name, "rows": rows}, indent=1))

@@ -1,4 +1,4 @@
-"""Seconds over cells for each solver, both axes logarithmic, with the fitted exponents."""
+"""Processor seconds over cells for each solver, both axes logarithmic, with the fitted exponents."""
 
 from pathlib import Path
 from typing import Any
@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 mpl.rcParams["svg.hashsalt"] = "half-space"
 CURVES = (  # name, key of a row, colour, marker
-    ("tamaas", "tamaas", "#b5482a", "s"),
-    ("this project", "ours", "#1f4e79", "o"),
+    ("tamaas", "tamaas cpu", "#b5482a", "s"),
+    ("this project", "ours cpu", "#1f4e79", "o"),
 )
 LINES = ("-", "--", ":")
 
@@ -31,8 +31,8 @@ def draw(rows: list[dict[str, Any]], *files: Path) -> None:
             if len(n) > 1:
                 label += f", $n^{{{np.polyfit(np.log(n), np.log(t), 1)[0]:.2f}}}$"
             axes.loglog(n, t, line, color=colour, marker=marker, lw=1.6, ms=5, label=label)
-    axes.set(title="half-spaces in contact, from the gap to pressures", xlabel="cells")
-    axes.set(ylabel="seconds")
+    axes.set(title="half-spaces in contact", xlabel="cells")
+    axes.set(ylabel="processor seconds")
     axes.grid(visible=True, which="major", color="#dddddd", lw=0.6)
     figure.legend(frameon=False, fontsize=8, loc="outside right upper")
     axes.spines[["top", "right"]].set_visible(False)
