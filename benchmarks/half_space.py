@@ -160,7 +160,7 @@ def compare(asked: Asked, python: str | None) -> dict[str, Any]:
 
 
 def version(python: str) -> str:
-    """tamaas' version there; ends the run where there is none."""
+    """The version of tamaas there; ends the run where there is none."""
     words = [python, "-c", "import tamaas; print(tamaas.__version__)"]
     try:
         said = subprocess.run(words, capture_output=True, text=True, check=True)  # noqa: S603

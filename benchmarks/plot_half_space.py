@@ -1,4 +1,4 @@
-"""Processor seconds over cells for each solver, both axes logarithmic, with the fitted exponents."""
+"""Processor seconds over cells, both axes logarithmic, with the fitted exponents."""
 
 from pathlib import Path
 from typing import Any
