@@ -47,15 +47,18 @@ from analytic.contact.strip_linear import System, direct
 from analytic.contact.strip_newton import Response, respond
 from analytic.contact.strips import Strips
 
+END = 3.0  # half-widths from a loaded end within which no slow variation can be meant
+
 
 @dataclass(frozen=True)
 class Neglected:
     """Fraction by which the pressure is higher than the strips say, to first order.
 
-    pressure (..., n) is NaN where a strip or its neighbour carries nothing or the roller ends; peak
-    and mid are (...). The true deviation should lie between half and twice of it as long as it is
-    a few per cent and q varies over some b. Next to a free end it does not: peak is NaN there.
-    approach (...) is the fraction by which the roller sinks deeper.
+    pressure (..., n) is NaN where a strip or its neighbour carries nothing and within three
+    half-widths of a loaded end; peak and mid are (...). The true deviation should lie between
+    half and twice of it as long as it is a few per cent and q varies over some b. A peak at a
+    loaded end is NaN; what such an end does is no expansion's to say, and the mid pressure, to
+    which it passes load on, is then at the edge of that range.
     """
 
     pressure: Array
@@ -85,6 +88,10 @@ def neglected(solution: Strips) -> Neglected:
     shift, rise = shift.reshape(s.shape), rise.reshape(s.shape[:-1])
     with np.errstate(divide="ignore", invalid="ignore"):
         pressure = epsilon / 2 + shift / (2 * s)
+    edge = END * solution.half_width / D
+    strips = np.arange(n) + 0.5
+    pressure[carries[..., :1] & (strips < edge)] = np.nan
+    pressure[carries[..., -1:] & (strips[::-1] < edge)] = np.nan
     highest = solution.pressure.argmax(axis=-1)[..., None]
     return Neglected(
         pressure=pressure,

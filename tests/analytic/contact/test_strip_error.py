@@ -36,7 +36,10 @@ def test_the_estimate_meets_the_deviation_from_hertz_ellipse(b):
 def test_a_flat_roller_has_no_estimate_at_its_ends_and_nearly_nothing_in_the_middle():
     roller = press(np.zeros(81), length=9e-3, R=3e-3, E_star=1e11, load=3000.0)
     estimate = neglected(roller)
-    assert np.isnan(estimate.pressure[[0, -1]]).all()
+    from_end = (np.arange(81) + 0.5) * 9e-3 / 81
+    near = np.minimum(from_end, from_end[::-1]) < 3 * roller.half_width
+    assert near.sum() > 2
+    np.testing.assert_array_equal(np.isnan(estimate.pressure), near)
     assert np.isnan(estimate.peak)
     assert abs(float(estimate.mid)) < 1e-3
 
