@@ -10,7 +10,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from fem.fourier.loads import pull, turn_of
 from fem.fourier.solid import FourierSolid
@@ -19,7 +18,8 @@ from fem.plane.discretisation import Array, Indices, facet_basis, outer_facets
 AT_STATION = 1e-9  # of the surface's length
 LOW = 8  # multiples of the lowest harmonic that are all solved
 SAME = 1e-9
-ENOUGH = 150.0  # harmonic times the narrowest cell's angle, beyond which the sum breaks off
+CUBIC = 4  # harmonics that a cubic runs through
+ENOUGH = 60.0  # harmonic times the narrowest cell's angle, beyond which the sum breaks off
 
 
 @dataclass(frozen=True)
@@ -67,17 +67,31 @@ class SurfaceCompliance:
         return np.einsum("sakbl,saibj->klij", weight, self.G, optimize=True)
 
     def _harmonics(self, finest: float) -> Iterator[tuple[Indices, Array]]:
-        """Blocks of harmonics n (b,), and how each G_n is made of those solved (b, orders)."""
-        solved, step = self.orders[1:], self.places
+        """Blocks of harmonics n (b,), and how each G_n is made of those solved (b, orders).
+
+        n G_n is the cubic in ln n through the four nearest of them, and constant after the last.
+        """
         yield np.zeros(1, int), np.eye(1, self.orders.size)
-        n = np.arange(step, solved[-1] + 1, step)
+        for k in range(1, self.orders.size):
+            low, high = (self.orders[k - 1], self.orders[k])
+            n = np.arange(low + self.places, high + self.places, self.places)
+            first = min(max(1, k - 2), self.orders.size - CUBIC)
+            own = slice(first, first + CUBIC)
+            share = np.zeros((n.size, self.orders.size))
+            share[:, own] = _lagrange(np.log(self.orders[own]), np.log(n))
+            yield n, share * self.orders / n[:, None]
+        last = self.orders[-1]
+        n = np.arange(last + self.places, ENOUGH / finest + self.places, self.places, dtype=int)
         share = np.zeros((n.size, self.orders.size))
-        share[:, 1:] = CubicSpline(np.log(solved), np.diag(solved))(np.log(n)) / n[:, None]
+        share[:, -1] = last / n
         yield n, share
-        n = np.arange(solved[-1] + step, ENOUGH / finest + step, step, dtype=int)
-        share = np.zeros((n.size, self.orders.size))
-        share[:, -1] = solved[-1] / n
-        yield n, share
+
+
+def _lagrange(knots: Array, x: Array) -> Array:
+    """Values (x, knots) at `x` of the polynomials that are 1 at one knot and 0 at the others."""
+    apart = knots[:, None] - knots + np.eye(knots.size)
+    beyond = (x[:, None, None] - knots) * (1 - np.eye(knots.size)) + np.eye(knots.size)
+    return np.asarray((beyond / apart).prod(axis=-1))
 
 
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
@@ -94,7 +108,7 @@ def _waves(angle: Array, n: Indices, tilt: float) -> Array:
     return np.asarray(2 * np.diff([inwards, around], axis=1))
 
 
-def harmonics(*, places: int, highest: float, growth: float = 1.3) -> Indices:
+def harmonics(*, places: int, highest: float, growth: float = 1.5) -> Indices:
     """Multiples of `places` to be solved: 0, the lowest eight, then each about `growth` times more.
 
     The last is the first to reach `highest`.
@@ -115,9 +129,14 @@ def surface_compliance(
     cylinder, or a station no node of it.
     """
     orders = np.asarray(orders)
-    if orders[0] != 0 or np.any(orders % places) or np.any(np.diff(orders) <= 0) or orders.size < 3:
+    if (
+        orders[0] != 0
+        or np.any(orders % places)
+        or np.any(np.diff(orders) <= 0)
+        or orders.size <= CUBIC
+    ):
         raise ValueError(
-            f"orders must be 0 and at least two growing multiples of places={places}, got {orders}"
+            f"orders must be 0 and at least four growing multiples of places={places}, got {orders}"
         )
     stations = np.asarray(stations, float)
     if stations.ndim != 1 or stations.size < 2 or not np.all(np.diff(stations) > 0):

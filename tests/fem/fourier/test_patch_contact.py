@@ -4,10 +4,11 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 from skfem import MeshQuad1
 
 from fem.fourier.compliance import harmonics, surface_compliance
-from fem.fourier.contact import patch_contact
+from fem.fourier.contact import PatchContact, patch_contact
 from fem.fourier.loads import turn_of
 from fem.fourier.solid import FourierSolid
 from fem.fourier.unilateral import push_together
@@ -24,7 +25,7 @@ def modulus(*materials):
     return 1 / sum((1 - m.nu**2) / m.E for m in materials)
 
 
-def body(mesh, z, cell, material=STEEL, supports=HALF, boundary="rim", growth=1.3):
+def body(mesh, z, cell, material=STEEL, supports=HALF, boundary="rim", growth=1.5):
     """Compliance of a surface whose pressures vary over cells of the arc length `cell`."""
     R = mesh.p[0].max()
     return surface_compliance(
@@ -58,11 +59,11 @@ def guided_contact(ratio, cells=24, refine=1, of=(1.0, 1.0)):
 
 @pytest.mark.parametrize("of", [(1.0, 1.0), (1.0, 2.8)], ids=["equal", "unlike"])
 def test_slices_in_plane_strain_press_as_hertz_says(of):
-    c, (a, p_0) = guided_contact(0.03, 48, 2, of=of)
+    c, (a, p_0) = guided_contact(0.03, 32, of=of)
     assert a == pytest.approx(0.03)
     assert np.ptp(c.line_load) < 1e-6 * c.line_load[0]
     assert c.ridge == pytest.approx(p_0, rel=1e-3)
-    assert c.half_width == pytest.approx(a, rel=1.5e-3)
+    assert c.half_width == pytest.approx(a, rel=1e-3)
     s = (c.across[1:] + c.across[:-1]) / 2
     inside = s < 0.9 * a
     shape = p_0 * np.sqrt(1 - (s[inside] / a) ** 2)
@@ -79,10 +80,9 @@ def test_what_hertz_leaves_out_falls_with_the_square_of_the_width():
 
 def test_refined_cells_bring_the_pressure_nearer_to_its_limit():
     # 4/3 of the width over 8, 16, ... cells: the edge of the contact lies between two of them
-    ridge = [guided_contact(0.03, n, max(1, n // 16))[0].ridge[0] for n in (8, 16, 32, 64)]
-    steps = abs(np.diff(ridge))
-    rates = np.log2(steps[:-1] / steps[1:])
-    assert np.all(rates > 1), f"rates {rates}, ridge {ridge}"
+    ridge = [guided_contact(0.03, n)[0].ridge[0] for n in (8, 16, 32)]
+    first, second = np.diff(ridge)
+    assert np.log2(first / second) > 1, f"{ridge}"
 
 
 def test_a_roller_in_a_bore_presses_on_a_wider_strip():
@@ -194,7 +194,10 @@ def test_short_contacts_of_bodies_that_go_on_are_those_of_a_half_space(length, b
     gap = np.repeat(parabola[:, None], z.size - 1, axis=1).ravel()
     p, _ = push_together(A, gap, area, load)
     q = 2 * np.diff(across) @ p.reshape(c.p.shape)
-    np.testing.assert_allclose(c.line_load[:-1] / q[:-1], 1, atol=bound)
+    share = np.cumsum((c.line_load - q) * np.diff(z)) / load
+    assert abs(share).max() < bound
+    # the last two cells carry what is singular, each side in its own way
+    np.testing.assert_allclose(c.p[0, :-2] / p.reshape(c.p.shape)[0, :-2], 1, atol=bound)
 
 
 def test_a_whole_body_is_its_half_and_the_mirror_image():
@@ -213,12 +216,52 @@ def test_a_whole_body_is_its_half_and_the_mirror_image():
     assert two.approach == pytest.approx(one.approach, rel=1e-4)
 
 
+def williams(p):
+    """Zero where r^(p - 1) is the stress of a free right angle, free of friction, on a flat."""
+    kappa = 3 - 4 * STEEL.nu
+
+    def give(faces):
+        # r^(p + 1) (cos (p + 1)t, sin (p + 1)t, cos (p - 1)t, sin (p - 1)t): stresses, 2 mu u_t
+        rows = []
+        for t in faces:
+            a, b = (p + 1) * t, (p - 1) * t
+            rows.append([(p + 1) * p * f for f in (np.cos(a), np.sin(a), np.cos(b), np.sin(b))])
+            rows.append([(p + 1) * np.sin(a), -(p + 1) * np.cos(a),
+                         (p - 1) * np.sin(b), -(p - 1) * np.cos(b)])  # fmt: skip
+        c = np.linalg.solve(rows, [1.0, 0.0, 0.0, 0.0])
+        return -(p + 1) * c[1] - (kappa + p) * c[3]
+
+    return give((0.0, np.pi / 2)) - give((0.0, -np.pi))
+
+
+def test_the_edge_of_a_ring_on_a_longer_shaft_is_as_sharp_as_williams_says():
+    edge = brentq(williams, 0.6, 0.99)
+    assert edge - 1 == pytest.approx(-0.226, abs=5e-4)  # of Dundurs & Lee, and what is derived here
+    nodes = stations(start=1.0, end=0.0, first=1e-5, growth=1.5, refine=2)
+    z, orders = nodes[::2], np.array([0, 2, 4, 6, 8])
+    shaft = half_cylinder(R=1.0, contact=nodes, overhang=0.5, first=1e-5, refine=2)
+    ring = MeshQuad1.init_tensor(
+        stations(start=1.0, end=2.0, first=1e-5, growth=1.5, refine=2), nodes
+    ).with_boundaries({"bore": lambda x: x[0] == 1, "start": lambda x: x[1] == 0})
+    G = sum(
+        surface_compliance(
+            FourierSolid(mesh, STEEL, HALF, degree=2), name, stations=z, orders=orders
+        ).G[0, 0, :, 0]
+        for mesh, name in ((shaft, "rim"), (ring, "bore"))
+    )
+    p = np.linalg.solve(G, np.diff(z))  # an even interference
+    d = 1 - (z[1:] + z[:-1]) / 2
+    near = (d > 2e-4) & (d < 5e-3)
+    slopes = np.polyfit(np.log(d[near]), np.log(p[near]), 1)
+    assert slopes[0] == pytest.approx(edge - 1, abs=0.01)
+
+
 def test_harmonics_between_those_solved_are_interpolated_well():
     across = ACROSS
     z = np.array([0.0, 0.5, 0.9, 1.0])
     mesh = half_cylinder(R=1.0, contact=z, first=0.01)
-    few, many = (body(mesh, z, across[1], growth=g).between(across, 2.0) for g in (1.3, 1.1))
-    assert abs(few - many).max() < 1e-4 * abs(many).max()
+    few, many = (body(mesh, z, across[1], growth=g).between(across, 2.0) for g in (1.5, 1.1))
+    assert abs(few - many).max() < 5e-5 * abs(many).max()
 
 
 def test_a_patch_gives_way_symmetrically_and_costs_energy():
@@ -261,3 +304,39 @@ def test_unit_systems_do_not_matter():
 
     for here, there in zip(solve(1.0, 1.0), solve(1e-3, 1e6), strict=True):
         np.testing.assert_allclose(here, there, rtol=1e-7, atol=1e-9)
+
+
+def test_a_crown_that_is_the_same_everywhere_only_adds_to_the_approach():
+    pair = roller(), roller(0.5)
+    flat = patch_contact(pair, across=ACROSS, load=0.12)
+    raised = patch_contact(pair, across=ACROSS, load=0.12, crown=lambda z: 1e-3 + 0 * z)
+    np.testing.assert_allclose(raised.p, flat.p, atol=1e-8 * flat.p.max())
+    assert raised.approach - flat.approach == pytest.approx(1e-3, rel=1e-9)
+
+
+def test_a_crown_takes_load_from_the_end_to_the_middle():
+    pair = roller(), roller(0.5)
+    flat = patch_contact(pair, across=ACROSS, load=0.1)
+    crowned = patch_contact(pair, across=ACROSS, load=0.1, crown=lambda z: 2e-4 * z**4)
+    assert crowned.load_between(0.9, 1.0) < flat.load_between(0.9, 1.0)
+    assert crowned.ridge_at(0.0) > flat.ridge_at(0.0)
+    cut = patch_contact(pair, across=ACROSS, load=0.1, crown=lambda z: np.where(z > 0.8, 1.0, 0.0))
+    assert cut.load_between(0.8, 1.0) < 0.1 * flat.load_between(0.8, 1.0)
+    assert np.all(cut.line_load[cut.z > 0.85] == 0)
+    assert np.all(cut.half_width[cut.z > 0.85] == 0)
+
+
+def test_figures_of_an_elliptic_pressure_are_those_it_was_made_of():
+    a, p_0 = 0.8, 3.0
+    across, z = np.linspace(0, 1, 2001), np.array([0.0, 1.0, 3.0])
+    x = np.clip(across / a, 0, 1)
+    area = a / 2 * (x * np.sqrt(1 - x**2) + np.arcsin(x))  # under sqrt(1 - x^2/a^2)
+    p = p_0 * np.outer(np.diff(area) / np.diff(across), [1.0, 2.0])
+    c = PatchContact(across, z, p, 0.0, 0.0)
+    q = np.pi * a * p_0 / 2
+    assert c.line_load == pytest.approx([q, 2 * q], rel=1e-6)
+    assert c.half_width == pytest.approx(a, rel=1e-6)
+    assert c.ridge == pytest.approx([p_0, 2 * p_0], rel=1e-6)
+    assert c.load_between(0.5, 2.0) == pytest.approx(0.5 * q + 2 * q, rel=1e-6)
+    assert c.ridge_at(0.5) == pytest.approx(p_0, rel=1e-6)
+    assert c.ridge_at(1.25) == pytest.approx(1.5 * p_0, rel=1e-6)
