@@ -169,17 +169,30 @@ def test_stiffness_and_forces_are_those_of_the_weak_form(kind, bore, n):
 
 
 @any_bore
-def test_antisymmetric_harmonics_are_symmetric_ones_turned(bore):
+@pytest.mark.parametrize("n", [1, 3])
+def test_antisymmetric_harmonics_are_symmetric_ones_turned(bore, n):
     # cos n(t - pi/2n) = sin n t: what was along r and z at an angle is there a quarter wave on
-    solid = FourierSolid(tube("quad9", bore), STEEL, degree=2)
+    solid = FourierSolid(tube("quad9", bore), STEEL, {"bottom": "rtz"}, degree=2)
     load = {"rim": lambda x: np.array([1 + x[1], 0.3 + 0 * x[0], x[1] ** 2])}
     turned = {"rim": lambda x: np.array([1 + x[1], -0.3 + 0 * x[0], x[1] ** 2])}
-    n = 3
     even = FourierSolution((solid.harmonic(n).solve(load),))
     odd = FourierSolution((solid.harmonic(n, antisymmetric=True).solve(turned),))
     for a, b in zip(even.at(PLACES, ANGLES), odd.at(PLACES, ANGLES + np.pi / 2 / n), strict=True):
         np.testing.assert_allclose(a, b, atol=1e-10 * abs(a).max())
     assert odd.strain_energy == pytest.approx(even.strain_energy, rel=1e-10)
+
+
+@pytest.mark.parametrize("antisymmetric", [False, True], ids=["symmetric", "antisymmetric"])
+@every_cell
+def test_the_axis_moves_as_one(kind, antisymmetric):
+    solid = FourierSolid(tube(kind), STEEL, {"bottom": "rtz"}, degree=2)
+    harmonic = solid.harmonic(1, antisymmetric=antisymmetric)
+    s = harmonic.solve({"rim": lambda x: np.array([x[1], 1 + x[1] ** 2, x[1]])})
+    axis = solid.basis.doflocs[:, node_dofs(solid.basis)[0]][0] == 0
+    U, V, W = s.u[node_dofs(solid.basis)[:, axis]]
+    assert abs(U).max() > 1e-4
+    np.testing.assert_allclose(V, U if antisymmetric else -U, rtol=1e-12)
+    assert not np.any(W)
 
 
 def test_energy_is_half_the_work_of_the_tractions_over_the_turn():
