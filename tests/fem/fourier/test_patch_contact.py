@@ -330,7 +330,6 @@ def test_harmonics_beyond_those_solved_follow_their_limit():
         ).between(across, 2.0)
         for highest in (150, 1500)
     )  # the shortest waves that are solved: four cells, and less than half of one
-    print(abs(few - many).max() / abs(many).max())
     assert abs(few - many).max() < 1e-3 * abs(many).max()
 
 
