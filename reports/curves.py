@@ -18,6 +18,7 @@ def curves(c: Curves) -> Markup:
     x = [np.asarray(k.x, dtype=float) for k in c.curves]
     y = [np.asarray(k.y, dtype=float) for k in c.curves]
     low, high = min(min(v.min() for v in y), 0.0), max(v.max() for v in y)
+    low = low if c.y_bottom is None else c.y_bottom
     high = high if c.y_top is None else min(high, c.y_top)
     axes = Axes(
         (52, 28, 390, 262),
@@ -28,7 +29,7 @@ def curves(c: Curves) -> Markup:
     axes.base(svg.ticks(*axes.x, 6), svg.plain)
     axes.titles(c.x_label, c.y_label)
     for curve, u, v in zip(c.curves, x, y, strict=True):
-        seen = v <= axes.y[1]
+        seen = (axes.y[0] <= v) & (v <= axes.y[1])
         if curve.style == "dots":
             axes.dots(u[seen], v[seen], f"s{curve.colour}", 2.4)
         else:

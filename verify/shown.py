@@ -116,7 +116,10 @@ class Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class Curves:
-    """Several curves on the same axes, named below; `y_top` cuts what runs off to infinity."""
+    """Several curves on the same axes, named below, from `y_bottom` on (zero, or the lowest).
+
+    `y_top` cuts what runs off to infinity.
+    """
 
     title: str
     x_label: str
@@ -124,6 +127,7 @@ class Curves:
     curves: tuple[Curve, ...]
     note: str = ""
     y_top: float | None = None
+    y_bottom: float | None = None
 
 
 Figure = Profile | Refinement | Dots | Curves

@@ -7,13 +7,20 @@ from verify.cases.contact_line_flat import FLAT
 from verify.cases.contact_line_pair import PAIR
 from verify.cases.contact_line_ring import RING
 from verify.cases.contact_press_fit import PRESS_FIT
+from verify.cases.contact_roller import ROLLER
+from verify.cases.contact_roller_crowns import CROWNS
+from verify.cases.contact_roller_flat import UNCROWNED
+from verify.cases.contact_roller_tilted import TILTED
 from verify.cases.contact_slip import SLIP
 from verify.cases.contact_sphere import SPHERE
 from verify.cases.ring import LAME
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_continuum import CONTINUUM
 
-CASES: tuple[Case, ...] = (LAME, ACCORDION, CONTINUUM, FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT)
+CASES: tuple[Case, ...] = (
+    LAME, ACCORDION, CONTINUUM, FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
+    ROLLER, TILTED, UNCROWNED, CROWNS,
+)  # fmt: skip
 
 
 def find(case_id: str) -> Case:

@@ -1,0 +1,284 @@
+"""A crowned roller on its race: strips and slices beside the half-space."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import strips
+from analytic.contact.best_crown import best_crown
+from verify import judge
+from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import contact_roller_shown as shown
+from verify.cases.contact_line_checks import about
+from verify.cases.contact_roller_formulas import apart, beside_strips, interval, values
+from verify.cases.contact_roller_half_space import pressed, result
+from verify.cases.contact_roller_inputs import CrownedInputs, RollerInputs
+from verify.checks import Approximation, Exact, Fact
+from verify.claims import Claim
+from verify.results import Kind, Row
+from verify.shown import Curve, Curves, Figure
+
+HALF_SPACE = "half-space"
+ACCEPTED = "acceptance figure of the finite line contact"
+ESTIMATE = (
+    "derived: from half to twice of what strips neglect, and as much again as twice the strips "
+    "change, 1e-4 at least"
+)
+BESIDE = "strips, as the finer model, with their own interval"
+SHARPEST = {"peak": 3e-3, "mid": 3e-3, "approach": 3e-3}
+SLICED = 0.02  # acceptance of the slicing technique's pressures
+SHARE = 0.04  # and of its distribution
+ENDS = 0.06  # and of loads near the ends
+BEST_AT = np.geomspace(0.2, 2.5, 12)  # loads over F
+
+
+def analytic(q: CrownedInputs) -> Values:
+    best = best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star)
+    return values(q) | {
+        "best K_1": best.K_1, "best K_2": best.K_2, "best z_m": best.z_m, "best peak": best.peak,
+    }  # fmt: skip
+
+
+def fem(q: CrownedInputs, level: int) -> FemResult:
+    plane = plane_at_middle(q, level)
+    return result(pressed(q, level), level, more=plane)
+
+
+def plane_at_middle(q: CrownedInputs, level: int) -> dict[str, float]:
+    """A disc of the relative radius on a rigid flat, plane strain, under the strips' load there."""
+    from analytic.contact.crown import slice_centres
+    from analytic.contact.strips import press
+    from verify.cases.contact_line_flat import disc_fem
+    from verify.cases.contact_line_inputs import FlatInputs
+
+    gap = q.gap(slice_centres(length=q.L, slices=q.n))
+    solved = press(gap, length=q.L, R=q.R, E_star=q.E_star, load=q.F)
+    P = float(solved.mid**2 * np.pi * q.R / q.E_star)
+    disc = FlatInputs(R=q.R, E=q.E_star * (1 - q.nu_1**2), nu=q.nu_1, F=P * q.L, L=q.L)
+    found = disc_fem(disc, P, disc.guess, level // 4)
+    return {"plane p0": found.peak, "plane b": found.half_width}
+
+
+def plane_interval(coefficient: float) -> Any:
+    """What Hertz neglects of a disc, (a/R)²; the next term, (a/R)⁴, counts once."""
+
+    def found(q: RollerInputs, v: Values) -> tuple[float, float] | None:
+        e = v["strips b mid"] / q.R
+        return about(coefficient * e**2, e**4)
+
+    return found
+
+
+def ends_margin(context: Context) -> tuple[float, float]:
+    """How far below the acceptance figure strips are, in the load within d of the ends."""
+    v = context.series("ends")[1]
+    error = abs(context.analytic["strips ends"] / v[-1] - 1) if v[-1] else 0.0
+    return ENDS - error, 3 * abs(v[-1] / v[-2] - 1) if v[-2] else 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Distribution(Claim):
+    """A model puts no more than SHARE of the load elsewhere than the half-space."""
+
+    kind = Kind.FACT
+
+    model: str
+
+    def rows(self, context: Context) -> list[Row]:
+        share, U, error = apart(context, self.model)
+        verdict = judge.fact(SHARE - share, U)
+        told = f"{verdict.reason}: {share:.1%} elsewhere; line load off by {error:.1%} in L2"
+        return [self._row(context.case, Kind.FACT, replace(verdict, reason=told))]
+
+
+def strips_rows(keys: Sequence[str]) -> tuple[Approximation, ...]:
+    """Strips beside the half-space, as sharp as the acceptance figures."""
+    return tuple(
+        Approximation(
+            name=f"{NAMES[key][0]}, strips", symbol=NAMES[key][1], unit=NAMES[key][2], fem=key,
+            analytic=f"strips {key}", formal=1, by=HALF_SPACE, interval=interval(key),
+            source=ESTIMATE, demand=SHARPEST[key], demand_reason=ACCEPTED,
+        )
+        for key in keys
+    )  # fmt: skip
+
+
+def sliced_rows(keys: Sequence[str]) -> tuple[Approximation, ...]:
+    """Slices and uncoupled slices beside the half-space."""
+    return tuple(
+        Approximation(
+            name=f"{NAMES[key][0]}, {words}", symbol=NAMES[key][1], unit=NAMES[key][2], fem=key,
+            analytic=f"{name} {key}", formal=1, by=HALF_SPACE,
+            interval=beside_strips(f"{name} {key}", key), source=BESIDE, demand=SLICED,
+            demand_reason=ACCEPTED,
+        )
+        for name, words in (("slices", "slices"), ("lamina", "uncoupled slices")) for key in keys
+    )  # fmt: skip
+
+
+NAMES = {
+    "peak": ("largest pressure beyond d of the ends", "p_max", "MPa"),
+    "mid": ("pressure at mid-length", "p", "MPa"),
+    "approach": ("approach", "δ", "µm"),
+}
+BALANCE = Exact(
+    name="balance of forces, half-space", symbol="ΣF", unit="N", fem="balance", scale="F",
+    bound=1e-10, bound_reason="the load is held by every iteration",
+)  # fmt: skip
+
+CHECKS = (
+    *strips_rows(("peak", "mid", "approach")),
+    *sliced_rows(("peak", "mid", "approach")),
+    Distribution(name=f"load that slices put elsewhere than the half-space, below {SHARE:.0%}",
+                 symbol="ΔF/F", unit="1", model="slices"),
+    Fact(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d", unit="1",
+         margin=ends_margin),
+    Approximation(name="pressure at mid-length, strips and plane finite elements", symbol="p",
+                  unit="MPa", fem="plane p0", analytic="strips mid", formal=2,
+                  interval=plane_interval(-3 / 16),
+                  source="derived series of the disc; its next term counts once, 3e-4 at least",
+                  demand=5e-3, demand_reason=ACCEPTED),
+    Approximation(name="half-width at mid-length, strips and plane finite elements", symbol="b",
+                  unit="µm", fem="plane b", analytic="strips b mid", formal=2,
+                  interval=plane_interval(1 / 4),
+                  source="derived series of the disc; its next term counts once, 3e-4 at least",
+                  demand=5e-3, demand_reason=ACCEPTED),
+    BALANCE,
+)  # fmt: skip
+
+OUTPUTS = (
+    Output(key="R", symbol="R", unit="mm", what="relative radius", judged=False),
+    Output(key="E*", symbol="E*", unit="GPa", what="contact modulus", judged=False),
+    Output(key="strips peak", symbol="p_max", unit="MPa",
+           what="largest pressure beyond d of the ends, strips"),
+    Output(key="strips mid", symbol="p", unit="MPa", what="pressure at mid-length, strips"),
+    Output(key="strips end pressure", symbol="p_d", unit="MPa",
+           what="pressure of the mean line load within d of the more loaded end, strips",
+           judged=False),
+    Output(key="share of the ends", symbol="F_d/F", unit="1",
+           what="share of the load within d of both ends, strips"),
+    Output(key="strips largest", symbol="p_n", unit="MPa",
+           what="largest pressure of n strips, ends included: it grows with n if they carry",
+           judged=False),
+    Output(key="strips approach", symbol="δ", unit="µm", what="approach, strips"),
+    Output(key="strips contact", symbol="l_c", unit="mm", what="length in contact, strips",
+           judged=False),
+    Output(key="slices peak", symbol="p_max", unit="MPa",
+           what="largest pressure beyond d of the ends, slices"),
+    Output(key="lamina peak", symbol="p_max", unit="MPa",
+           what="largest pressure beyond d of the ends, uncoupled slices"),
+    Output(key="Hertz p0", symbol="p_0", unit="MPa",
+           what="Hertz's pressure of a load spread evenly", judged=False),
+)  # fmt: skip
+BEST = (
+    Output(key="best K_1", symbol="K_1", unit="1", what="best crown for F", judged=False),
+    Output(key="best K_2", symbol="K_2", unit="1", what="best crown for F", judged=False),
+    Output(key="best z_m", symbol="z_m", unit="µm", what="best crown for F, with Q = F",
+           judged=False),
+    Output(key="best peak", symbol="p_max", unit="MPa",
+           what="largest pressure of the best crown, ends included, strips", judged=False),
+)  # fmt: skip
+READINGS = (
+    "E' of Eq. 1 is E/(1 − ν²) for steel on steel: 2 E*",
+    "y counts from mid-length, and the crown is the same at both ends",
+    "the exponent of Eq. 5 is 10/9, by Palmgren's law, and s belongs to the whole length",
+    "the weights w of Eq. 3 are Love's for an even pressure on Hertz's width of the mean load",
+)
+ASSUMPTIONS = (
+    "no friction, small strain; both bodies half-spaces of E*, which go on beyond the ends",
+    "the largest pressure is that farther than d from the ends: a loaded end has no highest "
+    "pressure in a half-space",
+    "the half-space is refined like a mesh, in cells across and along the roller; what its "
+    "neighbouring grids differ by counts as iteration",
+)
+
+
+def warnings(q: RollerInputs, v: Values) -> Sequence[str]:
+    """What an engineer should know before trusting these pressures."""
+    found = []
+    loaded = v["strips low end"] + v["strips high end"] > 0
+    largest, inner = v["strips largest"], v["strips peak"]
+    if loaded and largest > 1.005 * inner:
+        found.append(
+            f"an end carries load: its pressure ({largest / 1e6:.4g} MPa with {q.n} strips) grows "
+            "with every refinement, and yields in truth; judge by p_d and by the share of the ends"
+        )
+    if v["strips contact"] < 0.98 * q.L * (1 - 1 / q.n):
+        found.append(
+            f"only {v['strips contact'] * 1e3:.4g} mm of l = {q.L * 1e3:.4g} mm are in contact"
+        )
+    if max(largest, inner) > 4e9:
+        found.append(
+            f"{max(largest, inner) / 1e6:.4g} MPa is beyond 4000 MPa, the static rating of "
+            "hardened rollers (ISO 76): expect lasting dents"
+        )
+    if v["Hertz b"] > 0.05 * q.R_1:
+        found.append(
+            f"b = {v['Hertz b'] * 1e3:.4g} mm is {v['Hertz b'] / q.R_1:.1%} of the roller's "
+            f"radius of {q.R_1 * 1e3:.4g} mm: a half-space it hardly is"
+        )
+    if min(q.E_1, q.E_2) < 180e9 or max(q.E_1, q.E_2) > 230e9:
+        found.append(
+            "Palmgren's law behind the slices is of steel on steel, which these bodies are not: "
+            "take the strips"
+        )
+    return found
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    q = context.inputs
+    return (shown.profile(q), shown.pressures(context), shown.loads(context), over_load(q))
+
+
+def over_load(q: CrownedInputs) -> Figure:
+    """Peak over Hertz's pressure of an even load: this crown, none, and the best at each load."""
+    y = shown.centres(q, q.n)
+    kept, best = [], []
+    for k in BEST_AT:
+        roller = {"length": q.L, "R": q.R, "E_star": q.E_star, "load": k * q.F}
+        even = np.sqrt(k * q.F / q.L * q.E_star / (np.pi * q.R))
+        kept.append(float(strips.press(q.gap(y), **roller).peak / even))
+        best.append(best_crown(**roller).peak / even)
+    return Curves(
+        title="Effect of the load on the best crown", x_label="load/F", y_label="p_max/p_0",
+        curves=(
+            Curve(name="this crown", x=BEST_AT, y=np.array(kept)),
+            Curve(name="best crown for each load", x=BEST_AT, y=np.array(best), style="dashes",
+                  colour=2),
+        ),
+        note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {q.n} strips. The "
+        "best crown of a load is nearly Lundberg's for it.",
+        y_top=1.6,
+        y_bottom=0.95,
+    )  # fmt: skip
+
+
+ROLLER = Case(
+    id="contact-roller",
+    title="Crowned roller on a race",
+    paper="huang2018",
+    place="Eqs. 1-5",
+    lead="The sprag's nose as a roller of finite length with the paper's crown for 25 N m. Strips "
+    "with Hertz's ellipse across and the slicing technique of the paper are judged by boundary "
+    "elements on a half-space, and their middle by plane finite elements. What strips neglect is "
+    "derived, and the half-space must agree.",
+    inputs=CrownedInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=(16, 24, 32),
+    checks=CHECKS,
+    outputs=(*OUTPUTS, *BEST),
+    readings=READINGS,
+    assumptions=(
+        *ASSUMPTIONS,
+        "plane finite elements: a disc of the relative radius on a rigid flat, with the line load "
+        "that strips have at mid-length",
+    ),
+    warnings=warnings,
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=figures,
+    pictures=shown.pictures,
+)

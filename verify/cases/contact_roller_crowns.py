@@ -1,0 +1,308 @@
+"""Crowns compared: Lundberg's and Johns and Gohar's even pressure, and the paper's designs."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import hertz_line
+from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import contact_roller_shown as shown
+from verify.cases.contact_roller import (
+    ACCEPTED,
+    ASSUMPTIONS,
+    BESIDE,
+    ESTIMATE,
+    HALF_SPACE,
+    READINGS,
+    SHARPEST,
+)
+from verify.cases.contact_roller_formulas import beside_strips, by_strips, interval, strip_values
+from verify.cases.contact_roller_half_space import noise, pressed
+from verify.cases.contact_roller_inputs import DESIGNS, CrownedInputs, CrownsInputs
+from verify.checks import Approximation, Fact
+from verify.shown import Array, Curve, Curves, Equation, Field, Figure, Picture
+from verify.tex import tex
+
+MPa, mm, um = shown.MPa, shown.mm, shown.um
+EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}
+FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
+FLAT = 0.01  # within this
+BEST, WORST = DESIGNS[0], DESIGNS[1]
+
+
+def even_crowns(q: CrownsInputs) -> dict[str, Callable[[Array], Array]]:
+    """The two crowns for an even pressure under F, as functions of y."""
+    from analytic.contact.crown import johns_gohar, lundberg
+
+    lund: dict[str, Any] = {"load": q.F, "length": q.L, "E_star": q.E_star}
+    return {
+        "Lundberg": lambda y: lundberg(y, **lund),
+        "Johns": lambda y: johns_gohar(y, half_width=q.b, **lund),
+    }
+
+
+def designed(q: CrownsInputs, design: tuple[float, float, float]) -> CrownedInputs:
+    """The roller with one of the paper's crowns, Q = F."""
+    K_1, K_2, z_m = design
+    kept = {name: getattr(q, name) for name in CrownsInputs.model_fields}
+    return CrownedInputs(**kept, K_1=K_1, K_2=K_2, z_m=z_m, Q=q.F)
+
+
+def label(design: tuple[float, float, float]) -> str:
+    return f"({design[0]:g}, {design[1]:g}, {design[2] / um:g} µm)"
+
+
+def analytic(q: CrownsInputs) -> Values:
+    hertz = {"P": q.F / q.L, "R": q.R, "E_star": q.E_star}
+    found = {
+        "Hertz p0": float(hertz_line.peak_pressure(**hertz)),
+        "Hertz b": float(hertz_line.half_width(**hertz)),
+        "F": q.F,
+    }
+    for name, gap in even_crowns(q).items():
+        found |= strip_values(q, name, gap)
+    for design in DESIGNS:
+        _, along = by_strips(q, q.n, designed(q, design).gap)
+        found[f"{label(design)} peak"] = along.peak
+    return found
+
+
+def fem(q: CrownsInputs, level: int) -> FemResult:
+    values: dict[str, float] = {}
+    arrays: dict[str, Array] = {}
+    u_it: dict[str, float] = {}
+    fields: tuple[Field, ...] = ()
+    for name, gap in even_crowns(q).items():
+        found = pressed(q, level, crown=gap)
+        values |= {f"{name} {key}": value for key, value in found.values.items()}
+        far = np.abs(found.contact.y) <= q.L / 2 - FAR * q.b
+        even = found.ridge[far] / np.sqrt(q.F / q.L * q.E_star / (np.pi * q.R))
+        values[f"{name} uneven"] = float(np.abs(even - 1).max())
+        arrays |= {f"{name} {key}": value for key, value in found.arrays.items()}
+        fields = (*fields, replace(found.field, name=name))
+        u_it |= noise(values, f"{name} ")
+    for design in DESIGNS:
+        found = pressed(designed(q, design), level)
+        values[f"{label(design)} peak"] = found.values["peak"]
+        arrays |= {f"{label(design)} {key}": value for key, value in found.arrays.items()}
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+
+
+def uneven(name: str) -> Callable[[Context], tuple[float, float]]:
+    def margin(context: Context) -> tuple[float, float]:
+        v = context.series(f"{name} uneven")[1]
+        return FLAT - v[-1], 3 * abs(v[-1] - v[-2])
+
+    return margin
+
+
+def lowest(context: Context) -> tuple[float, float]:
+    """How far the best design's peak is below the next, over its own, and the uncertainty."""
+    found = _peaks(context)
+    return float(found[-1, 1:].min() / found[-1, 0] - 1), _spread(found)
+
+
+def highest(context: Context) -> tuple[float, float]:
+    """How far the worst design's peak is above the next."""
+    found = _peaks(context)
+    others = np.delete(found, 1, axis=1)
+    return float(found[-1, 1] / others[-1].max() - 1), _spread(found)
+
+
+def _peaks(context: Context) -> Array:
+    names = [f"{label(design)} peak" for design in DESIGNS]
+    return np.array([[r.values[name] for name in names] for r in context.fem])
+
+
+def _spread(found: Array) -> float:
+    return float(3 * np.abs(found[-1] / found[-2] - 1).max())
+
+
+def straight(context: Context) -> tuple[float, float]:
+    """Where the drop starts, measured on profiles: it moves with K_2, and not with z_m."""
+    q = context.inputs
+    y = np.linspace(0, q.L / 2, 20001)
+
+    def start(K_2: float, z_m: float) -> float:
+        z = designed(q, (1.0, K_2, z_m)).gap(y)
+        return float(y[np.argmax(z > 0)])
+
+    by_z = abs(start(0.7, 25e-6) - start(0.7, 5e-6))
+    by_K = abs(start(0.4, 10e-6) - start(0.7, 10e-6))
+    return (by_K - by_z) / (q.L / 2), 2 * float(y[1]) / (q.L / 2)
+
+
+CHECKS = (
+    *(
+        Approximation(name=f"pressure at mid-length, {words}", symbol="p", unit="MPa",
+                      fem=f"{name} mid", analytic="Hertz p0", formal=1, by=HALF_SPACE,
+                      interval=beside_strips("Hertz p0", "mid", name), source=BESIDE,
+                      demand=0.02, demand_reason=ACCEPTED)
+        for name, words in EVEN.items()
+    ),
+    *(
+        Approximation(name=f"pressure at mid-length, {words}, strips", symbol="p", unit="MPa",
+                      fem=f"{name} mid", analytic=f"{name} mid", formal=1, by=HALF_SPACE,
+                      interval=interval("mid", name), source=ESTIMATE,
+                      demand=SHARPEST["mid"], demand_reason=ACCEPTED)
+        for name, words in EVEN.items()
+    ),
+    *(
+        Fact(name=f"pressure of {words} within {FLAT:.0%} of even, up to {FAR:g} b from the ends",
+             symbol="p", unit="1", margin=uneven(name))
+        for name, words in EVEN.items()
+    ),
+    Fact(name="Fig. 12: (1, 0.7, 0.01) has the lowest pressure beyond d of the ends", symbol="p",
+         unit="1", margin=lowest,
+         printed=("huang2018:fig12-best-k1", "huang2018:fig12-best-k2", "huang2018:fig12-best-zm")),
+    Fact(name="Fig. 12: (5, 0.7, 0.015) has the highest pressure beyond d of the ends",
+         symbol="p", unit="1", margin=highest),
+    Fact(name="the straight middle follows K_2, not z_m", symbol="l_s/l", unit="1",
+         margin=straight, fem_needed=False),
+)  # fmt: skip
+
+OUTPUTS = (
+    Output(key="Hertz p0", symbol="p_0", unit="MPa", what="Hertz's of a load spread evenly"),
+    Output(key="Hertz b", symbol="b", unit="µm", what="its half-width", judged=False),
+    *(
+        Output(key=f"{name} mid", symbol="p", unit="MPa", what=f"at mid-length, {words}, strips")
+        for name, words in EVEN.items()
+    ),
+    *(
+        Output(key=f"{label(design)} peak", symbol="p_max", unit="MPa",
+               what=f"beyond d of the ends, (K_1, K_2, z_m) = {label(design)}, strips")
+        for design in DESIGNS
+    ),
+)  # fmt: skip
+PROFILES = {  # Fig. 11: one parameter at a time
+    "K_1": ((1, 0.7, 10e-6), (3, 0.7, 10e-6), (5, 0.7, 10e-6)),
+    "K_2": ((1, 0.4, 10e-6), (1, 0.55, 10e-6), (1, 0.7, 10e-6)),
+    "z_m": ((1, 0.7, 5e-6), (1, 0.7, 10e-6), (1, 0.7, 15e-6)),
+}
+COMPARED = (0, 1, 6, 3)  # of the designs, in Fig. 12's plot
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    q = context.inputs
+    found = [profiles(q, varied) for varied in PROFILES]
+    if context.fem:
+        found += [designs(context), even(context), ends(context)]
+    return found
+
+
+def profiles(q: CrownsInputs, varied: str) -> Figure:
+    """Fig. 11: the crown as one of its parameters grows."""
+    y = np.linspace(0.0, q.L / 2, 301)
+    return Curves(
+        title=f"Profiles as {varied} grows (Fig. 11)", x_label="y [mm]", y_label="z [µm]",
+        curves=tuple(
+            Curve(name=label(design), x=y / mm, y=designed(q, design).gap(y) / um, colour=i)
+            for i, design in enumerate(PROFILES[varied])
+        ),
+        note="(K_1, K_2, z_m), the half y > 0, Q = F; the paper's figure was not to be had.",
+    )  # fmt: skip
+
+
+def designs(context: Context) -> Figure:
+    """Fig. 12: pressures of several designs, strips and half-space."""
+    q = context.inputs
+    curves = []
+    for i, design in enumerate(DESIGNS[k] for k in COMPARED):
+        _, along = by_strips(q, q.n, designed(q, design).gap)
+        curves.append(Curve(name=label(design), x=along.y / mm, y=along.p / MPa, colour=i))
+        curves.append(shown.half_space(context, "half-space", f"{label(design)} ", i))
+    p_0 = context.analytic["Hertz p0"] / MPa
+    return Curves(
+        title="Pressure of the paper's designs (Fig. 12)", x_label="y [mm]", y_label="p [MPa]",
+        curves=tuple(curves), y_top=1.25 * p_0, y_bottom=0.5 * p_0,
+        note="Lines: strips; dots of the same colour: half-space. (1, 0.7, 10 µm) is the evenest "
+        "but for its ends, which carry load: there a half-space has no highest pressure.",
+    )  # fmt: skip
+
+
+def even(context: Context) -> Figure:
+    """Lundberg's and Johns and Gohar's pressure."""
+    curves = []
+    for i, (name, words) in enumerate(EVEN.items()):
+        curve = shown.half_space(context, words, f"{name} ", i)
+        curves.append(replace(curve, y=curve.y * MPa / context.analytic["Hertz p0"]))
+    return Curves(
+        title="Crowns for an even pressure", x_label="y [mm]", y_label="p/p_0",
+        curves=tuple(curves), y_bottom=0.9, y_top=1.1,
+        note="Half-space, over Hertz's pressure of the load spread evenly.",
+    )  # fmt: skip
+
+
+def ends(context: Context) -> Figure:
+    """The same within some half-widths of the end."""
+    q, b = context.inputs, context.analytic["Hertz b"]
+    curves = []
+    for i, (name, words) in enumerate(EVEN.items()):
+        y, p = (context.fem[-1].arrays[f"{name} {key}"] for key in "yp")
+        near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
+        curves.append(
+            Curve(name=words, x=(q.L / 2 - y[near])[::-1] / b,
+                  y=p[near][::-1] / context.analytic["Hertz p0"], style="dots", colour=i)
+        )  # fmt: skip
+    return Curves(
+        title="Their ends", x_label="distance from the end over b", y_label="p/p_0",
+        curves=tuple(curves), note="Lundberg's profile has no floor at the end, and unloads it; "
+        "Johns and Gohar's ends where the end itself sinks.",
+    )  # fmt: skip
+
+
+def warnings(q: CrownsInputs, v: Values) -> Sequence[str]:
+    if v["Hertz b"] > 0.05 * q.R_1:
+        return (
+            f"b = {v['Hertz b'] / mm:.4g} mm is {v['Hertz b'] / q.R_1:.1%} of the roller's radius "
+            f"of {q.R_1 / mm:.4g} mm: a half-space it hardly is",
+        )
+    return ()
+
+
+def equations(q: CrownsInputs, v: Values) -> Sequence[Equation]:
+    A = q.F / (np.pi * q.L * q.E_star)
+    end = float(even_crowns(q)["Johns"](np.array(q.L / 2)))
+    return (
+        Equation(tex=r"z = \frac{F}{\pi l E^*} \ln\frac{1}{1 - (2y/l)^2}",
+                 numbers=rf"\frac{{F}}{{\pi l E^*}} = {tex(A / um)}\ \mathrm{{\mu m}}",
+                 place="Lundberg"),
+        Equation(tex=r"z = \frac{F}{\pi l E^*} \ln\frac{1}{1 - (1 - 0.6065\,b/l)(2y/l)^2}",
+                 numbers=rf"z(l/2) = {tex(end / um)}\ \mathrm{{\mu m}}", place="Johns and Gohar"),
+        Equation(tex=r"p_0 = \sqrt{\frac{F E^*}{\pi l R}}",
+                 numbers=rf"= {tex(v['Hertz p0'] / MPa)}\ \mathrm{{MPa}}", place="even load"),
+    )  # fmt: skip
+
+
+def pictures(q: Any) -> Sequence[Picture]:
+    (picture,) = shown.pictures(q)
+    return tuple(
+        replace(picture, field=name, caption=f"{words}: {picture.caption}")
+        for name, words in EVEN.items()
+    )
+
+
+CROWNS = Case(
+    id="contact-roller-crowns",
+    title="Crowns of a roller compared",
+    paper="huang2018",
+    place="Eq. 1, Figs. 11 and 12",
+    lead="Lundberg's crown makes the pressure even but for the ends, Johns and Gohar's including "
+    "them; the paper's law with three parameters has a straight middle. All are pressed on a "
+    "half-space under the load that they are made for.",
+    inputs=CrownsInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=(16, 24, 32),
+    checks=CHECKS,
+    outputs=OUTPUTS,
+    readings=READINGS[:2],
+    assumptions=ASSUMPTIONS,
+    warnings=warnings,
+    equations=equations,
+    sketch=shown.sketch,
+    figures=figures,
+    pictures=pictures,
+)

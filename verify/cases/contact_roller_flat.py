@@ -1,0 +1,146 @@
+"""A roller without crown: what converges, and the peak at its ends that does not."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.contact import strips
+from verify.case import Case, Context, FemResult, Values
+from verify.cases import contact_roller_shown as shown
+from verify.cases.contact_roller import (
+    ACCEPTED,
+    ASSUMPTIONS,
+    BALANCE,
+    BESIDE,
+    ENDS,
+    ESTIMATE,
+    HALF_SPACE,
+    NAMES,
+    OUTPUTS,
+    READINGS,
+    Distribution,
+    ends_margin,
+    warnings,
+)
+from verify.cases.contact_roller_formulas import beside_strips, interval, values
+from verify.cases.contact_roller_half_space import pressed, result
+from verify.cases.contact_roller_inputs import RollerInputs
+from verify.checks import Approximation, Fact, Order
+from verify.shown import Curve, Curves, Figure, Refinement
+
+SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end
+ALONG = 128  # cells along the roller, a level: no more than b/12 long
+COUNTS = (41, 57, 81, 115, 161, 229, 321)
+FLAT = 5e-3  # acceptance of pressures and approach without a crown
+
+
+def analytic(q: RollerInputs) -> Values:
+    return values(q)
+
+
+def fem(q: RollerInputs, level: int) -> FemResult:
+    return result(pressed(q, level, along=ALONG * level), level, stair=False)
+
+
+def inverse_peaks(context: Context) -> tuple[list[float], list[float]]:
+    """Cell sizes and mean line load over the largest pressure, which tends to nothing."""
+    h, peaks = context.series("largest")
+    return h, [context.analytic["Hertz p0"] / p for p in peaks]
+
+
+CHECKS = (
+    *(
+        Approximation(
+            name=f"{NAMES[key][0]}, strips", symbol=NAMES[key][1], unit=NAMES[key][2], fem=key,
+            analytic=f"strips {key}", formal=1, by=HALF_SPACE, interval=interval(key),
+            source=ESTIMATE, demand=FLAT, demand_reason=ACCEPTED,
+        )
+        for key in ("mid", "approach")
+    ),
+    Fact(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d", unit="1",
+         margin=ends_margin),
+    Order(name="slope of 1/peak over the cell: the end's pressure has no limit", symbol="p",
+          unit="1", errors=inverse_peaks, order=SLOPE, demand=0.04,
+          demand_reason="±0.02 of the slope, acceptance figure"),
+    Approximation(name="pressure at mid-length, slices", symbol="p", unit="MPa", fem="mid",
+                  analytic="slices mid", formal=1, by=HALF_SPACE,
+                  interval=beside_strips("slices mid", "mid"), source=BESIDE, demand=0.02,
+                  demand_reason=ACCEPTED),
+    Approximation(name="pressure at mid-length, uncoupled slices", symbol="p", unit="MPa",
+                  fem="mid", analytic="lamina mid", formal=1, by=HALF_SPACE,
+                  interval=beside_strips("lamina mid", "mid"), source=BESIDE, demand=0.02,
+                  demand_reason=ACCEPTED),
+    Distribution(name="load that slices put elsewhere than the half-space, below 4%",
+                 symbol="ΔF/F", unit="1", model="slices"),
+    BALANCE,
+)  # fmt: skip
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    found = [shown.pressures(context), shown.loads(context), over_strips(context)]
+    if context.converging:
+        found.append(peaks(context))
+    return found
+
+
+def peaks(context: Context) -> Figure:
+    """Largest pressure over the cell, log-log: a line that goes on."""
+    q, p_0 = context.inputs, context.analytic["Hertz p0"]
+    cells = np.array([len(r.arrays["y"]) for r in context.fem]) * context.analytic["Hertz b"] / q.L
+    values_ = {key: np.array(context.series(key)[1]) / p_0 for key in ("largest", "mid")}
+    return Refinement(
+        title="The peak at the end never stops growing", x_label="cells on Hertz's half-width",
+        y_label="p/p_0", cells=cells,
+        errors=(("peak", values_["largest"]),), order=-0.5,
+        note="Dots: largest pressure of a cell over Hertz's pressure of an even load; line: slope "
+        "1/2. At mid-length p/p_0 stays at "
+        f"{values_['mid'][-1]:.4f}.",
+    )  # fmt: skip
+
+
+def over_strips(context: Context) -> Figure:
+    """Strips narrower than the contact is wide make too much of a loaded end."""
+    q = context.inputs
+    found = []
+    for n in COUNTS:
+        gap = q.gap(shown.centres(q, n))
+        solved = strips.press(gap, length=q.L, R=q.R, E_star=q.E_star, load=q.F)
+        share = np.clip(q.d * n / q.L - np.arange(n), 0.0, 1.0)
+        found.append(2 * float(share @ solved.q) * q.L / n / q.F)
+    curves = [Curve(name="strips", x=np.array(COUNTS, float), y=np.array(found))]
+    if context.fem:
+        share_ = context.series("ends")[1][-1] / q.F
+        curves.append(
+            Curve(name="half-space", x=np.array([COUNTS[0], COUNTS[-1]], float),
+                  y=np.array([share_, share_]), style="dashes", colour=4)
+        )  # fmt: skip
+    return Curves(
+        title="Share of the ends over the number of strips", x_label="n", y_label="F_d/F",
+        curves=tuple(curves), y_bottom=0.0,
+        note="Strips narrower than the contact is wide no longer settle where an end carries: "
+        f"take about l/b = {q.L / q.b:.0f} of them.",
+    )  # fmt: skip
+
+
+UNCROWNED = Case(
+    id="contact-roller-flat",
+    title="Roller without crown on a race",
+    paper="huang2018",
+    place="Eqs. 2-5, without profile modification",
+    lead="A cylinder that simply ends. In a half-space the pressure at its ends is infinite, so no "
+    "peak that a model prints for it means anything without its number of slices; what converges "
+    "is judged, and the slope with which the peak grows.",
+    inputs=RollerInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=(8, 11, 16, 22, 32),
+    checks=CHECKS,
+    outputs=OUTPUTS,
+    readings=READINGS[2:],
+    assumptions=ASSUMPTIONS,
+    warnings=warnings,
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=figures,
+    pictures=shown.pictures,
+)

@@ -1,0 +1,147 @@
+"""The reference of finite line contacts: boundary elements on a half-space, refined like a mesh.
+
+What is compared does not depend on the mesh: the pressure of a loaded end has no limit, so the
+largest pressure is that farther than d from the ends, and ends are told by their load.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.case import FemResult
+from verify.shown import Array, Field
+
+if TYPE_CHECKING:
+    from analytic.contact.half_space_roller import RollerContact
+    from verify.cases.contact_roller_inputs import RollerInputs
+
+ACROSS, ALONG = 2, 32  # cells on the half-width and along the roller, a level
+SCOUT = (32, 256)
+BEYOND = 1.1  # of the widest contact, which the patch covers
+NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at x = 0
+SHOWN = 256  # cells along the roller in pictures
+# what neighbouring grids differ by, relative: whole cells make the rim of the contact a stair
+STAIR, STAIR_OF_ENDS = 1e-5, 2e-4
+STRETCH = 20.0  # of x in pictures of the patch
+
+
+@dataclass(frozen=True)
+class Pressed:
+    """The roller of `q` on the half-space, on the grid of one level."""
+
+    q: "RollerInputs"
+    contact: "RollerContact"
+
+    @property
+    def ridge(self) -> Array:
+        """Pressure at x = 0 along the roller (ny,) [Pa]: p² is a line over x² there."""
+        field, x = self.contact.contact.pressure, self.contact.contact.x
+        b = np.maximum(self.contact.half_width, 4 * self.contact.contact.cell[0])
+        w = np.abs(x)[:, None] < NEAR * b
+        t, v = x[:, None] ** 2 / b**2, field**2
+        n, s, r = w.sum(0), (w * t).sum(0), (w * t**2).sum(0)
+        f, g = (w * v).sum(0), (w * t * v).sum(0)
+        return np.asarray(np.sqrt(np.maximum((r * f - s * g) / (n * r - s**2), 0.0)))
+
+    @property
+    def values(self) -> dict[str, float]:
+        """What does not depend on the mesh, SI; "largest" is what does."""
+        q, found = self.q, self.contact
+        y, ridge, line = found.y, self.ridge, found.line_load
+        inner = np.abs(y) <= q.L / 2 - q.d
+        low, high = found.end_load(q.d)
+        loaded = found.contact
+        return {
+            "peak": _top(np.where(inner, ridge, 0.0)),
+            "mid": float(_middle(ridge)),
+            "q mid": float(_middle(line)),
+            "b mid": float(_middle(found.half_width)),
+            "approach": loaded.approach,
+            "low end": low,
+            "high end": high,
+            "ends": low + high,
+            "end pressure": math.sqrt(max(low, high) / q.d * q.E_star / (math.pi * q.R)),
+            "moment": loaded.moments[0],
+            "largest": float(loaded.pressure.max()),
+            "balance": loaded.load - q.F,
+        }
+
+    @property
+    def arrays(self) -> dict[str, Array]:
+        """Pressure at x = 0 and line load along the roller."""
+        return {"y": self.contact.y, "p": self.ridge, "q": self.contact.line_load}
+
+    @property
+    def field(self) -> Field:
+        """The patch with its pressure, stretched across; cells along it put together."""
+        loaded = self.contact.contact
+        many = math.gcd(loaded.pressure.shape[1], loaded.pressure.shape[1] // SHOWN or 1)
+        p = loaded.pressure.reshape(len(loaded.pressure), -1, many).mean(axis=2)
+        x = (np.arange(p.shape[0] + 1) - p.shape[0] / 2) * loaded.cell[0] * STRETCH
+        y = (np.arange(p.shape[1] + 1) - p.shape[1] / 2) * loaded.cell[1] * many
+        points = np.column_stack([a.ravel() for a in np.meshgrid(y, x, indexing="ij")])
+        i = np.arange(p.shape[1])[:, None] * x.size + np.arange(p.shape[0])
+        cells = np.stack([i, i + 1, i + x.size + 1, i + x.size], axis=-1).reshape(-1, 4)
+        return Field(
+            name="patch", points=points, cells=cells.astype(np.int64),
+            cell_data={"pressure": p.T.ravel()}, units={"pressure": "Pa"},
+        )  # fmt: skip
+
+
+def pressed(q: "RollerInputs", level: int, **how: Any) -> Pressed:
+    """The contact on a grid with a line of cells along each edge of the contact at its middle.
+
+    `how` replaces the crown, the load or the cells along. A coarse solution says how wide the
+    contact is.
+    """
+    from analytic.contact.half_space_roller import press_roller
+
+    roller: dict[str, Any] = {"crown": q.gap, "load": q.F} | how
+    roller |= {"R": q.R, "length": q.L, "E_star": q.E_star}
+    along = roller.pop("along", ALONG * level)
+    b = press_roller(**roller, cells=SCOUT).half_width
+    middle = float(_middle(b)) or float(b.max())
+    cells = ACROSS * level
+    half = math.ceil(BEYOND * float(b.max()) / middle * cells) + 1
+    width = 2 * half * middle / cells
+    return Pressed(q, press_roller(**roller, cells=(2 * half, along), width=width))
+
+
+def noise(values: Mapping[str, float], prefix: str = "") -> dict[str, float]:
+    """What the stair at the rim of a contact leaves uncertain of the `values` of `prefix`."""
+    shares = dict.fromkeys(("peak", "mid", "approach"), STAIR)
+    shares |= dict.fromkeys(("low end", "high end", "ends", "moment"), STAIR_OF_ENDS)
+    return {
+        f"{prefix}{key}": share * abs(values[f"{prefix}{key}"]) for key, share in shares.items()
+    }
+
+
+def result(
+    found: Pressed, level: int, *, stair: bool = True, more: Mapping[str, float] | None = None
+) -> FemResult:
+    """All of it for one level; no `stair` where contact ends with the roller, on every grid."""
+    values = found.values | dict(more or {})
+    residual = found.contact.contact.residual
+    u_it = {key: 10 * residual * abs(value) for key, value in found.values.items()}
+    u_it |= noise(values) if stair else {}
+    return FemResult(
+        h=1 / level, values=values, u_it=u_it, arrays=found.arrays, fields=(found.field,)
+    )
+
+
+def _middle(values: Array) -> Any:
+    n = len(values)
+    return (values[(n - 1) // 2] + values[n // 2]) / 2
+
+
+def _top(values: Array) -> float:
+    """Largest value, of the parabola through it and its neighbours."""
+    i = int(np.argmax(values))
+    if not 0 < i < len(values) - 1 or min(values[i - 1], values[i + 1]) <= 0:
+        return float(values[i])
+    below, at, above = values[i - 1 : i + 2]
+    bend = below - 2 * at + above
+    return float(at - (above - below) ** 2 / (8 * bend)) if bend < 0 else float(at)
