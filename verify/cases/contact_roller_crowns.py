@@ -20,7 +20,7 @@ from verify.cases.contact_roller import (
 )
 from verify.cases.contact_roller_formulas import beside_strips, by_strips, interval, strip_values
 from verify.cases.contact_roller_half_space import noise, pressed
-from verify.cases.contact_roller_inputs import DESIGNS, CrownedInputs, CrownsInputs
+from verify.cases.contact_roller_inputs import DESIGNS, CrownedInputs, StripInputs
 from verify.checks import Approximation, Fact
 from verify.shown import Array, Curve, Curves, Equation, Field, Figure, Picture
 from verify.tex import tex
@@ -32,7 +32,7 @@ FLAT = 0.01  # within this
 BEST, WORST = DESIGNS[0], DESIGNS[1]
 
 
-def even_crowns(q: CrownsInputs) -> dict[str, Callable[[Array], Array]]:
+def even_crowns(q: StripInputs) -> dict[str, Callable[[Array], Array]]:
     """The two crowns for an even pressure under F, as functions of y."""
     from analytic.contact.crown import johns_gohar, lundberg
 
@@ -43,10 +43,10 @@ def even_crowns(q: CrownsInputs) -> dict[str, Callable[[Array], Array]]:
     }
 
 
-def designed(q: CrownsInputs, design: tuple[float, float, float]) -> CrownedInputs:
+def designed(q: StripInputs, design: tuple[float, float, float]) -> CrownedInputs:
     """The roller with one of the paper's crowns, Q = F."""
     K_1, K_2, z_m = design
-    kept = {name: getattr(q, name) for name in CrownsInputs.model_fields}
+    kept = {name: getattr(q, name) for name in StripInputs.model_fields}
     return CrownedInputs(**kept, K_1=K_1, K_2=K_2, z_m=z_m, Q=q.F)
 
 
@@ -54,7 +54,7 @@ def label(design: tuple[float, float, float]) -> str:
     return f"({design[0]:g}, {design[1]:g}, {design[2] / um:g} µm)"
 
 
-def analytic(q: CrownsInputs) -> Values:
+def analytic(q: StripInputs) -> Values:
     hertz = {"P": q.F / q.L, "R": q.R, "E_star": q.E_star}
     found = {
         "Hertz p0": float(hertz_line.peak_pressure(**hertz)),
@@ -69,7 +69,7 @@ def analytic(q: CrownsInputs) -> Values:
     return found
 
 
-def fem(q: CrownsInputs, level: int) -> FemResult:
+def fem(q: StripInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
     arrays: dict[str, Array] = {}
     u_it: dict[str, float] = {}
@@ -192,7 +192,7 @@ def figures(context: Context) -> Sequence[Figure]:
     return found
 
 
-def profiles(q: CrownsInputs, varied: str) -> Figure:
+def profiles(q: StripInputs, varied: str) -> Figure:
     """Fig. 11: the crown as one of its parameters grows."""
     y = np.linspace(0.0, q.L / 2, 301)
     return Curves(
@@ -253,7 +253,7 @@ def ends(context: Context) -> Figure:
     )  # fmt: skip
 
 
-def warnings(q: CrownsInputs, v: Values) -> Sequence[str]:
+def warnings(q: StripInputs, v: Values) -> Sequence[str]:
     if v["Hertz b"] > 0.05 * q.R_1:
         return (
             f"b = {v['Hertz b'] / mm:.4g} mm is {v['Hertz b'] / q.R_1:.1%} of the roller's radius "
@@ -262,7 +262,7 @@ def warnings(q: CrownsInputs, v: Values) -> Sequence[str]:
     return ()
 
 
-def equations(q: CrownsInputs, v: Values) -> Sequence[Equation]:
+def equations(q: StripInputs, v: Values) -> Sequence[Equation]:
     A = q.F / (np.pi * q.L * q.E_star)
     end = float(even_crowns(q)["Johns"](np.array(q.L / 2)))
     return (
@@ -292,7 +292,7 @@ CROWNS = Case(
     lead="Lundberg's crown makes the pressure even but for the ends, Johns and Gohar's including "
     "them; the paper's law with three parameters has a straight middle. All are pressed on a "
     "half-space under the load that they are made for.",
-    inputs=CrownsInputs,
+    inputs=StripInputs,
     analytic=analytic,
     fem=fem,
     levels=(16, 24, 32),

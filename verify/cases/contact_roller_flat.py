@@ -87,6 +87,7 @@ def peaks(context: Context) -> Figure:
     """Largest pressure over the cell, log-log: a line that goes on."""
     q, p_0 = context.inputs, context.analytic["Hertz p0"]
     cells = np.array([len(r.arrays["y"]) for r in context.fem]) * context.analytic["Hertz b"] / q.L
+    cells = np.round(cells, 1)
     values_ = {key: np.array(context.series(key)[1]) / p_0 for key in ("largest", "mid")}
     return Refinement(
         title="The peak at the end never stops growing", x_label="cells on Hertz's half-width",
@@ -116,7 +117,7 @@ def over_strips(context: Context) -> Figure:
         )  # fmt: skip
     return Curves(
         title="Share of the ends over the number of strips", x_label="n", y_label="F_d/F",
-        curves=tuple(curves), y_bottom=0.0,
+        curves=tuple(curves), y_bottom=0.9 * min(found),
         note="Strips narrower than the contact is wide no longer settle where an end carries: "
         f"take about l/b = {q.L / q.b:.0f} of them.",
     )  # fmt: skip

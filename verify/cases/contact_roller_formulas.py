@@ -11,7 +11,7 @@ from analytic.contact.crown import slice_centres
 from analytic.contact.sliced import SlicedContact
 from analytic.contact.strip_error import neglected
 from verify.case import Context, Values
-from verify.cases.contact_roller_inputs import RollerInputs
+from verify.cases.contact_roller_inputs import Roller, RollerInputs, StripInputs
 from verify.shown import Array
 
 LEAST = 1e-4  # of a model error: nothing sharper is claimed
@@ -22,7 +22,7 @@ TIMES = 2.0  # within which the strips' own estimate of what they neglect holds
 class Along:
     """Pressure at x = 0 and line load at the centres y of equal parts of the roller (n,)."""
 
-    q: RollerInputs
+    q: Roller
     y: Array
     p: Array
     line: Array
@@ -82,20 +82,20 @@ class Along:
 Gap = Callable[[Array], Array]
 
 
-def roller(q: RollerInputs, n: int, gap: Gap | None = None) -> dict[str, Any]:
+def roller(q: Roller, n: int, gap: Gap | None = None) -> dict[str, Any]:
     """What all models are given, for n parts; `gap` (y) replaces the roller's own."""
     z = (gap or q.gap)(slice_centres(length=q.L, slices=n))
     return {"gap": z, "length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
 
 
-def by_strips(q: RollerInputs, n: int, gap: Gap | None = None) -> tuple[strips.Strips, Along]:
+def by_strips(q: Roller, n: int, gap: Gap | None = None) -> tuple[strips.Strips, Along]:
     """The strips' solution for n strips."""
     found = strips.press(**roller(q, n, gap))
     y = slice_centres(length=q.L, slices=n)
     return found, Along(q, y, found.pressure, found.q)
 
 
-def strip_values(q: RollerInputs, name: str = "strips", gap: Gap | None = None) -> dict[str, float]:
+def strip_values(q: StripInputs, name: str = "strips", gap: Gap | None = None) -> dict[str, float]:
     """Values by n strips, those by "twice" as many, and what strips neglect ("left"), by `name`."""
     solved, along = by_strips(q, q.n, gap)
     twice, finer = by_strips(q, 2 * q.n, gap)
@@ -155,7 +155,7 @@ def interval(key: str, name: str = "strips") -> Any:
     From half to twice of what they neglect, and as much either way as twice the strips change.
     """
 
-    def found(_: RollerInputs, v: Values) -> tuple[float, float] | None:
+    def found(_: Roller, v: Values) -> tuple[float, float] | None:
         left = -v[f"{name} {key} left"]
         if not np.isfinite(left):
             return None
@@ -169,7 +169,7 @@ def interval(key: str, name: str = "strips") -> Any:
 def beside_strips(other: str, key: str, name: str = "strips") -> Any:
     """Interval of the error of `other`: its deviation from strips, with that of strips added."""
 
-    def found(q: RollerInputs, v: Values) -> tuple[float, float] | None:
+    def found(q: Roller, v: Values) -> tuple[float, float] | None:
         own = interval(key, name)(q, v)
         if own is None:
             return None

@@ -16,7 +16,7 @@ from verify.shown import Array, Field
 
 if TYPE_CHECKING:
     from analytic.contact.half_space_roller import RollerContact
-    from verify.cases.contact_roller_inputs import RollerInputs
+    from verify.cases.contact_roller_inputs import Roller
 
 ACROSS, ALONG = 2, 32  # cells on the half-width and along the roller, a level
 SCOUT = (32, 256)
@@ -32,7 +32,7 @@ STRETCH = 20.0  # of x in pictures of the patch
 class Pressed:
     """The roller of `q` on the half-space, on the grid of one level."""
 
-    q: "RollerInputs"
+    q: "Roller"
     contact: "RollerContact"
 
     @property
@@ -91,7 +91,7 @@ class Pressed:
         )  # fmt: skip
 
 
-def pressed(q: "RollerInputs", level: int, **how: Any) -> Pressed:
+def pressed(q: "Roller", level: int, **how: Any) -> Pressed:
     """The contact on a grid with a line of cells along each edge of the contact at its middle.
 
     `how` replaces the crown, the load or the cells along. A coarse solution says how wide the

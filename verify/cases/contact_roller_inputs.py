@@ -18,7 +18,7 @@ DESIGNS: tuple[tuple[float, float, float], ...] = (  # K_1, K_2, z_m [m] that th
 )  # fmt: skip
 
 
-class RollerInputs(Inputs):
+class Roller(Inputs):
     """A roller without crown on a race that is longer than it."""
 
     F: float = quantity("3407 N", "N", "F", "normal load", gt=0, le=1e9)
@@ -39,8 +39,6 @@ class RollerInputs(Inputs):
         "0.5 mm", "mm", "d", "length at each end whose share of the load is told", omitted="0.5 mm",
         gt=0, le=1e4,
     )  # fmt: skip
-    n: int = count(81, "n", "strips over the length", ge=41, le=401)
-    slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
 
     @property
     def R(self) -> float:
@@ -62,7 +60,7 @@ class RollerInputs(Inputs):
         return np.zeros_like(y)
 
     @model_validator(mode="after")
-    def _sizes(self) -> "RollerInputs":
+    def _sizes(self) -> "Roller":
         sizes = f"R_1 = {self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm"
         if -1.02 * self.R_1 < self.R_2 <= 0:
             raise ValueError(
@@ -91,16 +89,22 @@ class RollerInputs(Inputs):
         return self
 
 
-class CrownsInputs(RollerInputs):
-    """A roller whose crowns are compared, each designed for F."""
+class StripInputs(Roller):
+    """How finely strips divide it."""
 
     n: int = count(161, "n", "strips over the length", ge=41, le=401)
 
 
-class CrownedInputs(RollerInputs):
+class RollerInputs(StripInputs):
+    """And slices; strips as many as a loaded end bears."""
+
+    n: int = count(81, "n", "strips over the length", ge=41, le=401)
+    slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
+
+
+class Crown(Roller):
     """A roller with the logarithmic crown of Eq. 1."""
 
-    n: int = count(161, "n", "strips over the length", ge=41, le=401)
     K_1: float = quantity(
         2.1507, "1", "K_1", "crown's curvature: its load over the design load", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
@@ -123,6 +127,12 @@ class CrownedInputs(RollerInputs):
             y, K_1=self.K_1, K_2=self.K_2, z_m=self.z_m, load=self.Q, length=self.L,
             E_star=self.E_star,
         )  # fmt: skip
+
+
+class CrownedInputs(Crown, RollerInputs):
+    """A crowned roller in strips and slices."""
+
+    n: int = count(161, "n", "strips over the length", ge=41, le=401)
 
 
 class TiltedInputs(CrownedInputs):

@@ -9,6 +9,7 @@ from verify.cases.contact_line_ring import RING
 from verify.cases.contact_press_fit import PRESS_FIT
 from verify.cases.contact_roller import ROLLER
 from verify.cases.contact_roller_crowns import CROWNS
+from verify.cases.contact_roller_end import END
 from verify.cases.contact_roller_flat import UNCROWNED
 from verify.cases.contact_roller_tilted import TILTED
 from verify.cases.contact_slip import SLIP
@@ -19,7 +20,7 @@ from verify.cases.spring_continuum import CONTINUUM
 
 CASES: tuple[Case, ...] = (
     LAME, ACCORDION, CONTINUUM, FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
-    ROLLER, TILTED, UNCROWNED, CROWNS,
+    ROLLER, TILTED, UNCROWNED, CROWNS, END,
 )  # fmt: skip
 
 
