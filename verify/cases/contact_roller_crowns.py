@@ -29,7 +29,7 @@ MPa, mm, um = shown.MPa, shown.mm, shown.um
 EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}
 FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
 FLAT = 0.01  # within this
-BEST, WORST = DESIGNS[0], DESIGNS[1]
+FIRST, NEXT = 1e-5, 0.05
 
 
 def even_crowns(q: StripInputs) -> dict[str, Callable[[Array], Array]]:
@@ -134,6 +134,18 @@ def straight(context: Context) -> tuple[float, float]:
     return (by_K - by_z) / (q.L / 2), 2 * float(y[1]) / (q.L / 2)
 
 
+def first_contact(context: Context) -> tuple[float, float]:
+    """How far inside the straight middle and NEXT of the half-length beside it contact ends.
+
+    The crown of Fig. 13a on strips, under FIRST of F.
+    """
+    q = context.inputs
+    light = designed(q, (1, 0.4, 10e-6)).model_copy(update={"F": FIRST * q.F})
+    solved, along = by_strips(light, q.n)
+    outmost = float(np.abs(along.y[solved.carries]).max())
+    return float(1 - light.K_2 + NEXT - outmost / (q.L / 2)), 1 / q.n
+
+
 CHECKS = (
     *(
         Approximation(name=f"pressure at mid-length, {words}", symbol="p", unit="MPa",
@@ -161,6 +173,8 @@ CHECKS = (
          symbol="p", unit="1", margin=highest),
     Fact(name="the straight middle follows K_2, not z_m", symbol="l_s/l", unit="1",
          margin=straight, fem_needed=False),
+    Fact(name="at first only the straight middle is loaded", symbol="l_c/l", unit="1",
+         margin=first_contact, fem_needed=False),
 )  # fmt: skip
 
 OUTPUTS = (
