@@ -122,7 +122,9 @@ def solve(
         step, rise = (conjugate_gradients if iteration <= UNDAMPED else direct)(
             _system(s, gap, carries, response, total)
         )
-        s = np.maximum(s + step, 0.1 * s if iteration > UNDAMPED else 0.0)
+        moved = np.maximum(s + step, 0.1 * s if iteration > UNDAMPED else 0.0)
+        lifted = ~(moved > 0).any(axis=-1, keepdims=True)  # too far: nothing would carry
+        s = np.where(lifted, 0.1 * s, moved)
         s[s < 1e-14 * s.max(axis=-1, keepdims=True)] = 0.0
         level = level + rise
     raise ArithmeticError(
