@@ -25,6 +25,7 @@ NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at
 SHOWN = 256  # cells along the roller in pictures
 # what neighbouring grids differ by, relative: whole cells make the rim of the contact a stair
 STAIR, STAIR_OF_ENDS = 1e-5, 2e-4
+STAIR_OF_OWN = 2e-4  # at one's own numbers
 STRETCH = 20.0  # of x in pictures of the patch
 
 
@@ -110,9 +111,9 @@ def pressed(q: "Roller", level: int, **how: Any) -> Pressed:
     return Pressed(q, press_roller(**roller, cells=(2 * half, along), width=width))
 
 
-def noise(values: Mapping[str, float], prefix: str = "") -> dict[str, float]:
+def noise(values: Mapping[str, float], q: "Roller", prefix: str = "") -> dict[str, float]:
     """What the stair at the rim of a contact leaves uncertain of the `values` of `prefix`."""
-    shares = dict.fromkeys(("peak", "mid", "approach"), STAIR)
+    shares = dict.fromkeys(("peak", "mid", "approach"), STAIR_OF_OWN if q.own else STAIR)
     shares |= dict.fromkeys(("low end", "high end", "ends", "moment"), STAIR_OF_ENDS)
     return {
         f"{prefix}{key}": share * abs(values[f"{prefix}{key}"]) for key, share in shares.items()
@@ -126,7 +127,7 @@ def result(
     values = found.values | dict(more or {})
     residual = found.contact.contact.residual
     u_it = {key: 10 * residual * abs(value) for key, value in found.values.items()}
-    u_it |= noise(values) if stair else {}
+    u_it |= noise(values, found.q) if stair else {}
     return FemResult(
         h=1 / level, values=values, u_it=u_it, arrays=found.arrays, fields=(found.field,)
     )
