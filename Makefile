@@ -23,6 +23,8 @@ check: .venv/.ready
 bench: .venv/.ready
 	$(BIN)/python -m benchmarks.plane
 	$(BIN)/python -m benchmarks.contact
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.strips
+	$(BIN)/python -m benchmarks.half_space
 
 # The table of verdicts in README.md, from the last run of `make verify`.
 readme: verify
