@@ -11,21 +11,19 @@ from verify.cases.contact_roller import (
     ACCEPTED,
     ASSUMPTIONS,
     BALANCE,
-    BESIDE,
-    ENDS,
+    COUPLED,
     ESTIMATE,
     HALF_SPACE,
     NAMES,
     OUTPUTS,
-    READINGS,
-    Distribution,
-    ends_margin,
+    sliced_rows,
     warnings,
 )
-from verify.cases.contact_roller_formulas import beside_strips, interval, values
-from verify.cases.contact_roller_half_space import pressed, result
+from verify.cases.contact_roller_accepted import ENDS, Accepted, ends
+from verify.cases.contact_roller_formulas import interval, values
+from verify.cases.contact_roller_half_space import pressed, result, too_short
 from verify.cases.contact_roller_inputs import RollerInputs
-from verify.checks import Approximation, Fact, Order
+from verify.checks import Approximation, Order
 from verify.shown import Curve, Curves, Figure, Refinement
 
 SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end
@@ -57,21 +55,12 @@ CHECKS = (
         )
         for key in ("mid", "approach")
     ),
-    Fact(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d", unit="1",
-         margin=ends_margin),
+    Accepted(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d", unit="1",
+             margin=ends),
     Order(name="slope of 1/peak over the cell: the end's pressure has no limit", symbol="p",
           unit="1", errors=inverse_peaks, order=SLOPE, demand=0.04,
           demand_reason="±0.02 of the slope, acceptance figure"),
-    Approximation(name="pressure at mid-length, slices", symbol="p", unit="MPa", fem="mid",
-                  analytic="slices mid", formal=1, by=HALF_SPACE,
-                  interval=beside_strips("slices mid", "mid"), source=BESIDE, demand=0.02,
-                  demand_reason=ACCEPTED),
-    Approximation(name="pressure at mid-length, uncoupled slices", symbol="p", unit="MPa",
-                  fem="mid", analytic="lamina mid", formal=1, by=HALF_SPACE,
-                  interval=beside_strips("lamina mid", "mid"), source=BESIDE, demand=0.02,
-                  demand_reason=ACCEPTED),
-    Distribution(name="load that slices put elsewhere than the half-space, below 4%",
-                 symbol="ΔF/F", unit="1", model="slices"),
+    *sliced_rows(("mid",)),
     BALANCE,
 )  # fmt: skip
 
@@ -137,11 +126,12 @@ UNCROWNED = Case(
     levels=(8, 11, 16, 22, 32),
     checks=CHECKS,
     outputs=OUTPUTS,
-    readings=READINGS[2:],
+    readings=(COUPLED,),
     assumptions=ASSUMPTIONS,
     warnings=warnings,
     equations=shown.equations,
     sketch=shown.sketch,
     figures=figures,
     pictures=shown.pictures,
+    too_large=too_short,
 )

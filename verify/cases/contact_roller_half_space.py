@@ -26,6 +26,7 @@ SHOWN = 256  # cells along the roller in pictures
 # what neighbouring grids differ by, relative: whole cells make the rim of the contact a stair
 STAIR, STAIR_OF_ENDS = 1e-5, 2e-4
 STAIR_OF_OWN = 2e-4  # at one's own numbers
+SHORTEST = 1 / 64  # of the roller's length that d may be: eight cells of the coarsest grid
 STRETCH = 20.0  # of x in pictures of the patch
 
 
@@ -109,6 +110,16 @@ def pressed(q: "Roller", level: int, **how: Any) -> Pressed:
     half = math.ceil(BEYOND * float(b.max()) / middle * cells) + 1
     width = 2 * half * middle / cells
     return Pressed(q, press_roller(**roller, cells=(2 * half, along), width=width))
+
+
+def too_short(q: "Roller") -> str:
+    """Why the half-space cannot tell what d asks."""
+    if q.d >= SHORTEST * q.L:
+        return ""
+    return (
+        f"the end d = {q.d * 1e3:g} mm is shorter than {SHORTEST * q.L * 1e3:.3g} mm, a 64th of l, "
+        "too few cells of the half-space: take a longer d, or check without --fem"
+    )
 
 
 def noise(values: Mapping[str, float], q: "Roller", prefix: str = "") -> dict[str, float]:

@@ -1,0 +1,73 @@
+"""Acceptance figures of finite line contacts: judged at the paper's numbers, told at one's own."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from verify import judge
+from verify.case import Context
+from verify.cases.contact_roller_formulas import apart
+from verify.claims import Claim
+from verify.results import Kind, Row, Status
+
+SHARE = 0.04  # of the load that slices may put elsewhere
+ENDS = 0.06  # of loads near the ends
+LEAST = 1e-3  # of load, or load times length: less near the ends or about the middle is none
+
+Margin = Callable[[Context], tuple[float, float, str]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Accepted(Claim):
+    """A statement with an acceptance figure, which is one for the paper's roller.
+
+    `margin` gives what is left of the figure, its expanded uncertainty, and the error in words.
+    """
+
+    kind = Kind.FACT
+
+    margin: Margin
+    fem_needed: bool = True
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        margin, U, words = self.margin(context)
+        verdict = judge.fact(margin, U)
+        told = replace(verdict, reason=f"{verdict.reason}: {words}")
+        if not context.is_paper:
+            told = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        return [self._row(context.case, Kind.FACT, told, published=self._printed(context))]
+
+
+def elsewhere(model: str) -> Margin:
+    """The share of the load that a model puts elsewhere than the half-space."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        share, U, error = apart(context, model)
+        return SHARE - share, U, f"{share:.1%} elsewhere; line load off by {error:.1%} in L2"
+
+    return margin
+
+
+def nearer(context: Context) -> tuple[float, float, str]:
+    """How much less of the load slices put elsewhere than uncoupled ones do."""
+    coupled, U, _ = apart(context, "slices")
+    alone, U_alone, _ = apart(context, "lamina")
+    return alone - coupled, U + U_alone, f"{coupled:.1%} against {alone:.1%} elsewhere"
+
+
+def within(key: str, bound: float, scale: str) -> Margin:
+    """The strips' error in `key`, over itself or, where it is next to nothing, over `scale`."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        v, strips = context.series(key)[1], context.analytic[f"strips {key}"]
+        size = max(abs(v[-1]), LEAST * context.analytic[scale])
+        error = (strips - v[-1]) / size
+        return bound - abs(error), 3 * abs(v[-1] - v[-2]) / size, f"strips {error:+.2%}"
+
+    return margin
+
+
+ends = within("ends", ENDS, "F")
