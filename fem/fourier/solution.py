@@ -95,8 +95,11 @@ class FourierSolution:
         return sum(part.strain_energy for part in self.parts)
 
     def at(self, points: Array, angle: Array) -> tuple[Array, Array]:
-        """Displacement (3, m) along r, t, z and stress (6, m) at `points` (2, m), `angle` [rad]."""
-        angle = np.asarray(angle, float)
+        """Displacement (3, m) along r, t, z and stress (6, m) at `points` (2, m), `angle` [rad].
+
+        One angle serves all points.
+        """
+        angle = np.broadcast_to(np.asarray(angle, float), points.shape[1:])
         u = np.zeros((3, points.shape[1]))
         sigma = np.zeros((6, points.shape[1]))
         for part in self.parts:

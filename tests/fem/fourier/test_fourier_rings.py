@@ -7,6 +7,7 @@ from skfem import MeshQuad1
 from fem.fourier.solid import FourierSolid
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
+from meshes.revolution.section import section
 
 E, NU = 206.0, 0.3
 STEEL = Elastic(E=E, nu=NU)
@@ -143,3 +144,22 @@ def test_energies_of_several_harmonics_add_up():
     u, _ = whole.at(at, np.array([0.0]))
     turned, _ = whole.at(at, np.array([np.pi]))
     np.testing.assert_allclose(u, turned, atol=1e-12)  # even harmonics alone
+
+
+def test_a_shaft_held_at_one_end_bends_as_a_beam():
+    R, length, tau = 0.02, 0.4, 1e6
+    shaft = FourierSolid(
+        section(r=np.linspace(0, R, 5), z=np.linspace(0, length, 41)),
+        materials=Elastic(E=210e9, nu=0.3), supports={"start": "rtz"}, degree=2,
+    )  # fmt: skip
+    bent = shaft.solve({1: {"end": (tau, -tau, 0.0)}})  # all of it along x
+    z, h = 0.2, 0.05
+    axis = np.array([[1e-9] * 3, [z - h, z, z + h]])
+    (x, _, _), _ = bent.at(axis, 0.0)
+    (_, t, _), _ = bent.at(axis, np.pi / 2)
+    force, stiffness = tau * np.pi * R**2, 210e9 * np.pi * R**4 / 4
+    # the deflection of a beam with shear is a cubic, of which shear takes the straight part
+    assert (x[0] - 2 * x[1] + x[2]) / h**2 == pytest.approx(
+        force * (length - z) / stiffness, rel=2e-4
+    )
+    np.testing.assert_allclose(t, -x, rtol=1e-6)  # across from there the t direction is -x
