@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from verify import cache, environment, units
-from verify.case import Case
+from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.results import CaseResult, Report, Status
@@ -71,18 +71,17 @@ def run_check(
     path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache: bool, out: Path | None
 ) -> int:
     """Formulas, warnings and, if asked for, finite elements and a report on a user's parameters."""
-    name, case, inputs = load(path)
+    name, case, inputs, values = load(path)
     if use_fem and (reason := case.too_large(inputs)):
         raise InputError(f"{path}: inputs: {reason}")
     if out is not None:
         _writable(out)
     start = time.perf_counter()
-    job = Job(case, inputs, use_fem=use_fem)
+    job = Job(case, inputs, use_fem=use_fem, values=values, drawn=out is not None)
     (result,) = solve([job], jobs, use_cache, quiet=as_json)
     command = f"freewheel check {'--fem ' if use_fem else ''}{shlex.quote(path.name)}"
     result = replace(result, name=name, command=command)
     if as_json:
-        values = case.analytic(inputs)
         print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
     else:
         print_check(result, use_fem=use_fem)
@@ -115,8 +114,11 @@ def _write(report: Report, out: Path, use_cache: bool) -> Path:
     return written.page
 
 
-def load(path: Path) -> tuple[str, Case, Inputs]:
-    """Name, case and inputs of a parameter file; InputError says in one line what is wrong."""
+def load(path: Path) -> tuple[str, Case, Inputs, Values]:
+    """Name, case, inputs and formula values of a parameter file.
+
+    InputError says in one line what is wrong.
+    """
     case_id, name, raw = read_parameter_file(path)
     try:
         case = find(case_id)
@@ -133,7 +135,7 @@ def load(path: Path) -> tuple[str, Case, Inputs]:
         raise InputError(f"{path}: inputs: {error}") from error
     if wild := [key for key, value in values.items() if not math.isfinite(value)]:
         raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
-    return name, case, inputs
+    return name, case, inputs, values
 
 
 def make_report(

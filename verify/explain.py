@@ -28,7 +28,7 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
         row_id = find_row(wanted, list(known))
         case, inputs = known[row_id], known[row_id].inputs()
     else:
-        _, case, inputs = load(path)
+        _, case, inputs, _ = load(path)
         paper = Job(case, inputs).is_paper
         row_id = find_row(wanted, row_ids(case, inputs, paper=paper), f" with {path}")
     (result,) = solve([Job(case, inputs)], jobs, use_cache, quiet=as_json)

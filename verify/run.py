@@ -6,12 +6,12 @@ Whatever goes wrong inside a case is a red row of that case, with a traceback be
 import time
 import traceback
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 from verify import cache
-from verify.case import Case, Check, Context, FemResult
+from verify.case import Case, Check, Context, FemResult, Values
 from verify.described import described
 from verify.guard import Guard, named
 from verify.inputs import Inputs
@@ -20,12 +20,18 @@ from verify.results import CaseResult, Row
 
 @dataclass(frozen=True)
 class Job:
-    """A case with the inputs to run it on; `use_fem` False judges the formulas alone."""
+    """A case with the inputs to run it on; `use_fem` False judges the formulas alone.
+
+    `values` are those of the formulas where they are known already; without `drawn` no figure is
+    made.
+    """
 
     case: Case
     inputs: Inputs
     use_fem: bool = True
     skip: str = ""
+    values: Values | None = None
+    drawn: bool = True
 
     @property
     def is_paper(self) -> bool:
@@ -51,7 +57,7 @@ class Solved:
 def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
     """All rows, tables and pictures of one job from its solved levels, coarse to fine."""
     guard = Guard(job.case)
-    values = guard.values(job.inputs)
+    values = guard.values(job.inputs) if job.values is None else job.values
     no_formulas = "".join(row.reason for row in guard.rows)
     results = [s.result for s in levels if s.result is not None]
     context = Context(job.case.id, job.inputs, values, results, job.is_paper)
@@ -65,7 +71,8 @@ def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
         rows += guard.red(check, reason) if reason else guard.judged(check, judge)
     if failure and not any(check.needs_fem for check in job.case.checks):
         rows.append(guard.row("finite elements", failure))
-    shown = described(guard.silent() if no_formulas else guard.guarded(), context)
+    case = guard.silent() if no_formulas else guard.guarded()
+    shown = described(case if job.drawn else replace(case, figures=lambda _: ()), context)
     traces = (*(s.trace for s in levels if s.trace), *guard.traces)
     return CaseResult(
         **shown, rows=(*rows, *guard.rows), seconds=sum(s.seconds for s in levels),

@@ -111,29 +111,17 @@ class Crown(Roller):
     """A roller with the logarithmic crown of Eq. 1."""
 
     K_1: float = quantity(
-        2.1507,
-        "1",
-        "K_1",
-        "crown's curvature: its load over the design load (Eq. 21)",
-        gt=0,
-        le=100,
-    )
+        2.1507, "1", "K_1", "crown's curvature: its load over the design load", gt=0, le=100,
+        claims="huang2018:optimum-25nm-k1",
+    )  # fmt: skip
     K_2: float = quantity(
-        0.6763,
-        "1",
-        "K_2",
-        "share of the length that is crowned (Eq. 21)",
-        gt=0,
-        le=1,
-    )
+        0.6763, "1", "K_2", "share of the length that is crowned", gt=0, le=1,
+        claims="huang2018:optimum-25nm-k2",
+    )  # fmt: skip
     z_m: float = quantity(
-        "0.0121 mm",
-        "mm",
-        "z_m",
-        "crown's drop at the ends (Eq. 21)",
-        gt=0,
-        le=1,
-    )
+        "0.0121 mm", "mm", "z_m", "crown's drop at the ends", gt=0, le=1,
+        claims="huang2018:optimum-25nm-zm",
+    )  # fmt: skip
     Q: float = quantity("3407 N", "N", "Q", "load that the crown is designed for", gt=0, le=1e9)
 
     def gap(self, y: Array) -> Array:
