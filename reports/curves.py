@@ -39,9 +39,14 @@ def curves(c: Curves) -> Markup:
 
 
 def _key(axes: Axes, named: tuple[Curve, ...]) -> int:
-    """Draw names with their swatches, as many a line as fit; returns the number of lines."""
+    """Draw names with their swatches, as many a line as fit; returns the number of lines.
+
+    A curve without a name belongs to the one before it.
+    """
     left, row = 12.0, 0
     for curve in named:
+        if not curve.name:
+            continue
         wide = SWATCH + 8 + LETTER * len(curve.name) + 14
         if left > 12.0 and left + wide > WIDTH:
             left, row = 12.0, row + 1
