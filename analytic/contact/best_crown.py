@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact import strips
-from analytic.contact.checks import positive
+from analytic.contact.checks import finite, positive
 from analytic.contact.crown import logarithmic, slice_centres
 
 LOW = (0.5, 0.2, 2.0)  # K_1, K_2, z_m/A_1
-HIGH = (6.0, 1.0, 30.0)
-POINTS = 6  # of the lattice along each axis
-ROUNDS = 4
-SHRINK = 0.4
+HIGH = (60.0, 1.0, 300.0)  # what a tilt beyond the crown of a light load calls for
+POINTS = 4  # of the lattice along each axis
+ROUNDS = 12
+SHRINK = 0.65
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,10 @@ def best_crown(
     load, length = float(positive(load, "load", "N")), float(positive(length, "length", "m"))
     unit = load / (np.pi * length * float(positive(E_star, "contact modulus", "Pa")))
     y = slice_centres(length=length, slices=n)
-    lean = np.atleast_1d(np.asarray(tilt, dtype=np.float64))[:, None] * y
+    angles = finite(tilt, "tilt", "rad").ravel()
+    if not angles.size:
+        raise ValueError("tilt must be an angle or several [rad], got none")
+    lean = angles[:, None] * y
     low, high = np.log(LOW), np.log(HIGH)
     bottom, top = low, high
     for _ in range(ROUNDS):

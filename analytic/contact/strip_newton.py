@@ -91,7 +91,8 @@ def solve(
 ) -> Solved:
     """Loads s of the cases h (N, n), under the sum `total` or the approach `Delta`, both (N,).
 
-    Cases that converged leave the iteration. ArithmeticError where one doesn't converge.
+    Cases that converged leave the iteration; those that don't are solved again by themselves.
+    ArithmeticError where one doesn't converge even so.
     """
     cases = len(h)
     s, level = _uncoupled(h, total, Delta)
@@ -127,6 +128,16 @@ def solve(
         s = np.where(lifted, 0.1 * s, moved)
         s[s < 1e-14 * s.max(axis=-1, keepdims=True)] = 0.0
         level = level + rise
+    if cases > 1:  # first steps are made for all at once, and may not suit each
+        for i, case in enumerate(left):
+            one = slice(i, i + 1)
+            alone = solve(
+                h[one], tolerance=tolerance, total=None if total is None else total[one],
+                Delta=None if Delta is None else level[one],
+            )  # fmt: skip
+            solved.s[case], solved.Delta[case] = alone.s[0], alone.Delta[0]
+            solved.residual[case] = alone.residual[0]
+        return Solved(solved.s, solved.Delta, solved.residual, ITERATIONS)
     raise ArithmeticError(
         f"strips of {len(left)} of {cases} cases did not converge in {ITERATIONS} iterations: "
         f"relative residual {residual.max():.1e}, first case {left[0]}"
