@@ -10,7 +10,15 @@ from analytic.contact.best_crown import best_crown
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import contact_roller_shown as shown
 from verify.cases.contact_line_checks import about
-from verify.cases.contact_roller_accepted import ENDS, SHARE, Accepted, elsewhere, ends, nearer
+from verify.cases.contact_roller_accepted import (
+    ENDS,
+    SHARE,
+    Accepted,
+    Estimated,
+    elsewhere,
+    ends,
+    nearer,
+)
 from verify.cases.contact_roller_formulas import interval, values
 from verify.cases.contact_roller_half_space import pressed, result, too_short
 from verify.cases.contact_roller_inputs import CrownedInputs, RollerInputs
@@ -73,10 +81,10 @@ def accepted(q: RollerInputs, _: Values) -> tuple[float, float] | None:
     return None if q.own else (-SLICED, SLICED)
 
 
-def strips_rows(keys: Sequence[str]) -> tuple[Approximation, ...]:
+def strips_rows(keys: Sequence[str]) -> tuple[Estimated, ...]:
     """Strips beside the half-space, as sharp as the acceptance figures."""
     return tuple(
-        Approximation(
+        Estimated(
             name=f"{NAMES[key][0]}, strips", symbol=NAMES[key][1], unit=NAMES[key][2], fem=key,
             analytic=f"strips {key}", formal=1, by=HALF_SPACE, interval=interval(key),
             source=ESTIMATE, demand=SHARPEST[key], demand_reason=ACCEPTED,
@@ -85,11 +93,11 @@ def strips_rows(keys: Sequence[str]) -> tuple[Approximation, ...]:
     )  # fmt: skip
 
 
-def sliced_rows(keys: Sequence[str]) -> tuple[Approximation | Accepted, ...]:
+def sliced_rows(keys: Sequence[str]) -> tuple[Estimated | Accepted, ...]:
     """Slices beside the half-space and beside uncoupled slices; their approach is shown."""
     return (
         *(
-            Approximation(
+            Estimated(
                 name=f"{NAMES[key][0]}, {words}", symbol=NAMES[key][1], unit=NAMES[key][2],
                 fem=key, analytic=f"{name} {key}", formal=1, by=HALF_SPACE,
                 interval=accepted if judged else None, source=ACCEPTED if judged else PALMGREN,
@@ -198,8 +206,8 @@ def warnings(q: RollerInputs, v: Values) -> Sequence[str]:
         found.append(
             f"only {v['strips contact'] * 1e3:.4g} mm of l = {q.L * 1e3:.4g} mm are in contact"
         )
-    change = max(abs(v[f"strips twice {key}"] / p - 1) for key in ("peak", "mid")
-                 if (p := v[f"strips {key}"]) > 0)  # fmt: skip
+    change = max((abs(v[f"strips twice {key}"] / p - 1) for key in ("peak", "mid")
+                 if (p := v[f"strips {key}"]) > 0), default=0.0)  # fmt: skip
     if change > SETTLED and q.n < 401:
         found.append(
             f"{q.n} strips are few: with twice as many the pressure changes by {change:.1%}"

@@ -19,11 +19,11 @@ from verify.cases.contact_roller import (
     sliced_rows,
     warnings,
 )
-from verify.cases.contact_roller_accepted import ENDS, Accepted, ends
+from verify.cases.contact_roller_accepted import ENDS, Accepted, Estimated, ends
 from verify.cases.contact_roller_formulas import interval, values
 from verify.cases.contact_roller_half_space import pressed, result, too_short
 from verify.cases.contact_roller_inputs import RollerInputs
-from verify.checks import Approximation, Order
+from verify.checks import Order
 from verify.shown import Curve, Curves, Figure, Refinement
 
 SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end
@@ -48,7 +48,7 @@ def inverse_peaks(context: Context) -> tuple[list[float], list[float]]:
 
 CHECKS = (
     *(
-        Approximation(
+        Estimated(
             name=f"{NAMES[key][0]}, strips", symbol=NAMES[key][1], unit=NAMES[key][2], fem=key,
             analytic=f"strips {key}", formal=1, by=HALF_SPACE, interval=interval(key),
             source=ESTIMATE, demand=FLAT, demand_reason=ACCEPTED,
