@@ -163,7 +163,7 @@ def _residual(s: Array, gap: Array, h: Array, level: Array, total: Array | None)
     """Largest violation of the contact conditions and of the load, relative, (N,)."""
     wrong = np.where(s > 0, np.abs(gap), np.maximum(-gap, 0.0)).max(axis=-1)
     reach = level - h.min(axis=-1)
-    residual = np.where(wrong > 0, wrong / np.maximum(reach, 1e-300), 0.0)
+    residual = np.where(wrong > 0, wrong / np.maximum(reach, 1e-200), 0.0)
     if total is None:
         return np.asarray(residual)
     return np.asarray(np.maximum(residual, np.abs(s.sum(axis=-1) / total - 1)))
