@@ -109,10 +109,10 @@ def beside_strips(name: str) -> Callable[[Any, Values], tuple[float, float] | No
     return found
 
 
-def uneven(name: str) -> Callable[[Context], tuple[float, float]]:
-    def margin(context: Context) -> tuple[float, float]:
+def uneven(name: str) -> Callable[[Context], tuple[float, float, str]]:
+    def margin(context: Context) -> tuple[float, float, str]:
         v = context.series(f"{name} uneven")[1]
-        return FLAT - v[-1], 3 * abs(v[-1] - v[-2])
+        return FLAT - v[-1], 3 * abs(v[-1] - v[-2]), f"even to {v[-1]:.2%}"
 
     return margin
 
@@ -182,8 +182,10 @@ CHECKS = (
         for name, words in EVEN.items()
     ),
     *(
-        Fact(name=f"pressure of {words} within {FLAT:.0%} of even, up to {FAR:g} b from the ends",
-             symbol="p", unit="1", margin=uneven(name))
+        Accepted(
+            name=f"pressure of {words} within {FLAT:.0%} of even, up to {FAR:g} b from the ends",
+            symbol="p", unit="1", margin=uneven(name),
+        )
         for name, words in EVEN.items()
     ),
     Accepted(
@@ -326,8 +328,8 @@ CROWNS = Case(
     paper="huang2018",
     place="Eq. 1, Figs. 11 and 12",
     lead="Lundberg's crown and Johns and Gohar's make the pressure even but for some half-widths "
-    "at the ends; the paper's law with three parameters has a straight middle. All are pressed on a "
-    "half-space under the load that they are made for.",
+    "at the ends; the paper's law with three parameters has a straight middle. All are pressed on "
+    "a half-space under the load that they are made for.",
     inputs=StripInputs,
     analytic=analytic,
     fem=fem,
