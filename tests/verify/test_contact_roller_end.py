@@ -1,0 +1,122 @@
+"""The end face: what its finite elements are told, and faults that its rows must see."""
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from verify.case import Context
+from verify.cases import contact_roller_end as end
+from verify.cases.contact_roller_end import END, EndInputs
+from verify.cases.contact_roller_inputs import Roller
+from verify.results import Status
+
+LEVEL = 1
+
+
+@pytest.fixture(scope="module")
+def bodies():
+    """Race, roller with its end face and roller that goes on, coarse."""
+    q = EndInputs()
+    race = end.compliance_fem(q, LEVEL, race=True, overhang=q.overhang)
+    face = end.compliance_fem(q, LEVEL, race=False, overhang=0.0)
+    beyond = end.compliance_fem(q, LEVEL, race=False, overhang=q.overhang)
+    return q, race, face, beyond
+
+
+def read(q, roller, race, crown="flat"):
+    return end.read(q, end.contact_fem(q, LEVEL, (roller, race), crown), "")
+
+
+def test_the_whole_load_is_carried_by_both_halves(bodies):
+    q, race, face, _ = bodies
+    found = end.contact_fem(q, LEVEL, (face, race), "flat")
+    assert 2 * found.load_between(0.0, q.L / 2) == pytest.approx(q.F, rel=1e-10)
+
+
+def test_a_face_takes_load_off_the_ends_and_more_than_the_bodies_size_does(bodies):
+    q, race, face, beyond = bodies
+    on = end.analytic(q)["flat ends"]
+    with_face, without = (read(q, roller, race)[" ends"] for roller in (face, beyond))
+    assert with_face < 0.8 * on
+    assert 0.9 * on < without < on
+
+
+def test_hertz_holds_at_mid_length_and_a_wrong_modulus_would_be_seen(bodies, monkeypatch):
+    q, race, face, _ = bodies
+    low, high = end.local(q, {})
+    assert 0.5 * low < read(q, face, race)[" local"] - 1 < 5 * high  # coarse: 2e-3 of cells more
+    monkeypatch.setattr(Roller, "E_star", property(lambda q: q.E_1 / 2))  # without 1 - nu²
+    assert abs(read(q, face, race)[" local"] - 1) > 0.02
+
+
+def judged(context, name):
+    return [
+        row for check in END.checks for row in check.rows(context) if row.quantity.startswith(name)
+    ]
+
+
+def made_up(**changes):
+    """A run whose levels all have the values of a good one, but for `changes` (key: factor)."""
+    good = {
+        "end flat local": 1.0001, "end crowned local": 1.0002, "end flat ends": 407.0,
+        "end crowned ends": 184.3, "control flat ends": 534.0, "control crowned ends": 225.1,
+        "edge slope": -0.2261,
+    }  # fmt: skip
+    values = {key: value * changes.get(key, 1.0) for key, value in good.items()}
+    q = EndInputs()
+    levels = [
+        end.FemResult(h=1 / n, values={k: v * (1 + 1e-5 / n**2) for k, v in values.items()})
+        for n in (2, 3, 4)
+    ]
+    return Context("contact-roller-end", q, end.analytic(q), levels, is_paper=True)
+
+
+@pytest.mark.parametrize(
+    ("key", "factor", "name"),
+    [
+        ("end flat local", 1.005, "pressure at mid-length"),
+        ("end flat ends", 1.3, "the end face takes"),
+        ("control crowned ends", 0.9, "most of it"),
+        ("edge slope", 0.99, "sharpness"),
+        ("edge slope", 0.5 / 0.226, "sharpness"),  # a half-space's
+    ],
+)
+def test_a_wrong_value_turns_its_row_red(key, factor, name):
+    states = {row.status for row in judged(made_up(), name)}
+    assert states == {Status.PASS}
+    wrong = {row.status for row in judged(made_up(**{key: factor}), name)}
+    assert Status.FAIL in wrong
+
+
+def test_what_a_half_space_costs_is_shown_and_not_judged():
+    rows = judged(made_up(), "load within d")
+    assert {row.status for row in rows if not row.quantity.endswith("convergence")} == {
+        Status.SHOWN
+    }
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"R_2": -0.02}, "R_2 must be positive here"),
+        ({"R_2": 0.2}, "radii may differ by a factor of 5 to 20"),
+        ({"overhang": 1e-5}, "the overhang must be 0.05 to 3 lengths"),
+        ({"L": 0.1, "overhang": 0.02}, "length must be 0.2 to 20 radii"),
+    ],
+)
+def test_bodies_that_it_cannot_mesh_are_refused(change, message):
+    with pytest.raises(ValidationError, match=message):
+        EndInputs(**change)
+
+
+def test_the_slope_at_the_edge_is_extrapolated_over_the_distance():
+    r = np.geomspace(1e-5, 0.1, 60)
+    p = r**-0.226 * np.exp(3 * r)  # a slope of -0.226 + 3 r
+    assert end.slope(r[::-1], p[::-1]) == pytest.approx(-0.226, abs=1e-6)
+
+
+def test_a_wider_patch_is_taken_where_the_contact_needs_it(bodies, monkeypatch):
+    q, race, _, beyond = bodies
+    monkeypatch.setattr(end, "WIDE", (0.5, 2.0))
+    found = end.contact_fem(q, LEVEL, (beyond, race), "flat")
+    assert found.across[-1] == pytest.approx(2.0 * q.b, rel=1e-3)
