@@ -44,8 +44,8 @@ class Along:
         inner = np.abs(self.y) <= limit
         at = np.argmax(np.where(inner, self.p, -1.0))
         found = [float(self.p[at]), *np.interp([-limit, limit], self.y, self.p)]
-        if 0 < at < len(self.p) - 1 and min(self.p[at - 1], self.p[at + 1]) > 0:
-            below, top, above = self.p[at - 1 : at + 2]
+        below, top, above = np.pad(self.p, 1)[at : at + 3]
+        if min(below, above) > 0 and top >= max(below, above):  # beyond d it may go on rising
             bend = below - 2 * top + above
             found.append(float(top - (above - below) ** 2 / (8 * bend)) if bend < 0 else top)
         return float(max(found))

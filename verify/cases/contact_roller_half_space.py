@@ -134,11 +134,11 @@ def noise(values: Mapping[str, float], q: "Roller", prefix: str = "") -> dict[st
 def result(
     found: Pressed, level: int, *, stair: bool = True, more: Mapping[str, float] | None = None
 ) -> FemResult:
-    """All of it for one level; no `stair` where contact ends with the roller, on every grid."""
+    """All of it for one level; no `stair` where contact ends with the paper's roller."""
     values = found.values | dict(more or {})
     residual = found.contact.contact.residual
     u_it = {key: 10 * residual * abs(value) for key, value in found.values.items()}
-    u_it |= noise(values, found.q) if stair else {}
+    u_it |= noise(values, found.q) if stair or found.q.own else {}
     return FemResult(
         h=1 / level, values=values, u_it=u_it, arrays=found.arrays, fields=(found.field,)
     )
