@@ -41,11 +41,11 @@ def edge_exponent(angle: float) -> float:
 
 
 def _opening(p: float, angle: float) -> float:
-    """Displacement of a wedge's loaded face, away from it, for r^(p - 1) of unit pressure.
+    r"""Displacement of a wedge's loaded face, away from it, for r^(p - 1) of unit pressure.
 
-    Airy's function :math:`r^{p+1}[c_1\\cos(p+1)t + c_2\\sin(p+1)t + c_3\\cos(p-1)t +
-    c_4\\sin(p-1)t]`, loaded at t = 0 and free at t = angle. On the face only the parts with
-    :math:`\\kappa + 1` move it along its normal: :math:`c_4` alone, the shear being zero.
+    Airy's function :math:`r^{p+1}[c_1\cos(p+1)t + c_2\sin(p+1)t + c_3\cos(p-1)t +
+    c_4\sin(p-1)t]`, loaded at t = 0 and free at t = angle. On the face only the parts with
+    :math:`\kappa + 1` move it along its normal: :math:`c_4` alone, the shear being zero.
     """
     rows: list[Array] = []
     for t in (0.0, angle):
