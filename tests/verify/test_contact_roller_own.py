@@ -173,3 +173,8 @@ def test_input_that_makes_no_sense_gets_one_line(changes, message):
     with pytest.raises(InputError, match=message) as caught:
         own(TILTED, **changes)
     assert "\n" not in str(caught.value)
+
+
+def test_the_ends_may_be_left_out():
+    known = {k: v for k, v in PAPER.items() if k in TILTED.inputs.model_fields and k != "d"}
+    assert build(TILTED.inputs, known, "my.toml").d == TILTED.inputs().d

@@ -36,7 +36,7 @@ class Roller(Inputs):
     E_2: float = quantity("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
     nu_2: float = quantity(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
     d: float = quantity(
-        "0.5 mm", "mm", "d", "length at each end whose share of the load is told", omitted="0.5 mm",
+        "0.5 mm", "mm", "d", "length at each end whose share of the load is told", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 
