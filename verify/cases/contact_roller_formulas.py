@@ -11,7 +11,13 @@ from analytic.contact.crown import slice_centres
 from analytic.contact.sliced import SlicedContact
 from analytic.contact.strip_error import neglected
 from verify.case import Context, Values
-from verify.cases.contact_roller_inputs import Roller, RollerInputs, StripInputs
+from verify.cases.contact_roller_inputs import (
+    CrownedInputs,
+    Roller,
+    RollerInputs,
+    SlicedInputs,
+    StripInputs,
+)
 from verify.shown import Array
 
 LEAST = 1e-4  # of a model error: nothing sharper is claimed
@@ -42,13 +48,8 @@ class Along:
         q = self.q
         limit = q.L / 2 - q.d
         inner = np.abs(self.y) <= limit
-        at = np.argmax(np.where(inner, self.p, -1.0))
-        found = [float(self.p[at]), *np.interp([-limit, limit], self.y, self.p)]
-        below, top, above = np.pad(self.p, 1)[at : at + 3]
-        if min(below, above) > 0 and top >= max(below, above):  # beyond d it may go on rising
-            bend = below - 2 * top + above
-            found.append(float(top - (above - below) ** 2 / (8 * bend)) if bend < 0 else top)
-        return float(max(found))
+        at = int(np.argmax(np.where(inner, self.p, -1.0)))
+        return float(max(vertex(self.p, at), *np.interp([-limit, limit], self.y, self.p)))
 
     @property
     def mid(self) -> float:
@@ -79,11 +80,22 @@ class Along:
             "end pressure": float(np.sqrt(max(low, high) / q.d * q.E_star / (np.pi * q.R))),
             "moment": float(self.line @ self.y * self.width),
             "largest": float(self.p.max()),
+            "top": vertex(self.p, int(np.argmax(self.p))),
         }
         return {f"{name} {key}": value for key, value in found.items()}
 
 
+def vertex(p: Array, at: int) -> float:
+    """Top of the parabola through p at `at` and beside it; p itself where that is none."""
+    below, top, above = np.pad(p, 1)[at : at + 3]
+    bend = below - 2 * top + above
+    if min(below, above) <= 0 or top < max(below, above) or bend >= 0:  # it may go on rising
+        return float(top)
+    return float(top - (above - below) ** 2 / (8 * bend))
+
+
 Gap = Callable[[Array], Array]
+Divided = StripInputs | RollerInputs
 
 
 def roller(q: Roller, n: int, gap: Gap | None = None) -> dict[str, Any]:
@@ -99,7 +111,7 @@ def by_strips(q: Roller, n: int, gap: Gap | None = None) -> tuple[strips.Strips,
     return found, Along(q, y, found.pressure, found.q)
 
 
-def strip_values(q: StripInputs, name: str = "strips", gap: Gap | None = None) -> dict[str, float]:
+def strip_values(q: Divided, name: str = "strips", gap: Gap | None = None) -> dict[str, float]:
     """Values by n strips, those by "twice" as many, and what strips neglect ("left"), by `name`."""
     solved, along = by_strips(q, q.n, gap)
     twice, finer = by_strips(q, 2 * q.n, gap)
@@ -115,14 +127,14 @@ def strip_values(q: StripInputs, name: str = "strips", gap: Gap | None = None) -
     )
 
 
-def sliced(q: RollerInputs, model: Any) -> tuple[SlicedContact, Along]:
+def sliced(q: SlicedInputs, model: Any) -> tuple[SlicedContact, Along]:
     """The solution of a model of slices, by Palmgren's law for a whole roller of its length."""
     found = model.press(**roller(q, q.slices))
     y = slice_centres(length=q.L, slices=q.slices)
     return found, Along(q, y, found.peak_pressure, found.line_load)
 
 
-def values(q: RollerInputs) -> dict[str, float]:
+def values(q: CrownedInputs | RollerInputs) -> dict[str, float]:
     """Values of all models under their names, and Hertz's for an even load."""
     found = strip_values(q)
     for name, model in MODELS.items():
@@ -151,6 +163,7 @@ def left_out(solved: strips.Strips, along: Along) -> dict[str, float]:
     at = int(np.argmax(np.where(inner, along.p, -1.0)))
     return {
         "peak": float(missing.pressure[at]),
+        "top": float(missing.pressure[int(np.argmax(along.p))]),
         "mid": float(missing.mid),
         "approach": float(missing.approach),
     }

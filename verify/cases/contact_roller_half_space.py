@@ -23,9 +23,6 @@ SCOUT = (32, 256)
 BEYOND = 1.1  # of the widest contact, which the patch covers
 NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at x = 0
 SHOWN = 256  # cells along the roller in pictures
-# what neighbouring grids differ by, relative: whole cells make the rim of the contact a stair
-STAIR, STAIR_OF_ENDS = 1e-5, 2e-4
-STAIR_OF_OWN = 2e-4  # at one's own numbers
 SHORTEST = 1 / 64  # of the roller's length that d may be: eight cells of the coarsest grid
 STRETCH = 20.0  # of x in pictures of the patch
 
@@ -53,11 +50,12 @@ class Pressed:
         """What does not depend on the mesh, SI; "largest" is what does."""
         q, found = self.q, self.contact
         y, ridge, line = found.y, self.ridge, found.line_load
-        inner = np.abs(y) <= q.L / 2 - q.d
+        limits = np.array([-1.0, 1.0]) * (q.L / 2 - q.d)
+        inner = np.abs(y) <= limits[1]
         low, high = found.end_load(q.d)
         loaded = found.contact
         return {
-            "peak": _top(np.where(inner, ridge, 0.0)),
+            "peak": max(_top(np.where(inner, ridge, 0.0)), *np.interp(limits, y, ridge)),
             "mid": float(_middle(ridge)),
             "q mid": float(_middle(line)),
             "b mid": float(_middle(found.half_width)),
@@ -68,6 +66,7 @@ class Pressed:
             "end pressure": math.sqrt(max(low, high) / q.d * q.E_star / (math.pi * q.R)),
             "moment": loaded.moments[0],
             "largest": float(loaded.pressure.max()),
+            "top": _top(ridge),
             "balance": loaded.load - q.F,
         }
 
@@ -100,8 +99,9 @@ def pressed(q: "Roller", level: int, **how: Any) -> Pressed:
     contact is.
     """
     from analytic.contact.half_space_roller import press_roller
+    from verify.cases.contact_roller_profiles import gap
 
-    roller: dict[str, Any] = {"crown": q.gap, "load": q.F} | how
+    roller: dict[str, Any] = {"crown": gap(q), "load": q.F} | how
     roller |= {"R": q.R, "length": q.L, "E_star": q.E_star}
     along = roller.pop("along", ALONG * level)
     b = press_roller(**roller, cells=SCOUT).half_width
@@ -122,26 +122,27 @@ def too_short(q: "Roller") -> str:
     )
 
 
-def noise(values: Mapping[str, float], q: "Roller", prefix: str = "") -> dict[str, float]:
-    """What the stair at the rim of a contact leaves uncertain of the `values` of `prefix`."""
-    shares = dict.fromkeys(("peak", "mid", "approach"), STAIR_OF_OWN if q.own else STAIR)
-    shares |= dict.fromkeys(("low end", "high end", "ends", "moment"), STAIR_OF_ENDS)
-    return {
-        f"{prefix}{key}": share * abs(values[f"{prefix}{key}"]) for key, share in shares.items()
-    }
+def stair(found: Pressed, level: int, **how: Any) -> dict[str, float]:
+    """What the values of `found` differ by on the grids next to its own.
+
+    Cells are whole inside the contact or outside: its rim is a stair, other on every grid.
+    """
+    beside = [pressed(found.q, level + step, **how).values for step in (-1, 1)]
+    here = found.values
+    return {key: max(abs(v[key] - value) for v in beside) for key, value in here.items()}
 
 
 def result(
-    found: Pressed, level: int, *, stair: bool = True, more: Mapping[str, float] | None = None
+    found: Pressed, level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None
 ) -> FemResult:
-    """All of it for one level; no `stair` where contact ends with the paper's roller."""
-    values = found.values | dict(more or {})
+    """All of it for one level, with what is left uncertain on it."""
     residual = found.contact.contact.residual
-    u_it = {key: 10 * residual * abs(value) for key, value in found.values.items()}
-    u_it |= noise(values, found.q) if stair or found.q.own else {}
+    least = {key: 10 * residual * abs(value) for key, value in found.values.items()}
     return FemResult(
-        h=1 / level, values=values, u_it=u_it, arrays=found.arrays, fields=(found.field,)
-    )
+        h=1 / level, values=found.values | dict(more or {}),
+        u_it={key: max(least.get(key, 0.0), u_it.get(key, 0.0)) for key in {*least, *u_it}},
+        arrays=found.arrays, fields=(found.field,),
+    )  # fmt: skip
 
 
 def _middle(values: Array) -> Any:

@@ -5,11 +5,12 @@ import math
 import numpy as np
 from pydantic import model_validator
 
+from analytic.contact.crown import logarithmic
 from verify.inputs import Inputs, count, quantity
 from verify.shown import Array
 
 WIDEST = 0.1  # of the length of the roller that its half-width may be
-STEEPEST = 0.02  # rad, beyond which a tilted roller stands on its edge
+FEWEST, MOST = 41, 401  # strips
 FLATTEST = 50  # rollers lengths that a relative radius may be
 
 DESIGNS: tuple[tuple[float, float, float], ...] = (  # K_1, K_2, z_m [m] that the paper prints
@@ -97,14 +98,22 @@ class Roller(Inputs):
 class StripInputs(Roller):
     """How finely strips divide it."""
 
-    n: int = count(161, "n", "strips over the length", ge=41, le=401)
+    n: int = count(161, "n", "strips over the length", ge=FEWEST, le=MOST)
 
 
-class RollerInputs(StripInputs):
-    """And slices; strips as many as a loaded end bears."""
+class SlicedInputs(Roller):
+    """How finely slices divide it."""
 
-    n: int = count(81, "n", "strips over the length", ge=41, le=401)
     slices: int = count(50, "n_s", "slices of Eqs. 2-5, their number not printed", ge=10, le=401)
+
+
+class RollerInputs(SlicedInputs):
+    """A roller whose ends carry, which strips narrower than the contact make too much of."""
+
+    @property
+    def n(self) -> int:
+        """Strips over the length: as long along the roller as the contact is half wide."""
+        return min(max(round(self.L / self.b), FEWEST), MOST)
 
 
 class Crown(Roller):
@@ -125,19 +134,14 @@ class Crown(Roller):
     Q: float = quantity("3407 N", "N", "Q", "load that the crown is designed for", gt=0, le=1e9)
 
     def gap(self, y: Array) -> Array:
-        # here, so that results of the half-space, which takes it, depend on it
-        from analytic.contact.crown import logarithmic
-
         return logarithmic(
             y, K_1=self.K_1, K_2=self.K_2, z_m=self.z_m, load=self.Q, length=self.L,
             E_star=self.E_star,
         )  # fmt: skip
 
 
-class CrownedInputs(Crown, RollerInputs):
+class CrownedInputs(Crown, StripInputs, SlicedInputs):
     """A crowned roller in strips and slices."""
-
-    n: int = count(161, "n", "strips over the length", ge=41, le=401)
 
 
 class TiltedInputs(CrownedInputs):

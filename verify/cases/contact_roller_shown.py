@@ -9,7 +9,7 @@ from analytic.contact.crown import slice_centres
 from verify.case import Context, Values
 from verify.cases.contact_roller_formulas import MODELS, by_strips, sliced
 from verify.cases.contact_roller_half_space import STRETCH
-from verify.cases.contact_roller_inputs import CrownedInputs, RollerInputs, TiltedInputs
+from verify.cases.contact_roller_inputs import Crown, Roller, TiltedInputs
 from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
 from verify.tex import tex
 
@@ -24,7 +24,7 @@ def line(*points: tuple[float, float]) -> Array:
     return np.array(points)
 
 
-def sketch(q: RollerInputs) -> Sketch:
+def sketch(q: Roller) -> Sketch:
     """Side view: the race below, the roller with its crown and tilt exaggerated."""
     end, h = 2.0, 1.4
     y = np.linspace(-end, end, 81)
@@ -49,17 +49,17 @@ def sketch(q: RollerInputs) -> Sketch:
               label=f"R_1 = {q.R_1 / mm:.4g} mm"),
         Shape(style="leader", points=line((-3.3, -0.5), (-2.6, -0.4)), label=_race(q)),
     ]  # fmt: skip
-    if isinstance(q, CrownedInputs):
+    if isinstance(q, Crown):
         label = f"z_m = {q.z_m / um:.4g} µm"
         shapes.append(Shape(style="leader", points=line((3.2, 0.75), (end, z[-1] / 2)),
                             label=label))  # fmt: skip
-    crown = " with its crown" if isinstance(q, CrownedInputs) else " without crown"
+    crown = " with its crown" if isinstance(q, Crown) else " without crown"
     lean = f", tilted by {np.degrees(q.theta):.3g}°" if isinstance(q, TiltedInputs) else ""
     return Sketch(title=f"roller{crown}{lean} on a longer race, heights exaggerated",
                   shapes=tuple(shapes))  # fmt: skip
 
 
-def _race(q: RollerInputs) -> str:
+def _race(q: Roller) -> str:
     return f"R_2 = {q.R_2 / mm:.4g} mm" if abs(q.R_2) < 1e4 else "flat"
 
 
@@ -73,7 +73,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
                  numbers=rf"\Rightarrow\ E^* = {tex(E)}\ \mathrm{{MPa}}",
                  place="E' of Eq. 1 is 2 E*"),
     ]  # fmt: skip
-    if isinstance(q, CrownedInputs):
+    if isinstance(q, Crown):
         A = q.K_1 * q.Q / (np.pi * q.L * q.E_star)
         found += [
             Equation(tex=r"A = \frac{2 K_1 Q}{\pi l E'} = \frac{K_1 Q}{\pi l E^*}",
@@ -166,5 +166,5 @@ def pictures(_: Any) -> Sequence[Picture]:
     )  # fmt: skip
 
 
-def centres(q: RollerInputs, n: int) -> Array:
+def centres(q: Roller, n: int) -> Array:
     return slice_centres(length=q.L, slices=n)

@@ -6,23 +6,27 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import strips
-from analytic.contact.best_crown import best_crown
+from analytic.contact.best_crown import BestCrown, best_crown
 from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
 from verify.cases.contact_roller import (
     ASSUMPTIONS,
     BALANCE,
     BEST,
+    BEST_ROW,
     COUPLED,
     OUTPUTS,
     READINGS,
+    best_top,
+    best_values,
     sliced_rows,
     strips_rows,
     warnings,
 )
 from verify.cases.contact_roller_accepted import ENDS, Accepted, within
 from verify.cases.contact_roller_formulas import values
-from verify.cases.contact_roller_half_space import pressed, result, too_short
+from verify.cases.contact_roller_half_space import pressed, result, stair, too_short
 from verify.cases.contact_roller_inputs import CrownedInputs, TiltedInputs
 from verify.shown import Curve, Curves, Figure
 
@@ -31,14 +35,20 @@ MOMENT = 0.01  # of the tilting moment
 
 
 def analytic(q: TiltedInputs) -> Values:
-    best = best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star, tilt=(-q.theta, 0.0, q.theta))
-    return values(q) | {
-        "best K_1": best.K_1, "best K_2": best.K_2, "best z_m": best.z_m, "best peak": best.peak,
-    }  # fmt: skip
+    return values(q) | best_values(q, best(q), q.theta)
+
+
+def best(q: TiltedInputs) -> BestCrown:
+    """The best crown for F, straight or tilted to either side."""
+    return best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star, tilt=(0.0, q.theta))
 
 
 def fem(q: TiltedInputs, level: int) -> FemResult:
-    return result(pressed(q, level), level)
+    found, crown = pressed(q, level), best(q)
+    straight = profiles.logarithmic(q, (crown.K_1, crown.K_2, crown.z_m), q.F)
+    slope = np.tan(q.theta)
+    top, u = best_top(q, level, lambda y: straight(y) - slope * y)
+    return result(found, level, stair(found, level) | {"best top": u}, {"best top": top})
 
 
 CHECKS = (
@@ -48,6 +58,7 @@ CHECKS = (
              margin=within("moment", MOMENT, "F l")),
     Accepted(name=f"load within d of the pressed end, strips within {ENDS:.0%}", symbol="F_d",
              unit="1", margin=within("high end", ENDS, "F")),
+    BEST_ROW,
     BALANCE,
 )  # fmt: skip
 
@@ -62,17 +73,17 @@ def over_tilt(q: TiltedInputs) -> Figure:
     y = shown.centres(q, q.n)
     straight = CrownedInputs.gap(q, y)
     angles = TILTS * (q.theta or 5e-4)
-    kept, best = [], []
+    kept, least = [], []
     roller: dict[str, Any] = {"length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
     even = np.sqrt(q.F / q.L * q.E_star / (np.pi * q.R))
     for angle in angles:
         kept.append(float(strips.press(straight - angle * y, **roller).peak / even))
-        best.append(best_crown(**roller, tilt=(-angle, 0.0, angle)).peak / even)
+        least.append(best_crown(**roller, tilt=(0.0, angle)).peak / even)
     return Curves(
         title="Effect of tilt on the best crown", x_label="θ [°]", y_label="p_max/p_0",
         curves=(
             Curve(name="this crown", x=np.degrees(angles), y=np.array(kept)),
-            Curve(name="best crown for ±θ", x=np.degrees(angles), y=np.array(best),
+            Curve(name="best crown for ±θ", x=np.degrees(angles), y=np.array(least),
                   style="dashes", colour=2),
         ),
         note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {q.n} strips. A "
