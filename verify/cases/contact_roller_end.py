@@ -226,7 +226,9 @@ def face(crown: str) -> Margin:
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = _apart(context, "end", crown)
-        return 1 - here / on - FACE, U, f"{here / on - 1:+.1%} of the half-space's"
+        beyond, _, _ = _apart(context, "control", crown)
+        told = f"{here / on - 1:+.1%} of the half-space's, {here / beyond - 1:+.1%} of the control's"
+        return 1 - here / on - FACE, U, told
 
     return margin
 
