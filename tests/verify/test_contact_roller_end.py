@@ -5,8 +5,10 @@ import pytest
 from pydantic import ValidationError
 
 from verify.case import Context
-from verify.cases import contact_roller_end as end
-from verify.cases.contact_roller_end import END, EndInputs
+from verify.cases import contact_roller_end_fem as end
+from verify.cases.contact_roller_end import END, local
+from verify.cases.contact_roller_end_fem import EndInputs
+from verify.cases.contact_roller_end_formulas import analytic
 from verify.cases.contact_roller_inputs import Roller
 from verify.results import Status
 
@@ -35,7 +37,7 @@ def test_the_whole_load_is_carried_by_both_halves(bodies):
 
 def test_a_face_takes_load_off_the_ends_and_more_than_the_bodies_size_does(bodies):
     q, race, face, beyond = bodies
-    on = end.analytic(q)["flat ends"]
+    on = analytic(q)["flat ends"]
     with_face, without = (read(q, roller, race)[" ends"] for roller in (face, beyond))
     assert with_face < 0.8 * on
     assert 0.9 * on < without < on
@@ -43,7 +45,7 @@ def test_a_face_takes_load_off_the_ends_and_more_than_the_bodies_size_does(bodie
 
 def test_hertz_holds_at_mid_length_and_a_wrong_modulus_would_be_seen(bodies, monkeypatch):
     q, race, face, _ = bodies
-    low, high = end.local(q, {})
+    low, high = local(q, {})
     assert 0.5 * low < read(q, face, race)[" local"] - 1 < 5 * high  # coarse: 2e-3 of cells more
     monkeypatch.setattr(Roller, "E_star", property(lambda q: q.E_1 / 2))  # without 1 - nu²
     assert abs(read(q, face, race)[" local"] - 1) > 0.02
@@ -68,7 +70,7 @@ def made_up(**changes):
         end.FemResult(h=1 / n, values={k: v * (1 + 1e-5 / n**2) for k, v in values.items()})
         for n in (2, 3, 4)
     ]
-    return Context("contact-roller-end", q, end.analytic(q), levels, is_paper=True)
+    return Context("contact-roller-end", q, analytic(q), levels, is_paper=True)
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from verify.case import FemResult
+from verify.cases.contact_roller_inputs import STRETCH
 from verify.shown import Array, Field
 
 if TYPE_CHECKING:
@@ -24,7 +25,6 @@ BEYOND = 1.1  # of the widest contact, which the patch covers
 NEAR = 0.7  # of the half-width, within which p² over x² gives the pressure at x = 0
 SHOWN = 256  # cells along the roller in pictures
 SHORTEST = 1 / 64  # of the roller's length that d may be: eight cells of the coarsest grid
-STRETCH = 20.0  # of x in pictures of the patch
 
 
 @dataclass(frozen=True)

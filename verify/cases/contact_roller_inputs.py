@@ -11,6 +11,7 @@ from verify.shown import Array
 
 WIDEST = 0.1  # of the length of the roller that its half-width may be
 FEWEST, MOST = 41, 401  # strips
+STRETCH = 20.0  # of lengths across in pictures of the patch
 FLATTEST = 50  # rollers lengths that a relative radius may be
 
 DESIGNS: tuple[tuple[float, float, float], ...] = (  # K_1, K_2, z_m [m] that the paper prints

@@ -8,8 +8,7 @@ import numpy as np
 from analytic.contact.crown import slice_centres
 from verify.case import Context, Values
 from verify.cases.contact_roller_formulas import MODELS, by_strips, sliced
-from verify.cases.contact_roller_half_space import STRETCH
-from verify.cases.contact_roller_inputs import Crown, Roller, TiltedInputs
+from verify.cases.contact_roller_inputs import STRETCH, Crown, Roller, TiltedInputs
 from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
 from verify.tex import tex
 
