@@ -10,12 +10,13 @@ import pytest
 
 from reports.records import report_record
 from reports.write import write
+from verify.cache import picture_folder
 
 
 @pytest.mark.parametrize("which", ["report", "hostile"])
 def test_results_obey_the_schema(which, request, tmp_path):
     report = request.getfixturevalue(which)
-    write(report, tmp_path)
+    write(report, tmp_path, cache=picture_folder())
     schema = json.loads((tmp_path / "results.schema.json").read_text())
     results = json.loads((tmp_path / "results.json").read_text())
     jsonschema.Draft202012Validator.check_schema(schema)
@@ -34,7 +35,7 @@ def test_a_value_that_is_no_number_becomes_null(report):
 
 
 def test_the_table_reads_back(report, tmp_path):
-    write(report, tmp_path)
+    write(report, tmp_path, cache=picture_folder())
     rows = list(csv.DictReader(io.StringIO((tmp_path / "rows.csv").read_text("utf-8-sig"))))
     assert [r["quantity"] for r in rows] == [r.quantity for r in report.rows]
     assert float(rows[0]["analytic"]) == report.rows[0].analytic
@@ -43,10 +44,10 @@ def test_the_table_reads_back(report, tmp_path):
 def test_an_interrupted_write_leaves_the_old_file(report, tmp_path, monkeypatch):
     from reports import write as module
 
-    write(report, tmp_path)
+    write(report, tmp_path, cache=picture_folder())
     before = (tmp_path / "report.html").read_bytes()
     monkeypatch.setattr(module.Path, "replace", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
     with pytest.raises(KeyboardInterrupt):
-        write(report, tmp_path)
+        write(report, tmp_path, cache=picture_folder())
     assert (tmp_path / "report.html").read_bytes() == before
     assert not list(tmp_path.glob(".part-*"))
