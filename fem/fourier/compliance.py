@@ -94,6 +94,36 @@ def _lagrange(knots: Array, x: Array) -> Array:
     return np.asarray((beyond / apart).prod(axis=-1))
 
 
+def surface_flexibility(
+    solid: FourierSolid, boundary: str, *, stations: Array, n: int = 0
+) -> Array:
+    """G_n (2, cells, 2, cells) of one harmonic alone: inwards and around, on cells in z.
+
+    That of n = 0 is the compliance under pressures that are the same all around. ValueError as for
+    `surface_compliance`.
+    """
+    return _harmonic(solid, n, _loaded(solid, boundary, stations)[2])
+
+
+def _loaded(
+    solid: FourierSolid, boundary: str, stations: Array
+) -> tuple[list[Indices], float, Array]:
+    """Facets of the cells, curvature of the boundary, unit loads inwards and around on each."""
+    stations = np.asarray(stations, float)
+    if stations.ndim != 1 or stations.size < 2 or not np.all(np.diff(stations) > 0):
+        raise ValueError(f"stations must grow along z, two or more, got {stations}")
+    cells, curvature = _surface_cells(solid, boundary, stations)
+    inwards, around = (-float(np.sign(curvature)), 0.0, 0.0), (0.0, 1.0, 0.0)
+    loads = [_unit_loads(solid, cells, traction) for traction in (inwards, around)]
+    return cells, curvature, np.hstack(loads)
+
+
+def _harmonic(solid: FourierSolid, n: int, f: Array) -> Array:
+    """G_n of the unit loads f."""
+    m = f.shape[1] // 2
+    return np.asarray(turn_of(n) * solid.flexibility(n, f)).reshape(2, m, 2, m)
+
+
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
     """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t) for the lean l = tilt t.
 
@@ -138,16 +168,10 @@ def surface_compliance(
         raise ValueError(
             f"orders must be 0 and at least four growing multiples of places={places}, got {orders}"
         )
-    stations = np.asarray(stations, float)
-    if stations.ndim != 1 or stations.size < 2 or not np.all(np.diff(stations) > 0):
-        raise ValueError(f"stations must grow along z, two or more, got {stations}")
-    cells, curvature = _surface_cells(solid, boundary, stations)
-    inwards, around = (-float(np.sign(curvature)), 0.0, 0.0), (0.0, 1.0, 0.0)
-    f = np.hstack([_unit_loads(solid, cells, traction) for traction in (inwards, around)])
-    m = stations.size - 1
-    G = np.array([turn_of(int(n)) * solid.flexibility(int(n), f) for n in orders])
+    cells, curvature, f = _loaded(solid, boundary, stations)
+    G = np.array([_harmonic(solid, int(n), f) for n in orders])
     return SurfaceCompliance(
-        curvature, stations, places, orders, G.reshape(-1, 2, m, 2, m), _softness(solid, cells)
+        curvature, np.asarray(stations, float), places, orders, G, _softness(solid, cells)
     )
 
 
