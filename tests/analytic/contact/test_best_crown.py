@@ -1,24 +1,32 @@
-"""Best crowns: nothing that is known or drawn at random is better, and scales don't matter."""
+"""Best crowns: no other that spares the ends is better, and a half-space finds their peak."""
 
 from dataclasses import astuple
 
 import numpy as np
 import pytest
 
+from analytic.contact import best_crown as module
 from analytic.contact import crown, strips
 from analytic.contact.best_crown import HIGH, LOW, best_crown
+from analytic.contact.half_space_roller import press_roller
 
 ROLLER = {"length": 9e-3, "R": 2.952e-3, "E_star": 113.2e9}  # huang2018 Table 1, steel
 LOADS = (50.0, 3407.0, 20000.0)  # N: b/l = 0.0015, 0.0125, 0.03
-STRIPS = 60
-BETTER = 1e-3  # by which the lattice may miss the best
+BETTER = 2e-3  # by which the lattice may miss the best, which lies at the rim of the free ones
 DESIGNS = ((1, 0.7, 10e-6), (5, 0.7, 15e-6), (1, 0.4, 10e-6), (3, 0.4, 10e-6), (1, 0.5, 8e-6),
            (5, 0.5, 15e-6), (2.1507, 0.6763, 12.1e-6), (2.80, 0.7, 11.8e-6))  # fmt: skip
-Y = crown.slice_centres(length=ROLLER["length"], slices=STRIPS)
+STEEP = {"load": 50.0, "tilt": 0.017}  # the pressed end dips by 15 times the deepest z_m
 
 
 def unit(load, length=ROLLER["length"], E_star=ROLLER["E_star"]):
     return load / (np.pi * length * E_star)
+
+
+def centres(load):
+    """Strips about as long as the contact is half wide, 60 to 200, as the search has them."""
+    b = np.sqrt(4 * load * ROLLER["R"] / (np.pi * ROLLER["E_star"] * ROLLER["length"]))
+    count = min(max(round(ROLLER["length"] / b), 60), 200)
+    return crown.slice_centres(length=ROLLER["length"], slices=count)
 
 
 def logarithmic(y, K_1, K_2, z_m, load):
@@ -26,50 +34,109 @@ def logarithmic(y, K_1, K_2, z_m, load):
     return crown.logarithmic(y, K_1=K_1, K_2=K_2, z_m=z_m, **scale)
 
 
-def peak(gap, load):
-    return strips.press(gap, load=load, tolerance=1e-8, **ROLLER).peak
+def pressed(gap, load, tilts=(0.0,)):
+    """Highest peak under the tilts, and the highest line load of an end, of all gaps (..., n)."""
+    lean = np.multiply.outer([s * t for t in tilts for s in (-1, 1)], centres(load))
+    found = strips.press(gap[..., None, :] + lean, load=load, tolerance=1e-8, **ROLLER)
+    return found.peak.max(axis=-1), found.q[..., [0, -1]].max(axis=(-1, -2))
+
+
+def lowest_of_free(gap, load, tilts=(0.0,)):
+    """The lowest peak of the gaps whose ends carry nothing."""
+    peak, end = pressed(gap, load, tilts)
+    free = ~(end > 0)
+    assert free.sum() > 1
+    return peak[free].min()
 
 
 def drawn(load, count, tilt=0.0):
-    """Peaks of crowns drawn from the whole range, and about the best one found."""
+    """Gaps drawn from the whole range, and about the best one found."""
     rng = np.random.default_rng(7)
     low, high = np.log(LOW), np.log(HIGH)
-    best = best_crown(load=load, tilt=(-tilt, tilt), **ROLLER)
+    best = best_crown(load=load, tilt=(0.0, tilt), **ROLLER)
     about = np.log([best.K_1, best.K_2, best.z_m / unit(load)])
     anywhere = low + (high - low) * rng.random((count, 3))
     near = about + 0.15 * rng.standard_normal((count, 3))
     K_1, K_2, m = np.exp(np.clip(np.vstack([anywhere, near]), low, high)).T[:, :, None]
-    gap = logarithmic(Y, K_1, K_2, m * unit(load), load)
-    return best, np.maximum(peak(gap - tilt * Y, load), peak(gap + tilt * Y, load))
+    return best, logarithmic(centres(load), K_1, K_2, m * unit(load), load)
+
+
+def on_half_space(best, load, tilt):
+    """The crown's contact by boundary elements, its ends included."""
+    return press_roller(
+        lambda y: logarithmic(y, best.K_1, best.K_2, best.z_m, load) - tilt * y,
+        load=load, cells=(48, 768), **ROLLER,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("load", "tilt"),
+    [(340.0, 0.0), (3407.0, 0.0), (20000.0, 0.0), (50.0, 5e-4), (340.0, 1e-3), (3407.0, 5.2e-4),
+     (3407.0, 2e-3)],
+)  # fmt: skip
+def test_a_half_space_finds_the_peak_that_is_told_and_nothing_at_the_ends(load, tilt):
+    """What strips neglect of a peak is up to 0.3 % here; a loaded end would add 10 %."""
+    best = best_crown(load=load, tilt=(0.0, tilt), **ROLLER)
+    found = [on_half_space(best, load, angle) for angle in {0.0, tilt}]
+    assert best.free
+    assert max(contact.peak_pressure for contact in found) == pytest.approx(best.peak, rel=4e-3)
+    assert not any(contact.line_load[[0, -1]].any() for contact in found)
 
 
 @pytest.mark.parametrize("load", LOADS)
-def test_no_crown_that_has_a_name_is_better(load):
+def test_no_crown_that_has_a_name_and_spares_the_ends_is_better(load):
+    """Those of the paper for 3407 N, in proportion; Johns and Gohar's end is a loaded one."""
+    y, scale = centres(load), {"length": ROLLER["length"], "E_star": ROLLER["E_star"]}
+    gaps = [k * crown.lundberg(y, load=load, **scale) for k in (1.0, 1.05, 1.1, 1.2, 1.3)]
+    gaps += [logarithmic(y, K_1, K_2, z_m * load / 3407.0, load) for K_1, K_2, z_m in DESIGNS]
     best = best_crown(load=load, **ROLLER).peak
-    scale = {"load": load, "length": ROLLER["length"], "E_star": ROLLER["E_star"]}
-    b = np.sqrt(4 * load * ROLLER["R"] / (np.pi * ROLLER["E_star"] * ROLLER["length"]))
-    gaps = [crown.lundberg(Y, **scale), crown.johns_gohar(Y, half_width=b, **scale)]
-    gaps += [logarithmic(Y, *design, load) for design in DESIGNS]
-    assert best <= (1 + BETTER) * peak(np.array(gaps), load).min()
+    assert best <= (1 + BETTER) * lowest_of_free(np.array(gaps), load)
 
 
 @pytest.mark.parametrize("load", LOADS)
-def test_no_crown_drawn_at_random_is_better(load):
-    best, peaks = drawn(load, 400)
-    assert best.peak <= (1 + BETTER) * peaks.min()
+def test_no_crown_drawn_at_random_that_spares_the_ends_is_better(load):
+    best, gaps = drawn(load, 400)
+    assert best.peak <= (1 + BETTER) * lowest_of_free(gaps, load)
 
 
 @pytest.mark.parametrize(("load", "tilt"), [(50.0, 5e-4), (340.0, 3e-3), (3407.0, 1e-3)])
 def test_no_crown_drawn_at_random_is_better_under_tilt(load, tilt):
-    best, peaks = drawn(load, 300, tilt)
-    assert best.peak <= (1 + BETTER) * peaks.min()
+    best, gaps = drawn(load, 150, tilt)
+    assert best.peak <= (1 + BETTER) * lowest_of_free(gaps, load, (0.0, tilt))
 
 
-def test_the_peak_told_is_that_of_the_crown_told():
-    best = best_crown(load=3407.0, **ROLLER)
-    assert peak(logarithmic(Y, best.K_1, best.K_2, best.z_m, 3407.0), 3407.0) == pytest.approx(
-        best.peak, rel=1e-6
-    )
+def test_crowns_whose_ends_carry_may_look_better_and_do_not_count():
+    """Few strips say less of a loaded end than a half-space has there."""
+    load, flatter = 3407.0, (1.0, 0.7, 10e-6)
+    best = best_crown(load=load, **ROLLER)
+    peak, end = pressed(logarithmic(centres(load), *flatter, load), load)
+    assert end > 0
+    assert peak < best.peak
+    straight = module.BestCrown(*flatter, float(peak), False)
+    assert on_half_space(straight, load, 0.0).peak_pressure > 1.03 * best.peak
+
+
+@pytest.mark.parametrize("tilt", [0.0, 1e-3])
+def test_the_peak_told_is_that_of_the_crown_told(tilt):
+    best = best_crown(load=3407.0, tilt=tilt, **ROLLER)
+    gap = logarithmic(centres(3407.0), best.K_1, best.K_2, best.z_m, 3407.0)
+    peak, end = pressed(gap, 3407.0, (tilt,))
+    assert peak == pytest.approx(best.peak, rel=1e-6)
+    assert best.free
+    assert not end > 0
+
+
+def test_a_tilt_that_no_crown_can_free_is_told_with_the_least_loaded_end():
+    best = best_crown(**STEEP, **ROLLER)
+    assert not best.free
+    rng = np.random.default_rng(3)
+    low, high = np.log(LOW), np.log(HIGH)
+    K_1, K_2, m = np.exp(low + (high - low) * rng.random((300, 3))).T[:, :, None]
+    load, tilt = STEEP["load"], STEEP["tilt"]
+    _, ends = pressed(logarithmic(centres(load), K_1, K_2, m * unit(load), load), load, (tilt,))
+    own = logarithmic(centres(load), best.K_1, best.K_2, best.z_m, load)
+    assert ends.min() > 0
+    assert pressed(own, load, (tilt,))[1] <= (1 + BETTER) * ends.min()
 
 
 @pytest.mark.parametrize(
@@ -111,14 +178,14 @@ def test_the_highest_peak_of_several_tilts_counts():
 def test_best_crowns_stay_a_few_per_cent_above_hertz(load):
     """An even pressure is the least that a load can have; the ends must fall off."""
     p_0 = np.sqrt(load / 9e-3 * ROLLER["E_star"] / (np.pi * ROLLER["R"]))
-    assert 1.0 < best_crown(load=load, **ROLLER).peak / p_0 < 1.01
+    assert 1.01 < best_crown(load=load, **ROLLER).peak / p_0 < 1.05
 
 
-@pytest.mark.parametrize("R", [5e-3, 20e-3])
-def test_wide_contacts_and_contacts_on_a_strip_or_two_have_a_best_crown(R):
-    wide = best_crown(load=20000.0, **ROLLER | {"R": R})
-    narrow = best_crown(load=50.0, tilt=(-0.017, 0.0, 0.017), **ROLLER | {"R": R})
+def test_a_wide_contact_and_one_on_a_strip_or_two_have_a_best_crown():
+    wide = best_crown(load=20000.0, **ROLLER | {"R": 20e-3})
+    narrow = best_crown(load=1.0, tilt=(-0.017, 0.0, 0.017), **ROLLER)
     assert np.all(np.isfinite([*astuple(wide), *astuple(narrow)]))
+    assert wide.free
 
 
 @pytest.mark.parametrize(
@@ -131,7 +198,6 @@ def test_wide_contacts_and_contacts_on_a_strip_or_two_have_a_best_crown(R):
         ({"E_star": 0.0}, "contact modulus must be positive and finite"),
         ({"tilt": np.nan}, "tilt must be finite, got nan rad"),
         ({"tilt": []}, "tilt must be an angle or several"),
-        ({"n": 0}, "slices must be at least 1"),
         ({"load": 1e9}, "a line contact must be longer than wide"),
     ],
 )
