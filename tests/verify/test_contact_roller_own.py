@@ -7,7 +7,7 @@ import pytest
 
 from verify.case import Context
 from verify.cases.contact_roller import ROLLER
-from verify.cases.contact_roller_crowns import CROWNS
+from verify.cases.contact_roller_crowns import CROWNS, straight
 from verify.cases.contact_roller_flat import UNCROWNED
 from verify.cases.contact_roller_tilted import TILTED
 from verify.inputs import InputError, build
@@ -62,7 +62,7 @@ ODD = [
     pytest.param(TILTED, {"F": "30 kN"}, "ISO 76", id="tilted and heavy"),
     pytest.param(TILTED, {"L": "1 mm", "F": "40 N", "d": "0.1 mm"}, "only", id="short and tilted"),
     pytest.param(UNCROWNED, {"F": "1 N"}, "an end carries", id="light, no crown"),
-    pytest.param(UNCROWNED, {"L": "100 mm", "F": "30 kN"}, "strips are few", id="long, no crown"),
+    pytest.param(UNCROWNED, {"L": "100 mm", "F": "30 kN"}, "an end", id="long, no crown"),
     pytest.param(UNCROWNED, {"L": "1 mm", "F": "150 N", "d": "0.25 mm"}, "an end", id="short"),
     pytest.param(CROWNS, {"L": "100 mm", "F": "30 kN"}, "", id="crowns, long"),
     pytest.param(CROWNS, {"F": "30 kN"}, "of the roller's radius", id="crowns, heavy"),
@@ -99,6 +99,14 @@ def test_no_row_of_an_odd_roller_fails(case, changes, judged, red):
     result = judged(undrawn(case), own(case, **changes))
     assert not red(result)
     assert any(row.status is Status.PASS for row in result.rows)
+
+
+@pytest.mark.parametrize("length", ["1 mm", "9 mm", "100 mm", "1000 mm"])
+@pytest.mark.parametrize("load", ["1 N", "120 N"])
+def test_the_straight_middle_of_rollers_of_every_length_is_that_of_k_2(length, load):
+    q = own(CROWNS, L=length, F=load, d="0.2 mm")
+    margin, U = straight(Context(CROWNS.id, q, {}, [], False))
+    assert margin > U
 
 
 @pytest.mark.parametrize(

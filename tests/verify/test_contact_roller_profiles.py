@@ -26,7 +26,7 @@ def same(one, other, A):
 
 
 @pytest.mark.parametrize("load", [1.0, 3407.0])
-@pytest.mark.parametrize("design", (*DESIGNS, *DRAWN, (1, 1, 1e-3)), ids=str)
+@pytest.mark.parametrize("design", [*DESIGNS, *DRAWN, (1, 1, 1e-3)], ids=str)
 def test_both_writings_of_eq_1_agree(design, load):
     K_1, K_2, z_m = design
     q = CrownedInputs(K_1=K_1, K_2=K_2, z_m=min(z_m, 500 * K_1 * scale(CrownedInputs(), load)),
@@ -52,7 +52,7 @@ def test_johns_and_gohar_s_constant_is_the_one_that_they_print(load):
     y, A = along(q), scale(q, load)
     written = crown.johns_gohar(y, load=load, length=q.L, half_width=q.b, E_star=q.E_star)
     apart = np.abs(profiles.johns_gohar(q)(y) - written)
-    assert crown.END == pytest.approx(0.3033, abs=5e-5)
+    assert abs(crown.END - 0.3033) <= 5e-5
     assert apart.max() <= 5e-5 / 0.3033 * A  # at the end the logarithm of the constant is left
     assert same(profiles.johns_gohar(q)(y)[y == 0], written[y == 0], A)
 

@@ -30,7 +30,7 @@ FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
 FLAT = 0.01  # within this
 BESIDE = "strips, as the finer model, with their acceptance figure of 0.3 %"
 FIRST, NEXT = 1e-5, 0.05
-RESOLVED = 1e-5  # m
+RESOLVED = 2e-3  # of the half-length: 9 µm of the paper's
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
 MID, AT_ENDS = 3e-3, 0.02  # of strips beside loaded ends, acceptance figures
 
@@ -190,7 +190,7 @@ def straight(context: Context) -> tuple[float, float]:
 
     by_z = abs(start(0.7, 25e-6) - start(0.7, 5e-6))
     off = abs(start(0.4, 10e-6) - 0.6 * q.L / 2) + abs(start(0.7, 10e-6) - 0.3 * q.L / 2)
-    return (RESOLVED - by_z - off) / (q.L / 2), 2 * float(y[1]) / (q.L / 2)
+    return RESOLVED - (by_z + off) / (q.L / 2), 2 * float(y[1]) / (q.L / 2)
 
 
 def first_contact(context: Context) -> tuple[float, float]:
