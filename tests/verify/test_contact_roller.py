@@ -298,10 +298,9 @@ def test_a_wrong_half_space_or_wrong_finite_elements_turn_a_row_red(
 
 
 # The best crown is searched for by the formulas: solved anew.
-@pytest.mark.parametrize("case", [ROLLER, TILTED], ids=lambda case: case.id)
-def test_a_best_crown_of_a_wrong_law_turns_its_row_red(case, red, monkeypatch):
+def test_a_best_crown_of_a_wrong_law_turns_its_row_red(red, monkeypatch):
     monkeypatch.setattr(crown, "_scale", times(2.0)(crown._scale))
-    assert BEST in names(red(solve_anew(case)))
+    assert BEST in names(red(solve_anew(ROLLER)))
 
 
 def solve_anew(case):
@@ -311,7 +310,6 @@ def solve_anew(case):
     return judge_case(Job(PLAIN[case.id], q), solved)
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+@pytest.mark.parametrize("case", [ROLLER, TILTED], ids=lambda case: case.id)
 def test_solved_anew_no_row_is_red_without_a_fault(case, red):
-    slope = {"slope of 1/peak over the cell: the end's pressure has no limit"}
-    assert names(red(solve_anew(case))) <= slope
+    assert not red(solve_anew(case))
