@@ -34,7 +34,9 @@ def cells(row: Row) -> list[Cell]:
         "; ".join(p.printed for p in row.published if p.kind == kind.partition("_")[2])
         for kind in PRINTED
     )
-    return [*(getattr(row, c) for c in COLUMNS), *relative, *printed]
+    named = {c: getattr(row, c) for c in COLUMNS}
+    named["by"] = row.by if row.reference is not None and row.kind != "fact" else ""
+    return [*named.values(), *relative, *printed]
 
 
 def rows_csv(rows: Iterable[Row]) -> str:

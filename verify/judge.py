@@ -71,7 +71,9 @@ def approximation(
     ratio, u = formula / reference, U / abs(reference)
     m, U_m = ratio - 1, abs(ratio) * u  # a quotient carries its own size
     if interval is None:
-        return Verdict(Status.SHOWN, f"measured: {m:+.2%} ± {U_m:.1g}", formula - reference, U)
+        return Verdict(
+            Status.SHOWN, f"measured: {m:+.2%} ± {100 * U_m:.1g} %", formula - reference, U
+        )
     low, high = interval
     if not u < 1:
         return Verdict(Status.FAIL, "the reference is as uncertain as itself", None, U)

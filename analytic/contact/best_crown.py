@@ -3,28 +3,29 @@ r"""The logarithmic crown with the lowest pressure under a load among those that
 An end that carries load has no highest pressure (`strips`), whatever few strips say of it: a crown
 counts only if the last strip at each end, about as wide as the contact's half-width b, carries
 nothing. (Contacts that end nearer to the roller's end can have a peak lower by some per cent, but
-the least overload or tilt loads the end.) Among these the one with the lowest peak is searched for
-on a lattice of K_1, K_2 and z_m that shrinks about the best point; all crowns of a lattice are
-pressed at once. z_m is measured in :math:`A_1 = W/(\pi l E^*)`, the unit of Lundberg's crown, so
-that the search has no scale of its own. The optimum is flat: crowns that differ by tens of per cent
-in a parameter may differ by a tenth of a per cent in peak pressure.
+the least overload or tilt loads the end.) Among these differential evolution searches the one with
+the lowest peak, a generation of crowns pressed at once; K_1, K_2 and z_m, in
+:math:`A_1 = W/(\pi l E^*)`, the unit of Lundberg's crown, are taken to three digits. The optimum is
+flat: crowns that differ by tens of per cent in a parameter may differ by a tenth of a per cent in
+peak pressure.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.optimize import differential_evolution
 
 from analytic.contact import strips
-from analytic.contact.checks import finite, positive
+from analytic.contact.checks import Array, finite, positive
 from analytic.contact.crown import logarithmic, slice_centres
 
 LOW = (0.5, 0.2, 2.0)  # K_1, K_2, z_m/A_1
 HIGH = (100.0, 1.0, 300.0)  # a light load far out of parallel would rather have a parabola
-POINTS = 4  # of the lattice along each axis
-ROUNDS = 12
-SHRINK = 0.65
+GENERATIONS, CROWNS = 40, 10  # CROWNS a generation for each of the three parameters
+DIGITS = 3
 STRIPS = (60, 200)  # fewest and most
+LOADED = 1e3  # beyond every peak over Hertz's pressure of an even load
 
 
 @dataclass(frozen=True)
@@ -64,26 +65,35 @@ def best_crown(
     y = slice_centres(length=length, slices=int(np.clip(round(length / b), *STRIPS)))
     lean = np.unique(np.abs(angles))[:, None] * y  # the crown is the same at both ends
     unit = load / (np.pi * length * E_star)
-    low, high = np.log(LOW), np.log(HIGH)
-    bottom, top = low, high
-    for _ in range(ROUNDS):
-        axes = [np.linspace(a, b, POINTS) for a, b in zip(bottom, top, strict=True)]
-        tried = np.exp(np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)).reshape(-1, 3)
-        K_1, K_2, z_m = tried.T[:, :, None]
+    even = np.sqrt(load * E_star / (np.pi * length * R))
+
+    def cost(logs: Array) -> Array:
+        K_1, K_2, z_m = _rounded(np.exp(logs))[:, :, None]
         z = logarithmic(
-            y, K_1=K_1, K_2=np.minimum(K_2, 1.0), z_m=z_m * unit, load=load, length=length,
-            E_star=E_star,
-        )  # fmt: skip
+            y, K_1=K_1, K_2=K_2, z_m=z_m * unit, load=load, length=length, E_star=E_star
+        )
         found = strips.press(
             z[:, None] + lean, length=length, R=R, E_star=E_star, load=load, tolerance=1e-8
         )
-        peak = found.peak.max(axis=-1)
         ends = (found.q[..., 0] + found.q[..., -1]).max(axis=-1) * length / load
         # a crown whose ends carry comes after every one whose ends do not
-        best = int(np.argmin(np.where(ends > 0, (1 + ends) * peak.max(), peak)))
-        centre, reach = np.log(tried[best]), SHRINK * (top - bottom) / 2
-        bottom, top = np.maximum(centre - reach, low), np.minimum(centre + reach, high)
-    K_1, K_2, z_m = tried[best]
-    return BestCrown(
-        float(K_1), min(float(K_2), 1.0), float(z_m * unit), float(peak[best]), not ends[best] > 0
-    )
+        return np.asarray(np.where(ends > 0, LOADED + ends, found.peak.max(axis=-1) / even))
+
+    cost(np.log([[1.0], [1.0], [10.0]]))  # what strips refuse is told here, not by the search
+    found = differential_evolution(
+        cost, list(zip(np.log(LOW), np.log(HIGH), strict=True)), vectorized=True,
+        updating="deferred", init="sobol", polish=False, maxiter=GENERATIONS, popsize=CROWNS,
+        tol=1e-6, rng=np.random.default_rng(1),
+    )  # fmt: skip
+    K_1, K_2, z_m = (float(v) for v in _rounded(np.exp(found.x)))
+    z = logarithmic(y, K_1=K_1, K_2=K_2, z_m=z_m * unit, load=load, length=length, E_star=E_star)
+    peak = strips.press(z + lean, length=length, R=R, E_star=E_star, load=load).peak.max()
+    return BestCrown(K_1, K_2, z_m * unit, float(peak), bool(found.fun < LOADED))
+
+
+def _rounded(values: Array) -> Array:
+    """To DIGITS significant digits, K_2 at most 1."""
+    step = 10.0 ** (np.floor(np.log10(values)) - DIGITS + 1)
+    found = np.round(values / step) * step
+    found[1] = np.minimum(found[1], 1.0)
+    return np.asarray(found)

@@ -250,7 +250,8 @@ OUTPUTS = (
     ),
     *(
         Output(key=f"{label(design)} peak", symbol="p_max", unit="MPa",
-               what=f"beyond d of the ends, (K_1, K_2, z_m) = {label(design)}, strips")
+               what=f"beyond d of the ends, (K_1, K_2, z_m) = {label(design)}, strips",
+               judged=False)
         for design in DESIGNS
     ),
 )  # fmt: skip
@@ -272,7 +273,8 @@ def figures(context: Context) -> Sequence[Figure]:
 
 def grown(q: StripInputs, varied: str) -> Figure:
     """Fig. 11: the crown as one of its parameters grows."""
-    y = np.linspace(0.0, q.L / 2, 301)
+    start = 0.85 if varied == "z_m" else 0.0  # where it shows
+    y = np.linspace(start, 1.0, 301) * q.L / 2
     return Curves(
         title=f"Profiles as {varied} grows (Fig. 11)", x_label="y [mm]", y_label="z [µm]",
         curves=tuple(
@@ -304,7 +306,7 @@ def even(context: Context) -> Figure:
     """Lundberg's and Johns and Gohar's pressure."""
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):
-        curve = shown.half_space(context, words, f"{name} ", i)
+        curve = shown.half_space(context, words, f"{name} ", 2 * i)
         curves.append(replace(curve, y=curve.y * MPa / context.analytic["Hertz p0"]))
     return Curves(
         title="Crowns for an even pressure", x_label="y [mm]", y_label="p/p_0",
@@ -322,7 +324,7 @@ def ends(context: Context) -> Figure:
         near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
         curves.append(
             Curve(name=words, x=(q.L / 2 - y[near])[::-1] / b,
-                  y=p[near][::-1] / context.analytic["Hertz p0"], colour=i)
+                  y=p[near][::-1] / context.analytic["Hertz p0"], colour=2 * i)
         )  # fmt: skip
     return Curves(
         title="Their ends", x_label="distance from the end over b", y_label="p/p_0",
@@ -377,7 +379,7 @@ CROWNS = Case(
     checks=CHECKS,
     outputs=OUTPUTS,
     readings=READINGS[:2],
-    assumptions=ASSUMPTIONS,
+    assumptions=ASSUMPTIONS[:3],
     warnings=warnings,
     equations=equations,
     sketch=lambda q: shown.sketch(designed(q, DESIGNS[0])),

@@ -2,7 +2,7 @@
 
 from verify.case import Case, Context, Output, Values
 from verify.cases import contact_roller_end_shown as shown
-from verify.cases.contact_roller_accepted import Accepted, Margin
+from verify.cases.contact_roller_accepted import Accepted, Estimated, Margin
 from verify.cases.contact_roller_end_fem import CROWNS, EndInputs, fem
 from verify.cases.contact_roller_end_formulas import analytic
 from verify.cases.contact_roller_end_shown import BODIES
@@ -64,7 +64,7 @@ CHECKS = (
         for name, words in list(BODIES.items())[:1] for crown in CROWNS
     ),
     *(
-        Approximation(
+        Estimated(
             name=f"load within d of the ends, half-space, {crown}, {words}", symbol="F_d",
             unit="N", fem=f"{name} {crown} ends", analytic=f"{crown} ends", formal=1,
             interval=None, source="what a half-space costs is measured here")

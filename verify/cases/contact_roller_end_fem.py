@@ -59,13 +59,22 @@ class EndInputs(Crown):
 
 def fem(q: EndInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
+    u_it: dict[str, float] = {}
     arrays: dict[str, Array] = {}
     race = compliance_fem(q, level, race=True, overhang=q.overhang)
     for name, overhang in (("end", 0.0), ("control", q.overhang)):
         roller = compliance_fem(q, level, race=False, overhang=overhang)
         for crown in CROWNS:
             found = contact_fem(q, level, (roller, race), crown)
-            values |= read(q, found, f"{name} {crown}")
+            here = read(q, found, f"{name} {crown}")
+            beside = [
+                read(q, contact_fem(q, level, (roller, race), crown, more), f"{name} {crown}")
+                for more in (-1, 1)
+            ]
+            # the contact's rim is a stair of cells: what other cells across make of the ends
+            ends = f"{name} {crown} ends"
+            u_it[ends] = max(abs(v[ends] - here[ends]) for v in beside)
+            values |= here
             arrays |= {
                 f"{name} {crown} y": found.z, f"{name} {crown} q": found.line_load,
                 f"{name} {crown} p": found.ridge,
@@ -75,14 +84,16 @@ def fem(q: EndInputs, level: int) -> FemResult:
     distance, pressure = edge_fem(level)
     values["edge slope"] = slope(distance, pressure)
     arrays |= {"edge distance": distance, "edge pressure": pressure}
-    return FemResult(h=1 / level, values=values, arrays=arrays, fields=fields)
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
 def stations_fem(q: EndInputs, level: int) -> Array:
-    """Stations along the contact from mid-length to its end, where they are finest."""
+    """Stations along the contact from mid-length to its end, where they are finest; one at d."""
     from meshes.revolution.section import stations
 
-    return stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
+    found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
+    found[1 + np.argmin(np.abs(found[1:-1] - (q.L / 2 - q.d)))] = q.L / 2 - q.d
+    return found
 
 
 def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
@@ -100,13 +111,13 @@ def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> 
     return surface_compliance(solid, "rim", stations=z, orders=orders)
 
 
-def contact_fem(q: EndInputs, level: int, bodies: Any, crown: str) -> "PatchContact":
-    """The half y >= 0 of the roller on the race, under half the load."""
+def contact_fem(q: EndInputs, level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
+    """The half y >= 0 of the roller on the race, under half the load; `more` cells across."""
     from fem.fourier.contact import patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like
     for wide in WIDE:
-        across = np.linspace(0.0, wide * q.b, round(wide * ACROSS * level) + 1)
+        across = np.linspace(0.0, wide * q.b, round(wide * ACROSS * level) + more + 1)
         try:
             return patch_contact(bodies, across=across, load=q.F / 2, crown=gap)
         except ValueError as error:

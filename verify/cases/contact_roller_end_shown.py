@@ -33,7 +33,7 @@ def line_loads(context: Context, crown: str) -> Figure:
                     style="dashes", colour=4)]  # fmt: skip
     for i, (name, words) in enumerate(BODIES.items()):
         y, line = (arrays[f"{name} {crown} {key}"] for key in "yq")
-        curves.append(Curve(name=f"FE, {words}", x=y / mm, y=line / 1e3, colour=i))
+        curves.append(Curve(name=f"FE, {words}", x=y / mm, y=line / 1e3, colour=2 * i))
     return Curves(
         title=f"Line load towards the end, {crown}", x_label="y [mm]", y_label="q [N/mm]",
         curves=tuple(curves), y_top=1.7 * q.F / q.L / 1e3,
@@ -74,8 +74,8 @@ def sketch(q: EndInputs) -> Sketch:
         return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
     shapes = (
-        Shape(style="text", points=shown.line((-4.2, 0.0))),
-        Shape(style="text", points=shown.line((4.2, 0.0))),
+        Shape(style="text", points=shown.line((-5.2, 0.0))),
+        Shape(style="text", points=shown.line((5.2, 0.0))),
         Shape(style="body", points=box(-wide, -r - race, wide, -r)),
         Shape(style="body", points=box(-wide, r, wide, r + race)),
         Shape(style="body", points=box(-end, -r, end, r)),

@@ -11,12 +11,13 @@ from verify.cases.contact_roller import (
     ASSUMPTIONS,
     BALANCE,
     COUPLED,
+    END_ROWS,
     NAMES,
     OUTPUTS,
     sliced_rows,
     warnings,
 )
-from verify.cases.contact_roller_accepted import ENDS, Accepted, ends, within
+from verify.cases.contact_roller_accepted import Accepted, within
 from verify.cases.contact_roller_formulas import values
 from verify.cases.contact_roller_half_space import pressed, result, too_short
 from verify.cases.contact_roller_inputs import RollerInputs
@@ -49,8 +50,7 @@ CHECKS = (
                  symbol=NAMES[key][1], unit="1", margin=within(key, FLAT, key_scale))
         for key, key_scale in (("mid", "Hertz p0"), ("approach", "Palmgren"))
     ),
-    Accepted(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d", unit="1",
-             margin=ends),
+    *END_ROWS,
     Order(name="slope of 1/peak over the cell: the end's pressure has no limit", symbol="p",
           unit="1", errors=inverse_peaks, order=SLOPE, demand=0.04,
           demand_reason="±0.02 of the slope, acceptance figure"),

@@ -133,15 +133,16 @@ def stair(found: Pressed, level: int, **how: Any) -> dict[str, float]:
 
 
 def result(
-    found: Pressed, level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None
-) -> FemResult:
-    """All of it for one level, with what is left uncertain on it."""
+    found: Pressed, level: int, u_it: Mapping[str, float], more: Mapping[str, float] | None = None,
+    arrays: Mapping[str, Array] | None = None,
+) -> FemResult:  # fmt: skip
+    """All of it for one level, with what is left uncertain on it; `more` values and `arrays`."""
     residual = found.contact.contact.residual
     least = {key: 10 * residual * abs(value) for key, value in found.values.items()}
     return FemResult(
         h=1 / level, values=found.values | dict(more or {}),
         u_it={key: max(least.get(key, 0.0), u_it.get(key, 0.0)) for key in {*least, *u_it}},
-        arrays=found.arrays, fields=(found.field,),
+        arrays=found.arrays | dict(arrays or {}), fields=(found.field,),
     )  # fmt: skip
 
 

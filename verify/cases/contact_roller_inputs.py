@@ -11,6 +11,7 @@ from verify.shown import Array
 
 WIDEST = 0.1  # of the length of the roller that its half-width may be
 FEWEST, MOST = 41, 401  # strips
+SHORTEST = 0.005  # of the length, that d may be
 STRETCH = 20.0  # of lengths across in pictures of the patch
 FLATTEST = 50  # rollers lengths that a relative radius may be
 
@@ -38,7 +39,7 @@ class Roller(Inputs):
     E_2: float = quantity("206 GPa", "GPa", "E_2", "Young's modulus, race", gt=0, le=1e5)
     nu_2: float = quantity(0.3, "1", "ν_2", "Poisson's ratio, race", ge=0, lt=0.5)
     d: float = quantity(
-        "0.5 mm", "mm", "d", "length at each end whose share of the load is told", omitted=0.5e-3,
+        "0.5 mm", "mm", "d", "length at each end whose load is told", omitted=0.5e-3,
         gt=0, le=1e4,
     )  # fmt: skip
 
@@ -71,8 +72,8 @@ class Roller(Inputs):
         sizes = f"R_1 = {self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm"
         if -1.02 * self.R_1 < self.R_2 <= 0:
             raise ValueError(
-                f"R_2 must be positive or, for a bore, beyond -1.02 R_1, got {sizes}: "
-                "the roller does not fit, or too closely for a line contact"
+                f"the roller does not fit the bore: R_2 must be positive (a shaft) or below "
+                f"{-1.02e3 * self.R_1:g} mm, got {sizes}"
             )
         if self.R > FLATTEST * self.L:
             raise ValueError(
@@ -88,9 +89,9 @@ class Roller(Inputs):
                 f"F = {self.F:g} N flattens {self.b * 1e3:.3g} mm to each side, more than 0.3 of "
                 f"the roller's radius, {self.R_1 * 1e3:g} mm: no line contact"
             )
-        if self.d > self.L / 4:
+        if not SHORTEST * self.L <= self.d <= self.L / 4:
             raise ValueError(
-                f"the end d = {self.d * 1e3:g} mm must be at most a quarter of "
+                f"the end d = {self.d * 1e3:g} mm must be from {SHORTEST:g} to 0.25 of the length, "
                 f"l = {self.L * 1e3:g} mm"
             )
         return self
@@ -121,11 +122,11 @@ class Crown(Roller):
     """A roller with the logarithmic crown of Eq. 1."""
 
     K_1: float = quantity(
-        2.1507, "1", "K_1", "crown's curvature: its load over the design load", gt=0, le=100,
+        2.1507, "1", "K_1", "crown's depth: the load that it would even out, over Q", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
     K_2: float = quantity(
-        0.6763, "1", "K_2", "share of the length that is crowned", gt=0, le=1,
+        0.6763, "1", "K_2", "crowned part of the length", gt=0, le=1,
         claims="huang2018:optimum-25nm-k2",
     )  # fmt: skip
     z_m: float = quantity(

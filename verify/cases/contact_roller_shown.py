@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact.crown import slice_centres
+from analytic.contact.strips import Strips
 from verify.case import Context, Values
 from verify.cases.contact_roller_formulas import MODELS, by_strips, sliced
 from verify.cases.contact_roller_inputs import STRETCH, Crown, Roller, TiltedInputs
@@ -34,8 +35,8 @@ def sketch(q: Roller) -> Sketch:
     roller = np.vstack([np.column_stack([y, z]), np.column_stack([y, top])[::-1]])
     d = 2 * end * q.d / q.L
     shapes = [
-        Shape(style="text", points=line((-4.0, 0.0))),
-        Shape(style="text", points=line((4.0, 0.0))),
+        Shape(style="text", points=line((-5.0, 0.0))),
+        Shape(style="text", points=line((5.0, 0.0))),
         Shape(style="body", points=line((-3.0, -0.8), (3.0, -0.8), (3.0, 0.0), (-3.0, 0.0))),
         Shape(style="body", points=roller),
         Shape(style="axis", points=line((-2.4, (z[0] + top[0]) / 2), (2.4, (z[-1] + top[-1]) / 2))),
@@ -126,8 +127,20 @@ def half_space(context: Context, name: str, key: str = "", colour: int = 4) -> C
     """Some of the half-space's pressures on the finest grid, of the solution `key`."""
     arrays = context.fem[-1].arrays
     y, p = arrays[f"{key}y"], arrays[f"{key}p"]
-    some = slice(len(y) // DOTS // 2, None, max(len(y) // DOTS, 1))
+    some = np.unique(np.round(np.linspace(0, len(y) - 1, DOTS)).astype(int))
     return Curve(name=name, x=y[some] / mm, y=p[some] / MPa, style="dots", colour=colour)
+
+
+def over(found: Sequence[Strips], x: Array, even: Sequence[float]) -> list[Curve]:
+    """Peaks over `even` pressures: a line while the ends carry nothing, dots where one does."""
+    p = np.array([float(f.peak) / e for f, e in zip(found, even, strict=True)])
+    loaded = np.array([bool(f.carries[0] or f.carries[-1]) for f in found])
+    parts = (("this crown, its ends free", ~loaded, "line"),
+             ("this crown, an end loaded", loaded, "dots"))  # fmt: skip
+    return [
+        Curve(name=name, x=x[some], y=p[some], style=style)
+        for name, some, style in parts if some.any()
+    ]  # fmt: skip
 
 
 def profile(q: Any) -> Figure:

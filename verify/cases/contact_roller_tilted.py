@@ -1,6 +1,7 @@
 """A crowned roller whose axis is tilted: the end that takes more."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,10 +17,12 @@ from verify.cases.contact_roller import (
     BEST,
     BEST_ROW,
     COUPLED,
+    LEVELS,
     OUTPUTS,
     READINGS,
     best_top,
     best_values,
+    evenly,
     sliced_rows,
     strips_rows,
     warnings,
@@ -28,9 +31,11 @@ from verify.cases.contact_roller_accepted import ENDS, Accepted, within
 from verify.cases.contact_roller_formulas import values
 from verify.cases.contact_roller_half_space import pressed, result, stair, too_short
 from verify.cases.contact_roller_inputs import CrownedInputs, TiltedInputs
-from verify.shown import Curve, Curves, Figure
+from verify.shown import Array, Curve, Curves, Figure
 
-TILTS = np.linspace(0.0, 2.0, 9)  # over the one given
+TILTS = np.linspace(0.0, 2.0, 33)  # over the one given
+BEST_TILTS = np.linspace(0.0, 2.0, 5)
+LEAN = 5e-4  # rad, where none is given
 MOMENT = 0.01  # of the tilting moment
 
 
@@ -48,7 +53,9 @@ def fem(q: TiltedInputs, level: int) -> FemResult:
     straight = profiles.logarithmic(q, (crown.K_1, crown.K_2, crown.z_m), q.F)
     slope = np.tan(q.theta)
     top, u = best_top(q, level, lambda y: straight(y) - slope * y)
-    return result(found, level, stair(found, level) | {"best top": u}, {"best top": top})
+    arrays = {"best over tilt": best_over_tilt(q)} if level == LEVELS[-1] else {}
+    u_it = stair(found, level) | {"best top": u}
+    return result(found, level, u_it, {"best top": top}, arrays)
 
 
 CHECKS = (
@@ -65,30 +72,35 @@ CHECKS = (
 
 def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
-    return (shown.profile(q), shown.pressures(context), shown.loads(context), over_tilt(q))
+    return (shown.profile(q), shown.pressures(context), shown.loads(context), over_tilt(context))
 
 
-def over_tilt(q: TiltedInputs) -> Figure:
+def best_over_tilt(q: TiltedInputs) -> Array:
+    """Peak of the best crown for each tilt over Hertz's pressure of an even load."""
+    roller = {"length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
+    angles = BEST_TILTS * (q.theta or LEAN)
+    return np.array([best_crown(**roller, tilt=(0.0, a)).peak / evenly(q) for a in angles])
+
+
+def over_tilt(context: Context) -> Figure:
     """Peak over Hertz's of an even load: this crown, and the best for each tilt to either side."""
+    q = context.inputs
     y = shown.centres(q, q.n)
-    straight = CrownedInputs.gap(q, y)
-    angles = TILTS * (q.theta or 5e-4)
-    kept, least = [], []
+    straight, angles = CrownedInputs.gap(q, y), TILTS * (q.theta or LEAN)
     roller: dict[str, Any] = {"length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
-    even = np.sqrt(q.F / q.L * q.E_star / (np.pi * q.R))
-    for angle in angles:
-        kept.append(float(strips.press(straight - angle * y, **roller).peak / even))
-        least.append(best_crown(**roller, tilt=(0.0, angle)).peak / even)
+    curves = shown.over(
+        [strips.press(straight - a * y, **roller) for a in angles], np.degrees(angles),
+        [evenly(q)] * len(angles),
+    )  # fmt: skip
+    least = context.fem[-1].arrays.get("best over tilt") if context.fem else None
+    if least is not None:
+        at = np.degrees(BEST_TILTS * (q.theta or LEAN))
+        curves.append(Curve(name="best crown for ±θ", x=at, y=least, style="dashes", colour=2))
     return Curves(
-        title="Effect of tilt on the best crown", x_label="θ [°]", y_label="p_max/p_0",
-        curves=(
-            Curve(name="this crown", x=np.degrees(angles), y=np.array(kept)),
-            Curve(name="best crown for ±θ", x=np.degrees(angles), y=np.array(least),
-                  style="dashes", colour=2),
-        ),
+        title="Largest pressure over the tilt", x_label="θ [°]", y_label="p_max/p_0",
+        curves=tuple(curves), y_top=2.2, y_bottom=0.95,
         note=f"p_0: Hertz's pressure of the load spread evenly; ends included, {q.n} strips. A "
         "crown for tilt is deeper than one for a straight roller.",
-        y_top=2.2, y_bottom=0.95,
     )  # fmt: skip
 
 
@@ -102,13 +114,13 @@ TILTED = Case(
     inputs=TiltedInputs,
     analytic=analytic,
     fem=fem,
-    levels=(16, 24, 32),
+    levels=LEVELS,
     checks=CHECKS,
     outputs=(
         *OUTPUTS,
         Output(key="strips moment", symbol="M", unit="N m",
                what="tilting moment about mid-length, strips"),
-        *BEST,
+        *(replace(out, what=out.what.replace("for F", "for F at 0 and ±θ")) for out in BEST),
     ),
     readings=(*READINGS, COUPLED, "θ turns the roller about mid-length and adds −θ y to the gap"),
     assumptions=ASSUMPTIONS,
