@@ -138,7 +138,7 @@ def _unpack(data: dict[str, Any]) -> FemResult:
 def source_of(function: Any) -> str:
     """Hash of a `fem` function: itself, the names of its module it uses, the modules it reaches."""
     used, reached = parts_of(function)
-    text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_file_hash(m)}" for m in reached)])
+    text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_read(m)[0]}" for m in reached)])
     return hashlib.sha256(text.encode()).hexdigest()
 
 
@@ -219,25 +219,23 @@ def _reached(start: set[str]) -> set[str]:
         name = queue.pop()
         if name not in found:
             found.add(name)
-            queue += _imported(_tree(name), name)
+            queue += _read(name)[1]
     return found
 
 
 @cache
-def _tree(module: str) -> ast.Module:
+def _read(module: str) -> tuple[str, tuple[str, ...]]:
+    """Hash of a module's code, and the modules that count among what it imports."""
     spec = find_spec(module)
     assert spec is not None
     assert spec.origin is not None
-    return ast.parse(Path(spec.origin).read_text("utf-8"))
-
-
-def _file_hash(module: str) -> str:
-    return hashlib.sha256(_plain(_tree(module)).encode()).hexdigest()
+    tree = ast.parse(Path(spec.origin).read_text("utf-8"))
+    imported = tuple(_imported(tree, module))
+    return hashlib.sha256(_plain(tree).encode()).hexdigest(), imported
 
 
 def _plain(node: ast.AST) -> str:
-    """The code without comments, layout and docstrings."""
-    node = ast.parse(ast.unparse(node))
+    """The code without comments, layout and docstrings, which leave `node`, too."""
     for item in ast.walk(node):
         body = getattr(item, "body", None)
         if (

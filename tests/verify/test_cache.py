@@ -320,7 +320,7 @@ def source(tmp_path_factory, monkeypatch):
                 monkeypatch.delitem(sys.modules, f"{package}.{name}", raising=False)
         importlib.invalidate_caches()
         cache.source_of.cache_clear()
-        cache._tree.cache_clear()  # processes read a module once; here its file changes
+        cache._read.cache_clear()  # processes read a module once; here its file changes
         module = importlib.import_module("verify.cases.made_up_case")
         return cache.source_of(module.solve)
 
@@ -330,7 +330,7 @@ def source(tmp_path_factory, monkeypatch):
             sys.modules.pop(f"{package}.{name}", None)
             vars(sys.modules[package]).pop(name, None)
     cache.source_of.cache_clear()
-    cache._tree.cache_clear()
+    cache._read.cache_clear()
 
 
 CASE_MODULE, SOLVER = "made_up_case", "made_up"
