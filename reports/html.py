@@ -29,7 +29,7 @@ WORDS = {
     Status.SKIP: "not run",
     Status.NOTE: "a printed value shown wrong, with its ledger entry",
     Status.CALIBRATED: "fitted: no evidence",
-    Status.SHOWN: "compared; the reference has no stated uncertainty",
+    Status.SHOWN: "compared; no stated uncertainty, or no expected error, to judge it by",
     Status.PASS: "within a tolerance that was derived",
 }
 

@@ -1,0 +1,78 @@
+"""Plots of several curves, and rows whose reference is another method than finite elements."""
+
+import numpy as np
+import pytest
+
+from reports import formats
+from reports.curves import curves
+from reports.rows import HEADER, cells
+from verify.derivation.steps import derive
+from verify.results import Status
+from verify.shown import Curve, Curves
+
+X = np.linspace(0.0, 4.0, 5)
+
+
+def plot(**changes):
+    given = {
+        "title": "T", "x_label": "y [mm]", "y_label": "p [MPa]",
+        "curves": (
+            Curve(name="strips", x=X, y=X + 1),
+            Curve(name="half-space", x=X, y=X + 2, style="dots", colour=4),
+            Curve(name="", x=X, y=X + 3, style="dashes", colour=2),
+        ),
+    }  # fmt: skip
+    return str(curves(Curves(**given | changes)))
+
+
+def test_curves_have_their_styles_and_names_and_one_without_a_name_has_none():
+    drawn = plot()
+    assert drawn.count(">strips<") == drawn.count(">half-space<") == 1
+    assert drawn.count('class="fit s0"') == 2  # the curve and its swatch
+    assert drawn.count('class="fit s2 dashes"') == 1
+    assert drawn.count('<circle class="s4"') == X.size + 1
+    assert "<title>" not in drawn
+    assert 'aria-label="T"' in drawn
+
+
+def test_what_runs_off_is_cut_at_the_top_and_at_the_bottom():
+    assert plot(y_top=3.0).count('<circle class="s4"') == 2 + 1  # 2 and 3 of 2 to 6
+    assert plot(y_bottom=4.0).count('<circle class="s4"') == 3 + 1
+
+
+def test_axes_start_at_zero_unless_values_are_negative_or_told_otherwise():
+    assert ">0<" in plot()
+    assert ">0<" not in plot(y_bottom=2.5, curves=(Curve(name="a", x=X + 1, y=X + 3),))
+
+
+def test_many_names_take_more_lines_and_a_taller_picture():
+    few = plot(curves=(Curve(name="a", x=X, y=X),))
+    many = plot(curves=tuple(Curve(name=f"a rather long name {i}", x=X, y=X) for i in range(6)))
+    height = [float(p.split('viewBox="0 0 400 ')[1].split('"')[0]) for p in (few, many)]
+    assert height[1] > height[0] + 30
+
+
+@pytest.fixture(scope="module")
+def by_half_space(report):
+    return next(
+        row for case in report.cases for row in case.rows
+        if row.grid is not None and row.by == "half-space" and row.analytic and row.interval
+    )  # fmt: skip
+
+
+def test_another_method_stands_where_finite_elements_do_with_its_name(by_half_space):
+    row = by_half_space
+    assert row.fem is None
+    assert row.reference == row.partner.value == row.grid.levels[-1][1]
+    shown = formats.values(row)
+    assert shown.by == "half-space"
+    assert "(" in shown.fem
+    found = dict(zip(HEADER, cells(row), strict=True))
+    assert (found["by"], found["fem"], found["reference"]) == ("half-space", None, row.reference)
+
+
+def test_its_judging_names_it(by_half_space):
+    steps = dict(derive(by_half_space).steps)
+    assert "half-space" in steps
+    assert "formula/half-space" in steps["m"]
+    assert derive(by_half_space).verdict.status is Status.PASS
