@@ -11,7 +11,7 @@ from verify.results import CaseResult, Kind, Published, Row, Status
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0
 WIDE = 1216.0
-LINE, NAMES = 16.0, 3  # height of a line of names, and how many there may be
+LINE, NAMES = 16.0, 6  # height of a line of names, and how many there may be
 LEAST = -12  # decades of the strip
 FAR = 1.7  # tolerances from which a dot becomes an arrow
 MARKS = {

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import differential_evolution
+from scipy.optimize import OptimizeResult, differential_evolution
 
 from analytic.contact import strips
 from analytic.contact.checks import Array, finite, positive
@@ -23,6 +23,7 @@ from analytic.contact.crown import logarithmic, slice_centres
 LOW = (0.5, 0.2, 2.0)  # K_1, K_2, z_m/A_1
 HIGH = (100.0, 1.0, 300.0)  # a light load far out of parallel would rather have a parabola
 GENERATIONS, CROWNS = 40, 10  # CROWNS a generation for each of the three parameters
+PATIENCE = 8  # generations
 DIGITS = 3
 STRIPS = (60, 200)  # fewest and most
 LOADED = 1e3  # beyond every peak over Hertz's pressure of an even load
@@ -83,12 +84,17 @@ def best_crown(
     found = differential_evolution(
         cost, list(zip(np.log(LOW), np.log(HIGH), strict=True)), vectorized=True,
         updating="deferred", init="sobol", polish=False, maxiter=GENERATIONS, popsize=CROWNS,
-        tol=1e-6, rng=np.random.default_rng(1),
+        tol=1e-6, rng=np.random.default_rng(1), callback=_hopeless,
     )  # fmt: skip
     K_1, K_2, z_m = (float(v) for v in _rounded(np.exp(found.x)))
     z = logarithmic(y, K_1=K_1, K_2=K_2, z_m=z_m * unit, load=load, length=length, E_star=E_star)
     peak = strips.press(z + lean, length=length, R=R, E_star=E_star, load=load).peak.max()
     return BestCrown(K_1, K_2, z_m * unit, float(peak), bool(found.fun < LOADED))
+
+
+def _hopeless(intermediate_result: OptimizeResult) -> bool:
+    """Whether no crown has freed the ends by now: the search for the least loaded goes no finer."""
+    return bool(intermediate_result.nit >= PATIENCE and intermediate_result.fun >= LOADED)
 
 
 def _rounded(values: Array) -> Array:

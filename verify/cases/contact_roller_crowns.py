@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -267,7 +268,8 @@ def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     found = [grown(q, varied) for varied in PROFILES]
     if context.fem:
-        found += [designs(context), even(context), ends(context)]
+        found += [designs(context), *map(partial(by_all, context), (0, 1)), even(context),
+                  ends(context)]  # fmt: skip
     return found
 
 
@@ -300,6 +302,13 @@ def designs(context: Context) -> Figure:
         note="Lines: strips; dots: half-space. (1, 0.7, 10 µm) is the evenest "
         "but for its ends, which carry load: there a half-space has no highest pressure.",
     )  # fmt: skip
+
+
+def by_all(context: Context, design: int) -> Figure:
+    """p(y) of all methods for one of the designs."""
+    named = label(DESIGNS[design])
+    roller = designed(context.inputs, DESIGNS[design])
+    return shown.pressures(context, roller, f"{named} ", f", {named}")
 
 
 def even(context: Context) -> Figure:

@@ -11,7 +11,6 @@ from verify.shown import Array
 
 WIDEST = 0.1  # of the length of the roller that its half-width may be
 FEWEST, MOST = 41, 401  # strips
-SHORTEST = 0.005  # of the length, that d may be
 STRETCH = 20.0  # of lengths across in pictures of the patch
 FLATTEST = 50  # rollers lengths that a relative radius may be
 
@@ -89,9 +88,9 @@ class Roller(Inputs):
                 f"F = {self.F:g} N flattens {self.b * 1e3:.3g} mm to each side, more than 0.3 of "
                 f"the roller's radius, {self.R_1 * 1e3:g} mm: no line contact"
             )
-        if not SHORTEST * self.L <= self.d <= self.L / 4:
+        if self.d > self.L / 4:
             raise ValueError(
-                f"the end d = {self.d * 1e3:g} mm must be from {SHORTEST:g} to 0.25 of the length, "
+                f"the end d = {self.d * 1e3:g} mm must be at most a quarter of "
                 f"l = {self.L * 1e3:g} mm"
             )
         return self

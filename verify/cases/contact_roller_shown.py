@@ -102,9 +102,9 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
     )
 
 
-def pressures(context: Context) -> Figure:
-    """p(y) of all models and of the half-space."""
-    q = context.inputs
+def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") -> Figure:
+    """p(y) of all models and of the half-space; `of` another roller, its arrays led by `key`."""
+    q = of or context.inputs
     curves, tops = [], []
     for name, words in NAMES.items():
         _, parts = by_strips(q, q.n) if name == "strips" else sliced(q, MODELS[name])
@@ -113,9 +113,9 @@ def pressures(context: Context) -> Figure:
                             colour=colour))  # fmt: skip
         tops.append(parts.peak / MPa)
     if context.fem:
-        curves.append(half_space(context, "half-space"))
+        curves.append(half_space(context, "half-space", key))
     return Curves(
-        title="Pressure along the roller, at x = 0", x_label="y [mm]", y_label="p [MPa]",
+        title=f"Pressure along the roller, at x = 0{crown}", x_label="y [mm]", y_label="p [MPa]",
         curves=tuple(curves), y_top=OVER * max(tops),
         note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, the "
         "finest grid. A loaded end has no highest pressure, and its curve ends where the plot "
