@@ -32,7 +32,8 @@ def row_record(row: Row) -> dict[str, Any]:
 def _case(case: CaseResult) -> dict[str, Any]:
     return {
         "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
-        "inputs": [asdict(i) for i in case.inputs], "assumptions": list(case.assumptions),
+        "inputs": [asdict(i) for i in case.inputs],
+        "values": [_plain(asdict(v)) for v in case.values], "assumptions": list(case.assumptions),
         "readings": list(case.readings), "warnings": list(case.warnings),
         "tables": [asdict(t) for t in case.tables], "command": case.command,
     }  # fmt: skip

@@ -22,6 +22,8 @@ def test_results_obey_the_schema(which, request, tmp_path):
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.validate(results, schema)
     assert len(results["rows"]) == len(report.rows)
+    for case, record in zip(report.cases, results["cases"], strict=True):
+        assert [v["what"] for v in record["values"]] == [v.what for v in case.values]
     assert len(results["equations"]) == 77  # 22 + 11 + 10 + 13 + 21
 
 

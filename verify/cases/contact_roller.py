@@ -152,11 +152,14 @@ BALANCE = Exact(
     bound=1e-10, bound_reason="the load is held by every iteration",
 )  # fmt: skip
 
+END_PRESSURE = Accepted(
+    name=f"pressure of the mean load within d, strips within {ENDS / 2:.0%}", symbol="p_d",
+    unit="1", margin=within("end pressure", ENDS / 2, "Hertz p0"),
+)  # fmt: skip
 END_ROWS = (
     Accepted(name=f"load within d of the ends, strips within {ENDS:.0%}", symbol="F_d", unit="1",
              margin=ends),
-    Accepted(name=f"pressure of the mean load within d, strips within {ENDS / 2:.0%}",
-             symbol="p_d", unit="1", margin=within("end pressure", ENDS / 2, "Hertz p0")),
+    END_PRESSURE,
 )  # fmt: skip
 BEST_ROW = Estimated(
     name="largest pressure of the best crown, ends included, strips", symbol="p_max", unit="MPa",

@@ -17,6 +17,7 @@ from verify.cases.contact_roller import (
     BEST,
     BEST_ROW,
     COUPLED,
+    END_PRESSURE,
     LEVELS,
     OUTPUTS,
     READINGS,
@@ -65,6 +66,7 @@ CHECKS = (
              margin=within("moment", MOMENT, "F l")),
     Accepted(name=f"load within d of the pressed end, strips within {ENDS:.0%}", symbol="F_d",
              unit="1", margin=within("high end", ENDS, "F")),
+    END_PRESSURE,
     BEST_ROW,
     BALANCE,
 )  # fmt: skip
