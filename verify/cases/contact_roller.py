@@ -223,6 +223,8 @@ READINGS = (
 )
 COUPLED = "the weights w of Eq. 3 are a half-space's on Hertz's width: slices deflect each other"
 ASSUMPTIONS = (
+    "length and loads are not printed: 9 mm and the static load at 25 N m for a wedge angle of "
+    "3.15° are identified (CALIBRATED); models are compared on them, and the paper is not judged",
     "no friction, small strain; both bodies half-spaces of E*, which go on beyond the ends",
     "the largest pressure is that farther than d from the ends: a loaded end has no highest "
     "pressure in a half-space",

@@ -44,12 +44,14 @@ class Accepted(Claim):
     """A statement with an acceptance figure, which is one for the paper's roller.
 
     `margin` gives what is left of the figure, its expanded uncertainty, and the error in words.
+    What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
     """
 
     kind = Kind.FACT
 
     margin: Margin
     fem_needed: bool = True
+    fitted: str = ""
 
     @property
     def needs_fem(self) -> bool:
@@ -59,6 +61,8 @@ class Accepted(Claim):
         margin, U, words = self.margin(context)
         verdict = judge.fact(margin, U)
         told = replace(verdict, reason=f"{verdict.reason}: {words}")
+        if self.fitted and verdict.status is Status.PASS:
+            told = replace(told, status=Status.CALIBRATED, reason=f"{told.reason}; {self.fitted}")
         if not context.is_paper:
             told = judge.Verdict(Status.SHOWN, f"measured: {words}")
         return [self._row(context.case, Kind.FACT, told, published=self._printed(context))]
