@@ -14,12 +14,13 @@ from markupsafe import Markup
 from reports import formats, plots, signature
 from reports.curves import curves
 from reports.equations import Glyphs
+from reports.error_map import error_map
 from reports.frames import Frame
 from reports.refinement import refinement
 from reports.sketch import sketch
 from reports.verdicts import first_author, verdicts
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
-from verify.shown import Curves, Dots, Figure, Profile, Refinement, Table
+from verify.shown import Curves, Dots, Figure, Map, Profile, Refinement, Table
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
@@ -192,6 +193,8 @@ def plot(figure: Figure) -> Markup:
             return plots.dots(figure)
         case Curves():
             return curves(figure)
+        case Map():
+            return error_map(figure)
 
 
 def _environment(glyphs: Glyphs) -> jinja2.Environment:

@@ -130,7 +130,29 @@ class Curves:
     y_bottom: float | None = None
 
 
-Figure = Profile | Refinement | Dots | Curves
+@dataclass(frozen=True, kw_only=True)
+class Map:
+    """Where a formula holds: its signed relative error `error` (k, m) over two parameters.
+
+    Columns and rows have names, the first row at the bottom; cells are shaded by the first of the
+    `limits` that holds them. Where the error is NaN there is nothing to compare, for the reason
+    `without`. `checked` (k, m) marks cells with finite elements.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    columns: tuple[str, ...]
+    rows: tuple[str, ...]
+    error: Array
+    limits: tuple[float, ...] = (0.02, 0.05, 0.10)
+    checked: NDArray[np.bool_] | None = None
+    checked_name: str = "FE"
+    without: str = ""
+    note: str = ""
+
+
+Figure = Profile | Refinement | Dots | Curves | Map
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,0 +1,1 @@
+"""The polyhedral ring clutch."""

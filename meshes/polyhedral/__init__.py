@@ -1,0 +1,1 @@
+"""Sectors of rings whose bore is a polygon."""
