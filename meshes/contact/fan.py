@@ -86,7 +86,7 @@ def fan(outline: Outline, zone: Zone, body: str, bend: Point | None = None) -> l
         (Edge(corner, outline.far, 0, bend), math.hypot(along, down)),
         (Edge(below, outline.foot, 0, name="axis"), down),
     ]
-    out, diagonal, axis = _graded(grown, zone.refine)
+    out, diagonal, axis = graded(grown, zone.refine)
     end = Edge(outline.end, outline.far, m, name=beyond)
     last = Edge(outline.foot, outline.far, n, around, name=base)
     return [
@@ -105,7 +105,7 @@ def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
     return zone.refine * math.ceil(length / (GROWTH * last))
 
 
-def _graded(edges: list[tuple[Edge, float]], refine: int) -> list[Edge]:
+def graded(edges: list[tuple[Edge, float]], refine: int) -> list[Edge]:
     """The edges, all with as many cells, growing from their sizes at the start on `refine` 1."""
     n = max(cells_along(length=edge.length, first=size, growth=GROWTH) for edge, size in edges)
     return [
