@@ -1,0 +1,73 @@
+"""The two fine ends of a half sector: under the roller, and around the fillet of the corner.
+
+Points are those of the sector's own frame; see half_sector.
+"""
+
+import math
+from dataclasses import replace
+
+from meshes.contact.blocks import Block, Edge, Point
+from meshes.contact.fan import Outline as Neighbourhood
+from meshes.contact.fan import Zone, fan, graded
+from meshes.polyhedral.outline import Outline
+
+BODY = "ring"
+FILLET = 6  # cells along the fillet on the coarsest mesh
+SLENDER = 2.0  # and how much longer than the wall is thick they are at most
+DEEP = 1 / 3  # of the wall at the corner, which the core around the fillet takes at most
+
+
+def roller_fan(ring: Outline, zone: Zone, s: float) -> list[Block]:
+    """From the middle of the side to the line across the wall at `s`, fine outside at 0."""
+    middle = (ring.apothem, 0.0)
+    # the fan's frame has its origin on the outside, the surface along x and the body in y <= 0
+    places = {(y, x - ring.r_e): (x, y) for x, y in (*across(ring, s), middle)}
+    far, end, foot = places
+    around = Neighbourhood(end, far, foot, ("rim", "", "flat"), centre=-ring.r_e)
+    (fine, *others), *beside = (block.edges for block in fan(around, zone, BODY))
+    edges = [(replace(fine, name="zone"), *others), *beside]
+
+    def placed(edge: Edge) -> Edge:
+        start, end, centre = (
+            places.get(p, (ring.r_e + p[1], p[0])) if p else None
+            for p in (edge.start, edge.end, edge.centre)
+        )
+        name = "mid" if edge.name == "axis" else edge.name
+        return replace(edge, start=start, end=end, centre=centre, name=name)
+
+    return [Block(tuple(placed(edge) for edge in four), BODY) for four in edges]
+
+
+def across(ring: Outline, s: float) -> tuple[Point, Point]:
+    """Ends of the line across the wall at `s`: on the flat, and outside."""
+    return (ring.apothem, s), ring.above(s)
+
+
+def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
+    """From the line across the wall at `s` to the corner, fine around the fillet."""
+    arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
+    n = max(FILLET, math.ceil(arc / (SLENDER * wall)))
+    depth = min(rows * arc / n, DEEP * wall)
+    centre, far = ring.fillet_centre, ring.fillet + depth
+    start, deep = (ring.apothem, ring.half_flat), (ring.apothem + depth, ring.half_flat)
+    bottom, below = ring.on_corner_ray(ring.r_i), ring.on_corner_ray(ring.r_i - ring.fillet + far)
+    foot, top = across(ring, s)
+    beyond = ring.on_corner_ray(ring.r_e)
+    fine = Edge(start, bottom, n * refine, centre, name="fillet")
+    inside = Edge(deep, below, n * refine, centre)
+    side = Edge(start, deep, rows * refine)
+    stem = Edge(bottom, below, rows * refine, name="corner")
+    along, down = arc / n, depth / rows
+    grown = [
+        (Edge(start, foot, 0, name="flat"), along),
+        (Edge(deep, top, 0), math.hypot(along, down)),
+        (Edge(below, beyond, 0, name="corner"), down),
+    ]
+    out, diagonal, cut = graded(grown, refine)
+    end = Edge(foot, top, rows * refine, name="" if s else "mid")
+    last = Edge(beyond, top, n * refine, (0.0, 0.0), name="rim")
+    return [
+        Block((fine, side, inside, stem), BODY),
+        Block((out, end, diagonal, side), BODY),
+        Block((inside, diagonal, last, cut), BODY),
+    ]

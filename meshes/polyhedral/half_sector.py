@@ -1,0 +1,111 @@
+"""Half a sector of a polyhedral ring, from the middle of a side of its bore to a corner.
+
+The middle of the side lies on the x axis, the corner at the angle pi/z.
+"""
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Block, Edge, mesh_blocks
+from meshes.contact.fan import Zone
+from meshes.polyhedral.fans import BODY, across, corner_fan, roller_fan
+from meshes.polyhedral.outline import Outline
+
+ROWS = 3  # cells across the wall on the coarsest mesh without a fine zone
+NEAR = 0.7  # a fan that ends so near to the hub ends there
+HUB = 4  # cells on the hub's stretch on the coarsest mesh
+PARTS = {"rim": ("rim", "zone"), "bore": ("flat", "hub", "fillet"), "flat": ("flat", "hub")}
+
+
+def half_sector(
+    *,
+    z: int,
+    d_e: float,
+    d_i: float,
+    fillet: float,
+    refine: int,
+    zone: float | None = None,
+    cells: int = 6,
+    hub: tuple[float, float] | None = None,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """Half a sector of a ring with a polygonal bore, mapped quadrilaterals fine at the fillet.
+
+    `z` sides, outside diameter `d_e`, diameter `d_i` of the circle through the round corners,
+    radius `fillet` of these [one unit of length]. `refine` 1 is the coarsest mesh, 2 halves every
+    cell, and so on. With a `zone`, `cells` even cells (on `refine` 1) lie outside over
+    0 <= y <= `zone`, where a roller touches. The `hub` presses the flat from s_0 to s_1 [length]
+    from its middle. Boundaries "rim" (all outside) and its part "zone"; "bore" with its parts
+    "flat" and "fillet"; "hub", part of the flat; the cuts "mid" (y = 0) and "corner"; body "ring".
+    `order` 1 or 2; `straight` cells keep straight edges.
+
+    Raises ValueError unless z >= 3, 0 < d_i < d_e, 0 < fillet < d_i/2, where the zone is not
+    narrow against wall and sector, and where the hub does not press the flat.
+    """
+    ring = Outline(z, d_e, d_i, fillet)
+    if refine < 1:
+        raise ValueError(f"a mesh needs refine >= 1, got {refine}")
+    fine = None if zone is None else Zone(zone, cells, refine)
+    rows = ROWS if fine is None else fine.rows
+    stops = _stops(ring, hub, first=None if fine is None else ring.wall(0.0))
+    if fine is not None and not 0 < fine.width <= min(ring.wall(0.0), ring.above(stops[0])[1]) / 2:
+        raise ValueError(
+            "the fine zone needs 0 < zone <= half of the wall at the middle of the side, "
+            f"{ring.wall(0.0):g} m, and of the outside beside it, {ring.above(stops[0])[1]:g} m; "
+            f"got zone={fine.width:g} m"
+        )
+    blocks = [] if fine is None else roller_fan(ring, fine, stops[0])
+    for ends in pairwise(stops):
+        blocks.append(_column(ring, ends, hub=ends == hub, rows=rows, refine=refine))
+    blocks += corner_fan(ring, stops[-1], rows, refine)
+    return _named(mesh_blocks(blocks, order=order, straight=straight))
+
+
+def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) -> list[float]:
+    """Where lines cross the wall, from the end of the roller's fan to the start of the corner's.
+
+    Each fan is about as wide as its wall, `first` the roller's; without one the lines start at 0.
+    """
+    end, last = ring.half_flat, ring.wall(ring.half_flat)
+    if hub is None:
+        share = end * (first or 0.0) / ((first or 0.0) + last)
+        low, high = share, share
+    else:
+        low, high = hub
+        if not 0 < low < high < end:
+            raise ValueError(
+                "the hub presses the flat for 0 < s_0 < s_1 < half of the flat, "
+                f"{end:g} m; got s_0={low:g} m, s_1={high:g} m"
+            )
+    start = 0.0 if first is None else (first if first < NEAR * low else low)
+    stop = end - last if last < NEAR * (end - high) else high
+    return sorted({start, low, high, stop})
+
+
+def _column(
+    ring: Outline, ends: tuple[float, float], *, hub: bool, rows: int, refine: int
+) -> Block:
+    """The block between two lines across the wall, its cells about square."""
+    (a, b), (c, d) = (across(ring, s) for s in ends)
+    size = min(math.dist(a, b), math.dist(c, d)) / rows
+    n = refine * max(HUB if hub else 1, math.ceil(math.dist(a, c) / size))
+    left = Edge(a, b, rows * refine, name="" if ends[0] else "mid")
+    right = Edge(c, d, rows * refine)
+    inside = Edge(a, c, n, name="hub" if hub else "flat")
+    outside = Edge(b, d, n, (0.0, 0.0), name="rim")
+    return Block((inside, right, outside, left), BODY)
+
+
+def _named(mesh: Mesh2D) -> Mesh2D:
+    """The mesh with the whole of each boundary under its name."""
+    own = mesh.boundaries
+    whole = {
+        name: np.concatenate([own[part] for part in parts if part in own])
+        for name, parts in PARTS.items()
+    }
+    return replace(mesh, _boundaries=own | whole)

@@ -1,0 +1,78 @@
+"""Half a sector of a polyhedral ring: its corners, and lines across its wall."""
+
+import math
+from dataclasses import dataclass
+
+from meshes.contact.blocks import Point
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Half a sector of a ring whose bore is a regular polygon of `z` sides with round corners.
+
+    The middle of a side lies at the angle 0, the corner at pi/z. `d_e` is the outside diameter,
+    `d_i` that of the circle through the round corners, `fillet` their radius [one unit].
+    """
+
+    z: int
+    d_e: float
+    d_i: float
+    fillet: float
+
+    def __post_init__(self) -> None:
+        if self.z != int(self.z) or self.z < 3:
+            raise ValueError(f"a polygon needs a whole number z >= 3 of sides, got z={self.z:g}")
+        if not 0 < self.d_i < self.d_e < math.inf:
+            raise ValueError(
+                "a polyhedral ring has a wall at its corners only for 0 < d_i < d_e, got "
+                f"d_i={self.d_i:g} m, d_e={self.d_e:g} m"
+            )
+        if not 0 < self.fillet < self.r_i:
+            raise ValueError(
+                "the fillet needs 0 < fillet < d_i/2: a sharp corner has no finite stress, and "
+                "with d_i/2 the bore is round; "
+                f"got fillet={self.fillet:g} m, d_i/2={self.r_i:g} m"
+            )
+
+    @property
+    def r_e(self) -> float:
+        return self.d_e / 2
+
+    @property
+    def r_i(self) -> float:
+        return self.d_i / 2
+
+    @property
+    def angle(self) -> float:
+        """From the middle of a side to the corner [rad]; the fillet turns by as much."""
+        return math.pi / self.z
+
+    @property
+    def apothem(self) -> float:
+        """From the ring's centre to the middle of a side."""
+        return self.r_i * math.cos(self.angle) + self.fillet * (1 - math.cos(self.angle))
+
+    @property
+    def half_flat(self) -> float:
+        """From the middle of a side to its end at the fillet."""
+        return (self.r_i - self.fillet) * math.sin(self.angle)
+
+    @property
+    def fillet_centre(self) -> Point:
+        return self.on_corner_ray(self.r_i - self.fillet)
+
+    def on_corner_ray(self, r: float) -> Point:
+        """The point at radius `r` on the ray through the corner."""
+        return r * math.cos(self.angle), r * math.sin(self.angle)
+
+    def above(self, s: float) -> Point:
+        """Where the line across the wall from the flat at `s` from its middle meets the outside.
+
+        It leaves the flat halfway between the flat's normal and the ring's radius.
+        """
+        turn = (math.asin(s / self.r_e) + math.atan2(s, self.apothem)) / 2
+        return self.r_e * math.cos(turn), self.r_e * math.sin(turn)
+
+    def wall(self, s: float) -> float:
+        """Length of that line."""
+        return math.dist((self.apothem, s), self.above(s))
