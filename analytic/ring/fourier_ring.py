@@ -1,0 +1,205 @@
+r"""Ring under a periodic pressure on one wall, the other free (Michell's Fourier series).
+
+The pressure sum p_m cos(m theta), m = 0, n, 2n, ..., pushes on the bore or on the rim; m = 0 is
+Lamé's ring. For m >= 2 Michell's stress functions r^m, r^(m+2), r^-m, r^(2-m) times cos(m theta)
+are taken in pairs that each belong to a wall and decay from it, with rho = r/r_o, s = r_i/r and
+stresses (sigma_r, sigma_theta, tau) times (cos, cos, sin):
+
+.. math::
+    A:\ & (1, -1, -1)\,\rho^{m-2}, &
+    C:\ & (2, 2, 0)\,\rho^m + m\,(1, -1, -1)(\rho^{m-2} - \rho^m), \\
+    B:\ & (-1, 1, -1)\,s^{m+2}, &
+    D:\ & (-2, -2, 0)\,s^m + m\,(-1, 1, -1)(s^m - s^{m+2}),
+
+and displacements (u_r, u_theta) 2G, with Kolosov's constant kappa,
+
+.. math::
+    A:\ & r_o \frac{\rho^{m-1}}{m-1} (1, -1), &
+    C:\ & r_o \left[\rho^{m-1}\left(1 - \rho^2 + \tfrac{1}{m-1}\right)(1, -1)
+          + \frac{\kappa\rho^{m+1}}{m+1} (1, 1)\right], \\
+    B:\ & r_i \frac{s^{m+1}}{m+1} (1, 1), &
+    D:\ & r_i \left[s^{m-1}\left(1 - s^2 + \tfrac{s^2}{m+1}\right)(1, 1)
+          + \frac{\kappa s^{m-1}}{m-1} (1, -1)\right].
+
+No power exceeds 1, so that m may be as large as a narrow patch asks for. Of C and D the part that
+would be nearly A and B is already taken out, which keeps the four equations of the walls' tractions
+well conditioned: at its own wall A has (1, -1) in (sigma_r, tau), C (2, 0), B (-1, -1), D (-2, 0).
+
+A finite sum of p_m is solved exactly, within plane linear elasticity.
+
+References
+----------
+.. [1] S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., McGraw-Hill 1970, art. 43.
+.. [2] J. R. Barber, Elasticity, 3rd ed., Springer 2010, table 8.1 and 9.1 (Michell's solution).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, Assumption, in_plane, positive
+from analytic.ring import lame
+
+Wall = Literal["bore", "rim"]
+NEGLIGIBLE = 40.0  # -ln of the share below which one wall does not feel the other
+CHUNK = 200_000  # numbers that are summed at once
+
+
+@dataclass(frozen=True, kw_only=True)
+class State:
+    """Displacements [length] and stresses [stress] at points, each shaped like them."""
+
+    u_r: Array
+    u_theta: Array
+    sigma_r: Array
+    sigma_theta: Array
+    tau: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class FourierRing:
+    """Ring whose `loaded` wall bears the pressure sum of p[k] cos(k n theta).
+
+    `p` (K + 1,) [stress], positive where it pushes; n >= 2, as with n = 1 nothing balances it.
+    ValueError for what is no ring.
+
+    >>> ring = FourierRing(r_i=1.0, r_o=2.0, E=1.0, nu=0.25, assumption="plane stress",
+    ...                    loaded="bore", n=2, p=np.array([3.0, 0.0]))
+    >>> float(ring.at(1.0, 0.0).sigma_theta)  # Lamé: 5/3 p
+    5.0
+    """
+
+    r_i: float
+    r_o: float
+    E: float
+    nu: float
+    assumption: Assumption
+    loaded: Wall
+    n: int
+    p: Array
+
+    def __post_init__(self) -> None:
+        if not 0 < self.r_i < self.r_o < np.inf:
+            raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={self.r_i} m, r_o={self.r_o} m")
+        if self.n < 2:
+            raise ValueError(f"loads balance each other from n = 2 on, got n={self.n}")
+        if self.loaded not in ("bore", "rim"):
+            raise ValueError(f"the loaded wall is 'bore' or 'rim', got {self.loaded!r}")
+        positive(self.E, "Young's modulus", "Pa")
+        if not np.all(np.isfinite(self.p)):
+            raise ValueError("pressures must be finite")
+
+    @property
+    def plane(self) -> tuple[float, float]:
+        """E' and nu' of Hooke's law in the plane."""
+        E, nu = in_plane(self.E, self.nu, self.assumption)
+        return float(E), float(nu)
+
+    @property
+    def kappa(self) -> float:
+        """Kolosov's constant, (3 - nu')/(1 + nu')."""
+        _, nu = self.plane
+        return (3 - nu) / (1 + nu)
+
+    @property
+    def double_shear_modulus(self) -> float:
+        """2G [stress]."""
+        return self.E / (1 + self.nu)
+
+    def at(self, r: ArrayLike, theta: ArrayLike) -> State:
+        """State at the radii `r` and angles `theta` [rad] from the middle of a patch."""
+        radii, angles = np.broadcast_arrays(
+            np.asarray(r, dtype=np.float64), np.asarray(theta, dtype=np.float64)
+        )
+        flat, turn = radii.ravel(), angles.ravel()
+        sums = self._mean(flat)
+        step = max(1, CHUNK // max(self._m.size, 1))
+        for k in range(0, flat.size, step):
+            part = slice(k, k + step)
+            sums[:, part] += self._waves(flat[part], turn[part])
+        u_r, u_theta, *stresses = (row.reshape(radii.shape) for row in sums)
+        return State(
+            u_r=u_r, u_theta=u_theta, sigma_r=stresses[0], sigma_theta=stresses[1], tau=stresses[2]
+        )
+
+    @property
+    def _m(self) -> Array:
+        return self.n * np.arange(1.0, self.p.size)
+
+    def _mean(self, r: Array) -> Array:
+        """What the mean pressure does (5, points): Lamé's ring."""
+        wall = {"r_i": self.r_i, "r_o": self.r_o, "p_i": 0.0, "p_o": 0.0}
+        wall["p_i" if self.loaded == "bore" else "p_o"] = float(self.p[0])
+        radial, hoop = lame.stresses(r, **wall)
+        u = lame.radial_displacement(r, E=self.E, nu=self.nu, ends=self.assumption, **wall)
+        return np.array([u, np.zeros_like(r), radial, hoop, np.zeros_like(r)])
+
+    @cached_property
+    def _amplitudes(self) -> Array:
+        """Factors (4, K) of A, B, C, D [stress]."""
+        m, p = self._m, np.asarray(self.p[1:], dtype=np.float64)
+        rim = self.loaded == "rim"
+        zero = np.zeros_like(p)
+        own = [zero, zero, -p / 2, zero] if rim else [zero, zero, zero, p / 2]
+        found = np.array(own)  # as on a disc, or around a hole
+        far = np.log(self.r_o / self.r_i)
+        coupled = (m - 2) * far < NEGLIGIBLE
+        if np.any(coupled):
+            A = _wall_tractions(m[coupled], far)
+            b = np.zeros((m[coupled].size, 4))  # sigma_r, tau at the rim; at the bore
+            b[:, 0 if rim else 2] = -p[coupled]
+            found[:, coupled] = np.linalg.solve(A, b[..., None])[..., 0].T
+        return found
+
+    def _waves(self, r: Array, theta: Array) -> Array:
+        """Sum over m >= n of displacements and stresses (5, points)."""
+        m, factors = self._m[:, None], self._amplitudes[:, :, None]
+        cos, sin = np.cos(m * theta), np.sin(m * theta)
+        stresses = _stresses(m, r / self.r_o, self.r_i / r)
+        moved = _displacements(m, r, self.r_i, self.r_o, self.kappa) / self.double_shear_modulus
+        radial, around = (factors[:, None] * moved).sum(axis=0)
+        normal, hoop, shear = (factors[:, None] * stresses).sum(axis=0)
+        parts = (radial * cos, around * sin, normal * cos, hoop * cos, shear * sin)
+        return np.array([part.sum(axis=0) for part in parts])
+
+
+def _stresses(m: Array, rho: Array, s: Array) -> Array:
+    """Stresses (4, 3, m, points) of A, B, C, D."""
+    a, b, c, d = rho ** (m - 2), s ** (m + 2), rho**m, s**m
+    grown, fallen = m * (a - c), m * (d - b)
+    zero = np.zeros_like(a)
+    return np.array([
+        [a, -a, -a],
+        [-b, b, -b],
+        [2 * c + grown, 2 * c - grown, -grown + zero],
+        [-2 * d - fallen, -2 * d + fallen, -fallen + zero],
+    ])  # fmt: skip
+
+
+def _displacements(m: Array, r: Array, r_i: float, r_o: float, kappa: float) -> Array:
+    """2G times displacements (4, 2, m, points) of A, B, C, D."""
+    rho, s = r / r_o, r_i / r
+    a, b = r_o * rho ** (m - 1) / (m - 1), r_i * s ** (m + 1) / (m + 1)
+    c = r_o * rho ** (m - 1) * ((1 - rho) * (1 + rho) + 1 / (m - 1))
+    c_k = kappa * r_o * rho ** (m + 1) / (m + 1)
+    d = r_i * s ** (m - 1) * ((1 - s) * (1 + s) + s**2 / (m + 1))
+    d_k = kappa * r_i * s ** (m - 1) / (m - 1)
+    return np.array([[a, -a], [b, b], [c + c_k, c_k - c], [d + d_k, d - d_k]])
+
+
+def _wall_tractions(m: Array, far: float) -> Array:
+    """sigma_r, tau at the rim, then at the bore (m, 4, 4), of A, B, C, D; far = ln(r_o/r_i)."""
+    q = np.exp(-far * m)
+    up, down = np.exp(-far * (m - 2)), np.exp(-far * (m + 2))
+    grown, fallen = -m * up * np.expm1(-2 * far), -m * q * np.expm1(-2 * far)
+    one, zero = np.ones_like(m), np.zeros_like(m)
+    rows = [
+        [one, -down, 2 * one, -2 * q - fallen],
+        [-one, -down, zero, -fallen],
+        [up, -one, 2 * q + grown, -2 * one],
+        [-up, -one, -grown, zero],
+    ]
+    return np.array(rows).transpose(2, 0, 1)

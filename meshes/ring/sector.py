@@ -1,0 +1,76 @@
+"""Half a pitch of a ring under evenly spaced loads, as the conformal image of a block.
+
+The exponential takes the rectangle of angle and ln r to the ring and bends no angle, so that a
+block that is fine about the patch stays as good a mesh: cells are as square as its own.
+"""
+
+import math
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import MeshQuad1
+from skfem.mesh import Mesh2D
+
+from meshes.contact.block import half_block
+
+Wall = Literal["bore", "rim"]
+NAMES = {"axis": "load cut", "side": "free cut"}
+
+
+def half_sector(
+    *,
+    r_i: float,
+    r_o: float,
+    n: int,
+    loaded: Wall,
+    patch: float,
+    refine: int,
+    cells: int = 8,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The sector 0 <= theta <= pi/n of a ring, fine about a patch on one wall at theta = 0.
+
+    Half the patch, 0 <= r theta <= `patch` [length along the arc], lies on the wall `loaded` and
+    has `cells` even cells on `refine` 1, which grow outside; 2 halves them all, and so on.
+    Boundaries "patch", "bore" and "rim" (the loaded wall with the patch), "load cut" (theta = 0)
+    and "free cut" (theta = pi/n); body "ring". `order` 1 or 2; `straight` cells keep straight
+    edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and the patch is at most half of what
+    half a pitch of the wall leaves and at most as wide as the wall is thick.
+    """
+    if not 0 < r_i < r_o < math.inf:
+        raise ValueError(f"a ring needs 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
+    if loaded not in ("bore", "rim"):
+        raise ValueError(f"the loaded wall is 'bore' or 'rim', got {loaded!r}")
+    if n < 2:
+        raise ValueError(f"evenly spaced loads balance each other from n = 2 on, got n={n}")
+    r = r_i if loaded == "bore" else r_o
+    width, depth, zone = math.pi / n, math.log(r_o / r_i), patch / r
+    if not 0 < zone <= min(width / 2, depth):
+        raise ValueError(
+            "a patch needs 0 < patch <= half of half a pitch and <= the wall, got "
+            f"patch={patch:g} m, half a pitch {width * r:g} m, wall {r_o - r_i:g} m"
+        )
+    block = half_block(
+        width=width, depth=depth, zone=zone, refine=refine, cells=cells, order=order,
+        above=loaded == "rim",
+    )  # fmt: skip
+    theta, y = block.doflocs
+    points = r * np.exp(-y) * np.array([np.cos(theta), np.sin(theta)])
+    return _renamed(block, points, loaded, zone, straight)
+
+
+def _renamed(block: Mesh2D, points: NDArray[np.float64], loaded: Wall, zone: float, straight: bool) -> Mesh2D:
+    """The block's cells on `points` (2, nodes), its boundaries by the ring's names."""
+    walls = {"surface": loaded, "bottom": "rim" if loaded == "bore" else "bore"}
+    names = NAMES | walls
+    boundaries = {names[name]: facets for name, facets in (block.boundaries or {}).items()}
+    wall = boundaries[loaded]
+    middle = block.p[0, block.facets[:, wall]].mean(axis=0)
+    boundaries["patch"] = wall[middle < zone]
+    mesh = type(block)(points, block.t)
+    if straight:
+        mesh = MeshQuad1(mesh.p[:, : mesh.nvertices], mesh.t)
+    bodies = {"ring": np.arange(mesh.nelements)}
+    return mesh.with_boundaries(boundaries).with_subdomains(bodies)
