@@ -39,22 +39,28 @@ class Motion:
     about: tuple[float, float]
 
     def of(self, point: tuple[float, float]) -> tuple[float, float]:
-        """Where `point` goes, linear in the angle as displacements are."""
+        """Where `point` goes."""
         x, y = np.array(point) + self.displacement(np.array(point)[:, None])[:, 0]
         return float(x), float(y)
 
     def displacement(self, x: Array) -> Array:
-        """Displacements (2, m) of points `x` (2, m)."""
+        """Displacements (2, m) of points `x` (2, m).
+
+        The turn is a true one: linear in the angle, a circle's centre would leave its surface by
+        half the square of the angle times its radius.
+        """
         arm = x - np.reshape(self.about, (2, 1))
-        return np.reshape(self.shift, (2, 1)) + self.angle * np.array([-arm[1], arm[0]])
+        sine, versine = math.sin(self.angle), 2 * math.sin(self.angle / 2) ** 2
+        turned = sine * np.array([-arm[1], arm[0]]) - versine * arm
+        return np.asarray(np.reshape(self.shift, (2, 1)) + turned)
 
     @classmethod
     def fitted(cls, x: Array, u: Array) -> "Motion":
         """The motion that comes nearest to displacements `u` (2, m) of points `x` (2, m)."""
         about, shift = x.mean(axis=1), u.mean(axis=1)
         x, u = x - about[:, None], u - shift[:, None]
-        size = float((x**2).sum())
-        angle = float((x[0] * u[1] - x[1] * u[0]).sum()) / size if size else 0.0
+        sine, cosine = float((x[0] * u[1] - x[1] * u[0]).sum()), float((x * (x + u)).sum())
+        angle = math.atan2(sine, cosine) if sine else 0.0
         return cls((float(shift[0]), float(shift[1])), angle, (float(about[0]), float(about[1])))
 
 
@@ -79,8 +85,8 @@ class Flat:
         return 0.0
 
     def moved(self, motion: Motion) -> "Flat":
-        x, y = self.outward
-        return Flat(motion.of(self.point), (x - motion.angle * y, y + motion.angle * x))
+        (x, y), c, s = self.outward, math.cos(motion.angle), math.sin(motion.angle)
+        return Flat(motion.of(self.point), (c * x - s * y, s * x + c * y))
 
     def normal(self, x: Array) -> Array:
         n = np.array(self.outward) / math.hypot(*self.outward)
