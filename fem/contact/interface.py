@@ -143,7 +143,8 @@ class Interface:
                 shape, centre = shape.moved(motion), motion.of(centre)
             points, obstacle = pair_with_shape(slave, shape), (first, centre)
         else:
-            points = pair(slave, master, self._share(slave, master))
+            share = self._share(slave, master) if contact.normal == "between" else 0.0
+            points = pair(slave, master, share)
         if not points.s.size:
             raise ValueError(f"contact {contact}: the surfaces do not face each other anywhere")
         if base is None and not contact.press_fit:

@@ -1,12 +1,14 @@
 """What may touch what: pairs of boundaries, rigid obstacles, rigid bodies."""
 
 from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
 
 from fem.contact.shapes import Circle, Flat
 
 MOTIONS = "xyr"
+Normal = Literal["between", "master"]
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,9 @@ class Pair:
     The traction is carried by the slave's nodes: let the slave have the finer mesh or the smaller
     surface. `friction` is Coulomb's coefficient. The shapes are exact ones of the meshed
     boundaries, so that facets do not enter the gap. `interference` [length] is taken off the gap
-    everywhere; `press_fit` accepts surfaces that overlap in the mesh.
+    everywhere; `press_fit` accepts surfaces that overlap in the mesh. `normal` is the direction of
+    gap and pressure: that of the surface "between" the deformed bodies, on which they meet, or that
+    of the "master", where a body slides along a flat that stays as inclined as it is.
     """
 
     slave: str
@@ -52,6 +56,7 @@ class Pair:
     master_shape: Flat | Circle | None = None
     interference: float = 0.0
     press_fit: bool = False
+    normal: Normal = "between"
 
     def __post_init__(self) -> None:
         if not 0 <= self.friction < np.inf:
@@ -61,6 +66,11 @@ class Pair:
         if not np.isfinite(self.interference):
             raise ValueError(
                 f"contact {self}: interference must be finite, got {self.interference}"
+            )
+        if self.normal not in get_args(Normal):
+            raise ValueError(
+                f"contact {self}: the normal is 'between' or that of the 'master', "
+                f"got {self.normal!r}"
             )
         if self.slave == self.master:
             raise ValueError(f"contact {self}: a boundary cannot touch itself")

@@ -66,10 +66,13 @@ def core(zone: Zone, centre: float | None) -> tuple[Point, Point]:
     return (x, y), (scale * x, centre + scale * (y - centre))
 
 
-def fan(outline: Outline, zone: Zone, body: str, bend: Point | None = None) -> list[Block]:
+def fan(
+    outline: Outline, zone: Zone, body: str, bend: Point | None = None, *, least: int = 1
+) -> list[Block]:
     """Core, block along the surface and block along the axis.
 
-    The diagonal between the two is an arc about `bend`, a line without one.
+    The diagonal between the two is an arc about `bend`, a line without one. At `least` so many
+    cells lead outwards on `refine` 1: two fans that share an axis need as many.
     """
     n, m = zone.cells * zone.refine, zone.rows * zone.refine
     centre, around = (c if c is None else (0.0, c) for c in (outline.centre, outline.base))
@@ -86,7 +89,7 @@ def fan(outline: Outline, zone: Zone, body: str, bend: Point | None = None) -> l
         (Edge(corner, outline.far, 0, bend), math.hypot(along, down)),
         (Edge(below, outline.foot, 0, name="axis"), down),
     ]
-    out, diagonal, axis = graded(grown, zone.refine)
+    out, diagonal, axis = graded(grown, zone.refine, least=least)
     end = Edge(outline.end, outline.far, m, name=beyond)
     last = Edge(outline.foot, outline.far, n, around, name=base)
     return [
@@ -105,9 +108,10 @@ def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
     return zone.refine * math.ceil(length / (GROWTH * last))
 
 
-def graded(edges: list[tuple[Edge, float]], refine: int) -> list[Edge]:
+def graded(edges: list[tuple[Edge, float]], refine: int, *, least: int = 1) -> list[Edge]:
     """The edges, all with as many cells, growing from their sizes at the start on `refine` 1."""
     n = max(cells_along(length=edge.length, first=size, growth=GROWTH) for edge, size in edges)
+    n = max(n, least)
     return [
         replace(edge, cells=n * refine, beta=beta(length=edge.length, first=size, cells=n))
         for edge, size in edges

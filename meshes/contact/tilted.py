@@ -1,0 +1,50 @@
+"""Half a disc that touches beside its crown, and bodies turned to where they touch."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Block, Point, mesh_blocks
+from meshes.contact.fan import Outline, Zone, fan
+
+INNER = 0.45  # of the radius: length of the inner part of the cut, on each side of the centre
+
+
+def tilted_half_disc(*, R: float, tilt: float, zone: float, refine: int, cells: int = 6) -> Mesh2D:
+    """The half y >= 0 of the disc about the origin, fine about R (sin tilt, cos tilt).
+
+    On `refine` 1 `cells` even cells lie on each side of that point, over `zone` [unit of R] of the
+    tangent there, and grow outside; 2 halves them all. Boundaries "surface" (the arc), "inner"
+    and "outer" (the cut y = 0, up to and beyond 0.45 R from the centre) and "axis" (the radius to
+    the fine point, inside); body "disc". Raises ValueError unless 0 < zone <= R/2 and `tilt` is
+    within 45 degrees.
+    """
+    if not 0 < zone <= R / 2 < math.inf:
+        raise ValueError(
+            f"the fine zone of a disc needs 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
+        )
+    if not abs(tilt) <= math.pi / 4:
+        raise ValueError(f"a half disc is tilted by 45 degrees at most, got {math.degrees(tilt):g}")
+    fine = Zone(zone, cells, refine)
+    wide = _side(R, -abs(tilt), fine)
+    narrow = _side(R, abs(tilt), fine, least=wide[1].edges[0].cells // refine)
+    turn = 1 if tilt >= 0 else -1
+    blocks = [b.mirrored(turn, 1) for b in narrow] + [b.mirrored(-turn, 1) for b in wide]
+    return placed(mesh_blocks(blocks), turn=-tilt, shift=(R * math.sin(tilt), R * math.cos(tilt)))
+
+
+def placed(mesh: Mesh2D, *, turn: float, shift: Point) -> Mesh2D:
+    """The mesh turned by `turn` [rad] about the origin, then shifted; names are kept."""
+    c, s = math.cos(turn), math.sin(turn)
+    moved = np.array([[c, -s], [s, c]]) @ mesh.doflocs + np.reshape(shift, (2, 1))
+    return replace(mesh, doflocs=moved)
+
+
+def _side(R: float, rise: float, zone: Zone, least: int = 1) -> list[Block]:
+    """Blocks in x >= 0 of the disc about (0, -R), down to a cut that rises by `rise` [rad]."""
+    x, y = math.cos(rise), math.sin(rise)
+    end, far = (R * x, R * (y - 1)), (INNER * R * x, R * (INNER * y - 1))
+    outline = Outline(end, far, (0.0, -R), ("surface", "outer", "inner"), centre=-R)
+    return fan(outline, zone, "disc", least=least)
