@@ -14,6 +14,7 @@ from meshes.polyhedral.outline import Outline
 BODY = "ring"
 FILLET = 6  # cells along the fillet on the coarsest mesh
 SLENDER = 2.0  # and how much longer than the wall is thick they are at most
+LEAN = 0.6  # of the core's depth, by which its end leans to the corner to open the fan
 DEEP = 1 / 3  # of the wall at the corner, which the core around the fillet takes at most
 
 
@@ -47,14 +48,17 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
     """From the line across the wall at `s` to the corner, fine around the fillet."""
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
     n = max(FILLET, math.ceil(arc / (SLENDER * wall)))
-    depth = min(rows * arc / n, DEEP * wall)
-    centre, far = ring.fillet_centre, ring.fillet + depth
-    start, deep = (ring.apothem, ring.half_flat), (ring.apothem + depth, ring.half_flat)
-    bottom, below = ring.on_corner_ray(ring.r_i), ring.on_corner_ray(ring.r_i - ring.fillet + far)
+    depth = min(rows * arc / n, DEEP * wall, (ring.half_flat - s) / 2)
+    start, bottom = (ring.apothem, ring.half_flat), ring.on_corner_ray(ring.r_i)
+    x, y = ring.fillet_centre
+    far = ring.fillet + depth
+    lean = min(LEAN * depth / far, ring.angle / 3)
+    deep = (x + far * math.cos(lean), y + far * math.sin(lean))
+    below = ring.on_corner_ray(ring.r_i + depth)
     foot, top = across(ring, s)
     beyond = ring.on_corner_ray(ring.r_e)
-    fine = Edge(start, bottom, n * refine, centre, name="fillet")
-    inside = Edge(deep, below, n * refine, centre)
+    fine = Edge(start, bottom, n * refine, (x, y), name="fillet")
+    inside = Edge(deep, below, n * refine, (x, y))
     side = Edge(start, deep, rows * refine)
     stem = Edge(bottom, below, rows * refine, name="corner")
     along, down = arc / n, depth / rows

@@ -68,9 +68,10 @@ class Outline:
     def above(self, s: float) -> Point:
         """Where the line across the wall from the flat at `s` from its middle meets the outside.
 
-        It leaves the flat halfway between the flat's normal and the ring's radius.
+        It lies between the flat's normal there and the ring's radius, nearer to the normal.
         """
-        turn = (math.asin(s / self.r_e) + math.atan2(s, self.apothem)) / 2
+        normal, radius = math.asin(s / self.r_e), math.atan2(s, self.apothem)
+        turn = normal + (radius - normal) / 3
         return self.r_e * math.cos(turn), self.r_e * math.sin(turn)
 
     def wall(self, s: float) -> float:
