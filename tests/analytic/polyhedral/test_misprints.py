@@ -164,6 +164,16 @@ def test_torque_under_a_pressure_is_that_of_ring_rollers_and_hub_in_balance(z, e
     assert M_t / printed == pytest.approx(z * np.sin(np.pi / z) / np.pi, rel=1e-9)
 
 
+def test_free_rollers_carry_less_than_eqs_17_to_21_which_rest_on_eq_4():
+    alpha = np.radians(6.0)
+    free = Clutch(PARTS, **LOADS, alpha=alpha, gamma="radius")
+    statics = equilibrium(PARTS, "radius", free.p_2, mu=np.tan(alpha / 2))
+    assert (free.N, free.M_t, free.R) == pytest.approx(tuple(statics), rel=1e-12)
+    first = replace(free, lever="d_i/2")
+    assert first.M_t == pytest.approx(249.6, abs=0.05)
+    assert replace(first, alpha=None).M_t == pytest.approx(443.9, abs=0.05)
+
+
 def test_eq_17_holds_with_eq_14_and_not_with_eq_15():
     psi, lever, M_t = PARTS.psi, float(np.hypot(*hub(PARTS)[0])), 400.0
     term = M_t * np.cos(PHI_1) / (6 * lever * np.sin(psi + PHI_1))  # N - F as Eq. 17 has it
