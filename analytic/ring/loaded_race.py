@@ -85,8 +85,8 @@ class LoadedRace:
     def ring(self) -> FourierRing:
         """The ring under the waves that are summed one by one."""
         top = max(WAVES / self.alpha, NEGLIGIBLE / np.log(self.r_o / self.r_i) + 2)
-        x = self.n * self.alpha * np.arange(1, np.ceil(top / self.n) + 1)
-        p = self.mean_pressure * np.concatenate([[1.0], 4 * j1(x) / x])
+        m = self.n * np.arange(1, np.ceil(top / self.n) + 1)
+        p = self.mean_pressure * np.concatenate([[1.0], 2 * share(m * self.alpha)])
         return FourierRing(
             r_i=self.r_i, r_o=self.r_o, E=self.E, nu=self.nu, assumption=self.assumption,
             loaded=self.loaded, n=self.n, p=p,
@@ -149,6 +149,12 @@ class LoadedRace:
         pitch = 2 * np.pi / self.n
         theta = np.asarray(theta, dtype=np.float64)
         return np.asarray(theta - pitch * np.round(theta / pitch))
+
+
+def share(x: ArrayLike) -> Array:
+    """Mean of cos(x t) over the semi-ellipse, 2 J_1(x)/x, for x > 0."""
+    x = np.asarray(x, dtype=np.float64)
+    return np.asarray(2 * j1(x) / x)
 
 
 def _mean_logarithm(phi: Array, beta: float) -> Array:

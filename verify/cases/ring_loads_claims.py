@@ -1,0 +1,147 @@
+"""What is judged of a race under n sprags: finite elements, Fourier ring, and Eq. 6 beside both."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from verify.case import Check, Context, Values
+from verify.cases import ring_loads_formulas as formulas
+from verify.cases.contact_roller_accepted import Accepted
+from verify.cases.ring_loads_fem import stations
+from verify.cases.ring_loads_inputs import LoadsInputs
+from verify.checks import Approximation, Identity
+from verify.convergence import grid_convergence
+from verify.judge import expanded, numerical_uncertainty
+from verify.results import Row
+
+SHARP = 1e-3
+ACCEPTED = "acceptance figure of finite elements against the Fourier ring"
+EDGE = 1.5  # order with which the pressure's square-root end is integrated over even cells
+FITTED = "on a force and a length that are identified, not printed"
+BY_FOURIER = "derived: the Fourier ring's own value, which knows nothing of these finite elements"
+PART = 0.05  # of the displacement at the load: of less a ratio says nothing
+
+
+@dataclass(frozen=True, kw_only=True)
+class Smeared(Approximation):
+    """A formula beside the finite elements' deflection, less what `less` names: the dent."""
+
+    less: str = ""
+
+    def rows(self, context: Context) -> list[Row]:
+        taken = context.analytic[self.less] if self.less else 0.0
+        fem = [
+            replace(result, values={**result.values, self.fem: result.values[self.fem] - taken})
+            for result in context.fem
+        ]
+        return super().rows(replace(context, fem=fem))
+
+
+def predicted(
+    formula: str, key: str, less: str
+) -> Callable[[LoadsInputs, Values], tuple[float, float] | None]:
+    """formula/(Fourier ring - dent) - 1, give or take the acceptance figure."""
+
+    def interval(_: LoadsInputs, v: Values) -> tuple[float, float] | None:
+        reference = v[key] - (v[less] if less else 0.0)
+        if abs(reference) < PART * v["load"]:
+            return None
+        m = v[formula] / reference - 1
+        return m - SHARP * max(1.0, abs(1 + m)), m + SHARP * max(1.0, abs(1 + m))
+
+    return interval
+
+
+def wall_errors(context: Context) -> list[float]:
+    """Largest difference of u_r and u_theta at the nodes of both walls over u_r at the load."""
+    q = context.inputs
+    ring, found = formulas.race(q), []
+    for result in context.fem:
+        worst = 0.0
+        for name, r in (("bore", q.r_i), ("rim", q.r_o)):
+            theta, u_r, u_theta = result.arrays[f"{name} nodes"]
+            exact = ring.at(r, theta)
+            worst = max(worst, np.abs(u_r - exact.u_r).max(), np.abs(u_theta - exact.u_theta).max())
+        found.append(float(worst) / context.analytic["load"])
+    return found
+
+
+def stress_errors(context: Context) -> list[float]:
+    """Largest difference of the three stresses at `stations` over the largest hoop stress."""
+    exact = formulas.race(context.inputs).at(*stations(context.inputs))
+    wanted = np.array([exact.sigma_r, exact.sigma_theta, exact.tau])
+    scale = np.abs(wanted).max()
+    return [float(np.abs(r.arrays["stresses"] - wanted).max() / scale) for r in context.fem]
+
+
+def within(errors: Callable[[Context], list[float]], bound: float) -> Any:
+    """What is left of `bound`, with the last change of the error as its uncertainty."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        found = errors(context)
+        return bound - found[-1], abs(found[-1] - found[-2]), f"{found[-1]:.1e}"
+
+    return margin
+
+
+def too_soft(context: Context) -> tuple[float, float, str]:
+    """How far Eq. 6 exceeds what finite elements give at the load less the dent."""
+    q, v = context.inputs, context.analytic
+    h, series = context.series("load")
+    u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
+    m = v["smeared"] / (series[-1] - v["dent, wall"]) - 1
+    U = (1 + m) * expanded(u) / (series[-1] - v["dent, wall"])
+    return m, U, f"Eq. 6 is {m:+.1%} off at n = {q.n}"
+
+
+def identity(name: str, key: str, symbol: str, unit: str, **more: Any) -> Identity:
+    return Identity(
+        name=name, fem=key, symbol=symbol, unit=unit, demand=SHARP, demand_reason=ACCEPTED,
+        **{"analytic": key, "formal": EDGE} | more,
+    )  # fmt: skip
+
+
+def checks(wall: str, far: str, delta: str) -> Sequence[Check]:
+    """The claims of a race loaded on `wall`, whose deflection the paper calls `delta`."""
+    names = (
+        ("load", f"{wall} displacement at a load", "δ(0)"),
+        ("between", f"{wall} displacement between loads", "δ(π/n)"),
+        ("far load", f"{far} displacement opposite a load", "u_r(0)"),
+        ("far between", f"{far} displacement between loads", "u_r(π/n)"),
+    )
+    stresses = (
+        ("hoop between", f"hoop stress between loads, {wall}"),
+        ("far hoop load", f"hoop stress opposite a load, {far}"),
+        ("far hoop between", f"hoop stress between loads, {far}"),
+    )
+    beside: tuple[tuple[str, str, str, str], ...] = (
+        ("Eq. 6 at a load", "smeared", "load", ""),
+        ("Eq. 6 at a load, dent to the wall's depth taken out", "smeared", "load", "dent, wall"),
+        ("Eq. 6 at a load, dent to half the wall taken out", "smeared", "load", "dent, half wall"),
+        ("Eq. 6 between loads", "smeared", "between", ""),
+        ("Eq. 6 and Hertz's dent to the wall's depth, at a load", "Lamé + Hertz", "load", ""),
+    )
+    return (
+        *(identity(name, key, symbol, "µm", scale="load") for key, name, symbol in names),
+        identity(f"{wall} displacement, mean", "mean", delta, "µm", analytic="smeared"),
+        identity("ripple over the mean", "ripple", "Δδ/δ", "1"),
+        *(
+            identity(name, key, "σ_θ", "MPa", scale="stress scale", formal=2)
+            for key, name in stresses
+        ),
+        identity("hoop force in the cut between loads", "hoop force", "N_θ", "N/mm"),
+        identity("strain energy of the race", "strain energy", "U", "J/m"),
+        Accepted(name=f"displacements at every node of both walls within {SHARP:g}", symbol="e_u",
+                 unit="1", margin=within(wall_errors, SHARP)),
+        Accepted(name=f"stresses beyond one patch width within {SHARP:g}", symbol="e_σ",
+                 unit="1", margin=within(stress_errors, SHARP)),
+        *(
+            Smeared(name=name, symbol=delta, unit="µm", analytic=formula, fem=key, less=less,
+                    formal=EDGE, interval=predicted(formula, key, less), source=BY_FOURIER)
+            for name, formula, key, less in beside
+        ),
+        Accepted(name="the smeared race is too soft, the dent taken out", symbol="m", unit="1",
+                 margin=too_soft, fitted=FITTED),
+    )  # fmt: skip

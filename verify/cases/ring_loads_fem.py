@@ -1,0 +1,102 @@
+"""Finite elements of a race under n sprags: half a pitch, plane stress."""
+
+from typing import Any
+
+import numpy as np
+
+from verify.case import FemResult
+from verify.cases.ring_loads_inputs import LoadsInputs
+from verify.shown import Array, Field
+
+CELLS = 8  # on half the patch of the coarsest mesh
+AROUND, ACROSS = 9, 5  # stations of the stresses inside
+AWAY = 2.0  # half-widths from the patch's middle beyond which they are compared
+
+
+def stations(q: LoadsInputs) -> Array:
+    """Points (2, m): r and theta of a polar grid over half a pitch, one patch width off it."""
+    r, theta = np.meshgrid(
+        np.linspace(q.r_i, q.r_o, ACROSS), np.linspace(0, np.pi / q.n, AROUND), indexing="ij"
+    )
+    r, theta = r.ravel(), theta.ravel()
+    distance = np.hypot(r * np.cos(theta) - q.radius, r * np.sin(theta))
+    return np.array([r, theta])[:, distance > AWAY * q.half_width]
+
+
+def wall_nodes(sector: Any, name: str) -> Array:
+    """Angle, u_r and u_theta (3, m) at every node of the wall `name`."""
+    mesh, basis = sector.basis.mesh, sector.basis
+    facets = mesh.boundaries[name]
+    corners = basis.nodal_dofs[:, np.unique(mesh.facets[:, facets])]
+    dofs = np.hstack([corners, basis.facet_dofs[:2, facets]])
+    x, y = basis.doflocs[:, dofs[0]]
+    theta = np.arctan2(y, x)
+    order = np.argsort(theta)
+    u_x, u_y = sector.u[dofs]
+    c, s = np.cos(theta), np.sin(theta)
+    return np.array([theta, u_x * c + u_y * s, u_y * c - u_x * s])[:, order]
+
+
+def solve(q: LoadsInputs, level: int) -> Any:
+    """The sector on the mesh `level`."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.sector import half_sector
+
+    a, peak = q.half_width, 2 * q.P / (np.pi * q.half_width)
+
+    def pressure(x: Array) -> Array:
+        arc = q.radius * np.arctan2(x[1], x[0])
+        return np.asarray(peak * np.sqrt(np.maximum(1 - (arc / a) ** 2, 0.0)))
+
+    return solve_plane(
+        half_sector(r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, patch=a, refine=level,
+                    cells=CELLS),
+        materials=Elastic(E=q.E, nu=q.nu),
+        assumption="plane stress",
+        supports={"load cut": "n", "free cut": "n"},
+        pressures={"patch": pressure},
+    )  # fmt: skip
+
+
+def fem(q: LoadsInputs, level: int) -> FemResult:
+    sector = solve(q, level)
+    sign = 1.0 if q.loaded == "bore" else -1.0
+    walls = {name: wall_nodes(sector, name) for name in ("bore", "rim")}
+    far = "rim" if q.loaded == "bore" else "bore"
+    near_u, far_u = sign * walls[q.loaded][1], sign * walls[far][1]
+    wall = sector.on_boundary(q.loaded)
+    mean = sign * wall.mean(wall.polar()[0])
+    pitch = np.pi / q.n
+    other = q.r_o if q.loaded == "bore" else q.r_i
+    r, theta = np.array([[q.radius, other, other], [pitch, 0.0, pitch]])
+    hoop = sector.at(np.array([r * np.cos(theta), r * np.sin(theta)])).polar()[2]
+    cut = sector.reaction("free cut")  # along the inward normal where the ring is pulled
+    inside, turn = stations(q)
+    within = sector.at(np.array([inside * np.cos(turn), inside * np.sin(turn)])).polar()
+    values = {
+        "load": near_u[0], "between": near_u[-1], "far load": far_u[0], "far between": far_u[-1],
+        "mean": mean, "ripple": (near_u[0] - near_u[-1]) / mean,
+        "hoop between": hoop[0], "far hoop load": hoop[1], "far hoop between": hoop[2],
+        "hoop force": cut[1] * np.cos(pitch) - cut[0] * np.sin(pitch),
+        "strain energy": 2 * q.n * sector.strain_energy,
+    }  # fmt: skip
+    values = {key: float(value) for key, value in values.items()}
+    round_off = sector.residual**0.5
+    arrays = {f"{name} nodes": nodes for name, nodes in walls.items()}
+    arrays["stresses"] = np.array(within[1:])
+    cells = sector.cells()
+    x, y = cells["points"][cells["cells"].astype(int)].mean(axis=1).T
+    xx, yy, xy, _ = cells["stress"].T
+    around = (xx * y**2 + yy * x**2 - 2 * xy * x * y) / (x**2 + y**2)
+    field = Field(
+        name="half a pitch", points=cells["points"], cells=cells["cells"].astype(np.int64),
+        point_data={"displacement": cells["displacement"]},
+        cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"],
+                   "hoop_stress": around},
+        units={"displacement": "m", "stress": "Pa", "von_mises": "Pa", "hoop_stress": "Pa"},
+    )  # fmt: skip
+    u_it = {key: round_off * abs(value) for key, value in values.items()}
+    return FemResult(
+        h=1 / (CELLS * level), values=values, u_it=u_it, arrays=arrays, fields=(field,)
+    )

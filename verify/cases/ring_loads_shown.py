@@ -1,0 +1,178 @@
+"""What the report shows of a race under n sprags: sketch, formulas, curves around it, pictures."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from verify.case import Context, Values
+from verify.cases import ring_loads_consequence as consequence
+from verify.cases import ring_loads_formulas as formulas
+from verify.cases.ring_loads_inputs import LoadsInputs
+from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch, Table
+from verify.tex import tex
+
+MPa, mm, um = 1e6, 1e-3, 1e-6
+COUNTS = (6, 12, 24)
+DOTS = 40  # nodes of finite elements in a curve
+
+
+def arc(r: float, start: float = 0.0, end: float = 2 * np.pi) -> Array:
+    """Points (m, 2) on a circle; angles [rad]."""
+    t = np.linspace(start, end, 73)
+    return np.asarray(r * np.column_stack([np.cos(t), np.sin(t)]))
+
+
+def ray(angle: float, start: float, end: float) -> Array:
+    return np.outer([start, end], [np.cos(angle), np.sin(angle)])
+
+
+def sketch(q: LoadsInputs) -> Sketch:
+    inner, pitch = q.r_i / q.r_o, np.pi / q.n
+    wall = inner if q.loaded == "bore" else 1.0
+    behind = -0.22 if q.loaded == "bore" else 0.22
+    sector = np.vstack([arc(1.0, 0, pitch), arc(inner, pitch, 0)])
+    shapes = [
+        Shape(style="body", points=arc(1.0)),
+        Shape(style="hole", points=arc(inner)),
+        Shape(style="modelled", points=sector),
+    ]
+    for k in range(min(q.n, 48)):
+        shapes.append(Shape(style="load", points=ray(2 * k * pitch, wall + behind, wall)))
+    for name, r, degrees, at in (
+        (q.names[1], q.r_o, 141, 1.0), (q.names[0], q.r_i, 159, inner),
+    ):  # fmt: skip
+        shapes.append(
+            Shape(style="leader", points=ray(np.radians(degrees), 1.5, at),
+                  label=f"{name} = {r / mm:.4g} mm")
+        )  # fmt: skip
+    shapes.append(
+        Shape(style="leader", label="FE: half a pitch",
+              points=np.vstack([[1.35, 0.95], ray(pitch / 2, (1 + inner) / 2, 1.0)[0]]))
+    )  # fmt: skip
+    title = f"{q.n} sprags of {q.F:.4g} N on {q.L / mm:.4g} mm {_where(q)}"
+    return Sketch(title=title, shapes=tuple(shapes))
+
+
+def _where(q: LoadsInputs) -> str:
+    return "push the bore out" if q.loaded == "bore" else "push the rim in"
+
+
+def equations(q: LoadsInputs, v: Values) -> Sequence[Equation]:
+    low, high = q.names
+    r_i, r_o, nu = tex(q.r_i / mm), tex(q.r_o / mm), tex(q.nu)
+    delta, sign = (r"\delta_{BE}", "+") if q.loaded == "bore" else (r"\delta_{BI}", "-")
+    P, E = tex(q.P / 1e3), tex(q.E / MPa)
+    wall, a = tex((q.r_o - q.r_i) / mm), tex(v["a"] / um)
+    return (
+        Equation(
+            tex=rf"{delta} = \frac{{N n}}{{2\pi l E}}\left[\frac{{{high[0]}_{{{high[2:]}}}^2 + "
+            rf"{low[0]}_{{{low[2:]}}}^2}}{{{high[0]}_{{{high[2:]}}}^2 - {low[0]}_{{{low[2:]}}}^2}}"
+            rf" {sign} \nu\right]",
+            numbers=rf"= \frac{{{tex(q.F)}\cdot {q.n}}}{{2\pi\cdot {tex(q.L / mm)}\cdot {E}}}"
+            rf"\left[\frac{{{r_o}^2 + {r_i}^2}}{{{r_o}^2 - {r_i}^2}} {sign} {nu}\right] "
+            rf"= {tex(v['smeared'] / um)}\ \mathrm{{\mu m}}",
+            place="Eq. 6",
+        ),
+        Equation(
+            tex=r"p_m = \frac{n P}{\pi r}\,\frac{2 J_1(m a/r)}{m a/r},\quad m = n, 2n, \ldots",
+            numbers=rf"P = {P}\ \mathrm{{N/mm}},\ a = {a}\ \mathrm{{\mu m}}",
+            place="Fourier ring",
+        ),
+        Equation(
+            tex=r"\delta_H = \frac{2 P}{\pi E}\left[\operatorname{arsinh}\frac{d}{a} - \nu\,"
+            r"\frac{d}{d + \sqrt{a^2 + d^2}}\right]",
+            numbers=rf"= {tex(v['dent, wall'] / um)}\ \mathrm{{\mu m}}\quad (d = {wall}"
+            r"\ \mathrm{mm})",
+            place="Hertz's dent, plane stress",
+        ),
+    )
+
+
+def around(q: LoadsInputs) -> Array:
+    """Angles over half a pitch (m,), dense about the patch and its end."""
+    alpha = q.half_width / q.radius * q.n / np.pi
+    near = np.linspace(0, min(3 * alpha, 0.9), 40)
+    return np.asarray(np.concatenate([near, np.linspace(near[-1], 1, 60)[1:]]))
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    return (_ripple(context), *(_stresses(context) if context.fem else ()))
+
+
+def _ripple(context: Context) -> Curves:
+    q = context.inputs
+    shares = around(q)
+    curves = []
+    for k, n in enumerate(sorted({*COUNTS, q.n})):
+        if not consequence.fits(q, n):
+            continue
+        ring = formulas.race(q, n=n)
+        u = formulas.outward(q) * ring.at(ring.r, shares * np.pi / n).u_r
+        curves.append(
+            Curve(name=f"n = {n}", x=shares, y=u / formulas.by_smearing(q, n=n), colour=k)
+        )
+        if n == q.n and context.fem:
+            theta, u_r, _ = _thinned(context, q.loaded)
+            curves.append(
+                Curve(name=f"FE, n = {n}", x=theta * n / np.pi, style="dots", colour=k,
+                      y=formulas.outward(q) * u_r / context.analytic["smeared"])
+            )  # fmt: skip
+    curves.append(
+        Curve(name="smeared, Eq. 6", x=np.array([0.0, 1.0]), y=np.ones(2), style="dashes", colour=5)
+    )
+    return Curves(
+        title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
+        x_label="θ n/π, from a load to half-way to the next", y_label="δ over Eq. 6",
+        curves=tuple(curves),
+        note="Every load as large as here, Eq. 6 with its n. The peak at the left is the dent; "
+        "the curves' means over θ are Eq. 6 exactly.",
+    )  # fmt: skip
+
+
+def _thinned(context: Context, wall: str) -> Array:
+    """Some nodes (3, m) of a wall on the finest mesh, the first and last among them."""
+    nodes = context.fem[-1].arrays[f"{wall} nodes"]
+    n = context.inputs.n / np.pi
+    wanted = np.linspace(0, 1, DOTS)
+    chosen = np.unique(np.searchsorted(nodes[0] * n, wanted).clip(0, nodes.shape[1] - 1))
+    return np.asarray(nodes[:, chosen])
+
+
+def _stresses(context: Context) -> Sequence[Curves]:
+    q = context.inputs
+    shares, ring = around(q), formulas.race(q)
+    theta = shares * np.pi / q.n
+    bore, rim = (ring.at(r, theta).sigma_theta for r in (q.r_i, q.r_o))
+    curves = (
+        Curve(name="bore", x=shares, y=bore / MPa),
+        Curve(name="rim", x=shares, y=rim / MPa, colour=1),
+    )
+    limit = 1.5 * context.analytic["stress scale"] / MPa
+    cut = "The hoop stress under the patch, about the pressure itself, is cut off."
+    loaded = 0 if q.loaded == "bore" else 1
+    y = np.maximum(curves[loaded].y, -limit)
+    shown = list(curves)
+    shown[loaded] = Curve(name=curves[loaded].name, x=shares, y=y, colour=loaded)
+    return (
+        Curves(
+            title="Hoop stress on the walls", x_label="θ n/π", y_label="σ_θ [MPa]",
+            curves=tuple(shown), note=cut,
+        ),
+    )  # fmt: skip
+
+
+def tables(context: Context) -> Sequence[Table]:
+    return (consequence.table(context),)
+
+
+def pictures(q: Any) -> Sequence[Picture]:
+    view = 12 * q.half_width
+    window = (q.radius - view, -view, q.radius + view, view)
+    return (
+        Picture(field="half a pitch", data="hoop_stress", symbol="σ_θ", unit="MPa", factor=MPa,
+                caption="Hoop stress over a pitch, cell means", mirror=("y",)),
+        Picture(field="half a pitch", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+                caption="Von Mises stress about a load, cell means", mirror=("y",),
+                window=window),
+    )  # fmt: skip
