@@ -10,6 +10,7 @@ from pydantic import model_validator
 from verify.inputs import Inputs, count, quantity
 
 THINNEST = 0.005  # wall over outer diameter: below, a shell
+OUTERMOST = 0.95  # of half a flat, where the hub may touch
 LEAST_FLAT = 0.05  # of a side of the unfilleted bore that stays flat
 
 
@@ -101,3 +102,31 @@ class PolygonRing(RoundRing):
                 f"d_i = {self.d_i * 1e3:g} mm, got {self.rho * 1e3:g} mm"
             )
         return self
+
+
+class HubRing(PolygonRing):
+    """The ring with the force of the hub on each of its flats."""
+
+    e: float = quantity(
+        "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
+    )
+    R_b: float = quantity(
+        "200 N/mm", "N/mm", "R/b", "force of the hub on a flat, per width of the ring", gt=0, le=1e7
+    )
+    tan_phi: float = quantity(
+        0.05, "1", "tan φ_1", "friction between hub and ring, along the flat", ge=0, le=1
+    )
+
+    @model_validator(mode="after")
+    def _on_the_flat(self) -> "HubRing":
+        check_on_the_flat(self, self.e)
+        return self
+
+
+def check_on_the_flat(q: PolygonRing, e: float) -> None:
+    """ValueError unless the hub touches the flat of `q` at `e` [m] from its middle."""
+    if e > OUTERMOST * q.half_flat:
+        raise ValueError(
+            f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, "
+            f"{OUTERMOST * q.half_flat * 1e3:.4g} mm, got {e * 1e3:g} mm"
+        )

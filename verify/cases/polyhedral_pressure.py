@@ -195,8 +195,7 @@ PRESSURE = Case(
     ),
     readings=(
         "the clearance j_D is on the diameter and closes outside, where the rollers are",
-        "the ring is narrow: plane stress; as a long one it takes 1/(1 - ν²) of the pressure or "
-        "less",
+        "the ring is narrow: plane stress; as a long one it takes 1/(1 - ν²) times the pressure",
     ),
     assumptions=("linear elasticity, small strain", "a quarter with symmetry on both cuts"),
     warnings=warnings,

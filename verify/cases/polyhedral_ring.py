@@ -1,0 +1,201 @@
+"""The elastic ring with its polygonal bore: how much pressure it takes to reach the rollers."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.polyhedral import bore_pressure, expansion
+from analytic.polyhedral.hub_force import hub_force
+from analytic.polyhedral.sector import Sector
+from verify.case import Case, FemResult, Output, Values
+from verify.cases import polyhedral_ring_shown as shown
+from verify.cases.polyhedral_fem import (
+    UNIT,
+    expanded,
+    factors,
+    largest_in_fillet,
+    pressed_fem,
+    pushed_fem,
+    radial,
+    stations,
+)
+from verify.cases.polyhedral_inputs import HubRing, PolygonRing
+from verify.checks import Approximation, Exact, Identity
+
+SERIES = 1e-3  # about the series' predictions: a hundred times their residual
+ACCEPTED = "acceptance figure: 0.1 % under halving of the mesh"
+DRAWN = (3, 6, 12)  # flats of the rings in the pictures
+
+
+def sector(q: PolygonRing) -> Sector:
+    """Half a sector for the series."""
+    return Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
+
+
+def analytic(q: HubRing) -> Values:
+    ring, wall = sector(q), {"d_i": q.d_i, "d_e": q.d_e}
+    stress = bore_pressure.stiffness_factors(sector=ring, nu=q.nu, assumption="plane stress")
+    strain = bore_pressure.stiffness_factors(sector=ring, nu=q.nu, assumption="plane strain")
+    p_1 = float(expansion.touching_pressure(j_D=q.j_D, **wall, E=q.E))
+    sigma_t = float(expansion.hoop_stress(j_D=q.j_D, d_m=q.d_m, E=q.E))
+    p_1r = stress.mid * p_1
+    fillet, at = bore_pressure.largest_fillet_stress(sector=ring)
+    normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, q.tan_phi])
+    values = {
+        "K": 1.0, "K mid": stress.mid, "K mean": stress.mean, "K corner": stress.corner,
+        "1/K mid": 1 / stress.mid, "1/K corner": 1 / stress.corner, "K mid, strain": strain.mid,
+        "K many": expansion.many_corners_factor(**wall), "residual": stress.residual,
+        "p_1": p_1, "p_1r": p_1r, "sigma_t": sigma_t,
+        "sigma_tr": expansion.mean_hoop_stress(p=p_1r, **wall),
+        "fillet": fillet * p_1r, "fillet over sigma_t": fillet * p_1r / sigma_t, "fillet at": at,
+        "side": UNIT * q.d_i / 2,
+    }  # fmt: skip
+    for name, e, pull in (("e", q.e, along), ("corner", ring.half_bore, 0.0)):
+        hub = hub_force(sector=ring, e=e, normal=normal, along=pull)
+        mid, corner = hub.rim_displacement([0.0, q.half_angle]).real / q.E
+        values |= {f"hub at {name}, mid": mid, f"hub at {name}, corner": corner}
+    values["hub scale"] = max(abs(values[f"hub at corner, {w}"]) for w in ("mid", "corner"))
+    return {key: float(value) for key, value in values.items()}
+
+
+def fem(q: HubRing, level: int) -> FemResult:
+    ring, long = (pressed_fem(q, level, a) for a in ("plane stress", "plane strain"))
+    thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
+    per = {k: UNIT / 2 / thin / u for k, u in factors(q, ring).items()}
+    p = UNIT * q.j_D / 2 / factors(q, ring)["mid"]
+    values = {
+        "K mid": per["mid"], "K mean": per["mean"], "1/K corner": 1 / per["corner"],
+        "K mid, strain": UNIT / 2 / thin / factors(q, long)["mid"],
+        "pressure": p, "fillet": largest_in_fillet(q, ring) * p / UNIT,
+    }  # fmt: skip
+    # forces of half a sector: the pressure's resultant turns the chord of the bore
+    c, s = np.cos(q.half_angle), np.sin(q.half_angle)
+    cuts = [np.array(ring.reaction(name)[:2]) for name in ("mid", "corner")]
+    push = UNIT * np.array([q.d_i / 2 * s, q.apothem - q.d_i / 2 * c])
+    values["balance x"], values["balance y"] = cuts[0] + cuts[1] + push
+    values["sigma_tr"] = float(np.hypot(*cuts[1])) / q.delta_1 * p / UNIT
+    for name, hub in zip(("e", "corner"), pushed_fem(q, level), strict=True):
+        mid, corner = radial(hub, q.d_e / 2, np.array([0.0, q.half_angle]))
+        values |= {f"hub at {name}, mid": float(mid), f"hub at {name}, corner": float(corner)}
+    round_off = max(ring.residual**0.5, 1e-11)
+    arrays = {"outside": radial(ring, q.d_e / 2, stations(q)) * p / UNIT}
+    fields = tuple(expanded(q, z) for z in dict.fromkeys((*DRAWN, q.z))) if level == 1 else ()
+    return FemResult(
+        h=1 / level, values=values, u_it={k: round_off * abs(v) for k, v in values.items()},
+        arrays=arrays, fields=fields,
+    )  # fmt: skip
+
+
+def one(_q: HubRing, v: Values) -> tuple[float, float]:
+    """What the series says of K = 1."""
+    m = 1 / v["K mid"] - 1
+    return m - SERIES, m + SERIES
+
+
+def same(name: str, symbol: str, unit: str, **more: Any) -> Identity:
+    more = {"formal": 4, "demand": 1e-3, "demand_reason": ACCEPTED} | more
+    return Identity(name=name, symbol=symbol, unit=unit, **more)
+
+
+CHECKS = (
+    same("K in the middle of the flats", "K_mid", "1", fem="K mid", analytic="K mid"),
+    same("K in the mean", "K_mean", "1", fem="K mean", analytic="K mean"),
+    same("flexibility at the corners", "1/K_corner", "1", fem="1/K corner",
+         analytic="1/K corner", scale="1/K mid"),
+    same("K in the middle of the flats, plane strain", "K_mid", "1", fem="K mid, strain",
+         analytic="K mid, strain"),
+    Approximation(name="K of the paper", symbol="K", unit="1", fem="K mid", analytic="K", formal=4,
+                  interval=one, source="1/K_mid of the series (complex potentials)",
+                  printed=("belcin:k-predimensioning",)),
+    same("mean hoop stress in the corners, Eq. 12", "σ_tr", "MPa", fem="sigma_tr",
+         analytic="sigma_tr"),
+    same("largest hoop stress in the fillets", "σ_max", "MPa", fem="fillet", analytic="fillet",
+         formal=2, demand=5e-3, demand_reason="a peak stress: half a per cent tells fillets apart"),
+    *(
+        same(f"hub at {place}: {where}", f"u_{w}", "µm", fem=f"hub at {name}, {w}", formal=2,
+             analytic=f"hub at {name}, {w}", scale="hub scale")
+        for name, place in (("e", "e"), ("corner", "the corner"))
+        for w, where in (("mid", "middle of the flats"), ("corner", "corners"))
+    ),
+    *(
+        Exact(name=f"balance of half a sector, {x}", symbol=f"ΣF_{x}", unit="N/mm",
+              fem=f"balance {x}", scale="side", bound=1e-8,
+              bound_reason="acceptance figure; direct solve")
+        for x in "xy"
+    ),
+)  # fmt: skip
+
+
+def warnings(q: HubRing, v: Values) -> Sequence[str]:
+    found = []
+    if q.R_p is not None and v["fillet"] > q.R_p:
+        found.append(
+            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets exceeds R_p = "
+            f"{q.R_p / 1e6:.4g} MPa before the ring reaches the rollers: it yields there"
+        )
+    if q.R_p is None and v["fillet"] > 3e-3 * q.E:
+        found.append(
+            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets strains them by "
+            f"{v['fillet'] / q.E:.2%}: most steels yield before; give R_p"
+        )
+    if v["1/K corner"] < 0:
+        found.append("the corners draw in under pressure: only the flats reach their rollers")
+    return found
+
+
+RING = Case(
+    id="polyhedral-ring",
+    title="Polyhedral ring under pressure",
+    paper="belcin",
+    place="Eqs. 8-12, K before Eq. 11",
+    lead="The bore is a polygon, so the flats bulge and the corners hold back. The paper leaves K "
+    "open and puts 1; here it comes from complex potentials, which share nothing with the finite "
+    "elements beside them. Sizes are the project's: the paper prints none.",
+    inputs=HubRing,
+    analytic=analytic,
+    fem=fem,
+    levels=(1, 2, 3, 4),
+    checks=CHECKS,
+    outputs=(
+        Output(key="p_1", symbol="p_1", unit="MPa", what="pressure of the round ring (Eq. 10)",
+               judged=False),
+        Output(key="K mid", symbol="K_mid", unit="1", what="K where the rollers are"),
+        Output(key="K mean", symbol="K_mean", unit="1", what="K in the mean of the outside"),
+        Output(key="K corner", symbol="K_corner", unit="1",
+               what="K at the corners, negative where they draw in"),
+        Output(key="K mid, strain", symbol="K_mid", unit="1", what="K_mid of a wide ring"),
+        Output(key="K many", symbol="K_∞", unit="1", what="K of ever more corners", judged=False),
+        Output(key="p_1r", symbol="p_1r", unit="MPa",
+               what="pressure at which the ring reaches its rollers (Eq. 11 with K_mid)"),
+        Output(key="sigma_t", symbol="σ_t", unit="MPa", what="hoop stress of the round ring",
+               judged=False),
+        Output(key="sigma_tr", symbol="σ_tr", unit="MPa", what="mean hoop stress in the corners"),
+        Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets"),
+        Output(key="fillet over sigma_t", symbol="σ_max/σ_t", unit="1",
+               what="the same over σ_t", judged=False),
+        Output(key="hub at e, mid", symbol="u_mid", unit="µm",
+               what="the hub's force lifts the flats' middle by"),
+        Output(key="hub at e, corner", symbol="u_corner", unit="µm",
+               what="and the corners by"),
+    ),
+    readings=(
+        "d_i is the diameter through the corners as they are, with fillets: δ_1 is the thinnest "
+        "wall. Measured to the corners without fillets, K of three to six flats is 10 to 45 % "
+        "higher",
+        "K = 1 means that the outside has grown by j_D/2 where the rollers are, in the middle of "
+        "the flats; the mean and the corners are shown beside",
+        "the ring is narrow: plane stress; in plane strain K is 1/(1 - ν²) times as large",
+    ),
+    assumptions=(
+        "linear elasticity, small strain",
+        "half a sector, symmetry on both cuts",
+        "the hub's force at e counts as half of it on each side of the flat's middle: the part "
+        "that is the same for all flats and their mirror images",
+    ),
+    warnings=warnings,
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=shown.figures,
+    pictures=shown.pictures,
+)  # fmt: skip
