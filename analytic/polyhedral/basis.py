@@ -1,0 +1,78 @@
+r"""Functions of z-fold symmetry whose singularities lie in the bore or in its image beyond the rim.
+
+A potential of the ring is :math:`\phi = \zeta F(\omega)` with :math:`\omega = (\zeta/r_e)^z` and F
+real on the real axis: one turn of omega is one sector. F is expanded in
+
+- powers :math:`(\omega\,\omega_a)^k` and :math:`(\omega_a/\omega)^k`, omega_a the apothem's omega,
+- simple poles at omega_j and at their images 1/omega_j in the rim.
+
+The walls' analytic continuation into the hole jumps where the flat's part meets the fillet's: along
+the radii of the fillet that end at its tangent points, and from its centre along the corner's ray.
+There the poles stand: towards the tangent points, where the curvature jumps and the solution has a
+weak singularity, exponentially clustered [1]_.
+
+References
+----------
+.. [1] A. Gopal, L. N. Trefethen, Solving Laplace problems with corner singularities via rational
+   functions, SIAM J. Numer. Anal. 57 (2019) 2074-2094, DOI 10.1137/19M125947X.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact.checks import Array
+from analytic.polyhedral.sector import Complex, Sector
+
+CLOSEST = 1e-4  # of the arc: distance of the last pole from its tangent point
+
+
+@dataclass(frozen=True)
+class Basis:
+    """Powers up to `powers`, real poles (on the corners' rays) and one of each conjugate pair."""
+
+    z: int
+    omega_a: float
+    powers: int
+    rays: Array
+    pairs: Complex
+
+    def values(self, omega: Complex) -> tuple[Complex, Complex]:
+        """F and z omega F' of every function at the points; shaped (points, functions)."""
+        parts = [self._powers(omega)]
+        parts += [_pole(omega, p) for p in (self.rays, 1 / self.rays)]
+        for p in (self.pairs, 1 / self.pairs):
+            (one, d_one), (other, d_other) = _pole(omega, p), _pole(omega, p.conj())
+            parts += [(one + other, d_one + d_other), (1j * (one - other), 1j * (d_one - d_other))]
+        return np.hstack([F for F, _ in parts]), self.z * np.hstack([dF for _, dF in parts])
+
+    def _powers(self, omega: Complex) -> tuple[Complex, Complex]:
+        k = np.arange(self.powers + 1)
+        up, down = (omega * self.omega_a)[:, None] ** k, (self.omega_a / omega)[:, None] ** k[1:]
+        return np.hstack([up, down]), np.hstack([k * up, -k[1:] * down])
+
+
+def basis_of(sector: Sector, *, density: float) -> Basis:
+    """Basis with `density` poles for each factor e of the distance from the corner."""
+    corner = np.exp(1j * sector.half_angle)
+    arc = sector.rho * sector.half_angle
+    sharpness = density * max(1.0, 0.8 / np.tan(np.pi / 2 - sector.half_angle))
+    wall = sector.r_e - sector.d_i / 2
+    near, far = 0.6 * min(sector.rho, arc, 2.5 * wall), 0.35 * sector.d_i
+    depth = np.geomspace(near, far, 2 + int(sharpness * np.log(far / near)))
+    radius = (sector.d_i / 2 - depth) / sector.r_e
+    reach = arc * np.geomspace(CLOSEST, 0.8, int(2 + density * np.log(1 / CLOSEST) / 2))
+    pairs = (sector.apothem + 1j * sector.straight - reach) / sector.r_e
+    return Basis(
+        z=sector.z,
+        omega_a=float((sector.apothem / sector.r_e) ** sector.z),
+        powers=int(5 * density),
+        rays=((radius * corner) ** sector.z).real,
+        pairs=np.asarray(pairs**sector.z, dtype=np.complex128),
+    )
+
+
+def _pole(omega: Complex, p: Array | Complex) -> tuple[Complex, Complex]:
+    """p/(omega - p) and omega times its derivative."""
+    share = 1 / (omega[:, None] - p)
+    return p * share, -p * omega[:, None] * share**2

@@ -1,0 +1,109 @@
+r"""Polyhedral ring under a uniform pressure p on its bore.
+
+The boundary function on the bore is :math:`f = -p\,\zeta`; the rest is `free_rim`. The hoop
+stress is :math:`4\operatorname{Re}\phi' + p` on the bore and without the p on the rim.
+
+Range: linear elasticity, small strain. z from 3 to 48, walls (d_e - d_i)/2 from 0.01 to 0.25 d_e,
+fillets from d_e/320: displacements to 1e-7, the stress in the fillet to 1e-5.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, Assumption, finite, in_plane, positive
+from analytic.polyhedral.free_rim import FreeRim, free_rim
+from analytic.polyhedral.sector import Complex, Sector
+
+ALONG = 400  # points of half the fillet among which the largest stress is sought
+
+
+@dataclass(frozen=True, kw_only=True)
+class StiffnessFactors:
+    """K by three definitions of "the outside has grown by j_D/2"; negative where it draws in."""
+
+    mid: float  # above the flat, where the roller sits
+    mean: float  # on average over the outside
+    corner: float  # above the corner
+    residual: float  # of the series, see `free_rim`
+
+
+@lru_cache(maxsize=64)
+def pressed(sector: Sector) -> FreeRim:
+    """Potential under the unit pressure."""
+    return free_rim(sector, lambda zeta, _: np.full(zeta.shape, -1.0 + 0j))
+
+
+def rim_displacement(
+    theta: ArrayLike, *, sector: Sector, p: float, E: float, nu: float, assumption: Assumption
+) -> Complex:
+    """u_r + i u_theta [length] of the outside at the angles theta [rad] from the flat's middle.
+
+    >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+    >>> u = rim_displacement([0, np.pi / 6], sector=ring, p=10.0, E=210e3, nu=0.3,
+    ...                      assumption="plane stress")
+    >>> u.real.round(5).tolist()  # the flat's middle bulges
+    [0.01481, 0.00618]
+    """
+    E_plane, _ = in_plane(positive(E, "Young's modulus", "Pa"), nu, assumption)
+    p = float(finite(p, "the pressure p", "Pa"))
+    return np.asarray(p / E_plane * pressed(sector).rim_displacement(finite(theta, "angle", "rad")))
+
+
+def mean_rim_displacement(ring: FreeRim) -> float:
+    """Mean of u_r over the rim, times E' [load times length]: the constant term of F."""
+    wall = ring.sector.z * np.log(2 * ring.sector.r_e / ring.sector.d_i)
+    count = int(20 / wall) + 8  # the midpoint rule's error falls as the wall's ratio to the 2 count
+    theta = (np.arange(count) + 0.5) / count * ring.sector.half_angle
+    return float(ring.rim_displacement(theta).real.mean())
+
+
+def stiffness_factors(*, sector: Sector, nu: float, assumption: Assumption) -> StiffnessFactors:
+    r"""Factors K = p/p_1, with p the pressure under which the outside has grown by j_D/2.
+
+    .. math:: p_1 = \frac{2\,\delta_1 E\, j_D}{d_i d_m}, \qquad d_m = \frac{d_e + d_i}{2},
+              \qquad \delta_1 = \frac{d_e - d_i}{2}
+
+    E and j_D cancel; nu matters in plane strain alone.
+
+    >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+    >>> K = stiffness_factors(sector=ring, nu=0.3, assumption="plane stress")
+    >>> round(K.mid, 4), round(K.mean, 4), round(K.corner, 4)
+    (1.0999, 1.433, 2.6366)
+    """
+    E_plane, _ = in_plane(1.0, nu, assumption)
+    ring = pressed(sector)
+    mid, corner = ring.rim_displacement([0.0, sector.half_angle]).real
+    thin = sector.d_i * (sector.d_e + sector.d_i) / (4 * (sector.d_e - sector.d_i))
+    return StiffnessFactors(
+        mid=float(thin * E_plane / mid),
+        mean=float(thin * E_plane / mean_rim_displacement(ring)),
+        corner=float(thin * E_plane / corner),
+        residual=ring.residual,
+    )
+
+
+def fillet_stress(s: ArrayLike, *, sector: Sector) -> Array:
+    """Hoop stress on the bore over the pressure (no unit), at the arc lengths s from mid-flat."""
+    s = np.atleast_1d(finite(s, "arc length", "m"))
+    if not np.all((s >= 0) & (s <= sector.half_bore * (1 + 1e-12))):
+        raise ValueError(f"arc lengths reach from 0 to {sector.half_bore:g} m, got s={s} m")
+    return np.asarray(4 * pressed(sector)(sector.bore(s)).dphi.real + 1)
+
+
+def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
+    """Largest hoop stress in the fillet over the pressure (no unit), and its arc length [length].
+
+    >>> stress, s = largest_fillet_stress(sector=Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0))
+    >>> round(stress, 3), round(s - 17.0, 3)  # the fillet reaches from 0 to 1.047
+    (32.816, 1.047)
+    """
+    arc = sector.rho * sector.half_angle
+    at = np.linspace(0, arc, ALONG + 1) + sector.straight
+    stress = fillet_stress(at, sector=sector)
+    i = int(np.clip(stress.argmax(), 1, ALONG - 1))
+    bend = np.polyfit([-1, 0, 1], stress[i - 1 : i + 2], 2)
+    top = float(np.clip(-bend[1] / (2 * bend[0]), -1, 1))
+    return float(np.polyval(bend, top)), float(at[i] + top * (at[1] - at[0]))

@@ -1,0 +1,152 @@
+r"""Force with which the rollers are locked between the polyhedral ring and its race.
+
+Over each flat's middle sits a roller; pressure p and hub force widen the ring there, the roller's
+force N per unit length presses it back, with its own dent:
+
+.. math:: u_p\,p + u_h - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \qquad
+          a = \sqrt{\frac{4 N R}{\pi E^*}}, \quad \frac{1}{R} = \frac{2}{d} + \frac{2}{d_e}.
+
+delta is what the roller is squeezed between both contacts, none for a rigid one; the race is rigid.
+Of the pressure's force on a flat, :math:`p\,d_i\sin(\pi/z)` per unit length, the share
+
+.. math:: \eta = \frac{1}{d_i\sin(\pi/z)}\,\frac{dN}{dp}
+
+of each further part reaches the roller, the ring's own hoop force holds the rest.
+
+Range: frictionless contacts with a much smaller than d and the wall; the rollers at mid-flat.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact import hertz_line
+from analytic.contact.checks import Assumption, finite, in_plane, positive
+from analytic.contact.hertz_line_approach import approach_to_centre
+from analytic.polyhedral.bore_pressure import rim_displacement
+from analytic.polyhedral.hub_force import HubForce
+from analytic.polyhedral.roller_load import roller_load
+from analytic.polyhedral.sector import Sector
+
+STEPS, CLOSE = 40, 1e-12
+FIRST = 1e-4  # of the outside radius: half-width with which the search starts
+NUDGE = 1e-3  # relative change of N in the difference quotient of its squeeze
+
+
+@dataclass(frozen=True, kw_only=True)
+class Roller:
+    """Roller of diameter d in the gap of ring and race, which is j_D/2 wider than the roller."""
+
+    d: float
+    j_D: float  # noqa: N815
+    E: float = np.inf  # rigid
+    nu: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Locked:
+    """Rollers under load; forces per unit length."""
+
+    N: float  # of one roller [force per length]; 0 before it touches
+    a: float  # half-width of its contact on the ring [length]
+    touch: float  # pressure [stress] at which the rollers are reached, with the hub's force on
+    efficiency: float  # share of a further pressure's force on the flat; 0 before it touches
+    hub_share: float  # share of a further hub force, of its resultant; 0 without a hub
+
+
+@dataclass(frozen=True)
+class _Contact:
+    """How far N presses ring and roller together [length]."""
+
+    sector: Sector
+    roller: Roller
+    E: float
+    nu: float
+    assumption: Assumption
+
+    def half_width(self, N: float) -> float:
+        R = hertz_line.relative_radius(R_1=self.roller.d / 2, R_2=self.sector.r_e)
+        E_star = hertz_line.contact_modulus(
+            E_1=self.E,
+            nu_1=self.nu,
+            E_2=self.roller.E,
+            nu_2=self.roller.nu,
+            assumption=self.assumption,
+        )
+        return float(hertz_line.half_width(P=N, R=R, E_star=E_star))
+
+    def closure(self, N: float) -> float:
+        a = self.half_width(N)
+        load = roller_load(sector=self.sector, a=a)
+        dent = load.rim_displacement(0.0, E=self.E, nu=self.nu, assumption=self.assumption)
+        return float(-N * dent[0]) + self._squeeze(N, a)
+
+    def _squeeze(self, N: float, a: float) -> float:
+        if np.isinf(self.roller.E):
+            return 0.0
+        E_plane, _ = in_plane(self.roller.E, self.roller.nu, self.assumption)
+        race = self.sector.r_e + self.roller.d + self.roller.j_D / 2
+        R = hertz_line.relative_radius(R_1=self.roller.d / 2, R_2=-race)
+        outer = float(hertz_line.half_width(P=N, R=R, E_star=E_plane))
+        ends = approach_to_centre(P=N, a=[a, outer], R=self.roller.d / 2, E_plane=E_plane)
+        return float(ends.sum())
+
+
+def locked(
+    *,
+    sector: Sector,
+    roller: Roller,
+    p: float,
+    E: float,
+    nu: float,
+    assumption: Assumption,
+    hub: HubForce | None = None,
+) -> Locked:
+    """Roller force, touching pressure and shares under the pressure p and the hub's force.
+
+    >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+    >>> steel = {"E": 210e3, "nu": 0.3, "assumption": "plane stress"}
+    >>> state = locked(sector=ring, roller=Roller(d=10.0, j_D=0.06), p=30.0, **steel)
+    >>> round(state.N, 1), round(state.touch, 2), round(state.efficiency, 3)
+    (185.9, 20.26, 0.541)
+    """
+    _check(roller)
+    p = float(finite(p, "the pressure p", "Pa"))
+    E_plane = float(in_plane(positive(E, "Young's modulus", "Pa"), nu, assumption)[0])
+    grown = rim_displacement(0.0, sector=sector, p=1.0, E=E, nu=nu, assumption=assumption)
+    u_p = float(grown.real[0])
+    u_h = 0.0 if hub is None else float(hub.rim_displacement(0.0).real[0]) / E_plane
+    contact = _Contact(sector, roller, E, nu, assumption)
+    gap = roller.j_D / 2 - u_h
+    touch, closing = gap / u_p, u_p * p - gap
+    if closing <= 0:
+        return Locked(N=0.0, a=0.0, touch=touch, efficiency=0.0, hub_share=0.0)
+    N = _force(contact, closing, E_plane)
+    up, down = (contact.closure(N * (1 + step)) for step in (NUDGE, -NUDGE))
+    compliance = (up - down) / (2 * NUDGE * N)
+    side = sector.d_i * np.sin(sector.half_angle)
+    return Locked(
+        N=N,
+        a=contact.half_width(N),
+        touch=touch,
+        efficiency=float(u_p / compliance / side),
+        hub_share=0.0 if hub is None else u_h / compliance / hub.resultant,
+    )
+
+
+def _force(contact: _Contact, closing: float, E_plane: float) -> float:
+    """N at which the closure is `closing`, by Newton's method with the dents' logarithms' slope."""
+    bodies = 1 / E_plane if np.isinf(contact.roller.E) else 3 / E_plane
+    N = E_plane * (FIRST * contact.sector.r_e) ** 2 / contact.roller.d
+    for _ in range(STEPS):
+        closure = contact.closure(N)
+        change = (closing - closure) / (closure / N - bodies / np.pi)
+        N = max(N + change, N / 10)
+        if abs(change) <= CLOSE * N:
+            return float(N)
+    raise ArithmeticError(f"the roller's force does not settle: N={N:g} N/m after {STEPS} steps")
+
+
+def _check(roller: Roller) -> None:
+    positive(roller.d, "the roller's diameter d", "m")
+    positive(roller.j_D, "the play j_D", "m")

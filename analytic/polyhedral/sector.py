@@ -1,0 +1,96 @@
+r"""Geometry of the polyhedral ring: a regular polygon with rounded corners in a round outside.
+
+The middle of one flat lies on the x axis (theta = 0), a corner at theta = pi/z. The corner diameter
+d_i is measured where the metal is, at the bottom of the fillet; the polygon without fillets has
+
+.. math:: R_u = \frac{d_i}{2} + \rho\left(\frac{1}{\cos(\pi/z)} - 1\right), \qquad
+          \text{apothem } R_u\cos\frac{\pi}{z}.
+
+Points of the plane are complex numbers, lengths in one unit of the caller's choice.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array, positive
+
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sector:
+    """Ring of z sectors; one half sector, 0 <= theta <= pi/z, stands for all by symmetry.
+
+    >>> hexagon = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+    >>> round(hexagon.apothem, 4), round(hexagon.straight, 4)
+    (31.4449, 17.0)
+    """
+
+    z: int  # corners
+    d_e: float  # outside diameter
+    d_i: float  # corner diameter, at the fillet
+    rho: float  # fillet radius
+
+    def __post_init__(self) -> None:
+        if not (float(self.z).is_integer() and self.z >= 3):
+            raise ValueError(f"a polygon has a whole number z >= 3 of corners, got z={self.z}")
+        positive(self.d_e, "the outside diameter d_e", "m")
+        positive(self.d_i, "the corner diameter d_i", "m")
+        positive(self.rho, "the fillet radius rho", "m")
+        if self.d_i >= self.d_e:
+            raise ValueError(
+                f"the wall vanishes: d_i must be below d_e, got d_i={self.d_i} m, d_e={self.d_e} m"
+            )
+        if self.rho >= self.d_i / 2:
+            raise ValueError(
+                "the fillets leave nothing of the flats: rho must be below d_i/2, "
+                f"got rho={self.rho} m, d_i={self.d_i} m"
+            )
+
+    @property
+    def half_angle(self) -> float:
+        """pi/z [rad]."""
+        return np.pi / self.z
+
+    @property
+    def r_e(self) -> float:
+        """Outside radius."""
+        return self.d_e / 2
+
+    @property
+    def R_u(self) -> float:
+        """Corner radius of the polygon without fillets."""
+        return float(self.d_i / 2 + self.rho * (1 / np.cos(self.half_angle) - 1))
+
+    @property
+    def apothem(self) -> float:
+        """Distance of the flats from the centre."""
+        return float(self.R_u * np.cos(self.half_angle))
+
+    @property
+    def fillet_centre(self) -> float:
+        """Distance of the fillet's centre from the ring's."""
+        return self.d_i / 2 - self.rho
+
+    @property
+    def straight(self) -> float:
+        """Half the straight length of a flat; the rest of it is the fillets'."""
+        return float(self.fillet_centre * np.sin(self.half_angle))
+
+    @property
+    def half_bore(self) -> float:
+        """Length of the half sector's bore: half a flat and half a fillet."""
+        return float(self.straight + self.rho * self.half_angle)
+
+    def bore(self, s: Array) -> Complex:
+        """Points of the bore at the arc length s from the middle of the flat, up to `half_bore`."""
+        turn = (s - self.straight) / self.rho
+        arc = self.fillet_centre * np.exp(1j * self.half_angle) + self.rho * np.exp(1j * turn)
+        return np.where(s <= self.straight, self.apothem + 1j * s, arc)
+
+    def normal(self, s: Array) -> Complex:
+        """Unit vectors into the metal at the arc length s."""
+        turn = np.clip((s - self.straight) / self.rho, 0, self.half_angle)
+        return np.asarray(np.exp(1j * turn))
