@@ -49,7 +49,9 @@ class Parts:
     @property
     def D_m(self) -> float | None:
         """Mean diameter [m] of the race, if its outside is known; no equation uses it."""
-        return None if self.D is None else (self.D_i + self.D) / 2
+        if self.D is None:
+            return None
+        return float(expansion.mean_diameter(d_i=self.D_i, d_e=self.D))
 
     @property
     def delta_1(self) -> float:

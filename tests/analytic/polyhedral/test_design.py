@@ -25,6 +25,7 @@ def test_the_normal_force_carries_the_torque_that_it_came_from(lever, gamma, alp
     grip = 0.08 if alpha is None else tan(radians(3.0))
     assert clutch.grip * clutch.N * 6 * PARTS.D_i / 2 == pytest.approx(clutch.M_t, rel=1e-12)
     assert clutch.grip == grip
+    assert 6 * clutch.T * clutch.arm == pytest.approx(clutch.M_t, rel=1e-12)  # on the hub's lever
     by_pressure = (1 - clutch.hub_share) * clutch.N
     assert by_pressure == pytest.approx(clutch.F, rel=1e-12)
     assert clutch.sigma_tr == pytest.approx(1.3 * clutch.sigma_t, rel=1e-12)
@@ -140,6 +141,14 @@ def test_parts_that_cannot_be_built_are_refused(change, message):
 def test_a_clutch_that_makes_no_sense_is_refused(change, message):
     with pytest.raises(ValueError, match=message):
         Clutch(PARTS, **{**LOADS, **change})
+
+
+def test_between_two_rollers_is_a_z_th_of_a_turn():
+    """F by the chord of that angle."""
+    assert PARTS.z * PARTS.beta == pytest.approx(2 * np.pi)
+    chord = 2 * 0.036 * np.sin(PARTS.beta / 2)
+    F = forces.pressure_force(p_2=1e7, b=0.03, d_i=0.072, z=6)
+    assert float(F) == pytest.approx(1e7 * 0.03 * chord, rel=1e-12)
 
 
 def test_the_race_s_mean_diameter_is_known_with_its_outside():
