@@ -24,19 +24,25 @@ def roller_fan(ring: Outline, zone: Zone, s: float) -> list[Block]:
     # the fan's frame has its origin on the outside, the surface along x and the body in y <= 0
     places = {(y, x - ring.r_e): (x, y) for x, y in (*across(ring, s), middle)}
     far, end, foot = places
-    around = Neighbourhood(end, far, foot, ("rim", "", "flat"), centre=-ring.r_e)
-    (fine, *others), *beside = (block.edges for block in fan(around, zone, BODY))
-    edges = [(replace(fine, name="zone"), *others), *beside]
+
+    def place(point: Point) -> Point:
+        return places.get(point, (ring.r_e + point[1], point[0]))
 
     def placed(edge: Edge) -> Edge:
-        start, end, centre = (
-            places.get(p, (ring.r_e + p[1], p[0])) if p else None
-            for p in (edge.start, edge.end, edge.centre)
-        )
+        centre = None if edge.centre is None else place(edge.centre)
         name = "mid" if edge.name == "axis" else edge.name
+        if name == "rim" and edge.start == (0.0, 0.0):
+            name = "zone"
+        start, end = place(edge.start), place(edge.end)
         return replace(edge, start=start, end=end, centre=centre, name=name)
 
-    return [Block(tuple(placed(edge) for edge in four), BODY) for four in edges]
+    far, end, foot = places
+    around = Neighbourhood(end, far, foot, ("rim", "", "flat"), centre=-ring.r_e)
+    found = []
+    for block in fan(around, zone, BODY):
+        a, b, c, d = (placed(edge) for edge in block.edges)
+        found.append(Block((a, b, c, d), BODY))
+    return found
 
 
 def across(ring: Outline, s: float) -> tuple[Point, Point]:

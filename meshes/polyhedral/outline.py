@@ -20,7 +20,7 @@ class Outline:
     fillet: float
 
     def __post_init__(self) -> None:
-        if self.z != int(self.z) or self.z < 3:
+        if not self.z >= 3 or self.z % 1 != 0:
             raise ValueError(f"a polygon needs a whole number z >= 3 of sides, got z={self.z:g}")
         if not 0 < self.d_i < self.d_e < math.inf:
             raise ValueError(

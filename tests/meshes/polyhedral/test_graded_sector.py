@@ -1,0 +1,70 @@
+"""Half sectors fold nowhere, are fine at the fillet and the roller, and grow from there."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fem.plane.geometry import check_unfolded
+from meshes.polyhedral.half_sector import half_sector
+
+GAUSS = np.stack(np.meshgrid(*[(0.5 + np.array([-1, 0, 1]) * np.sqrt(0.15))] * 2)).reshape(2, -1)
+share = st.floats(0.02, 0.98)
+
+
+def wall_at_the_middle(*, z, d_i, fillet):
+    angle = np.pi / z
+    return 0.5 - d_i / 2 * np.cos(angle) - fillet * (1 - np.cos(angle))
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    z=st.sampled_from([3, 4, 5, 6, 8, 12, 17, 24, 48]),
+    wall=st.floats(np.log(0.005), np.log(0.3)),
+    fillet=st.floats(np.log(1e-3), np.log(0.9)),
+    zone=st.none() | st.floats(1e-3, 0.4),
+    hub=st.none() | st.tuples(share, share).filter(lambda ends: abs(ends[1] - ends[0]) > 0.01),
+    cells=st.sampled_from([2, 6, 12]),
+)
+def test_no_cell_folds_whatever_the_ring(z, wall, fillet, zone, hub, cells):
+    d_i = 1 - 2 * np.exp(wall)
+    fillet = d_i / 2 * np.exp(fillet)
+    flat = (d_i / 2 - fillet) * np.sin(np.pi / z)
+    if zone is not None:
+        room = min(wall_at_the_middle(z=z, d_i=d_i, fillet=fillet), flat * min(hub or (0.3,)))
+        zone *= room
+    hub = hub and tuple(sorted(flat * s for s in hub))
+    mesh = half_sector(
+        z=z, d_e=1.0, d_i=d_i, fillet=fillet, refine=1, zone=zone, hub=hub, cells=cells
+    )
+    check_unfolded(mesh, GAUSS)
+
+
+@pytest.mark.parametrize("z", [3, 6, 24, 48])
+@pytest.mark.parametrize("fillet", [0.003, 0.025, 0.1])
+def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_three_times(z, fillet):
+    mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=fillet, refine=4)
+    arc = lengths(mesh, "fillet")
+    np.testing.assert_allclose(arc, arc.mean(), rtol=1e-3)
+    flat = lengths(mesh, "flat")
+    assert flat[-1] == pytest.approx(arc.mean(), rel=0.1)
+    growth = flat[:-1] / flat[1:]
+    assert max(growth[-7:]) < 1.15  # the fourth root of 1.6
+    assert max(growth) < 3  # where the fan around the fillet ends
+
+
+@pytest.mark.parametrize("z", [3, 6, 24])
+def test_cells_grow_from_the_fine_zone_by_no_more_than_twice(z):
+    mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=0.025, refine=2, zone=0.005)
+    rim = lengths(mesh, "rim")
+    fine = len(mesh.boundaries["zone"])
+    near = rim[: 2 * fine]
+    assert max(near[1:] / near[:-1]) < 2
+
+
+def lengths(mesh, name):
+    """Of the facets along a boundary, from the middle of the side to the corner."""
+    ends = mesh.p[:, mesh.facets[:, np.asarray(mesh.boundaries[name])]]
+    middle = ends.mean(axis=1)
+    order = np.argsort(np.arctan2(middle[1], middle[0]))
+    return np.hypot(*(ends[:, 1] - ends[:, 0]))[order]
