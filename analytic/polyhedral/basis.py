@@ -24,6 +24,8 @@ import numpy as np
 from analytic.contact.checks import Array
 from analytic.polyhedral.sector import Complex, Sector
 
+DEEPEST = 200.0  # -ln omega_a, whose square must be a number
+INSIDE = 40.0  # ln of the omega_a over that of a pole, beyond which poles are powers
 CLOSEST = 1e-4  # of the arc: distance of the last pole from its tangent point
 
 
@@ -53,12 +55,21 @@ class Basis:
 
 
 def basis_of(sector: Sector, *, density: float) -> Basis:
-    """Basis with `density` poles for each factor e of the distance from the corner."""
+    """Basis with `density` poles for each factor e of the distance from the corner.
+
+    Raises ArithmeticError where omega of the apothem is too small a number.
+    """
+    if sector.z * np.log(sector.r_e / sector.apothem) > DEEPEST:
+        raise ArithmeticError(
+            f"so many corners in so thick a ring are beyond the series: z={sector.z}, "
+            f"d_e={sector.d_e:g} m, d_i={sector.d_i:g} m; take a round bore"
+        )
     corner = np.exp(1j * sector.half_angle)
     arc = sector.rho * sector.half_angle
     sharpness = density * max(1.0, 0.8 / np.tan(np.pi / 2 - sector.half_angle))
     wall = sector.r_e - sector.d_i / 2
     near, far = 0.6 * min(sector.rho, arc, 2.5 * wall), 0.35 * sector.d_i
+    far = min(far, sector.d_i / 2 - sector.apothem * np.exp(-INSIDE / sector.z))
     depth = np.geomspace(near, far, 2 + int(sharpness * np.log(far / near)))
     radius = (sector.d_i / 2 - depth) / sector.r_e
     reach = arc * np.geomspace(CLOSEST, 0.8, int(2 + density * np.log(1 / CLOSEST) / 2))

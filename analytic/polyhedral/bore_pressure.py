@@ -1,7 +1,6 @@
 r"""Polyhedral ring under a uniform pressure p on its bore.
 
-The boundary function on the bore is :math:`f = -p\,\zeta`; the rest is `free_rim`. The hoop
-stress is :math:`4\operatorname{Re}\phi' + p` on the bore and without the p on the rim.
+The boundary function on the bore is :math:`f = -p\,\zeta`; the rest is `free_rim`.
 
 Range: linear elasticity, small strain. z from 3 to 48, walls (d_e - d_i)/2 from 0.01 to 0.25 d_e,
 fillets from d_e/320: displacements to 1e-7, the stress in the fillet to 1e-5.
@@ -13,11 +12,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.checks import Array, Assumption, finite, in_plane, positive
+from analytic.contact.checks import Assumption, finite, in_plane, positive
 from analytic.polyhedral.free_rim import FreeRim, free_rim
 from analytic.polyhedral.sector import Complex, Sector
-
-ALONG = 400  # points of half the fillet among which the largest stress is sought
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,27 +80,3 @@ def stiffness_factors(*, sector: Sector, nu: float, assumption: Assumption) -> S
         corner=float(thin * E_plane / corner),
         residual=ring.residual,
     )
-
-
-def fillet_stress(s: ArrayLike, *, sector: Sector) -> Array:
-    """Hoop stress on the bore over the pressure (no unit), at the arc lengths s from mid-flat."""
-    s = np.atleast_1d(finite(s, "arc length", "m"))
-    if not np.all((s >= 0) & (s <= sector.half_bore * (1 + 1e-12))):
-        raise ValueError(f"arc lengths reach from 0 to {sector.half_bore:g} m, got s={s} m")
-    return np.asarray(4 * pressed(sector)(sector.bore(s)).dphi.real + 1)
-
-
-def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
-    """Largest hoop stress in the fillet over the pressure (no unit), and its arc length [length].
-
-    >>> stress, s = largest_fillet_stress(sector=Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0))
-    >>> round(stress, 3), round(s - 17.0, 3)  # the fillet reaches from 0 to 1.047
-    (32.816, 1.047)
-    """
-    arc = sector.rho * sector.half_angle
-    at = np.linspace(0, arc, ALONG + 1) + sector.straight
-    stress = fillet_stress(at, sector=sector)
-    i = int(np.clip(stress.argmax(), 1, ALONG - 1))
-    bend = np.polyfit([-1, 0, 1], stress[i - 1 : i + 2], 2)
-    top = float(np.clip(-bend[1] / (2 * bend[0]), -1, 1))
-    return float(np.polyval(bend, top)), float(at[i] + top * (at[1] - at[0]))

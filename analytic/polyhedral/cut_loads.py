@@ -1,7 +1,8 @@
 r"""Hoop force and bending moment in the cuts of the polyhedral ring.
 
-Of loads that leave the rim free. With f the force function of `free_rim`, zero on the rim, the tension in the part of a cut at
-theta beyond the radius r is :math:`-\operatorname{Re} f e^{-i\theta}`; by parts, from the bore r_1,
+Of loads that leave the rim free. With f the force function of `free_rim`, zero on such a rim, the
+tension in the part of a cut at theta beyond the radius r is :math:`-\operatorname{Re} f
+e^{-i\theta}`; by parts, from the bore r_1,
 
 .. math:: N = -\operatorname{Re} f(r_1)\,e^{-i\theta}, \qquad
           \int\sigma_\theta\,r\,dr = r_1 N - \int_{r_1}^{r_e}\operatorname{Re} f\,e^{-i\theta}\,dr.
