@@ -14,6 +14,7 @@ from verify.cases.polyhedral_wedge_inputs import WedgeInputs
 from verify.cases.polyhedral_wedge_stick import SHARES, small
 from verify.checks import Approximation, Exact, Fact, Identity
 
+BALANCED = "forces in balance, on any mesh"
 STATICS = 1e-6  # of a value: what forces in balance may miss
 MODEL = 2.0  # bound of what half planes leave out, over (a/R)²
 REST = 1e-3  # of N: next to nothing
@@ -136,9 +137,8 @@ class PaperFact(Fact):
 
 
 def statics(name: str, symbol: str, unit: str, key: str, **more: Any) -> Identity:
-    reason = "forces in balance, on any mesh"
-    return Identity(name=name, symbol=symbol, unit=unit, fem=key, analytic=key,
-                    **{"demand": STATICS, "demand_reason": reason} | more)  # fmt: skip
+    told: dict[str, Any] = {"demand": STATICS, "demand_reason": BALANCED} | more
+    return Identity(name=name, symbol=symbol, unit=unit, fem=key, analytic=key, **told)
 
 
 def printed(
@@ -147,7 +147,7 @@ def printed(
     return Approximation(
         name=name, symbol=symbol, unit=unit, analytic=key, fem=fem, interval=interval,
         source="statics of a free roller: it uses tan(α/2)/μ of its friction", demand=1e-5,
-        demand_reason="forces in balance, on any mesh",
+        demand_reason=BALANCED,
     )  # fmt: skip
 
 
