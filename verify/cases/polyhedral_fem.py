@@ -109,14 +109,14 @@ def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution
     return at, in_corner
 
 
-def largest_in_fillet(q: PolygonRing, ring: "PlaneSolution") -> float:
-    """Largest hoop stress [Pa] of the fillet under `UNIT`, by a polynomial along it.
+def largest_in_fillet(q: PolygonRing, ring: "PlaneSolution", p: float = UNIT) -> float:
+    """Largest hoop stress [Pa] of the fillet under the pressure `p`, by a polynomial along it.
 
     The normal stress there is minus the pressure, so that the sum of both needs no direction.
     """
     side = ring.on_boundary("fillet")
     centre = (q.d_i / 2 - q.rho) * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
     turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / q.half_angle
-    stress = side.stress[0] + side.stress[1] + UNIT
+    stress = side.stress[0] + side.stress[1] + p
     fit = np.polynomial.Polynomial.fit(turn, stress, 8, domain=[0, 1])
     return float(fit(np.linspace(0, 1, 2001)).max())

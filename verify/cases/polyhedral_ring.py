@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.polyhedral import bore_pressure, expansion
+from analytic.polyhedral import bore_pressure, expansion, wall_stress
 from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.sector import Sector
 from verify.case import Case, FemResult, Output, Values
@@ -40,9 +40,9 @@ def analytic(q: HubRing) -> Values:
     p_1 = float(expansion.touching_pressure(j_D=q.j_D, **wall, E=q.E))
     sigma_t = float(expansion.hoop_stress(j_D=q.j_D, d_m=q.d_m, E=q.E))
     p_1r = stress.mid * p_1
-    fillet, at = bore_pressure.largest_fillet_stress(sector=ring)
+    fillet, at = wall_stress.largest_fillet_stress(sector=ring)
     normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, q.tan_phi])
-    values = {
+    values: dict[str, Any] = {
         "K": 1.0, "K mid": stress.mid, "K mean": stress.mean, "K corner": stress.corner,
         "1/K mid": 1 / stress.mid, "1/K corner": 1 / stress.corner, "K mid, strain": strain.mid,
         "K many": expansion.many_corners_factor(**wall), "residual": stress.residual,
@@ -80,7 +80,7 @@ def fem(q: HubRing, level: int) -> FemResult:
         values |= {f"hub at {name}, mid": float(mid), f"hub at {name}, corner": float(corner)}
     round_off = max(ring.residual**0.5, 1e-11)
     arrays = {"outside": radial(ring, q.d_e / 2, stations(q)) * p / UNIT}
-    fields = tuple(expanded(q, z) for z in dict.fromkeys((*DRAWN, q.z))) if level == 1 else ()
+    fields = tuple(expanded(q, z) for z in dict.fromkeys((*DRAWN, q.z)))
     return FemResult(
         h=1 / level, values=values, u_it={k: round_off * abs(v) for k, v in values.items()},
         arrays=arrays, fields=fields,
@@ -94,8 +94,8 @@ def one(_q: HubRing, v: Values) -> tuple[float, float]:
 
 
 def same(name: str, symbol: str, unit: str, **more: Any) -> Identity:
-    more = {"formal": 4, "demand": 1e-3, "demand_reason": ACCEPTED} | more
-    return Identity(name=name, symbol=symbol, unit=unit, **more)
+    given: dict[str, Any] = {"formal": 4, "demand": 1e-3, "demand_reason": ACCEPTED} | more
+    return Identity(name=name, symbol=symbol, unit=unit, **given)
 
 
 CHECKS = (

@@ -101,7 +101,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
         ),
         Equation(
             tex=r"u_r + i u_\theta = \frac{4}{E}\,e^{-i\theta}\,\varphi(r_e e^{i\theta})",
-            place="outside, by the complex potential whose coefficients meet the bore's pressure",
+            place="outside, by the complex potential",
         ),
     )
 

@@ -1,0 +1,272 @@
+"""The ring locked against its rollers: how much of the pressure reaches them."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.polyhedral import bore_pressure, expansion, forces
+from analytic.polyhedral.hub_force import HubForce, hub_force
+from analytic.polyhedral.locking import Locked, Roller, locked
+from analytic.polyhedral.roller_load import roller_load
+from analytic.polyhedral.sector import Sector
+from analytic.polyhedral.wall_stress import bore_stress
+from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import polyhedral_locking_shown as shown
+from verify.cases.polyhedral_fem import largest_in_fillet, pressed_fem, whole
+from verify.cases.polyhedral_locking_fem import LockedRing, held
+from verify.cases.polyhedral_locking_inputs import LockingInputs
+from verify.checks import Approximation, Exact, Fact, Identity
+from verify.shown import Array
+
+LEVELS = (1, 2, 3, 4)
+STEP = 0.05  # of pressure and hub force, either way, for their shares
+BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
+
+ALONG = 200  # points of the fillet
+
+
+def hub_of(q: LockingInputs) -> tuple[float, float]:
+    """The hub's force on a flat, along its normal and along it [N/m]."""
+    normal = q.R_b / np.hypot(1, q.tan_phi)
+    return float(normal), float(normal * q.tan_phi)
+
+
+def state(q: LockingInputs, p: float, d: float, hub: HubForce | None = None) -> Locked:
+    """The locked ring by the series."""
+    ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
+    return locked(sector=ring, roller=Roller(d=d, j_D=q.j_D), p=p, E=q.E, nu=q.nu,
+                  assumption="plane stress", hub=hub)  # fmt: skip
+
+
+def analytic(q: LockingInputs) -> Values:
+    ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
+    normal, along = hub_of(q)
+    hub = hub_force(sector=ring, e=q.e, normal=normal, along=along)
+    alone, pushed = state(q, q.p_t, q.d), state(q, q.p_t, q.d, hub)
+    wall = {"d_i": q.d_i, "d_e": q.d_e}
+    K = bore_pressure.stiffness_factors(sector=ring, nu=q.nu, assumption="plane stress").mid
+    p_1r = float(expansion.touching_pressure(j_D=q.j_D, **wall, E=q.E, K=K))
+    p_2 = max(q.p_t - p_1r, 0.0)
+    F = float(forces.pressure_force(p_2=p_2, b=1.0, d_i=q.d_i, z=q.z))
+    phi_1 = float(np.arctan(q.tan_phi))
+    values: dict[str, Any] = {
+        "p_1r": p_1r, "p_2": p_2, "F": F, "touch with hub": pushed.touch,
+        "N Eq. 16": forces.normal_force(F=F, R=q.R_b, phi_1=phi_1, gamma=0.0),
+        "N": alone.N, "efficiency": alone.efficiency, "N with hub": pushed.N,
+        "hub share": pushed.hub_share, "a": pushed.a,
+        "p_0": 2 * pushed.N / (np.pi * pushed.a) if pushed.a else 0.0,
+        "side": forces.pressure_force(p_2=q.p_t, b=1.0, d_i=q.d_i, z=q.z),
+        "fillet": in_fillet(q, ring, hub, pushed),
+    }  # fmt: skip
+    return {key: float(value) for key, value in values.items()}
+
+
+def in_fillet(q: LockingInputs, ring: Sector, hub: HubForce, found: Locked) -> float:
+    """Largest hoop stress [Pa] in the fillet under pressure, hub and rollers together."""
+    at = ring.straight + np.linspace(0, 1, ALONG + 1) * ring.rho * ring.half_angle
+    stress = q.p_t * bore_stress(at, sector=ring, field=bore_pressure.pressed(ring), p=1.0)
+    stress = stress + bore_stress(at, sector=ring, field=hub)
+    if found.N:
+        load = roller_load(sector=ring, a=found.a)
+        stress = stress + found.N * bore_stress(at, sector=ring, field=load)
+    return float(stress.max())
+
+
+def fem(q: LockingInputs, level: int) -> FemResult:
+    hub, side = hub_of(q), q.d_i * np.sin(q.half_angle)
+    alone = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t)
+    pushed = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t, hub=hub)
+    N = [alone.force(share * q.p_t) for share in (1 - STEP, 1, 1 + STEP)]
+    R = [pushed.force(q.p_t, (k * hub[0], k * hub[1])) for k in (1 - STEP, 1, 1 + STEP)]
+    both = pushed.at(q.p_t, hub)
+    touch = both.touches[0]
+    free = pressed_fem(q, level, "plane stress")
+    rest = pushed.balance(q.p_t, hub)
+    values = {
+        "N": N[1], "efficiency": (N[2] - N[0]) / (2 * STEP * q.p_t * side),
+        "N with hub": R[1], "hub share": (R[2] - R[0]) / (2 * STEP * q.R_b),
+        "a": touch.half_width((q.d_e / 2, 0.0)), "p_0": peak(touch),
+        "balance x": rest[0], "balance y": rest[1],
+        "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
+        "fillet": largest_in_fillet(q, both.plane, q.p_t),
+    }  # fmt: skip
+    arrays: dict[str, Array] = {}
+    if level == LEVELS[-1]:
+        arrays["over pressure"] = np.array([
+            (alone.force(p), pushed.force(p, hub)) for p in shown.PRESSURES * q.p_t
+        ]).T  # fmt: skip
+        arrays |= supports(q)
+    drawn = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
+    field = whole("locked", q.z, drawn, von_mises=(drawn["von_mises"], "Pa"))
+    u_it = {key: 1e-10 * abs(value) for key, value in values.items()}
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field,))
+
+
+def peak(touch: Any) -> float:
+    """Pressure [Pa] above the middle of the flat."""
+    return float(touch.pressure[np.argmin(np.abs(touch.x[1]))])
+
+
+def supports(q: LockingInputs) -> dict[str, Array]:
+    """Half-width and efficiency of rollers of other diameters, and of bonded stretches."""
+    side, rollers = q.d_i * np.sin(q.half_angle), []
+    for d in shown.diameters(q):
+        ring = LockedRing(q, 2, d=d, e=q.e, p=q.p_t)
+        low, high = (ring.force(k * q.p_t) for k in (1 - STEP, 1 + STEP))
+        a = ring.at(q.p_t).touches[0].half_width((q.d_e / 2, 0.0))
+        rollers.append((a, (high - low) / (2 * STEP * q.p_t * side)))
+    bonded = [(w, held(q, w) / side) for w in shown.widths(q)]
+    return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}
+
+
+def hertz(q: LockingInputs, v: Values) -> tuple[float, float]:
+    """Curvature and wall change a semi-ellipse by (a/d)² and (a/wall)²."""
+    wall = q.d_e / 2 - q.apothem
+    reach = (2 * v["a"] / q.d) ** 2 + (v["a"] / wall) ** 2 + BLUNT
+    return -reach, reach
+
+
+def predicted(formula: str, series: str) -> Callable[[LockingInputs, Values], Any]:
+    """Interval of a formula's error by what the series makes of the same."""
+
+    def interval(q: LockingInputs, v: Values) -> tuple[float, float] | None:
+        if not v[series] > 0:
+            return None
+        m, (low, high) = v[formula] / v[series] - 1, hertz(q, v)
+        return m + (1 + m) * low, m + (1 + m) * high
+
+    return interval
+
+
+def wider(context: Context) -> tuple[float, float]:
+    """How much more of the pressure the widest roller's contact takes than the narrowest's."""
+    eta = context.fem[-1].arrays["rollers"][1]
+    v = context.series("efficiency")[1]
+    return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])
+
+
+HERTZ = "argued: (2 a/d)² of the curvature, (a/wall)², and 1e-3, each once"
+SERIES = "the series (complex potentials, Hertz's patch) under the same loads; the same slack"
+
+
+def series(name: str, symbol: str, unit: str, key: str, **more: Any) -> Approximation:
+    return Approximation(name=name, symbol=symbol, unit=unit, fem=key, analytic=key, formal=2,
+                         interval=hertz, source=HERTZ, **more)  # fmt: skip
+
+
+CHECKS = (
+    series("force of a roller under pressure, series", "N/b", "N/mm", "N"),
+    series("share of further pressure that reaches the rollers, series", "η", "1", "efficiency"),
+    series("force of a roller under pressure and hub, series", "N/b", "N/mm", "N with hub"),
+    series("share of a further hub force that reaches the rollers, series", "η_h", "1",
+           "hub share"),
+    series("half-width of the roller's contact, Hertz", "a", "µm", "a"),
+    series("pressure between roller and ring, Hertz", "p_0", "MPa", "p_0"),
+    Approximation(name="force of a roller, Eqs. 13 and 16 without the hub", symbol="N/b",
+                  unit="N/mm", fem="N", analytic="F", formal=2,
+                  interval=predicted("F", "N"), source=SERIES),
+    Approximation(name="force of a roller, Eqs. 13 and 16 with the hub", symbol="N/b",
+                  unit="N/mm", fem="N with hub", analytic="N Eq. 16", formal=2,
+                  interval=predicted("N Eq. 16", "N with hub"), source=SERIES),
+    Identity(name="resultant of the pressure on a side, Eq. 13", symbol="F/b", unit="N/mm",
+             fem="side", analytic="side", formal=4, demand=1e-3,
+             demand_reason="statics: pressure on the chord between two corners"),
+    Identity(name="largest hoop stress in the fillets, locked", symbol="σ_max", unit="MPa",
+             fem="fillet", analytic="fillet", formal=2, demand=5e-3,
+             demand_reason="a peak stress: half a per cent tells fillets apart"),
+    Exact(name="Eq. 16 with the ring's hoop force: roller, hub, cuts, pressure", symbol="ΣF_x",
+          unit="N/mm", fem="balance x", scale="side", bound=1e-8,
+          bound_reason="acceptance figure; contact met to round-off"),
+    Exact(name="the same along the flat", symbol="ΣF_y", unit="N/mm", fem="balance y",
+          scale="side", bound=1e-8, bound_reason="acceptance figure; contact met to round-off"),
+    Fact(name="a wider support takes more of the pressure", symbol="Δη", unit="1", margin=wider),
+)  # fmt: skip
+
+
+def warnings(q: LockingInputs, v: Values) -> Sequence[str]:
+    found = []
+    if not v["N"] > 0:
+        found.append(
+            f"p_t = {q.p_t / 1e6:.4g} MPa is below {v['p_1r'] / 1e6:.4g} MPa, at which the ring "
+            "reaches its rollers: pressure alone does not lock them"
+        )
+    if q.R_p is not None and v["fillet"] > q.R_p:
+        found.append(
+            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets exceeds R_p = "
+            f"{q.R_p / 1e6:.4g} MPa: the ring yields there"
+        )
+    if q.R_p is None and v["fillet"] > 3e-3 * q.E:
+        found.append(
+            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets strains them by "
+            f"{v['fillet'] / q.E:.2%}: most steels yield before; give R_p"
+        )
+    if v["p_0"] > 4e9:
+        found.append(
+            f"p_0 = {v['p_0'] / 1e6:.4g} MPa is beyond 4000 MPa, the static rating of hardened "
+            "rollers (ISO 76)"
+        )
+    return found
+
+
+def too_large(q: LockingInputs) -> str:
+    """Rows compare forces of rollers, which there must be."""
+    touch = state(q, q.p_t, q.d).touch
+    if q.p_t < 1.02 * touch:
+        return (
+            f"p_t = {q.p_t / 1e6:.4g} MPa does not press the rollers, which takes more than "
+            f"{touch / 1e6:.4g} MPa: there is no locked ring to compare, check it without --fem"
+        )
+    return ""
+
+
+LOCKING = Case(
+    id="polyhedral-locking",
+    title="Polyhedral ring locked against its rollers",
+    paper="belcin",
+    place="Eqs. 7, 13, 16, 19",
+    lead="The paper hands all of the blocking pressure to the rollers. The ring's own hoop force "
+    "keeps a good part of it: finite elements with the roller as a contact, and complex potentials "
+    "with Hertz's patch, say how much. Sizes and loads are the project's.",
+    inputs=LockingInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=LEVELS,
+    checks=CHECKS,
+    outputs=(
+        Output(key="p_1r", symbol="p_1r", unit="MPa",
+               what="pressure at which the ring reaches its rollers", judged=False),
+        Output(key="p_2", symbol="p_2", unit="MPa", what="blocking pressure (Eq. 19)",
+               judged=False),
+        Output(key="F", symbol="F/b", unit="N/mm",
+               what="force of a roller, all of the pressure's (Eqs. 13 and 16)"),
+        Output(key="N", symbol="N/b", unit="N/mm", what="force of a roller, series"),
+        Output(key="efficiency", symbol="η", unit="1",
+               what="share of a further pressure that reaches the rollers"),
+        Output(key="N Eq. 16", symbol="N/b", unit="N/mm",
+               what="force of a roller with the hub's (Eq. 16)"),
+        Output(key="N with hub", symbol="N/b", unit="N/mm",
+               what="force of a roller with the hub's, series"),
+        Output(key="hub share", symbol="η_h", unit="1",
+               what="share of a further hub force that reaches the rollers"),
+        Output(key="a", symbol="a", unit="µm", what="half-width of the contact"),
+        Output(key="p_0", symbol="p_0", unit="MPa", what="pressure on the ring, rigid rollers"),
+        Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets"),
+    ),
+    readings=(
+        "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",
+        "p_2 is what p_t exceeds K_mid p_1 by (Eq. 19 with K in the middle of the flats)",
+        "the side of the polygon in Eq. 13, not its arc; γ = 0 in Eq. 16: along the flat's normal",
+    ),
+    assumptions=(
+        "linear elasticity, small strain; no friction at the rollers",
+        "half a sector, symmetry on both cuts; the roller above the middle of the flat",
+        "the hub's force at e counts as half of it on each side of the flat's middle",
+    ),
+    warnings=warnings,
+    too_large=too_large,
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=shown.figures,
+    pictures=shown.pictures,
+)  # fmt: skip
