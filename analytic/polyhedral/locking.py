@@ -11,7 +11,12 @@ Of the pressure's force on a flat, :math:`p\,d_i\sin(\pi/z)` per unit length, th
 
 .. math:: \eta = \frac{1}{d_i\sin(\pi/z)}\,\frac{dN}{dp}
 
-of each further part reaches the roller, the ring's own hoop force holds the rest.
+of each further part reaches the roller, the ring's own hoop force holds the rest. Towards many
+corners it rises beyond 1, to what a rigid housing takes from a round ring,
+
+.. math:: \eta \to \frac{2\, d_i d_e}{(1 - \nu')\, d_e^2 + (1 + \nu')\, d_i^2},
+
+1.027 for d_i = 0.9 d_e and nu' = 0.3: the wall is squeezed and spreads.
 
 Range: frictionless contacts with a much smaller than d and the wall; the rollers at mid-flat.
 """
@@ -42,6 +47,10 @@ class Roller:
     E: float = np.inf  # rigid
     nu: float = 0.0
 
+    def __post_init__(self) -> None:
+        positive(self.d, "the roller's diameter d", "m")
+        positive(self.j_D, "the play j_D", "m")
+
 
 @dataclass(frozen=True, kw_only=True)
 class Locked:
@@ -55,8 +64,8 @@ class Locked:
 
 
 @dataclass(frozen=True)
-class _Contact:
-    """How far N presses ring and roller together [length]."""
+class RollerContact:
+    """Contact of ring and roller under N, per unit length, and how far the ring gives way."""
 
     sector: Sector
     roller: Roller
@@ -64,7 +73,26 @@ class _Contact:
     nu: float
     assumption: Assumption
 
+    @property
+    def E_plane(self) -> float:
+        """E' of the ring."""
+        E = positive(self.E, "Young's modulus", "Pa")
+        return float(in_plane(E, self.nu, self.assumption)[0])
+
+    @property
+    def growth(self) -> float:
+        """u_p: how far the unit pressure lifts mid-flat [length per stress]."""
+        grown = rim_displacement(
+            0.0, sector=self.sector, p=1.0, E=self.E, nu=self.nu, assumption=self.assumption
+        )
+        return float(grown.real[0])
+
+    def lift(self, hub: HubForce) -> float:
+        """u_h: how far the hub's force lifts mid-flat [length]."""
+        return float(hub.rim_displacement(0.0).real[0]) / self.E_plane
+
     def half_width(self, N: float) -> float:
+        """Half-width a of the contact on the ring [length]."""
         R = hertz_line.relative_radius(R_1=self.roller.d / 2, R_2=self.sector.r_e)
         E_star = hertz_line.contact_modulus(
             E_1=self.E,
@@ -76,6 +104,7 @@ class _Contact:
         return float(hertz_line.half_width(P=N, R=R, E_star=E_star))
 
     def closure(self, N: float) -> float:
+        """How far N presses ring and roller together above mid-flat [length]."""
         a = self.half_width(N)
         load = roller_load(sector=self.sector, a=a)
         dent = load.rim_displacement(0.0, E=self.E, nu=self.nu, assumption=self.assumption)
@@ -110,13 +139,10 @@ def locked(
     >>> round(state.N, 1), round(state.touch, 2), round(state.efficiency, 3)
     (185.9, 20.26, 0.541)
     """
-    _check(roller)
     p = float(finite(p, "the pressure p", "Pa"))
-    E_plane = float(in_plane(positive(E, "Young's modulus", "Pa"), nu, assumption)[0])
-    grown = rim_displacement(0.0, sector=sector, p=1.0, E=E, nu=nu, assumption=assumption)
-    u_p = float(grown.real[0])
-    u_h = 0.0 if hub is None else float(hub.rim_displacement(0.0).real[0]) / E_plane
-    contact = _Contact(sector, roller, E, nu, assumption)
+    contact = RollerContact(sector, roller, E, nu, assumption)
+    u_p, E_plane = contact.growth, contact.E_plane
+    u_h = 0.0 if hub is None else contact.lift(hub)
     gap = roller.j_D / 2 - u_h
     touch, closing = gap / u_p, u_p * p - gap
     if closing <= 0:
@@ -134,7 +160,7 @@ def locked(
     )
 
 
-def _force(contact: _Contact, closing: float, E_plane: float) -> float:
+def _force(contact: RollerContact, closing: float, E_plane: float) -> float:
     """N at which the closure is `closing`, by Newton's method with the dents' logarithms' slope."""
     bodies = 1 / E_plane if np.isinf(contact.roller.E) else 3 / E_plane
     N = E_plane * (FIRST * contact.sector.r_e) ** 2 / contact.roller.d
@@ -145,8 +171,3 @@ def _force(contact: _Contact, closing: float, E_plane: float) -> float:
         if abs(change) <= CLOSE * N:
             return float(N)
     raise ArithmeticError(f"the roller's force does not settle: N={N:g} N/m after {STEPS} steps")
-
-
-def _check(roller: Roller) -> None:
-    positive(roller.d, "the roller's diameter d", "m")
-    positive(roller.j_D, "the play j_D", "m")

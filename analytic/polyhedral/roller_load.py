@@ -29,6 +29,7 @@ from analytic.polyhedral.free_rim import FreeRim, Values, free_rim
 from analytic.polyhedral.patch_series import slow_sums, weights
 from analytic.polyhedral.sector import Complex, Sector
 
+DEEPEST = 0.999  # of the outside radius: nearer to the load the disc's series is too slow
 DIGITS = 38.0  # the disc's series ends where its terms have fallen by exp(-38)
 
 
@@ -41,7 +42,13 @@ class RollerLoad:
     correction: FreeRim
 
     def __call__(self, zeta: Complex) -> Values:
-        """Potentials at points of the ring, not beyond the bore's corner radius by much."""
+        """Potentials at points of the ring, up to 0.999 of the outside radius."""
+        farthest = float(np.abs(zeta).max())
+        if farthest > DEEPEST * self.sector.r_e:
+            raise ValueError(
+                f"points may reach to {DEEPEST} of the loaded outside, got |zeta|={farthest:g} m, "
+                f"d_e={self.sector.d_e:g} m"
+            )
         return _disc(self.sector, self.a, zeta).plus(self.correction(zeta))
 
     def rim_displacement(

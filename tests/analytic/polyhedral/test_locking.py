@@ -88,8 +88,6 @@ def test_it_does_not_notice_units():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"roller": Roller(d=0.0, j_D=0.06)}, "the roller's diameter d must be positive"),
-        ({"roller": Roller(d=10.0, j_D=-0.06)}, "the play j_D must be positive"),
         ({"p": np.inf}, "the pressure p must be finite"),
         ({"E": -1.0}, "Young's modulus must be positive"),
     ],
@@ -98,3 +96,20 @@ def test_wrong_input_is_named(change, message):
     given = {"roller": ROLLER, "p": 30.0, **STEEL} | change
     with pytest.raises(ValueError, match=message):
         locked(sector=Sector(z=6, **RING), **given)
+
+
+def test_rollers_that_cannot_be_are_refused():
+    with pytest.raises(ValueError, match="the roller's diameter d must be positive"):
+        Roller(d=0.0, j_D=0.06)
+    with pytest.raises(ValueError, match="the play j_D must be positive"):
+        Roller(d=10.0, j_D=-0.06)
+
+
+def test_many_rollers_take_what_a_rigid_housing_does():
+    limit = 2 * 72 * 80 / (0.7 * 80**2 + 1.3 * 72**2)
+    lacking = [
+        1 - locked(sector=Sector(z=z, **RING), roller=ROLLER, p=30.0, **STEEL).efficiency / limit
+        for z in (100, 200, 400)
+    ]
+    assert 0 < lacking[2] < lacking[1] < lacking[0] < 0.05
+    assert lacking[1] / lacking[2] == pytest.approx(2, rel=0.2)  # the dents' part falls as 1/z

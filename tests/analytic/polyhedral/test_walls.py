@@ -105,3 +105,10 @@ def test_stresses_of_rollers_and_pressure_add_up():
     assert stress[0] > 0 > stress[1]  # a ring pressed from outside above its flat
     with pytest.raises(ValueError, match="arc lengths reach from 0 to"):
         bore_stress(19.0, sector=HEXAGON, field=rollers)
+
+
+def test_stresses_under_the_loads_themselves_are_refused():
+    with pytest.raises(ValueError, match=r"points may reach to 0\.999 of the loaded outside"):
+        roller_load(sector=HEXAGON, a=0.1)(np.array([40.0 + 0j]))
+    with pytest.raises(ValueError, match="infinite at the hub's point force itself"):
+        bore_stress(9.0, sector=HEXAGON, field=hub_force(sector=HEXAGON, e=9.0, normal=1.0))
