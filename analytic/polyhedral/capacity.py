@@ -1,0 +1,99 @@
+r"""Torque of the polyhedral ring clutch with what its elastic ring lets through to the rollers.
+
+At the friction limit (grip = mu, or tan(alpha/2) of free rollers) the rollers' force N and the
+torque M_t belong together, and so does the hub's force R, as in the paper,
+
+.. math:: M_t = \text{grip}\, N z \frac{D_i}{2}, \qquad
+          R = \frac{M_t}{z\,(r + r_1)\sin(\psi + \varphi_1)} = \kappa N.
+
+But Eq. 16 hands all of pressure and hub force to the rollers; here the ring decides (`locking`),
+
+.. math:: p(N) = \frac{1}{u_p}\left[\frac{j_D}{2} + u_N(a) N + \delta(N) - \kappa u_{h1} N\right]
+
+with u_h1 the lift by the unit hub force. Where the lift grows as fast as the ring gives way, more
+pressure is no longer needed: the torque has no limit by pressure.
+
+All forces per unit length. Range as that of `locking`.
+"""
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, inf, sin
+
+from scipy.optimize import brentq
+
+from analytic.contact.checks import not_negative, positive
+from analytic.polyhedral.hub_force import hub_force
+from analytic.polyhedral.locking import RollerContact
+
+GROWTH, MOST = 1.25, 60  # steps of N in search of the pressure, and how many
+START = 1e-3  # of the force that the whole pressure would have
+
+
+@dataclass(frozen=True)
+class Driven:
+    """Ring that is locked while its hub turns it: R goes with N.
+
+    The hub touches each flat at e [length] from its middle, with the friction tan_phi; grip is the
+    tangential over the normal force of a roller on the race D_i.
+
+    >>> from analytic.polyhedral.locking import Roller
+    >>> from analytic.polyhedral.sector import Sector
+    >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
+    >>> contact = RollerContact(ring, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane stress")
+    >>> hub = Driven(contact, grip=0.08, D_i=100.06, e=9.0, tan_phi=0.05)
+    >>> round(hub.kappa, 3), round(hub.force(30.0), 1)
+    (0.379, 237.6)
+    """
+
+    contact: RollerContact
+    grip: float
+    D_i: float
+    e: float
+    tan_phi: float
+
+    def __post_init__(self) -> None:
+        positive(self.grip, "the grip of the rollers", "")
+        positive(self.D_i, "the race's diameter D_i", "m")
+        not_negative(self.tan_phi, "the hub's friction", "")
+
+    @property
+    def kappa(self) -> float:
+        """Hub force over roller force, R/N."""
+        apothem = self.contact.sector.apothem
+        turn = atan2(self.e, apothem) + atan2(self.tan_phi, 1)
+        return self.grip * self.D_i / (2 * hypot(self.e, apothem) * sin(turn))
+
+    @property
+    def lift(self) -> float:
+        """How far the hub's force lifts mid-flat for N = 1 [length]."""
+        normal = self.kappa * cos(atan2(self.tan_phi, 1))
+        hub = hub_force(
+            sector=self.contact.sector, e=self.e, normal=normal, along=normal * self.tan_phi
+        )
+        return self.contact.lift(hub)
+
+    def pressure(self, N: float) -> float:
+        """Pressure [stress] under which the rollers carry N each."""
+        return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
+
+    def force(self, p: float) -> float:
+        """Force N of a roller under the pressure p; 0 before it touches, infinite beyond limits."""
+        contact, lift = self.contact, self.lift
+        p = float(positive(p, "the pressure p", "Pa"))
+        if p * contact.growth <= contact.roller.j_D / 2:
+            return 0.0
+        low, before = 0.0, contact.roller.j_D / 2 / contact.growth
+        high = START * p * contact.sector.d_i
+        for _ in range(MOST):
+            found = self._pressure(high, lift)
+            if found >= p:
+                return float(brentq(lambda N: self._pressure(N, lift) - p, max(low, 1e-9 * high),
+                                    high, rtol=1e-12))  # fmt: skip
+            if found <= before:
+                return inf
+            low, before, high = high, found, high * GROWTH
+        return inf
+
+    def _pressure(self, N: float, lift: float) -> float:
+        contact = self.contact
+        return (contact.roller.j_D / 2 + contact.closure(N) - lift * N) / contact.growth
