@@ -45,7 +45,7 @@ from analytic.ring import lame
 
 Wall = Literal["bore", "rim"]
 NEGLIGIBLE = 40.0  # -ln of the share below which one wall does not feel the other
-CHUNK = 200_000  # numbers that are summed at once
+CHUNK = 1_000_000  # cosines that are held at once
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -116,10 +116,12 @@ class FourierRing:
         )
         flat, turn = radii.ravel(), angles.ravel()
         sums = self._mean(flat)
-        step = max(1, CHUNK // max(self._m.size, 1))
-        for k in range(0, flat.size, step):
-            part = slice(k, k + step)
-            sums[:, part] += self._waves(flat[part], turn[part])
+        for radius in np.unique(flat):
+            here = np.flatnonzero(flat == radius)
+            waves = self._waves(float(radius))
+            step = max(1, CHUNK // max(waves.shape[1], 1))
+            for part in np.split(here, range(step, here.size, step)):
+                sums[:, part] += self._summed(waves, turn[part])
         u_r, u_theta, *stresses = (row.reshape(radii.shape) for row in sums)
         return State(
             u_r=u_r, u_theta=u_theta, sigma_r=stresses[0], sigma_theta=stresses[1], tau=stresses[2]
@@ -146,41 +148,47 @@ class FourierRing:
         own = [zero, zero, -p / 2, zero] if rim else [zero, zero, zero, p / 2]
         found = np.array(own)  # as on a disc, or around a hole
         far = np.log(self.r_o / self.r_i)
-        coupled = (m - 2) * far < NEGLIGIBLE
-        if np.any(coupled):
-            A = _wall_tractions(m[coupled], far)
-            b = np.zeros((m[coupled].size, 4))  # sigma_r, tau at the rim; at the bore
-            b[:, 0 if rim else 2] = -p[coupled]
-            found[:, coupled] = np.linalg.solve(A, b[..., None])[..., 0].T
+        coupled = m[(m - 2) * far < NEGLIGIBLE]
+        b = np.zeros((coupled.size, 4))  # sigma_r, tau at the rim; at the bore
+        b[:, 0 if rim else 2] = -p[: coupled.size]
+        A = _wall_tractions(coupled, far)
+        found[:, : coupled.size] = np.linalg.solve(A, b[..., None])[..., 0].T
         return found
 
-    def _waves(self, r: Array, theta: Array) -> Array:
-        """Sum over m >= n of displacements and stresses (5, points)."""
-        m, factors = self._m[:, None], self._amplitudes[:, :, None]
-        cos, sin = np.cos(m * theta), np.sin(m * theta)
-        stresses = _stresses(m, r / self.r_o, self.r_i / r)
+    def _waves(self, r: float) -> Array:
+        """u_r, u_theta, sigma_r, sigma_theta, tau of every wave (5, K) at the radius r.
+
+        Without those that have decayed on the way from the loaded wall.
+        """
+        way = np.log(r / self.r_i) if self.loaded == "bore" else np.log(self.r_o / r)
+        m = self._m[(self._m - 2) * way < NEGLIGIBLE]
+        factors = self._amplitudes[:, None, : m.size]
         moved = _displacements(m, r, self.r_i, self.r_o, self.kappa) / self.double_shear_modulus
-        radial, around = (factors[:, None] * moved).sum(axis=0)
-        normal, hoop, shear = (factors[:, None] * stresses).sum(axis=0)
-        parts = (radial * cos, around * sin, normal * cos, hoop * cos, shear * sin)
-        return np.array([part.sum(axis=0) for part in parts])
+        stresses = _stresses(m, r / self.r_o, self.r_i / r)
+        return np.asarray((factors * np.concatenate([moved, stresses], axis=1)).sum(axis=0))
+
+    def _summed(self, waves: Array, theta: Array) -> Array:
+        """The waves (5, K) at the angles (points,): displacements and stresses (5, points)."""
+        turn = np.outer(self._m[: waves.shape[1]], theta)
+        even, odd = waves[[0, 2, 3]] @ np.cos(turn), waves[[1, 4]] @ np.sin(turn)
+        return np.array([even[0], odd[0], even[1], even[2], odd[1]])
 
 
-def _stresses(m: Array, rho: Array, s: Array) -> Array:
-    """Stresses (4, 3, m, points) of A, B, C, D."""
+def _stresses(m: Array, rho: float, s: float) -> Array:
+    """Stresses (4, 3, K) of A, B, C, D."""
     a, b, c, d = rho ** (m - 2), s ** (m + 2), rho**m, s**m
-    grown, fallen = m * (a - c), m * (d - b)
-    zero = np.zeros_like(a)
+    grown = m * a * (1 - rho) * (1 + rho)
+    fallen = m * d * (1 - s) * (1 + s)
     return np.array([
         [a, -a, -a],
         [-b, b, -b],
-        [2 * c + grown, 2 * c - grown, -grown + zero],
-        [-2 * d - fallen, -2 * d + fallen, -fallen + zero],
+        [2 * c + grown, 2 * c - grown, -grown],
+        [-2 * d - fallen, -2 * d + fallen, -fallen],
     ])  # fmt: skip
 
 
-def _displacements(m: Array, r: Array, r_i: float, r_o: float, kappa: float) -> Array:
-    """2G times displacements (4, 2, m, points) of A, B, C, D."""
+def _displacements(m: Array, r: float, r_i: float, r_o: float, kappa: float) -> Array:
+    """2G times displacements (4, 2, K) of A, B, C, D."""
     rho, s = r / r_o, r_i / r
     a, b = r_o * rho ** (m - 1) / (m - 1), r_i * s ** (m + 1) / (m + 1)
     c = r_o * rho ** (m - 1) * ((1 - rho) * (1 + rho) + 1 / (m - 1))

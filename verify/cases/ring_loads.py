@@ -71,7 +71,7 @@ SHARED: dict[str, Any] = {
     "paper": "huang2018",
     "analytic": analytic,
     "fem": fem,
-    "levels": (2, 4, 8),
+    "levels": (8, 12, 16),
     "assumptions": (
         "linear elasticity, small strain, forces along radii, no friction",
         "Hertz's pressure on every patch, along the arc; the other wall free",

@@ -10,6 +10,7 @@ c from the models at N_0 and g of the two dents, which all models share.
 import math
 from collections.abc import Sequence
 
+import numpy as np
 from scipy.optimize import brentq
 
 from analytic.contact.hertz_line_approach import approach_to_centre
@@ -22,7 +23,7 @@ COUNTS = (6, 8, 12, 16, 24)
 
 
 def compliances(q: LoadsInputs, n: int) -> tuple[float, float, float]:
-    """C by Lamé and Hertz, c by the Fourier ring, and g [m/N], the sprag's own dent in all."""
+    """Both c, by Lamé and Hertz and by the Fourier ring, and g [m/N]; the sprag's dent in all."""
     plane = q.E / (1 - q.nu**2)
     a = formulas.hertz(q)[0]
     sprag = float(approach_to_centre(P=q.P, a=a, R=q.R, E_plane=plane))
@@ -39,7 +40,7 @@ def ratios(races: Sequence[LoadsInputs], n: int) -> tuple[float, float]:
     Windup under one force, the first race's; peak force for the energy that Lamé and Hertz take up
     under it.
     """
-    smeared, fourier, g = (sum(parts) for parts in zip(*(compliances(q, n) for q in races)))
+    smeared, fourier, g = np.sum([compliances(q, n) for q in races], axis=0).tolist()
 
     def excess(share: float) -> float:
         energy = share**2 * (fourier - g / 2 - g * math.log(share))

@@ -1,6 +1,5 @@
 """The formulas of a race under n sprags: Hertz's patch, Fourier ring, smeared ring, dent."""
 
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -17,10 +16,12 @@ POINTS = 24  # of the rule over the patch for its work
 def hertz(q: LoadsInputs, P: float | None = None) -> tuple[float, float]:
     """Half-width [m] and peak pressure [Pa] of a sprag on the race under P per length."""
     R = hertz_line.relative_radius(R_1=q.R, R_2=-q.r_i if q.loaded == "bore" else q.r_o)
-    steel = {"E_1": q.E, "nu_1": q.nu, "E_2": q.E, "nu_2": q.nu}
-    E_star = hertz_line.contact_modulus(**steel, assumption="plane strain")
-    load = {"P": q.P if P is None else P, "R": R, "E_star": E_star}
-    return float(hertz_line.half_width(**load)), float(hertz_line.peak_pressure(**load))
+    E_star = hertz_line.contact_modulus(
+        E_1=q.E, nu_1=q.nu, E_2=q.E, nu_2=q.nu, assumption="plane strain"
+    )
+    P = q.P if P is None else P
+    a = hertz_line.half_width(P=P, R=R, E_star=E_star)
+    return float(a), float(hertz_line.peak_pressure(P=P, R=R, E_star=E_star))
 
 
 def race(q: LoadsInputs, *, n: int | None = None, P: float | None = None) -> LoadedRace:
@@ -96,10 +97,3 @@ def strain_energy(ring: LoadedRace) -> float:
     weight = 2 / (POINTS + 1) * np.sin(turn) ** 2
     u = ring.at(ring.r, ring.alpha * np.cos(turn)).u_r
     return float(ring.n * ring.P / 2 * abs(u @ weight))
-
-
-@lru_cache(maxsize=64)
-def on_stations(q: LoadsInputs, n: int, thetas: tuple[float, ...]) -> Any:
-    """State on the loaded wall at the angles `thetas` [rad] under n loads."""
-    ring = race(q, n=n)
-    return ring.at(ring.r, np.array(thetas))

@@ -37,8 +37,10 @@ def sketch(q: LoadsInputs) -> Sketch:
         Shape(style="hole", points=arc(inner)),
         Shape(style="modelled", points=sector),
     ]
-    for k in range(min(q.n, 48)):
-        shapes.append(Shape(style="load", points=ray(2 * k * pitch, wall + behind, wall)))
+    shapes += [
+        Shape(style="load", points=ray(2 * k * pitch, wall + behind, wall))
+        for k in range(min(q.n, 48))
+    ]
     for name, r, degrees, at in (
         (q.names[1], q.r_o, 141, 1.0), (q.names[0], q.r_i, 159, inner),
     ):  # fmt: skip

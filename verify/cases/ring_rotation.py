@@ -207,7 +207,7 @@ CHECKS = (
     *(
         Exact(name=f"balance of forces, {a}", symbol="ΣF_x", unit="N/mm", fem=f"balance, {a}",
               scale="load", bound=1e-9,
-              bound_reason="parabolas for circles: the body's moment errs by less than (angle of a cell)^4")
+              bound_reason="parabolas for circles: their moment errs by less than (cell's angle)^4")
         for a in ASSUMPTIONS
     ),
     *(
@@ -250,7 +250,7 @@ ROTATION = Case(
     inputs=RotationInputs,
     analytic=analytic,
     fem=fem,
-    levels=(2, 4, 8, 16),
+    levels=(2, 4, 8, 12),
     checks=CHECKS,
     outputs=(
         Output(key="bore growth, plane stress", symbol="δ_ce", unit="µm",
