@@ -33,8 +33,13 @@ def widths(q: Any) -> list[float]:
 
 
 def sketch(q: Any) -> Sketch:
+    return locked_sketch(q, d=q.d, e=q.e, p_t=q.p_t)
+
+
+def locked_sketch(q: Any, *, d: float, e: float, p_t: float) -> Sketch:
+    """The ring `q` with rollers of diameter d [m], the hub's contacts at e [m], pressure [Pa]."""
     shapes = body(q, gap=0.0)
-    flat, at = q.apothem / (q.d_e / 2), q.e / (q.d_e / 2)
+    flat, at = q.apothem / (q.d_e / 2), e / (q.d_e / 2)
     for k in range(0, q.z, max(1, q.z // 6)):
         c, s = np.cos(2 * np.pi * k / q.z), np.sin(2 * np.pi * k / q.z)
         turn = np.array([[c, s], [-s, c]])
@@ -43,8 +48,8 @@ def sketch(q: Any) -> Sketch:
         push = np.array([[flat - 0.16, -0.1], [flat, -0.1]]) @ turn
         shapes.append(Shape(style="load", points=push, label="p" if k == 0 else ""))
     title = (
-        f"the ring with {q.z} flats pressed against rollers of {q.d / mm:.4g} mm by p_t = "
-        f"{q.p_t / MPa:.4g} MPa; the hub pushes on each flat with R at e = {q.e / mm:.4g} mm"
+        f"the ring with {q.z} flats pressed against rollers of {d / mm:.4g} mm by p_t = "
+        f"{p_t / MPa:.4g} MPa; the hub pushes on each flat with R at e = {e / mm:.4g} mm"
     )
     return Sketch(title=title, shapes=tuple(shapes))
 

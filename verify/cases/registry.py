@@ -14,16 +14,23 @@ from verify.cases.contact_roller_flat import UNCROWNED
 from verify.cases.contact_roller_tilted import TILTED
 from verify.cases.contact_slip import SLIP
 from verify.cases.contact_sphere import SPHERE
+from verify.cases.polyhedral_clutch import CLUTCH
 from verify.cases.polyhedral_locking import LOCKING
 from verify.cases.polyhedral_pressure import PRESSURE
 from verify.cases.polyhedral_ring import RING as POLYHEDRAL_RING
 from verify.cases.polyhedral_wedge import WEDGE
 from verify.cases.ring import LAME
+from verify.cases.ring_loads import INNER, OUTER
+from verify.cases.ring_loads_map import MAP
+from verify.cases.ring_rotation import ROTATION
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_continuum import CONTINUUM
 
 CASES: tuple[Case, ...] = (
-    LAME, PRESSURE, POLYHEDRAL_RING, LOCKING, WEDGE, ACCORDION, CONTINUUM, FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
+    LAME, OUTER, INNER, MAP, ROTATION,
+    PRESSURE, POLYHEDRAL_RING, LOCKING, WEDGE, CLUTCH,
+    ACCORDION, CONTINUUM,
+    FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
 )  # fmt: skip
 

@@ -1,0 +1,254 @@
+"""The whole clutch, parts to torque: the paper's formulas and the elastic ring."""
+
+from collections.abc import Callable, Sequence
+from math import atan, isfinite
+from typing import Any
+
+import numpy as np
+
+from analytic.polyhedral import bore_pressure, wedging
+from analytic.polyhedral.capacity import Driven
+from analytic.polyhedral.design import Clutch
+from analytic.polyhedral.locking import Roller, RollerContact
+from analytic.polyhedral.parts import Parts
+from analytic.polyhedral.rim_slope import steepest
+from analytic.polyhedral.sector import Sector
+from verify.case import Case, FemResult, Values
+from verify.cases import polyhedral_clutch_shown as shown
+from verify.cases.polyhedral_clutch_fem import DrivenRing
+from verify.cases.polyhedral_clutch_inputs import ClutchInputs
+from verify.cases.polyhedral_clutch_stress import in_fillet
+from verify.cases.polyhedral_fem import largest_in_fillet, whole
+from verify.checks import Approximation, Exact, Identity
+
+LEVELS = (1, 2, 3, 4)
+BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
+STATIC_RATING = 4.0e9  # Pa, ISO 76: roller bearings at their static load rating
+
+
+def sector(q: ClutchInputs) -> Sector:
+    """Half a sector for the series."""
+    return Sector(z=q.z, d_e=q.d_e, d_i=q.ring.d_i, rho=q.rho)
+
+
+def grip(q: ClutchInputs) -> float:
+    """Tangential over normal force of the rollers: μ in a cage, else tan(α/2) if they stay."""
+    if q.alpha is None or not wedging.holds(alpha=q.alpha, mu=q.mu):
+        return q.mu
+    return float(np.tan(q.alpha / 2))
+
+
+def driven(q: ClutchInputs, *, elastic: bool = False) -> Driven:
+    """The locked ring that its hub turns; rollers rigid, or as elastic as the ring."""
+    own = {"E": q.E, "nu": q.nu} if elastic else {}
+    contact = RollerContact(sector(q), Roller(d=q.d, j_D=q.j_D, **own), q.E, q.nu, "plane stress")
+    return Driven(contact, grip=grip(q), D_i=q.D_i, e=q.e, tan_phi=q.tan_phi)
+
+
+def paper(q: ClutchInputs, **readings: Any) -> Clutch:
+    """The paper's formulas, corrected, in one of their readings."""
+    rho = readings.pop("rho", q.rho)
+    parts = Parts(z=q.z, d_i=q.ring.d_i, d_e=q.d_e, D_i=q.D_i, d=q.d, b=q.b, e=q.e, rho=rho)
+    return Clutch(
+        parts, p_t=q.p_t, E=q.E, nu=q.nu, mu=q.mu, phi_1=atan(q.tan_phi), alpha=q.alpha,
+        M_wanted=q.M_t, **readings,
+    )  # fmt: skip
+
+
+def analytic(q: ClutchInputs) -> Values:
+    ring = sector(q)
+    K = bore_pressure.stiffness_factors(sector=ring, nu=q.nu, assumption="plane stress").mid
+    full = paper(q, K=K)
+    first = paper(q, K=1.0, lever="d_i/2", gamma="radius", rho=0.0)
+    hub, lever = driven(q), q.b * q.z * q.D_i / 2
+    stays = q.alpha is None or bool(wedging.holds(alpha=q.alpha, mu=q.mu))
+    N = hub.force(q.p_t) if stays else 0.0
+    soft = driven(q, elastic=True).force(q.p_t) if stays else 0.0
+    N_t = q.M_t / (hub.grip * lever)
+    slope, _ = steepest(sector=ring, field=bore_pressure.pressed(ring))
+    parts = full.parts
+    values = {
+        "beta": parts.beta, "d_m": parts.d_m, "j_D": parts.j_D, "apothem": parts.apothem,
+        "psi": parts.psi, "lever": full.arm, "sigma_t": full.sigma_t, "p_1": full.p_1, "K": K,
+        "p_1r": full.p_1r, "sigma_tr": full.sigma_tr, "p_2": full.p_2, "F": full.F,
+        "hub share": full.hub_share, "M Eq. 20": full.M_t, "T": full.T, "F_s": full.F_s,
+        "R": full.R, "N": full.N, "p Eq. 20": full.p_required, "M Eq. 21": first.M_t,
+        "kappa": hub.kappa, "N series": N * q.b, "M series": hub.grip * N * lever,
+        "M elastic rollers": hub.grip * soft * lever,
+        "p series": hub.pressure(N_t), "margin": hub.grip * N * lever / q.M_t,
+        "N wanted": N_t * q.b, "fillet": in_fillet(q, hub, N), "a": hub.contact.half_width(N_t),
+        "slope": slope * q.p_t / q.E, "side": q.p_t * q.ring.d_i * np.sin(ring.half_angle),
+        "p_0 ring": pressure(q, N_t, q.d_e / 2), "p_0 race": pressure(q, N_t, -q.D_i / 2),
+    }  # fmt: skip
+    return {key: float(value) for key, value in values.items()}
+
+
+def pressure(q: ClutchInputs, N: float, R_2: float) -> float:
+    """Hertz's largest pressure [Pa] of a roller under N [N/m] against the radius R_2 [m]."""
+    curvature = 2 / q.d + 1 / R_2
+    return float(np.sqrt(N * curvature * q.E / (1 - q.nu**2) / (2 * np.pi)))
+
+
+def fem(q: ClutchInputs, level: int) -> FemResult:
+    hub = DrivenRing(q, level, grip=grip(q))
+    N, N_t = hub.force(q.p_t), q.M_t / (grip(q) * q.b * q.z * q.D_i / 2)
+    p = hub.pressure(N_t)
+    state = hub.at(q.p_t, N)
+    rest = hub.ring.balance(q.p_t, hub.push(N))
+    values = {
+        "N series": N * q.b, "M series": grip(q) * N * q.b * q.z * q.D_i / 2, "p series": p,
+        "fillet": largest_in_fillet(q.ring, state.plane, q.p_t),
+        "balance x": rest[0], "balance y": rest[1],
+    }  # fmt: skip
+    coarse = DrivenRing(q, 1, grip=grip(q))
+    drawn = coarse.at(q.p_t, N).plane.cells()
+    field = whole("driven", q.z, drawn, von_mises=(drawn["von_mises"], "Pa"))
+    u_it = {key: 1e-9 * abs(value) for key, value in values.items()}
+    return FemResult(h=1 / level, values=values, u_it=u_it, fields=(field,))
+
+
+def slack(q: ClutchInputs, v: Values) -> float:
+    """(2 a/d)² + (a/wall)² + 1e-3, as often as the hub's force comes back to the roller."""
+    wall = q.d_e / 2 - q.ring.apothem
+    reach = (2 * v["a"] / q.d) ** 2 + (v["a"] / wall) ** 2 + BLUNT
+    return reach / max(1 - v["hub share"], 0.1)
+
+
+def predicted(formula: str, series: str) -> Callable[[ClutchInputs, Values], Any]:
+    """Interval of a formula's error by what the series makes of the same."""
+
+    def interval(q: ClutchInputs, v: Values) -> tuple[float, float] | None:
+        if not (isfinite(v[formula]) and isfinite(v[series]) and v[series] > 0):
+            return None
+        m, give = v[formula] / v[series] - 1, slack(q, v)
+        return m - (1 + m) * give, m + (1 + m) * give
+
+    return interval
+
+
+HERTZ = "argued: (2 a/d)², (a/wall)² and 1e-3, over what the hub leaves to the pressure"
+SERIES = "the series (complex potentials, Hertz's patch) of the same clutch; the same slack"
+
+
+def row(name: str, symbol: str, unit: str, formula: str, fem_key: str) -> Approximation:
+    source = HERTZ if formula == fem_key else SERIES
+    return Approximation(name=name, symbol=symbol, unit=unit, fem=fem_key, analytic=formula,
+                         formal=2, interval=predicted(formula, fem_key), source=source)  # fmt: skip
+
+
+CHECKS = (
+    row("torque of the elastic ring, series", "M_t", "N m", "M series", "M series"),
+    row("force of a roller, series", "N", "N", "N series", "N series"),
+    row("pressure for the torque that is wanted, series", "p_t", "MPa", "p series", "p series"),
+    row("torque, Eq. 20", "M_t", "N m", "M Eq. 20", "M series"),
+    row("torque of the first design, Eq. 21", "M_t", "N m", "M Eq. 21", "M series"),
+    row("pressure for the torque that is wanted, Eqs. 17 to 20", "p_t", "MPa", "p Eq. 20",
+        "p series"),
+    Identity(name="largest hoop stress in the fillets", symbol="σ_max", unit="MPa", fem="fillet",
+             analytic="fillet", formal=2, demand=5e-3,
+             demand_reason="a peak stress: half a per cent tells fillets apart"),
+    *(
+        Exact(name=f"balance of half a sector, {x}", symbol=f"ΣF_{x}", unit="N/mm",
+              fem=f"balance {x}", scale="side", bound=1e-8,
+              bound_reason="acceptance figure; contact met to round-off")
+        for x in "xy"
+    ),
+)  # fmt: skip
+
+
+def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
+    found = []
+    if q.alpha is not None and not wedging.holds(alpha=q.alpha, mu=q.mu):
+        found.append(
+            f"the rollers are expelled: tan(α/2) = {np.tan(q.alpha / 2):.4g} is not below μ = "
+            f"{q.mu:g}; without a cage they carry nothing"
+        )
+    elif q.p_t <= v["p_1r"]:
+        found.append(
+            f"p_t = {q.p_t / 1e6:.4g} MPa is not above p_1r = {v['p_1r'] / 1e6:.4g} MPa: the ring "
+            "does not reach its rollers, no torque"
+        )
+    elif not isfinite(v["M series"]):
+        found.append(
+            "once it touches, the hub alone wedges the rollers ever further: strength limits the "
+            "torque, pressure does not; a larger e or a smaller μ leads back"
+        )
+    elif v["margin"] < 1:
+        found.append(
+            f"the elastic ring carries {v['M series']:.4g} N m, less than the {q.M_t:.4g} N m "
+            f"that are wanted: p_t must be {v['p series'] / 1e6:.4g} MPa"
+        )
+    if v["hub share"] >= 1:
+        found.append(
+            f"the hub's share of N is {v['hub share']:.3g} by Eq. 16: friction that locks, Eqs. "
+            "17 to 21 give no torque"
+        )
+    worst = max(v["p_0 ring"], v["p_0 race"])
+    if worst > STATIC_RATING:
+        found.append(
+            f"p_0 = {worst / 1e6:.4g} MPa on the rollers is beyond 4000 MPa, the static rating of "
+            "hardened rollers (ISO 76)"
+        )
+    if q.R_p is not None and v["fillet"] > q.R_p:
+        found.append(
+            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets under p_t exceeds R_p = "
+            f"{q.R_p / 1e6:.4g} MPa: the ring yields there"
+        )
+    if q.R_p is None and v["fillet"] > 3e-3 * q.E:
+        found.append(
+            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets under p_t strains them by "
+            f"{v['fillet'] / q.E:.2%}: most steels yield before; give R_p"
+        )
+    return found
+
+
+def too_large(q: ClutchInputs) -> str:
+    """Rows compare forces of rollers that pressure limits."""
+    if q.alpha is not None and not wedging.holds(alpha=q.alpha, mu=q.mu):
+        return "the rollers are expelled: there is no torque to compare, check it without --fem"
+    N = driven(q).force(q.p_t)
+    if not isfinite(N):
+        return "pressure does not limit the torque: nothing to compare, check it without --fem"
+    if 1e-3 * q.p_t * q.ring.d_i > N:
+        return (
+            f"p_t = {q.p_t / 1e6:.4g} MPa hardly reaches the rollers: there is no torque to "
+            "compare, check it without --fem"
+        )
+    return ""
+
+
+CLUTCH = Case(
+    id="polyhedral-clutch",
+    title="Polyhedral ring clutch, from its parts to its torque",
+    paper="belcin",
+    place="Eqs. 3-4, 6-21",
+    lead="Parts, friction and pressure in; every value of the paper's chain out, and the torque "
+    "that is left when the ring's own stiffness is counted, which finite elements confirm. The "
+    "corrected Eq. 21 promises more than twice as much. Sizes and loads are the project's.",
+    inputs=ClutchInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=LEVELS,
+    checks=CHECKS,
+    outputs=shown.OUTPUTS,
+    readings=(
+        "misprints corrected: the side of the polygon for its arc (13, 17, 20, 21), no factor "
+        "β/360 in Eq. 21",
+        "Eq. 20: K of the middle of the flats, lever apothem/cos ψ, γ = 0; Eq. 21: K = 1, lever "
+        "d_i/2, γ = ψ, corners without fillets",
+        "rollers in a cage carry μ N; with a wedge angle α they are free and carry N tan(α/2)",
+        "margin and pressure on the rollers are those of the elastic ring",
+    ),
+    assumptions=(
+        "linear elasticity, small strain, plane stress; rollers and race rigid (with elastic "
+        "rollers the torque is smaller: see its value)",
+        "the friction at the rollers does not deform the ring: it turns, and the hub holds it",
+        "the hub's force at e counts as half of it on each side of the flat's middle",
+    ),
+    warnings=warnings,
+    too_large=too_large,
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=shown.figures,
+    pictures=shown.pictures,
+)  # fmt: skip

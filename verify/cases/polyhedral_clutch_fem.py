@@ -1,0 +1,56 @@
+"""Finite elements of the driven ring: the hub's force goes with that of the rollers."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from verify.cases.polyhedral_clutch_inputs import ClutchInputs
+from verify.cases.polyhedral_locking_fem import LockedRing
+
+if TYPE_CHECKING:
+    from fem.contact.solution import ContactSolution
+
+CLOSE, MOST = 1e-11, 60
+
+
+class DrivenRing:
+    """Half a sector, its roller at the friction limit `grip`, the hub in balance with it."""
+
+    def __init__(self, q: ClutchInputs, level: int, *, grip: float) -> None:
+        self.q = q
+        turn = np.hypot(q.e, q.ring.apothem) * np.sin(q.psi + q.phi_1)
+        self.kappa = grip * q.D_i / 2 / turn  # moments of roller and hub about the axis
+        self.ring = LockedRing(q.ring, 1, d=q.d, e=q.e, p=q.p_t)
+        N = self.force(q.p_t)
+        self.ring = LockedRing(q.ring, level, d=q.d, e=q.e, p=q.p_t, hub=self.push(N))
+
+    def push(self, N: float) -> tuple[float, float]:
+        """The hub's force on a flat, along its normal and along it [N/m]."""
+        R = self.kappa * N
+        return float(R * np.cos(self.q.phi_1)), float(R * np.sin(self.q.phi_1))
+
+    def at(self, p: float, N: float) -> "ContactSolution":
+        """The state under the pressure `p` and the hub's force that goes with N."""
+        return self.ring.at(p, self.push(N))
+
+    def force(self, p: float) -> float:
+        """Force N [N/m] of a roller under the pressure `p`."""
+        first = self.ring.force(p)
+        return _root(lambda N: self.ring.force(p, self.push(N)) - N, first, 1.5 * first)
+
+    def pressure(self, N: float) -> float:
+        """Pressure [Pa] under which a roller carries N [N/m]."""
+        p = self.q.p_t
+        return _root(lambda x: self.ring.force(x * p, self.push(N)) / N - 1, 1.0, 1.1) * p
+
+
+def _root(f: Callable[[float], float], a: float, b: float) -> float:
+    """Zero of a function that is nearly linear, by the secant method."""
+    f_a, f_b = f(a), f(b)
+    for _ in range(MOST):
+        if abs(b - a) <= CLOSE * abs(b) or f_b == f_a:
+            return b
+        a, b, f_a = b, b - f_b * (b - a) / (f_b - f_a), f_b
+        f_b = f(b)
+    raise ArithmeticError(f"the rollers' force is missed by {f_b:.1e} after {MOST} steps")

@@ -1,0 +1,120 @@
+"""What the report and `check` show of the whole clutch."""
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from verify.case import Context, Output, Values
+from verify.cases.polyhedral_locking_shown import locked_sketch
+from verify.shown import Dots, Equation, Figure, Picture, Sketch
+from verify.tex import factor, tex
+
+MPa, mm, kN = 1e6, 1e-3, 1e3
+
+
+def _chain(key: str, symbol: str, unit: str, what: str) -> Output:
+    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=False)
+
+
+OUTPUTS = (
+    _chain("beta", "β", "deg", "angle between rollers"),
+    _chain("d_m", "d_m", "mm", "mean diameter of the ring (Eq. 6)"),
+    _chain("j_D", "j_D", "mm", "clearance on the diameter (Eq. 7)"),
+    _chain("apothem", "a_f", "mm", "distance of the flats from the axis"),
+    _chain("psi", "ψ", "deg", "hub's contact off the flat's normal"),
+    _chain("lever", "r + r_1", "mm", "lever of the hub's contact"),
+    _chain("sigma_t", "σ_t", "MPa", "hoop stress of the round ring (Eq. 9)"),
+    _chain("p_1", "p_1", "MPa", "its pressure (Eq. 10)"),
+    _chain("K", "K", "1", "correction for the polygon, middle of the flats"),
+    _chain("p_1r", "p_1r", "MPa", "pressure that reaches the rollers (Eq. 11)"),
+    _chain("sigma_tr", "σ_tr", "MPa", "mean hoop stress in the corners then (Eq. 12)"),
+    _chain("p_2", "p_2", "MPa", "blocking pressure that is left (Eq. 19)"),
+    _chain("F", "F", "kN", "its force on a side (Eq. 13)"),
+    _chain("hub share", "κ cos φ_1", "1", "hub's share of N (Eq. 16); from 1 on it locks"),
+    Output(key="M Eq. 20", symbol="M_t", unit="N m", what="torque by Eq. 20"),
+    Output(key="M Eq. 21", symbol="M_t", unit="N m", what="torque of the first design, Eq. 21"),
+    _chain("T", "T", "kN", "tangential force of the hub per corner, with Eq. 20"),
+    _chain("F_s", "F_s", "kN", "radial force of the hub (Eq. 14)"),
+    _chain("R", "R", "kN", "force between hub and flat"),
+    _chain("N", "N", "kN", "force of a roller (Eq. 16)"),
+    Output(key="p Eq. 20", symbol="p_t", unit="MPa", what="pressure for the torque wanted, Eq. 20"),
+    Output(key="N series", symbol="N", unit="kN", what="force of a roller, elastic ring"),
+    Output(key="M series", symbol="M_t", unit="N m", what="torque of the elastic ring"),
+    _chain("M elastic rollers", "M_t", "N m", "the same with elastic rollers"),
+    Output(key="p series", symbol="p_t", unit="MPa",
+           what="pressure for the torque wanted, elastic ring"),
+    _chain("margin", "S", "1", "torque of the elastic ring over the torque wanted"),
+    _chain("N wanted", "N", "kN", "force of a roller for the torque wanted (Eq. 4)"),
+    _chain("p_0 ring", "p_0", "MPa", "pressure on ring and roller for it (Hertz)"),
+    _chain("p_0 race", "p_0", "MPa", "pressure on race and roller for it (Hertz)"),
+    Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets under p_t"),
+    _chain("slope", "α", "deg", "steepest slope of the ring's outside under p_t, untouched"),
+)  # fmt: skip
+
+
+def sketch(q: Any) -> Sketch:
+    return locked_sketch(q.ring, d=q.d, e=q.e, p_t=q.p_t)
+
+
+def equations(q: Any, v: Values) -> Sequence[Equation]:
+    ring = q.ring
+    side = rf"{q.z}\cdot {tex(ring.d_i / mm)}\cdot\sin\frac{{\pi}}{{{q.z}}}\cdot {tex(q.b / mm)}"
+    unlimited = r"\infty" if not isfinite(v["M Eq. 20"]) else tex(v["M Eq. 20"])
+    return (
+        Equation(
+            tex=r"\tan\psi = \frac{e}{a}",
+            numbers=rf"= \frac{{{tex(q.e / mm)}}}{{{tex(v['apothem'] / mm)}}},\ \psi = "
+            rf"{tex(np.degrees(v['psi']))}°",
+            place="after Eq. 15; a the distance of the flats",
+        ),
+        Equation(
+            tex=r"p_2 = p_t - K\,\frac{2\delta_1 E j_D}{d_i d_m}",
+            numbers=rf"= {tex(q.p_t / MPa)} - {tex(v['K'])}\cdot {factor(v['p_1'] / MPa)} "
+            rf"= {tex(v['p_2'] / MPa)}\ \mathrm{{MPa}}",
+            place="Eq. 19",
+        ),
+        Equation(
+            tex=r"\frac{z d_i \sin(\pi/z)\, b\, p_2}{M_t} = \frac{2}{\mu D_i} "
+            r"- \frac{\cos(\gamma + \varphi_1)}{(r + r_1)\sin(\psi + \varphi_1)}",
+            numbers=rf",\quad M_t = \frac{{{side}\cdot {factor(v['p_2'] / MPa)}}}"
+            rf"{{\ldots}} = {unlimited}\ \mathrm{{N\,m}}",
+            place="Eqs. 17 and 20, corrected",
+        ),
+        Equation(
+            tex=r"u_p\,p_t + \kappa u_{h1} N - u_N(a)\,N = \frac{j_D}{2}, \quad "
+            r"M_t = \mu N z \frac{D_i}{2}",
+            numbers=rf"= {tex(v['M series']) if isfinite(v['M series']) else 'unlimited'}"
+            r"\ \mathrm{N\,m}",
+            place="the elastic ring: series",
+        ),
+    )
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    """Torques side by side."""
+    v = context.analytic
+    if not (isfinite(v["M series"]) and isfinite(v["M Eq. 20"]) and isfinite(v["M Eq. 21"])):
+        return ()
+    items: list[tuple[str, float, float | None, str]] = [
+        ("Eq. 21, first design", v["M Eq. 21"], None, "formula"),
+        ("Eq. 20", v["M Eq. 20"], None, "formula"),
+        ("elastic ring, series", v["M series"], None, "formula"),
+        ("with elastic rollers", v["M elastic rollers"], None, "formula"),
+    ]
+    if context.fem:
+        items.insert(3, ("elastic ring, FE", context.series("M series")[1][-1], None, "fe"))
+    return (
+        Dots(title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
+             note="Eqs. 20 and 21 hand all of the blocking pressure to the rollers; the ring keeps "
+             "its part."),
+    )  # fmt: skip
+
+
+def pictures(_: Any) -> Sequence[Picture]:
+    return (
+        Picture(field="driven", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+                caption="Ring at its torque: pressure, hub (its symmetric part) and rollers; von "
+                "Mises stress, coarse mesh"),
+    )  # fmt: skip
