@@ -11,7 +11,7 @@ from verify.case import Case, Context, Output, Values
 from verify.cases import polyhedral_wedge_shown
 from verify.cases.polyhedral_wedge_fem import LEVELS, fem
 from verify.cases.polyhedral_wedge_inputs import WedgeInputs
-from verify.cases.polyhedral_wedge_stick import SHARES, small
+from verify.cases.polyhedral_wedge_stick import FLATTEST, SHARES, TILT, small
 from verify.checks import Approximation, Exact, Fact, Identity
 
 BALANCED = "forces in balance, on any mesh"
@@ -19,6 +19,7 @@ STATICS = 1e-6  # of a value: what forces in balance may miss
 MODEL = 2.0  # bound of what half planes leave out, over (a/R)²
 REST = 1e-3  # of N: next to nothing
 EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
+L2 = 0.03  # acceptance of tractions
 EDGES = 0.01  # of the normal force: what may slip where N and T grow together
 
 
@@ -127,6 +128,11 @@ def no_slip(context: Context) -> tuple[float, float]:
     return float(EDGES - context.fem[-1].arrays["slipping"][0]), 0.0
 
 
+def even(context: Context) -> tuple[float, float]:
+    """The traction is tan(alpha/2) p within `L2`."""
+    return float(L2 - context.fem[-1].arrays["slipping"][1]), 0.0
+
+
 class PaperFact(Fact):
     """A fact about these inputs: rollers near their limit, or heavily loaded, may differ."""
 
@@ -180,6 +186,8 @@ CHECKS = (
     ),
     PaperFact(name="N and T grow together: below 1 % of N slips", symbol="N_slip", unit="1",
               margin=no_slip),
+    PaperFact(name="N and T grow together: traction within 3 % of tan(α/2) p in L2", symbol="q",
+              unit="1", margin=even),
     Exact(name="balance along the bisector", symbol="ΣF", unit="N", fem="along", scale="N",
           bound=1e-9, bound_reason=SOLVER),
     Exact(name="balance of cut and contact", symbol="ΣF", unit="N", fem="across", scale="N",
@@ -238,8 +246,8 @@ WEDGE = Case(
         "gap and pressure act along the flat race's normal, so that a roller which slides stays "
         "in the same wedge; along the deformed surfaces between both where the stick zone is "
         "measured",
-        f"stick zone: a/(μR) = 0.04, a/R at most 0.01, whatever N is; at {MODEL:g} (a/R)² half "
-        "planes",
+        "the stick zone is measured under a load of its own, small enough for Cattaneo's half "
+        f"planes: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
         "roller without weight, one coefficient of friction, no rate",
     ),
     warnings=warnings,

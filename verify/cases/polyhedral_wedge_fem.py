@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 LEVELS = (12, 16, 24)  # cells on the half-width; half of them where only forces count
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 FAR = 20.0  # of mu times the approach: how far a race slides until nothing sticks
-GROWN = 60  # steps in which N and T grow together
+GROWN = 150  # steps in which N and T grow together
 ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are drawn
 
 
@@ -46,7 +46,7 @@ def fem(q: WedgeInputs, level: int) -> FemResult:
     arrays = {"profile, growth": growth, "profile, grown": across(q, touch)}
     if level == LEVELS[-1]:
         arrays |= {"over angles": limit.over_angles(), "around": limit.around(),
-                   "slipping": np.array([slipping(touch)])}  # fmt: skip
+                   "slipping": np.array([slipping(touch), uneven(q, touch)])}  # fmt: skip
     return FemResult(
         h=1 / level, values=values | stuck, u_it=u_it | jitter, arrays=arrays,
         fields=(roller(q, grown),),
@@ -85,11 +85,17 @@ def slipping(touch: "Touch") -> float:
     return float(load[touch.closed & ~touch.sticks].sum() / load.sum())
 
 
+def uneven(q: WedgeInputs, touch: "Touch") -> float:
+    """How far the traction is from tan(alpha/2) p in L2, over the norm of that."""
+    wanted = math.tan(q.half) * touch.p
+    return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
+
+
 def across(q: WedgeInputs, touch: "Touch") -> Array:
     """Traction (m,) [Pa] into the wedge at `ACROSS`."""
     s = (touch.x.T @ Geometry(q.R, q.half, q.a).tangent) / q.a
     order = np.argsort(s)
-    return np.interp(ACROSS, s[order], -touch.traction[order])
+    return np.interp(ACROSS, s[order], touch.traction[order])
 
 
 def roller(q: WedgeInputs, state: "ContactSolution") -> Field:

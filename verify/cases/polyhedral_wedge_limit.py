@@ -11,9 +11,10 @@ from verify.cases.polyhedral_wedge_model import Geometry, Wedge
 Array = NDArray[np.float64]
 
 BELOW, ABOVE = 2e-4, 4e-4  # of T/N: ends of the bracket in which the limit is searched
-BISECTIONS = 6
+BISECTIONS = 5
 COARSE = 6  # cells on the half-width: forces do not depend on it
-HELD = 0.5  # of N: more is left of it or next to nothing
+HELD = 0.9  # of N: more is left of it, or the roller is on its way out
+ANY = 0.5  # the same where approaches are alike and forces are not, wedge by wedge
 ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of the sweep
 
 
@@ -54,7 +55,7 @@ class Limit:
             geometry = self._geometry(math.atan(share * self.q.mu))
             wedge = Wedge(geometry, geometry.mesh(COARSE), E=self.q.E, nu=self.q.nu, mu=self.q.mu)
             left, ratio = self._pressed(wedge)
-            found.append((share, left, ratio / self.q.mu if left > HELD else 0.0))
+            found.append((share, left, ratio / self.q.mu if left > ANY else 0.0))
         return np.array(found).T
 
     def _geometry(self, half: float) -> Geometry:

@@ -102,12 +102,14 @@ class Wedge:
         return float(force @ self.geometry.normal), float(-force @ self.geometry.tangent)
 
     def pressed(
-        self, N: float, *, along: float = 0.0, push: float = 0.0
+        self, N: float, *, along: float = 0.0, push: float = 0.0, near: float | None = None
     ) -> tuple["ContactSolution", float]:
-        """The state under the normal force N [N/m], and how far down the race came for it."""
-        before, now = 0.5 * self.geometry.a**2 / self.geometry.R, self.geometry.a**2 / (
-            self.geometry.R
-        )  # fmt: skip
+        """The state under the normal force N [N/m], and how far down the race came for it.
+
+        The search starts `near` a place [m], or at about half of where Hertz has it.
+        """
+        now = near or self.geometry.a**2 / self.geometry.R
+        before = now / 2 if near is None else 0.99 * near
         missing = self._missing(self.at(before, along=along, push=push), N)
         for _ in range(MOST):
             state = self.at(now, along=along, push=push)

@@ -8,7 +8,7 @@ import numpy as np
 
 from verify.case import Context, Values
 from verify.cases.polyhedral_wedge_fem import ACROSS
-from verify.cases.polyhedral_wedge_limit import HELD
+from verify.cases.polyhedral_wedge_limit import ANY
 from verify.cases.polyhedral_wedge_stick import GROWTH
 from verify.profiles import along
 from verify.shown import Curve, Curves, Dots, Equation, Figure, Picture, Profile, Shape, Sketch
@@ -49,7 +49,7 @@ def _flat(half: float, side: int) -> tuple[Shape, ...]:
     n = np.array([math.sin(half), math.cos(half)]) * mirror
     t = np.array([math.cos(half), -math.sin(half)]) * mirror
     wall = np.array([n - 1.7 * t, n + 1.9 * t])[::side]  # hatched outside, on its left
-    inside = 0.86 * n
+    inside = 0.8 * n
     return (
         Shape(style="clamp", points=wall),
         Shape(style="load", points=np.array([1.75 * n, n]), label="N"),
@@ -99,7 +99,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 def _limit(context: Context) -> Curves:
     share, left, ratio = context.fem[-1].arrays["over angles"]
-    stays, unit = left > HELD, np.array([0.0, 1.0])
+    stays, unit = left > ANY, np.array([0.0, 1.0])
     return Curves(
         title="How much of its friction a roller uses", x_label="tan(α/2)/μ", y_label="T/(μN)",
         curves=(

@@ -17,8 +17,8 @@ Array = NDArray[np.float64]
 
 SHARES = (0.4, 0.6, 0.8)  # T/(mu N) of the rows
 GROWTH = np.linspace(0.1, 0.8, 15)  # and of the figure
-SWEEP, SWEPT = 60, 0.88  # steps of letting go, and T/(mu N) at their end
-TILT, FLATTEST = 0.04, 0.01  # a/(mu R) and a/R at most
+SWEEP, SWEPT = 50, 0.88  # steps of letting go, and T/(mu N) at their end
+TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
 STIFFENS = 0.93  # d ln(approach)/d ln(N) of line contacts, about
 
 
@@ -37,7 +37,7 @@ def let_go(q: WedgeInputs, level: int) -> tuple[dict[str, float], dict[str, floa
     N = math.pi * q.E_star * geometry.a**2 / (4 * q.R)
     wedge = Wedge(geometry, geometry.mesh(level), E=q.E, nu=q.nu, mu=q.mu, normal="between")
     push = N * math.sin(q.half)  # balances the normal force alone
-    state, down = wedge.pressed(N, push=push)
+    state, down = wedge.pressed(N, push=push, near=wedge.pressed(N)[1])
     found = []
     for k in np.linspace(0.0, SWEPT, SWEEP + 1)[1:]:
         less = push - k * q.mu * N * math.cos(q.half)
