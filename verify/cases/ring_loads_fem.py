@@ -39,17 +39,7 @@ def wall_nodes(sector: Any, name: str) -> Array:
     return np.array([theta, u_x * c + u_y * s, u_y * c - u_x * s])[:, order]
 
 
-def solve(q: LoadsInputs, level: int) -> Any:
-    """The sector on the mesh `level`."""
-    from fem.plane.material import Elastic
-
-    return press(
-        r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, a=q.half_width, P=q.P,
-        material=Elastic(E=q.E, nu=q.nu), level=level,
-    )  # fmt: skip
-
-
-def press(
+def fem_sector(
     *, r_i: float, r_o: float, n: int, loaded: Wall, a: float, P: float, material: Any, level: int
 ) -> Any:
     """Half a pitch of a ring whose wall `loaded` bears the load P per length on the half-width a.
@@ -79,7 +69,12 @@ def press(
 
 
 def fem(q: LoadsInputs, level: int) -> FemResult:
-    sector = solve(q, level)
+    from fem.plane.material import Elastic
+
+    sector = fem_sector(
+        r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, a=q.half_width, P=q.P,
+        material=Elastic(E=q.E, nu=q.nu), level=level,
+    )  # fmt: skip
     sign = 1.0 if q.loaded == "bore" else -1.0
     walls = {name: wall_nodes(sector, name) for name in ("bore", "rim")}
     far = "rim" if q.loaded == "bore" else "bore"

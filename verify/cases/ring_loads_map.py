@@ -11,7 +11,7 @@ from analytic.ring.loaded_race import LoadedRace
 from analytic.ring.smeared import race_deflection, smeared_error
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases.ring_loads_claims import AWAY, EDGE
-from verify.cases.ring_loads_fem import CELLS, ROUND, press
+from verify.cases.ring_loads_fem import CELLS, ROUND, fem_sector
 from verify.checks import Identity
 from verify.inputs import Inputs, quantity
 from verify.shown import Figure, Map
@@ -67,7 +67,7 @@ def fem(q: MapInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
     u_it: dict[str, float] = {}
     for n, ratio in CHECKED:
-        sector = press(
+        sector = fem_sector(
             r_i=1.0, r_o=ratio, n=n, loaded="bore", a=q.a_r, P=1.0,
             material=Elastic(E=1.0, nu=q.nu), level=level,
         )  # fmt: skip
@@ -84,7 +84,8 @@ def fem(q: MapInputs, level: int) -> FemResult:
 CHECKS = tuple(
     Identity(name=f"displacement {words}, {name(n, ratio)}", symbol="δ/δ_6", unit="1",
              fem=f"{name(n, ratio)}: {place}", analytic=f"{name(n, ratio)}: {place}",
-             scale=f"{name(n, ratio)}: load", formal=EDGE if place == "load" else AWAY, demand=SHARP, demand_reason=ACCEPTED)
+             scale=f"{name(n, ratio)}: load", formal=EDGE if place == "load" else AWAY,
+             demand=SHARP, demand_reason=ACCEPTED)
     for n, ratio in CHECKED
     for place, words in (("load", "at a load"), ("between", "between loads"))
 )  # fmt: skip
@@ -144,7 +145,7 @@ MAP = Case(
     readings=("thin rings (plane stress), as in Eq. 6; loads on the bore",),
     assumptions=(
         "linear elasticity, small strain, forces along radii, no friction",
-        "Hertz's pressure over one half-width on every ring",
+        "Hertz's fem_sectorure over one half-width on every ring",
         "half a pitch with symmetry on both cuts",
     ),
     figures=figures,
