@@ -52,9 +52,7 @@ def across(ring: Outline, s: float) -> tuple[Point, Point]:
 
 def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
     """From the line across the wall at `s` to the corner, fine around the fillet."""
-    arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
-    n = max(FILLET, math.ceil(arc / (SLENDER * wall)))
-    depth = min(rows * arc / n, DEEP * wall, (ring.half_flat - s) / 2)
+    n, depth = _core(ring, s, rows)
     start, bottom = (ring.apothem, ring.half_flat), ring.on_corner_ray(ring.r_i)
     x, y = ring.fillet_centre
     far = ring.fillet + depth
@@ -67,10 +65,10 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
     inside = Edge(deep, below, n * refine, (x, y))
     side = Edge(start, deep, rows * refine)
     stem = Edge(bottom, below, rows * refine, name="corner")
-    along, down = arc / n, depth / rows
+    along, down = ring.fillet * ring.angle / n, depth / rows
     grown = [
         (Edge(start, foot, 0, name="flat"), along),
-        (Edge(deep, top, 0), math.hypot(along, down)),
+        (Edge(deep, top, 0), math.sqrt(2) * down),
         (Edge(below, beyond, 0, name="corner"), down),
     ]
     out, diagonal, cut = graded(grown, refine)
@@ -81,3 +79,14 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
         Block((out, end, diagonal, side), BODY),
         Block((inside, diagonal, last, cut), BODY),
     ]
+
+
+def _core(ring: Outline, s: float, rows: int) -> tuple[int, float]:
+    """Cells along the fillet and depth of the core around it, with `rows` square cells if it may.
+
+    Where a thin wall or the line at `s` leave it less, no arc rises as high as its cell is thin.
+    """
+    arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
+    n = max(FILLET, math.ceil(arc / (SLENDER * wall)))
+    depth = min(rows * arc / n, DEEP * wall, (ring.half_flat - s) / 2)
+    return max(n, math.ceil(arc / math.sqrt(2 * ring.fillet * depth / rows))), depth

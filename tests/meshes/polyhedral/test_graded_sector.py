@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from fem.plane.geometry import check_unfolded
@@ -18,6 +18,9 @@ def wall_at_the_middle(*, z, d_i, fillet):
 
 
 @settings(max_examples=60, deadline=None)
+@example(z=3, wall=-2.0, fillet=-0.5, zone=None, hub=(0.5, 0.97), cells=2)  # a thin core
+@example(z=17, wall=-1.4, fillet=-5.0, zone=None, hub=(0.3, 0.95), cells=6)  # a narrow sector
+@example(z=3, wall=-1.2, fillet=-1.5, zone=2e-3, hub=None, cells=12)  # wide lines
 @given(
     z=st.sampled_from([3, 4, 5, 6, 8, 12, 17, 24, 48]),
     wall=st.floats(np.log(0.005), np.log(0.3)),
@@ -42,15 +45,15 @@ def test_no_cell_folds_whatever_the_ring(z, wall, fillet, zone, hub, cells):
 
 @pytest.mark.parametrize("z", [3, 6, 24, 48])
 @pytest.mark.parametrize("fillet", [0.003, 0.025, 0.1])
-def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_three_times(z, fillet):
+def test_cells_grow_from_the_fillet_and_nowhere_by_more_than_four_times(z, fillet):
     mesh = half_sector(z=z, d_e=1.0, d_i=0.9, fillet=fillet, refine=4)
     arc = lengths(mesh, "fillet")
     np.testing.assert_allclose(arc, arc.mean(), rtol=1e-3)
     flat = lengths(mesh, "flat")
-    assert flat[-1] == pytest.approx(arc.mean(), rel=0.1)
+    assert flat[-1] < 1.1 * arc.mean()
     growth = flat[:-1] / flat[1:]
     assert max(growth[-7:]) < 1.15  # the fourth root of 1.6
-    assert max(growth) < 3  # where the fan around the fillet ends
+    assert max(growth) < 4  # where the fan around the fillet ends
 
 
 @pytest.mark.parametrize("z", [3, 6, 24])
