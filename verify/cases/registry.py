@@ -16,6 +16,7 @@ from verify.cases.contact_slip import SLIP
 from verify.cases.contact_sphere import SPHERE
 from verify.cases.polyhedral_clutch import CLUTCH
 from verify.cases.polyhedral_locking import LOCKING
+from verify.cases.polyhedral_map import MAP as POLYHEDRAL_MAP
 from verify.cases.polyhedral_pressure import PRESSURE
 from verify.cases.polyhedral_ring import RING as POLYHEDRAL_RING
 from verify.cases.polyhedral_wedge import WEDGE
@@ -28,7 +29,7 @@ from verify.cases.spring_continuum import CONTINUUM
 
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
-    PRESSURE, POLYHEDRAL_RING, LOCKING, WEDGE, CLUTCH,
+    PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
     ACCORDION, CONTINUUM,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,

@@ -1,0 +1,266 @@
+"""K of the polyhedral ring over number of flats, wall and fillet: where K = 1 may be trusted."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from pydantic import model_validator
+
+from analytic.polyhedral import bore_pressure, expansion
+from analytic.polyhedral.locking import Roller, locked
+from analytic.polyhedral.sector import Sector
+from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import polyhedral_map_shown as shown
+from verify.cases.polyhedral_fem import UNIT, factors, largest_in_fillet, pressed_fem
+from verify.cases.polyhedral_inputs import PolygonRing, RoundRing
+from verify.cases.polyhedral_map_shown import FLATS, SHARES, WALLS
+from verify.checks import Fact, Identity
+from verify.inputs import quantity
+
+LEVELS = (1, 2, 3)
+MAPPED = (1, 2)  # levels on which the whole of the maps is solved
+NEAR_LAME = 0.02  # of K at 48 flats
+TRUE = 1e-3  # series against finite elements, all over the map
+FROM = 12  # flats from which on K falls to its limit
+THICKEST = 0.15  # wall over outer diameter
+PRESSED = 1.5  # of the touching pressure, for the share that reaches the rollers
+ETA = 0.01  # of it, series against finite elements
+DEFINITIONS = ("mid", "mean", "corner")
+
+
+class MapInputs(RoundRing):
+    """The ring whose flats, wall and fillet are varied; δ_1 and ρ are those of its middle."""
+
+    rho: float = quantity("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    d: float = quantity("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
+
+    @model_validator(mode="after")
+    def _varied(self) -> "MapInputs":
+        thickest = min(THICKEST, 0.45 / (1 + max(SHARES)))
+        if self.delta_1 > thickest * self.d_e:
+            raise ValueError(
+                f"the map's fillets leave no flat: δ_1 must be at most {thickest:.3g} d_e = "
+                f"{thickest * self.d_e * 1e3:.4g} mm, got {self.delta_1 * 1e3:g} mm"
+            )
+        largest = 0.9 * (0.5 - max(WALLS)) * self.d_e
+        if self.rho > largest:
+            raise ValueError(
+                f"fillets leave no flat in the thickest walls of the map: ρ must be at most "
+                f"{largest * 1e3:.4g} mm, got {self.rho * 1e3:g} mm"
+            )
+        return self
+
+    def ring(self, z: int, delta_1: float, rho: float) -> PolygonRing:
+        """One ring of the map."""
+        return PolygonRing(
+            d_e=self.d_e, j_D=self.j_D, E=self.E, nu=self.nu, z=z, delta_1=delta_1, rho=rho
+        )
+
+
+Rings = list[tuple[int, float, float]]
+
+
+def by_wall(q: MapInputs) -> Rings:
+    """Flats, walls and the fillet of the first map, row by row."""
+    return [(z, share * q.d_e, q.rho) for share in WALLS for z in FLATS]
+
+
+def by_fillet(q: MapInputs) -> Rings:
+    """Flats, the wall and fillets of the second map, row by row."""
+    return [(z, q.delta_1, share * q.delta_1) for share in SHARES for z in FLATS]
+
+
+def at_reference(q: MapInputs) -> Rings:
+    """Flats with the wall and fillet of the inputs."""
+    return [(z, q.delta_1, q.rho) for z in FLATS]
+
+
+def sector(q: MapInputs, z: int, delta_1: float, rho: float) -> Sector:
+    return Sector(z=z, d_e=q.d_e, d_i=q.d_e - 2 * delta_1, rho=rho)
+
+
+def flexibility(q: MapInputs, rings: Rings) -> Any:
+    """1/K (m, 3) of the middle of the flats, the mean and the corners, by the series."""
+    found = []
+    for z, delta_1, rho in rings:
+        K = bore_pressure.stiffness_factors(
+            sector=sector(q, z, delta_1, rho), nu=q.nu, assumption="plane stress"
+        )
+        found.append((1 / K.mid, 1 / K.mean, 1 / K.corner))
+    return np.array(found)
+
+
+def analytic(q: MapInputs) -> Values:
+    limit = float(expansion.many_corners_factor(d_i=q.d_i, d_e=q.d_e))
+    values = {"K many": limit}
+    for z, (mid, mean, corner) in zip(FLATS, flexibility(q, at_reference(q)), strict=True):
+        values |= {f"K mid {z}": 1 / mid, f"K mean {z}": 1 / mean, f"K corner {z}": 1 / corner}
+    return values
+
+
+def fem(q: MapInputs, level: int) -> FemResult:
+    arrays: dict[str, Any] = {}
+    if level in MAPPED:
+        for name, rings in (("wall", by_wall(q)), ("fillet", by_fillet(q))):
+            arrays[name] = np.array([_per_p_1(q, ring, level)[0] for ring in rings])
+    if level == LEVELS[-1]:
+        arrays["efficiency"] = efficiency_fem(q)
+    reference = np.array([_per_p_1(q, ring, level) for ring in at_reference(q)])
+    arrays["reference"] = reference[:, :3]
+    arrays["fillet stress"] = reference[:, 3]
+    values = {
+        f"K {name} {z}": 1 / row[k]
+        for z, row in zip(FLATS, reference, strict=True)
+        for k, name in enumerate(DEFINITIONS)
+    }
+    return FemResult(h=1 / level, values=values, arrays=arrays)
+
+
+def _per_p_1(q: MapInputs, ring: tuple[int, float, float], level: int) -> tuple[float, ...]:
+    """1/K in the middle, the mean and at corners, and the fillets' stress over σ_t."""
+    one = q.ring(*ring)
+    solved = pressed_fem(one, level, "plane stress")
+    thin = 2 * one.delta_1 * q.E / (one.d_i * one.d_m)  # p_1 over j_D
+    u = factors(one, solved)
+    p = UNIT / 2 / u["mid"]  # over j_D, where the middle of the flats has taken it up
+    stress = largest_in_fillet(one, solved) * p / UNIT / (q.E / one.d_m)
+    return (*(2 * thin * u[name] / UNIT for name in DEFINITIONS), stress)
+
+
+def efficiency_fem(q: MapInputs) -> Any:
+    """Share of further pressure that reaches the rollers, for every number of flats (m,)."""
+    from verify.cases.polyhedral_locking_fem import LockedRing
+
+    found = []
+    for ring in at_reference(q):
+        one = q.ring(*ring)
+        p = PRESSED * touching(q, ring)
+        contact = LockedRing(one, 1, d=roller(q, one.z), e=0.5 * one.half_flat, p=p)
+        low, high = (contact.force(k * p) for k in (0.9, 1.1))
+        found.append((high - low) / (0.2 * p * one.d_i * np.sin(one.half_angle)))
+    return np.array(found)
+
+
+def touching(q: MapInputs, ring: tuple[int, float, float]) -> float:
+    """Pressure [Pa] of the thin ring that takes up the clearance, for the size of loads."""
+    return 2 * ring[1] * q.E * q.j_D / ((q.d_e - 2 * ring[1]) * (q.d_e - ring[1]))
+
+
+def roller(q: MapInputs, z: int) -> float:
+    """Diameter [m] of the rollers, those of the inputs where so many fit."""
+    sine = float(np.sin(np.pi / z))
+    return min(q.d, 0.9 * (q.d_e + q.j_D) * sine / (1 - sine))
+
+
+def efficiency(q: MapInputs) -> Any:
+    """The same by the series."""
+    found = []
+    for z, delta_1, rho in at_reference(q):
+        state = locked(
+            sector=sector(q, z, delta_1, rho), roller=Roller(d=roller(q, z), j_D=q.j_D),
+            p=PRESSED * touching(q, (z, delta_1, rho)), E=q.E, nu=q.nu, assumption="plane stress",
+        )  # fmt: skip
+        found.append(state.efficiency)
+    return np.array(found)
+
+
+def on_map(context: Context, name: str) -> list[Any]:
+    """1/K of finite elements on the map, from coarse to fine."""
+    return [level.arrays[name] for level in context.fem if name in level.arrays]
+
+
+def true(name: str, rings: Callable[[MapInputs], Rings]) -> Callable[[Context], Any]:
+    """What is left of the allowed difference between series and finite elements, over a map."""
+
+    def margin(context: Context) -> tuple[float, float]:
+        series = flexibility(context.inputs, rings(context.inputs))[:, 0]
+        on = on_map(context, name)
+        error = np.abs(on[-1] / series - 1).max()
+        return float(TRUE - error), float(np.abs(on[-1] / on[-2] - 1).max())
+
+    return margin
+
+
+def kept(context: Context) -> tuple[float, float]:
+    """What is left of the allowed difference between the shares of series and FE."""
+    error = np.abs(context.fem[-1].arrays["efficiency"] / efficiency(context.inputs) - 1).max()
+    return float(ETA - error), 0.0
+
+
+def falls(context: Context) -> tuple[float, float]:
+    """Least step of |K_mid - K_∞| from one number of flats to the next, from 12 on."""
+    limit = context.analytic["K many"]
+    over = [z for z in FLATS if z >= FROM]
+    on = [
+        np.array([abs(level.values[f"K mid {z}"] - limit) for z in over]) for level in context.fem
+    ]
+    return float(-np.diff(on[-1]).max()), float(6 * np.abs(on[-1] - on[-2]).max())
+
+
+def near_lame(context: Context) -> tuple[float, float]:
+    """What is left of 2 % between K of 48 flats and Lamé's limit."""
+    limit, K = context.analytic["K many"], context.series(f"K mid {FLATS[-1]}")[1]
+    return NEAR_LAME - abs(K[-1] / limit - 1), 3 * abs(K[-1] - K[-2]) / limit
+
+
+def draws_in(context: Context) -> tuple[float, float]:
+    """How far the corners of three flats draw in: minus 1/K there."""
+    K = context.series(f"K corner {FLATS[0]}")[1]
+    return -1 / K[-1], 3 * abs(1 / K[-1] - 1 / K[-2])
+
+
+CHECKS = (
+    *(
+        Identity(name=f"K of {z} flats, middle", symbol="K_mid", unit="1", fem=f"K mid {z}",
+                 analytic=f"K mid {z}", formal=4, demand=1e-3,
+                 demand_reason="acceptance figure: 0.1 % under halving of the mesh")
+        for z in FLATS
+    ),
+    Fact(name="K of 48 flats is within 2 % of Lamé's limit", symbol="0.02 - |K/K_∞ - 1|",
+         unit="1", margin=near_lame),
+    Fact(name="K approaches Lamé's limit steadily from 12 flats on", symbol="Δ|K - K_∞|",
+         unit="1", margin=falls),
+    Fact(name="corners of three flats draw in under pressure", symbol="-1/K_corner", unit="1",
+         margin=draws_in),
+    Fact(name="series and FE agree to 0.1 % over flats and walls", symbol="K_mid", unit="1",
+         margin=true("wall", by_wall)),
+    Fact(name="series and FE agree to 0.1 % over flats and fillets", symbol="K_mid", unit="1",
+         margin=true("fillet", by_fillet)),
+    Fact(name="series and FE agree to 1 % in the share that reaches the rollers", symbol="η",
+         unit="1", margin=kept),
+)  # fmt: skip
+
+
+MAP = Case(
+    id="polyhedral-map",
+    title="K of the polyhedral ring over flats, wall and fillet",
+    paper="belcin",
+    place="K before Eq. 11; Eqs. 13 and 16",
+    lead="Where the paper's K = 1 may be trusted, and where its roller force: from 3 to 48 flats, "
+    "over walls and fillets. The series fills the maps, finite elements solve every cell of them. "
+    "Sizes are the project's.",
+    inputs=MapInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=LEVELS,
+    checks=CHECKS,
+    outputs=(
+        Output(key="K many", symbol="K_∞", unit="1", what="K of ever more flats (Lamé)",
+               judged=False),
+        *(
+            Output(key=f"K mid {z}", symbol="K_mid", unit="1", what=f"K of {z} flats")
+            for z in FLATS
+        ),
+    ),
+    readings=(
+        "d_i is the diameter through the corners as they are: the wall in the corners stays the "
+        "same from map to map, the wall above the flats grows as flats become fewer",
+    ),
+    assumptions=("linear elasticity, small strain, plane stress", "half a sector of each ring"),
+    figures=lambda context: shown.figures(
+        context, flexibility(context.inputs, by_wall(context.inputs)),
+        flexibility(context.inputs, by_fillet(context.inputs)),
+        flexibility(context.inputs, at_reference(context.inputs)),
+        efficiency(context.inputs),
+    ),
+)  # fmt: skip
