@@ -60,6 +60,7 @@ class SmearedError:
 
     load: float  # at the load, the dent to the depth of the wall taken out
     between: float
+    total: float  # at a load, of the smeared ring and the dent together
 
 
 def smeared_error(
@@ -80,4 +81,8 @@ def smeared_error(
         approach_to_depth(r_o - r_i, P=1.0, a=a_r, E=1.0, nu=nu, assumption="plane stress")
     )
     smeared = float(race_deflection(P=1.0, n=n, r_i=r_i, r_o=r_o, E=1.0, nu=nu, loaded=loaded))
-    return SmearedError(load=smeared / (load - dent) - 1, between=smeared / between - 1)
+    return SmearedError(
+        load=smeared / (load - dent) - 1,
+        between=smeared / between - 1,
+        total=(smeared + dent) / load - 1,
+    )

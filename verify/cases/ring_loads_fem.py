@@ -100,15 +100,12 @@ def fem(q: LoadsInputs, level: int) -> FemResult:
     arrays = {f"{name} nodes": nodes for name, nodes in walls.items()}
     arrays["stresses"] = np.array(within[1:])
     cells = sector.cells()
-    x, y = cells["points"][cells["cells"].astype(int)].mean(axis=1).T
-    xx, yy, xy, _ = cells["stress"].T
-    around = (xx * y**2 + yy * x**2 - 2 * xy * x * y) / (x**2 + y**2)
+    x, u = cells["points"], cells["displacement"]
     field = Field(
-        name="half a pitch", points=cells["points"], cells=cells["cells"].astype(np.int64),
-        point_data={"displacement": cells["displacement"]},
-        cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"],
-                   "hoop_stress": around},
-        units={"displacement": "m", "stress": "Pa", "von_mises": "Pa", "hoop_stress": "Pa"},
+        name="half a pitch", points=x, cells=cells["cells"].astype(np.int64),
+        point_data={"displacement": u, "radial_displacement": (x * u).sum(axis=1) / np.hypot(*x.T)},
+        cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"]},
+        units={"displacement": "m", "radial_displacement": "m", "stress": "Pa", "von_mises": "Pa"},
     )  # fmt: skip
     u_it = {key: round_off * abs(value) for key, value in values.items()}
     return FemResult(

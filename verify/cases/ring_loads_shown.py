@@ -33,6 +33,8 @@ def sketch(q: LoadsInputs) -> Sketch:
     behind = -0.22 if q.loaded == "bore" else 0.22
     sector = np.vstack([arc(1.0, 0, pitch), arc(inner, pitch, 0)])
     shapes = [
+        Shape(style="text", points=np.array([[-2.4, 0.0]])),  # room for the labels
+        Shape(style="text", points=np.array([[2.2, 0.0]])),
         Shape(style="body", points=arc(1.0)),
         Shape(style="hole", points=arc(inner)),
         Shape(style="modelled", points=sector),
@@ -146,20 +148,16 @@ def _stresses(context: Context) -> Sequence[Curves]:
     shares, ring = around(q), formulas.race(q)
     theta = shares * np.pi / q.n
     bore, rim = (ring.at(r, theta).sigma_theta for r in (q.r_i, q.r_o))
-    curves = (
-        Curve(name="bore", x=shares, y=bore / MPa),
-        Curve(name="rim", x=shares, y=rim / MPa, colour=1),
-    )
-    limit = 1.5 * context.analytic["stress scale"] / MPa
-    cut = "The hoop stress under the patch, about the pressure itself, is cut off."
-    loaded = 0 if q.loaded == "bore" else 1
-    y = np.maximum(curves[loaded].y, -limit)
-    shown = list(curves)
-    shown[loaded] = Curve(name=curves[loaded].name, x=shares, y=y, colour=loaded)
+    beyond = theta > ring.alpha
+    curves = []
+    for k, (name, hoop) in enumerate((("bore", bore), ("rim", rim))):
+        shown = beyond if name == q.loaded else np.ones_like(beyond)
+        curves.append(Curve(name=name, x=shares[shown], y=hoop[shown] / MPa, colour=k))
     return (
         Curves(
             title="Hoop stress on the walls", x_label="θ n/π", y_label="σ_θ [MPa]",
-            curves=tuple(shown), note=cut,
+            curves=tuple(curves), note=f"By the Fourier ring; of the {q.loaded} beyond the patch, "
+            "under which the hoop stress is about the pressure.",
         ),
     )  # fmt: skip
 
@@ -172,8 +170,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     view = 12 * q.half_width
     window = (q.radius - view, -view, q.radius + view, view)
     return (
-        Picture(field="half a pitch", data="hoop_stress", symbol="σ_θ", unit="MPa", factor=MPa,
-                caption="Hoop stress over a pitch, cell means", mirror=("y",)),
+        Picture(field="half a pitch", data="radial_displacement", symbol="u_r", unit="µm",
+                factor=um, caption="Radial displacement over a pitch", mirror=("y",)),
         Picture(field="half a pitch", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
                 caption="Von Mises stress about a load, cell means", mirror=("y",),
                 window=window),

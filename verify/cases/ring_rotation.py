@@ -31,7 +31,7 @@ class RotationInputs(Inputs):
     r_o: float = quantity(
         "26.23 mm", "mm", "R_ed", "outer radius", gt=0, le=1e5, claims="huang2018:table1-r-ed"
     )
-    omega: float = quantity("6000 r/min", "r/min", "n", "speed (none is printed)", gt=0, le=1e7)
+    omega: float = quantity("3000 r/min", "r/min", "n", "speed (none is printed)", gt=0, le=1e7)
     rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)

@@ -1,0 +1,100 @@
+"""Half a pitch of a ring: shape, names, sizes, from thin to thick and few to many loads."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from meshes.ring.sector import half_sector
+
+RACE = {"r_i": 1.0, "r_o": 1.5, "n": 12, "loaded": "bore", "patch": 0.01}
+
+
+def areas(mesh):
+    """Signed area of every cell by its corners."""
+    x, y = mesh.p[:, mesh.t]
+    return 0.5 * sum(x[k] * y[(k + 1) % 4] - x[(k + 1) % 4] * y[k] for k in range(4))
+
+
+@pytest.mark.parametrize("loaded", ["bore", "rim"])
+@pytest.mark.parametrize(
+    ("n", "ratio", "alpha"),
+    [case for case in itertools.product((2, 5, 12, 48), (1.05, 1.35, 4.0), (1e-4, 8e-3, 0.1))
+     if case[2] <= min(np.pi / case[0] / 2, np.log(case[1]))],
+)  # fmt: skip
+def test_cells_fill_the_sector_without_folds(n, ratio, alpha, loaded):
+    r = 1.0 if loaded == "bore" else ratio
+    mesh = half_sector(r_i=1.0, r_o=ratio, n=n, loaded=loaded, patch=alpha * r, refine=1)
+    area = areas(mesh)
+    assert np.all(area > 0)
+    assert area.sum() == pytest.approx(np.pi / n * (ratio**2 - 1) / 2, rel=0.02)  # chords
+    assert mesh.nelements < 2500
+    sides = np.hypot(*(mesh.p[:, mesh.facets[0]] - mesh.p[:, mesh.facets[1]]))[mesh.t2f]
+    assert (sides.max(axis=0) / sides.min(axis=0)).max() < 8
+    radius, angle = np.hypot(*mesh.p), np.arctan2(mesh.p[1], mesh.p[0])
+    assert radius.min() == pytest.approx(1.0, rel=1e-12)
+    assert radius.max() == pytest.approx(ratio, rel=1e-12)
+    assert angle.min() == pytest.approx(0, abs=1e-12)
+    assert angle.max() == pytest.approx(np.pi / n, rel=1e-12)
+
+
+@pytest.mark.parametrize("loaded", ["bore", "rim"])
+def test_boundaries_lie_where_their_names_say(loaded):
+    mesh = half_sector(**RACE | {"loaded": loaded}, refine=2)
+    wall = {"bore": 1.0, "rim": 1.5}
+
+    def at(name):
+        nodes = np.unique(mesh.facets[:, mesh.boundaries[name]])
+        return np.hypot(*mesh.p[:, nodes]), np.arctan2(mesh.p[1, nodes], mesh.p[0, nodes])
+
+    assert set(mesh.boundaries) == {"bore", "rim", "patch", "load cut", "free cut"}
+    for name, r in wall.items():
+        np.testing.assert_allclose(at(name)[0], r, rtol=1e-12)
+    np.testing.assert_allclose(at("load cut")[1], 0.0, atol=1e-12)
+    np.testing.assert_allclose(at("free cut")[1], np.pi / 12, rtol=1e-12)
+    r, theta = at("patch")
+    np.testing.assert_allclose(r, wall[loaded], rtol=1e-12)
+    assert theta.max() * wall[loaded] == pytest.approx(0.01, rel=1e-12)
+    assert theta.size == 17  # twice eight cells
+    assert set(mesh.boundaries["patch"]) < set(mesh.boundaries[loaded])
+    assert mesh.subdomains["ring"].size == mesh.nelements
+
+
+def test_nodes_within_edges_lie_on_the_circle_too():
+    curved = half_sector(**RACE, refine=1)
+    radius = np.hypot(*curved.doflocs)
+    on_bore = np.abs(radius - 1.0) < 1e-9
+    corners = np.unique(curved.facets[:, curved.boundaries["bore"]]).size
+    assert on_bore.sum() == 2 * corners - 1
+
+
+def test_straight_and_linear_cells_have_their_corners_only():
+    for flat in (
+        half_sector(**RACE, refine=1, straight=True),
+        half_sector(**RACE, refine=1, order=1),
+    ):
+        assert flat.doflocs.shape[1] == flat.nvertices
+        assert set(flat.boundaries) == {"bore", "rim", "patch", "load cut", "free cut"}
+        assert np.all(areas(flat) > 0)
+
+
+def test_a_finer_mesh_halves_every_cell():
+    coarse, fine = (half_sector(**RACE, refine=k) for k in (1, 2))
+    assert fine.nelements == 4 * coarse.nelements
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"r_o": 0.9}, "0 < r_i < r_o"),
+        ({"n": 1}, "from n = 2 on, got n=1"),
+        ({"loaded": "side"}, "'bore' or 'rim'"),
+        ({"patch": 0.2}, "half of half a pitch"),
+        ({"patch": 0.0}, "0 < patch"),
+        ({"r_o": 1.005}, "and <= the wall"),
+        ({"refine": 0}, "refine >= 1"),
+    ],
+)
+def test_a_sector_without_sense_is_refused(wrong, said):
+    with pytest.raises(ValueError, match=said):
+        half_sector(**RACE | {"refine": 1} | wrong)
