@@ -14,7 +14,7 @@ from verify.cases import polyhedral_wedge_fem, polyhedral_wedge_model, polyhedra
 from verify.cases.polyhedral_wedge import WEDGE, analytic, too_large
 from verify.cases.polyhedral_wedge_inputs import WedgeInputs
 from verify.cases.polyhedral_wedge_limit import Limit
-from verify.cases.polyhedral_wedge_model import Geometry, Wedge
+from verify.cases.polyhedral_wedge_model import Geometry, Wedge, fem_mesh
 from verify.results import Status
 from verify.run import Job, judge_case, solve_level
 
@@ -55,7 +55,7 @@ def broken(monkeypatch):
 
 def wedge(q, *, cells=6, mu=None, **more):
     geometry = Geometry(q.R, q.half, q.a)
-    return Wedge(geometry, geometry.mesh(cells), E=q.E, nu=q.nu, mu=mu or q.mu, **more)
+    return Wedge(geometry, fem_mesh(geometry, cells), E=q.E, nu=q.nu, mu=mu or q.mu, **more)
 
 
 # States of the roller.

@@ -10,7 +10,7 @@ from verify.case import FemResult
 from verify.cases.contact_slip_read import at_nodes, largest_shear
 from verify.cases.polyhedral_wedge_inputs import WedgeInputs
 from verify.cases.polyhedral_wedge_limit import Limit
-from verify.cases.polyhedral_wedge_model import Geometry, Wedge
+from verify.cases.polyhedral_wedge_model import Geometry, Wedge, fem_mesh
 from verify.cases.polyhedral_wedge_stick import let_go
 from verify.shown import Field
 
@@ -28,7 +28,7 @@ ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are 
 
 def fem(q: WedgeInputs, level: int) -> FemResult:
     geometry = Geometry(q.R, q.half, q.a)
-    mesh = geometry.mesh(level // 2)
+    mesh = fem_mesh(geometry, level // 2)
     free, cage = (
         Wedge(geometry, mesh, E=q.E, nu=q.nu, mu=q.mu, caged=caged) for caged in (False, True)
     )

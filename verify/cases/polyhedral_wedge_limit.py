@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.cases.polyhedral_wedge_inputs import WedgeInputs
-from verify.cases.polyhedral_wedge_model import Geometry, Wedge
+from verify.cases.polyhedral_wedge_model import Geometry, Wedge, fem_mesh
 
 Array = NDArray[np.float64]
 
@@ -23,7 +23,7 @@ class Limit:
 
     def __init__(self, q: WedgeInputs, down: float) -> None:
         self.q, self.down = q, down
-        self.mesh = self._geometry(q.half).mesh(COARSE)
+        self.mesh = fem_mesh(self._geometry(q.half), COARSE)
 
     def left(self, mu: float) -> float:
         """Part of N that is left under the friction `mu`: about all, or next to nothing."""
@@ -53,7 +53,9 @@ class Limit:
         found = []
         for share in ANGLES:
             geometry = self._geometry(math.atan(share * self.q.mu))
-            wedge = Wedge(geometry, geometry.mesh(COARSE), E=self.q.E, nu=self.q.nu, mu=self.q.mu)
+            wedge = Wedge(
+                geometry, fem_mesh(geometry, COARSE), E=self.q.E, nu=self.q.nu, mu=self.q.mu
+            )
             left, ratio = self._pressed(wedge)
             found.append((share, left, ratio / self.q.mu if left > ANY else 0.0))
         return np.array(found).T

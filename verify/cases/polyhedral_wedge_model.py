@@ -6,7 +6,7 @@ and what pushes at the roller's middle is the caller's.
 """
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
     from fem.contact.pairs import Normal
+    from fem.contact.problem import ContactProblem
     from fem.contact.solution import ContactSolution
 
 Array = NDArray[np.float64]
@@ -41,20 +42,6 @@ class Geometry(NamedTuple):
         """Along the race, into the wedge."""
         return np.array([math.cos(self.half), -math.sin(self.half)])
 
-    def mesh(self, cells: int) -> "Mesh2D":
-        """Roller and race, `cells` on the half-width."""
-        from meshes.contact.block import full_block
-        from meshes.contact.tilted import placed, tilted_half_disc
-        from meshes.join import join
-
-        zone, n = ZONE * self.a, round(ZONE * cells)
-        x, y = self.R * self.normal
-        race = full_block(width=self.R, depth=self.R, zone=zone, cells=n, refine=1, above=True)
-        return join({
-            "roller": tilted_half_disc(R=self.R, tilt=self.half, zone=zone, cells=n, refine=1),
-            "race": placed(race, turn=-self.half, shift=(float(x), float(y))),
-        })  # fmt: skip
-
 
 class Wedge:
     """A roller that only its contacts hold along the bisector, or one whose middle a cage holds."""
@@ -63,25 +50,8 @@ class Wedge:
         self, geometry: Geometry, mesh: "Mesh2D", *, E: float, nu: float, mu: float,
         caged: bool = False, normal: "Normal" = "master",
     ) -> None:  # fmt: skip
-        from fem.contact.pairs import Pair
-        from fem.contact.problem import ContactProblem
-        from fem.contact.shapes import Circle, Flat
-        from fem.plane.material import Elastic
-
         self.geometry = geometry
-        (x, y), (n_x, n_y) = geometry.R * geometry.normal, -geometry.normal
-        self.problem: ContactProblem = ContactProblem(
-            mesh,
-            materials=Elastic(E=E, nu=nu),
-            assumption="plane strain",
-            supports={"race.bottom": "xy", "roller.outer": "y",
-                      "roller.inner": "xy" if caged else "y"},
-            contacts=[
-                Pair(slave="roller.surface", master="race.surface", friction=mu, normal=normal,
-                     slave_shape=Circle((0.0, 0.0), geometry.R),
-                     master_shape=Flat((float(x), float(y)), (float(n_x), float(n_y))))
-            ],
-        )  # fmt: skip
+        self.problem = fem_problem(geometry, mesh, E, nu, mu, caged=caged, normal=normal)
 
     def at(
         self, down: float, *, along: float = 0.0, push: float = 0.0,
@@ -123,3 +93,43 @@ class Wedge:
 
     def _missing(self, state: "ContactSolution", N: float) -> float:
         return self.forces(state)[0] / N - 1
+
+
+def fem_mesh(geometry: Geometry, cells: int) -> "Mesh2D":
+    """Roller and race, `cells` on the half-width."""
+    from meshes.contact.block import full_block
+    from meshes.contact.tilted import placed, tilted_half_disc
+    from meshes.join import join
+
+    R, half = geometry.R, geometry.half
+    fine: dict[str, Any] = {"zone": ZONE * geometry.a, "cells": round(ZONE * cells), "refine": 1}
+    x, y = R * geometry.normal
+    race = full_block(width=R, depth=R, above=True, **fine)
+    return join({
+        "roller": tilted_half_disc(R=R, tilt=half, **fine),
+        "race": placed(race, turn=-half, shift=(float(x), float(y))),
+    })  # fmt: skip
+
+
+def fem_problem(
+    geometry: Geometry, mesh: "Mesh2D", E: float, nu: float, mu: float, *, caged: bool,
+    normal: "Normal",
+) -> "ContactProblem":  # fmt: skip
+    """Cut and far side of the race on supports, friction between roller and race."""
+    from fem.contact.pairs import Pair
+    from fem.contact.problem import ContactProblem
+    from fem.contact.shapes import Circle, Flat
+    from fem.plane.material import Elastic
+
+    (x, y), (n_x, n_y) = geometry.R * geometry.normal, -geometry.normal
+    return ContactProblem(
+        mesh,
+        materials=Elastic(E=E, nu=nu),
+        assumption="plane strain",
+        supports={"race.bottom": "xy", "roller.outer": "y", "roller.inner": "xy" if caged else "y"},
+        contacts=[
+            Pair(slave="roller.surface", master="race.surface", friction=mu, normal=normal,
+                 slave_shape=Circle((0.0, 0.0), geometry.R),
+                 master_shape=Flat((float(x), float(y)), (float(n_x), float(n_y))))
+        ],
+    )  # fmt: skip

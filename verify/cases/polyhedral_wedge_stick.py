@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from verify.cases.contact_slip_read import smoothed
 from verify.cases.polyhedral_wedge_inputs import WedgeInputs
-from verify.cases.polyhedral_wedge_model import Geometry, Wedge
+from verify.cases.polyhedral_wedge_model import Geometry, Wedge, fem_mesh
 
 if TYPE_CHECKING:
     from fem.contact.solution import Touch
@@ -35,7 +35,7 @@ def let_go(q: WedgeInputs, level: int) -> tuple[dict[str, float], dict[str, floa
     """Stick half-widths over a as T grows at the same N, their uncertainties, and the figure's."""
     geometry = small(q)
     N = math.pi * q.E_star * geometry.a**2 / (4 * q.R)
-    wedge = Wedge(geometry, geometry.mesh(level), E=q.E, nu=q.nu, mu=q.mu, normal="between")
+    wedge = Wedge(geometry, fem_mesh(geometry, level), E=q.E, nu=q.nu, mu=q.mu, normal="between")
     push = N * math.sin(q.half)  # balances the normal force alone
     state, down = wedge.pressed(N, push=push, near=wedge.pressed(N)[1])
     found = []
