@@ -52,7 +52,7 @@ def across(ring: Outline, s: float) -> tuple[Point, Point]:
 
 def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
     """From the line across the wall at `s` to the corner, fine around the fillet."""
-    n, depth = _core(ring, s, rows)
+    n, depth = _core(ring, rows)
     start, bottom = (ring.apothem, ring.half_flat), ring.on_corner_ray(ring.r_i)
     x, y = ring.fillet_centre
     far = ring.fillet + depth
@@ -81,12 +81,12 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int) -> list[Block]:
     ]
 
 
-def _core(ring: Outline, s: float, rows: int) -> tuple[int, float]:
+def _core(ring: Outline, rows: int) -> tuple[int, float]:
     """Cells along the fillet and depth of the core around it, with `rows` square cells if it may.
 
-    Where a thin wall or the line at `s` leave it less, no arc rises as high as its cell is thin.
+    Where a thin wall leaves it less, no arc rises as high as its cell is thin.
     """
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
     n = max(FILLET, math.ceil(arc / (SLENDER * wall)))
-    depth = min(rows * arc / n, DEEP * wall, (ring.half_flat - s) / 2)
+    depth = min(rows * arc / n, DEEP * wall)
     return max(n, math.ceil(arc / math.sqrt(2 * ring.fillet * depth / rows))), depth
