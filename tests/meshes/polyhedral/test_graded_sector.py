@@ -18,7 +18,10 @@ def wall_at_the_middle(*, z, d_i, fillet):
 
 
 @settings(max_examples=60, deadline=None)
-@example(z=3, wall=-2.0, fillet=-0.5, zone=None, hub=(0.5, 0.97), cells=2)  # a thin core
+@example(z=3, wall=-3.5, fillet=-0.55, zone=0.1, hub=None, cells=24)  # a thin core
+@example(
+    z=3, wall=-2.0, fillet=-0.5, zone=None, hub=(0.5, 0.97), cells=2
+)  # a hub beside the fillet
 @example(z=17, wall=-1.4, fillet=-5.0, zone=None, hub=(0.3, 0.95), cells=6)  # a narrow sector
 @example(z=3, wall=-1.2, fillet=-1.5, zone=2e-3, hub=None, cells=12)  # wide lines
 @given(
@@ -27,7 +30,7 @@ def wall_at_the_middle(*, z, d_i, fillet):
     fillet=st.floats(np.log(1e-3), np.log(0.9)),
     zone=st.none() | st.floats(1e-3, 0.4),
     hub=st.none() | st.tuples(share, share).filter(lambda ends: abs(ends[1] - ends[0]) > 0.01),
-    cells=st.sampled_from([2, 6, 12]),
+    cells=st.sampled_from([2, 6, 24]),
 )
 def test_no_cell_folds_whatever_the_ring(z, wall, fillet, zone, hub, cells):
     d_i = 1 - 2 * np.exp(wall)
