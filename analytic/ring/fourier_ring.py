@@ -127,6 +127,10 @@ class FourierRing:
             u_r=u_r, u_theta=u_theta, sigma_r=stresses[0], sigma_theta=stresses[1], tau=stresses[2]
         )
 
+    def mean_displacement(self, r: float) -> float:
+        """Mean of the radial displacement [length] around the circle of radius r."""
+        return float(self._mean(np.array([r]))[0, 0])
+
     @property
     def _m(self) -> Array:
         return self.n * np.arange(1.0, self.p.size)

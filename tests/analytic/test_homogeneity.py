@@ -4,7 +4,8 @@ import math
 
 import pytest
 
-from analytic.ring import lame
+from analytic.ring import lame, rotating, smeared
+from analytic.ring.loaded_race import LoadedRace
 from analytic.spring import energy, frame
 
 MM, MPA, N_PER_MM = 1e3, 1e-6, 1e-3  # from SI
@@ -32,6 +33,29 @@ CASES = [
         lambda k, s: lame.strain_energy(
             **scaled(RING, k), p_i=1e8 * s, E=2e11 * s, nu=0.3, ends="plane stress"),
         1.0, id="strain energy per length (J/m is N)"),
+    *(
+        pytest.param(  # density is stress times time² over length²
+            lambda k, s, part=part: part(
+                **scaled(RING, k), rho=7850 * s / k**2, omega=600.0, E=2e11 * s, nu=0.3,
+                assumption="plane strain"), factor, id=f"rotating ring, {name}")
+        for part, factor, name in (
+            (lambda **more: rotating.radial_displacement(more["r_i"], **more), MM, "growth"),
+            (rotating.strain_energy, 1.0, "strain energy per length"),
+        )
+    ),
+    *(
+        pytest.param(
+            lambda k, s, name=name: getattr(
+                LoadedRace(**scaled(RING, k), E=2e11 * s, nu=0.3, assumption="plane stress",
+                           loaded="bore", n=12, P=4e5 * s * k, a=2e-4 * k).at(0.04 * k, 1e-3),
+                name),
+            factor, id=f"race under loads, {name}")
+        for name, factor in (("u_r", MM), ("u_theta", MM), ("sigma_theta", MPA))
+    ),
+    pytest.param(
+        lambda k, s: smeared.race_deflection(
+            P=4e5 * s * k, n=12, **scaled(RING, k), E=2e11 * s, nu=0.3, loaded="rim"),
+        MM, id="Eq. 6"),
     pytest.param(
         lambda k, s: energy.stiffness(
             **scaled(SPRING, k), r=4.5e-4 * k, E=2e11 * s, **TURN), N_PER_MM, id="k_1"),

@@ -43,13 +43,17 @@ class Smeared(Approximation):
 def predicted(
     formula: str, key: str, less: str
 ) -> Callable[[LoadsInputs, Values], tuple[float, float] | None]:
-    """formula/(Fourier ring - dent) - 1, give or take the acceptance figure."""
+    """formula/(Fourier ring - dent) - 1, give or take the acceptance figure.
+
+    Both from the Fourier ring, whose mean is Lamé's ring, so that a slip in Eq. 6 shows.
+    """
 
     def interval(_: LoadsInputs, v: Values) -> tuple[float, float] | None:
         reference = v[key] - (v[less] if less else 0.0)
         if abs(reference) < PART * v["load"]:
             return None
-        ratio = v[formula] / reference
+        expected = v["mean"] + (v["dent, wall"] if formula == "Lamé + Hertz" else 0.0)
+        ratio = expected / reference
         return ratio - 1 - SHARP * abs(ratio), ratio - 1 + SHARP * abs(ratio)
 
     return interval

@@ -69,7 +69,8 @@ def analytic(q: LoadsInputs) -> Values:
     values: dict[str, Any] = {
         "load": load, "between": between, "far load": far_load, "far between": far_between,
         "ripple": (load - between) / lamé, "one": 1.0,
-        "smeared": lamé, "dent, wall": dent(q, wall), "dent, half wall": dent(q, wall / 2),
+        "smeared": lamé, "mean": sign * ring.ring.mean_displacement(ring.r),
+        "dent, wall": dent(q, wall), "dent, half wall": dent(q, wall / 2),
         "hoop between": state.sigma_theta[1], "far hoop load": state.sigma_theta[2],
         "far hoop between": state.sigma_theta[3],
         "stress scale": float(np.abs(state.sigma_theta[1:]).max()),
