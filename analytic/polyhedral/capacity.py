@@ -6,7 +6,9 @@ torque M_t belong together, and so does the hub's force R, as in the paper,
 .. math:: M_t = \text{grip}\, N z \frac{D_i}{2}, \qquad
           R = \frac{M_t}{z\,(r + r_1)\sin(\psi + \varphi_1)} = \kappa N.
 
-But Eq. 16 hands all of pressure and hub force to the rollers; here the ring decides (`locking`),
+R leans from the flat's normal by phi_1 towards the flat's middle, so that it makes psi + phi_1 with
+the radius through its contact. But Eq. 16 hands all of pressure and hub force to the rollers; here
+the ring decides (`locking`),
 
 .. math:: p(N) = \frac{1}{u_p}\left[\frac{j_D}{2} + u_N(a) N + \delta(N) - \kappa u_{h1} N\right]
 
@@ -42,7 +44,7 @@ class Driven:
     >>> contact = RollerContact(ring, Roller(d=10.0, j_D=0.06), 210e3, 0.3, "plane stress")
     >>> hub = Driven(contact, grip=0.08, D_i=100.06, e=9.0, tan_phi=0.05)
     >>> round(hub.kappa, 3), round(hub.force(30.0), 1)
-    (0.379, 237.6)
+    (0.379, 238.9)
     """
 
     contact: RollerContact
@@ -68,7 +70,7 @@ class Driven:
         """How far the hub's force lifts mid-flat for N = 1 [length]."""
         normal = self.kappa * cos(atan2(self.tan_phi, 1))
         hub = hub_force(
-            sector=self.contact.sector, e=self.e, normal=normal, along=normal * self.tan_phi
+            sector=self.contact.sector, e=self.e, normal=normal, along=-normal * self.tan_phi
         )
         return self.contact.lift(hub)
 

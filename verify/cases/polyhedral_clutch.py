@@ -99,12 +99,18 @@ def fem(q: ClutchInputs, level: int) -> FemResult:
         "N series": N * q.b, "M series": grip(q) * N * q.b * q.z * q.D_i / 2, "p series": p,
         "fillet": largest_in_fillet(q.ring, state.plane, q.p_t),
         "balance x": rest[0], "balance y": rest[1],
+        "moment": q.b * q.z * moment(q, hub.push(N)) - grip(q) * N * q.b * q.z * q.D_i / 2,
     }  # fmt: skip
     coarse = DrivenRing(q, 1, grip=grip(q))
     drawn = coarse.at(q.p_t, N).plane.cells()
     field = whole("driven", q.z, drawn, von_mises=(drawn["von_mises"], "Pa"))
     u_it = {key: 1e-9 * abs(value) for key, value in values.items()}
     return FemResult(h=1 / level, values=values, u_it=u_it, fields=(field,))
+
+
+def moment(q: ClutchInputs, push: tuple[float, float]) -> float:
+    """Moment [N] about the axis of a hub force (normal, along the flat) [N/m] at e."""
+    return q.e * push[0] - q.ring.apothem * push[1]
 
 
 def slack(q: ClutchInputs, v: Values) -> float:
@@ -153,6 +159,8 @@ CHECKS = (
               bound_reason="acceptance figure; contact met to round-off")
         for x in "xy"
     ),
+    Exact(name="moments of hub and rollers about the axis", symbol="ΣM", unit="N m", fem="moment",
+          scale="M series", bound=1e-9, bound_reason="statics: Eq. 14's lever and angle"),
 )  # fmt: skip
 
 
@@ -237,12 +245,15 @@ CLUTCH = Case(
         "Eq. 20: K of the middle of the flats, lever apothem/cos ψ, γ = 0; Eq. 21: K = 1, lever "
         "d_i/2, γ = ψ, corners without fillets",
         "rollers in a cage carry μ N; with a wedge angle α they are free and carry N tan(α/2)",
+        "the hub's force R leans by φ_1 towards the flat's middle: it makes ψ + φ_1 with the "
+        "radius through its contact, as Eq. 14 has it",
         "margin and pressure on the rollers are those of the elastic ring",
     ),
     assumptions=(
         "linear elasticity, small strain, plane stress; rollers and race rigid (with elastic "
         "rollers the torque is smaller: see its value)",
-        "the friction at the rollers does not deform the ring: it turns, and the hub holds it",
+        "friction at the rollers turns the ring against the hub: by symmetry it lifts nothing "
+        "above the middle of the flats",
         "the hub's force at e counts as half of it on each side of the flat's middle",
     ),
     warnings=warnings,

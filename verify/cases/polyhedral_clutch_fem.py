@@ -26,9 +26,9 @@ class DrivenRing:
         self.ring = LockedRing(q.ring, level, d=q.d, e=q.e, p=q.p_t, hub=self.push(N))
 
     def push(self, N: float) -> tuple[float, float]:
-        """The hub's force on a flat, along its normal and along it [N/m]."""
+        """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
         R = self.kappa * N
-        return float(R * np.cos(self.q.phi_1)), float(R * np.sin(self.q.phi_1))
+        return float(R * np.cos(self.q.phi_1)), float(-R * np.sin(self.q.phi_1))
 
     def at(self, p: float, N: float) -> "ContactSolution":
         """The state under the pressure `p` and the hub's force that goes with N."""

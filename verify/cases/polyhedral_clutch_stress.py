@@ -19,7 +19,7 @@ def in_fillet(q: ClutchInputs, hub: Driven, N: float) -> float:
     stress = q.p_t * bore_stress(at, sector=ring, field=pressed(ring), p=1.0)
     if 0 < N < np.inf:
         normal = N * hub.kappa / np.hypot(1, hub.tan_phi)
-        push = hub_force(sector=ring, e=hub.e, normal=normal, along=normal * hub.tan_phi)
+        push = hub_force(sector=ring, e=hub.e, normal=normal, along=-normal * hub.tan_phi)
         load = roller_load(sector=ring, a=hub.contact.half_width(N))
         stress = stress + bore_stress(at, sector=ring, field=push)
         stress = stress + N * bore_stress(at, sector=ring, field=load)

@@ -88,7 +88,7 @@ def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution
     from fem.plane.solve import solve_plane
     from meshes.polyhedral.half_sector import half_sector
 
-    normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, q.tan_phi]) / 2
+    normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, -q.tan_phi]) / 2
     corner = q.d_i / 2 * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
     beside = (q.e + min(q.half_flat, 1.2 * q.e)) / 2
     loads = (

@@ -114,7 +114,7 @@ class HubRing(PolygonRing):
         "200 N/mm", "N/mm", "R/b", "force of the hub on a flat, per width of the ring", gt=0, le=1e7
     )
     tan_phi: float = quantity(
-        0.05, "1", "tan φ_1", "friction between hub and ring, along the flat", ge=0, le=1
+        0.05, "1", "tan φ_1", "friction between hub and ring, towards the flat's middle", ge=0, le=1
     )
 
     @model_validator(mode="after")

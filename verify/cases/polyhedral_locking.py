@@ -27,9 +27,9 @@ ALONG = 200  # points of the fillet
 
 
 def hub_of(q: LockingInputs) -> tuple[float, float]:
-    """The hub's force on a flat, along its normal and along it [N/m]."""
+    """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
     normal = q.R_b / np.hypot(1, q.tan_phi)
-    return float(normal), float(normal * q.tan_phi)
+    return float(normal), float(-normal * q.tan_phi)
 
 
 def state(q: LockingInputs, p: float, d: float, hub: HubForce | None = None) -> Locked:
@@ -256,6 +256,8 @@ LOCKING = Case(
     readings=(
         "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",
         "p_2 is what p_t exceeds K_mid p_1 by (Eq. 19 with K in the middle of the flats)",
+        "the hub's friction acts towards the flat's middle, so that R makes ψ + φ_1 with the radius "
+        "through its contact (Eq. 14)",
         "the side of the polygon in Eq. 13, not its arc; γ = 0 in Eq. 16: along the flat's normal",
     ),
     assumptions=(

@@ -41,7 +41,7 @@ def analytic(q: HubRing) -> Values:
     sigma_t = float(expansion.hoop_stress(j_D=q.j_D, d_m=q.d_m, E=q.E))
     p_1r = stress.mid * p_1
     fillet, at = wall_stress.largest_fillet_stress(sector=ring)
-    normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, q.tan_phi])
+    normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, -q.tan_phi])
     values: dict[str, Any] = {
         "K": 1.0, "K mid": stress.mid, "K mean": stress.mean, "K corner": stress.corner,
         "1/K mid": 1 / stress.mid, "1/K corner": 1 / stress.corner, "K mid, strain": strain.mid,
