@@ -26,7 +26,11 @@ def curves(c: Curves) -> Markup:
         (float(low), float(high + 0.06 * ((high - low) or 1.0))),
     )
     axes.grid(svg.ticks(*axes.y), svg.plain)
-    axes.base(svg.ticks(*axes.x, 6), svg.plain)
+    if c.x_names:
+        names = dict(c.x_names)
+        axes.base(list(names), names.__getitem__)
+    else:
+        axes.base(svg.ticks(*axes.x, 6), svg.plain)
     axes.titles(c.x_label, c.y_label)
     for curve, u, v in zip(c.curves, x, y, strict=True):
         seen = (axes.y[0] <= v) & (v <= axes.y[1])

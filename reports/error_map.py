@@ -21,6 +21,8 @@ def error_map(m: Map) -> Markup:
     rows, columns = error.shape
     width = (WIDTH - LEFT - RIGHT) / columns
     bottom = TOP + CELL * rows
+    # dots in every cell tell no cell from another: the key alone says so
+    marked = None if m.checked is None or np.all(m.checked) else m.checked
     body = [svg.text(LEFT - 50, TOP - 10, m.y_label, "label")]
     classes = np.searchsorted(m.limits, np.abs(error), side="left")
     for k in range(rows):
@@ -33,7 +35,7 @@ def error_map(m: Map) -> Markup:
             body.append(svg.rectangle(x, y, width, CELL, shade))
             words = percent(float(error[k, j])) if known else "·"
             body.append(svg.text(x + width / 2, y + CELL / 2 + 3.5, words, "cell", "middle"))
-            if m.checked is not None and m.checked[k, j]:
+            if marked is not None and marked[k, j]:
                 body.append(svg.circle(x + width - 3.6, y + 3.6, 1.7, "fe"))
     body += _steps(error, classes, width, bottom)
     for j, name in enumerate(m.columns):
@@ -74,7 +76,9 @@ def _key(m: Map, top: float) -> tuple[list[Markup], int]:
     named.append((f"m{SHADES}", f"beyond {m.limits[-1]:.0%}"))
     if not np.all(np.isfinite(m.error)):
         named.append(("none", f"· {m.without}"))
-    if m.checked is not None and np.any(m.checked):
+    if m.checked is not None and np.all(m.checked):
+        named.append(("", f"every cell {m.checked_name}"))
+    elif m.checked is not None and np.any(m.checked):
         named.append(("fe", m.checked_name))
     drawn: list[Markup] = []
     left, row = 12.0, 0
@@ -85,7 +89,7 @@ def _key(m: Map, top: float) -> tuple[list[Markup], int]:
         y = top + LINE * row
         if css == "fe":
             drawn.append(svg.circle(left + SWATCH / 2, y - 4, 2.4, "fe"))
-        else:
+        elif css:
             drawn.append(svg.rectangle(left, y - 10, SWATCH, 12, f"{css} swatch"))
         drawn.append(svg.text(left + SWATCH + 6, y, words, "tick"))
         left += wide

@@ -118,7 +118,7 @@ class Curve:
 class Curves:
     """Several curves on the same axes, named below, from `y_bottom` on (zero, or the lowest).
 
-    `y_top` cuts what runs off to infinity.
+    `y_top` cuts what runs off to infinity. `x_names` puts names where x has the values given.
     """
 
     title: str
@@ -128,6 +128,7 @@ class Curves:
     note: str = ""
     y_top: float | None = None
     y_bottom: float | None = None
+    x_names: tuple[tuple[float, str], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -136,7 +137,7 @@ class Map:
 
     Columns and rows have names, the first row at the bottom; cells are shaded by the first of the
     `limits` that holds them. Where the error is NaN there is nothing to compare, for the reason
-    `without`. `checked` (k, m) marks cells with finite elements.
+    `without`. `checked` (k, m) are the cells that `checked_name` is true of.
     """
 
     title: str
@@ -147,7 +148,7 @@ class Map:
     error: Array
     limits: tuple[float, ...] = (0.02, 0.05, 0.10)
     checked: NDArray[np.bool_] | None = None
-    checked_name: str = "FE"
+    checked_name: str = "also by finite elements"
     without: str = ""
     note: str = ""
 

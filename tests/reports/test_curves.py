@@ -45,6 +45,13 @@ def test_axes_start_at_zero_unless_values_are_negative_or_told_otherwise():
     assert ">0<" not in plot(y_bottom=2.5, curves=(Curve(name="a", x=X + 1, y=X + 3),))
 
 
+def test_places_on_the_axis_may_have_names():
+    named = plot(x_names=((1.0, "three"), (3.0, "twelve")))
+    assert ">three<" in named
+    assert ">twelve<" in named
+    assert ">4<" not in named.split("y [mm]")[0].rsplit(">three<", 1)[-1]
+
+
 def test_many_names_take_more_lines_and_a_taller_picture():
     few = plot(curves=(Curve(name="a", x=X, y=X),))
     many = plot(curves=tuple(Curve(name=f"a rather long name {i}", x=X, y=X) for i in range(6)))

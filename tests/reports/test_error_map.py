@@ -64,3 +64,9 @@ def test_the_key_names_the_limits_and_the_reason_for_holes():
 )  # fmt: skip
 def test_per_cent_has_two_digits(error, words):
     assert percent(error) == words
+
+
+def test_where_every_cell_was_checked_the_key_says_so_without_dots():
+    page = drawn(checked=np.ones((2, 3), bool))
+    assert "circle" not in page
+    assert ">every cell also by finite elements<" in page

@@ -8,9 +8,11 @@ import numpy as np
 from verify.case import Context
 from verify.shown import Array, Curve, Curves, Figure, Map
 
+TICKS = (3, 4, 6, 8, 12, 24, 48)
 FLATS = (3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 24, 48)
 WALLS = (0.0125, 0.025, 0.05, 0.1, 0.15, 0.2)  # over the outer diameter
 SHARES = (0.125, 0.25, 0.5, 1.0, 2.0)  # fillet over wall
+NAMES = tuple((float(np.log2(z)), str(z)) for z in TICKS)
 LARGEST, LEAST = 4.0, -2.0  # of K in the figure: at the corners of four flats it has no bound
 
 
@@ -41,7 +43,7 @@ def _map(
     return Map(
         title=title, x_label="flats z", y_label=label, columns=tuple(map(str, FLATS)),
         rows=tuple(f"{row:g}" for row in rows), error=error,
-        checked=np.full(error.shape, solved), checked_name="also by finite elements", note=note,
+        checked=np.full(error.shape, solved), note=note,
     )  # fmt: skip
 
 
@@ -61,8 +63,8 @@ def _factors(context: Context, reference: Array) -> Curves:
     ends = x[[0, -1]]
     curves.append(Curve(name="Lamé", x=ends, y=np.full(2, limit), style="dashes", colour=3))
     return Curves(
-        title="K by three definitions", x_label="log_2 of the flats z (3 to 48)", y_label="K",
-        curves=tuple(curves), y_bottom=0.8, y_top=LARGEST,
+        title="K by three definitions", x_label="flats z", y_label="K",
+        curves=tuple(curves), y_bottom=0.8, y_top=LARGEST, x_names=NAMES,
         note="Lines: series; dots: finite elements. At the corners K is beyond the figure for 3 to "
         "5 flats, and negative for 3.",
     )  # fmt: skip
@@ -80,6 +82,6 @@ def _efficiency(context: Context, eta: Array) -> Curves:
         curves.insert(1, Curve(name="η, FE", x=x, y=fem["efficiency"], style="dots", colour=1))
     return Curves(
         title="Share of further pressure that reaches the rollers",
-        x_label="log_2 of the flats z (3 to 48)", y_label="η", curves=tuple(curves),
+        x_label="flats z", y_label="η", curves=tuple(curves), x_names=NAMES,
         note="Rigid rollers, half again the pressure that takes up the clearance.",
     )  # fmt: skip
