@@ -93,10 +93,11 @@ def values(row: Row) -> Shown:
 def concise(value: float, u: float) -> tuple[str, int]:
     """A value with two digits of its uncertainty in brackets, and how many decimals it shows.
 
-    No more than fourteen digits of the value, which is what a double has to give.
+    No more than nine digits of the value, which a table has room for: the last one's bracket is
+    then no less than u.
     """
     size = math.floor(math.log10(abs(value))) if value else 0
-    decimals = max(min(1 - int(f"{u:.1e}".partition("e")[2]), 13 - size), 0)
+    decimals = max(min(1 - int(f"{u:.1e}".partition("e")[2]), 8 - size), 0)
     last = max(round(u * 10.0**decimals), 1)
     return f"{value:.{decimals}f}({last})".replace("-", MINUS), decimals
 

@@ -256,7 +256,7 @@ LOCKING = Case(
     readings=(
         "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",
         "p_2 is what p_t exceeds K_mid p_1 by (Eq. 19 with K in the middle of the flats)",
-        "the hub's friction acts towards the flat's middle, so that R makes ψ + φ_1 with the radius "
+        "the hub's friction acts towards the flat's middle: R makes ψ + φ_1 with the radius "
         "through its contact (Eq. 14)",
         "the side of the polygon in Eq. 13, not its arc; γ = 0 in Eq. 16: along the flat's normal",
     ),
