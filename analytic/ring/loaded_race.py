@@ -32,6 +32,7 @@ from analytic.contact.checks import Array, Assumption, positive
 from analytic.ring.fourier_ring import NEGLIGIBLE, FourierRing, State, Wall
 
 WAVES = 60.0  # m alpha of the last one
+MOST = 6e5  # and its m at most, as 1/m² is left out: below 1e-7 of the displacement at a load
 POINTS = 48  # of Gauss' rule over the patch
 ON_WALL = 1e-9  # of the radius
 
@@ -84,7 +85,7 @@ class LoadedRace:
     @cached_property
     def ring(self) -> FourierRing:
         """The ring under the waves that are summed one by one."""
-        top = max(WAVES / self.alpha, NEGLIGIBLE / np.log(self.r_o / self.r_i) + 2)
+        top = max(min(WAVES / self.alpha, MOST), NEGLIGIBLE / np.log(self.r_o / self.r_i) + 2)
         m = self.n * np.arange(1, np.ceil(top / self.n) + 1)
         p = self.mean_pressure * np.concatenate([[1.0], 2 * share(m * self.alpha)])
         return FourierRing(

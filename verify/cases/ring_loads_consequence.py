@@ -46,7 +46,7 @@ def ratios(races: Sequence[LoadsInputs], n: int) -> tuple[float, float]:
         energy = share**2 * (fourier - g / 2 - g * math.log(share))
         return float(energy - (smeared - g / 2))
 
-    return smeared / fourier, 1 / float(brentq(excess, 0.2, 5.0))
+    return smeared / fourier, 1 / float(brentq(excess, 1e-6, 3.0))
 
 
 def table(context: Context) -> Table:

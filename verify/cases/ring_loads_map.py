@@ -26,7 +26,7 @@ class MapInputs(Inputs):
     """Loads on the bore of rings of radius 1, in units of load and modulus."""
 
     a_r: float = quantity(
-        0.008, "1", "a/r_i", "half-width of the patches over the bore's radius", ge=1e-4, le=0.015
+        0.008, "1", "a/r_i", "half-width of the patches over the bore's radius", ge=5e-4, le=0.015
     )
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
@@ -134,7 +134,7 @@ MAP = Case(
     inputs=MapInputs,
     analytic=analytic,
     fem=fem,
-    levels=(1, 2, 4),
+    levels=(2, 3, 5),
     checks=CHECKS,
     outputs=tuple(
         Output(key=f"{name(n, ratio)}: error", symbol="m", unit="1",
