@@ -14,7 +14,7 @@ from analytic.polyhedral.wall_stress import bore_stress
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import polyhedral_locking_shown as shown
 from verify.cases.polyhedral_fem import largest_in_fillet, pressed_fem, whole
-from verify.cases.polyhedral_locking_fem import LockedRing, held
+from verify.cases.polyhedral_locking_fem import LockedRing, held_fem
 from verify.cases.polyhedral_locking_inputs import LockingInputs
 from verify.checks import Approximation, Exact, Fact, Identity
 from verify.shown import Array
@@ -116,7 +116,7 @@ def supports(q: LockingInputs) -> dict[str, Array]:
         low, high = (ring.force(k * q.p_t) for k in (1 - STEP, 1 + STEP))
         a = ring.at(q.p_t).touches[0].half_width((q.d_e / 2, 0.0))
         rollers.append((a, (high - low) / (2 * STEP * q.p_t * side)))
-    bonded = [(w, held(q, w) / side) for w in shown.widths(q)]
+    bonded = [(w, held_fem(q, w) / side) for w in shown.widths(q)]
     return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}
 
 

@@ -82,7 +82,7 @@ class LockedRing:
         return float(rest[0]), float(rest[1]), float(cuts[0])
 
 
-def held(q: PolygonRing, width: float) -> float:
+def held_fem(q: PolygonRing, width: float) -> float:
     """Force [N/m] per pressure [Pa] of a stretch 2 `width` of the outside that cannot move out."""
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
