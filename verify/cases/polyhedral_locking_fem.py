@@ -32,11 +32,11 @@ class LockedRing:
         wall = q.d_e / 2 - q.apothem
         zone = FIRST * min(wall, q.half_angle * q.d_e / 2, d)
         for refine in (COARSE, COARSE, level):
-            self.problem = self._build(zone, refine)
+            self.problem = self._fem_problem(zone, refine)
             a = self.at(p, hub).touches[0].half_width((q.d_e / 2, 0.0))
             zone = min(ZONE * a, WIDEST * wall) if a > 0 else zone
 
-    def _build(self, zone: float, refine: int) -> "ContactProblem":
+    def _fem_problem(self, zone: float, refine: int) -> "ContactProblem":
         from fem.contact.pairs import Obstacle, Pair
         from fem.contact.problem import ContactProblem
         from fem.contact.shapes import Circle
