@@ -13,6 +13,7 @@ from verify.tex import factor, tex
 MPa, mm = 1e6, 1e-3
 WALLS = (0.01, 0.0178, 0.0316, 0.0562, 0.1)  # delta_1/d_m of the sweep: a decade
 ROLLERS = 6  # drawn round the ring
+SOLID = 0.99  # of delta_1/d_m, where figures end: at 1 there is no bore
 
 
 def arc(r: float, centre: tuple[float, float] = (0.0, 0.0)) -> Any:
@@ -78,7 +79,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
 def figures(context: Context) -> Sequence[Figure]:
     """Pressure over the wall: the thin ring, Lamé, finite elements."""
     q = context.inputs
-    share = np.linspace(WALLS[0], max(0.2, 1.2 * q.delta_1 / q.d_m), 60)
+    share = np.linspace(WALLS[0], min(max(0.2, 1.2 * q.delta_1 / q.d_m), SOLID), 60)
     walls = {"d_i": q.d_m * (1 - share), "d_e": q.d_m * (1 + share)}
     p_1 = expansion.touching_pressure(j_D=q.j_D, **walls, E=q.E)
     thick = p_1 * expansion.many_corners_factor(**walls)
