@@ -12,6 +12,7 @@ from verify.shown import Array, Field
 CELLS = 4  # on half the patch of the coarsest mesh
 ROUND = 1e-11  # of displacements: machine epsilon times the ring over its cells (below 1e5)
 AROUND, ACROSS = 9, 5  # stations of the stresses inside
+ALONG = 16  # stations of the profiles on the walls
 AWAY = 2.0  # half-widths from the patch's middle beyond which they are compared
 
 
@@ -23,6 +24,11 @@ def stations(q: LoadsInputs) -> Array:
     points = np.array([r.ravel(), theta.ravel()])
     x, y = points[0] * np.cos(points[1]), points[0] * np.sin(points[1])
     return np.asarray(points[:, np.hypot(x - q.radius, y) > AWAY * q.half_width])
+
+
+def wall_angles(q: LoadsInputs) -> Array:
+    """Angles (m,) [rad] of the profiles on the walls, from beyond the patch to half-way."""
+    return np.linspace(AWAY * q.half_width / q.radius, np.pi / q.n, ALONG)
 
 
 def wall_nodes(sector: Any, name: str) -> Array:
@@ -99,6 +105,10 @@ def fem(q: LoadsInputs, level: int) -> FemResult:
     round_off = max(sector.residual**0.5, ROUND)
     arrays = {f"{name} nodes": nodes for name, nodes in walls.items()}
     arrays["stresses"] = np.array(within[1:])
+    along = np.array([np.cos(wall_angles(q)), np.sin(wall_angles(q))])
+    for name, r in (("bore", q.r_i), ("rim", q.r_o)):
+        u_r, _, around, _ = sector.at(r * along).polar()
+        arrays |= {f"{name} displacement": u_r, f"{name} hoop stress": around}
     cells = sector.cells()
     x, u = cells["points"], cells["displacement"]
     field = Field(

@@ -8,12 +8,26 @@ import numpy as np
 from verify.case import Context, Values
 from verify.cases import ring_loads_consequence as consequence
 from verify.cases import ring_loads_formulas as formulas
+from verify.cases.ring_loads_fem import wall_angles
 from verify.cases.ring_loads_inputs import LoadsInputs
-from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch, Table
+from verify.profiles import along
+from verify.shown import (
+    Array,
+    Curve,
+    Curves,
+    Equation,
+    Figure,
+    Picture,
+    Profile,
+    Shape,
+    Sketch,
+    Table,
+)
 from verify.tex import tex
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 COUNTS = (6, 12, 24)
+AWAY = 3.0  # formal order beyond the patch
 DOTS = 40  # nodes of finite elements in a curve
 
 
@@ -101,7 +115,8 @@ def around(q: LoadsInputs) -> Array:
 
 
 def figures(context: Context) -> Sequence[Figure]:
-    return (_ripple(context), *(_stresses(context) if context.fem else ()))
+    profiles = (_displacement(context), _stresses(context)) if context.converging else ()
+    return (_ripple(context), *profiles)
 
 
 def _ripple(context: Context) -> Curves:
@@ -143,22 +158,39 @@ def _thinned(context: Context, wall: str) -> Array:
     return np.asarray(nodes[:, chosen])
 
 
-def _stresses(context: Context) -> Sequence[Curves]:
-    q = context.inputs
-    shares, ring = around(q), formulas.race(q)
-    theta = shares * np.pi / q.n
-    bore, rim = (ring.at(r, theta).sigma_theta for r in (q.r_i, q.r_o))
-    beyond = theta > ring.alpha
+def _displacement(context: Context) -> Profile:
+    """The loaded wall beyond the patch, with the uncertainty of its finite elements."""
+    q, scale = context.inputs, context.analytic["load"]
+    ring, sign = formulas.race(q), formulas.outward(q)
+    theta = np.linspace(0, np.pi / q.n, 200)
+    at = wall_angles(q)
+    values, u = along(context, f"{q.loaded} displacement", formal=AWAY, scale=scale)
+    return Profile(
+        title=f"Displacement of the {q.loaded}, finite elements and Fourier ring",
+        x_label="θ n/π", y_label="δ [µm]", x=theta * q.n / np.pi,
+        y=sign * ring.at(ring.r, theta).u_r / um, x_fem=at * q.n / np.pi, y_fem=sign * values / um,
+        y_ref=sign * ring.at(ring.r, at).u_r / um, u=u / um, scale=scale / um,
+        scale_name="the displacement at a load",
+    )  # fmt: skip
+
+
+def _stresses(context: Context) -> Curves:
+    """Hoop stress of both walls; of the loaded one beyond the patch."""
+    q, ring, fem = context.inputs, formulas.race(context.inputs), context.fem[-1].arrays
+    theta, at = around(q) * np.pi / q.n, wall_angles(q)
     curves = []
-    for k, (name, hoop) in enumerate((("bore", bore), ("rim", rim))):
-        shown = beyond if name == q.loaded else np.ones_like(beyond)
-        curves.append(Curve(name=name, x=shares[shown], y=hoop[shown] / MPa, colour=k))
-    return (
-        Curves(
-            title="Hoop stress on the walls", x_label="θ n/π", y_label="σ_θ [MPa]",
-            curves=tuple(curves), note=f"By the Fourier ring; of the {q.loaded} beyond the patch, "
-            "under which the hoop stress is about the pressure.",
-        ),
+    for k, (name, r) in enumerate((("bore", q.r_i), ("rim", q.r_o))):
+        shown = theta[theta > ring.alpha] if name == q.loaded else theta
+        hoop = ring.at(r, shown).sigma_theta
+        curves += [
+            Curve(name=name, x=shown * q.n / np.pi, y=hoop / MPa, colour=k),
+            Curve(name=f"FE, {name}", x=at * q.n / np.pi, y=fem[f"{name} hoop stress"] / MPa,
+                  style="dots", colour=k),
+        ]  # fmt: skip
+    return Curves(
+        title="Hoop stress on the walls", x_label="θ n/π", y_label="σ_θ [MPa]",
+        curves=tuple(curves), note=f"Lines by the Fourier ring; of the {q.loaded} beyond the "
+        "patch, under which the hoop stress is about the pressure.",
     )  # fmt: skip
 
 
