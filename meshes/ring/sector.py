@@ -61,7 +61,9 @@ def half_sector(
     return _renamed(block, points, loaded, zone, straight)
 
 
-def _renamed(block: Mesh2D, points: NDArray[np.float64], loaded: Wall, zone: float, straight: bool) -> Mesh2D:
+def _renamed(
+    block: Mesh2D, points: NDArray[np.float64], loaded: Wall, zone: float, straight: bool
+) -> Mesh2D:
     """The block's cells on `points` (2, nodes), its boundaries by the ring's names."""
     walls = {"surface": loaded, "bottom": "rim" if loaded == "bore" else "bore"}
     names = NAMES | walls

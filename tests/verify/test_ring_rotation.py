@@ -11,7 +11,8 @@ from fem.plane.material import Elastic
 from meshes.ring import quarter
 from verify.cases import ring_rotation
 from verify.cases.registry import find
-from verify.cases.ring_rotation import ROTATION, RotationInputs
+from verify.cases.ring_rotation import ROTATION
+from verify.cases.ring_rotation_inputs import RotationInputs
 from verify.results import Status
 from verify.run import Job, judge_case, solve_level
 

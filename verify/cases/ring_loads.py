@@ -9,6 +9,7 @@ from verify.cases.ring_loads_claims import checks
 from verify.cases.ring_loads_fem import fem
 from verify.cases.ring_loads_formulas import analytic
 from verify.cases.ring_loads_inputs import InnerInputs, LoadsInputs, OuterInputs, too_large
+from verify.cases.ring_loads_sketch import sketch
 
 YIELDING = 1.67  # p_0 over R_p at which a line contact yields below its surface (Tresca)
 WIDE = 0.1  # a over the wall
@@ -81,7 +82,7 @@ SHARED: dict[str, Any] = {
     "too_large": too_large,
     "equations": shown.equations,
     "tables": shown.tables,
-    "sketch": shown.sketch,
+    "sketch": sketch,
     "figures": shown.figures,
     "pictures": shown.pictures,
 }
