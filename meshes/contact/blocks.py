@@ -1,7 +1,7 @@
 """Four-sided blocks of mapped quadrilaterals, and gmsh's mesh of them."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -12,6 +12,7 @@ from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
 Point = tuple[float, float]
+Place = Callable[[Point], Point]
 Cells = Literal["quad", "tri"]
 
 
@@ -39,12 +40,8 @@ class Edge:
         radius = math.dist(self.centre, self.start)
         return 2 * radius * math.asin(min(1.0, chord / (2 * radius)))
 
-    def mirrored(self, x: int, y: int) -> "Edge":
-        """The edge with its coordinates times `x` and `y`, each 1 or -1."""
-
-        def place(point: Point) -> Point:
-            return x * point[0], y * point[1]
-
+    def placed(self, place: Place) -> "Edge":
+        """The edge where `place`, a rigid motion or a mirror image, puts its points."""
         centre = None if self.centre is None else place(self.centre)
         return replace(self, start=place(self.start), end=place(self.end), centre=centre)
 
@@ -75,7 +72,11 @@ class Block:
 
     def mirrored(self, x: int, y: int) -> "Block":
         """The block with its coordinates times `x` and `y`, each 1 or -1."""
-        a, b, c, d = (edge.mirrored(x, y) for edge in self.edges)
+        return self.placed(lambda point: (x * point[0], y * point[1]))
+
+    def placed(self, place: Place) -> "Block":
+        """The block where `place`, a rigid motion or a mirror image, puts its points."""
+        a, b, c, d = (edge.placed(place) for edge in self.edges)
         return replace(self, edges=(a, b, c, d))
 
 

@@ -57,12 +57,12 @@ def _quarter(R: float, zone: float, cells: int, refine: int) -> list[Block]:
             f"the fine zone of a disc needs 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
         )
     fine = Zone(zone, cells, refine)
-    bend, far = _diagonal(core(fine, -R)[1], math.pi / 4 + math.asin(zone / R), R)
+    bend, far = diagonal(core(fine, -R)[1], math.pi / 4 + math.asin(zone / R), R)
     names = ("surface", "middle", "middle")
     return fan(Outline((R, -R), far, (0.0, -R), names, centre=-R), fine, "disc", bend)
 
 
-def _diagonal(corner: Point, slope: float, R: float) -> tuple[Point, Point]:
+def diagonal(corner: Point, slope: float, R: float) -> tuple[Point, Point]:
     """Centre and end of the arc from `corner`, `slope` [rad] down, that meets y = -R squarely."""
     x, y = corner
     radius = (R + y) / math.cos(slope)

@@ -1,0 +1,64 @@
+"""Half a roller that is squeezed at both ends of a diameter."""
+
+import math
+from dataclasses import replace
+
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Block, Place, Point, mesh_blocks
+from meshes.contact.disc import diagonal
+from meshes.contact.fan import Outline, Zone, core, fan
+
+BODY = "roller"
+
+
+def half_roller(
+    *,
+    R: float,
+    zones: tuple[float, float],
+    refine: int,
+    cells: int = 6,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The half y >= 0 of the disc about the origin, fine at (-R, 0), "near", and (R, 0), "far".
+
+    On `refine` 1 `cells` even cells lie on the arc over 0 <= y <= zone [unit of R] at each end,
+    `zones` being (near, far), and grow from there; 2 halves them all, and so on. Boundaries "near"
+    and "far" (the arc in x <= 0 and in x >= 0) and "cut" (y = 0); body "roller". `order` 1 or 2;
+    `straight` cells keep straight edges. Raises ValueError unless 0 < zone <= R/2 at both ends.
+    """
+    for zone in zones:
+        if not 0 < zone <= R / 2 < math.inf:
+            raise ValueError(
+                f"the fine zones of a roller need 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
+            )
+    fine = [Zone(zone, cells, refine) for zone in zones]
+    wide = max(fine, key=lambda zone: zone.width)
+    # both quarters end on one cut, and their diagonals in one point of it
+    _, far = diagonal(core(wide, -R)[1], math.pi / 4 + math.asin(wide.width / R), R)
+    blocks = [
+        block.placed(place)
+        for name, place, zone in zip(("near", "far"), _places(R), fine, strict=True)
+        for block in _quarter(R, zone, far, name)
+    ]
+    return mesh_blocks(blocks, order=order, straight=straight)
+
+
+def _places(R: float) -> tuple[Place, Place]:
+    """From the quarter's frame, with the contact at the origin and the body below, to each end."""
+    return (lambda point: (-R - point[1], point[0])), (lambda point: (R + point[1], point[0]))
+
+
+def _quarter(R: float, zone: Zone, far: Point, name: str) -> list[Block]:
+    """The quarter about (0, -R) whose diagonal meets the cut y = -R squarely at `far`."""
+    x, y = core(zone, -R)[1]
+    bend = (far[0] ** 2 - x**2 - (y + R) ** 2) / (2 * (far[0] - x)), -R
+    outline = Outline((R, -R), far, (0.0, -R), (name, "", ""), centre=-R)
+    return [_cut(block) for block in fan(outline, zone, BODY, bend)]
+
+
+def _cut(block: Block) -> Block:
+    """The block, what the fan calls its axis being the roller's cut."""
+    a, b, c, d = (replace(e, name="cut") if e.name == "axis" else e for e in block.edges)
+    return replace(block, edges=(a, b, c, d))
