@@ -13,25 +13,30 @@ from verify.results import Kind, Row, Status
 
 @dataclass(frozen=True, kw_only=True)
 class Identity(FemClaim):
-    """Formula and finite elements solve the same problem: |FE - formula| <= U."""
+    """Formula and finite elements solve the same problem: |FE - formula| <= U.
+
+    `residual` is the analytic key of a series' own standard uncertainty, over the scale.
+    """
 
     kind = Kind.IDENTITY
 
     analytic: str
+    residual: str = ""
 
     def rows(self, context: Context) -> list[Row]:
         r = context.analytic[self.analytic]
         scale = abs(context.analytic[self.scale]) if self.scale else abs(r)
         grid, u_num, u_it = self.convergence(context, scale)
         convergence = self.converges(context, grid, u_it, scale)
+        u_ref = context.analytic[self.residual] * scale if self.residual else 0.0
         if not grid.converges:
             verdict = judge.Verdict(Status.FAIL, "does not converge")
         else:
-            v, U = context.series(self.fem)[1][-1], judge.expanded(u_num)
+            v, U = context.series(self.fem)[1][-1], judge.expanded(u_num, u_ref)
             verdict = judge.difference(v, r, U=U, scale=scale, demand=self.demanded(context))
         row = self._row(
             context.case, Kind.IDENTITY, verdict, analytic=r, scale=scale, scale_name=self.scale,
-            u_ref=0.0, u_input=0.0, **self.numbers(context, grid, u_num, u_it, scale),
+            u_ref=u_ref, u_input=0.0, **self.numbers(context, grid, u_num, u_it, scale),
         )  # fmt: skip
         return [row, convergence]
 

@@ -23,6 +23,8 @@ from verify.cases.polyhedral_fem import (
 from verify.cases.polyhedral_inputs import HubRing, PolygonRing
 from verify.checks import Approximation, Exact, Identity
 
+STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
+PEAK = 1e-4  # of a largest stress: what a polynomial along the fillet may miss
 SERIES = 1e-3  # about the series' predictions: a hundred times their residual
 ACCEPTED = "acceptance figure: 0.1 % under halving of the mesh"
 DRAWN = (3, 6, 12)  # flats of the rings in the pictures
@@ -51,10 +53,13 @@ def analytic(q: HubRing) -> Values:
         "fillet": fillet * p_1r, "fillet over sigma_t": fillet * p_1r / sigma_t, "fillet at": at,
         "side": UNIT * q.d_i / 2,
     }  # fmt: skip
+    left = stress.residual
     for name, e, pull in (("e", q.e, along), ("corner", ring.half_bore, 0.0)):
         hub = hub_force(sector=ring, e=e, normal=normal, along=pull)
+        left = max(left, hub.correction.residual)
         mid, corner = hub.rim_displacement([0.0, q.half_angle]).real / q.E
         values |= {f"hub at {name}, mid": mid, f"hub at {name}, corner": corner}
+    values |= {"left": left, "peak": max(PEAK, STRESS * stress.residual)}
     values["hub scale"] = max(abs(values[f"hub at corner, {w}"]) for w in ("mid", "corner"))
     return {key: float(value) for key, value in values.items()}
 
@@ -94,7 +99,9 @@ def one(_q: HubRing, v: Values) -> tuple[float, float]:
 
 
 def same(name: str, symbol: str, unit: str, **more: Any) -> Identity:
-    given: dict[str, Any] = {"formal": 4, "demand": 1e-3, "demand_reason": ACCEPTED} | more
+    given: dict[str, Any] = {
+        "formal": 4, "demand": 1e-3, "demand_reason": ACCEPTED, "residual": "left",
+    } | more  # fmt: skip
     return Identity(name=name, symbol=symbol, unit=unit, **given)
 
 
@@ -111,7 +118,8 @@ CHECKS = (
     same("mean hoop stress in the corners, Eq. 12", "σ_tr", "MPa", fem="sigma_tr",
          analytic="sigma_tr"),
     same("largest hoop stress in the fillets", "σ_max", "MPa", fem="fillet", analytic="fillet",
-         formal=2, demand=5e-3, demand_reason="a peak stress: half a per cent tells fillets apart"),
+         formal=2, residual="peak", demand=5e-3,
+         demand_reason="a peak stress: half a per cent tells fillets apart"),
     *(
         same(f"hub at {place}: {where}", f"u_{w}", "µm", fem=f"hub at {name}, {w}", formal=2,
              analytic=f"hub at {name}, {w}", scale="hub scale")
