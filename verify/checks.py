@@ -179,3 +179,36 @@ class Fact(Claim):
         margin, U = self.margin(context)
         verdict = judge.fact(margin, U)
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
+
+
+Margin = Callable[[Context], tuple[float, float, str]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Accepted(Claim):
+    """A statement with an acceptance figure, which is one for the paper's numbers: judged there.
+
+    At one's own it is told. `margin` gives what is left of the figure, its expanded uncertainty,
+    and the error in words.
+    What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
+    """
+
+    kind = Kind.FACT
+
+    margin: Margin
+    fem_needed: bool = True
+    fitted: str = ""
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        margin, U, words = self.margin(context)
+        verdict = judge.fact(margin, U)
+        told = replace(verdict, reason=f"{verdict.reason}: {words}")
+        if self.fitted and verdict.status is Status.PASS:
+            told = replace(told, status=Status.CALIBRATED, reason=f"{told.reason}; {self.fitted}")
+        if not context.is_paper:
+            told = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        return [self._row(context.case, Kind.FACT, told, published=self._printed(context))]

@@ -15,7 +15,6 @@ from verify.cases.contact_line_checks import about
 from verify.cases.contact_roller_accepted import (
     ENDS,
     SHARE,
-    Accepted,
     Estimated,
     elsewhere,
     ends,
@@ -25,7 +24,7 @@ from verify.cases.contact_roller_accepted import (
 from verify.cases.contact_roller_formulas import interval, strip_values, values
 from verify.cases.contact_roller_half_space import pressed, result, stair, too_short
 from verify.cases.contact_roller_inputs import CrownedInputs, RollerInputs
-from verify.checks import Approximation, Exact
+from verify.checks import Accepted, Approximation, Exact
 from verify.shown import Array, Curve, Curves, Figure
 
 HALF_SPACE = "half-space"

@@ -1,14 +1,11 @@
 """Acceptance figures of finite line contacts: judged at the paper's numbers, told at one's own."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from verify import judge
 from verify.case import Context
 from verify.cases.contact_roller_formulas import apart
-from verify.checks import Approximation
-from verify.claims import Claim
-from verify.results import Kind, Row, Status
+from verify.checks import Approximation, Margin
+from verify.results import Row, Status
 
 SHARE = 0.04  # of the load that slices may put elsewhere
 ENDS = 0.06  # of loads near the ends
@@ -34,38 +31,6 @@ class Estimated(Approximation):
             else row
             for row in rows
         ]
-
-
-Margin = Callable[[Context], tuple[float, float, str]]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Accepted(Claim):
-    """A statement with an acceptance figure, which is one for the paper's roller.
-
-    `margin` gives what is left of the figure, its expanded uncertainty, and the error in words.
-    What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
-    """
-
-    kind = Kind.FACT
-
-    margin: Margin
-    fem_needed: bool = True
-    fitted: str = ""
-
-    @property
-    def needs_fem(self) -> bool:
-        return self.fem_needed
-
-    def rows(self, context: Context) -> list[Row]:
-        margin, U, words = self.margin(context)
-        verdict = judge.fact(margin, U)
-        told = replace(verdict, reason=f"{verdict.reason}: {words}")
-        if self.fitted and verdict.status is Status.PASS:
-            told = replace(told, status=Status.CALIBRATED, reason=f"{told.reason}; {self.fitted}")
-        if not context.is_paper:
-            told = judge.Verdict(Status.SHOWN, f"measured: {words}")
-        return [self._row(context.case, Kind.FACT, told, published=self._printed(context))]
 
 
 def elsewhere(model: str) -> Margin:

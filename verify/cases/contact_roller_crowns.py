@@ -17,11 +17,11 @@ from verify.cases.contact_roller import (
     HALF_SPACE,
     READINGS,
 )
-from verify.cases.contact_roller_accepted import Accepted, Estimated
+from verify.cases.contact_roller_accepted import Estimated
 from verify.cases.contact_roller_formulas import by_strips, strip_values
 from verify.cases.contact_roller_half_space import Pressed, pressed, stair, too_short
 from verify.cases.contact_roller_inputs import DESIGNS, CrownedInputs, StripInputs
-from verify.checks import Fact
+from verify.checks import Accepted, Fact
 from verify.shown import Array, Curve, Curves, Equation, Field, Figure, Picture
 from verify.tex import tex
 

@@ -2,11 +2,11 @@
 
 from verify.case import Case, Context, Output, Values
 from verify.cases import contact_roller_end_shown as shown
-from verify.cases.contact_roller_accepted import Accepted, Estimated, Margin
+from verify.cases.contact_roller_accepted import Estimated
 from verify.cases.contact_roller_end_fem import CROWNS, EndInputs, fem
 from verify.cases.contact_roller_end_formulas import analytic
 from verify.cases.contact_roller_end_shown import BODIES
-from verify.checks import Approximation
+from verify.checks import Accepted, Approximation, Margin
 
 FACE = 0.10  # of the load within d of the ends that the face takes at least
 MOSTLY = 1 / 3  # of what the face takes, which the bodies' size stays below

@@ -17,11 +17,11 @@ from verify.cases.contact_roller import (
     sliced_rows,
     warnings,
 )
-from verify.cases.contact_roller_accepted import Accepted, within
+from verify.cases.contact_roller_accepted import within
 from verify.cases.contact_roller_formulas import values
 from verify.cases.contact_roller_half_space import pressed, result, too_short
 from verify.cases.contact_roller_inputs import RollerInputs
-from verify.checks import Order
+from verify.checks import Accepted, Order
 from verify.shown import Curve, Curves, Figure, Refinement
 
 SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end

@@ -28,10 +28,11 @@ from verify.cases.contact_roller import (
     strips_rows,
     warnings,
 )
-from verify.cases.contact_roller_accepted import ENDS, Accepted, within
+from verify.cases.contact_roller_accepted import ENDS, within
 from verify.cases.contact_roller_formulas import values
 from verify.cases.contact_roller_half_space import pressed, result, stair, too_short
 from verify.cases.contact_roller_inputs import CrownedInputs, TiltedInputs
+from verify.checks import Accepted
 from verify.shown import Array, Curve, Curves, Figure
 
 TILTS = np.linspace(0.0, 2.0, 33)  # over the one given

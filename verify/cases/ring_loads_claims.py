@@ -8,10 +8,9 @@ import numpy as np
 
 from verify.case import Check, Context, Values
 from verify.cases import ring_loads_formulas as formulas
-from verify.cases.contact_roller_accepted import Accepted
 from verify.cases.ring_loads_fem import stations
 from verify.cases.ring_loads_inputs import LoadsInputs
-from verify.checks import Approximation, Identity
+from verify.checks import Accepted, Approximation, Identity
 from verify.convergence import grid_convergence
 from verify.judge import expanded, numerical_uncertainty
 from verify.results import Row
