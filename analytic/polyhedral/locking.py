@@ -58,6 +58,7 @@ class Locked:
 
     N: float  # of one roller [force per length]; 0 before it touches
     a: float  # half-width of its contact on the ring [length]
+    a_race: float  # and on the race, 0 for a rigid roller
     touch: float  # pressure [stress] at which the rollers are reached, with the hub's force on
     efficiency: float  # share of a further pressure's force on the flat; 0 before it touches
     hub_share: float  # share of a further hub force, of its resultant; 0 without a hub
@@ -110,14 +111,25 @@ class RollerContact:
         dent = load.rim_displacement(0.0, E=self.E, nu=self.nu, assumption=self.assumption)
         return float(-N * dent[0]) + self._squeeze(N, a)
 
+    def half_width_on_race(self, N: float) -> float:
+        """Half-width [length] of the roller's contact on the rigid race; 0 for a rigid roller."""
+        if np.isinf(self.roller.E):
+            return 0.0
+        race = self.sector.r_e + self.roller.d + self.roller.j_D / 2
+        R = hertz_line.relative_radius(R_1=self.roller.d / 2, R_2=-race)
+        return float(hertz_line.half_width(P=N, R=R, E_star=self._roller_modulus))
+
+    @property
+    def _roller_modulus(self) -> float:
+        return float(in_plane(self.roller.E, self.roller.nu, self.assumption)[0])
+
     def _squeeze(self, N: float, a: float) -> float:
         if np.isinf(self.roller.E):
             return 0.0
-        E_plane, _ = in_plane(self.roller.E, self.roller.nu, self.assumption)
-        race = self.sector.r_e + self.roller.d + self.roller.j_D / 2
-        R = hertz_line.relative_radius(R_1=self.roller.d / 2, R_2=-race)
-        outer = float(hertz_line.half_width(P=N, R=R, E_star=E_plane))
-        ends = approach_to_centre(P=N, a=[a, outer], R=self.roller.d / 2, E_plane=E_plane)
+        ends = approach_to_centre(
+            P=N, a=[a, self.half_width_on_race(N)], R=self.roller.d / 2,
+            E_plane=self._roller_modulus,
+        )  # fmt: skip
         return float(ends.sum())
 
 
@@ -146,7 +158,7 @@ def locked(
     gap = roller.j_D / 2 - u_h
     touch, closing = gap / u_p, u_p * p - gap
     if closing <= 0:
-        return Locked(N=0.0, a=0.0, touch=touch, efficiency=0.0, hub_share=0.0)
+        return Locked(N=0.0, a=0.0, a_race=0.0, touch=touch, efficiency=0.0, hub_share=0.0)
     N = _force(contact, closing, E_plane)
     up, down = (contact.closure(N * (1 + step)) for step in (NUDGE, -NUDGE))
     compliance = (up - down) / (2 * NUDGE * N)
@@ -154,6 +166,7 @@ def locked(
     return Locked(
         N=N,
         a=contact.half_width(N),
+        a_race=contact.half_width_on_race(N),
         touch=touch,
         efficiency=float(u_p / compliance / side),
         hub_share=0.0 if hub is None else u_h / compliance / hub.resultant,

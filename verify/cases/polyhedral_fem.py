@@ -109,12 +109,16 @@ def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution
     return at, in_corner
 
 
-def largest_in_fillet(q: PolygonRing, ring: "PlaneSolution", p: float = UNIT) -> float:
+def largest_in_fillet(
+    q: PolygonRing, ring: "PlaneSolution", p: float = UNIT, *, name: str = "fillet"
+) -> float:
     """Largest hoop stress [Pa] of the fillet under the pressure `p`, by a polynomial along it.
+
+    `name` is the fillet's among the boundaries.
 
     The normal stress there is minus the pressure, so that the sum of both needs no direction.
     """
-    side = ring.on_boundary("fillet")
+    side = ring.on_boundary(name)
     centre = (q.d_i / 2 - q.rho) * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
     turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / q.half_angle
     stress = side.stress[0] + side.stress[1] + p

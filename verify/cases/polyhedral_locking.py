@@ -1,6 +1,6 @@
 """The ring locked against its rollers: how much of the pressure reaches them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,16 +12,16 @@ from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.polyhedral.wall_stress import bore_stress
 from verify.case import Case, Context, FemResult, Output, Values
+from verify.cases import polyhedral_locking_bounds as bounds
 from verify.cases import polyhedral_locking_shown as shown
 from verify.cases.polyhedral_fem import largest_in_fillet, pressed_fem, whole
 from verify.cases.polyhedral_locking_fem import LockedRing, held_fem
 from verify.cases.polyhedral_locking_inputs import LockingInputs
 from verify.checks import Approximation, Exact, Fact, Identity
-from verify.shown import Array
+from verify.shown import Array, Field
 
 LEVELS = (1, 2, 3, 4)
 STEP = 0.05  # of pressure and hub force, either way, for their shares
-BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
 
 ALONG = 200  # points of the fillet
 
@@ -32,10 +32,13 @@ def hub_of(q: LockingInputs) -> tuple[float, float]:
     return float(normal), float(-normal * q.tan_phi)
 
 
-def state(q: LockingInputs, p: float, d: float, hub: HubForce | None = None) -> Locked:
-    """The locked ring by the series."""
+def state(
+    q: LockingInputs, p: float, hub: HubForce | None = None, *, elastic: bool = False
+) -> Locked:
+    """The locked ring by the series, its rollers rigid or `elastic` as the ring."""
     ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
-    return locked(sector=ring, roller=Roller(d=d, j_D=q.j_D), p=p, E=q.E, nu=q.nu,
+    own = {"E": q.E, "nu": q.nu} if elastic else {}
+    return locked(sector=ring, roller=Roller(d=q.d, j_D=q.j_D, **own), p=p, E=q.E, nu=q.nu,
                   assumption="plane stress", hub=hub)  # fmt: skip
 
 
@@ -43,7 +46,7 @@ def analytic(q: LockingInputs) -> Values:
     ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
     normal, along = hub_of(q)
     hub = hub_force(sector=ring, e=q.e, normal=normal, along=along)
-    alone, pushed = state(q, q.p_t, q.d), state(q, q.p_t, q.d, hub)
+    alone, pushed, soft = state(q, q.p_t), state(q, q.p_t, hub), state(q, q.p_t, elastic=True)
     wall = {"d_i": q.d_i, "d_e": q.d_e}
     K = bore_pressure.stiffness_factors(sector=ring, nu=q.nu, assumption="plane stress").mid
     p_1r = float(expansion.touching_pressure(j_D=q.j_D, **wall, E=q.E, K=K))
@@ -56,6 +59,8 @@ def analytic(q: LockingInputs) -> Values:
         "N": alone.N, "efficiency": alone.efficiency, "N with hub": pushed.N,
         "hub share": pushed.hub_share, "a": pushed.a,
         "p_0": 2 * pushed.N / (np.pi * pushed.a) if pushed.a else 0.0,
+        "N elastic": soft.N, "efficiency elastic": soft.efficiency, "a elastic": soft.a,
+        "a race": soft.a_race,
         "side": forces.pressure_force(p_2=q.p_t, b=1.0, d_i=q.d_i, z=q.z),
         "fillet": in_fillet(q, ring, hub, pushed),
     }  # fmt: skip
@@ -89,18 +94,33 @@ def fem(q: LockingInputs, level: int) -> FemResult:
         "a": touch.half_width((q.d_e / 2, 0.0)), "p_0": peak(touch),
         "balance x": rest[0], "balance y": rest[1],
         "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
-        "fillet": largest_in_fillet(q, both.plane, q.p_t),
+        "fillet": largest_in_fillet(q, both.plane, q.p_t, name="ring.fillet"),
     }  # fmt: skip
+    values |= elastic_rollers_fem(q, level)
     arrays: dict[str, Array] = {}
+    fields: tuple[Field, ...] = ()
     if level == LEVELS[-1]:
         arrays["over pressure"] = np.array([
             (alone.force(p), pushed.force(p, hub)) for p in shown.PRESSURES * q.p_t
         ]).T  # fmt: skip
         arrays |= supports(q)
-    drawn = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
-    field = whole("locked", q.z, drawn, von_mises=(drawn["von_mises"], "Pa"))
+        drawn = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
+        fields = (whole("locked", q.z, drawn, von_mises=(drawn["von_mises"], "Pa")),)
     u_it = {key: 1e-10 * abs(value) for key, value in values.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field,))
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+
+
+def elastic_rollers_fem(q: LockingInputs, level: int) -> dict[str, float]:
+    """Force, share and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
+    ring = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t, elastic=True)
+    low, high = (ring.force(k * q.p_t) for k in (1 - STEP, 1 + STEP))
+    near, far = ring.half_widths(q.p_t)
+    on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
+    return {
+        "N elastic": ring.force(q.p_t), "a elastic": near, "a race": far,
+        "efficiency elastic": (high - low) / (2 * STEP * q.p_t * q.d_i * np.sin(q.half_angle)),
+        "balance roller": on_roller - on_race,
+    }  # fmt: skip
 
 
 def peak(touch: Any) -> float:
@@ -120,25 +140,6 @@ def supports(q: LockingInputs) -> dict[str, Array]:
     return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}
 
 
-def hertz(q: LockingInputs, v: Values) -> tuple[float, float]:
-    """Curvature and wall change a semi-ellipse by (a/d)² and (a/wall)²."""
-    wall = q.d_e / 2 - q.apothem
-    reach = (2 * v["a"] / q.d) ** 2 + (v["a"] / wall) ** 2 + BLUNT
-    return -reach, reach
-
-
-def predicted(formula: str, series: str) -> Callable[[LockingInputs, Values], Any]:
-    """Interval of a formula's error by what the series makes of the same."""
-
-    def interval(q: LockingInputs, v: Values) -> tuple[float, float] | None:
-        if not v[series] > 0:
-            return None
-        m, (low, high) = v[formula] / v[series] - 1, hertz(q, v)
-        return m + (1 + m) * low, m + (1 + m) * high
-
-    return interval
-
-
 def wider(context: Context) -> tuple[float, float]:
     """How much more of the pressure the widest roller's contact takes than the narrowest's."""
     eta = context.fem[-1].arrays["rollers"][1]
@@ -146,14 +147,21 @@ def wider(context: Context) -> tuple[float, float]:
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])
 
 
-HERTZ = "argued: (2 a/d)² of the curvature, (a/wall)², and 1e-3, each once"
-SERIES = "the series (complex potentials, Hertz's patch) under the same loads; the same slack"
-
-
-def series(name: str, symbol: str, unit: str, key: str, **more: Any) -> Approximation:
+def series(
+    name: str, symbol: str, unit: str, key: str, widths: tuple[str, ...] = ("a",)
+) -> Approximation:
     return Approximation(name=name, symbol=symbol, unit=unit, fem=key, analytic=key, formal=2,
-                         interval=hertz, source=HERTZ, **more)  # fmt: skip
+                         interval=bounds.within(*widths), source=bounds.FORCES)  # fmt: skip
 
+
+def hertz(
+    name: str, symbol: str, unit: str, key: str, interval: bounds.Interval, *, source: str
+) -> Approximation:
+    return Approximation(name=name, symbol=symbol, unit=unit, fem=key, analytic=key, formal=2,
+                         interval=interval, source=source)  # fmt: skip
+
+
+BOTH = ("a elastic", "a race")
 
 CHECKS = (
     series("force of a roller under pressure, series", "N/b", "N/mm", "N"),
@@ -161,14 +169,23 @@ CHECKS = (
     series("force of a roller under pressure and hub, series", "N/b", "N/mm", "N with hub"),
     series("share of a further hub force that reaches the rollers, series", "η_h", "1",
            "hub share"),
-    series("half-width of the roller's contact, Hertz", "a", "µm", "a"),
-    series("pressure between roller and ring, Hertz", "p_0", "MPa", "p_0"),
+    hertz("half-width of the roller's contact, Hertz", "a", "µm", "a",
+          bounds.on_ring(bounds.WIDTH, "a"), source=bounds.CONTACT),
+    hertz("pressure between roller and ring, Hertz", "p_0", "MPa", "p_0",
+          bounds.on_ring(bounds.PEAK, "a"), source=bounds.CONTACT),
+    series("force of an elastic roller under pressure, series", "N/b", "N/mm", "N elastic", BOTH),
+    series("share of further pressure that reaches elastic rollers, series", "η", "1",
+           "efficiency elastic", BOTH),
+    hertz("half-width of an elastic roller's contact on the ring, Hertz", "a", "µm", "a elastic",
+          bounds.on_ring(bounds.WIDTH, "a elastic", elastic=True), source=bounds.CONTACT),
+    hertz("half-width of an elastic roller's contact on the race, Hertz", "a", "µm", "a race",
+          bounds.on_race(bounds.WIDTH, "a race"), source=bounds.RACE),
     Approximation(name="force of a roller, Eqs. 13 and 16 without the hub", symbol="N/b",
                   unit="N/mm", fem="N", analytic="F", formal=2,
-                  interval=predicted("F", "N"), source=SERIES),
+                  interval=bounds.predicted("F", "N"), source=bounds.SERIES),
     Approximation(name="force of a roller, Eqs. 13 and 16 with the hub", symbol="N/b",
                   unit="N/mm", fem="N with hub", analytic="N Eq. 16", formal=2,
-                  interval=predicted("N Eq. 16", "N with hub"), source=SERIES),
+                  interval=bounds.predicted("N Eq. 16", "N with hub"), source=bounds.SERIES),
     Identity(name="resultant of the pressure on a side, Eq. 13", symbol="F/b", unit="N/mm",
              fem="side", analytic="side", formal=4, demand=1e-3,
              demand_reason="statics: pressure on the chord between two corners"),
@@ -179,6 +196,8 @@ CHECKS = (
           unit="N/mm", fem="balance x", scale="side", bound=1e-8,
           bound_reason="acceptance figure; contact met to round-off"),
     Exact(name="the same along the flat", symbol="ΣF_y", unit="N/mm", fem="balance y",
+          scale="side", bound=1e-8, bound_reason="acceptance figure; contact met to round-off"),
+    Exact(name="forces on an elastic roller", symbol="ΣF_x", unit="N/mm", fem="balance roller",
           scale="side", bound=1e-8, bound_reason="acceptance figure; contact met to round-off"),
     Fact(name="a wider support takes more of the pressure", symbol="Δη", unit="1", margin=wider),
 )  # fmt: skip
@@ -211,7 +230,7 @@ def warnings(q: LockingInputs, v: Values) -> Sequence[str]:
 
 def too_large(q: LockingInputs) -> str:
     """Rows compare forces of rollers, which there must be."""
-    touch = state(q, q.p_t, q.d).touch
+    touch = state(q, q.p_t).touch
     if q.p_t < 1.02 * touch:
         return (
             f"p_t = {q.p_t / 1e6:.4g} MPa does not press the rollers, which takes more than "
@@ -251,10 +270,19 @@ LOCKING = Case(
                what="share of a further hub force that reaches the rollers"),
         Output(key="a", symbol="a", unit="µm", what="half-width of the contact"),
         Output(key="p_0", symbol="p_0", unit="MPa", what="pressure on the ring, rigid rollers"),
+        Output(key="N elastic", symbol="N/b", unit="N/mm",
+               what="force of an elastic roller, without the hub's"),
+        Output(key="efficiency elastic", symbol="η", unit="1",
+               what="share of a further pressure that reaches elastic rollers"),
+        Output(key="a elastic", symbol="a", unit="µm",
+               what="half-width of an elastic roller's contact on the ring"),
+        Output(key="a race", symbol="a", unit="µm", what="and on the race"),
         Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets"),
     ),
     readings=(
         "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",
+        "rollers that are said to be elastic are of the ring's material, in plane stress; the race "
+        "stays rigid",
         "p_2 is what p_t exceeds K_mid p_1 by (Eq. 19 with K in the middle of the flats)",
         "the hub's friction acts towards the flat's middle: R makes ψ + φ_1 with the radius "
         "through its contact (Eq. 14)",

@@ -1,20 +1,20 @@
-"""Finite elements of the locked ring: half a sector against a rigid roller, driven to its state."""
+"""Finite elements of the locked ring: half a sector against its roller, driven to its state."""
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from verify.cases.polyhedral_inputs import PolygonRing
+from verify.cases.polyhedral_locking_model import CELLS, elastic_roller_fem, rigid_roller_fem
 
 if TYPE_CHECKING:
     from fem.contact.problem import ContactProblem
     from fem.contact.solution import ContactSolution
 
 ZONE = 1.5  # half-widths of even cells under the roller
-CELLS = 6  # on them, on the mesh of level 1
 FIRST = 0.1  # of the wall that the fine zone takes while the half-width is unknown
-WIDEST = 0.45
-COARSE = 2
+WIDEST = 0.45  # of wall and roller's radius
+HELD = 2  # level of the mesh for bonded stretches
 
 
 class LockedRing:
@@ -22,61 +22,56 @@ class LockedRing:
 
     def __init__(
         self, q: PolygonRing, level: int, *, d: float, e: float, p: float,
-        hub: tuple[float, float] = (0.0, 0.0),
+        hub: tuple[float, float] = (0.0, 0.0), elastic: bool = False,
     ) -> None:  # fmt: skip
         """Fine where it touches under the pressure `p` [Pa] and `hub` (normal, along) [N/m] at e.
 
-        A coarse solution says how wide the contact is; the meshes have a vertex near its end.
+        The roller is rigid, or `elastic` as the ring in a rigid race. Coarse solutions say how wide
+        the contacts are; the meshes have vertices near their ends.
         """
-        self.q, self.d, self.e = q, d, e
+        self.q, self.d, self.e, self.elastic = q, d, e, elastic
         wall = q.d_e / 2 - q.apothem
-        zone = FIRST * min(wall, q.half_angle * q.d_e / 2, d)
-        for refine in (COARSE, COARSE, level):
-            self.problem = self._fem_problem(zone, refine)
-            a = self.at(p, hub).touches[0].half_width((q.d_e / 2, 0.0))
-            zone = min(ZONE * a, WIDEST * wall) if a > 0 else zone
+        first = FIRST * min(wall, q.half_angle * q.d_e / 2, d)
+        zones = (first, first)
+        for refine in (1, 1, level):
+            self.problem = self._problem_fem(zones, refine)
+            near, far = (
+                min(ZONE * a, WIDEST * min(wall, d / 2)) if a > 0 else zone
+                for a, zone in zip(self.half_widths(p, hub), zones, strict=True)
+            )
+            zones = near, far
 
-    def _fem_problem(self, zone: float, refine: int) -> "ContactProblem":
-        from fem.contact.pairs import Obstacle, Pair
-        from fem.contact.problem import ContactProblem
-        from fem.contact.shapes import Circle
-        from fem.plane.material import Elastic
-        from meshes.polyhedral.half_sector import half_sector
-
-        q, r = self.q, self.q.d_e / 2
-        mesh = half_sector(
-            z=q.z, d_e=q.d_e, d_i=q.d_i, fillet=q.rho, refine=refine, zone=zone, cells=CELLS,
-            hub=(self.e, (self.e + min(q.half_flat, 1.2 * self.e)) / 2),
-        )  # fmt: skip
-        roller = Circle((r + self.d / 2, 0.0), self.d / 2)
-        return ContactProblem(
-            mesh,
-            materials=Elastic(E=q.E, nu=q.nu),
-            assumption="plane stress",
-            supports={"mid": "n", "corner": "n"},
-            obstacles={"roller": Obstacle(roller)},
-            # the mesh touches the roller; the clearance counts as an interference below zero
-            contacts=[
-                Pair(slave="rim", master="roller", slave_shape=Circle((0.0, 0.0), r),
-                     interference=-q.j_D / 2)
-            ],
-        )  # fmt: skip
+    def _problem_fem(self, zones: tuple[float, float], refine: int) -> "ContactProblem":
+        size: Any = {"d": self.d, "e": self.e, "refine": refine}
+        if self.elastic:
+            return elastic_roller_fem(self.q, zones=zones, **size)
+        return rigid_roller_fem(self.q, zone=zones[0], **size)
 
     def at(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> "ContactSolution":
         """The state under the pressure `p` and the hub's force."""
-        node = (self.q.apothem, self.e)
-        force = (hub[0] / 2, hub[1] / 2)
-        return self.problem.solve(pressures={"bore": p}, point_forces={node: force})
+        return self.problem.solve(
+            pressures={"ring.bore": p},
+            point_forces={(self.q.apothem, self.e): (hub[0] / 2, hub[1] / 2)},
+            displacements={"stop": {"x": self.q.j_D / 2}},
+        )
 
     def force(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> float:
         """Normal force [N/m] of a roller."""
         return 2 * self.at(p, hub).touches[0].force[0]
 
+    def half_widths(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> tuple[float, float]:
+        """Half-widths [m] of the contacts on the ring and on the race; 0 on that of a rigid one."""
+        near, *far = self.at(p, hub).touches
+        r = self.q.d_e / 2
+        on_race = far[0].half_width((r + self.d, 0.0)) if far else 0.0
+        return near.half_width((r, 0.0)), on_race
+
     def balance(self, p: float, hub: tuple[float, float]) -> tuple[float, float, float]:
         """What is left of forces x, y [N/m] on half a sector, and its hoop force along x."""
         q, state = self.q, self.at(p, hub)
         c, s = np.cos(q.half_angle), np.sin(q.half_angle)
-        cuts = np.sum([state.plane.reaction(name)[:2] for name in ("mid", "corner")], axis=0)
+        names = ("ring.mid", "ring.corner")
+        cuts = np.sum([state.plane.reaction(name)[:2] for name in names], axis=0)
         push = p * np.array([q.d_i / 2 * s, q.apothem - q.d_i / 2 * c])
         rest: Any = cuts + push + np.array(hub) / 2 - np.array(state.touches[0].force)
         return float(rest[0]), float(rest[1]), float(cuts[0])
@@ -89,7 +84,7 @@ def held_fem(q: PolygonRing, width: float) -> float:
     from meshes.polyhedral.half_sector import half_sector
 
     mesh = half_sector(
-        z=q.z, d_e=q.d_e, d_i=q.d_i, fillet=q.rho, refine=COARSE, zone=width, cells=CELLS
+        z=q.z, d_e=q.d_e, d_i=q.d_i, fillet=q.rho, refine=HELD, zone=width, cells=CELLS
     )
     ring = solve_plane(
         mesh,
