@@ -21,7 +21,7 @@ All forces per unit length. Range as that of `locking`.
 from dataclasses import dataclass
 from math import atan2, cos, hypot, inf, sin
 
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 from analytic.contact.checks import not_negative, positive
 from analytic.polyhedral.hub_force import hub_force
@@ -29,6 +29,7 @@ from analytic.polyhedral.locking import RollerContact
 
 GROWTH, MOST = 1.25, 60  # steps of N in search of the pressure, and how many
 START = 1e-3  # of the force that the whole pressure would have
+STEP = 1e-3  # relative change of N in difference quotients
 
 
 @dataclass(frozen=True)
@@ -75,8 +76,29 @@ class Driven:
         return self.contact.lift(hub)
 
     def pressure(self, N: float) -> float:
-        """Pressure [stress] under which the rollers carry N each."""
+        """Pressure [stress] at which the rollers carry N each: it falls where the hub wedges them.
+
+        Then no pressure holds N, and `required_pressure` is what leads there.
+        """
         return self._pressure(float(positive(N, "the roller's force N", "N/m")), self.lift)
+
+    def required_pressure(self, N: float) -> float:
+        """Least pressure [stress] that brings the rollers to carry N or more."""
+        if self.rises(N):
+            return self.pressure(N)
+        return self._peak(0.0, N, self.lift)[1]
+
+    def rises(self, N: float) -> bool:
+        """Whether more pressure is needed for more than N."""
+        return self._stiffness(N) > self.lift
+
+    def force_sensitivity(self, N: float) -> float:
+        """Relative change of N per relative change of what N closes, the pressure kept."""
+        return self.contact.closure(N) / N / (self._stiffness(N) - self.lift)
+
+    def pressure_sensitivity(self, N: float) -> float:
+        """Relative change of the pressure per relative change of what N closes, N kept."""
+        return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:
         """Force N of a roller under the pressure p; 0 before it touches, infinite beyond limits."""
@@ -88,13 +110,28 @@ class Driven:
         high = START * p * contact.sector.d_i
         for _ in range(MOST):
             found = self._pressure(high, lift)
-            if found >= p:
-                return float(brentq(lambda N: self._pressure(N, lift) - p, max(low, 1e-9 * high),
-                                    high, rtol=1e-12))  # fmt: skip
-            if found <= before:
+            falls = found <= before
+            end, most = self._peak(low / GROWTH, high, lift) if falls else (high, found)
+            if most >= p:
+                start = max(low / GROWTH, 1e-9 * end)
+                return float(brentq(lambda N: self._pressure(N, lift) - p, start, end, rtol=1e-12))
+            if falls:
                 return inf
             low, before, high = high, found, high * GROWTH
         return inf
+
+    def _stiffness(self, N: float) -> float:
+        """How fast ring and roller close under N [length per force and length]."""
+        up, down = (self.contact.closure(N * (1 + step)) for step in (STEP, -STEP))
+        return (up - down) / (2 * STEP * N)
+
+    def _peak(self, low: float, high: float, lift: float) -> tuple[float, float]:
+        """N between `low` and `high` that takes the largest pressure, and this."""
+        found = minimize_scalar(
+            lambda N: -self._pressure(N, lift), bounds=(max(low, 1e-9 * high), high),
+            method="bounded", options={"xatol": 1e-9 * high},
+        )  # fmt: skip
+        return float(found.x), float(-found.fun)
 
     def _pressure(self, N: float, lift: float) -> float:
         contact = self.contact

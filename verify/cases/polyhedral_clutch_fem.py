@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution
 
 CLOSE, MOST = 1e-11, 60
+NEAR, FAR = 0.5, 1.7  # of the force that the fine cells are for, where they serve another
+THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
 
 
 class DrivenRing:
@@ -21,9 +23,14 @@ class DrivenRing:
         self.q = q
         turn = np.hypot(q.e, q.ring.apothem) * np.sin(q.psi + q.phi_1)
         self.kappa = grip * q.D_i / 2 / turn  # moments of roller and hub about the axis
+        self.refine = 2 * level if q.delta_1 > THICK * q.d_e else level
         self.ring = LockedRing(q.ring, 1, d=q.d, e=q.e, p=q.p_t)
-        N = self.force(q.p_t)
-        self.ring = LockedRing(q.ring, level, d=q.d, e=q.e, p=q.p_t, hub=self.push(N))
+        self.N = self.force(q.p_t)
+        self.ring = self._ring(q.p_t, self.N)
+
+    def _ring(self, p: float, N: float) -> LockedRing:
+        q = self.q
+        return LockedRing(q.ring, self.refine, d=q.d, e=q.e, p=p, hub=self.push(N))
 
     def push(self, N: float) -> tuple[float, float]:
         """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
@@ -41,8 +48,12 @@ class DrivenRing:
 
     def pressure(self, N: float) -> float:
         """Pressure [Pa] under which a roller carries N [N/m]."""
+        p = self._pressure(self.ring, N)
+        return p if NEAR < N / self.N < FAR else self._pressure(self._ring(p, N), N)
+
+    def _pressure(self, ring: LockedRing, N: float) -> float:
         p = self.q.p_t
-        return _root(lambda x: self.ring.force(x * p, self.push(N)) / N - 1, 1.0, 1.1) * p
+        return _root(lambda x: ring.force(x * p, self.push(N)) / N - 1, 1.0, 1.1) * p
 
 
 def _root(f: Callable[[float], float], a: float, b: float) -> float:

@@ -1,7 +1,6 @@
 """What the report and `check` show of the whole clutch."""
 
 from collections.abc import Sequence
-from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -61,7 +60,7 @@ def sketch(q: Any) -> Sketch:
 def equations(q: Any, v: Values) -> Sequence[Equation]:
     ring = q.ring
     side = rf"{q.z}\cdot {tex(ring.d_i / mm)}\cdot\sin\frac{{\pi}}{{{q.z}}}\cdot {tex(q.b / mm)}"
-    unlimited = r"\infty" if not isfinite(v["M Eq. 20"]) else tex(v["M Eq. 20"])
+    torque, elastic = (tex(v[key]) if key in v else r"\infty" for key in ("M Eq. 20", "M series"))
     return (
         Equation(
             tex=r"\tan\psi = \frac{e}{a}",
@@ -79,14 +78,13 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
             tex=r"\frac{z d_i \sin(\pi/z)\, b\, p_2}{M_t} = \frac{2}{\mu D_i} "
             r"- \frac{\cos(\gamma + \varphi_1)}{(r + r_1)\sin(\psi + \varphi_1)}",
             numbers=rf",\quad M_t = \frac{{{side}\cdot {factor(v['p_2'] / MPa)}}}"
-            rf"{{\ldots}} = {unlimited}\ \mathrm{{N\,m}}",
+            rf"{{\ldots}} = {torque}\ \mathrm{{N\,m}}",
             place="Eqs. 17 and 20, corrected",
         ),
         Equation(
             tex=r"u_p\,p_t + \kappa u_{h1} N - u_N(a)\,N = \frac{j_D}{2}, \quad "
             r"M_t = \mu N z \frac{D_i}{2}",
-            numbers=rf"= {tex(v['M series']) if isfinite(v['M series']) else 'unlimited'}"
-            r"\ \mathrm{N\,m}",
+            numbers=rf"= {elastic}\ \mathrm{{N\,m}}",
             place="the elastic ring: series",
         ),
     )
@@ -95,16 +93,17 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
 def figures(context: Context) -> Sequence[Figure]:
     """Torques side by side."""
     v = context.analytic
-    if not (isfinite(v["M series"]) and isfinite(v["M Eq. 20"]) and isfinite(v["M Eq. 21"])):
-        return ()
+    named = {
+        "M Eq. 21": "Eq. 21, first design", "M Eq. 20": "Eq. 20",
+        "M series": "elastic ring, series", "M elastic rollers": "with elastic rollers",
+    }  # fmt: skip
     items: list[tuple[str, float, float | None, str]] = [
-        ("Eq. 21, first design", v["M Eq. 21"], None, "formula"),
-        ("Eq. 20", v["M Eq. 20"], None, "formula"),
-        ("elastic ring, series", v["M series"], None, "formula"),
-        ("with elastic rollers", v["M elastic rollers"], None, "formula"),
+        (name, v[key], None, "formula") for key, name in named.items() if key in v
     ]
+    if not items:
+        return ()
     if context.fem:
-        items.insert(3, ("elastic ring, FE", context.series("M series")[1][-1], None, "fe"))
+        items.insert(-1, ("elastic ring, FE", context.series("M series")[1][-1], None, "fe"))
     return (
         Dots(title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
              note="Eqs. 20 and 21 hand all of the blocking pressure to the rollers; the ring keeps "

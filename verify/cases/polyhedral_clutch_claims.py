@@ -1,0 +1,97 @@
+"""What is claimed of the whole clutch: formulas and series beside finite elements."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from analytic.polyhedral.capacity import Driven
+from verify import judge
+from verify.case import Context, Values
+from verify.cases.polyhedral_clutch_inputs import ClutchInputs
+from verify.checks import Approximation, Exact
+from verify.results import Row, Status
+
+BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
+LOOSE = 0.1  # slack from which on a formula is shown, not judged
+PEAK = 2e-3  # of a largest stress: the polynomial along the fillet and the mesh's own error
+NO_LIMIT = "the formula sets no limit: the hub's friction locks"
+
+
+def slack(q: ClutchInputs, hub: Driven, N: float) -> float:
+    """What Hertz neglects of the closure under N [N/m], as a share: (2 a/d)² + (a/wall)² + 1e-3."""
+    a, wall = hub.contact.half_width(N), q.d_e / 2 - q.ring.apothem
+    return (2 * a / q.d) ** 2 + (a / wall) ** 2 + BLUNT
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claimed(Approximation):
+    """A formula that Hertz's neglect blurs by `give`; shown where it has no value or much blur.
+
+    On parameters of one's own the demand is that blur, both ways, where it is larger than usual.
+    """
+
+    give: str
+
+    def rows(self, context: Context) -> list[Row]:
+        if self.analytic in context.analytic:
+            return super().rows(context)
+        found = context.series(self.fem)[1][-1]
+        verdict = judge.Verdict(Status.SHOWN, NO_LIMIT)
+        return [self._row(context.case, self.kind, verdict, fem=found)]
+
+    def demanded(self, context: Context) -> float:
+        usual = super().demanded(context)
+        return usual if context.is_paper else max(usual, 2.2 * context.analytic[self.give])
+
+
+def predicted(formula: str, series: str, give: str) -> Callable[[ClutchInputs, Values], Any]:
+    """Interval of a formula's error by what the series makes of the same."""
+
+    def interval(_: ClutchInputs, v: Values) -> tuple[float, float] | None:
+        if not (v[series] > 0 and v[give] < LOOSE):
+            return None
+        m = v[formula] / v[series] - 1
+        return m - (1 + m) * v[give], m + (1 + m) * v[give]
+
+    return interval
+
+
+def stress(_: ClutchInputs, v: Values) -> tuple[float, float] | None:
+    """The same of the fillets' stress, of which roller and hub make the part "driven"."""
+    if not v["slack"] < LOOSE:
+        return None
+    give = PEAK + v["driven"] * v["slack"]
+    return -give, give
+
+
+HERTZ = "argued: (2 a/d)², (a/wall)² and 1e-3 of the closure, times what it moves"
+SERIES = "the series (complex potentials, Hertz's patch) of the same clutch; the same slack"
+
+
+def row(
+    name: str, symbol: str, unit: str, formula: str, fem_key: str, give: str = "slack"
+) -> Claimed:
+    source = HERTZ if formula == fem_key else SERIES
+    return Claimed(name=name, symbol=symbol, unit=unit, fem=fem_key, analytic=formula, give=give,
+                   formal=2, interval=predicted(formula, fem_key, give), source=source)  # fmt: skip
+
+
+CHECKS = (
+    row("torque of the elastic ring, series", "M_t", "N m", "M series", "M series"),
+    row("force of a roller, series", "N", "N", "N series", "N series"),
+    row("pressure for the torque that is wanted, series", "p_t", "MPa", "p series", "p series",
+        "slack p"),
+    row("torque, Eq. 20", "M_t", "N m", "M Eq. 20", "M series"),
+    row("torque of the first design, Eq. 21", "M_t", "N m", "M Eq. 21", "M series"),
+    row("pressure for the torque that is wanted, Eqs. 17 to 20", "p_t", "MPa", "p Eq. 20",
+        "p series", "slack p"),
+    Claimed(name="largest hoop stress in the fillets", symbol="σ_max", unit="MPa", fem="fillet",
+            analytic="fillet", formal=2, interval=stress, give="slack", source=
+            "2e-3 of a peak stress between meshes, and what Hertz's neglect makes of the force"),
+    *(
+        Exact(name=f"balance of half a sector, {x}", symbol=f"ΣF_{x}", unit="N/mm",
+              fem=f"balance {x}", scale="side", bound=1e-8,
+              bound_reason="acceptance figure; contact met to round-off")
+        for x in "xy"
+    ),
+)  # fmt: skip
