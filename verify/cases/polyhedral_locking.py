@@ -21,7 +21,7 @@ from verify.checks import Approximation, Exact, Fact, Identity
 from verify.shown import Array, Field
 
 LEVELS = (1, 2, 3, 4)
-STEP = 0.05  # of pressure and hub force, either way, for their shares
+STEP = 0.05  # of the hub's force, either way, for its share
 
 ALONG = 200  # points of the fillet
 
@@ -79,46 +79,45 @@ def in_fillet(q: LockingInputs, ring: Sector, hub: HubForce, found: Locked) -> f
 
 
 def fem(q: LockingInputs, level: int) -> FemResult:
-    hub, side = hub_of(q), q.d_i * np.sin(q.half_angle)
+    hub = hub_of(q)
     alone = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t)
     pushed = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t, hub=hub)
-    N = [alone.force(share * q.p_t) for share in (1 - STEP, 1, 1 + STEP)]
+    soft = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t, elastic=True)
     R = [pushed.force(q.p_t, (k * hub[0], k * hub[1])) for k in (1 - STEP, 1, 1 + STEP)]
     both = pushed.at(q.p_t, hub)
     touch = both.touches[0]
     free = pressed_fem(q, level, "plane stress")
     rest = pushed.balance(q.p_t, hub)
+    shares = {"efficiency": alone.efficiency(q.p_t), "efficiency elastic": soft.efficiency(q.p_t)}
     values = {
-        "N": N[1], "efficiency": (N[2] - N[0]) / (2 * STEP * q.p_t * side),
+        "N": alone.force(q.p_t), **{key: share for key, (share, _) in shares.items()},
         "N with hub": R[1], "hub share": (R[2] - R[0]) / (2 * STEP * q.R_b),
         "a": touch.half_width((q.d_e / 2, 0.0)), "p_0": peak(touch),
         "balance x": rest[0], "balance y": rest[1],
         "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
         "fillet": largest_in_fillet(q, both.plane, q.p_t, name="ring.fillet"),
     }  # fmt: skip
-    values |= elastic_rollers_fem(q, level)
+    values |= elastic_rollers(q, soft)
     arrays: dict[str, Array] = {}
     fields: tuple[Field, ...] = ()
     if level == LEVELS[-1]:
         arrays["over pressure"] = np.array([
-            (alone.force(p), pushed.force(p, hub)) for p in shown.PRESSURES * q.p_t
+            (alone.force(p), pushed.force(p, hub), soft.force(p)) for p in shown.PRESSURES * q.p_t
         ]).T  # fmt: skip
         arrays |= supports(q)
         drawn = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
         fields = (whole("locked", q.z, drawn, von_mises=(drawn["von_mises"], "Pa")),)
     u_it = {key: 1e-10 * abs(value) for key, value in values.items()}
+    u_it |= {key: u for key, (_, u) in shares.items()}
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
-def elastic_rollers_fem(q: LockingInputs, level: int) -> dict[str, float]:
-    """Force, share and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
-    ring = LockedRing(q, level, d=q.d, e=q.e, p=q.p_t, elastic=True)
-    low, high = (ring.force(k * q.p_t) for k in (1 - STEP, 1 + STEP))
+def elastic_rollers(q: LockingInputs, ring: LockedRing) -> dict[str, float]:
+    """Force and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
     near, far = ring.half_widths(q.p_t)
     on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
     return {
         "N elastic": ring.force(q.p_t), "a elastic": near, "a race": far,
-        "efficiency elastic": (high - low) / (2 * STEP * q.p_t * q.d_i * np.sin(q.half_angle)),
         "balance roller": on_roller - on_race,
     }  # fmt: skip
 
@@ -133,9 +132,7 @@ def supports(q: LockingInputs) -> dict[str, Array]:
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in shown.diameters(q):
         ring = LockedRing(q, 2, d=d, e=q.e, p=q.p_t)
-        low, high = (ring.force(k * q.p_t) for k in (1 - STEP, 1 + STEP))
-        a = ring.at(q.p_t).touches[0].half_width((q.d_e / 2, 0.0))
-        rollers.append((a, (high - low) / (2 * STEP * q.p_t * side)))
+        rollers.append((ring.half_widths(q.p_t)[0], ring.efficiency(q.p_t)[0]))
     bonded = [(w, held_fem(q, w) / side) for w in shown.widths(q)]
     return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 ZONE = 1.5  # half-widths of even cells under the roller
 FIRST = 0.1  # of the wall that the fine zone takes while the half-width is unknown
 WIDEST = 0.45  # of wall and roller's radius
+STEP, STEPS = 0.6, 9  # of pressures for shares: in that which N balances on a flat; how many
 HELD = 2  # level of the mesh for bonded stretches
 
 
@@ -58,6 +59,20 @@ class LockedRing:
     def force(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> float:
         """Normal force [N/m] of a roller."""
         return 2 * self.at(p, hub).touches[0].force[0]
+
+    def efficiency(self, p: float) -> tuple[float, float]:
+        """Share of the force of a further pressure on the flat that reaches the roller, its u.
+
+        A cubic over some pressures smooths the steps by which nodes come to touch; the standard
+        uncertainty is that of its slope.
+        """
+        side = self.q.d_i * np.sin(self.q.half_angle)
+        reach, t = STEP * self.force(p), np.linspace(-1, 1, STEPS)
+        powers = np.vander(t, 4, increasing=True)
+        N = np.array([self.force(p + reach * x / side) for x in t]) / reach
+        fit, (rest,), *_ = np.linalg.lstsq(powers, N, rcond=None)
+        spread = np.linalg.inv(powers.T @ powers)[1, 1] * rest / (STEPS - 4)
+        return float(fit[1]), float(np.sqrt(spread))
 
     def half_widths(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> tuple[float, float]:
         """Half-widths [m] of the contacts on the ring and on the race; 0 on that of a rigid one."""

@@ -87,8 +87,8 @@ def figures(context: Context) -> Sequence[Figure]:
     q, v = context.inputs, context.analytic
     ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
 
-    def series(p: float, d: float) -> Any:
-        return locked(sector=ring, roller=Roller(d=d, j_D=q.j_D), p=p, E=q.E, nu=q.nu,
+    def series(p: float, d: float, **own: float) -> Any:
+        return locked(sector=ring, roller=Roller(d=d, j_D=q.j_D, **own), p=p, E=q.E, nu=q.nu,
                       assumption="plane stress")  # fmt: skip
 
     p = np.linspace(0, 1.2 * q.p_t, FINE)
@@ -98,12 +98,15 @@ def figures(context: Context) -> Sequence[Figure]:
               style="dashes", colour=0),
         Curve(name="series", x=p / MPa, y=np.array([series(x, q.d).N for x in p]) / N_mm,
               colour=1),
+        Curve(name="series, elastic rollers", x=p / MPa,
+              y=np.array([series(x, q.d, E=q.E, nu=q.nu).N for x in p]) / N_mm, colour=4),
     ]  # fmt: skip
     fem = context.fem[-1].arrays if context.fem else {}
     if "over pressure" in fem:
-        alone, pushed = fem["over pressure"] / N_mm
+        alone, pushed, soft = fem["over pressure"] / N_mm
         at = PRESSURES * q.p_t / MPa
         curves.append(Curve(name="FE", x=at, y=alone, style="dots", colour=2))
+        curves.append(Curve(name="FE, elastic rollers", x=at, y=soft, style="dots", colour=4))
         curves.append(Curve(name="FE, with the hub's force", x=at, y=pushed, style="dots",
                             colour=3))  # fmt: skip
     found: list[Figure] = [
