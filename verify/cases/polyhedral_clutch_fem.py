@@ -1,6 +1,7 @@
 """Finite elements of the driven ring: the hub's force goes with that of the rollers."""
 
 from collections.abc import Callable
+from math import inf, isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,20 +18,25 @@ THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
 
 
 class DrivenRing:
-    """Half a sector, its roller at the friction limit `grip`, the hub in balance with it."""
+    """Half a sector, its roller at the friction limit `grip`, the hub in balance with it.
 
-    def __init__(self, q: ClutchInputs, level: int, *, grip: float) -> None:
-        self.q = q
+    N [N/m] is the roller's force under the inputs' pressure, infinite where the hub's lift locks.
+    """
+
+    def __init__(self, q: ClutchInputs, level: int, *, grip: float, elastic: bool) -> None:
+        self.q, self.elastic = q, elastic
         turn = np.hypot(q.e, q.ring.apothem) * np.sin(q.psi + q.phi_1)
         self.kappa = grip * q.D_i / 2 / turn  # moments of roller and hub about the axis
         self.refine = 2 * level if q.delta_1 > THICK * q.d_e else level
-        self.ring = LockedRing(q.ring, 1, d=q.d, e=q.e, p=q.p_t)
+        self.ring = self._ring(1, q.p_t, 0.0)
+        coarse = self.force(q.p_t)
+        if isfinite(coarse):
+            self.ring = self._ring(self.refine, q.p_t, coarse)
         self.N = self.force(q.p_t)
-        self.ring = self._ring(q.p_t, self.N)
 
-    def _ring(self, p: float, N: float) -> LockedRing:
+    def _ring(self, refine: int, p: float, N: float) -> LockedRing:
         q = self.q
-        return LockedRing(q.ring, self.refine, d=q.d, e=q.e, p=p, hub=self.push(N))
+        return LockedRing(q.ring, refine, d=q.d, e=q.e, p=p, hub=self.push(N), elastic=self.elastic)
 
     def push(self, N: float) -> tuple[float, float]:
         """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
@@ -42,14 +48,15 @@ class DrivenRing:
         return self.ring.at(p, self.push(N))
 
     def force(self, p: float) -> float:
-        """Force N [N/m] of a roller under the pressure `p`."""
+        """Force N [N/m] of a roller under the pressure `p`, infinite where the hub's lift locks."""
         first = self.ring.force(p)
-        return _root(lambda N: self.ring.force(p, self.push(N)) - N, first, 1.5 * first)
+        N = _root(lambda N: self.ring.force(p, self.push(N)) - N, first, 1.5 * first)
+        return N if N > 0 else inf
 
     def pressure(self, N: float) -> float:
         """Pressure [Pa] under which a roller carries N [N/m]."""
         p = self._pressure(self.ring, N)
-        return p if NEAR < N / self.N < FAR else self._pressure(self._ring(p, N), N)
+        return p if NEAR < N / self.N < FAR else self._pressure(self._ring(self.refine, p, N), N)
 
     def _pressure(self, ring: LockedRing, N: float) -> float:
         p = self.q.p_t

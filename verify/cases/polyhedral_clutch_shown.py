@@ -39,12 +39,12 @@ OUTPUTS = (
     _chain("R", "R", "kN", "force between hub and flat"),
     _chain("N", "N", "kN", "force of a roller (Eq. 16)"),
     Output(key="p Eq. 20", symbol="p_t", unit="MPa", what="pressure for the torque wanted, Eq. 20"),
-    Output(key="N series", symbol="N", unit="kN", what="force of a roller, elastic ring"),
-    Output(key="M series", symbol="M_t", unit="N m", what="torque of the elastic ring"),
-    _chain("M elastic rollers", "M_t", "N m", "the same with elastic rollers"),
+    Output(key="N series", symbol="N", unit="kN", what="force of a roller, elastic as the ring"),
+    Output(key="M series", symbol="M_t", unit="N m", what="torque of elastic ring and rollers"),
+    Output(key="M rigid", symbol="M_t", unit="N m", what="the same with rigid rollers, a bound"),
     Output(key="p series", symbol="p_t", unit="MPa",
-           what="pressure for the torque wanted, elastic ring"),
-    _chain("margin", "S", "1", "torque of the elastic ring over the torque wanted"),
+           what="pressure for the torque wanted, elastic ring and rollers"),
+    _chain("margin", "S", "1", "torque of elastic ring and rollers over the torque wanted"),
     _chain("N wanted", "N", "kN", "force of a roller for the torque wanted (Eq. 4)"),
     _chain("p_0 ring", "p_0", "MPa", "pressure on ring and roller for it (Hertz)"),
     _chain("p_0 race", "p_0", "MPa", "pressure on race and roller for it (Hertz)"),
@@ -82,10 +82,10 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
             place="Eqs. 17 and 20, corrected",
         ),
         Equation(
-            tex=r"u_p\,p_t + \kappa u_{h1} N - u_N(a)\,N = \frac{j_D}{2}, \quad "
+            tex=r"u_p\,p_t + \kappa u_{h1} N - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \quad "
             r"M_t = \mu N z \frac{D_i}{2}",
             numbers=rf"= {elastic}\ \mathrm{{N\,m}}",
-            place="the elastic ring: series",
+            place="elastic ring and rollers, which N squeezes by δ: series",
         ),
     )
 
@@ -95,7 +95,8 @@ def figures(context: Context) -> Sequence[Figure]:
     v = context.analytic
     named = {
         "M Eq. 21": "Eq. 21, first design", "M Eq. 20": "Eq. 20",
-        "M series": "elastic ring, series", "M elastic rollers": "with elastic rollers",
+        "M rigid": "elastic ring, rigid rollers, series",
+        "M series": "elastic ring and rollers, series",
     }  # fmt: skip
     items: list[tuple[str, float, float | None, str]] = [
         (name, v[key], None, "formula") for key, name in named.items() if key in v
@@ -103,11 +104,13 @@ def figures(context: Context) -> Sequence[Figure]:
     if not items:
         return ()
     if context.fem:
-        items.insert(-1, ("elastic ring, FE", context.series("M series")[1][-1], None, "fe"))
+        found = context.fem[-1].values
+        named = {"M rigid": "elastic ring, rigid rollers, FE", "M series": "ring and rollers, FE"}
+        items += [(name, found[key], None, "fe") for key, name in named.items() if key in found]
     return (
         Dots(title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
              note="Eqs. 20 and 21 hand all of the blocking pressure to the rollers; the ring keeps "
-             "its part."),
+             "its part, and rollers give way."),
     )  # fmt: skip
 
 

@@ -51,10 +51,10 @@ class Flat:
         return self.touching + max(N * self.left, 0.0) / self.side
 
 
-def filleted(q: ClutchInputs, K: float) -> Flat:
-    """The flat as it is: the hub's force counts along the flat's normal."""
+def filleted(q: ClutchInputs, touching: float) -> Flat:
+    """The flat as it is, touched at a pressure [Pa]: the hub's force counts along its normal."""
     return Flat(q, np.array([q.ring.apothem, q.e]), _leaning(q.phi_1), np.array([1.0, 0.0]),
-                K * _thin(q))  # fmt: skip
+                touching)  # fmt: skip
 
 
 def first_design(q: ClutchInputs) -> Flat:
