@@ -99,7 +99,9 @@ def pressure(q: ClutchInputs, N: float, R_2: float) -> float:
 
 def fem(q: ClutchInputs, level: int) -> FemResult:
     hub = DrivenRing(q, level, grip=grip(q), elastic=True)
-    N, N_t = hub.force(q.p_t), q.M_t / (grip(q) * q.b * q.z * q.D_i / 2)
+    N, N_t = hub.N, q.M_t / (grip(q) * q.b * q.z * q.D_i / 2)
+    if not isfinite(N):
+        raise ArithmeticError("the hub's lift locks the rollers: pressure does not limit N")
     p = hub.pressure(N_t)
     state = hub.at(q.p_t, N)
     rest = hub.ring.balance(q.p_t, hub.push(N))

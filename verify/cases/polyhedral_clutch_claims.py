@@ -15,7 +15,7 @@ from verify.results import Row, Status
 BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
 LOOSE = 0.1  # slack from which on a formula is shown, not judged
 PEAK = 2e-3  # of a largest stress: the polynomial along the fillet and the mesh's own error
-NO_LIMIT = "the formula sets no limit: the hub's friction locks"
+NO_LIMIT = "the side without a value sets no limit: the hub's friction locks"
 
 
 def slack(q: ClutchInputs, hub: Driven, N: float) -> float:
@@ -38,11 +38,11 @@ class Claimed(Approximation):
     give: str
 
     def rows(self, context: Context) -> list[Row]:
-        if self.analytic in context.analytic:
+        given, found = context.analytic.get(self.analytic), context.fem[-1].values.get(self.fem)
+        if given is not None and all(self.fem in level.values for level in context.fem):
             return super().rows(context)
-        found = context.fem[-1].values.get(self.fem)
         verdict = judge.Verdict(Status.SHOWN, NO_LIMIT)
-        return [self._row(context.case, self.kind, verdict, fem=found)]
+        return [self._row(context.case, self.kind, verdict, analytic=given, fem=found)]
 
     def demanded(self, context: Context) -> float:
         usual = super().demanded(context)

@@ -5,6 +5,7 @@ from math import inf, isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.optimize import brentq
 
 from verify.cases.polyhedral_clutch_inputs import ClutchInputs
 from verify.cases.polyhedral_locking_fem import LockedRing
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution
 
 CLOSE, MOST = 1e-11, 60
+GROWTH, LOCKED = 1.5, 100.0  # steps in search of N, and how often the pressure's part is no limit
 NEAR, FAR = 0.5, 1.7  # of the force that the fine cells are for, where they serve another
 THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
 
@@ -49,9 +51,16 @@ class DrivenRing:
 
     def force(self, p: float) -> float:
         """Force N [N/m] of a roller under the pressure `p`, infinite where the hub's lift locks."""
-        first = self.ring.force(p)
-        N = _root(lambda N: self.ring.force(p, self.push(N)) - N, first, 1.5 * first)
-        return N if N > 0 else inf
+        low, high = 0.0, self.ring.force(p)
+        while self._excess(p, high) > 0:
+            low, high = high, GROWTH * high
+            if high > LOCKED * self.ring.force(p):
+                return inf
+        return float(brentq(lambda N: self._excess(p, N), low, high, xtol=CLOSE * high, rtol=CLOSE))
+
+    def _excess(self, p: float, N: float) -> float:
+        """By how much [N/m] the roller's force exceeds the N that the hub's force belongs to."""
+        return self.ring.force(p, self.push(N)) - N
 
     def pressure(self, N: float) -> float:
         """Pressure [Pa] under which a roller carries N [N/m]."""
