@@ -126,9 +126,14 @@ class RollerContact:
     def _squeeze(self, N: float, a: float) -> float:
         if np.isinf(self.roller.E):
             return 0.0
+        widths = [a, self.half_width_on_race(N)]
+        if max(widths) >= self.roller.d / 2:
+            raise ValueError(
+                f"N={N:g} N/m presses a roller of d={self.roller.d:g} m flat: its contacts' "
+                f"half-width would be {max(widths):.2g} m"
+            )
         ends = approach_to_centre(
-            P=N, a=[a, self.half_width_on_race(N)], R=self.roller.d / 2,
-            E_plane=self._roller_modulus,
+            P=N, a=widths, R=self.roller.d / 2, E_plane=self._roller_modulus
         )  # fmt: skip
         return float(ends.sum())
 
