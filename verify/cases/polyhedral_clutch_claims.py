@@ -111,4 +111,6 @@ CHECKS = (
               bound_reason="acceptance figure; contact met to round-off")
         for x in "xy"
     ),
+    Exact(name="moments of hub and rollers about the axis", symbol="ΣM", unit="N m", fem="moment",
+          scale="M series", bound=1e-9, bound_reason="statics: Eq. 14's lever and angle"),
 )  # fmt: skip
