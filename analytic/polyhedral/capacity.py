@@ -114,6 +114,8 @@ class Driven:
             end, most = self._peak(low / GROWTH, high, lift) if falls else (high, found)
             if most >= p:
                 start = max(low / GROWTH, 1e-9 * end)
+                if self._pressure(start, lift) >= p:
+                    return 0.0  # touches by round-off
                 return float(brentq(lambda N: self._pressure(N, lift) - p, start, end, rtol=1e-12))
             if falls:
                 return inf
