@@ -42,6 +42,8 @@ def test_growth_dent_and_squeeze_close_the_gap(roller):
         outer = np.sqrt(4 * state.N / (1 / 5.0 - 1 / 50.03) / (np.pi * roller.E))
         ends = approach_to_centre(P=state.N, a=[state.a, outer], R=5.0, E_plane=roller.E)
         squeeze = float(ends.sum())
+        assert state.a_race == pytest.approx(outer, rel=1e-12)
+    assert (state.a_race > 0) == np.isfinite(roller.E)
     assert grown + state.N * dent - squeeze == pytest.approx(0.03, rel=1e-9)
 
 
