@@ -54,7 +54,8 @@ def analytic(q: LockingInputs) -> Values:
     F = float(forces.pressure_force(p_2=p_2, b=1.0, d_i=q.d_i, z=q.z))
     phi_1 = float(np.arctan(q.tan_phi))
     values: dict[str, Any] = {
-        "p_1r": p_1r, "p_2": p_2, "F": F, "touch with hub": pushed.touch,
+        "p_1r": p_1r, "p_2": p_2, "F": F, "touch": alone.touch,
+        "touch with hub": pushed.touch,
         "N Eq. 16": forces.normal_force(F=F, R=q.R_b, phi_1=phi_1, gamma=0.0),
         "N": alone.N, "efficiency": alone.efficiency, "N with hub": pushed.N,
         "hub share": pushed.hub_share, "a": pushed.a,
@@ -179,10 +180,10 @@ CHECKS = (
           bounds.on_race(bounds.WIDTH, "a race"), source=bounds.RACE),
     Approximation(name="force of a roller, Eqs. 13 and 16 without the hub", symbol="N/b",
                   unit="N/mm", fem="N", analytic="F", formal=2,
-                  interval=bounds.predicted("F", "N"), source=bounds.SERIES),
+                  interval=bounds.predicted("N", hub=False), source=bounds.SERIES),
     Approximation(name="force of a roller, Eqs. 13 and 16 with the hub", symbol="N/b",
                   unit="N/mm", fem="N with hub", analytic="N Eq. 16", formal=2,
-                  interval=bounds.predicted("N Eq. 16", "N with hub"), source=bounds.SERIES),
+                  interval=bounds.predicted("N with hub", hub=True), source=bounds.SERIES),
     Identity(name="resultant of the pressure on a side, Eq. 13", symbol="F/b", unit="N/mm",
              fem="side", analytic="side", formal=4, demand=1e-3,
              demand_reason="statics: pressure on the chord between two corners"),

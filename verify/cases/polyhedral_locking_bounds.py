@@ -17,7 +17,7 @@ PEAK = -(2 * pair_series.CATALAN - 1 / 3) / np.pi  # and of the pressure in the 
 Interval = Callable[[LockingInputs, Values], tuple[float, float] | None]
 
 FORCES = "argued: (2 a/d)² of the curvature, (a/wall)², and 1e-3, each once"
-SERIES = "the series (complex potentials, Hertz's patch) under the same loads; the same slack"
+SERIES = "a rigid flat's statics by vectors over the series under the same loads; the same slack"
 CONTACT = (
     "derived: the first order in βκa, with κ of the line on which the bodies meet; argued, each "
     "once: (2 a/d)², (a/wall)², 1e-3, and what the ring strains and bends, j_D/d_e (1 + R/wall)"
@@ -41,13 +41,19 @@ def within(*widths: str) -> Interval:
     return interval
 
 
-def predicted(formula: str, series: str) -> Interval:
-    """Interval of a formula's error by what the series makes of the same."""
+def predicted(series: str, *, hub: bool) -> Interval:
+    """Interval of a rigid flat's error: its statics by vectors beside what the series makes of it.
+
+    Pressure beyond touching pushes on the chord of two corners, the hub along the flat's normal.
+    """
 
     def interval(q: LockingInputs, v: Values) -> tuple[float, float] | None:
         if not v[series] > 0:
             return None
-        m, slack = v[formula] / v[series] - 1, reach(q, v["a"])
+        corners = q.d_i / 2 * np.exp(1j * q.half_angle * np.array([-1, 1]))
+        N = max(q.p_t - v["touch"], 0.0) * float(abs(np.diff(corners))[0])
+        N += q.R_b / float(np.hypot(1, q.tan_phi)) if hub else 0.0
+        m, slack = N / v[series] - 1, reach(q, v["a"])
         return m - (1 + m) * slack, m + (1 + m) * slack
 
     return interval
