@@ -3,8 +3,9 @@ r"""A polyhedral ring clutch from its parts to its torque, with every value betw
 `Clutch` runs through Eqs. 2 to 21 in the paper's order. Two readings are open: the lever of the
 hub's contact ("exact", or the paper's "d_i/2") and the direction that the hub's force is projected
 on (the flat's "normal", or the "radius" of the paper's first design). K is 1 as in the paper, or
-what a model of the ring says. With a wedge angle alpha the rollers are free and use tan(alpha/2) of
-their friction; without one a cage holds them and they carry up to mu N.
+what a model of the ring says. With a wedge angle alpha the rollers use tan(alpha/2) of their
+friction; without one they are at its limit, mu N, as in Eqs. 4 and 17 to 21: without a cage that is
+alpha = 2 arctan mu, the largest angle that holds.
 """
 
 from dataclasses import dataclass
