@@ -34,7 +34,7 @@ class LockedRing:
         wall = q.d_e / 2 - q.apothem
         first = FIRST * min(wall, q.half_angle * q.d_e / 2, d)
         zones = (first, first)
-        for refine in (1, 1, level):
+        for refine in (1, 2, level):
             self.problem = self._problem_fem(zones, refine)
             near, far = (
                 min(ZONE * a, WIDEST * min(wall, d / 2)) if a > 0 else zone
