@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from analytic.contact.checks import Assumption
 from analytic.polyhedral import bore_pressure, wedging
 from analytic.polyhedral.capacity import Driven
 from analytic.polyhedral.design import Clutch
@@ -23,6 +24,7 @@ from verify.cases.polyhedral_fem import largest_in_fillet, whole
 from verify.shown import Field
 
 LEVELS = (1, 2, 3, 4)
+WIDE = 2.0  # walls: wider rings are not in plane stress all along
 STATIC_RATING = 4.0e9  # Pa, ISO 76: roller bearings at their static load rating
 
 
@@ -32,17 +34,24 @@ def sector(q: ClutchInputs) -> Sector:
 
 
 def grip(q: ClutchInputs) -> float:
-    """Tangential over normal force of the rollers: μ in a cage, else tan(α/2) if they stay."""
+    """Tangential over normal force of the rollers: tan(α/2) if they stay, else μ, the limit."""
     if q.alpha is None or not wedging.holds(alpha=q.alpha, mu=q.mu):
         return q.mu
     return float(np.tan(q.alpha / 2))
 
 
-def driven(q: ClutchInputs, *, rigid: bool = False) -> Driven:
-    """The locked ring that its hub turns; rollers as elastic as the ring, or rigid."""
+def driven(
+    q: ClutchInputs, *, rigid: bool = False, assumption: Assumption = "plane stress",
+    share: float | None = None,
+) -> Driven:  # fmt: skip
+    """The locked ring that its hub turns; rollers as elastic as the ring, or rigid.
+
+    `share` is another tangential over normal force than `grip`.
+    """
     own = {} if rigid else {"E": q.E, "nu": q.nu}
-    contact = RollerContact(sector(q), Roller(d=q.d, j_D=q.j_D, **own), q.E, q.nu, "plane stress")
-    return Driven(contact, grip=grip(q), D_i=q.D_i, e=q.e, tan_phi=q.tan_phi)
+    contact = RollerContact(sector(q), Roller(d=q.d, j_D=q.j_D, **own), q.E, q.nu, assumption)
+    grips = grip(q) if share is None else share
+    return Driven(contact, grip=grips, D_i=q.D_i, e=q.e, tan_phi=q.tan_phi)
 
 
 def paper(q: ClutchInputs, **readings: Any) -> Clutch:
@@ -65,7 +74,8 @@ def analytic(q: ClutchInputs) -> Values:
     stays = q.alpha is None or bool(wedging.holds(alpha=q.alpha, mu=q.mu))
     N, N_rigid = (rollers.force(q.p_t) if stays else 0.0 for rollers in (hub, stiff))
     N_t = q.M_t / (hub.grip * lever) if stays else inf
-    slope, _ = steepest(sector=ring, field=bore_pressure.pressed(ring))
+    slope = steepest(sector=ring, field=bore_pressure.pressed(ring))[0] * q.p_t / q.E
+    offered, wide = driven(q, share=np.tan(slope / 2)), driven(q, assumption="plane strain")
     parts = full.parts
     values = {
         "beta": parts.beta, "d_m": parts.d_m, "j_D": parts.j_D, "apothem": parts.apothem,
@@ -79,7 +89,9 @@ def analytic(q: ClutchInputs) -> Values:
         "p series": hub.required_pressure(N_t) if stays else inf,
         "margin": hub.grip * N * lever / q.M_t, "N wanted": N_t * q.b,
         "fillet": in_fillet(q, hub, N),
-        "slope": slope * q.p_t / q.E, "side": q.p_t * q.ring.d_i * np.sin(ring.half_angle),
+        "slope": slope, "M slope": offered.grip * offered.force(q.p_t) * lever,
+        "M wide": wide.grip * wide.force(q.p_t) * lever if stays else 0.0,
+        "needed": 2 * np.arctan(hub.grip), "side": q.p_t * q.ring.d_i * np.sin(ring.half_angle),
         "p_0 ring": pressure(q, N_t, q.d_e / 2), "p_0 race": pressure(q, N_t, -q.D_i / 2),
     }  # fmt: skip
     if 0 < N < inf:
@@ -151,6 +163,18 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
             f"elastic ring and rollers carry {v['M series']:.4g} N m, less than the "
             f"{q.M_t:.4g} N m that are wanted: p_t must be {v['p series'] / 1e6:.4g} MPa"
         )
+    if v["needed"] > v["slope"]:
+        found.append(
+            "rollers that carry this by themselves need a wedge of "
+            f"{np.degrees(v['needed']):.3g}°; the ring's outside offers "
+            f"{np.degrees(v['slope']):.2g}° under p_t, where they carry {v['M slope']:.3g} N m: a "
+            "cage must take the rest past the ring"
+        )
+    if q.b > WIDE * q.delta_1 and "M wide" in v:
+        found.append(
+            f"b is {q.b / q.delta_1:.3g} walls wide: neither plane stress, as taken, nor plane "
+            f"strain, which gives {v['M wide']:.4g} N m; rollers press more on the ends"
+        )
     if v["hub share"] >= 1:
         found.append(
             f"the hub's share of N is {v['hub share']:.3g} by Eq. 16: friction that locks, Eqs. "
@@ -215,7 +239,9 @@ CLUTCH = Case(
         "β/360 in Eq. 21",
         "Eq. 20: K of the middle of the flats, lever apothem/cos ψ, γ = 0; Eq. 21: K = 1, lever "
         "d_i/2, γ = ψ, corners without fillets",
-        "rollers in a cage carry μ N; with a wedge angle α they are free and carry N tan(α/2)",
+        "rollers with a wedge angle α carry N tan(α/2); without one they are at the limit μ N, as "
+        "in Eqs. 4 and 17 to 21: α = 2 arctan μ, no force of a cage. What a cage adds to the "
+        "race's torque does not pass through the ring",
         "the hub's force R leans by φ_1 towards the flat's middle: it makes ψ + φ_1 with the "
         "radius through its contact, as Eq. 14 has it",
         "margin and pressure for the torque wanted are those of elastic ring and rollers",

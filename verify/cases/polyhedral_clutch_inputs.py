@@ -13,7 +13,7 @@ NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
 class ClutchInputs(Inputs):
     """Ring, rollers, race and hub; the paper prints no numbers, these are the project's own."""
 
-    M_t: float = quantity("150 N m", "N m", "M_t", "torque that is wanted", gt=0, le=1e9)
+    M_t: float = quantity("100 N m", "N m", "M_t", "torque that is wanted", gt=0, le=1e9)
     p_t: float = quantity("30 MPa", "MPa", "p_t", "pressure that is available", gt=0, le=1e4)
     z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
     D_i: float = quantity("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
@@ -30,8 +30,8 @@ class ClutchInputs(Inputs):
     E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio of all parts", ge=0, le=0.45)
     alpha: float | None = quantity(
-        None, "deg", "α", "wedge angle of rollers without a cage", omitted=None, gt=0, le=90,
-        example="6 deg",
+        None, "deg", "α", "wedge angle of the rollers; 2 arctan μ without it", omitted=None,
+        gt=0, le=90, example="6 deg",
     )  # fmt: skip
     R_p: float | None = quantity(
         None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,

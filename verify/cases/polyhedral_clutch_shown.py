@@ -49,7 +49,10 @@ OUTPUTS = (
     _chain("p_0 ring", "p_0", "MPa", "pressure on ring and roller for it (Hertz)"),
     _chain("p_0 race", "p_0", "MPa", "pressure on race and roller for it (Hertz)"),
     Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets under p_t"),
+    _chain("M wide", "M_t", "N m", "torque of elastic ring and rollers in plane strain (wide)"),
+    _chain("needed", "α", "deg", "wedge angle at which rollers carry this by themselves"),
     _chain("slope", "α", "deg", "steepest slope of the ring's outside under p_t, untouched"),
+    _chain("M slope", "M_t", "N m", "torque of rollers that nothing but that slope holds"),
 )  # fmt: skip
 
 

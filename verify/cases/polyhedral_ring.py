@@ -189,7 +189,7 @@ RING = Case(
     ),
     readings=(
         "d_i is the diameter through the corners as they are, with fillets: δ_1 is the thinnest "
-        "wall. Measured to the corners without fillets, K of three to six flats is 10 to 45 % "
+        "wall. Measured to the corners without fillets, K of three to six flats is 10 to 47 % "
         "higher",
         "K = 1 means that the outside has grown by j_D/2 where the rollers are, in the middle of "
         "the flats; the mean and the corners are shown beside",
