@@ -158,11 +158,12 @@ def test_the_coarser_levels_alone_turn_no_row_red(red):
 
 # Clutches of one's own.
 LOCKS = {"M Eq. 20", "T", "F_s", "R", "N"}
-ENDLESS = LOCKS | {"M Eq. 21", "N series", "M series", "M rigid", "margin"}
+ENDLESS = LOCKS | {"M Eq. 21", "N series", "M series", "M rigid", "M wide", "margin"}
 ODD = [
     pytest.param({"z": 3, "p_t": "35 MPa", "e": "12 mm"}, set(), "give R_p", id="three rollers"),
     pytest.param({"z": 12, "e": "5 mm"}, set(), "", id="twelve rollers"),
-    pytest.param({"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "3 mm", "p_t": "5 MPa"},
+    pytest.param({"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "3 mm", "p_t": "5 MPa",
+                  "M_t": "150 N m"},
                  set(), "p_t must be 5.", id="thin, 24 rollers"),
     pytest.param({"delta_1": "20 mm", "e": "7 mm", "p_t": "300 MPa"}, set(), "p_t must be",
                  id="thick"),

@@ -71,7 +71,10 @@ def test_another_reading_or_a_wrong_formula_turns_its_row_red(
 ):
     judged(MAP)
     monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
-    assert row in names(red(judged(replace(MAP, figures=lambda _: ()))))
+    polyhedral_map.efficiency.cache_clear()
+    found = names(red(judged(replace(MAP, figures=lambda _: ()))))
+    polyhedral_map.efficiency.cache_clear()
+    assert row in found
 
 
 ODD = [

@@ -21,8 +21,9 @@ def figures(
 ) -> Sequence[Figure]:
     """Error of K = 1 over walls and fillets, K by three definitions, η and stress over flats.
 
-    `wall`, `fillet` and `reference` hold 1/K (m, 3) of the middle, the mean and the corners,
-    `eta` the share of the pressure that reaches the rollers (flats,), all by the series.
+    `wall` and `fillet` hold 1/K (m,) in the middle of the flats, by finite elements where there are
+    any; `reference` that of the middle, the mean and the corners (flats, 3) and `eta` the share of
+    the pressure that reaches the rollers (flats,), both by the series.
     """
     q = context.inputs
     solved = bool(context.fem)
@@ -39,7 +40,7 @@ def figures(
 def _map(
     title: str, label: str, rows: Sequence[float], flexible: Array, solved: bool, note: str
 ) -> Map:
-    error = (flexible[:, 0] - 1).reshape(len(rows), len(FLATS))  # 1/K is formula over reference
+    error = (flexible - 1).reshape(len(rows), len(FLATS))  # 1/K is formula over reference
     return Map(
         title=title, x_label="flats z", y_label=label, columns=tuple(map(str, FLATS)),
         rows=tuple(f"{row:g}" for row in rows), error=error,
