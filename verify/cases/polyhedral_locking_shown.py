@@ -112,9 +112,8 @@ def figures(context: Context) -> Sequence[Figure]:
     found: list[Figure] = [
         Curves(title="Force of a roller over the pressure", x_label="p [MPa]",
                y_label="N/b [N/mm]", curves=tuple(curves),
-               note="Half of what Eq. 16 promises is kept by the ring's own hoop force."
-               if v["efficiency"] < 0.6 else
-               "The ring's own hoop force keeps a part of what Eq. 16 promises.")
+               note=f"Of a further pressure {v['efficiency']:.0%} reach rigid rollers; the rest is "
+               "the ring's own hoop force. Eq. 16 hands on all of it.")
     ]  # fmt: skip
     if "rollers" in fem:
         found.append(_supports(q, fem, [series(q.p_t, d) for d in diameters(q)]))
