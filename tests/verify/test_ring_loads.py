@@ -128,6 +128,24 @@ def test_a_wrong_formula_turns_its_row_red(case, owner, name, fault, row, judged
     assert row in names(red(judged(case)))
 
 
+DENTS = {
+    "twice the dent": lambda f: lambda q, depth, P=None: 2 * f(q, depth, P),
+    "twice the depth": lambda f: lambda q, depth, P=None: f(q, 2 * depth, P),
+}
+
+
+@BOTH
+@pytest.mark.parametrize("fault", DENTS.values(), ids=DENTS)
+def test_a_wrong_dent_turns_every_row_with_a_dent_red(case, fault, judged, red, monkeypatch):
+    judged(case)
+    monkeypatch.setattr(ring_loads_formulas, "dent", fault(ring_loads_formulas.dent))
+    assert {
+        "Eq. 6 at a load, dent to the wall's depth taken out",
+        "Eq. 6 at a load, dent to half the wall taken out",
+        "Eq. 6 and Hertz's dent to the wall's depth, at a load",
+    } <= names(red(judged(case)))
+
+
 def test_a_wrong_field_inside_turns_the_rows_of_all_points_red(judged, red, patched):
     """Of the tangential displacement and of stresses off the named points nothing else speaks."""
 
