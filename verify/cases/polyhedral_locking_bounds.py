@@ -10,6 +10,7 @@ from analytic.contact.partial_slip import dundurs_beta
 from verify.case import Values
 from verify.cases.polyhedral_locking_inputs import LockingInputs
 
+PEAK_STRESS = 2e-3  # of a largest stress: the polynomial along the fillet
 BLUNT = 1e-3  # what the semi-ellipse of Hertz may miss at least
 WIDTH = 64 / (45 * np.pi)  # first terms of beta kappa a: of the half-width,
 PEAK = -(2 * pair_series.CATALAN - 1 / 3) / np.pi  # and of the pressure in the middle
@@ -71,6 +72,21 @@ def on_ring(first: float, key: str, *, elastic: bool = False) -> Interval:
         return m - slack, m + slack
 
     return interval
+
+
+def bent(q: LockingInputs, _: Values) -> float:
+    """What the hub's bending of the wall as a beam over 2 e does to a, as a share.
+
+    It changes the ring's curvature by R e/(2 E I); a goes with the root of the relative radius.
+    """
+    R = float(hertz_line.relative_radius(R_1=q.d / 2, R_2=q.d_e / 2))
+    wall = q.d_e / 2 - q.apothem
+    return R * (q.R_b * q.e / 2) / (q.E * wall**3 / 12) / 2
+
+
+def fillet_blur(q: LockingInputs, rollers: float, a: float) -> float:
+    """What may miss in a largest stress of which rollers with half-width a [m] make a share."""
+    return (PEAK_STRESS + rollers * reach(q, a)) / 2
 
 
 def on_race(first: float, key: str) -> Interval:

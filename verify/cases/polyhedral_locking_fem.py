@@ -1,5 +1,6 @@
 """Finite elements of the locked ring: half a sector against its roller, driven to its state."""
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,48 +14,40 @@ if TYPE_CHECKING:
 
 ZONE = 1.5  # half-widths of even cells under the roller
 FIRST = 0.1  # of the wall that the fine zone takes while the half-width is unknown
-WIDEST = 0.45  # of wall and roller's radius
+WIDEST = 0.45  # of wall, roller's radius and the hub's distance from the middle
+COARSE = (1, 2)  # meshes that say how wide the contacts are
 STEP, STEPS = 0.6, 9  # of pressures for shares: in that which N balances on a flat; how many
 HELD = 2  # level of the mesh for bonded stretches
 
 
-class LockedRing:
-    """Half a sector with its roller; forces per unit width, those of the whole roller or hub."""
+class ZonedRing:
+    """Half a sector with its roller; forces per unit width, those of the whole roller or hub.
+
+    The roller is rigid, or `elastic` as the ring in a rigid race; `zones` [m] of ring and race are
+    fine. The hub may push at `e` [m].
+    """
 
     def __init__(
-        self, q: PolygonRing, level: int, *, d: float, e: float, p: float,
-        hub: tuple[float, float] = (0.0, 0.0), elastic: bool = False,
+        self, q: PolygonRing, refine: int, *, d: float, zones: tuple[float, float],
+        e: float | None = None, elastic: bool = False,
     ) -> None:  # fmt: skip
-        """Fine where it touches under the pressure `p` [Pa] and `hub` (normal, along) [N/m] at e.
-
-        The roller is rigid, or `elastic` as the ring in a rigid race. Coarse solutions say how wide
-        the contacts are; the meshes have vertices near their ends.
-        """
-        self.q, self.d, self.e, self.elastic = q, d, e, elastic
-        wall = q.d_e / 2 - q.apothem
-        first = FIRST * min(wall, q.half_angle * q.d_e / 2, d)
-        zones = (first, first)
-        for refine in (1, 2, level):
-            self.problem = self._problem_fem(zones, refine)
-            near, far = (
-                min(ZONE * a, WIDEST * min(wall, d / 2)) if a > 0 else zone
-                for a, zone in zip(self.half_widths(p, hub), zones, strict=True)
-            )
-            zones = near, far
-
-    def _problem_fem(self, zones: tuple[float, float], refine: int) -> "ContactProblem":
-        size: Any = {"d": self.d, "e": self.e, "refine": refine}
-        if self.elastic:
-            return elastic_roller_fem(self.q, zones=zones, **size)
-        return rigid_roller_fem(self.q, zone=zones[0], **size)
+        self.q, self.d, self.e = q, d, e
+        size: Any = {"d": d, "e": e, "refine": refine}
+        self.problem: ContactProblem = (
+            elastic_roller_fem(q, zones=zones, **size)
+            if elastic
+            else rigid_roller_fem(q, zone=zones[0], **size)
+        )
 
     def at(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> "ContactSolution":
         """The state under the pressure `p` and the hub's force."""
         return self.problem.solve(
             pressures={"ring.bore": p},
-            point_forces={(self.q.apothem, self.e): (hub[0] / 2, hub[1] / 2)},
+            point_forces={} if self.e is None else {
+                (self.q.apothem, self.e): (hub[0] / 2, hub[1] / 2)
+            },
             displacements={"stop": {"x": self.q.j_D / 2}},
-        )
+        )  # fmt: skip
 
     def force(self, p: float, hub: tuple[float, float] = (0.0, 0.0)) -> float:
         """Normal force [N/m] of a roller."""
@@ -90,6 +83,43 @@ class LockedRing:
         push = p * np.array([q.d_i / 2 * s, q.apothem - q.d_i / 2 * c])
         rest: Any = cuts + push + np.array(hub) / 2 - np.array(state.touches[0].force)
         return float(rest[0]), float(rest[1]), float(cuts[0])
+
+
+class LockedRing(ZonedRing):
+    """The same, fine where it touches under the pressure `p` [Pa] and `hub` at e.
+
+    `hub` is a force (normal, along the flat) [N/m].
+    """
+
+    def __init__(
+        self, q: PolygonRing, refine: int, *, d: float, p: float, e: float | None = None,
+        hub: tuple[float, float] = (0.0, 0.0), elastic: bool = False,
+    ) -> None:  # fmt: skip
+        zones = fine_zones(q, d, p, e, hub, elastic)
+        super().__init__(q, refine, d=d, e=e, zones=zones, elastic=elastic)
+
+
+@lru_cache(maxsize=64)
+def fine_zones(
+    q: PolygonRing, d: float, p: float, e: float | None, hub: tuple[float, float], elastic: bool
+) -> tuple[float, float]:
+    """Widths [m] of the zones of ring and race that are fine, the same on all meshes.
+
+    Coarse solutions say how wide the contacts are; the meshes have vertices near their ends.
+    """
+    wall = q.d_e / 2 - q.apothem
+    beside = wall if e is None else min(wall, e)
+    first = FIRST * min(beside, q.half_angle * q.d_e / 2, d)
+    widest = WIDEST * min(beside, d / 2), WIDEST * min(wall, d / 2)
+    zones = first, first
+    for refine in COARSE:
+        ring = ZonedRing(q, refine, d=d, e=e, zones=zones, elastic=elastic)
+        near, far = (
+            min(ZONE * a, most) if a > 0 else zone
+            for a, most, zone in zip(ring.half_widths(p, hub), widest, zones, strict=True)
+        )
+        zones = near, far
+    return zones
 
 
 def held_fem(q: PolygonRing, width: float) -> float:

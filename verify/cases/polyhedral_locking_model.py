@@ -17,11 +17,11 @@ CELLS = 6  # even ones in every fine zone, on the mesh of level 1
 
 
 def rigid_roller_fem(
-    q: PolygonRing, *, d: float, e: float, zone: float, refine: int
+    q: PolygonRing, *, d: float, e: float | None, zone: float, refine: int
 ) -> "ContactProblem":
     """The ring under a rigid roller, the obstacle "stop".
 
-    The zone [m] is fine on the ring; the hub may push on the flat at e [m].
+    The zone [m] is fine on the ring; the hub may push on the flat at e [m] where one is given.
     """
     from fem.contact.pairs import Obstacle, Pair
     from fem.contact.problem import ContactProblem
@@ -41,7 +41,7 @@ def rigid_roller_fem(
 
 
 def elastic_roller_fem(
-    q: PolygonRing, *, d: float, e: float, zones: tuple[float, float], refine: int
+    q: PolygonRing, *, d: float, e: float | None, zones: tuple[float, float], refine: int
 ) -> "ContactProblem":
     """The ring under half a roller of its own material, free along x, in a rigid race, "stop".
 
@@ -71,10 +71,10 @@ def elastic_roller_fem(
     )  # fmt: skip
 
 
-def _ring_fem(q: PolygonRing, e: float, zone: float, refine: int) -> "Mesh2D":
+def _ring_fem(q: PolygonRing, e: float | None, zone: float, refine: int) -> "Mesh2D":
     from meshes.polyhedral.half_sector import half_sector
 
     return half_sector(
         z=q.z, d_e=q.d_e, d_i=q.d_i, fillet=q.rho, refine=refine, zone=zone, cells=CELLS,
-        hub=(e, (e + min(q.half_flat, 1.2 * e)) / 2),
+        hub=None if e is None else (e, (e + min(q.half_flat, 1.2 * e)) / 2),
     )  # fmt: skip

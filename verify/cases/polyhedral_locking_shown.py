@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.polyhedral.locking import Roller, locked
 from analytic.polyhedral.sector import Sector
-from verify.case import Context, Values
+from verify.case import Context, FemResult, Values
 from verify.cases.polyhedral_ring_shown import body
 from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
 from verify.tex import factor, tex
@@ -82,6 +82,11 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
     )
 
 
+def curves(levels: Sequence[FemResult]) -> dict[str, Array]:
+    """The finite elements' curves, which one level has; none without it."""
+    return next((level.arrays for level in levels if level.arrays), {})
+
+
 def figures(context: Context) -> Sequence[Figure]:
     """Force of a roller over the pressure; efficiency over the width of the support."""
     q, v = context.inputs, context.analytic
@@ -93,7 +98,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
     p = np.linspace(0, 1.2 * q.p_t, FINE)
     side = q.d_i * np.sin(q.half_angle)
-    curves = [
+    drawn = [
         Curve(name="Eq. 16 without hub", x=p / MPa, y=np.maximum(p - v["p_1r"], 0) * side / N_mm,
               style="dashes", colour=0),
         Curve(name="series", x=p / MPa, y=np.array([series(x, q.d).N for x in p]) / N_mm,
@@ -101,17 +106,17 @@ def figures(context: Context) -> Sequence[Figure]:
         Curve(name="series, elastic rollers", x=p / MPa,
               y=np.array([series(x, q.d, E=q.E, nu=q.nu).N for x in p]) / N_mm, colour=4),
     ]  # fmt: skip
-    fem = context.fem[-1].arrays if context.fem else {}
+    fem = curves(context.fem)
     if "over pressure" in fem:
         alone, pushed, soft = fem["over pressure"] / N_mm
         at = PRESSURES * q.p_t / MPa
-        curves.append(Curve(name="FE", x=at, y=alone, style="dots", colour=2))
-        curves.append(Curve(name="FE, elastic rollers", x=at, y=soft, style="dots", colour=4))
-        curves.append(Curve(name="FE, with the hub's force", x=at, y=pushed, style="dots",
+        drawn.append(Curve(name="FE", x=at, y=alone, style="dots", colour=2))
+        drawn.append(Curve(name="FE, elastic rollers", x=at, y=soft, style="dots", colour=4))
+        drawn.append(Curve(name="FE, with the hub's force", x=at, y=pushed, style="dots",
                             colour=3))  # fmt: skip
     found: list[Figure] = [
         Curves(title="Force of a roller over the pressure", x_label="p [MPa]",
-               y_label="N/b [N/mm]", curves=tuple(curves),
+               y_label="N/b [N/mm]", curves=tuple(drawn),
                note=f"Of a further pressure {v['efficiency']:.0%} reach rigid rollers; the rest is "
                "the ring's own hoop force. Eq. 16 hands on all of it.")
     ]  # fmt: skip
