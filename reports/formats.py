@@ -113,7 +113,8 @@ def difference(row: Row) -> Markup:
 def tolerance(row: Row) -> Markup:
     """Tolerance on the row's scale, or the ends of the expected interval."""
     if row.interval is not None:
-        low, high = (power(m, signed=True) for m in row.interval)
+        ends = {d: [power(m, signed=True, digits=d) for m in row.interval] for d in (1, 2, 3, 4)}
+        low, high = next((both for both in ends.values() if both[0] != both[1]), ends[4])
         return Markup("{} to<br>{}").format(low, high)
     if row.tolerance is None or not row.scale or row.kind == "fact":
         return Markup("–")
@@ -134,13 +135,16 @@ def order(row: Row) -> str:
     return "–" if found is None else f"{found:.2f}"
 
 
-def power(value: float | None, *, signed: bool = False) -> Markup:
-    """2.1e-8 as 2.1×10⁻⁸."""
+def power(value: float | None, *, signed: bool = False, digits: int = 1) -> Markup:
+    """2.1e-8 as 2.1×10⁻⁸, with so many digits after the point; 2.5 as it is."""
     if value is None or not math.isfinite(value):
         return Markup("–")
     if value == 0:
         return Markup("0")
-    mantissa, exponent = f"{value:+.1e}".split("e") if signed else f"{value:.1e}".split("e")
+    sign = "+" if signed else ""
+    mantissa, exponent = f"{value:{sign}.{digits}e}".split("e")
+    if int(exponent) == 0:
+        return Markup("{}").format(mantissa.replace("-", MINUS))
     return Markup("{}<small>×10<sup>{}</sup></small>").format(
         mantissa.replace("-", MINUS), str(int(exponent)).replace("-", MINUS)
     )

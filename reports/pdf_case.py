@@ -42,7 +42,7 @@ def case_data(
         "assumptions": [prose(x) for x in case.assumptions],
         "figures": _figures(case, frames),
         "budget": budget([line.row for line in group]),
-        "levels": levels([row for row in case.rows if row.levels]),
+        "levels": levels([row for row in case.rows if row.grid]),
         "expected": [expected(row) for row in case.rows if row.interval],
         "tables": [shortened(t, sheet) for t, sheet in zip(case.tables, sheets, strict=True)],
         "command": reproduce(case),

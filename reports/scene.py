@@ -48,7 +48,7 @@ def compose(field: Field, picture: Picture) -> Scene:
                   cells=whole.cells, values=whole.values)  # fmt: skip
     window = picture.window
     seen, mean = (turned, np.zeros(3)) if window is None else _within(turned, window, field.name)
-    factor = exaggeration(seen, window)
+    factor = exaggeration(seen, window, picture.share or READABLE)
     moved = turned.points + factor * (turned.displacement - mean)
     width, height, rectangle = _layout(np.concatenate([turned.points, moved]), window)
     left, bottom, right, _ = rectangle
@@ -89,11 +89,11 @@ def view(field: Field, vectors: Array) -> Array:
     return np.asarray(vectors @ turn.T)
 
 
-def exaggeration(shown: Body, window: Box | None = None) -> float:
+def exaggeration(shown: Body, window: Box | None = None, readable: float = READABLE) -> float:
     """1, 2 or 5 times a power of ten that makes displacements readable, 0 where there are none.
 
-    Measured on what is shown: the largest displacement comes near 6.5 % of the window's or the
-    body's size. Displacements of 5 to 25 % are drawn as they are.
+    Measured on what is shown: the largest displacement comes near `readable`, 6.5 %, of the
+    window's or the body's size. Displacements of 5 to 25 % are drawn as they are.
     """
     largest = float(np.linalg.norm(shown.displacement, axis=1).max())
     size = shown.size if window is None else max(window[2] - window[0], window[3] - window[1])
@@ -102,7 +102,7 @@ def exaggeration(shown: Body, window: Box | None = None) -> float:
         return 0.0
     if TRUE_SCALE[0] <= share <= TRUE_SCALE[1]:
         return 1.0
-    wanted = math.log10(READABLE / share)
+    wanted = math.log10(readable / share)
     decade = math.floor(wanted)
     round_ones = [(math.log10(d) + e, d, e) for e in (decade, decade + 1) for d in (1, 2, 5)]
     _, digit, exponent = min(round_ones, key=lambda candidate: abs(candidate[0] - wanted))

@@ -67,4 +67,5 @@ def _largest(values: Sequence[float]) -> str:
         return "–" if not values else "0 %"
     percent = 100 * max(values)
     last = 10.0 ** (math.floor(math.log10(percent)) - 1)
-    return f"{math.ceil(percent / last * (1 - 1e-12)) * last:.2g} %"
+    shown = math.ceil(percent / last * (1 - 1e-12)) * last
+    return f"{shown:.0f} %" if shown >= 99.5 else f"{shown:.2g} %"

@@ -24,6 +24,7 @@ from verify.shown import InputValue
 MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15
 LONGEST_NAME = 120
+LONGEST_RULE = 400  # of what a case says of its own inputs
 TOP_LEVEL = ("case", "name", "inputs")
 
 
@@ -211,7 +212,7 @@ def _rule(model: type[Inputs], error: Any) -> str:
     """A pydantic error as `key = value unit: rule`, in the unit of the input."""
     message = str(error["msg"]).removeprefix("Value error, ")
     if not error["loc"]:
-        return f"inputs: {_one_line(message)}"
+        return f"inputs: {_one_line(message, longest=LONGEST_RULE)}"
     name = str(error["loc"][0])
     unit = meta(model.model_fields[name])["unit"]
     for rule, bound in (error.get("ctx") or {}).items():
@@ -251,6 +252,6 @@ def _text(value: Any) -> str:
         return "a list or table with an integer of thousands of digits"
 
 
-def _one_line(text: str) -> str:
+def _one_line(text: str, *, longest: int = 120) -> str:
     line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
-    return line if len(line) <= 120 else line[:119] + "…"
+    return line if len(line) <= longest else line[: longest - 1] + "…"

@@ -29,8 +29,9 @@ class Picture:
     values are divided by `factor` to come in `unit`; no data draws in one colour. `mirror` lists
     the coordinates ("x", "y") that reflection negates: "x" completes a part of a symmetric body
     at the plane x = 0. `width` sweeps a line into a ribbon that can be turned [the points' unit].
-    `window` (left, bottom, right, top) shows a part of the undeformed body, displacements less
-    their mean there.
+    `share` is how large the largest displacement is drawn over the body's size, where the usual
+    share would hide the shape. `window` (left, bottom, right, top) shows a part of the undeformed
+    body, displacements less their mean there.
     """
 
     field: str
@@ -44,6 +45,7 @@ class Picture:
     mirror: tuple[str, ...] = ()
     width: float | None = None
     window: tuple[float, float, float, float] | None = None
+    share: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

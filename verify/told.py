@@ -116,4 +116,5 @@ def _unit(unit: str) -> str:
 
 
 def _percent(share: float, *, signed: bool = False) -> str:
-    return f"{100 * share:{'+' if signed else ''}.2g} %"
+    digits = ".0f" if abs(share) >= 0.995 else ".2g"
+    return f"{100 * share:{'+' if signed else ''}{digits}} %"

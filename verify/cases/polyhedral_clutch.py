@@ -83,21 +83,26 @@ def analytic(q: ClutchInputs) -> Values:
         "p_1r": full.p_1r, "sigma_tr": full.sigma_tr, "p_2": full.p_2, "F": full.F,
         "hub share": full.hub_share, "M Eq. 20": full.M_t, "T": full.T, "F_s": full.F_s,
         "R": full.R, "N": full.N, "p Eq. 20": full.p_required, "M Eq. 21": first.M_t,
-        "kappa": hub.kappa, "touch": q.j_D / 2 / hub.contact.growth,
+        "kappa": hub.kappa, "grip": hub.grip, "touch": q.j_D / 2 / hub.contact.growth,
         "N series": N * q.b, "M series": hub.grip * N * lever,
         "M rigid": stiff.grip * N_rigid * lever,
         "p series": hub.required_pressure(N_t) if stays else inf,
         "margin": hub.grip * N * lever / q.M_t, "N wanted": N_t * q.b,
-        "fillet": in_fillet(q, hub, N),
+        "fillet": in_fillet(hub, N, q.p_t),
         "slope": slope, "M slope": offered.grip * offered.force(q.p_t) * lever,
         "M wide": wide.grip * wide.force(q.p_t) * lever if stays else 0.0,
         "needed": 2 * np.arctan(hub.grip), "side": q.p_t * q.ring.d_i * np.sin(ring.half_angle),
-        "p_0 ring": pressure(q, N_t, q.d_e / 2), "p_0 race": pressure(q, N_t, -q.D_i / 2),
     }  # fmt: skip
+    carried = [load for load in (N, N_t) if isfinite(load)]
+    if carried:  # under p_t, or where the torque is reached if that takes more
+        values |= {"p_0 ring": pressure(q, max(carried), q.d_e / 2),
+                   "p_0 race": pressure(q, max(carried), -q.D_i / 2)}  # fmt: skip
+    if isfinite(values["p series"]):
+        values["fillet needed"] = in_fillet(hub, N_t, values["p series"])
     if 0 < N < inf:
         values |= {"slack": slack(q, hub, N) * hub.force_sensitivity(N),
                    "slack p": slack(q, hub, N_t) * hub.pressure_sensitivity(N_t),
-                   "driven": abs(1 - in_fillet(q, hub, 0.0) / values["fillet"])}  # fmt: skip
+                   "driven": abs(1 - in_fillet(hub, 0.0, q.p_t) / values["fillet"])}  # fmt: skip
     if 0 < N_rigid < inf:
         values["slack rigid"] = slack(q, stiff, N_rigid) * stiff.force_sensitivity(N_rigid)
     return {key: float(value) for key, value in values.items() if isfinite(value)}
@@ -161,7 +166,8 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     elif v["margin"] < 1:
         found.append(
             f"elastic ring and rollers carry {v['M series']:.4g} N m, less than the "
-            f"{q.M_t:.4g} N m that are wanted: p_t must be {v['p series'] / 1e6:.4g} MPa"
+            f"{q.M_t:.4g} N m that are wanted: p_t must be {v['p series'] / 1e6:.4g} MPa, under "
+            f"which the fillets carry {v['fillet needed'] / 1e6:.4g} MPa"
         )
     if v["needed"] > v["slope"]:
         found.append(

@@ -2,11 +2,13 @@
 
 import math
 
+import numpy as np
 from pydantic import model_validator
 
 from verify.cases.polyhedral_inputs import PolygonRing, check_on_the_flat
 from verify.inputs import Inputs, count, quantity
 
+FLATTENED = 0.15  # a/d that rollers may reach
 NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
 
 
@@ -25,13 +27,13 @@ class ClutchInputs(Inputs):
     e: float = quantity(
         "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
     )
-    mu: float = quantity(0.08, "1", "μ", "friction of the rollers", gt=0, le=1)
+    mu: float = quantity(0.08, "1", "μ", "friction of the rollers", gt=0, lt=1)
     tan_phi: float = quantity(0.05, "1", "tan φ_1", "friction between hub and ring", ge=0, le=1)
     E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio of all parts", ge=0, le=0.45)
     alpha: float | None = quantity(
         None, "deg", "α", "wedge angle of the rollers; 2 arctan μ without it", omitted=None,
-        gt=0, le=90, example="6 deg",
+        gt=0, le=25, example="6 deg",
     )  # fmt: skip
     R_p: float | None = quantity(
         None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
@@ -61,6 +63,23 @@ class ClutchInputs(Inputs):
         """Angle of friction between hub and ring [rad]."""
         return math.atan(self.tan_phi)
 
+    def _check_loads(self) -> None:
+        """ValueError where rollers would be pressed flat: a/d beyond `FLATTENED`."""
+        E_star = self.E / 2 / (1 - self.nu**2)
+        most = np.pi * E_star * (FLATTENED * self.d) ** 2 / 4 * (2 / self.d + 2 / self.d_e)
+        torque = self.mu * most * self.b * self.z * self.D_i / 2
+        if self.M_t > torque:
+            raise ValueError(
+                f"M_t = {self.M_t:.4g} N m presses rollers of {self.d * 1e3:g} mm flat: at most "
+                f"{torque:.4g} N m, {most * self.b / 1e3:.4g} kN per roller"
+            )
+        largest = most / self.ring.d_i
+        if self.p_t > largest:
+            raise ValueError(
+                f"p_t = {self.p_t / 1e6:.4g} MPa presses rollers of {self.d * 1e3:g} mm flat: at "
+                f"most {largest / 1e6:.4g} MPa"
+            )
+
     @model_validator(mode="after")
     def _built(self) -> "ClutchInputs":
         room = (self.D_i - self.d_e) / 2
@@ -81,6 +100,7 @@ class ClutchInputs(Inputs):
                 f"neighbouring rollers overlap: d must be below (D_i - d) sin(π/z) = "
                 f"{pitch * 1e3:.6g} mm for z = {self.z}, got {self.d * 1e3:g} mm"
             )
+        self._check_loads()
         check_on_the_flat(self.ring, self.e)
         if self.psi <= self.phi_1:
             raise ValueError(

@@ -18,6 +18,24 @@ def _chain(key: str, symbol: str, unit: str, what: str) -> Output:
 
 
 OUTPUTS = (
+    # what a designer asks for
+    _chain("margin", "S", "1", "margin: torque of elastic ring and rollers over the torque wanted"),
+    Output(key="M series", symbol="M_el", unit="N m", what="torque of elastic ring and rollers"),
+    Output(key="p series", symbol="p_need", unit="MPa", what="pressure for the torque wanted"),
+    _chain("p_0 ring", "p_ring", "MPa",
+           "Hertz pressure of rollers on the ring, under p_t or p_need, whichever is more"),
+    _chain("p_0 race", "p_race", "MPa", "and on the race"),
+    Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets under p_t"),
+    _chain("fillet needed", "σ_need", "MPa", "hoop stress in the fillets under p_need"),
+    Output(key="N series", symbol="N_el", unit="kN", what="force of a roller under p_t"),
+    _chain("N wanted", "N_need", "kN", "force of a roller for the torque wanted"),
+    # between which limits
+    Output(key="M rigid", symbol="M_rigid", unit="N m", what="torque with rigid rollers, a bound"),
+    _chain("M wide", "M_wide", "N m", "torque of a wide ring (plane strain)"),
+    _chain("needed", "α_need", "deg", "wedge angle at which rollers carry this by themselves"),
+    _chain("slope", "α_ring", "deg", "steepest slope of the ring's outside under p_t, untouched"),
+    _chain("M slope", "M_ring", "N m", "torque of rollers that nothing but that slope holds"),
+    # the paper's chain
     _chain("beta", "β", "deg", "angle between rollers"),
     _chain("d_m", "d_m", "mm", "mean diameter of the ring (Eq. 6)"),
     _chain("j_D", "j_D", "mm", "clearance on the diameter (Eq. 7)"),
@@ -31,28 +49,14 @@ OUTPUTS = (
     _chain("sigma_tr", "σ_tr", "MPa", "mean hoop stress in the corners then (Eq. 12)"),
     _chain("p_2", "p_2", "MPa", "blocking pressure that is left (Eq. 19)"),
     _chain("F", "F", "kN", "its force on a side (Eq. 13)"),
-    _chain("hub share", "κ cos φ_1", "1", "hub's share of N (Eq. 16); from 1 on it locks"),
-    Output(key="M Eq. 20", symbol="M_t", unit="N m", what="torque by Eq. 20"),
-    Output(key="M Eq. 21", symbol="M_t", unit="N m", what="torque of the first design, Eq. 21"),
-    _chain("T", "T", "kN", "tangential force of the hub per corner, with Eq. 20"),
+    _chain("hub share", "s", "1", "hub's share of N (Eq. 16); from 1 on it locks"),
+    Output(key="M Eq. 20", symbol="M_20", unit="N m", what="torque by Eq. 20"),
+    Output(key="M Eq. 21", symbol="M_21", unit="N m", what="torque of the first design, Eq. 21"),
+    _chain("T", "T", "kN", "tangential force of the hub per corner, with M_20"),
     _chain("F_s", "F_s", "kN", "radial force of the hub (Eq. 14)"),
     _chain("R", "R", "kN", "force between hub and flat"),
-    _chain("N", "N", "kN", "force of a roller (Eq. 16)"),
-    Output(key="p Eq. 20", symbol="p_t", unit="MPa", what="pressure for the torque wanted, Eq. 20"),
-    Output(key="N series", symbol="N", unit="kN", what="force of a roller, elastic as the ring"),
-    Output(key="M series", symbol="M_t", unit="N m", what="torque of elastic ring and rollers"),
-    Output(key="M rigid", symbol="M_t", unit="N m", what="the same with rigid rollers, a bound"),
-    Output(key="p series", symbol="p_t", unit="MPa",
-           what="pressure for the torque wanted, elastic ring and rollers"),
-    _chain("margin", "S", "1", "torque of elastic ring and rollers over the torque wanted"),
-    _chain("N wanted", "N", "kN", "force of a roller for the torque wanted (Eq. 4)"),
-    _chain("p_0 ring", "p_0", "MPa", "pressure on ring and roller for it (Hertz)"),
-    _chain("p_0 race", "p_0", "MPa", "pressure on race and roller for it (Hertz)"),
-    Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets under p_t"),
-    _chain("M wide", "M_t", "N m", "torque of elastic ring and rollers in plane strain (wide)"),
-    _chain("needed", "α", "deg", "wedge angle at which rollers carry this by themselves"),
-    _chain("slope", "α", "deg", "steepest slope of the ring's outside under p_t, untouched"),
-    _chain("M slope", "M_t", "N m", "torque of rollers that nothing but that slope holds"),
+    _chain("N", "N_16", "kN", "force of a roller (Eq. 16)"),
+    Output(key="p Eq. 20", symbol="p_20", unit="MPa", what="pressure for that wanted, Eq. 20"),
 )  # fmt: skip
 
 
@@ -63,6 +67,7 @@ def sketch(q: Any) -> Sketch:
 def equations(q: Any, v: Values) -> Sequence[Equation]:
     ring = q.ring
     side = rf"{q.z}\cdot {tex(ring.d_i / mm)}\cdot\sin\frac{{\pi}}{{{q.z}}}\cdot {tex(q.b / mm)}"
+    grip = r"\mu" if q.alpha is None else r"\tan\frac{\alpha}{2}"
     torque, elastic = (tex(v[key]) if key in v else r"\infty" for key in ("M Eq. 20", "M series"))
     return (
         Equation(
@@ -78,17 +83,22 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
             place="Eq. 19",
         ),
         Equation(
-            tex=r"\frac{z d_i \sin(\pi/z)\, b\, p_2}{M_t} = \frac{2}{\mu D_i} "
-            r"- \frac{\cos(\gamma + \varphi_1)}{(r + r_1)\sin(\psi + \varphi_1)}",
-            numbers=rf",\quad M_t = \frac{{{side}\cdot {factor(v['p_2'] / MPa)}}}"
-            rf"{{\ldots}} = {torque}\ \mathrm{{N\,m}}",
-            place="Eqs. 17 and 20, corrected",
+            tex=rf"M_t = \frac{{{grip}\, D_i}}{{2}}\,"
+            rf"\frac{{z d_i \sin(\pi/z)\, b\, p_2}}{{1 - s}},\quad "
+            rf"s = \frac{{{grip}\, D_i \cos(\gamma + \varphi_1)}}"
+            r"{2 (r + r_1)\sin(\psi + \varphi_1)}",
+            numbers=rf"= \frac{{{tex(v['grip'])}\cdot {tex(q.D_i / mm)}}}{{2}}\cdot"
+            rf"\frac{{{side}\cdot {factor(v['p_2'] / MPa)}}}{{1 - {tex(v['hub share'])}}} "
+            rf"= {torque}\ \mathrm{{N\,m}}",
+            place="Eqs. 17 and 20, corrected; s is the hub's share of N",
         ),
         Equation(
             tex=r"u_p\,p_t + \kappa u_{h1} N - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \quad "
-            r"M_t = \mu N z \frac{D_i}{2}",
+            rf"M_t = {grip}\, N z \frac{{D_i}}{{2}}",
             numbers=rf"= {elastic}\ \mathrm{{N\,m}}",
-            place="elastic ring and rollers, which N squeezes by δ: series",
+            place="elastic ring and rollers, by complex potentials: u_p and u_h1 lift the middle "
+            "of the flats by unit pressure and unit hub force, u_N dents it under a roller, δ "
+            "squeezes the roller; κ = R/N",
         ),
     )
 
@@ -119,7 +129,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 def pictures(_: Any) -> Sequence[Picture]:
     return (
-        Picture(field="driven", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+        Picture(field="driven", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa, share=0.02,
                 caption="Ring at its torque: pressure, hub (its symmetric part) and rollers; von "
                 "Mises stress, coarse mesh"),
     )  # fmt: skip

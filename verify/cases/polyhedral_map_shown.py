@@ -29,7 +29,7 @@ def figures(
     solved = bool(context.fem)
     return (
         _map("K = 1 over flats and wall", "wall δ_1/d_e", WALLS, wall, solved,
-             f"Error of p_1 = K p_1 with K = 1, in per cent, fillets of {q.rho * 1e3:.3g} mm."),
+             f"Error of p_1r = K p_1 with K = 1, in per cent, fillets of {q.rho * 1e3:.3g} mm."),
         _map("K = 1 over flats and fillet", "fillet ρ/δ_1", SHARES, fillet, solved,
              f"The same over the fillet, walls of {q.delta_1 * 1e3:.3g} mm."),
         _factors(context, reference),

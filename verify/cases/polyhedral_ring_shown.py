@@ -130,6 +130,7 @@ def figures(context: Context) -> Sequence[Figure]:
 def pictures(q: Any) -> Sequence[Picture]:
     return tuple(
         Picture(field=f"z = {z}", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+                share=0.02,
                 caption=f"{z} flats, where they have taken up the clearance: von Mises stress")
         for z in dict.fromkeys((3, 6, 12, q.z))
     )  # fmt: skip

@@ -36,6 +36,12 @@ class WedgeInputs(Inputs):
                 "rollers on both sides of the ring need D_i > 2 d, got "
                 f"D_i = {self.D_i * 1e3:g} mm, d = {self.d * 1e3:g} mm"
             )
+        pitch = (self.D_i - self.d) * math.sin(math.pi / self.z)
+        if self.d >= pitch:
+            raise ValueError(
+                f"neighbouring rollers overlap: d must be below (D_i - d) sin(π/z) = "
+                f"{pitch * 1e3:.6g} mm for z = {self.z}, got {self.d * 1e3:g} mm"
+            )
         if self.a > WIDEST * self.R:
             raise ValueError(
                 f"a line contact needs a/R of at most {WIDEST:g}, got a/R = {self.a / self.R:.3g} "
