@@ -10,10 +10,11 @@ from analytic.contact import hertz_line
 from analytic.polyhedral import bore_pressure, forces
 from analytic.polyhedral.locking import RollerContact
 from verify.cases import polyhedral_locking
-from verify.cases.polyhedral_locking import LOCKING, analytic, too_large
+from verify.cases.polyhedral_locking import LEVELS, LOCKING, analytic, too_large
 from verify.cases.polyhedral_locking_fem import LockedRing
 from verify.cases.polyhedral_locking_inputs import LockingInputs
 from verify.inputs import InputError, build
+from verify.results import Status
 
 pytestmark = pytest.mark.xdist_group("polyhedral-locking")
 
@@ -139,11 +140,51 @@ def test_values_of_odd_rings_are_finite_and_their_state_is_told(change, said):
     assert LOCKING.sketch(q).shapes
 
 
-def test_a_ring_that_does_not_reach_its_rollers_is_refused_before_finite_elements():
-    assert "p_t = 20.5 MPa does not press the rollers, which takes more than 20.26 MPa" in (
-        too_large(own(p_t="20.5 MPa"))
-    )
+def test_a_ring_that_hardly_reaches_its_rollers_is_refused_before_finite_elements():
+    said = too_large(own(p_t="20.5 MPa"))
+    assert "p_t = 20.5 MPa hardly presses the rollers" in said
+    assert "reaches them at 20.26 MPa and is compared from 20.67 MPa on" in said
+    assert "\n" not in said
     assert not too_large(own())
+    assert not too_large(own(p_t="20.7 MPa"))
+
+
+# Rings of one's own on the coarser meshes, without figures.
+COARSE = replace(LOCKING, levels=LEVELS[:3], figures=lambda _: ())
+OWN = [
+    pytest.param({"z": 3}, id="triangle"),
+    pytest.param({"delta_1": "16 mm", "p_t": "200 MPa"}, id="thick"),
+    pytest.param({"p_t": "21 MPa"}, id="hardly pressed"),
+    pytest.param({"rho": "0.3 mm"}, id="sharp corners"),
+    pytest.param({"p_t": "200 MPa"}, id="much pressure"),
+    pytest.param({"R_b": "1e5 N/mm"}, id="much hub"),
+    pytest.param({"e": "0.1 mm"}, id="hub in the middle"),
+    pytest.param({"z": 48, "rho": "0.5 mm", "e": "0.2 mm", "d": "4 mm"}, id="48 rollers"),
+    pytest.param({"z": 12, "e": "5 mm", "d": "8 mm"}, id="12 rollers"),
+    pytest.param(
+        {"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "2 mm", "p_t": "5 MPa"},
+        id="thin, 24 rollers",
+    ),
+    pytest.param({"E": "70 GPa"}, id="light metal"),
+]
+
+
+@pytest.mark.parametrize("change", OWN)
+def test_rows_of_a_ring_of_one_s_own_pass_or_say_why_they_are_shown(change, judged, red):
+    result = judged(COARSE, own(**change))
+    assert not red(result)
+    assert not result.errors
+    told = [row.reason for row in result.rows if row.status is Status.SHOWN]
+    assert all("meshes" in line or "no longer small" in line for line in told)
+    assert sum(row.status is Status.PASS for row in result.rows) >= len(result.rows) / 2
+
+
+def test_a_ring_of_one_s_own_with_a_wrong_formula_still_turns_its_row_red(judged, red, monkeypatch):
+    q = own(z=12, e="5 mm", d="8 mm")
+    judged(COARSE, q)
+    right = RollerContact.growth.fget
+    monkeypatch.setattr(RollerContact, "growth", property(lambda self: 0.98 * right(self)))
+    assert ALONE in names(red(judged(COARSE, q)))
 
 
 @pytest.mark.parametrize(

@@ -85,7 +85,7 @@ def bent(q: LockingInputs, _: Values) -> float:
 
 
 def fillet_blur(q: LockingInputs, rollers: float, a: float) -> float:
-    """What may miss in a largest stress of which rollers with half-width a [m] make a share."""
+    """Standard uncertainty, as a share, of a largest stress that `rollers` make a share of."""
     return (PEAK_STRESS + rollers * reach(q, a)) / 2
 
 

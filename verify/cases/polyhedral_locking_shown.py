@@ -84,7 +84,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
 
 def curves(levels: Sequence[FemResult]) -> dict[str, Array]:
     """The finite elements' curves, which one level has; none without it."""
-    return next((level.arrays for level in levels if level.arrays), {})
+    return next((dict(level.arrays) for level in levels if level.arrays), {})
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -146,7 +146,7 @@ def _supports(q: Any, fem: Any, states: Sequence[Any]) -> Curves:
 
 def pictures(_: Any) -> Sequence[Picture]:
     return (
-        Picture(field="locked", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa,
+        Picture(field="locked", data="von_mises", symbol="σ_v", unit="MPa", factor=MPa, share=0.02,
                 caption="Locked ring under pressure, hub and rollers: von Mises stress, coarse "
                 "mesh"),
     )  # fmt: skip
