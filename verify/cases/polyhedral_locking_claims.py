@@ -25,7 +25,7 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
     steady = row.grid.behaviour not in ("diverging", "short")
     m, U = row.analytic / row.fem - 1, judge.expanded(row.u_num or 0.0) / abs(row.fem)
     outside = max(band[0] - m, m - band[1]) > U
-    if steady and FINER * half > U and (outside or row.status is not Status.FAIL):
+    if steady and (outside or (FINER * half > U and row.status is not Status.FAIL)):
         return rows
     told = f"meshes resolve {U:.2g}" if steady else "meshes do not settle"
     reason = f"measured: {m:+.2%}; {told} where the formula allows {half:.2g}"
