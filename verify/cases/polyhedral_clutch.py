@@ -250,6 +250,9 @@ CLUTCH = Case(
         "race's torque does not pass through the ring",
         "the hub's force R leans by φ_1 towards the flat's middle: it makes ψ + φ_1 with the "
         "radius through its contact, as Eq. 14 has it",
+        "series: complex potentials of the ring; unit pressure and unit hub force lift the middle "
+        "of the flats by u_p and u_h1, a roller's force presses it back by u_N(a) N, its own dent "
+        "included, and is squeezed by δ(N); κ = R/N",
         "margin and pressure for the torque wanted are those of elastic ring and rollers",
     ),
     assumptions=(

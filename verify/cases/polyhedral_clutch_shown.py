@@ -96,9 +96,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
             tex=r"u_p\,p_t + \kappa u_{h1} N - u_N(a)\,N - \delta(N) = \frac{j_D}{2}, \quad "
             rf"M_t = {grip}\, N z \frac{{D_i}}{{2}}",
             numbers=rf"= {elastic}\ \mathrm{{N\,m}}",
-            place="elastic ring and rollers, by complex potentials: u_p and u_h1 lift the middle "
-            "of the flats by unit pressure and unit hub force, u_N dents it under a roller, δ "
-            "squeezes the roller; κ = R/N",
+            place="elastic ring and rollers: series",
         ),
     )
 
