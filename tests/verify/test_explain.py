@@ -90,7 +90,7 @@ def test_a_parameter_file_is_explained_on_its_own_numbers(tmp_path, capsys):
 
 
 def test_json_holds_the_row_and_its_steps(capsys):
-    assert run(["explain", "balance of forces, plane stress", "--json"]) == 0
+    assert run(["explain", "ring-lame/balance of forces, plane stress", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["row"]["status"] == "PASS"
     assert found["steps"][-1] == {"label": "verdict", "text": "PASS"}

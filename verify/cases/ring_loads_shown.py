@@ -25,7 +25,7 @@ from verify.tex import tex
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
 COUNTS = (6, 12, 24)
-AWAY = 3.0  # formal order beyond the patch
+EDGE = 1.5  # formal order of the largest error, beside the patch
 DOTS = 40  # nodes of finite elements in a curve
 
 
@@ -117,7 +117,7 @@ def _displacement(context: Context) -> Profile:
     ring, sign = formulas.race(q), formulas.outward(q)
     theta = np.linspace(0, np.pi / q.n, 200)
     at = wall_angles(q)
-    values, u = along(context, f"{q.loaded} displacement", formal=AWAY, scale=scale)
+    values, u = along(context, f"{q.loaded} displacement", formal=EDGE, scale=scale)
     return Profile(
         title=f"Displacement of the {q.loaded}, finite elements and Fourier ring",
         x_label="θ n/π", y_label="δ [µm]", x=theta * q.n / np.pi,

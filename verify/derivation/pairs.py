@@ -34,13 +34,15 @@ def identity(row: Row) -> Derivation:
     ]
     if not again.converges:
         return Derivation(tuple(found), judge.Verdict(Status.FAIL, "does not converge"), u_num)
-    U = judge.expanded(u_num)
+    u_ref = row.u_ref or 0.0
+    U = judge.expanded(u_num, u_ref)
     verdict = judge.difference(v, r, U=U, scale=row.scale, demand=demand(row))
+    evaluated = f"{amount(u_ref, row.unit)}: what the formula's series leaves"
     found += [
         *uncertainty_steps(row.grid),
-        ("u_ref", "0: the formula is evaluated to round-off"),
+        ("u_ref", evaluated if u_ref else "0: the formula is evaluated to round-off"),
         ("u_input", "0: both sides take the same inputs"),
-        expanded(row.unit, u_num, 0.0, 0.0, U),
+        expanded(row.unit, u_num, u_ref, 0.0, U),
         *difference_steps(row, verdict, f"{row.by} − formula"),
     ]
     return Derivation(tuple(found), verdict, u_num)
