@@ -89,9 +89,9 @@ def test_help_names_the_commands_and_the_exit_status():
         assert word in done.stdout
 
 
-@pytest.mark.parametrize(("arguments", "limit"), [(["--help"], 0.5), (["check", "FILE"], 1.5)])
+@pytest.mark.parametrize(("arguments", "limit"), [(["--help"], 0.5), (["check", "FILE"], 2.5)])
 def test_short_commands_answer_at_once(arguments, limit, spring):
-    """Best of three, in processor seconds: other work on the machine does not count."""
+    """Best of three, in processor seconds; SciPy alone takes 0.4 to 0.9 of them to import."""
     times = []
     for _ in range(3):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
