@@ -21,6 +21,7 @@ from verify.cases.polyhedral_clutch_fem import DrivenRing
 from verify.cases.polyhedral_clutch_inputs import ClutchInputs
 from verify.cases.polyhedral_clutch_stress import in_fillet
 from verify.cases.polyhedral_fem import largest_in_fillet, whole
+from verify.cases.polyhedral_warnings import of_fillets
 from verify.shown import Field
 
 LEVELS = (1, 2, 3, 4)
@@ -192,16 +193,7 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
             f"p_0 = {worst / 1e6:.4g} MPa on the rollers is beyond 4000 MPa, the static rating of "
             "hardened rollers (ISO 76)"
         )
-    if q.R_p is not None and v["fillet"] > q.R_p:
-        found.append(
-            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets under p_t exceeds R_p = "
-            f"{q.R_p / 1e6:.4g} MPa: the ring yields there"
-        )
-    if q.R_p is None and v["fillet"] > 3e-3 * q.E:
-        found.append(
-            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets under p_t strains them by "
-            f"{v['fillet'] / q.E:.2%}: most steels yield before; give R_p"
-        )
+    found += of_fillets(v["fillet"], E=q.E, R_p=q.R_p, when=" under p_t")
     return found
 
 

@@ -19,6 +19,7 @@ from verify.cases.polyhedral_locking_bounds import fillet_blur
 from verify.cases.polyhedral_locking_claims import CHECKS
 from verify.cases.polyhedral_locking_fem import LockedRing, held_fem
 from verify.cases.polyhedral_locking_inputs import LockingInputs
+from verify.cases.polyhedral_warnings import of_fillets
 from verify.shown import Array, Field
 
 LEVELS = (1, 2, 3, 4)
@@ -154,16 +155,7 @@ def warnings(q: LockingInputs, v: Values) -> Sequence[str]:
             f"p_t = {q.p_t / 1e6:.4g} MPa is below {v['p_1r'] / 1e6:.4g} MPa, at which the ring "
             "reaches its rollers: pressure alone does not lock them"
         )
-    if q.R_p is not None and v["fillet"] > q.R_p:
-        found.append(
-            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets exceeds R_p = "
-            f"{q.R_p / 1e6:.4g} MPa: the ring yields there"
-        )
-    if q.R_p is None and v["fillet"] > 3e-3 * q.E:
-        found.append(
-            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets strains them by "
-            f"{v['fillet'] / q.E:.2%}: most steels yield before; give R_p"
-        )
+    found += of_fillets(v["fillet"], E=q.E, R_p=q.R_p, when="")
     if v["p_0"] > 4e9:
         found.append(
             f"p_0 = {v['p_0'] / 1e6:.4g} MPa is beyond 4000 MPa, the static rating of hardened "

@@ -21,6 +21,7 @@ from verify.cases.polyhedral_fem import (
     stations,
 )
 from verify.cases.polyhedral_inputs import HubRing, PolygonRing
+from verify.cases.polyhedral_warnings import of_fillets
 from verify.checks import Approximation, Exact, Identity
 
 STRESS = 30.0  # times the series' residual: stress in the fillet is worse by one or two digits
@@ -137,16 +138,7 @@ CHECKS = (
 
 def warnings(q: HubRing, v: Values) -> Sequence[str]:
     found = []
-    if q.R_p is not None and v["fillet"] > q.R_p:
-        found.append(
-            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets exceeds R_p = "
-            f"{q.R_p / 1e6:.4g} MPa before the ring reaches the rollers: it yields there"
-        )
-    if q.R_p is None and v["fillet"] > 3e-3 * q.E:
-        found.append(
-            f"hoop stress {v['fillet'] / 1e6:.4g} MPa in the fillets strains them by "
-            f"{v['fillet'] / q.E:.2%}: most steels yield before; give R_p"
-        )
+    found += of_fillets(v["fillet"], E=q.E, R_p=q.R_p, when=" where the ring reaches the rollers")
     if v["1/K corner"] < 0:
         found.append("the corners draw in under pressure: only the flats reach their rollers")
     return found
