@@ -2,13 +2,17 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: verify quick test check bench readme lock clean
+.PHONY: verify quick deep test check bench readme lock clean
 
 verify: .venv/.ready
 	$(BIN)/freewheel verify
 
 quick: .venv/.ready
 	$(BIN)/freewheel verify --quick
+
+# Maps that take longer than a run may: what was measured is kept in verify/measured.
+deep: .venv/.ready
+	$(BIN)/freewheel deep
 
 # One BLAS thread a worker, as `verify` has it: two workers of two threads each wait for each other.
 test: .venv/.ready

@@ -149,6 +149,27 @@ def explain(
 
 
 @app.command
+def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
+    """Measure what takes longer than `verify` may: maps that its report then shows.
+
+    What was measured is kept while the code stands that made it; a run goes on where one was
+    interrupted.
+
+    Parameters
+    ----------
+    cases
+        Measurements to make, by default all that are missing.
+    again
+        Measure anew what is there already.
+    jobs
+        Processes, 0 for one a core.
+    """
+    from verify.deep import run_deep
+
+    return run_deep(cases, jobs=jobs, again=again)
+
+
+@app.command
 def doctor(*, json: bool = False) -> int:
     """Say what this machine has and lacks for a run, and what to install.
 

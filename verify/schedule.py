@@ -31,9 +31,9 @@ class Task:
 
 
 def _named_task(case_id: str, *rest: Any) -> Task:
-    from verify.cases.registry import find  # a spawned process knows no cases yet
+    from verify.cases.registry import CASES, DEEP, find  # a spawned process knows no cases yet
 
-    return Task(find(case_id), *rest)
+    return Task(find(case_id, (*CASES, *DEEP)), *rest)
 
 
 def solve_task(task: Task) -> Solved:

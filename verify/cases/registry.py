@@ -1,5 +1,6 @@
 """Every case, in the order of the report."""
 
+from collections.abc import Sequence
 from difflib import get_close_matches
 
 from verify.case import Case
@@ -36,12 +37,15 @@ CASES: tuple[Case, ...] = (
 )  # fmt: skip
 
 
-def find(case_id: str) -> Case:
+DEEP: tuple[Case, ...] = ()  # measured by `freewheel deep` alone
+
+
+def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
     """The case named `case_id`; ValueError listing the known ones."""
-    for case in CASES:
+    for case in among:
         if case.id == case_id:
             return case
-    known = [case.id for case in CASES]
+    known = [case.id for case in among]
     near = get_close_matches(case_id, known, n=1)
     meant = f", did you mean {near[0]}?" if near else ";"
     raise ValueError(f"unknown case {case_id!r}{meant} known are {', '.join(known)}")

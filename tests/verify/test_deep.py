@@ -1,0 +1,104 @@
+"""Measurements beyond a run: kept while their code stands, resumed where they were interrupted."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from verify import cache, deep
+from verify.case import FemResult
+from verify.cases import registry
+from verify.cases.spring_accordion import ACCORDION
+from verify.schedule import run
+
+PARTS = (
+    FemResult(h=1.0, values={"k": 1.5}, arrays={"map": np.arange(6.0).reshape(2, 3)}),
+    FemResult(h=0.5, values={"k": 1.25}, u_it={"k": 1e-9}),
+)
+FAST = replace(ACCORDION, id="spring-deep", levels=(2, 4), checks=())
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setattr(deep, "FOLDER", tmp_path / "measured")
+    monkeypatch.setattr(registry, "DEEP", (FAST,))
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+
+    def in_this_process(work, _jobs, _use_cache):
+        """A spawned process would not know the case of the tests."""
+        return run(work, processes=0, cache_folder=cache.default_folder())
+
+    monkeypatch.setattr(deep, "solve", in_this_process)
+    return tmp_path / "measured"
+
+
+def test_what_was_kept_is_read_again(tmp_path):
+    deep.keep(FAST, PARTS, tmp_path)
+    found = deep.measured(FAST, tmp_path)
+    assert found.parts[0].arrays["map"].tolist() == PARTS[0].arrays["map"].tolist()
+    assert (found.parts[1].values, found.parts[1].u_it) == ({"k": 1.25}, {"k": 1e-9})
+    assert found.date[:2] == "20"
+
+
+@pytest.mark.parametrize("changed", ["code", "inputs"])
+def test_what_another_code_or_other_inputs_made_is_not_measured(tmp_path, changed):
+    path = deep.keep(FAST, PARTS, tmp_path)
+    data = json.loads(path.read_text("utf-8"))
+    data[changed] = "other"
+    path.write_text(json.dumps(data), "utf-8")
+    assert deep.measured(FAST, tmp_path) is None
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{", '{"code": 1}'])
+def test_a_torn_file_is_not_measured(tmp_path, text):
+    (tmp_path / f"{FAST.id}.json").write_text(text, "utf-8")
+    assert deep.measured(FAST, tmp_path) is None
+
+
+def test_nothing_kept_is_not_measured(tmp_path):
+    assert deep.measured(FAST, tmp_path) is None
+
+
+def test_a_measurement_is_made_once_and_again_when_asked(folder, capsys):
+    assert deep.run_deep([], jobs=1) == 0
+    assert "spring-deep: 2 parts measured" in capsys.readouterr().out
+    assert deep.run_deep([], jobs=1) == 0
+    assert "measured already" in capsys.readouterr().out
+    (folder / "spring-deep.json").write_text("{}", "utf-8")
+    assert deep.run_deep(["spring-deep"], jobs=1) == 0
+    assert len(deep.measured(FAST, folder).parts) == 2
+
+
+def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monkeypatch):
+    def interrupted(inputs, level):
+        if level == 2:
+            raise KeyboardInterrupt
+        return ACCORDION.fem(inputs, level)
+
+    monkeypatch.setattr(cache, "source_of", lambda _function: "same code")
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=interrupted),))
+    with pytest.raises(KeyboardInterrupt):
+        deep.run_deep([], jobs=1)
+
+    def rest(inputs, level):
+        assert level == 2
+        return ACCORDION.fem(inputs, level)
+
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=rest),))
+    assert deep.run_deep([], jobs=1) == 0
+
+
+def test_a_part_that_fails_is_told_and_nothing_is_kept(folder, monkeypatch, capsys):
+    def broken(_inputs, _level):
+        raise ArithmeticError("no root")
+
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=broken),))
+    assert deep.run_deep([], jobs=1) == 1
+    assert "no root" in capsys.readouterr().out
+    assert not folder.exists()
+
+
+def test_an_unknown_measurement_is_named_with_the_known(folder):
+    with pytest.raises(ValueError, match="unknown case 'spring-dep', did you mean spring-deep"):
+        deep.run_deep(["spring-dep"], jobs=1)
