@@ -17,10 +17,11 @@ from reports.equations import Glyphs
 from reports.error_map import error_map
 from reports.frames import Frame
 from reports.refinement import refinement
+from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.verdicts import first_author, verdicts
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
-from verify.shown import Curves, Dots, Figure, Map, Profile, Refinement, Table
+from verify.shown import Curves, Dots, Figure, Map, Profile, Refinement, Shapes, Table
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
@@ -195,6 +196,8 @@ def plot(figure: Figure) -> Markup:
             return curves(figure)
         case Map():
             return error_map(figure)
+        case Shapes():
+            return shapes(figure)
 
 
 def _environment(glyphs: Glyphs) -> jinja2.Environment:

@@ -155,7 +155,29 @@ class Map:
     note: str = ""
 
 
-Figure = Profile | Refinement | Dots | Curves | Map
+@dataclass(frozen=True, kw_only=True)
+class Panel:
+    """A state of something thin: `lines` (m, 2) each, `faint` ones behind, `dots` (m, 2) on it."""
+
+    name: str
+    lines: tuple[Array, ...]
+    faint: tuple[Array, ...] = ()
+    dots: Array | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shapes:
+    """States side by side, all to one scale, in `unit`; lines are `thickness` wide there."""
+
+    title: str
+    unit: str
+    panels: tuple[Panel, ...]
+    thickness: float = 0.0
+    dots_name: str = ""
+    note: str = ""
+
+
+Figure = Profile | Refinement | Dots | Curves | Map | Shapes
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,0 +1,105 @@
+"""States of something thin side by side, all to one scale: what a spring or a shaft looks like."""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+from markupsafe import Markup
+
+from reports import svg
+from reports.plots import WIDTH
+from verify.shown import Array, Panel, Shapes
+
+EDGE, GAP, NAME = 8.0, 16.0, 18.0  # around all, between panels, for a panel's name
+LETTER = 6.2  # about the width of a letter of a name
+LOWEST = 70.0  # panels lower than this go into two rows
+TALLEST = 230.0
+BAR = 30.0  # for the bar that gives the scale
+MOST_ROWS = 3
+
+Placed = Callable[[Array], Array]
+
+
+def shapes(s: Shapes) -> Markup:
+    """Panels in as many rows as keep them large enough to see, with a bar that gives the scale."""
+    boxes = [_box(panel) for panel in s.panels]
+    sizes = [high - low for low, high in boxes]
+    scale, rows = _packed(sizes, [panel.name for panel in s.panels])
+    body, top = [], EDGE
+    for row in rows:
+        height = scale * max(sizes[k][1] for k in row)
+        left = EDGE
+        for k in row:
+            panel, corner = s.panels[k], np.array([boxes[k][0][0], boxes[k][1][1]])
+            wide = _wide(scale * sizes[k][0], panel.name)
+            at = np.array([left + (wide - scale * sizes[k][0]) / 2, top + NAME])
+            body.append(svg.text(left + wide / 2, top + 11, panel.name, "tick", "middle"))
+            body += _drawn(panel, partial(_place, at, scale, corner), s)
+            left += wide + GAP
+        top += NAME + height + GAP
+    body += _bar(scale, s, top)
+    return svg.drawing(WIDTH, top + BAR, body, s.title, "chart shapes")
+
+
+def _box(panel: Panel) -> tuple[Array, Array]:
+    points = np.concatenate([*panel.lines, *panel.faint])
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _wide(width: float, name: str) -> float:
+    return max(width, LETTER * len(name))
+
+
+def _packed(sizes: list[Array], names: list[str]) -> tuple[float, list[list[int]]]:
+    """Pixels per unit, and the panels of each row, for the fewest rows that are tall enough."""
+    scale, split = 1.0, [list(range(len(sizes)))]
+    for count in range(1, min(MOST_ROWS, len(sizes)) + 1):
+        split = [part.tolist() for part in np.array_split(np.arange(len(sizes)), count)]
+        scale = min(_row_scale([sizes[k] for k in row], [names[k] for k in row]) for row in split)
+        if scale * max(size[1] for size in sizes) >= LOWEST:
+            break
+    return scale, split
+
+
+def _row_scale(sizes: list[Array], names: list[str]) -> float:
+    """The largest scale at which a row fits its width, found by bisection: names are wide, too."""
+    room = WIDTH - 2 * EDGE - GAP * (len(sizes) - 1)
+    low, high = 0.0, TALLEST / max(max(size[1] for size in sizes), 1e-300)
+    for _ in range(60):
+        middle = (low + high) / 2
+        wide = sum(_wide(middle * size[0], name) for size, name in zip(sizes, names, strict=True))
+        low, high = (middle, high) if wide <= room else (low, middle)
+    return low
+
+
+def _place(at: Array, scale: float, corner: Array, points: Array) -> Array:
+    """Points of a panel in the picture, y downwards, with its upper left `corner` in `at`."""
+    return np.asarray(at + scale * (points - corner) * (1, -1), dtype=np.float64)
+
+
+def _drawn(panel: Panel, place: Placed, s: Shapes) -> list[Markup]:
+    body = [svg.polyline(place(line), "fit faint") for line in panel.faint]
+    width = float(np.ptp(place(np.array([[0.0, 0.0], [s.thickness, 0.0]]))[:, 0]))
+    for line in panel.lines:
+        path = svg.polyline(place(line), "strip")
+        body.append(Markup('<g stroke-width="{:.2f}">{}</g>').format(max(width, 1.0), path))
+    if panel.dots is not None:
+        body += [svg.circle(x, y, 2.4, "fe") for x, y in place(panel.dots)]
+    return body
+
+
+def _bar(scale: float, s: Shapes, top: float) -> list[Markup]:
+    """A bar of a round length and, where there are dots, what they are."""
+    length = svg.ticks(0.0, 0.3 * WIDTH / scale, 2)[-1]
+    y, right = top + 12, EDGE + scale * length
+    body = [
+        svg.line(EDGE, y, right, y, "base"),
+        *(svg.line(x, y - 3, x, y + 3, "base") for x in (EDGE, right)),
+        svg.text(right + 6, y + 4, f"{svg.plain(length)} {s.unit}", "tick"),
+    ]
+    if any(panel.dots is not None and len(panel.dots) for panel in s.panels):
+        body += [
+            svg.circle(WIDTH / 2, y, 2.4, "fe"),
+            svg.text(WIDTH / 2 + 8, y + 4, s.dots_name, "tick"),
+        ]
+    return body
