@@ -1,10 +1,15 @@
 """Line mesh along the centre line of an accordion spring."""
 
+from dataclasses import replace
+
 import gmsh
+import numpy as np
 
 from meshes.line import LineMesh, line_mesh
 from meshes.session import gmsh_session
 from meshes.spring.path import Tail, accordion
+
+BODIES = {"arc": "arcs", "leaf": "leaves", "tip": "tips"}
 
 
 def centre_line(
@@ -15,31 +20,51 @@ def centre_line(
     alpha: float,
     tail: Tail = "arc",
     leaf: float | None = None,
+    tips: bool = False,
     per_arc: int,
     per_leaf: int,
 ) -> LineMesh:
-    """Quadratic elements, `per_arc` on each arc and `per_leaf` on each leaf.
+    """Quadratic elements, `per_arc` on each arc and `per_leaf` on each leaf or half leaf.
 
     Nodes "head" (middle of the head) and "tail" (where it is held); bodies "arcs" and "leaves".
+    With `tips` the leaves of head and tail go on to their free ends: nodes "head tip" and
+    "tail tip", bodies "tips" (the free parts, not among "leaves") and "unit 1" to "unit n".
     """
+    path = accordion(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf, tips=tips)
     with gmsh_session():
         geo = gmsh.model.geo
-        start = first = geo.addPoint(0, 0, 0)
-        curves: dict[str, list[int]] = {"leaf": [], "arc": []}
-        for piece in accordion(n=n, L1=L1, radius=radius, alpha=alpha, tail=tail, leaf=leaf):
-            end = geo.addPoint(*piece.end, 0)
-            if piece.kind == "arc":
-                curve = geo.addCircleArc(start, geo.addPoint(*piece.centre, 0), end)
+        pieces = list(path)
+        first = pieces[0]
+        ends = [geo.addPoint(first.x, first.y, 0)]
+        parts: dict[tuple[str, int], list[int]] = {}
+        for piece in pieces:
+            ends.append(geo.addPoint(*piece.end, 0))
+            if piece.turn:
+                curve = geo.addCircleArc(ends[-2], geo.addPoint(*piece.centre, 0), ends[-1])
             else:
-                curve = geo.addLine(start, end)
+                curve = geo.addLine(*ends[-2:])
             geo.mesh.setTransfiniteCurve(curve, (per_arc if piece.turn else per_leaf) + 1)
-            curves[piece.kind].append(curve)
-            start = end
+            parts.setdefault((piece.kind, piece.unit if tips else 0), []).append(curve)
         geo.synchronize()
-        gmsh.model.addPhysicalGroup(0, [first], name="head")
-        gmsh.model.addPhysicalGroup(0, [start], name="tail")
-        gmsh.model.addPhysicalGroup(1, curves["arc"], name="arcs")
-        gmsh.model.addPhysicalGroup(1, curves["leaf"], name="leaves")
+        head, tail_end = (ends[1], ends[-2]) if tips else (ends[0], ends[-1])
+        named = {"head": head, "tail": tail_end}
+        if tips:
+            named |= {"head tip": ends[0], "tail tip": ends[-1]}
+        for name, point in named.items():
+            gmsh.model.addPhysicalGroup(0, [point], name=name)
+        for kind, unit in sorted(parts):  # disjoint groups: they number the elements
+            gmsh.model.addPhysicalGroup(1, parts[kind, unit], name=f"{kind} {unit}")
         gmsh.model.mesh.generate(1)
         gmsh.model.mesh.setOrder(2)
-        return line_mesh()
+        return _merged(line_mesh())
+
+
+def _merged(mesh: LineMesh) -> LineMesh:
+    """The bodies "kind unit" of the mesh joined to all of a kind and all of a unit."""
+    bodies: dict[str, list[int]] = {}
+    for name, elements in mesh.bodies.items():
+        kind, unit = name.split()
+        bodies.setdefault(BODIES[kind], []).extend(elements)
+        if int(unit):
+            bodies.setdefault(f"unit {unit}", []).extend(elements)
+    return replace(mesh, bodies={name: np.array(own) for name, own in bodies.items()})

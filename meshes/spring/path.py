@@ -6,18 +6,23 @@ from dataclasses import dataclass
 from typing import Literal
 
 Tail = Literal["arc", "mid-leaf"]
+Kind = Literal["leaf", "arc", "tip"]
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A leaf (turn 0) or an arc of at most 90 deg from (x, y) on, heading and turn in rad."""
+    """A leaf (turn 0) or an arc of at most 90 deg from (x, y) on, heading and turn in rad.
 
-    kind: Literal["leaf", "arc"]
+    A "tip" is the free part of the head's or the tail's leaf; `unit` counts from 1 at the head.
+    """
+
+    kind: Kind
     x: float
     y: float
     heading: float
     length: float
     turn: float
+    unit: int
 
     @property
     def end(self) -> tuple[float, float]:
@@ -40,25 +45,41 @@ class Piece:
 
 
 def accordion(
-    *, n: int, L1: float, radius: float, alpha: float, tail: Tail, leaf: float | None = None
+    *,
+    n: int,
+    L1: float,
+    radius: float,
+    alpha: float,
+    tail: Tail,
+    leaf: float | None = None,
+    tips: bool = False,
 ) -> Iterator[Piece]:
     """Pieces from the middle of the head (origin, heading along y) to where the tail is held.
 
     `radius` is that of the arcs' centre line; `leaf` the straight length of the n - 2 middle
-    units, by default that of a spring whose loops reach equally far to both sides.
+    units, by default that of a spring whose loops reach equally far to both sides. With `tips`
+    both end leaves are whole: the path begins at the head's tip, half a leaf before the origin,
+    and leads beyond the tail to its tip.
     """
     if leaf is None:
         leaf = (L1 + 2 * radius * math.cos(alpha)) / math.sin(alpha)
-    side = -1
-    plan: list[tuple[float, float]] = [(L1 / 2, 0.0), (radius * math.pi / 2, -math.pi / 2)]
-    for _ in range(n - 2):
-        plan += [(radius * alpha, side * alpha), (leaf, 0.0), (radius * alpha, -side * alpha)]
+    side, quarter = -1, radius * math.pi / 2
+    plan: list[tuple[Kind, float, float, int]] = [("tip", L1 / 2, 0.0, 1)] if tips else []
+    plan += [("leaf", L1 / 2, 0.0, 1), ("arc", quarter, -math.pi / 2, 1)]
+    for unit in range(2, n):
+        plan += [
+            ("arc", radius * alpha, side * alpha, unit),
+            ("leaf", leaf, 0.0, unit),
+            ("arc", radius * alpha, -side * alpha, unit),
+        ]
         side = -side
-    plan.append((radius * math.pi / 2, side * math.pi / 2))
+    plan.append(("arc", quarter, side * math.pi / 2, n))
     if tail == "mid-leaf":
-        plan.append((L1 / 2, 0.0))
-    x, y, heading = 0.0, 0.0, math.pi / 2
-    for length, turn in plan:
-        piece = Piece("arc" if turn else "leaf", x, y, heading, length, turn)
+        plan.append(("leaf", L1 / 2, 0.0, n))
+    if tips:
+        plan.append(("tip", L1 / 2 if tail == "mid-leaf" else L1, 0.0, n))
+    x, y, heading = 0.0, -L1 / 2 if tips else 0.0, math.pi / 2
+    for kind, length, turn, unit in plan:
+        piece = Piece(kind, x, y, heading, length, turn, unit)
         yield piece
         (x, y), heading = piece.end, heading + turn

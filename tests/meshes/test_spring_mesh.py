@@ -116,6 +116,44 @@ def test_a_leaf_of_its_own_length_moves_the_tail():
 
 @springs
 @tails
+def test_free_tips_make_the_end_leaves_whole(n, tail):
+    mesh = line(n, tail, tips=True)
+    down = 1 if n % 2 == 0 else -1  # how the tail's leaf runs: for even n downwards
+    x, y = tail_place(n, tail)
+    places = {
+        "head": (0, 0),
+        "tail": (x, y),
+        "head tip": (0, -L1 / 2),
+        "tail tip": (x, -down * L1 / 2),
+    }
+    assert set(mesh.nodes) == set(places)
+    for name, place in places.items():
+        np.testing.assert_allclose(mesh.points[mesh.nodes[name]], place, atol=1e-12)
+    uses = np.bincount(mesh.elements[:, :2].ravel())
+    tips = sorted(mesh.nodes[name] for name in ("head tip", "tail tip"))
+    assert sorted(np.flatnonzero(uses == 1)) == tips
+    free = L1 / 2 + (L1 / 2 if tail == "mid-leaf" else L1)
+    assert polyline_length(mesh, "tips") == pytest.approx(free, rel=1e-12)
+    # the tips come on top: what the line had without them stays as it was
+    assert polyline_length(mesh, "leaves") == pytest.approx(leaves(n, tail), rel=1e-12)
+
+
+@springs
+def test_units_share_the_elements_of_a_line_with_tips_out(n):
+    mesh = line(n, "mid-leaf", tips=True)
+    units = [mesh.bodies[f"unit {i}"] for i in range(1, n + 1)]
+    kinds = [mesh.bodies[kind] for kind in ("arcs", "leaves", "tips")]
+    for groups in (units, kinds):
+        numbers = np.sort(np.concatenate(groups))
+        np.testing.assert_array_equal(numbers, np.arange(len(mesh.elements)))
+    # each end: two half leaves and a quarter arc; a middle unit: two arcs and a leaf
+    lengths = [polyline_length(mesh, f"unit {i}") for i in range(1, n + 1)]
+    exact = [L1 + pi * R / 2, *[LEAF + 2 * R * ALPHA] * (n - 2), L1 + pi * R / 2]
+    np.testing.assert_allclose(lengths, exact, rtol=(pi / 16) ** 2 / 24)
+
+
+@springs
+@tails
 def test_the_strip_has_the_names_of_its_faces_and_bodies(n, tail):
     mesh = sheet(n, tail)
     assert set(mesh.boundaries) == {"head", "tail", "left", "right"}
