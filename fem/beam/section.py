@@ -137,7 +137,7 @@ def solve_supported(
                 raise ValueError(f"node {node}: components are x, y, r, got {component!r}")
             i = _rows(n, node).start + DOFS.index(component)
             free[i], u[i] = False, value
-    _check_rigid_motions(points, elements, free)
+    check_rigid_motions(points, elements, free)
     try:
         factor = splu(
             csc_array(K[free][:, free]),
@@ -176,7 +176,7 @@ def _rows(n: int, node: int) -> slice:
     return slice(3 * node, 3 * node + 3)
 
 
-def _check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
+def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
     """ValueError where the supports leave a connected part of the frame a rigid motion."""
     count = len(points)
     first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()

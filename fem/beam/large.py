@@ -1,0 +1,159 @@
+"""Plane frames at large displacement and rotation: geometrically exact beams with contact terms.
+
+Simo, A finite strain beam formulation. The three-dimensional dynamic problem, part I (1985);
+Reissner, On one-dimensional finite-strain beam theory: the plane problem (1972).
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from fem.beam.large_elements import reference
+from fem.beam.large_loading import (
+    Forces,
+    Loading,
+    Mask,
+    Movements,
+    held_components,
+    loading,
+    movement,
+    nothing,
+)
+from fem.beam.large_march import March
+from fem.beam.large_newton import Balance
+from fem.beam.large_state import Path, State
+from fem.beam.section import (
+    Array,
+    Bodies,
+    Loads,
+    Sections,
+    Supports,
+    check_elements,
+    check_rigid_motions,
+    element_sections,
+)
+from fem.beam.terms import Term
+
+
+class LargeFrame:
+    """A plane frame of geometrically exact beams, stress-free as it is given.
+
+    Parameters
+    ----------
+    points, elements
+        Nodes (n, 2) [length]; elements (m, 2) straight, or (m, 3) curved: ends, middle node.
+    sections
+        One section, or one for each of `bodies` (name to element numbers), with finite `GA`.
+    supports
+        Node to the components "x", "y", "r" (rotation) that are held at zero.
+    terms
+        Contact and the like, see `fem.beam.terms`.
+
+    Raises
+    ------
+    ValueError
+        For unknown names, missing shear stiffness, folded elements.
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        elements: ArrayLike,
+        *,
+        sections: Sections,
+        supports: Supports,
+        bodies: Bodies | None = None,
+        terms: Sequence[Term] = (),
+    ) -> None:
+        self.points, nodes = np.asarray(points, float), np.asarray(elements, int)
+        if nodes.ndim != 2 or nodes.shape[1] not in (2, 3):
+            raise ValueError(f"elements have 2 or 3 nodes each, got an array {nodes.shape}")
+        check_elements(len(self.points), nodes)
+        chosen = element_sections(len(nodes), sections, bodies)
+        if not np.all(np.isfinite([s.GA for s in chosen])):
+            raise ValueError("a geometrically exact beam needs a finite GA in every section")
+        self.elements = reference(self.points, nodes, chosen)
+        self.held = held_components(len(self.points), supports)
+        self.terms = tuple(terms)
+
+    def rest(self) -> State:
+        """The reference state, without load; terms forget their history."""
+        n = len(self.points)
+        u = np.zeros((n, 3), np.longdouble)
+        for term in self.terms:
+            term.start(np.column_stack([self.points, np.zeros(n)]))
+        return State(0.0, u, nothing(n), self.held, np.zeros(3 * n), 0.0)
+
+    def under_loads(
+        self,
+        loads: Loads | None,
+        factors: Iterable[float],
+        *,
+        follower: Forces | None = None,
+        distributed: Forces | None = None,
+        since: State | None = None,
+    ) -> Path:
+        """States under loads times each of the factors.
+
+        `loads`: node to dead force (x, y) and couple; `follower`: node to a force that turns
+        with it, as it points at rest; `distributed`: element to dead force (x, y) per reference
+        length. With `since` (the last state of a path) they add to what that state bears.
+
+        Raises
+        ------
+        ValueError
+            For unknown nodes and elements, rigid motions, loads that are not finite.
+        ArithmeticError
+            Where no equilibrium is found, naming factor and residual.
+        """
+        pattern = loading(self.elements, loads, follower, distributed)
+        return self._reach(pattern, self.held, factors, since)
+
+    def displaced(
+        self,
+        moved: Movements,
+        factors: Iterable[float],
+        *,
+        loads: Loads | None = None,
+        since: State | None = None,
+    ) -> Path:
+        """States with nodes moved by components "x", "y", "r" times each of the factors.
+
+        `reactions` hold the force that the movement takes. `loads` act in full all the time;
+        with `since` movement and loads add to that state.
+
+        Raises
+        ------
+        ValueError, ArithmeticError
+            As `under_loads`.
+        """
+        if loads:
+            since = self.under_loads(loads, [1.0], since=since).last
+        pattern, held = movement(len(self.points), moved)
+        return self._reach(pattern, self.held | held, factors, since)
+
+    def section_forces(self, state: State) -> tuple[Array, Array]:
+        """Gauss points at rest (m, q, 2) and N, V, M there (m, q, 3).
+
+        Signs as in `fem.beam.section.FrameSolution`: tension positive, V = -dM/ds at small load.
+        """
+        e = self.elements
+        strain, _, _ = e.strains(state.exact)
+        stations = e.shape.astype(float) @ self.points[e.nodes]
+        return stations, e.moduli * strain
+
+    def _balance(self, start: State, pattern: Loading, held: Mask) -> Balance:
+        base = start.loading.plus(-start.factor, pattern)
+        return Balance(self.points, self.elements, self.terms, base, pattern, held)
+
+    def _reach(
+        self, pattern: Loading, held: Mask, factors: Iterable[float], since: State | None
+    ) -> Path:
+        start = (since or self.rest()).at(0.0)
+        start = replace(start, held=start.held | held)
+        if not self.terms:
+            check_rigid_motions(self.points, self.elements.nodes, ~start.held)
+        march = March(self._balance(start, pattern, start.held), start)
+        return Path(start, tuple(march.reach(float(factor)) for factor in factors), pattern)

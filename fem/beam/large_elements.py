@@ -1,0 +1,143 @@
+r"""Geometrically exact plane beam elements (Reissner 1972, Simo 1985), all at once.
+
+The section at reference length s turns by phi; t and n are the reference tangent and normal of
+the true curve turned by phi, r the current position:
+
+.. math:: \varepsilon = t\cdot r' - 1, \quad \gamma = n\cdot r', \quad \kappa = \phi', \qquad
+   U = \tfrac12\int EA\,\varepsilon^2 + GA\,\gamma^2 + EI\,\kappa^2\; ds
+
+Rotations add in the plane, so interpolated rotations carry a rigid turn without strain.
+Reduced integration (one Gauss point for two nodes, two for three) keeps the elements from locking.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csc_array
+
+from fem.beam.section import Array, Indices, Section
+
+Extended = NDArray[np.longdouble]
+# Strains are differences of nearly equal numbers: in double precision a member with
+# EA L^2/EI = 1e8 would hold axial forces of 1e-6 EI/L^2 by round-off alone.
+
+
+@dataclass(frozen=True)
+class Elements:
+    """Reference state and assembly of m elements of k nodes with q Gauss points each.
+
+    `nodes` (m, k), `shape` (q, k), `slope` (m, q, k) d shape/ds, `tangent` (m, q, 2),
+    `weight` (m, q) reference length of the Gauss points, `moduli` (m, 1, 3): EA, GA, EI.
+    """
+
+    count: int  # nodes of the frame
+    nodes: Indices
+    shape: Extended
+    slope: Extended
+    tangent: Extended
+    weight: Array
+    moduli: Array
+    _fields: Array = field(init=False)
+    _dofs: Indices = field(init=False)
+    _place: Indices = field(init=False)
+    _rows: Indices = field(init=False)
+    _starts: Indices = field(init=False)
+
+    def __post_init__(self) -> None:
+        m, k = self.nodes.shape
+        q = len(self.shape)
+        fields = np.zeros((m, q, 4, k, 3))  # x', y', phi, phi' of the nodal unknowns
+        fields[:, :, 0, :, 0] = fields[:, :, 1, :, 1] = fields[:, :, 3, :, 2] = self.slope
+        fields[:, :, 2, :, 2] = self.shape
+        dofs = (3 * self.nodes[:, :, None] + np.arange(3)).reshape(m, -1)
+        rows = np.repeat(dofs, 3 * k, axis=1).ravel()
+        columns = np.tile(dofs, (1, 3 * k)).ravel()
+        size = 3 * self.count
+        entries, place = np.unique(columns * size + rows, return_inverse=True)
+        starts = np.searchsorted(entries, size * np.arange(size + 1))
+        self.__dict__.update(
+            _fields=fields.reshape(m, q, 4, 3 * k), _dofs=dofs.ravel(), _place=place,
+            _rows=entries % size, _starts=starts,
+        )  # fmt: skip
+
+    def strains(self, u: Extended) -> tuple[Array, Array, Array]:
+        """Strains (m, q, 3), r' (m, q, 2) and tangent t (m, q, 2) at displacements u (n, 3)."""
+        at = u[self.nodes]
+        stretch = self.tangent + self.slope @ (at[:, :, :2] - at[:, :1, :2])
+        phi = at[:, :, 2] @ self.shape.T
+        c, s = np.cos(phi), np.sin(phi)
+        x, y = self.tangent[..., 0], self.tangent[..., 1]
+        t = np.stack([c * x - s * y, s * x + c * y], axis=-1)
+        along = (t * stretch).sum(axis=-1)
+        across = t[..., 0] * stretch[..., 1] - t[..., 1] * stretch[..., 0]
+        bend = (self.slope @ (at[:, :, 2:] - at[:, :1, 2:]))[..., 0]
+        strain = np.stack([along - 1, across, bend], axis=-1)
+        return strain.astype(float), stretch.astype(float), t.astype(float)
+
+    def increments(self, strain: Array, t: Array) -> Array:
+        """Change of the strains by x', y', phi, phi' at the Gauss points, (m, q, 3, 4)."""
+        S = np.zeros((*strain.shape[:2], 3, 4))
+        S[..., 0, :2] = t
+        S[..., 0, 2] = strain[..., 1]
+        S[..., 1, 0], S[..., 1, 1] = -t[..., 1], t[..., 0]
+        S[..., 1, 2] = -1 - strain[..., 0]
+        S[..., 2, 3] = 1
+        return S
+
+    def change(self, S: Array, step: Array) -> Array:
+        """Linear change of the strains (m, q, 3) by a step (n, 3)."""
+        local = step[self.nodes].reshape(len(self.nodes), 1, -1, 1)
+        return (S @ (self._fields @ local))[..., 0]
+
+    def forces(self, S: Array, stress: Array) -> tuple[Array, Array]:
+        """Internal forces (3n,) of N, V, M (m, q, 3), and each element's part (m, k, 3)."""
+        local = (S * (stress * self.weight[..., None])[..., None]).sum(axis=2)
+        nodal = (self._fields * local[..., None]).sum(axis=(1, 2))
+        total = np.zeros(3 * self.count)
+        total += np.bincount(self._dofs, nodal.ravel(), total.size)
+        return total, nodal.reshape(*self.nodes.shape, 3)
+
+    def tangent_stiffness(self, S: Array, strain: Array, t: Array, stress: Array) -> csc_array:
+        """Stiffness (3n, 3n): material part, and geometric part of the `stress` N, V, M."""
+        A = np.swapaxes(S, 2, 3) @ (S * self.moduli[..., None])
+        N, V = stress[..., 0], stress[..., 1]
+        turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
+        A[..., 2, :2] += turn
+        A[..., :2, 2] += turn
+        A[..., 2, 2] -= N * (1 + strain[..., 0]) + V * strain[..., 1]
+        A *= self.weight[..., None, None]
+        m, q, _, width = self._fields.shape
+        P = self._fields.reshape(m, q * 4, width)
+        k = np.swapaxes(P, 1, 2) @ (A @ self._fields).reshape(m, q * 4, width)
+        values = np.bincount(self._place, k.ravel(), self._rows.size)
+        size = 3 * self.count
+        return csc_array((values, self._rows, self._starts), shape=(size, size))
+
+
+def reference(points: Array, nodes: Indices, sections: list[Section]) -> Elements:
+    """Elements (m, 2) straight or (m, 3) quadratic; ValueError for folded ones."""
+    rule = np.polynomial.legendre.leggauss(nodes.shape[1] - 1)
+    X = (np.asarray(rule[0], np.longdouble) + 1) / 2
+    if nodes.shape[1] == 2:
+        shape, slope = np.array([1 - X, X]), np.array([-np.ones_like(X), np.ones_like(X)])
+        at_ends = np.array([[-1.0, 1.0], [-1.0, 1.0]])
+    else:
+        shape = np.array([(1 - X) * (1 - 2 * X), X * (2 * X - 1), 4 * X * (1 - X)])
+        slope = np.array([4 * X - 3, 4 * X - 1, 4 - 8 * X])
+        at_ends = np.array([[-3.0, -1.0, 4.0], [1.0, 3.0, -4.0]])
+    corner = points[nodes].astype(np.longdouble)
+    jacobian = np.einsum("enk,nq->eqk", corner - corner[:, :1], slope)
+    length = np.hypot(jacobian[..., 0], jacobian[..., 1])
+    chord = corner[:, 1] - corner[:, 0]
+    forward = np.einsum("an,enk,ek->ea", at_ends, corner, chord)
+    bad = (length.min(axis=1) <= 0) | (forward.min(axis=1) <= 0)
+    if bad.any():
+        raise ValueError(
+            f"element {int(bad.argmax())} is folded or has no length: put its middle node between"
+        )
+    moduli = np.array([[(s.EA, s.GA, s.EI)] for s in sections])
+    return Elements(
+        len(points), nodes, shape.T, slope.T / length[..., None], jacobian / length[..., None],
+        np.asarray(length * rule[1] / 2, float), moduli,
+    )  # fmt: skip

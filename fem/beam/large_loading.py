@@ -1,0 +1,115 @@
+"""What acts on a geometrically exact frame: dead and follower forces, prescribed movement."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csc_array
+
+from fem.beam.large_elements import Elements, Extended
+from fem.beam.section import DOFS, Array, Loads, Supports
+
+Forces = Mapping[int, tuple[float, float]]
+Movements = Mapping[int, Mapping[str, float]]
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Loading:
+    """Dead forces and couples (3n,), follower forces (n, 2) at rest, and movement (3n,)."""
+
+    dead: Array
+    follower: Array
+    moved: Array
+
+    def plus(self, factor: float, other: "Loading") -> "Loading":
+        """Sum of itself and `factor` times another."""
+        return Loading(
+            self.dead + factor * other.dead,
+            self.follower + factor * other.follower,
+            self.moved + factor * other.moved,
+        )
+
+    def forces(self, u: Extended) -> Array:
+        """Forces and couples (3n,) at the displacements `u` (n, 3)."""
+        f = self.dead.reshape(-1, 3).copy()
+        f[:, :2] += self._turned(u)
+        return f.ravel()
+
+    def slope(self, u: Extended) -> csc_array | None:
+        """Change of the forces by u: follower forces turn with their node; None without them."""
+        if not self.follower.any():
+            return None
+        x, y = self._turned(u).T
+        node = 3 * np.arange(len(u))
+        rows, columns = np.concatenate([node, node + 1]), np.tile(node + 2, 2)
+        size = 3 * len(u)
+        return csc_array((np.concatenate([-y, x]), (rows, columns)), shape=(size, size))
+
+    def _turned(self, u: Extended) -> Array:
+        phi = u[:, 2].astype(float)
+        c, s, (x, y) = np.cos(phi), np.sin(phi), self.follower.T
+        return np.column_stack([c * x - s * y, s * x + c * y])
+
+
+def nothing(count: int) -> Loading:
+    return Loading(np.zeros(3 * count), np.zeros((count, 2)), np.zeros(3 * count))
+
+
+def loading(
+    elements: Elements, loads: Loads | None, follower: Forces | None, distributed: Forces | None
+) -> Loading:
+    """Nodal loads, follower forces, and dead forces per reference length of elements."""
+    found = nothing(elements.count)
+    for node, load in (loads or {}).items():
+        known(elements.count, node)
+        found.dead[3 * node : 3 * node + 3] += load
+    for node, force in (follower or {}).items():
+        known(elements.count, node)
+        found.follower[node] += force
+    for e, q in (distributed or {}).items():
+        if not 0 <= e < len(elements.nodes):
+            raise ValueError(f"no element {e}: the frame has {len(elements.nodes)} elements")
+        share = elements.weight[e] @ elements.shape.astype(float)
+        for node, length in zip(elements.nodes[e], share, strict=True):
+            found.dead[3 * node : 3 * node + 2] += length * np.asarray(q, float)
+    if not (np.isfinite(found.dead).all() and np.isfinite(found.follower).all()):
+        raise ValueError("loads must be finite numbers")
+    return found
+
+
+def movement(count: int, moved: Movements) -> tuple[Loading, Mask]:
+    """Prescribed displacements and which components (3n,) they hold."""
+    found, held = nothing(count), np.zeros(3 * count, bool)
+    for node, items in moved.items():
+        known(count, node)
+        for component, value in items.items():
+            i = 3 * node + _component(node, component)
+            found.moved[i], held[i] = value, True
+    if not np.isfinite(found.moved).all():
+        raise ValueError("prescribed displacements must be finite numbers")
+    return found, held
+
+
+def held_components(count: int, supports: Supports) -> Mask:
+    """Which components (3n,) the supports hold; they hold them at zero."""
+    held = np.zeros(3 * count, bool)
+    for node, support in supports.items():
+        known(count, node)
+        for component in support:
+            held[3 * node + _component(node, component)] = True
+        if not isinstance(support, str) and any(support.values()):
+            raise ValueError(f"node {node}: supports hold at zero; move it with displaced()")
+    return held
+
+
+def known(count: int, node: int) -> None:
+    if not 0 <= node < count:
+        raise ValueError(f"no node {node}: the frame has nodes 0 to {count - 1}")
+
+
+def _component(node: int, name: str) -> int:
+    if len(name) != 1 or name not in DOFS:
+        raise ValueError(f"node {node}: components are x, y, r, got {name!r}")
+    return DOFS.index(name)

@@ -1,0 +1,108 @@
+"""Steps along a path of equilibrium: predictor, Newton, halving, work."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from fem.beam.large_newton import Balance, ConvergenceError, Correction, Response, Tangent
+from fem.beam.large_state import State
+from fem.beam.section import Array
+
+HALVINGS = 12
+GAUSS = np.polynomial.legendre.leggauss(3)
+
+
+class March:
+    """Goes from one state in equilibrium to the next; nothing changes where a step fails."""
+
+    def __init__(self, balance: Balance, start: State) -> None:
+        self.balance, self.state = balance, start
+        self._look()
+
+    def _look(self) -> None:
+        """Tangent at the present state."""
+        here = self.state
+        self.response: Response = self.balance.respond(here.exact, here.factor)
+        self.tangent: Tangent = self.balance.factorise(here.exact, self.response.K)
+        self.state = replace(
+            here,
+            negative=self.tangent.negative,
+            internal=self.response.internal,
+            strain_energy=self.response.strain_energy,
+            term_energy=self.response.term_energy,
+        )
+
+    def step(self, change: float, correct: Correction) -> State:
+        """The state after a predicted `change` of the factor.
+
+        ConvergenceError leaves everything as it was.
+        """
+        balance, before = self.balance, self.state
+        try:
+            predicted = change * self.tangent.push
+            if not float(abs(predicted[2::3]).max()) < 2.0:
+                raise ConvergenceError("the tangent turns a section by more than 2 rad")
+            stress = self.response.predict(predicted)
+            u, factor, found, residuals = balance.solve(before, predicted, change, stress, correct)
+            tangent = balance.factorise(u, found.K)
+        except ConvergenceError:
+            for term in balance.terms:
+                term.reject()
+            raise
+        moved = (u - before.exact).astype(float).ravel()
+        work = before.work + self._work(moved, change, found, tangent)
+        for term in balance.terms:
+            term.accept(balance.positions(u))
+        self.state = State(
+            factor, u, balance.base.plus(factor, balance.pattern), balance.held, found.internal,
+            found.strain_energy, found.term_energy,
+            sum(term.dissipated for term in balance.terms), work, residuals, 1, tangent.negative,
+        )  # fmt: skip
+        if balance.terms:
+            self._look()
+        else:
+            self.response, self.tangent = found, tangent
+        return self.state
+
+    def reach(self, factor: float) -> State:
+        """The state at a given factor, in as few steps as Newton's method allows."""
+        start, steps = self.state.factor, 0
+        whole = size = factor - start
+        while True:
+            rest = factor - self.state.factor
+            size = rest if abs(size) >= abs(rest) * (1 - 1e-9) else size
+            try:
+                self.step(size, _constant)
+            except ConvergenceError as error:
+                size /= 2
+                if abs(size) < abs(whole) / 2**HALVINGS:
+                    raise ArithmeticError(
+                        f"no equilibrium found beyond factor {self.state.factor:.6g} on the way "
+                        f"to {factor:.6g}: {error}, with steps down to {2 * size:.1e}; "
+                        "beyond a limit point use along_arc()"
+                    ) from error
+                continue
+            steps += 1
+            if size == rest:
+                self.state = replace(self.state, factor=factor, steps=steps)
+                return self.state
+            size *= 2
+
+    def _work(self, moved: Array, change: float, found: Response, tangent: Tangent) -> float:
+        """Work of all nodal forces over a step: cubics through forces and displacements."""
+        ahead = change * self.tangent.push
+        behind = change * tangent.push
+        x = (GAUSS[0] + 1) / 2
+        value = np.array([2 * x**3 - 3 * x**2 + 1, x**3 - 2 * x**2 + x, -2 * x**3 + 3 * x**2,
+                          x**3 - x**2])  # fmt: skip
+        slope = np.array([6 * x**2 - 6 * x, 3 * x**2 - 4 * x + 1, -6 * x**2 + 6 * x,
+                          3 * x**2 - 2 * x])  # fmt: skip
+        force = value.T @ np.array([
+            self.response.internal, self.tangent.K @ ahead, found.internal, tangent.K @ behind,
+        ])  # fmt: skip
+        speed = slope.T @ np.array([np.zeros_like(moved), ahead, moved, behind])
+        return float(GAUSS[1] / 2 @ (force * speed).sum(axis=1))
+
+
+def _constant(moved: Array, step: Array, push: Array) -> float:  # noqa: ARG001
+    return 0.0

@@ -1,0 +1,120 @@
+"""Equilibrium states of a geometrically exact frame, and paths of them."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from fem.beam.large_elements import Extended
+from fem.beam.large_loading import Loading, Mask
+from fem.beam.section import Array
+
+
+@dataclass(frozen=True)
+class State:
+    """One state in equilibrium.
+
+    `exact` (n, 3) are displacements and rotation in extended precision; `internal` (3n,) what
+    elements and terms demand of the nodes. `work` is what loads and moved supports did along
+    the path, a fourth-order integral over its steps; `residuals` the relative residual of each
+    Newton iteration of the last step, `negative` the number of negative pivots of its tangent
+    at held supports: 0 where the state is stable under the path's control.
+    """
+
+    factor: float
+    exact: Extended
+    loading: Loading
+    held: Mask
+    internal: Array
+    strain_energy: float
+    term_energy: float = 0.0
+    dissipated: float = 0.0
+    work: float = 0.0
+    residuals: tuple[float, ...] = ()
+    steps: int = 1
+    negative: int = 0
+
+    @property
+    def u(self) -> Array:
+        """Displacements and rotation (n, 3)."""
+        return self.exact.astype(float)
+
+    @property
+    def reactions(self) -> Array:
+        """Force and couple that supports exert on the nodes (n, 3), zero elsewhere."""
+        f = np.where(self.held, self.internal - self.loading.forces(self.exact), 0.0)
+        return f.reshape(-1, 3)
+
+    @property
+    def potential_energy(self) -> float:
+        """Stored energy less the potential of the dead loads [force x length]."""
+        return self.strain_energy + self.term_energy - float(self.loading.dead @ self.u.ravel())
+
+    def at(self, factor: float) -> "State":
+        """The same state as the start of a path that counts from `factor`."""
+        return replace(self, factor=factor, residuals=(), steps=0)
+
+
+@dataclass(frozen=True)
+class Path:
+    """States in the order in which a driver reached them from `start`.
+
+    `held` counts what the supports and the prescribed movement hold.
+    """
+
+    start: State
+    states: tuple[State, ...]
+    pattern: Loading  # what the factor multiplies
+
+    @property
+    def last(self) -> State:
+        return self.states[-1] if self.states else self.start
+
+    @property
+    def factors(self) -> Array:
+        """What the pattern of loads or movement was multiplied by (k,)."""
+        return np.array([state.factor for state in self.states])
+
+    @property
+    def u(self) -> Array:
+        """Displacements and rotations (k, n, 3)."""
+        return np.array([state.u for state in self.states])
+
+    @property
+    def reactions(self) -> Array:
+        """Forces and couples that the supports exert (k, n, 3)."""
+        return np.array([state.reactions for state in self.states])
+
+    @property
+    def strain_energy(self) -> Array:
+        """Of the elements (k,)."""
+        return np.array([state.strain_energy for state in self.states])
+
+    @property
+    def term_energy(self) -> Array:
+        """Stored by the terms (k,)."""
+        return np.array([state.term_energy for state in self.states])
+
+    @property
+    def potential_energy(self) -> Array:
+        """Stored energy less the exact potential of the dead loads (k,)."""
+        return np.array([state.potential_energy for state in self.states])
+
+    @property
+    def work(self) -> Array:
+        """Of loads and moved supports since the reference state (k,)."""
+        return np.array([state.work for state in self.states])
+
+    @property
+    def dissipated(self) -> Array:
+        """Energy that the terms lost (k,)."""
+        return np.array([state.dissipated for state in self.states])
+
+    @property
+    def residuals(self) -> tuple[tuple[float, ...], ...]:
+        """Relative residuals of the Newton iterations of each state's last step."""
+        return tuple(state.residuals for state in self.states)
+
+    @property
+    def negative(self) -> Array:
+        """Negative pivots of the tangent (k,)."""
+        return np.array([state.negative for state in self.states])
