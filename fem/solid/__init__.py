@@ -1,0 +1,1 @@
+"""Linear elasticity in space on meshes of hexahedra."""

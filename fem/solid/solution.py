@@ -1,0 +1,79 @@
+"""A solved problem in space and the quantities that are read off it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from skfem.mesh import Mesh3D
+
+from fem.solid.cells import Cells
+from fem.solid.geometry import Array
+from fem.solid.places import Place, Point, nodes_at
+from fem.solid.supports import Conditions
+
+
+@dataclass(frozen=True)
+class Stresses:
+    """Stresses `stress` (m, 3, 3) at quadrature points `x` (m, 3) that stand for `weight` (m,)."""
+
+    x: Array
+    stress: Array
+    weight: Array
+
+
+@dataclass(frozen=True)
+class SolidSolution:
+    """Displacements `u` (unknowns,) of `mesh`, in balance with the loads.
+
+    `internal` (unknowns,) are the forces of the stresses, `f` those of the loads; their
+    difference is the reaction of the supports. `residual` is the share of the energy that the
+    solver's last correction held, the square of a relative displacement.
+    """
+
+    mesh: Mesh3D
+    cells: Cells
+    u: Array
+    internal: Array
+    f: Array
+    residual: float
+    conditions: Conditions
+
+    @cached_property
+    def strain_energy(self) -> float:
+        """Half the integral of stress times strain [force x length], from the strains."""
+        return self.cells.strain_energy(self.u)
+
+    @property
+    def potential_energy(self) -> float:
+        """Strain energy less the work of the loads, f . u [force x length].
+
+        Stationary at the solution. Under loads alone it is minus half the loads' work:
+        compliance = -2 x this / force^2.
+        """
+        return self.strain_energy - float(self.f @ self.u)
+
+    @property
+    def displacement(self) -> Array:
+        """Displacements (nodes, 3) of the nodes `mesh.doflocs`."""
+        return self.u.reshape(-1, 3)
+
+    def displacement_at(self, point: Point) -> Array:
+        """Mean displacement (3,) of the nodes at `point`; None stands for all coordinates."""
+        return np.asarray(self.displacement[nodes_at(self.mesh, point)].mean(axis=0))
+
+    def reaction(self, place: Place) -> tuple[Array, Array]:
+        """Force (3,) and moment (3,) about the origin that the conditions of `place` exert.
+
+        Supports that hold the same node carry equal parts; nodes that move uniformly exert forces
+        on each other whose sum vanishes.
+        """
+        nodes_at(self.mesh, place)  # an unknown place is an error, not a zero
+        forces = self.conditions.forces(self.internal - self.f, place).reshape(-1, 3)
+        moment = np.cross(self.mesh.doflocs.T, forces).sum(axis=0)
+        return forces.sum(axis=0), np.asarray(moment)
+
+    def stresses(self) -> Stresses:
+        """Stresses at the quadrature points of all cells."""
+        x = self.cells.N @ self.mesh.doflocs.T[self.cells.nodes]
+        stress = self.cells.stress(self.u)
+        return Stresses(x.reshape(-1, 3), stress.reshape(-1, 3, 3), self.cells.dx.ravel())
