@@ -1,0 +1,1 @@
+"""Linear shells on nine-node quadrilaterals in space."""

@@ -1,0 +1,68 @@
+"""Nine-node quadrilateral on the unit square: shapes, Gauss points, and where strains are tied.
+
+Corners, middles of the edges, centre, in the order of scikit-fem and gmsh. The strains of a
+displacement along one direction are taken at the two Gauss points of that direction, where those
+of thin shells can vanish, and at all three of the other (MITC9).
+
+References
+----------
+.. [1] M. L. Bucalem, K.-J. Bathe, Higher-order MITC general shell elements, Int. J. Numer.
+   Methods Eng. 36 (1993) 3729-3754.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import ElementQuad2
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+NODES = 9
+
+
+class Shapes(NamedTuple):
+    """Values `N` (points, 9) and slopes `dN` (points, 2, 9)."""
+
+    N: Array
+    dN: Array
+
+
+def gauss(count: int) -> tuple[Array, Array]:
+    """Points and weights on [0, 1]."""
+    x, w = np.polynomial.legendre.leggauss(count)
+    return (x + 1) / 2, w / 2
+
+
+def grid(first: Array, second: Array) -> Array:
+    """Points (2, k) of a tensor grid, the second coordinate running fastest."""
+    return np.array([a.ravel() for a in np.meshgrid(first, second, indexing="ij")])
+
+
+def shapes(X: Array) -> Shapes:
+    """Of all nodes at points X (2, k) of the unit square."""
+    element = ElementQuad2()
+    each: list[Any] = [element.lbasis(X, i) for i in range(NODES)]
+    return Shapes(np.array([N for N, _ in each]).T, np.array([dN for _, dN in each]).transpose(2, 1, 0))
+
+
+def _lagrange(nodes: Array, x: Array) -> Array:
+    """Polynomials (len(x), len(nodes)) that are 1 at one node and 0 at the others."""
+    factors = (x[:, None, None] - nodes) / (nodes[:, None] - nodes + np.eye(len(nodes)))
+    factors[:, np.eye(len(nodes), dtype=bool)] = 1
+    return np.asarray(factors.prod(axis=-1), dtype=np.float64)
+
+
+TWO, THREE = gauss(2)[0], gauss(3)[0]
+POINTS = grid(THREE, THREE)
+WEIGHTS = np.outer(gauss(3)[1], gauss(3)[1]).ravel()
+
+# tying points of a strain along the first direction, along the second, and of those of both
+TYING = (grid(TWO, THREE), grid(THREE, TWO), grid(TWO, TWO))
+_FROM_TWO, _FROM_THREE = _lagrange(TWO, THREE), np.eye(3)
+TO_POINTS = (
+    np.kron(_FROM_TWO, _FROM_THREE),
+    np.kron(_FROM_THREE, _FROM_TWO),
+    np.kron(_FROM_TWO, _FROM_TWO),
+)

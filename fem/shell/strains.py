@@ -1,0 +1,142 @@
+r"""Strains of a shell of six unknowns a node, displacement u and rotation θ, both in space.
+
+With the tangents a_α = ∂x/∂ξ_α and the normal n of the quadratic surface the vectors
+
+.. math:: e_\alpha = u_{,\alpha} - \theta\times a_\alpha, \qquad k_\alpha = \theta_{,\alpha}
+
+vanish in every rigid motion. From them
+
+.. math:: \varepsilon_{\alpha\beta} = \tfrac12 (a_\alpha\cdot e_\beta + a_\beta\cdot e_\alpha),
+   \quad \gamma_\alpha = n\cdot e_\alpha,
+   \quad \kappa_{\alpha\beta} = \tfrac12 (a_\alpha\cdot k_\beta\times n + a_\beta\cdot k_\alpha\times n)
+
+are the membrane strains, the shear strains and the curvatures, as in the best first-order theory of
+Sanders and Koiter where n moves with u; along a strip, those of a Timoshenko beam. The last,
+ω = (a_2·e_1 - a_1·e_2)/2 over the area, is what θ·n and the surface's own rotation in its plane
+differ by: zero in the exact solution, whatever the stiffness that holds it there. The shear
+modulus holds it at the tying points, a stiffness as small as that of bending elsewhere: more
+would lock thin curved shells, less would leave θ·n free in flat ones.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fem.shell.reference import NODES, POINTS, TO_POINTS, TYING, WEIGHTS, Array, Indices, shapes
+
+MEMBRANE, BENDING, SHEAR = slice(0, 3), slice(3, 6), slice(6, 8)
+TIED, UNTIED = 8, 9  # ω by its tying points, and as it is
+STRAINS, UNKNOWNS = 10, 6 * NODES
+SHEAR_FACTOR = 5 / 6
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Points of all cells: slopes (k, 2, 9) of the shapes there, their values `N` (k, 9).
+
+    Tangents `a` (m, k, 2, 3), unit normal `n` (m, k, 3) and area per reference area (m, k).
+    """
+
+    N: Array
+    dN: Array
+    a: Array
+    n: Array
+    area: Array
+
+    @classmethod
+    def of(cls, corners: Array, X: Array) -> "Frame":
+        """At points X (2, k) of cells with nodes at `corners` (m, 9, 3)."""
+        N, dN = shapes(X)
+        a = np.einsum("kai,mic->mkac", dN, corners)
+        normal = np.cross(a[:, :, 0], a[:, :, 1])
+        area = np.linalg.norm(normal, axis=-1)
+        return cls(N, dN, a, normal / np.maximum(area, 1e-300)[..., None], area)
+
+    def along(self, alpha: int, c: Array) -> Array:
+        """c·e_α (m, k, 54) for vectors c (m, k, 3)."""
+        B = np.empty((*c.shape[:2], NODES, 6))
+        B[..., :3] = self.dN[None, :, alpha, :, None] * c[:, :, None]
+        turned = np.cross(c, self.a[:, :, alpha])  # c·(-θ x a) = θ·(c x a)
+        B[..., 3:] = self.N[None, :, :, None] * turned[:, :, None]
+        return B.reshape(*c.shape[:2], UNKNOWNS)
+
+    def local(self) -> tuple[Array, Array]:
+        """Unit tangents (m, k, 2, 3), the first along a_1, and ∂ξ_α/∂s_i (m, k, 2, 2)."""
+        first = self.a[:, :, 0] / np.linalg.norm(self.a[:, :, 0], axis=-1, keepdims=True)
+        e = np.stack([first, np.cross(self.n, first)], axis=2)
+        return e, np.linalg.inv(np.einsum("mkic,mkac->mkia", e, self.a))
+
+
+def operator(corners: Array) -> tuple[Array, Array, Array]:
+    """B (m, 9, 10, 54) of all strains at the Gauss points, areas (m, 9), tangents (m, 9, 2, 3).
+
+    Rows: ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the unit tangents' frame.
+    """
+    at = Frame.of(corners, POINTS)
+    e, slope = at.local()
+    B = np.zeros((len(corners), len(WEIGHTS), STRAINS, UNKNOWNS))
+    _in_plane(corners, slope, B)
+    _curvatures(at, e, slope, B)
+    B[:, :, UNTIED] = (at.along(0, at.a[:, :, 1]) - at.along(1, at.a[:, :, 0])) / 2
+    B[:, :, UNTIED] /= at.area[..., None]
+    return B, at.area * WEIGHTS, e
+
+
+def _in_plane(corners: Array, slope: Array, B: Array) -> None:
+    """Membrane, shear and drilling strains from their tying points."""
+    first, second, both = (Frame.of(corners, X) for X in TYING)
+    one, two, mixed = TO_POINTS
+
+    def spread(to: Array, tied: Array) -> Array:
+        return np.einsum("qk,mku->mqu", to, tied, optimize=True)
+
+    e11 = spread(one, first.along(0, first.a[:, :, 0]))
+    e22 = spread(two, second.along(1, second.a[:, :, 1]))
+    g1, g2 = spread(one, first.along(0, first.n)), spread(two, second.along(1, second.n))
+    ab, ba = both.along(0, both.a[:, :, 1]), both.along(1, both.a[:, :, 0])
+    e12, omega = spread(mixed, ab + ba) / 2, spread(mixed, ab - ba) / 2
+
+    s = slope[..., None]  # ξ_α along unit tangent i: s[:, :, α, i]
+    for row, i, j, factor in ((0, 0, 0, 1), (1, 1, 1, 1), (2, 0, 1, 2)):
+        B[:, :, row] = factor * (
+            s[:, :, 0, i] * s[:, :, 0, j] * e11
+            + s[:, :, 1, i] * s[:, :, 1, j] * e22
+            + (s[:, :, 0, i] * s[:, :, 1, j] + s[:, :, 1, i] * s[:, :, 0, j]) * e12
+        )
+    B[:, :, 6] = s[:, :, 0, 0] * g1 + s[:, :, 1, 0] * g2
+    B[:, :, 7] = s[:, :, 0, 1] * g1 + s[:, :, 1, 1] * g2
+    B[:, :, TIED] = omega * np.linalg.det(slope)[..., None]
+
+
+def _curvatures(at: Frame, e: Array, slope: Array, B: Array) -> None:
+    """Of the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
+    along = np.einsum("kan,mkai->mkin", at.dN, slope)[..., None]
+    e1, e2 = e[:, :, 0, None], e[:, :, 1, None]
+    B = B.reshape(*B.shape[:3], NODES, 6)[..., 3:]
+    B[:, :, 3] = along[:, :, 0] * e2
+    B[:, :, 4] = -along[:, :, 1] * e1
+    B[:, :, 5] = along[:, :, 1] * e2 - along[:, :, 0] * e1
+
+
+def moduli(E: Array, nu: Array, thickness: Array, area: Array) -> Array:
+    """Stiffness (m, 10, 10) of cells of that area (m,) against the strains of `operator`.
+
+    The cells are in plane stress.
+    """
+    D = np.zeros((len(E), STRAINS, STRAINS))
+    G = E / (2 * (1 + nu))
+    plane = np.zeros((len(E), 3, 3))
+    plane[:, 0, 0] = plane[:, 1, 1] = E / (1 - nu**2)
+    plane[:, 0, 1] = plane[:, 1, 0] = nu * E / (1 - nu**2)
+    plane[:, 2, 2] = G
+    D[:, MEMBRANE, MEMBRANE] = plane * thickness[:, None, None]
+    D[:, BENDING, BENDING] = plane * thickness[:, None, None] ** 3 / 12
+    D[:, 6, 6] = D[:, 7, 7] = SHEAR_FACTOR * G * thickness
+    D[:, TIED, TIED] = G * thickness
+    D[:, UNTIED, UNTIED] = G * thickness * np.minimum(thickness**2 / area, 1)
+    return D
+
+
+def unknowns(cells: Indices) -> Indices:
+    """Numbers (m, 54) of the cells' unknowns, six a node."""
+    return (6 * cells[:, :, None] + np.arange(6)).reshape(len(cells), UNKNOWNS)

@@ -1,0 +1,120 @@
+"""What holds a shell: nodes by name, components that boundaries share, motions left free."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from fem.shell.reference import Array, Indices
+
+COMPONENTS = "xyzabc"  # displacements, and rotations about x, y and z
+Support = str | Mapping[str, float]
+Boundaries = Mapping[str, Indices]
+Named = Mapping[str | int, Support]
+
+
+def nodes_of(where: str | int, boundaries: Boundaries, count: int) -> Indices:
+    """Nodes of a boundary by name, or the one of that number."""
+    if isinstance(where, str):
+        if where not in boundaries:
+            known = ", ".join(boundaries) or "none"
+            raise ValueError(f"no boundary {where!r}; boundaries: {known}")
+        return np.unique(boundaries[where])
+    if not 0 <= where < count:
+        raise ValueError(f"no node {where}: the shell has nodes 0 to {count - 1}")
+    return np.array([where])
+
+
+def place(component: str, where: str | int) -> int:
+    """Number of a component among the six of a node."""
+    if component not in COMPONENTS or len(component) != 1:
+        at = f"boundary {where!r}" if isinstance(where, str) else f"node {where}"
+        raise ValueError(f"{at}: components are x, y, z, a, b, c, got {component!r}")
+    return COMPONENTS.index(component)
+
+
+def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
+    """Prescribed values (6 count,), NaN where free; ValueError where two differ."""
+    values = np.full((count, 6), np.nan)
+    for where, support in supports.items():
+        nodes = nodes_of(where, boundaries, count)
+        items = dict.fromkeys(support, 0.0) if isinstance(support, str) else support
+        for component, value in items.items():
+            if not np.isfinite(value):
+                raise ValueError(f"{where!r}: {component} must be held at a number, got {value}")
+            column = place(component, where)
+            before = values[nodes, column]
+            if np.any(before[~np.isnan(before)] != value):
+                raise ValueError(f"{where!r}: {component} is held at another value already")
+            values[nodes, column] = value
+    return values.ravel()
+
+
+def reduced_numbers(
+    held: Array, ties: Mapping[str, str], boundaries: Boundaries
+) -> tuple[Indices, Indices]:
+    """Number of the free unknown behind each (6 nodes,), -1 where held; nodes' mutual links.
+
+    `ties` names the components that all nodes of a boundary share. The links (2, k) are pairs of
+    unknowns that are one.
+    """
+    count = held.size // 6
+    links = [np.empty((2, 0), int)]
+    for name, components in ties.items():
+        nodes = nodes_of(name, boundaries, count)
+        for component in components:
+            own = 6 * nodes + place(component, name)
+            if not np.isnan(held[own]).all():
+                raise ValueError(f"{name!r}: {component} is tied and held at once")
+            links.append(np.array([np.full(own.size - 1, own[0]), own[1:]]))
+    pairs = np.hstack(links)
+    graph = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), shape=(held.size, held.size))
+    groups, group = connected_components(graph, directed=False)
+    free = np.zeros(groups, bool)
+    free[group[np.isnan(held)]] = True
+    number = np.full(groups, -1)
+    number[free] = np.arange(free.sum())
+    return number[group], pairs
+
+
+def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indices) -> None:
+    """ValueError where supports and ties leave a connected part of the shell a rigid motion."""
+    count = len(points)
+    first = np.repeat(cells[:, :1], cells.shape[1], axis=1).ravel()
+    links = [np.array([first, cells.ravel()]), pairs // 6]
+    ends = np.hstack(links)
+    graph = coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(count, count))
+    parts, part = connected_components(graph, directed=False)
+    fixed = ~np.isnan(held)
+    for k in range(parts):
+        own = np.flatnonzero(part == k)
+        modes = np.zeros((count, 6, 6))
+        modes[own] = _rigid_modes(points[own])
+        modes = modes.reshape(6 * count, 6)
+        tied = pairs[:, part[pairs[0] // 6] == k]
+        conditions = np.vstack([modes[fixed], modes[tied[0]] - modes[tied[1]], np.zeros((6, 6))])
+        _, s, v = np.linalg.svd(conditions, full_matrices=False)
+        if s[5] < 1e-9:
+            which = "the shell" if parts == 1 else f"the part of node {own[0]}"
+            raise ValueError(
+                f"{which} can move rigidly ({_words(v[5])}): support it against that"
+            )
+
+
+def _rigid_modes(points: Array) -> Array:
+    """Displacements and rotations (nodes, 6, 6 modes), rotations about the middle."""
+    at = points - points.mean(axis=0)
+    at = at / max(np.ptp(at, axis=0).max(), 1e-300)
+    modes = np.zeros((len(at), 6, 6))
+    modes[:, :, :] = np.eye(6)
+    for axis in range(3):
+        modes[:, :3, 3 + axis] = np.cross(np.eye(3)[axis], at)
+    return modes
+
+
+def _words(motion: Array) -> str:
+    names: Sequence[str] = ("x", "y", "z", "turn about x", "turn about y", "turn about z")
+    return ", ".join(
+        f"{c:+.2g} {word}" for c, word in zip(motion, names, strict=True) if abs(c) > 1e-9
+    )

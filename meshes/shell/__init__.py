@@ -1,0 +1,1 @@
+"""Shell surfaces: rectangle, cylinder panel, strip along a plane path."""
