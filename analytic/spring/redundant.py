@@ -1,0 +1,67 @@
+"""What an accordion spring does while supports and closed pairs of tip and leaf hold it.
+
+The force method: five forces X = (F_x, F_y, M_0, C_h, C_t), the head's own three and what each
+pair presses with, do work on E I d = A X. A support or a closed pair keeps its d at zero.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from analytic.spring.loops import Array, Line, Pair
+from analytic.spring.wire import Wire
+
+Theory = Literal["bending", "thin", "shear"]
+
+OWN = np.array([[0.0, 0, 1], [0, -1, 0], [1, 0, 0]])  # couples of F_x, F_y, M_0 at (1, x, y)
+OWN_FORCE = np.array([[1.0, 0], [0, 1], [0, 0]])
+PAIRS = 3  # where the pairs' rows begin
+
+
+@dataclass(frozen=True)
+class Response:
+    """Of a spring with E I = 1: its stiffness, all five forces X and both closing rates per F."""
+
+    k: Array
+    X: Array
+    rates: Array
+
+
+def response(A: Array, held: list[int], touching: tuple[int, ...]) -> Response:
+    """What the force does while supports and the pairs `touching` (0 head, 1 tail) hold."""
+    active = [0, *held, *(PAIRS + i for i in touching)]
+    unit = np.zeros((*A.shape[:-2], len(active), 1))
+    unit[..., 0, 0] = 1.0
+    solved = np.linalg.solve(A[..., active, :][..., :, active], unit)[..., 0]
+    X = np.zeros(A.shape[:-1])
+    X[..., active] = solved / solved[..., :1]
+    rates = -(A[..., PAIRS:, :] @ X[..., None])[..., 0]
+    return Response(np.asarray(solved[..., 0], float), X, rates)
+
+
+def compliances(shape: Line, b: Array, nu: Array, theory: Theory) -> Array:
+    """A (..., 5, 5) of F_x, F_y, M_0 and both pairs for E I = 1."""
+    axial = b**2 / 12 * (theory != "bending")
+    shear = b**2 / 12 * (12 / 5) * (1 + nu) * (theory == "shear")
+
+    def energy(w: Array, f: Array, wire: Wire, v: Array, g: Array) -> Array:
+        D = (axial - shear)[..., None, None] * wire.D
+        D = D + (shear * wire.length)[..., None, None] * np.eye(2)
+        return np.asarray(w @ wire.G @ np.swapaxes(v, -1, -2) + f @ D @ np.swapaxes(g, -1, -2))
+
+    A = np.zeros((*shape.whole.length.shape, 5, 5))
+    A[..., :PAIRS, :PAIRS] = energy(OWN, OWN_FORCE, shape.whole, OWN, OWN_FORCE)
+    for i, pair in ((PAIRS, shape.head), (PAIRS + 1, shape.tail)):
+        w, f = pair.moment[..., None, :], pair.force[..., None, :]
+        A[..., :PAIRS, i] = energy(OWN, OWN_FORCE, pair.loop, w, f)[..., 0]
+        A[..., i, :PAIRS] = A[..., :PAIRS, i]
+        A[..., i, i] = energy(w, f, pair.own, w, f)[..., 0, 0]
+    return A
+
+
+def turn(pair: Pair, couple: Array) -> Array:
+    """By how much tip and leaf turn towards each other per F, with E I = 1."""
+    sums = pair.loop.G[..., 0, :]
+    side = -np.sign((sums * pair.moment).sum(axis=-1))
+    return np.asarray(side * (sums * couple).sum(axis=-1))

@@ -1,0 +1,230 @@
+r"""Accordion spring up to and beyond the touching of its free tips: stages OA and AB of its curve.
+
+Head and tail are whole leaves, L_1 = 2a long. The half of the head's leaf beyond the force is
+free until its tip touches the next leaf (point A); the same happens at a tail that is held in
+its middle. A pair in touch is a rigid link without friction, so that force over displacement is
+piecewise straight. With M the couple per force at O and m that per force between tip and leaf,
+
+.. math::
+    J = \int M^2 ds, \quad f_{FC} = \int M\,m\,ds, \quad f_{CC} = \int m^2 ds
+
+    k_1 = \frac{EI}{J}, \quad F_A = \frac{g_0 EI}{f_{FC}}, \quad U_A = \frac{F_A}{k_1}, \quad
+    k_2 = \frac{EI}{J - p f_{FC}^2/f_{CC}}
+
+for p pairs that touch at once. F_A follows from the gap that F closes, k_2 from the force
+F f_FC/f_CC that keeps it closed and undoes p f_FC^2/f_CC of the compliance.
+
+Head free: M = y and, for a force between tip and leaf along x, m = y + a, so that with
+R the arcs' radius, beta = pi/2 + alpha, y_t = a + R cos(alpha) and straight leaves between
+
+.. math::
+    g_0 = R(1 + \sin\alpha) + \frac{y_t + a}{\tan\alpha} - \frac b2 \Big(1 + \frac1{\sin\alpha}\Big)
+
+    f_{FC} = \frac{5 a^3}6 + R\Big[2a^2\beta + 3aR(1 - \cos\beta) + R^2\Big(\frac\beta2
+        - \frac{\sin 2\beta}4\Big)\Big] + \frac{1}{\sin\alpha}\Big[\frac{y_t^3 + a^3}3
+        + a\frac{y_t^2 - a^2}2\Big]
+
+    f_{CC} = \frac{8 a^3}{3} + R\Big[4a^2\beta + 4aR(1 - \cos\beta) + R^2\Big(\frac\beta2
+        - \frac{\sin 2\beta}4\Big)\Big] + \frac{(y_t + a)^3}{3 \sin\alpha}
+
+from the free half (f_CC alone: a^3/3), the other half, the arc above and the leaf down to y = -a.
+Both loops are alike, the force's line passes through both clamps: a tail held in its middle
+touches together with the head.
+
+Head guided: the guide's couple and side force, P = (F_x, F_y, M_0), follow from
+its rotation and side movement being zero. They do not vanish: of n even leaves one loop more
+lies on the one side of the force, the mean height S/L = int y ds/int ds is not zero, and
+M = y - S/L, k_1 = EI/(J - S^2/L); for odd n the side force does the like. So the integrals above
+become entries of a matrix, and what supports hold is eliminated:
+
+.. math:: E I\,d = A\,X, \quad X = (F_x, F_y, M_0, C_h, C_t), \quad A_{jk} = w_j^T G\, w_k
+
+with the second moments G of `analytic.spring.wire`. Head and tail still touch at once by
+symmetry. A hinged head is not symmetric: there the tips touch one after the other.
+
+The direction of the force between tip and leaf: unloaded leaves stand at 90 deg - alpha to the
+head, but the head's loop closes by turning, and at A the leaf ahead of the tip is nearly
+parallel to it (`Stages.tilt`, within 2 deg for the paper's spring). So the normal at A is the
+force's direction, which is what `normal="force"` takes; "leaf" takes the unloaded leaf's.
+
+Range: small displacements. U_A is half of the free length of the paper's spring, so that all
+this is a linear reference, not a prediction of the true curve. Thin strip, no friction.
+
+References
+----------
+.. [1] Wang et al., Trans. Nanjing Univ. Aeronaut. Astronaut. 40 (2023) 264-272, Eq. 10: lines
+   fitted to finite elements.
+"""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.spring.loops import Array, Normal, Tail, line
+from analytic.spring.redundant import OWN, Theory, compliances, response, turn
+
+Head = Literal["free", "hinged", "guided"]
+
+HELD = {"free": [], "hinged": [1], "guided": [1, 2]}
+AT_ONCE = 1e-9  # relative: two tips that symmetry closes together
+
+
+@dataclass(frozen=True)
+class Stages:
+    """Force over displacement in straight pieces; every array has the inputs' common shape.
+
+    `k1` [force/length] up to (`U_A`, `F_A`), where the first tip touches, then `k2`; from
+    (`U_B`, `F_B`), where the second touches, `k3`. Tips that touch at once have B = A, k3 = k2.
+    inf where nothing touches. `top_couple` [force x length] is the largest couple at a loop's top
+    at A, `tilt` [rad] what is left at A of the angle between the tip that touches and its leaf,
+    `gap` [length] the distance that it closes.
+    """
+
+    k1: Array
+    U_A: Array
+    F_A: Array
+    k2: Array
+    U_B: Array
+    F_B: Array
+    k3: Array
+    gap: Array
+    tilt: Array
+    top_couple: Array
+
+    @property
+    def intercept(self) -> Array:
+        """Force at which the second line, prolonged, meets U = 0; below zero for k2 > k1."""
+        return np.asarray(self.F_A - self.k2 * self.U_A)
+
+    def force(self, U: ArrayLike) -> Array:
+        """Force [force] at the displacement U [length]."""
+        U = np.asarray(U, float)
+        second = np.where(U > self.U_A, self.F_A + self.k2 * (U - self.U_A), self.k1 * U)
+        return np.where(U > self.U_B, self.F_B + self.k3 * (U - self.U_B), second)
+
+    def displacement(self, F: ArrayLike) -> Array:
+        """Displacement [length] under the force F."""
+        F = np.asarray(F, float)
+        second = np.where(F > self.F_A, self.U_A + (F - self.F_A) / self.k2, F / self.k1)
+        return np.where(F > self.F_B, self.U_B + (F - self.F_B) / self.k3, second)
+
+
+def gap(*, L1: ArrayLike, radius: ArrayLike, b: ArrayLike, alpha: ArrayLike) -> Array:
+    r"""g_0 [length], along the force, between a tip's corner and the next leaf's face.
+
+    .. math:: g_0 = R(1 + \sin\alpha) + \frac{L_1 + R\cos\alpha}{\tan\alpha}
+        - \frac b2 \Big(1 + \frac1{\sin\alpha}\Big)
+
+    >>> round(float(gap(L1=11.6, radius=0.5, b=0.1, alpha=np.radians(80))), 3)
+    2.952
+    """
+    L1, R, b, alpha = (np.asarray(v, float) for v in (L1, radius, b, alpha))
+    sin, tan = np.sin(alpha), np.tan(alpha)
+    return np.asarray(R * (1 + sin) + (L1 + R * np.cos(alpha)) / tan - b / 2 * (1 + 1 / sin))
+
+
+def stages(
+    *,
+    n: int,
+    b: ArrayLike,
+    h: ArrayLike,
+    radius: ArrayLike,
+    L1: ArrayLike,
+    alpha: ArrayLike,
+    E: ArrayLike,
+    nu: ArrayLike = 0.3,
+    width_factor: ArrayLike = 1.0,
+    head: Head = "guided",
+    tail: Tail = "mid-leaf",
+    leaf: ArrayLike | None = None,
+    theory: Theory = "bending",
+    normal: Normal = "force",
+) -> Stages:
+    """The stages of springs with n segments; all but n may be arrays, which broadcast.
+
+    Parameters
+    ----------
+    radius, leaf
+        Of the arcs' centre line (r + b/2, or the paper's r), and the straight length of the
+        middle units, by default that of a symmetric spring.
+    width_factor
+        On E I: 1 for a narrow strip, 1/(1 - nu^2) for a wide one. U_A does not depend on it.
+    head
+        "free" to move sideways and to turn, "hinged" (turns only) or "guided" (neither).
+    tail
+        Clamped in its "mid-leaf", or along its whole leaf, which ends at the "arc".
+    theory
+        "bending"; "thin" has axial strain too, "shear" also 6/5 V^2/(G A).
+    normal
+        Direction of the force between tip and leaf: the spring's "force", or the normal of the
+        unloaded "leaf".
+
+    Raises
+    ------
+    ValueError
+        For impossible geometry or material.
+
+    >>> paper = dict(n=10, b=0.1, h=56, radius=0.5, L1=11.6, alpha=np.radians(80), E=206e3)
+    >>> s = stages(**paper, head="free")
+    >>> [round(float(v), 3) for v in (s.k1, s.F_A, s.U_A, s.k2)]  # N/mm, N, mm, N/mm
+    [0.56, 6.934, 12.383, 0.661]
+    """
+    L1, R, b, h, alpha, E, nu, factor = _checked(n, L1, radius, b, h, alpha, E, nu, width_factor)
+    straight = (L1 + 2 * R * np.cos(alpha)) / np.sin(alpha) if leaf is None else leaf
+    shape = line(n=n, L1=L1, radius=R, alpha=alpha, b=b, straight=straight, tail=tail,
+                 normal=normal)  # fmt: skip
+    A = compliances(shape, b, nu, theory)
+    free = response(A, HELD[head], ())
+    gaps = np.stack([shape.head.gap, shape.tail.gap], axis=-1)
+    alone = _until(gaps, free.rates)  # where each tip touches if the other never did
+    first = np.argmin(alone, axis=-1)
+    F_A = alone.min(axis=-1)
+    rest = np.maximum(gaps - F_A[..., None] * free.rates, 0.0)
+    ways = [(response(A, HELD[head], (i,)), 1 - i) for i in (0, 1)]
+    k2 = _either(first, *(one.k for one, _ in ways))
+    more = _either(first, *(_until(rest, one.rates)[..., other] for one, other in ways))
+    both = response(A, HELD[head], (0, 1))
+    at_once = more <= AT_ONCE * F_A
+    k2, more = np.where(at_once, both.k, k2), np.where(at_once, 0.0, more)
+    couple = free.X[..., :3] @ OWN
+    turned = _either(first, *(turn(pair, couple) for pair in (shape.head, shape.tail)))
+    EI, U_A = factor * E * h * b**3 / 12, F_A / free.k
+    return Stages(
+        k1=free.k * EI, U_A=U_A, F_A=F_A * EI, k2=k2 * EI, U_B=U_A + more / k2,
+        F_B=(F_A + more) * EI, k3=both.k * EI, gap=_either(first, gaps[..., 0], gaps[..., 1]),
+        tilt=np.pi / 2 - alpha - F_A * turned,
+        top_couple=F_A * EI * abs(shape.tops @ couple[..., None]).max(axis=(-2, -1)),
+    )  # fmt: skip
+
+
+def _until(gaps: Array, rates: Array) -> Array:
+    """Forces that close `gaps` at `rates`; inf where they open."""
+    closes = rates > 0
+    return np.where(closes, gaps / np.where(closes, rates, 1.0), np.inf)
+
+
+def _either(first: Any, head: Array, tail: Array) -> Array:
+    return np.where(first == 0, head, tail)
+
+
+def _checked(n: int, *values: ArrayLike) -> tuple[Array, ...]:
+    L1, R, b, h, alpha, E, nu, factor = np.broadcast_arrays(
+        *(np.asarray(v, dtype=np.float64) for v in values)
+    )
+    if n < 4:
+        raise ValueError(f"a spring with loops at both ends needs n >= 4 segments, got n={n}")
+    for name, unit, value in (
+        ("L1", " m", L1), ("radius", " m", R), ("b", " m", b), ("h", " m", h), ("E", " Pa", E),
+        ("width_factor", "", factor),
+    ):  # fmt: skip
+        if not np.all(np.isfinite(value) & (value > 0)):
+            raise ValueError(f"{name} must be positive and finite, got {value!s}{unit}")
+    if not np.all((alpha > 0) & (alpha <= np.pi / 2)):
+        raise ValueError(f"alpha must lie in (0, 90] deg, got {np.degrees(alpha)!s} deg")
+    if not np.all((nu > -1) & (nu <= 0.5)):
+        raise ValueError(f"Poisson's ratio must lie in (-1, 0.5], got nu={nu!s}")
+    if not np.all(b < 2 * R):
+        raise ValueError(f"arcs need b < 2 R, got b={b!s} m, radius={R!s} m")
+    return L1, R, b, h, alpha, E, nu, factor
