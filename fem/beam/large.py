@@ -4,12 +4,13 @@ Simo, A finite strain beam formulation. The three-dimensional dynamic problem, p
 Reissner, On one-dimensional finite-strain beam theory: the plane problem (1972).
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from fem.beam.large_arc import collect, follow
 from fem.beam.large_elements import reference
 from fem.beam.large_loading import (
     Forces,
@@ -23,6 +24,7 @@ from fem.beam.large_loading import (
 )
 from fem.beam.large_march import March
 from fem.beam.large_newton import Balance
+from fem.beam.large_stability import CriticalPoint, critical_points, linear_buckling
 from fem.beam.large_state import Path, State
 from fem.beam.section import (
     Array,
@@ -77,6 +79,7 @@ class LargeFrame:
         self.elements = reference(self.points, nodes, chosen)
         self.held = held_components(len(self.points), supports)
         self.terms = tuple(terms)
+        self._sections, self._supports, self._bodies = sections, supports, bodies
 
     def rest(self) -> State:
         """The reference state, without load; terms forget their history."""
@@ -134,6 +137,77 @@ class LargeFrame:
         pattern, held = movement(len(self.points), moved)
         return self._reach(pattern, self.held | held, factors, since)
 
+    def along_arc(
+        self,
+        loads: Loads | None,
+        *,
+        first: float,
+        steps: int = 200,
+        until: Callable[[State], bool] | None = None,
+        largest: float = 0.05,
+        follower: Forces | None = None,
+        distributed: Forces | None = None,
+        moved: Movements | None = None,
+        since: State | None = None,
+    ) -> Path:
+        """States along the path of equilibrium, whichever way loads or movement go.
+
+        `first` is the first change of the factor, which sets size and direction. Steps adapt
+        to Newton's effort and grow up to `largest`, the root mean square over the nodes of
+        displacement (by the diagonal of the frame) and rotation [rad]. The path ends after
+        `steps`, or with the first state that `until` accepts.
+
+        Raises
+        ------
+        ValueError
+            As `under_loads`, and where nothing moves the frame.
+        ArithmeticError
+            Where no step goes on, or `until` isn't met within `steps`.
+        """
+        moving, held = movement(len(self.points), moved or {})
+        pattern = loading(self.elements, loads, follower, distributed).plus(1.0, moving)
+        march = self._march(pattern, self.held | held, since)
+        start = march.state
+        return Path(start, collect(follow(march, first, largest), steps, until), pattern)
+
+    def buckling(self, path: Path) -> tuple[CriticalPoint, ...]:
+        """Limit points and bifurcations between the states of a path, with their modes.
+
+        Terms may have no history besides multipliers (no friction).
+
+        Raises
+        ------
+        ValueError
+            Where terms dissipated energy on the path.
+        """
+        if path.last.dissipated:
+            raise ValueError("critical points need a path without dissipation (friction)")
+        balance = self._balance(path.start, path.pattern, path.start.held)
+        return tuple(critical_points(balance, path))
+
+    def linear_buckling(
+        self, loads: Loads | None, *, count: int = 1, distributed: Forces | None = None
+    ) -> tuple[Array, Array]:
+        """Factors (count,) and modes (count, n, 3) of linearised buckling, without terms.
+
+        Small displacements up to buckling are assumed; modes have the largest displacement 1.
+        """
+        pattern = loading(self.elements, loads, None, distributed)
+        check_rigid_motions(self.points, self.elements.nodes, ~self.held)
+        none = nothing(len(self.points))
+        balance = Balance(self.points, self.elements, (), none, pattern, self.held)
+        return linear_buckling(balance, count)
+
+    def imperfect(self, mode: Array, amplitude: float, terms: Sequence[Term] = ()) -> "LargeFrame":
+        """The frame with its stress-free shape moved by `amplitude` times a mode (n, 3).
+
+        `terms` are those of the new shape.
+        """
+        return LargeFrame(
+            self.points + amplitude * mode[:, :2], self.elements.nodes,
+            sections=self._sections, supports=self._supports, bodies=self._bodies, terms=terms,
+        )  # fmt: skip
+
     def section_forces(self, state: State) -> tuple[Array, Array]:
         """Gauss points at rest (m, q, 2) and N, V, M there (m, q, 3).
 
@@ -151,9 +225,13 @@ class LargeFrame:
     def _reach(
         self, pattern: Loading, held: Mask, factors: Iterable[float], since: State | None
     ) -> Path:
+        march = self._march(pattern, held, since)
+        start = march.state
+        return Path(start, tuple(march.reach(float(factor)) for factor in factors), pattern)
+
+    def _march(self, pattern: Loading, held: Mask, since: State | None) -> March:
         start = (since or self.rest()).at(0.0)
         start = replace(start, held=start.held | held)
         if not self.terms:
             check_rigid_motions(self.points, self.elements.nodes, ~start.held)
-        march = March(self._balance(start, pattern, start.held), start)
-        return Path(start, tuple(march.reach(float(factor)) for factor in factors), pattern)
+        return March(self._balance(start, pattern, start.held), start)

@@ -101,18 +101,42 @@ class Elements:
     def tangent_stiffness(self, S: Array, strain: Array, t: Array, stress: Array) -> csc_array:
         """Stiffness (3n, 3n): material part, and geometric part of the `stress` N, V, M."""
         A = np.swapaxes(S, 2, 3) @ (S * self.moduli[..., None])
-        N, V = stress[..., 0], stress[..., 1]
-        turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
-        A[..., 2, :2] += turn
-        A[..., :2, 2] += turn
-        A[..., 2, 2] -= N * (1 + strain[..., 0]) + V * strain[..., 1]
-        A *= self.weight[..., None, None]
+        _add_geometric(A, strain, t, stress)
+        return self._assemble(A)
+
+    def initial_stress_stiffness(self, u: Array) -> csc_array:
+        """Change of the stiffness at rest (3n, 3n) along the small displacement `u` (n, 3)."""
+        t, none = self.tangent.astype(float), np.zeros((*self.weight.shape, 3))
+        S = self.increments(none, t)
+        strain = self.change(S, u)
+        turn = (u[self.nodes, 2] @ self.shape.T.astype(float))[..., None]
+        dS = np.zeros_like(S)
+        dS[..., 0, :2] = turn * np.stack([-t[..., 1], t[..., 0]], axis=-1)
+        dS[..., 0, 2], dS[..., 1, 2] = strain[..., 1], -strain[..., 0]
+        dS[..., 1, :2] = -turn * t
+        A = np.swapaxes(dS, 2, 3) @ (S * self.moduli[..., None])
+        A += np.swapaxes(A, 2, 3)
+        _add_geometric(A, none, t, self.moduli * strain)
+        return self._assemble(A)
+
+    def _assemble(self, A: Array) -> csc_array:
+        """Stiffness (3n, 3n) of densities (m, q, 4, 4)."""
+        A = A * self.weight[..., None, None]
         m, q, _, width = self._fields.shape
         P = self._fields.reshape(m, q * 4, width)
         k = np.swapaxes(P, 1, 2) @ (A @ self._fields).reshape(m, q * 4, width)
         values = np.bincount(self._place, k.ravel(), self._rows.size)
         size = 3 * self.count
         return csc_array((values, self._rows, self._starts), shape=(size, size))
+
+
+def _add_geometric(A: Array, strain: Array, t: Array, stress: Array) -> None:
+    """Add what N and V do as the section turns on."""
+    N, V = stress[..., 0], stress[..., 1]
+    turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
+    A[..., 2, :2] += turn
+    A[..., :2, 2] += turn
+    A[..., 2, 2] -= N * (1 + strain[..., 0]) + V * strain[..., 1]
 
 
 def reference(points: Array, nodes: Indices, sections: list[Section]) -> Elements:

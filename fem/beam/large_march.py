@@ -1,15 +1,28 @@
 """Steps along a path of equilibrium: predictor, Newton, halving, work."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from fem.beam.large_newton import Balance, ConvergenceError, Correction, Response, Tangent
+from fem.beam.large_newton import Balance, Control, ConvergenceError, Response, Tangent
 from fem.beam.large_state import State
 from fem.beam.section import Array
 
 HALVINGS = 12
 GAUSS = np.polynomial.legendre.leggauss(3)
+
+
+@dataclass(frozen=True)
+class Given:
+    """Control by a given change of the factor."""
+
+    change: float
+
+    def correct(self, moved: Array, step: Array, push: Array) -> float:  # noqa: ARG002
+        return 0.0
+
+    def speed(self, push: Array, moved: Array) -> float:  # noqa: ARG002
+        return self.change
 
 
 class March:
@@ -32,7 +45,7 @@ class March:
             term_energy=self.response.term_energy,
         )
 
-    def step(self, change: float, correct: Correction) -> State:
+    def step(self, change: float, control: Control) -> State:
         """The state after a predicted `change` of the factor.
 
         ConvergenceError leaves everything as it was.
@@ -43,14 +56,14 @@ class March:
             if not float(abs(predicted[2::3]).max()) < 2.0:
                 raise ConvergenceError("the tangent turns a section by more than 2 rad")
             stress = self.response.predict(predicted)
-            u, factor, found, residuals = balance.solve(before, predicted, change, stress, correct)
+            u, factor, found, residuals = balance.solve(before, predicted, change, stress, control)
             tangent = balance.factorise(u, found.K)
         except ConvergenceError:
             for term in balance.terms:
                 term.reject()
             raise
         moved = (u - before.exact).astype(float).ravel()
-        work = before.work + self._work(moved, change, found, tangent)
+        work = before.work + self._work(moved, control, found, tangent)
         for term in balance.terms:
             term.accept(balance.positions(u))
         self.state = State(
@@ -72,7 +85,7 @@ class March:
             rest = factor - self.state.factor
             size = rest if abs(size) >= abs(rest) * (1 - 1e-9) else size
             try:
-                self.step(size, _constant)
+                self.step(size, Given(size))
             except ConvergenceError as error:
                 size /= 2
                 if abs(size) < abs(whole) / 2**HALVINGS:
@@ -88,10 +101,10 @@ class March:
                 return self.state
             size *= 2
 
-    def _work(self, moved: Array, change: float, found: Response, tangent: Tangent) -> float:
+    def _work(self, moved: Array, control: Control, found: Response, tangent: Tangent) -> float:
         """Work of all nodal forces over a step: cubics through forces and displacements."""
-        ahead = change * self.tangent.push
-        behind = change * tangent.push
+        push = self.tangent.push, tangent.push
+        ahead, behind = (control.speed(p, moved) * p for p in push)
         x = (GAUSS[0] + 1) / 2
         value = np.array([2 * x**3 - 3 * x**2 + 1, x**3 - 2 * x**2 + x, -2 * x**3 + 3 * x**2,
                           x**3 - x**2])  # fmt: skip
@@ -102,7 +115,3 @@ class March:
         ])  # fmt: skip
         speed = slope.T @ np.array([np.zeros_like(moved), ahead, moved, behind])
         return float(GAUSS[1] / 2 @ (force * speed).sum(axis=1))
-
-
-def _constant(moved: Array, step: Array, push: Array) -> float:  # noqa: ARG001
-    return 0.0

@@ -8,6 +8,7 @@ same, and stiff members, whose axial force a finite rotation upsets, converge wi
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from scipy.sparse import csc_array
@@ -26,9 +27,21 @@ MAX_ITERATIONS = 25
 MAX_SETTLEMENTS = 40
 MAX_TURN = 1.5  # rotation in one iteration [rad] beyond which the tangent means nothing
 
-Correction = Callable[[Array, Array, Array], float]
-"""Change of the factor, from the displacement since the start of the step, the step at constant
-factor and the displacement per factor (each (3n,))."""
+
+class Control(Protocol):
+    """What closes the equations besides equilibrium: a given factor, a given arc."""
+
+    def correct(self, moved: Array, step: Array, push: Array) -> float:
+        """Change of the factor; all arrays (3n,).
+
+        `moved` is the displacement since the start, `step` the next one at constant factor
+        and `push` the displacement per factor.
+        """
+        ...
+
+    def speed(self, push: Array, moved: Array) -> float:
+        """Change of the factor over the whole step at the rate of the place of `push`."""
+        ...
 
 
 class ConvergenceError(ArithmeticError):
@@ -73,6 +86,11 @@ class Balance:
     def length(self) -> float:
         """Size of the frame, which makes couples and rotations comparable."""
         return float(np.hypot(*np.ptp(self.points, axis=0)))
+
+    @property
+    def weights(self) -> Array:
+        """Of displacements (3n,) where they are compared: lengths by the frame's, and per node."""
+        return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
     def positions(self, u: Extended) -> Array:
         x = u.astype(float)
@@ -128,7 +146,7 @@ class Balance:
         return Tangent(K, solve, push, int((factor.U.diagonal() < 0).sum()))
 
     def solve(
-        self, start: State, step: Array, change: float, stress: Array, correct: Correction
+        self, start: State, step: Array, change: float, stress: Array, control: Control
     ) -> tuple[Extended, float, Response, tuple[float, ...]]:
         """Displacements, factor and response in equilibrium, and the residuals on the way.
 
@@ -153,7 +171,7 @@ class Balance:
                 break
             tangent = self.factorise(u, found.K)
             step = tangent.solve(found.residual)
-            more = correct((u - start.exact).astype(float).ravel(), step, tangent.push)
+            more = control.correct((u - start.exact).astype(float).ravel(), step, tangent.push)
             step = step + more * tangent.push
             if not float(abs(step[2::3]).max()) < MAX_TURN:
                 break

@@ -1,0 +1,85 @@
+"""Arc length along a path of equilibrium: past limit points and snap-backs.
+
+The arc is the root mean square over the nodes of displacement (by the frame's size) and rotation
+(Crisfield's cylinder: the factor takes no part). Its equation is linearised in each iteration
+(Ramm, Wriggers & Simo), so there are no two roots to choose from; the way on is the one that
+turns by less than 90 deg from the last step.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from fem.beam.large_march import HALVINGS, March
+from fem.beam.large_newton import ConvergenceError
+from fem.beam.large_state import State
+from fem.beam.section import Array
+
+ITERATIONS = 5  # that steps are sized for
+
+
+@dataclass(frozen=True)
+class Arc:
+    """Control by the distance `size` from the start of the step."""
+
+    size: float
+    weights: Array
+
+    def correct(self, moved: Array, step: Array, push: Array) -> float:
+        along = self.weights * moved
+        excess = (float(along @ moved) - self.size**2) / 2
+        return -(excess + float(along @ step)) / float(along @ push)
+
+    def speed(self, push: Array, moved: Array) -> float:
+        along = self.weights * push
+        return math.copysign(self.size / math.sqrt(float(along @ push)), float(along @ moved))
+
+
+def follow(march: March, first: float, largest: float) -> Iterator[State]:
+    """States along the arc; the `first` change of the factor sets direction and step size.
+
+    Steps grow up to `largest`, measured as the arc is. ArithmeticError where no step goes on.
+    """
+    weights = march.balance.weights
+    push = march.tangent.push
+    start = size = abs(first) * math.sqrt(float(weights * push @ push))
+    if not start > 0:
+        raise ValueError("along_arc needs loads or movement that move the frame, and first != 0")
+    heading = math.copysign(1.0, first) * push
+    while True:
+        before = march.state
+        arc = Arc(size, weights)
+        try:
+            march.step(arc.speed(march.tangent.push, heading), arc)
+        except ConvergenceError as error:
+            size /= 2
+            if size < start / 2**HALVINGS:
+                raise ArithmeticError(
+                    f"no equilibrium found along the arc beyond factor {before.factor:.6g}: "
+                    f"{error}, with steps down to {2 * size / start:.1e} of the first"
+                ) from error
+            continue
+        heading = (march.state.exact - before.exact).astype(float).ravel()
+        yield march.state
+        effort = math.sqrt(ITERATIONS / len(march.state.residuals))
+        size = min(size * float(np.clip(effort, 0.5, 2.0)), max(largest, start))
+
+
+def collect(
+    states: Iterator[State], steps: int, until: Callable[[State], bool] | None
+) -> tuple[State, ...]:
+    """The first `steps` states, or those up to the first that `until` accepts."""
+    found: list[State] = []
+    for state in states:
+        found.append(state)
+        if until is not None and until(state):
+            return tuple(found)
+        if len(found) == steps:
+            break
+    if until is not None:
+        raise ArithmeticError(
+            f"the path's end was not reached in {steps} steps: factor {found[-1].factor:.6g}"
+        )
+    return tuple(found)

@@ -1,0 +1,165 @@
+"""Critical points of a path of equilibrium, and linearised buckling."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from scipy.sparse.linalg import eigsh
+
+from fem.beam.large_newton import Balance, ConvergenceError, Tangent, reduced
+from fem.beam.large_state import Path, State
+from fem.beam.section import Array
+
+ASYMMETRY = 1e-5  # share of the loads' work in a mode that makes it a limit point's
+WIDTH = 1e-9  # of the bracket, relative to the step
+MAX_SECTIONS = 60
+
+
+@dataclass(frozen=True)
+class CriticalPoint:
+    """Where a path loses (or regains) stability.
+
+    `mode` (n, 3) has its largest displacement 1 [length]; `limit` tells a limit point from a
+    bifurcation; `width` is the bracket of the factor.
+    """
+
+    state: State
+    mode: Array
+    limit: bool
+    width: float
+
+    @property
+    def factor(self) -> float:
+        return self.state.factor
+
+
+@dataclass(frozen=True)
+class _Plane:
+    """Control by the progress along a fixed direction."""
+
+    normal: Array
+    progress: float
+
+    def correct(self, moved: Array, step: Array, push: Array) -> float:
+        missing = self.progress - float(self.normal @ (moved + step))
+        return missing / float(self.normal @ push)
+
+    def speed(self, push: Array, moved: Array) -> float:
+        return float(self.normal @ moved) / float(self.normal @ push)
+
+
+@dataclass(frozen=True)
+class _Place:
+    state: State
+    tangent: Tangent
+    lowest: float  # eigenvalue of the smallest size
+    mode: Array
+
+
+def critical_points(balance: Balance, path: Path) -> Iterator[CriticalPoint]:
+    """Sign changes of pivots between the states of a path, located to a part in 1e9 of a step."""
+    states = [path.start, *path.states]
+    for before, after in pairwise(states):
+        low, high = _look(balance, before), _look(balance, after)
+        normal = balance.weights * _moved(before, after)
+        while low.state.negative != high.state.negative:
+            first, second = _section(balance, low, high, normal)
+            best = min(first, second, key=lambda place: abs(place.lowest))
+            yield CriticalPoint(
+                best.state, _scaled(best.mode), _does_work(balance, best),
+                abs(second.state.factor - first.state.factor),
+            )  # fmt: skip
+            low = second
+
+
+def _section(balance: Balance, low: _Place, high: _Place, normal: Array) -> tuple[_Place, _Place]:
+    """Neighbours on both sides of the first change of the number of negative pivots."""
+    whole = float(normal @ _moved(low.state, high.state))
+    for k in range(MAX_SECTIONS):
+        gap = float(normal @ _moved(low.state, high.state))
+        if gap < WIDTH * whole:
+            break
+        share = 0.5
+        if low.lowest * high.lowest < 0 and k % 3:  # every third bisects whatever secants do
+            share = float(np.clip(low.lowest / (low.lowest - high.lowest), 1e-4, 1 - 1e-4))
+        try:
+            middle = _between(balance, low.state, high.state, share, _Plane(normal, share * gap))
+        except ConvergenceError:
+            break  # so near to the critical point that the tangent is singular
+        if middle.state.negative == low.state.negative:
+            low = middle
+        else:
+            high = middle
+    return low, high
+
+
+def _between(balance: Balance, low: State, high: State, share: float, plane: _Plane) -> _Place:
+    step, change = share * _moved(low, high), share * (high.factor - low.factor)
+    stress = balance.respond(low.exact, low.factor).predict(step)
+    try:
+        u, factor, found, _ = balance.solve(low, step, change, stress, plane)
+    finally:
+        for term in balance.terms:
+            term.reject()
+    loading = balance.base.plus(factor, balance.pattern)
+    return _look(balance, replace(
+        low, factor=factor, exact=u, loading=loading, internal=found.internal,
+        strain_energy=found.strain_energy, term_energy=found.term_energy,
+    ))  # fmt: skip
+
+
+def _look(balance: Balance, state: State) -> _Place:
+    """Tangent at a state and its eigenvalue of the smallest size, by inverse iteration."""
+    tangent = balance.factorise(state.exact, balance.respond(state.exact, state.factor).K)
+    weights = np.where(balance.held, 0.0, balance.weights)
+    mode = np.where(balance.held, 0.0, np.cos(np.arange(weights.size)))  # no symmetry
+    lowest = before = math.inf
+    for _ in range(100):
+        grown = tangent.solve(weights * mode)
+        lowest = float(weights * mode @ mode) / float(weights * mode @ grown)
+        mode = grown / math.sqrt(float(weights * grown @ grown))
+        if abs(lowest - before) < 1e-9 * abs(lowest):
+            break
+        before = lowest
+    return _Place(replace(state, negative=tangent.negative), tangent, lowest, mode)
+
+
+def _does_work(balance: Balance, place: _Place) -> bool:
+    """Whether the loads or movement do work on the mode."""
+    push = balance.pattern.forces(place.state.exact) - place.tangent.K @ balance.pattern.moved
+    push = np.where(balance.held, 0.0, push)
+    scale = np.sqrt(balance.weights)
+    size = float(np.linalg.norm(push / scale) * np.linalg.norm(place.mode * scale))
+    return abs(float(push @ place.mode)) > ASYMMETRY * size
+
+
+def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
+    """Smallest positive factors (count,) and modes (count, n, 3) of K_0 + factor K_g.
+
+    K_g is the exact derivative of the stiffness along the linear solution.
+    """
+    start = np.zeros((len(balance.points), 3), np.longdouble)
+    K = balance.respond(start, 0.0).K
+    push, free = balance.factorise(start, K).push, ~balance.held
+    K_g = balance.elements.initial_stress_stiffness(push.reshape(-1, 3))
+    inverse, shapes = eigsh(
+        -reduced(K_g, free), count, M=reduced(K, free), which="LA", v0=np.ones(int(free.sum()))
+    )
+    if not inverse.min() > 0:
+        raise ValueError(f"the frame has fewer than {count} buckling loads in this direction")
+    modes = np.zeros((count, free.size))
+    modes[:, free] = shapes.T[::-1]
+    return 1 / inverse[::-1], np.array([_scaled(mode) for mode in modes])
+
+
+def _moved(before: State, after: State) -> Array:
+    return (after.exact - before.exact).astype(float).ravel()
+
+
+def _scaled(mode: Array) -> Array:
+    """The mode (n, 3) with its largest displacement 1, and positive there."""
+    shape = mode.reshape(-1, 3)
+    at = abs(shape[:, :2]).argmax()
+    return shape / shape[:, :2].ravel()[at]
