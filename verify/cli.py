@@ -42,7 +42,15 @@ def _case_ids(_context: Any) -> list[str]:
     return [case.id for case in CASES]
 
 
+def _templates(_context: Any) -> list[str]:
+    """What a shell offers where a template is named."""
+    from verify.design.inputs import CASE
+
+    return [*_case_ids(_context), CASE]
+
+
 Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=_whole)]
+Number = Annotated[int, Parameter(converter=_whole)]
 CaseId = Annotated[str, Parameter(completer=_case_ids)]
 
 
@@ -108,19 +116,57 @@ def check(
 
 
 @app.command
-def init(case: CaseId, /, *, out: Path | None = None) -> int:
+def init(
+    case: Annotated[str, Parameter(completer=_templates)], /, *, out: Path | None = None
+) -> int:
     """Print a commented parameter file of a case with the paper's numbers.
 
     Parameters
     ----------
     case
-        The case; see `freewheel list`.
+        The case, see `freewheel list`; design-spring is a task for `freewheel design`.
     out
         File to write instead; one that exists is never overwritten.
     """
-    from verify.template import run_init
+    from verify.design.inputs import CASE
+    from verify.template import hand_over, run_init
 
-    return run_init(case, out)
+    if case != CASE:
+        return run_init(case, out)
+    from verify.design.template import template
+
+    hand_over(template(), out)
+    return 0
+
+
+@app.command
+def design(
+    file: Path,
+    /,
+    *,
+    choose: Number = 1,
+    fem: bool = True,
+    json: bool = False,
+    out: Path | None = None,
+) -> int:
+    """Find the accordion springs that do a task, and the best of them.
+
+    Parameters
+    ----------
+    file
+        The task (TOML), see `freewheel init design-spring`.
+    choose
+        Member of the front to go on with; 1 is the one nearest to the best of everything.
+    fem
+        Set finite elements beside every member of the front.
+    json
+        Print JSON instead of text.
+    out
+        Folder for the page, all candidates and a parameter file of the chosen spring.
+    """
+    from verify.design.command import run_design
+
+    return run_design(file, choose=choose, use_fem=fem, as_json=json, out=out)
 
 
 @app.command

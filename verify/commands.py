@@ -48,7 +48,7 @@ def run_verify(
     """Run the cases on the paper's numbers, write the report and print the verdicts."""
     cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
     out = out or ROOT / "reports" / "out"
-    _writable(out)
+    writable(out)
     start = time.perf_counter()
     work = [
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
@@ -75,7 +75,7 @@ def run_check(
     if use_fem and (reason := case.too_large(inputs)):
         raise InputError(f"{path}: inputs: {reason}")
     if out is not None:
-        _writable(out)
+        writable(out)
     start = time.perf_counter()
     job = Job(case, inputs, use_fem=use_fem, values=values, drawn=out is not None)
     (result,) = solve([job], jobs, use_cache, quiet=as_json)
@@ -92,7 +92,7 @@ def run_check(
     return 1 if any(row.status in BAD for row in result.rows) else 0
 
 
-def _writable(out: Path) -> None:
+def writable(out: Path) -> None:
     """Make the folder; a read-only place is found before the work."""
     try:
         out.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,7 @@
 """The command `init`: a commented parameter file with the paper's numbers, made from the model."""
 
 import sys
+from collections.abc import Sequence
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,7 @@ from pydantic.fields import FieldInfo
 from verify import units
 from verify.case import Case
 from verify.cases.registry import find
-from verify.inputs import REQUIRED, InputError, bounds_of, choices, meta
+from verify.inputs import REQUIRED, InputError, Inputs, bounds_of, choices, meta
 from verify.published.ledger import published
 
 HEAD = """\
@@ -29,12 +30,17 @@ name = "my {id}"
 
 def run_init(case_id: str, out: Path | None) -> int:
     """Print the template of a case, or write it to a file that does not exist yet."""
-    text = template(find(case_id))
+    hand_over(template(find(case_id)), out)
+    return 0
+
+
+def hand_over(text: str, out: Path | None) -> None:
+    """Print a template, or write it to a file that does not exist yet."""
     if out is None:
         if isinstance(sys.stdout, TextIOWrapper):
             sys.stdout.reconfigure(encoding="utf-8")  # TOML is, whatever the terminal takes
         print(text, end="")
-        return 0
+        return
     try:
         with out.open("x", encoding="utf-8") as file:
             file.write(text)
@@ -42,19 +48,24 @@ def run_init(case_id: str, out: Path | None) -> int:
         raise InputError(f"{out}: exists already and is not overwritten") from error
     except OSError as error:
         raise InputError(f"{out}: cannot be written: {error.strerror}") from error
-    return 0
 
 
 def template(case: Case) -> str:
     """A parameter file that builds to the paper's inputs."""
     head = HEAD.format(id=case.id, title=case.title, paper=case.paper)
-    fields = case.inputs.model_fields.items()
-    assigned = {name: _assigned(name, field) for name, field in fields}
-    width = max(map(len, assigned.values()))
-    return head + "".join(
-        f"{text:{width}}  # {_comment(name, case.inputs.model_fields[name])}\n"
-        for name, text in assigned.items()
-    )
+    return head + aligned(commented(case.inputs))
+
+
+def commented(model: type[Inputs]) -> list[tuple[str, str]]:
+    """Every input as its line of TOML, and what is to be said of it."""
+    fields = model.model_fields.items()
+    return [(_assigned(name, field), _comment(name, field)) for name, field in fields]
+
+
+def aligned(lines: Sequence[tuple[str, str]]) -> str:
+    """Lines of TOML with their comments below each other."""
+    width = max(len(text) for text, _ in lines)
+    return "".join(f"{text:{width}}  # {comment}\n" for text, comment in lines)
 
 
 def _assigned(name: str, field: FieldInfo) -> str:

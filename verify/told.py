@@ -17,7 +17,7 @@ def print_verdicts(report: Report) -> None:
         states = [row.status for row in case.rows]
         counts = (str(states.count(s) or "·") for s in Status)
         lines.append((case.id, str(len(states)), *counts))
-    for line in _aligned(lines):
+    for line in aligned(lines):
         print(line)
     for (status, case_id, reason), rows in _causes(report.rows).items():
         more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
@@ -28,11 +28,11 @@ def print_verdicts(report: Report) -> None:
 def print_check(result: CaseResult, *, use_fem: bool) -> None:
     """Inputs, formula values, the judged rows in short, and last what to be warned of."""
     print(f"{result.name}: {result.title} ({result.id})")
-    for line in _aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
+    for line in aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
                           for i in result.inputs]):  # fmt: skip
         print(f"  {line}")
     print("formulas")
-    for line in _aligned([_value(v) for v in result.values]):
+    for line in aligned([_value(v) for v in result.values]):
         print(f"  {line}")
     if use_fem:
         _print_rows(result.rows)
@@ -51,7 +51,7 @@ def _print_rows(rows: Sequence[Row]) -> None:
         or not row.quantity.endswith(COMPANION)
     ]  # fmt: skip
     head = ("", "", "formula", "FE", "", "difference", "allowed")
-    for line in _aligned([head, *map(_compared, shown)]):
+    for line in aligned([head, *map(_compared, shown)]):
         print(f"  {line}")
     for (status, _, reason), group in _causes(shown).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""
@@ -101,7 +101,7 @@ def _causes(rows: Sequence[Row]) -> Mapping[tuple[Status, str, str], list[Row]]:
     return found
 
 
-def _aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
+def aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
     """Lines whose columns are as wide as their longest cell."""
     wide = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return ["  ".join(map(str.ljust, line, wide)).rstrip() for line in lines]

@@ -1,0 +1,51 @@
+"""The best of what is feasible: Pareto front, its thinning, and the choice of one."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+MEMBERS = 20
+
+
+def pareto(objectives: Array) -> Indices:
+    """Rows of (N, m) that no other row beats: as good in everything and better in something.
+
+    Every objective is to be small. Equal rows do not beat each other.
+    """
+    order = np.lexsort(objectives.T[::-1])  # nobody is beaten by one that comes later
+    left, found = order, []
+    while left.size:
+        first, rest = left[0], left[1:]
+        found.append(first)
+        a, b = objectives[first], objectives[rest]
+        beaten = np.all(a <= b, axis=1) & np.any(a < b, axis=1)
+        left = rest[~beaten]
+    return np.sort(np.array(found, dtype=np.int64))
+
+
+def scaled(objectives: Array) -> Array:
+    """Every objective from 0, the best of the set, to 1, the worst; 0 where all are equal."""
+    low, high = objectives.min(axis=0), objectives.max(axis=0)
+    return np.asarray((objectives - low) / np.where(high > low, high - low, 1.0))
+
+
+def distance_to_ideal(objectives: Array) -> Array:
+    """How far each row is from the point that has the best of every scaled objective."""
+    return np.asarray(np.linalg.norm(scaled(objectives), axis=1))
+
+
+def thinned(objectives: Array, most: int = MEMBERS) -> Indices:
+    """At most `most` rows, nearest to the ideal point first.
+
+    That nearest one and the best of each objective stay; then whichever row is farthest from
+    those taken, in scaled objectives, until there are enough.
+    """
+    at, ideal = scaled(objectives), distance_to_ideal(objectives)
+    taken = list(dict.fromkeys([int(ideal.argmin()), *map(int, at.argmin(axis=0))]))[:most]
+    apart = np.min([np.linalg.norm(at - at[i], axis=1) for i in taken], axis=0)
+    while len(taken) < most and apart.max() > 0:
+        taken.append(int(apart.argmax()))
+        apart = np.minimum(apart, np.linalg.norm(at - at[taken[-1]], axis=1))
+    members = np.array(taken, dtype=np.int64)
+    return members[np.argsort(ideal[members], kind="stable")]

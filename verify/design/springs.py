@@ -1,0 +1,92 @@
+"""Candidates of a search and what the formulas say of each, as arrays over all of them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.spring import energy
+from verify.design import stages
+from verify.design.inputs import Demands
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Geometry of candidates in SI units, arrays (N,); n whole numbers."""
+
+    n: NDArray[np.int64]
+    b: Array
+    L1: Array
+    r: Array
+    alpha: Array
+
+    def __len__(self) -> int:
+        return len(self.b)
+
+    def __getitem__(self, which: NDArray[np.bool_] | NDArray[np.int64]) -> "Springs":
+        return Springs(*(getattr(self, f.name)[which] for f in fields(self)))
+
+    @cached_property
+    def possible(self) -> NDArray[np.bool_]:
+        """Whether a strip can be bent like this: b < r, and 2 r < L1."""
+        return (self.b < self.r) & (2 * self.r < self.L1)
+
+
+def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
+    """Every combination; springs of one n stand together."""
+    names = ("n", "b", "alpha", "r", "L1")
+    grid = np.meshgrid(*(np.array(ranges[name], dtype=float) for name in names), indexing="ij")
+    flat = {name: values.ravel() for name, values in zip(names, grid, strict=True)}
+    return Springs(np.round(flat.pop("n")).astype(np.int64), **flat)
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """What the formulas give for N springs, SI, arrays (N,); NaN where no strip can be bent.
+
+    `k1_eqs_1_9` is the stiffness as the paper has it, whatever the demands say of arcs and tail.
+    """
+
+    L0: Array
+    U_w: Array
+    k1: Array
+    k1_eqs_1_9: Array
+    U_A: Array
+    F_A: Array
+    k2: Array
+    stress: Array
+
+    def delta(self, F_w: float) -> Array:
+        """Computed displacement of Eq. 11 under the working force."""
+        return F_w / self.k1
+
+
+def formulas(springs: Springs, demands: Demands) -> Formulas:
+    """Lengths, stages and the stress at the working force of every candidate."""
+    found = {f.name: np.full(len(springs), np.nan) for f in fields(Formulas)}
+    for n in np.unique(springs.n):
+        which = np.flatnonzero((springs.n == n) & springs.possible)
+        if which.size:
+            for name, values in _of_one_n(int(n), springs[which], demands).items():
+                found[name][which] = values
+    return Formulas(**found)
+
+
+def _of_one_n(n: int, s: Springs, q: Demands) -> Mapping[str, Array]:
+    shape = {"L1": s.L1, "r": s.r, "b": s.b, "alpha": s.alpha}
+    L0 = stages.free_length(n=n, **shape)
+    staged = stages.stages(n=n, **shape, h=q.h, E=q.E * q.width_factor, arcs=q.arcs, tail=q.tail)
+    return {
+        "L0": L0,
+        "U_w": L0 - q.L_w if q.L_w is not None else np.full(len(s), q.U_w),
+        "k1": staged.k1,
+        "k1_eqs_1_9": energy.stiffness(n=n, **shape, h=q.h, E=q.E),
+        "U_A": staged.U_A,
+        "F_A": staged.F_A,
+        "k2": staged.k2,
+        "stress": stages.stress(F=q.F_w, h=q.h, L1=s.L1, r=s.r, b=s.b),
+    }
