@@ -21,7 +21,6 @@ from scipy.optimize import brentq
 
 ROUND_OFF = 1e-10  # differences below this share of the scale say nothing about an order
 FLOOR = 1e-12  # and no value is trusted beyond this share
-SETTLED = 1e-5  # share of the scale within which values that turn round may still grow apart
 ORDER_LIMITS = (-20.0, 60.0)
 
 Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "diverging", "short"]
@@ -60,8 +59,6 @@ def grid_convergence(
 
     Differences grow, and the series diverges, where |v3 - v2| exceeds |v2 - v1| scaled to the
     ratios of the meshes (a series in log h keeps it) by more than iteration can explain, 4 u_it.
-    Errors that change sign do so, too, where they have all but vanished: three values within 1e-5
-    of the scale are noisy, and the spread of the whole series counts.
 
     Parameters
     ----------
@@ -91,8 +88,6 @@ def grid_convergence(
     r21, r32 = h2 / h1, h3 / h2
     flat = math.log(r32) / math.log(r21)  # |coarse/fine| of a series that neither grows nor shrinks
     if flat * abs(fine) - abs(coarse) > 4 * u_it:
-        if spread < SETTLED * scale:
-            return GridConvergence("noisy", 3 * (max(values) - min(values)))
         return GridConvergence("diverging", math.inf)
     no_order = max(3 * spread, floor)
     if u_it > 0.01 * abs(fine):

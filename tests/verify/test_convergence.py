@@ -140,6 +140,7 @@ def test_iteration_error_of_one_per_cent_of_the_last_difference_leaves_the_order
         pytest.param(EVEN, (1.3, 1.2, 1.0), id="growing steps downwards"),
         pytest.param(EVEN, (1.0, 1.1, 0.9), id="growing oscillation"),
         pytest.param(EVEN, (1.0, 1.0, 1.3), id="nothing, then a step"),
+        pytest.param(EVEN, (1.0, 1.0 + 1e-9, 1.0 + 3e-9), id="growing steps, however small"),
         pytest.param(EVEN, (1.0, 2**0.2, 4**0.2), id="v = h^-0.2"),
         pytest.param(UNEVEN, (1.0, 0.75**-0.2, 0.5**-0.2), id="v = h^-0.2, uneven"),
         pytest.param(CLOSE, (1.0, 0.9**-0.2, 0.3**-0.2), id="v = h^-0.2, very uneven"),

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 CLOSE, MOST = 1e-11, 60
 GROWTH, LOCKED = 1.5, 100.0  # steps in search of N, and how often the pressure's part is no limit
-NEAR, FAR = 0.5, 1.7  # of the force that the fine cells are for, where they serve another
 THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
 
 
@@ -30,7 +29,7 @@ class DrivenRing:
         turn = np.hypot(q.e, q.ring.apothem) * np.sin(q.psi + q.phi_1)
         self.kappa = grip * q.D_i / 2 / turn  # moments of roller and hub about the axis
         self.refine = 2 * level if q.delta_1 > THICK * q.d_e else level
-        self.ring = self._ring(1, q.p_t, 0.0)
+        self.ring = self.coarse = self._ring(1, q.p_t, 0.0)
         coarse = self.force(q.p_t)
         if isfinite(coarse):
             self.ring = self._ring(self.refine, q.p_t, coarse)
@@ -63,9 +62,13 @@ class DrivenRing:
         return self.ring.force(p, self.push(N)) - N
 
     def pressure(self, N: float) -> float:
-        """Pressure [Pa] under which a roller carries N [N/m]."""
-        p = self._pressure(self.ring, N)
-        return p if NEAR < N / self.N < FAR else self._pressure(self._ring(self.refine, p, N), N)
+        """Pressure [Pa] under which a roller carries N [N/m].
+
+        On a mesh of its own, for which a coarse pressure is enough: on that for another force
+        contacts end anywhere within a cell, which moves the pressure by 1e-6 to 1e-5 at random.
+        """
+        p = self._pressure(self.coarse, N)
+        return self._pressure(self._ring(self.refine, p, N), N)
 
     def _pressure(self, ring: LockedRing, N: float) -> float:
         p = self.q.p_t
