@@ -8,6 +8,7 @@ with the tangent t of the true curve. Two Gauss points an element (reduced integ
 shear and membrane strains from locking. Shares nothing with the closed-form elements.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +16,7 @@ from numpy.typing import ArrayLike
 from scipy.sparse import csc_array
 from skfem import Basis, BilinearForm, ElementLineP2, ElementVector, LinearForm, MeshLine1
 
+from fem.beam.links import Link, ties
 from fem.beam.section import (
     Array,
     Bodies,
@@ -49,6 +51,7 @@ def solve_curved_frame(
     supports: Supports,
     loads: Loads,
     bodies: Bodies | None = None,
+    links: Sequence[Link] = (),
 ) -> FrameSolution:
     """Solve a plane frame of curved members; every section needs a finite `GA`.
 
@@ -56,8 +59,9 @@ def solve_curved_frame(
     ----------
     points, elements
         Nodes (n, 2) and (m, 3): two ends and the middle node of each element.
-    sections, supports, loads, bodies
-        As in `fem.beam.straight.solve_frame`; middle nodes may be supported and loaded too.
+    sections, supports, loads, bodies, links
+        As in `fem.beam.straight.solve_frame`; middle nodes may be supported, loaded and linked
+        too, points between nodes may not.
 
     Raises
     ------
@@ -101,7 +105,9 @@ def solve_curved_frame(
         return energy, internal[order].reshape(-1, 3)
 
     f = np.zeros(3 * len(points))
-    solved, strained = solve_supported(points, elements, K, f, supports, loads, strains, forces)
+    solved, strained = solve_supported(
+        points, elements, K, f, supports, loads, strains, forces, ties(len(points), links)
+    )
     N, V, M = stiff * strained
     forward = np.sign(np.diff(basis.mesh.p[0][basis.mesh.t], axis=0).T)  # against the numbers: -1
     return replace(

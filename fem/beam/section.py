@@ -10,6 +10,8 @@ from scipy.sparse import csc_array
 from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 
+from fem.beam.links import Solver, Ties, check_ties, tied_solver, ties
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
@@ -53,8 +55,10 @@ class FrameSolution:
     energy that the solver's last correction held, the square of a relative displacement.
     `section_forces` (elements, k, 3) are axial force, shear force and bending moment at the
     `stations` (elements, k, 2) of each element: both ends of a straight one, the Gauss points of
-    a curved one. Tension is positive; the moment EI d(rotation)/ds and the shear force along the
-    normal (the tangent turned by +90 deg) follow the element's own direction, V = -dM/ds.
+    a curved one. `link_forces` (links,) push the two points of each link apart along its
+    direction where they are positive. Tension is positive; the moment EI d(rotation)/ds and the
+    shear force along the normal (the tangent turned by +90 deg) follow the element's own
+    direction, V = -dM/ds.
     """
 
     points: Array
@@ -66,6 +70,7 @@ class FrameSolution:
     between_nodes: float = 0.0  # energy of loads along elements, part of strain_energy
     stations: Array = field(default_factory=lambda: np.zeros((0, 2, 2)))
     section_forces: Array = field(default_factory=lambda: np.zeros((0, 2, 3)))
+    link_forces: Array = field(default_factory=lambda: np.zeros(0))
 
     @property
     def potential_energy(self) -> float:
@@ -117,8 +122,9 @@ def solve_supported(
     loads: Loads,
     strains: Callable[[Array], Array],
     forces: Callable[[Array], tuple[float, Array]],
+    tied: Ties | None = None,
 ) -> tuple[FrameSolution, Array]:
-    """Add nodal `loads`, apply `supports` and solve; three unknowns a node.
+    """Add nodal `loads`, apply `supports` and links, and solve; three unknowns a node.
 
     `strains` is linear in the displacements (nodes, 3); `forces` gives the strain energy and the
     internal forces (nodes, 3) of strains. Returns the solution and its strains. These add up from
@@ -137,27 +143,26 @@ def solve_supported(
                 raise ValueError(f"node {node}: components are x, y, r, got {component!r}")
             i = _rows(n, node).start + DOFS.index(component)
             free[i], u[i] = False, value
-    check_rigid_motions(points, elements, free)
-    try:
-        factor = splu(
-            csc_array(K[free][:, free]),
-            permc_spec="MMD_AT_PLUS_A",
-            diag_pivot_thresh=0.0,
-            options={"SymmetricMode": True},
-        )
-    except RuntimeError as error:  # SuperLU's word for a zero pivot
-        raise ValueError("the frame is a mechanism: a part of it can move freely") from error
+    tied = tied or ties(n, ())
+    if tied.count:
+        check_ties(tied, points, _parts(n, elements), free)
+    else:
+        check_rigid_motions(points, elements, free)
+    solve = _factorised(csc_array(K[free][:, free]), csc_array(tied.B[:, free]))
     change, stiff = math.inf, abs(K)
     strained, correction = strains(u.reshape(-1, 3)), np.zeros(3 * n)
+    pushing = np.zeros(tied.count)
     for _ in range(MAX_CORRECTIONS):
         energy, internal = forces(strained)
-        residual = (f - internal.ravel())[free]
-        correction[free] = step = factor.solve(residual)
-        u += correction
+        residual = (f + tied.B.T @ pushing - internal.ravel())[free]
+        apart = tied.g - tied.B @ u
+        correction[free], more = solve(residual, apart)
+        work = abs(float(residual @ correction[free])) + abs(float(apart @ more))
+        u, pushing = u + correction, pushing + more
         strained = strained + strains(correction.reshape(-1, 3))
         before = change
         size = abs(f @ u) + 2 * energy + ROUND_OFF * (abs(u) @ (stiff @ abs(u)))
-        change = abs(float(residual @ step)) / float(size) if size else 0.0
+        change = work / float(size) if size else 0.0
         if change < CONVERGED or not change < before / 2:
             break
     if not change < RESIDUAL_LIMIT:
@@ -166,8 +171,23 @@ def solve_supported(
             f"of the energy, allowed {RESIDUAL_LIMIT:.0e}"
         )
     energy, internal = forces(strained)
-    reactions = internal - f.reshape(-1, 3)
-    return FrameSolution(points, u.reshape(-1, 3), reactions, f, energy, change), strained
+    reactions = internal - (f + tied.B.T @ pushing).reshape(-1, 3)
+    solution = FrameSolution(
+        points, u.reshape(-1, 3), reactions, f, energy, change, link_forces=pushing
+    )
+    return solution, strained
+
+
+def _factorised(K: csc_array, B: csc_array) -> Solver:
+    try:
+        if B.shape[0]:
+            return tied_solver(K, B)
+        factor = splu(
+            K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+        )
+    except RuntimeError as error:  # SuperLU's word for a zero pivot
+        raise ValueError("the frame is a mechanism: a part of it can move freely") from error
+    return lambda residual, _: (factor.solve(residual), np.zeros(0))
 
 
 def _rows(n: int, node: int) -> slice:
@@ -176,12 +196,17 @@ def _rows(n: int, node: int) -> slice:
     return slice(3 * node, 3 * node + 3)
 
 
+def _parts(count: int, elements: Indices) -> Indices:
+    """The number of the connected part that every node belongs to."""
+    first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()
+    joined = csc_array((np.ones(first.size), (first, elements.ravel())), shape=(count, count))
+    return np.asarray(connected_components(joined, directed=False)[1], dtype=np.int64)
+
+
 def check_rigid_motions(points: Array, elements: Indices, free: NDArray[np.bool_]) -> None:
     """ValueError where the supports leave a connected part of the frame a rigid motion."""
-    count = len(points)
-    first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()
-    links = csc_array((np.ones(first.size), (first, elements.ravel())), shape=(count, count))
-    parts, part = connected_components(links, directed=False)
+    part = _parts(len(points), elements)
+    parts = int(part.max()) + 1
     for k in range(parts):
         own = np.flatnonzero(part == k)
         at = points[own] - points[own].mean(axis=0)

@@ -4,13 +4,14 @@ Exact at the nodes for straight members under nodal loads; arcs are inscribed po
 costs an error of second order in the element length.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import coo_array, csc_array
 
+from fem.beam.links import Link, divide, ties
 from fem.beam.section import (
     Array,
     Bodies,
@@ -34,6 +35,7 @@ def solve_frame(
     loads: Loads,
     bodies: Bodies | None = None,
     distributed: Mapping[int, tuple[float, float]] | None = None,
+    links: Sequence[Link] = (),
 ) -> FrameSolution:
     """Solve a plane frame.
 
@@ -49,6 +51,9 @@ def solve_frame(
         Node to force (x, y) and couple.
     distributed
         Element to force per length (x, y), uniform along it.
+    links
+        Rigid links between nodes or points inside elements. Such an element is cut there: new
+        nodes and elements follow the given ones in the solution.
 
     Raises
     ------
@@ -59,21 +64,27 @@ def solve_frame(
     """
     points, elements = np.asarray(points, float), np.asarray(elements, int)
     check_elements(len(points), elements)
+    whole = element_sections(len(elements), sections, bodies)
+    for e in distributed or {}:
+        if not 0 <= e < len(elements):
+            raise ValueError(f"no element {e}: the frame has elements 0 to {len(elements) - 1}")
+    cut = divide(points, elements, links)
+    points, elements = cut.points, cut.elements
+    chosen = [whole[e] for e in cut.parent]
     d = points[elements[:, 1]] - points[elements[:, 0]]
     length = np.hypot(*d.T)
     if length.min() <= 0:
         raise ValueError(f"element {int(length.argmin())} has no length")
-    chosen = element_sections(len(elements), sections, bodies)
     EA, EI, GA = np.array([(s.EA, s.EI, s.GA) for s in chosen]).T
     k, T = _stiffness(length, EA, EI, 12 * EI / (GA * length**2)), _rotation(d / length[:, None])
     dofs = (3 * elements[:, :, None] + np.arange(3)).reshape(-1, 6)
     K = _assemble(np.einsum("eki,ekl,elj->eij", T, k, T), dofs, 3 * len(points))
     f = np.zeros(3 * len(points))
     between, fixed_end = 0.0, np.zeros((len(elements), 6))
-    for e, q in (distributed or {}).items():
-        if not 0 <= e < len(elements):
-            raise ValueError(f"no element {e}: the frame has elements 0 to {len(elements) - 1}")
-        L = length[e]
+    for e, given in enumerate(cut.parent):
+        if given not in (distributed or {}):
+            continue
+        L, q = length[e], (distributed or {})[given]
         axial, across = T[e, :2, :2] @ q
         local = np.array([axial, across, across * L / 6, axial, across, -across * L / 6]) * L / 2
         f[dofs[e]] += T[e].T @ local
@@ -101,7 +112,9 @@ def solve_frame(
         internal = _end_forces(held, elements, tangent, length, len(points))
         return float(np.sum(held * strains)) / 2, internal
 
-    solved, strained = solve_supported(points, elements, K, f, supports, loads, strains, forces)
+    solved, strained = solve_supported(
+        points, elements, K, f, supports, loads, strains, forces, ties(len(points), links, cut.ends)
+    )
     section_forces = _section_forces(resultants(strained), length, fixed_end)
     return replace(
         solved, strain_energy=solved.strain_energy + between, between_nodes=between,

@@ -1,0 +1,174 @@
+"""Rigid links without friction between two points of a frame, such as parts that touch.
+
+A link prescribes how far its second point moves from its first along a direction and leaves the
+rest free. Its force is part of the solution; nothing keeps it from pulling, so whoever takes a
+link for a contact looks at its sign.
+"""
+
+import itertools
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import block_array, coo_array, csc_array
+from scipy.sparse.linalg import splu
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Place = int | tuple[int, float]  # a node, or an element and how far along it (0 to 1)
+
+DEPENDENT = 1e-9  # singular value of unit rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class Link:
+    """(u_second - u_first) . direction = value.
+
+    A place is a node, or an element's number and a share of its length. `direction` (x, y) may
+    have any length but zero; a contact's points from `first` to `second`, and its value is then
+    minus the gap [length] that is closed.
+    """
+
+    first: Place
+    second: Place
+    direction: tuple[float, float]
+    value: float = 0.0
+
+    def __post_init__(self) -> None:
+        length = math.hypot(*self.direction)
+        if not (math.isfinite(length) and length > 0):
+            raise ValueError(f"a link needs a direction (x, y) with a length, got {self.direction}")
+        if not math.isfinite(self.value):
+            raise ValueError(f"a link's relative displacement must be finite, got {self.value} m")
+        if self.first == self.second:
+            raise ValueError(f"a link needs two different points, got {self.first} twice")
+
+
+@dataclass(frozen=True)
+class Divided:
+    """A mesh of straight elements with a node at every linked point.
+
+    New nodes and elements follow the given ones; an element that was cut keeps its first part.
+    `parent` (m,) is the element that each came from, `ends` (k, 2) the nodes of every link.
+    """
+
+    points: Array
+    elements: Indices
+    parent: Indices
+    ends: Indices
+
+
+def divide(points: Array, elements: Indices, links: Sequence[Link]) -> Divided:
+    """Cut straight elements where links hold them; ValueError for places that don't exist."""
+    cuts: dict[int, dict[float, int]] = {}
+    count = len(points)
+    added: list[Array] = []
+    ends = np.empty((len(links), 2), dtype=np.int64)
+    for i, link in enumerate(links):
+        for j, place in enumerate((link.first, link.second)):
+            at = _at_end(place, elements)
+            if isinstance(at, int):
+                ends[i, j] = _node(at, count)
+                continue
+            e, share = at
+            if share not in cuts.setdefault(e, {}):
+                cuts[e][share] = count + len(added)
+                a, b = points[elements[e]]
+                added.append(a + share * (b - a))
+            ends[i, j] = cuts[e][share]
+    cut, more, parent = elements.copy(), [], list(range(len(elements)))
+    for e, own in cuts.items():
+        chain = [*(own[share] for share in sorted(own)), int(elements[e, 1])]
+        cut[e, 1] = chain[0]
+        more += list(itertools.pairwise(chain))
+        parent += [e] * len(own)
+    return Divided(
+        np.vstack([points, *added]) if added else points,
+        np.vstack([cut, more]) if more else cut,
+        np.array(parent), ends,
+    )  # fmt: skip
+
+
+def _at_end(place: Place, elements: Indices) -> Place:
+    """A place as a node where it is one."""
+    if not isinstance(place, tuple):
+        return place
+    e, share = place
+    if not 0 <= e < len(elements):
+        raise ValueError(f"no element {e}: the frame has elements 0 to {len(elements) - 1}")
+    if not 0 <= share <= 1:
+        raise ValueError(f"a link's place on element {e} must lie in [0, 1], got {share:g}")
+    return int(elements[e, int(share)]) if share in (0, 1) else place
+
+
+def _node(node: int, count: int) -> int:
+    if not 0 <= node < count:
+        raise ValueError(f"no node {node}: the frame has nodes 0 to {count - 1}")
+    return node
+
+
+@dataclass(frozen=True)
+class Ties:
+    """Links between nodes as rows B u = g of a frame with three unknowns a node."""
+
+    B: csc_array
+    g: Array
+
+    @property
+    def count(self) -> int:
+        return int(self.g.size)
+
+
+def ties(nodes: int, links: Sequence[Link], ends: Indices | None = None) -> Ties:
+    """Rows of `links`, whose places are nodes or given as nodes by `ends` (k, 2)."""
+    rows, columns, entries = [], [], []
+    for i, link in enumerate(links):
+        direction = np.array(link.direction) / math.hypot(*link.direction)
+        for j, sign in ((0, -1.0), (1, 1.0)):
+            place = (link.first, link.second)[j] if ends is None else int(ends[i, j])
+            if isinstance(place, tuple):
+                raise ValueError(f"curved elements are linked at their nodes, got place {place}")
+            first = 3 * _node(place, nodes)
+            rows += [i, i]
+            columns += [first, first + 1]
+            entries += (sign * direction).tolist()
+    B = csc_array(coo_array((entries, (rows, columns)), shape=(len(links), 3 * nodes)))
+    return Ties(B, np.array([link.value for link in links], dtype=np.float64))
+
+
+def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]) -> None:
+    """ValueError for links with nothing to prescribe, and for frames that move in spite of them.
+
+    `part` (n,) is the connected part that each node belongs to.
+    """
+    own = np.linalg.svd(tied.B[:, free].toarray(), compute_uv=False)
+    if free.sum() < tied.count or own[-1] < DEPENDENT:
+        raise ValueError("links repeat each other or join points that the supports hold already")
+    x, y = (points - points.mean(axis=0)).T / max(np.ptp(points, axis=0).max(), 1e-300)
+    modes = np.zeros((len(points), 3, 3 * (int(part.max()) + 1)))
+    node = np.arange(len(points))
+    for dof, mode, entry in ((0, 0, 1.0), (1, 1, 1.0), (0, 2, -y), (1, 2, x), (2, 2, 1.0)):
+        modes[node, dof, 3 * part + mode] = entry
+    motions = modes.reshape(free.size, -1)
+    held = np.vstack([motions[~free], tied.B @ motions])
+    s = np.linalg.svd(held, compute_uv=False)
+    if s.size < motions.shape[1] or s[-1] < DEPENDENT:
+        raise ValueError("the frame can move rigidly in spite of its links: support it")
+
+
+Solver = Callable[[Array, Array], tuple[Array, Array]]
+
+
+def tied_solver(K: csc_array, B: csc_array) -> Solver:
+    """Solve K u - B^T p = r, B u = g for (u, p); RuntimeError where that is singular."""
+    size = float(abs(K.diagonal()).mean())
+    saddle = csc_array(block_array([[K, -size * B.T], [-size * B, None]]))
+    factor, n = splu(saddle), K.shape[0]
+
+    def solve(r: Array, g: Array) -> tuple[Array, Array]:
+        both = factor.solve(np.concatenate([r, -size * g]))
+        return both[:n], size * both[n:]
+
+    return solve
