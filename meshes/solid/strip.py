@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from itertools import chain, pairwise
 
 import gmsh
 from skfem.mesh import Mesh3D
@@ -11,7 +12,7 @@ from meshes.solid.grading import levels
 from meshes.solid.hexahedra import solid_mesh
 from meshes.spring.path import Piece
 
-NAMES = ("right", "tail", "left", "head")  # the sides of a piece, in the order of its outline
+Face = tuple[list[int], list[int]]
 
 
 def solid_strip(
@@ -40,60 +41,72 @@ def solid_strip(
     with gmsh_session():
         geo = gmsh.model.geo
         before = _face(pieces[0].x, pieces[0].y, pieces[0].heading, b, through)
-        drawn = []
+        layers: list[list[int]] = []
         for piece in pieces:
             after = _face(*piece.end, piece.heading + piece.turn, b, through)
-            sides = [_side(piece, before[k], after[k]) for k in (0, 1)]
-            for side in sides:
-                geo.mesh.setTransfiniteCurve(side, (per_arc if piece.turn else per_leaf) + 1)
-            loop = geo.addCurveLoop([sides[1], -after[2], -sides[0], before[2]])
-            surface = geo.addPlaneSurface([loop])
-            geo.mesh.setTransfiniteSurface(
-                surface, cornerTags=[before[1], after[1], after[0], before[0]]
-            )
-            geo.mesh.setRecombine(2, surface)
-            drawn.append(surface)
+            layers.append(_layers(piece, before, after, per_arc if piece.turn else per_leaf))
             before = after
         swept = geo.extrude(
-            [(2, surface) for surface in drawn], 0, 0, width,
+            [(2, surface) for surface in chain(*layers)], 0, 0, width,
             numElements=[1] * across, heights=levels(across, grading), recombine=True,
         )  # fmt: skip
         geo.synchronize()
-        _name(pieces, drawn, [tag for _, tag in swept])
+        _name(pieces, layers, [tag for _, tag in swept])
         gmsh.model.mesh.generate(3)
         gmsh.model.mesh.setOrder(order)
         return solid_mesh(straight=straight)
 
 
-def _name(pieces: Sequence[Piece], drawn: list[int], swept: list[int]) -> None:
-    """Physical groups of what gmsh made: of each piece its far face, its volume and four sides."""
+def _name(pieces: Sequence[Piece], layers: list[list[int]], swept: list[int]) -> None:
+    """Physical groups of what gmsh made of each layer: its far face, its volume and four sides."""
+    through = len(layers[0])
     parts = [swept[k : k + 6] for k in range(0, len(swept), 6)]
-    faces = {name: [part[2 + k] for part in parts] for k, name in enumerate(NAMES)}
-    faces["head"], faces["tail"] = faces["head"][:1], faces["tail"][-1:]
-    faces["middle"], faces["edge"] = drawn, [part[0] for part in parts]
+    faces = {
+        "head": [part[5] for part in parts[:through]],
+        "tail": [part[3] for part in parts[-through:]],
+        "left": [part[4] for part in parts[::through]],
+        "right": [part[2] for part in parts[through - 1 :: through]],
+        "middle": list(chain(*layers)),
+        "edge": [part[0] for part in parts],
+    }
     for name, surfaces in faces.items():
         gmsh.model.addPhysicalGroup(2, surfaces, name=name)
-    for name, kind in (("arcs", "arc"), ("leaves", "leaf")):
-        own = [part[1] for part, piece in zip(parts, pieces, strict=True) if piece.kind == kind]
+    for name, arcs in (("arcs", True), ("leaves", False)):
+        own = [part[1] for k, part in enumerate(parts) if bool(pieces[k // through].turn) == arcs]
         if own:
             gmsh.model.addPhysicalGroup(3, own, name=name)
 
 
-def _face(x: float, y: float, heading: float, b: float, through: int) -> tuple[int, int, int]:
-    """Left point, right point and the curve from left to right through the strip."""
+def _face(x: float, y: float, heading: float, b: float, through: int) -> Face:
+    """Points from left to right through the strip, and the lines between them."""
     geo = gmsh.model.geo
     n_x, n_y = -math.sin(heading) * b / 2, math.cos(heading) * b / 2
-    left, right = geo.addPoint(x + n_x, y + n_y, 0), geo.addPoint(x - n_x, y - n_y, 0)
-    line = geo.addLine(left, right)
-    geo.mesh.setTransfiniteCurve(line, through + 1)
-    return left, right, line
+    places = [1 - 2 * k / through for k in range(through + 1)]
+    points = [geo.addPoint(x + s * n_x, y + s * n_y, 0) for s in places]
+    lines = [geo.addLine(left, right) for left, right in pairwise(points)]
+    for line in lines:
+        geo.mesh.setTransfiniteCurve(line, 2)
+    return points, lines
 
 
-def _side(piece: Piece, start: int, end: int) -> int:
+def _layers(piece: Piece, before: Face, after: Face, cells: int) -> list[int]:
+    """Surfaces of the piece, one for each cell through it: their sides are arcs as well."""
     geo = gmsh.model.geo
-    if piece.kind == "leaf":
-        return int(geo.addLine(start, end))
-    return int(geo.addCircleArc(start, geo.addPoint(*piece.centre, 0), end))
+    sides = []
+    for start, end in zip(before[0], after[0], strict=True):
+        if piece.turn:
+            sides.append(geo.addCircleArc(start, geo.addPoint(*piece.centre, 0), end))
+        else:
+            sides.append(geo.addLine(start, end))
+        geo.mesh.setTransfiniteCurve(sides[-1], cells + 1)
+    surfaces = []
+    for k, (left, right) in enumerate(pairwise(sides)):
+        loop = geo.addCurveLoop([right, -after[1][k], -left, before[1][k]])
+        surfaces.append(geo.addPlaneSurface([loop]))
+        corners = [before[0][k + 1], after[0][k + 1], after[0][k], before[0][k]]
+        geo.mesh.setTransfiniteSurface(surfaces[-1], cornerTags=corners)
+        geo.mesh.setRecombine(2, surfaces[-1])
+    return surfaces
 
 
 def _check(pieces: Sequence[Piece], b: float, width: float, counts: tuple[int, ...]) -> None:

@@ -1,0 +1,164 @@
+"""Balance, scaling, rigid motions and messages of solids."""
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+from skfem import MeshHex, MeshHex2
+
+from fem.plane.material import Elastic
+from fem.solid.solve import solve_solid
+from meshes.solid.strip import solid_strip
+from meshes.spring.path import Piece
+
+STEEL = Elastic(E=206e3, nu=0.3)  # N/mm^2
+QUARTER = Piece("arc", 0.0, 0.0, pi / 2, 0.5 * pi / 2, -pi / 2, 1)
+LEAF = Piece("leaf", 0.5, 0.5, 0.0, 3.0, 0.0, 1)
+PULL = (3.0, -2.0, 1.5)  # any
+
+
+def hook(scale=1.0):
+    mesh = solid_strip(
+        [QUARTER, LEAF], b=0.1, width=1.0, through=1, per_arc=3, per_leaf=4, across=2, grading=3.0
+    )
+    return replace(mesh, doflocs=scale * mesh.doflocs)
+
+
+def bent(mesh=None, **changed):
+    given = {"materials": STEEL, "supports": {"tail": "xyz"}, "tractions": {"head": PULL}}
+    return solve_solid(hook() if mesh is None else mesh, **given | changed)
+
+
+def test_the_reaction_balances_a_traction_in_force_and_moment():
+    force, moment = bent().reaction("tail")
+    load = 0.1 * 1.0 * np.array(PULL)
+    assert force == pytest.approx(-load)
+    assert moment == pytest.approx(-np.cross((0.0, 0.0, 0.5), load), rel=1e-7)
+
+
+def test_a_pressure_on_all_sides_needs_no_reaction_and_squeezes_evenly():
+    mesh, p = hook(), 7.0
+    solved = bent(mesh, tractions={}, pressures=dict.fromkeys(mesh.boundaries, p), supports={
+        (0.0, 0.0, 0.0): "xyz", (0.0, 0.0, 1.0): "xy", (3.5, 0.5, 0.0): "y",
+    })  # fmt: skip
+    for place in solved.conditions.owners:
+        assert solved.reaction(place)[0] == pytest.approx(np.zeros(3), abs=1e-7)
+    stress = solved.stresses().stress
+    assert stress == pytest.approx(np.broadcast_to(-p * np.eye(3), stress.shape), abs=1e-6)
+
+
+def test_a_weight_stands_on_its_support():
+    force, moment = bent(tractions={}, body_force=(0.0, -2.0, 0.0)).reaction("tail")
+    weight = 2.0 * 0.1 * 1.0 * (0.5 * pi / 2 + 3.0)
+    assert force == pytest.approx([0.0, weight, 0.0], abs=1e-4)  # the arc is made of parabolas
+    assert moment[0] == pytest.approx(-0.5 * weight, rel=1e-4)
+
+
+def test_a_force_at_a_node_does_the_work_of_its_movement():
+    solved = bent(tractions={}, forces={(0.0, 0.0, 1.0): (1.0, 0.0, 0.0)})
+    work = solved.displacement_at((0.0, 0.0, 1.0))[0]
+    assert work > 0
+    assert -2 * solved.potential_energy == pytest.approx(work)
+    assert solved.strain_energy == pytest.approx(work / 2)
+
+
+def test_stiffness_and_energy_scale_with_modulus_and_size():
+    one = bent()
+    stiff = bent(materials=Elastic(E=7 * 206e3, nu=0.3))
+    assert stiff.displacement == pytest.approx(one.displacement / 7, rel=1e-7, abs=1e-12)
+    large = bent(hook(1000.0))  # the same tractions: strains alike
+    assert large.displacement == pytest.approx(1000 * one.displacement, rel=1e-7, abs=1e-8)
+    assert large.strain_energy == pytest.approx(1e9 * one.strain_energy, rel=1e-9)
+
+
+def test_a_small_rotation_strains_nothing_and_a_turned_body_acts_alike():
+    mesh, axis = hook(), np.array([0.3, -0.5, 0.8])
+    solved = bent(mesh, tractions={}, supports={
+        name: {c: (lambda x, i=i: np.cross(axis, x.T).T[i]) for i, c in enumerate("xyz")}
+        for name in ("head", "tail")
+    })  # fmt: skip
+    assert solved.displacement == pytest.approx(np.cross(axis, mesh.doflocs.T), abs=1e-10)
+    assert abs(solved.stresses().stress).max() < 1e-7 * STEEL.E
+    turn = np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]]) @ np.diag([-1, -1, 1])
+    turned = bent(
+        replace(mesh, doflocs=turn @ mesh.doflocs), tractions={"head": tuple(turn @ PULL)}
+    )
+    assert turned.strain_energy == pytest.approx(bent(mesh).strain_energy, rel=1e-9)
+
+
+def test_a_uniform_line_moves_as_one_and_its_forces_cancel():
+    line = (0.0, 0.0, None)
+    solved = bent(uniform={line: "x"})
+    nodes = np.flatnonzero(np.all(abs(solved.mesh.doflocs[:2]) < 1e-9, axis=0))
+    assert nodes.size == 5
+    assert np.ptp(solved.displacement[nodes, 0]) < 1e-12
+    assert np.ptp(solved.displacement[nodes, 1]) > 1e-6
+    force, moment = solved.reaction(line)
+    assert force == pytest.approx(np.zeros(3), abs=1e-9)
+    assert moment[1] != pytest.approx(0, abs=1e-6)
+    held = solved.reaction("tail")[1]
+    load = np.cross((0.0, 0.0, 0.5), 0.1 * np.array(PULL))
+    assert held + moment == pytest.approx(-load, rel=1e-6)
+    assert solved.strain_energy < bent().strain_energy
+
+
+def test_a_uniform_line_is_the_prescribed_one_that_carries_the_same_force():
+    """The face is 0.1 by 1; the line is moved by hand as far as the pull moves it."""
+    line = (0.0, 0.0, None)
+    free = bent(uniform={line: "x"}, tractions={}, forces={line: (2.0, 0.0, 0.0)})
+    moved = free.displacement_at(line)[0]
+    pushed = bent(supports={"tail": "xyz", line: {"x": moved}}, tractions={})
+    assert pushed.reaction(line)[0][0] == pytest.approx(2.0)
+    assert pushed.displacement == pytest.approx(free.displacement, abs=1e-9 * abs(moved))
+
+
+@pytest.mark.parametrize(
+    ("supports", "words"),
+    [
+        ({}, "body 1 of 1 can move rigidly"),
+        ({"tail": "yz"}, r"can move rigidly \(-?\+?1 x\)"),
+        ({(0.0, 0.0, None): "xyz"}, r"can move rigidly \(.*about z\)"),
+        ({"tial": "xyz"}, "no boundary 'tial'; its boundaries: edge, head, left"),
+        ({"tail": "xw"}, "support 'tail': components are x, y, z, got 'w'"),
+        ({"tail": "xyz", "middle": {"z": 1e-3}}, r"at \(3.5, 0.\d+, 0\), along z: two supports"),
+        ({"tail": {"x": np.nan}}, "support 'tail': the movement along x is not finite"),
+        ({(9.0, 0.0, None): "x"}, r"no node at \(9.0, 0.0, None\): the nearest is 5.5 away"),
+        ({(None, None, None): "x"}, "a point has x, y and z, one of them not None"),
+    ],
+)
+def test_supports_that_do_not_hold_or_do_not_fit_get_one_line(supports, words):
+    with pytest.raises(ValueError, match=words):
+        bent(supports=supports)
+
+
+def test_two_bodies_are_held_each_by_its_own_supports():
+    row = MeshHex.init_tensor(np.arange(4.0), np.arange(2.0), np.arange(2.0))
+    apart = row.restrict(lambda x: abs(x[0] - 1.5) > 0.6)
+    mesh = MeshHex2.from_mesh(apart).with_boundaries({"low": lambda x: x[0] == 0.0})
+    with pytest.raises(ValueError, match="body 2 of 2 can move rigidly"):
+        solve_solid(mesh, materials=STEEL, supports={"low": "xyz"})
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"materials": {"arcs": STEEL}}, "8 of 14 cells have no material"),
+        ({"uniform": {"tail": "x"}}, "can't be held and move uniformly as well"),
+        ({"uniform": {"head": "x", (0.0, 0.0, None): "x"}}, "uniformly with one group only"),
+        ({"tractions": {"head": (np.nan, 0.0, 0.0)}}, "traction on 'head': a load vector is not"),
+        ({"pressures": {"head": np.inf}}, "the pressure on 'head' is not finite"),
+        ({"forces": {"head": (1.0, 2.0)}}, "the force at 'head' needs three finite components"),
+    ],
+)
+def test_loads_and_materials_that_do_not_fit_get_one_line(changed, words):
+    with pytest.raises(ValueError, match=words):
+        bent(**changed)
+
+
+def test_a_folded_cell_is_named():
+    mesh = hook()
+    at = mesh.doflocs.copy()
+    at[:, mesh.t[:4, 0]] = at[:, mesh.t[[3, 2, 1, 0], 0]]
+    with pytest.raises(ValueError, match="cell .* of 14, about .*, is folded or flat"):
+        bent(replace(mesh, doflocs=at))
