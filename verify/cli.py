@@ -144,7 +144,7 @@ def design(
     file: Path,
     /,
     *,
-    choose: Number = 1,
+    choose: Number | None = None,
     fem: bool = True,
     json: bool = False,
     out: Path | None = None,
@@ -156,7 +156,8 @@ def design(
     file
         The task (TOML), see `freewheel init design-spring`.
     choose
-        Member of the front to go on with; 1 is the one nearest to the best of everything.
+        Member of the front to go on with; by default the one nearest to the best of everything
+        that finite elements keep.
     fem
         Set finite elements beside every member of the front.
     json

@@ -1,7 +1,6 @@
 """The command `design`, apart from reading the command line."""
 
 import json
-import shlex
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -16,7 +15,9 @@ from verify.files import write_whole
 TABLE = "candidates.csv"
 
 
-def run_design(path: Path, *, choose: int, use_fem: bool, as_json: bool, out: Path | None) -> int:
+def run_design(
+    path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None
+) -> int:
     """Springs for the task in a file; 0 where one is found and finite elements agree, else 1."""
     task = load(path)
     if out is not None:

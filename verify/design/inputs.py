@@ -13,7 +13,8 @@ from verify.inputs import InputError, Inputs, build, quantity, read_parameter_fi
 
 CASE = "design-spring"
 Arcs = Literal["centre line", "inner"]
-Tail = Literal["arc", "mid-leaf"]
+Head = Literal["guided", "free"]
+Tail = Literal["mid-leaf", "arc"]
 MOST_CANDIDATES = 300_000
 
 SWEEPS = {
@@ -62,7 +63,8 @@ class Demands(Inputs):
     arcs: Arcs = word(
         "centre line", "radius of the arcs in k_1: true centre line or, as Eqs. 1-9 have it, inner"
     )
-    tail: Tail = word("arc", "where the tail is clamped: end of its arc (Eqs. 1-9) or mid-leaf")
+    head: Head = word("guided", "the roller guides the head or, as in Eqs. 1-9, leaves it free")
+    tail: Tail = word("mid-leaf", "where the tail is clamped: mid-leaf or, as in Eqs. 1-9, arc")
     wedge: float = quantity(
         "27 mm", "mm", "L_max", "length of the wedge, which the free spring has to fit in",
         gt=0, le=1e4,

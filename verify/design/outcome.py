@@ -9,7 +9,6 @@ from verify.design.inputs import Task
 from verify.design.search import Search, search
 from verify.inputs import InputError
 
-
 CHOSEN = "chosen.toml"
 
 
@@ -26,39 +25,52 @@ class Outcome:
 
     @property
     def passed(self) -> bool:
-        """Whether something is feasible, and no finite elements of the front disagree."""
-        return self.chosen is not None and all(v.agrees for v in self.verified)
+        """Something is feasible, finite elements meet the formula, and keep the chosen spring."""
+        if self.chosen is None:
+            return False
+        if not self.verified:
+            return True
+        return self.verified[self.chosen].fits and all(v.agrees for v in self.verified)
+
+    @property
+    def candidate(self) -> int:
+        """The chosen spring among all candidates."""
+        assert self.chosen is not None
+        return int(self.search.members[self.chosen])
 
 
-def carry_out(task: Task, *, choose: int, use_fem: bool, quiet: bool) -> Outcome:
-    """Search, verify the front, and choose member number `choose`, counted from 1."""
+def carry_out(task: Task, *, choose: int | None, use_fem: bool, quiet: bool) -> Outcome:
+    """Search, verify the front, and choose member number `choose`, counted from 1.
+
+    By default it is the first that finite elements keep, the members being sorted by their
+    distance to the ideal point; the very first where they keep none.
+    """
     found = search(task)
     members = [int(i) for i in found.members]
     if not members:
         return Outcome(found, (), None)
-    if not 1 <= choose <= len(members):
+    if choose is not None and not 1 <= choose <= len(members):
         raise InputError(f"--choose: the front has members 1 to {len(members)}, got {choose}")
     if not use_fem:
-        return Outcome(found, (), choose - 1)
+        return Outcome(found, (), (choose or 1) - 1)
     with progress.shown(quiet=quiet) as show:
 
         def tell(done: int, remaining: float) -> None:
             show(progress.State(done, len(members), (f"member {done + 1}",), remaining))
 
         checked = verified(found.springs, found.formulas, members, task.demands, tell)
-    return Outcome(found, checked, choose - 1)
+    kept = next((k for k, v in enumerate(checked) if v.agrees and v.fits), 0)
+    return Outcome(found, checked, kept if choose is None else choose - 1)
 
 
 def chosen_file(outcome: Outcome) -> str:
     """A parameter file of the chosen spring for `freewheel check --fem`."""
     found, q = outcome.search, outcome.search.task.demands
-    assert outcome.chosen is not None
-    i = int(found.members[outcome.chosen])
-    s = found.springs
+    i, s = outcome.candidate, found.springs
     lengths = {"b": s.b[i], "h": q.h, "r": s.r[i], "L1": s.L1[i]}
     name = found.task.name.replace("\\", "\\\\").replace('"', '\\"')
     return "\n".join([
-        f"# Member {outcome.chosen + 1} of the front that freewheel design found; to go on with:",
+        f"# Member {(outcome.chosen or 0) + 1} of the front of a design task; to go on with:",
         f"#   freewheel check --fem {CHOSEN}",
         "",
         'case = "spring-accordion"',

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import math
 from typing import Any
 
 import numpy as np
@@ -73,6 +74,9 @@ def record(outcome: Outcome) -> dict[str, Any]:
             member["fem"] = {
                 "k1": {"value": v.k1 / 1e3, "unit": "N/mm"}, "deviation": v.deviation,
                 "limit": v.limit, "mesh": v.mesh, "agrees": v.agrees,
+                "Delta": {"value": finite(v.delta * 1e3), "unit": "mm"}, "e_r": finite(v.e_r),
+                "fits": v.fits, "force_at_U_w": {"value": finite(v.force), "unit": "N"},
+                "curve": {"U_mm": list(v.U * 1e3), "F_N": list(v.F)},
             }  # fmt: skip
         members.append(member)
     return {
@@ -94,6 +98,11 @@ def violations(s: Search) -> dict[str, int]:
     counts = s.judged.violations.sum(axis=1)
     found = {limit.key: int(c) for limit, c in zip(s.judged.limits, counts, strict=True)}
     return found | {"shape": int((~s.judged.possible).sum())}
+
+
+def finite(value: float) -> float | None:
+    """JSON has no NaN."""
+    return value if math.isfinite(value) else None
 
 
 def relaxed(r: Relaxation) -> dict[str, Any]:

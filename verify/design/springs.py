@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.spring import energy
-from verify.design import stages
+from analytic.spring.stages import stages
 from verify.design.inputs import Demands
 
 Array = NDArray[np.float64]
@@ -77,16 +77,27 @@ def formulas(springs: Springs, demands: Demands) -> Formulas:
 
 
 def _of_one_n(n: int, s: Springs, q: Demands) -> Mapping[str, Array]:
-    shape = {"L1": s.L1, "r": s.r, "b": s.b, "alpha": s.alpha}
-    L0 = stages.free_length(n=n, **shape)
-    staged = stages.stages(n=n, **shape, h=q.h, E=q.E * q.width_factor, arcs=q.arcs, tail=q.tail)
+    leaf = energy.leaf_length(L1=s.L1, r=s.r, b=s.b, alpha=s.alpha)
+    L0 = _free_length(n, s, leaf)
+    staged = stages(
+        n=n, b=s.b, h=q.h, radius=s.r if q.arcs == "inner" else s.r + s.b / 2, L1=s.L1,
+        alpha=s.alpha, E=q.E, nu=q.nu, width_factor=q.width_factor, head=q.head, tail=q.tail,
+        leaf=leaf,
+    )  # fmt: skip
+    couple = q.F_w * staged.top_couple / staged.F_A
     return {
         "L0": L0,
         "U_w": L0 - q.L_w if q.L_w is not None else np.full(len(s), q.U_w),
         "k1": staged.k1,
-        "k1_eqs_1_9": energy.stiffness(n=n, **shape, h=q.h, E=q.E),
+        "k1_eqs_1_9": energy.stiffness(n=n, b=s.b, h=q.h, r=s.r, L1=s.L1, alpha=s.alpha, E=q.E),
         "U_A": staged.U_A,
         "F_A": staged.F_A,
         "k2": staged.k2,
-        "stress": stages.stress(F=q.F_w, h=q.h, L1=s.L1, r=s.r, b=s.b),
+        "stress": energy.curvature_factor(b=s.b, r=s.r) * 6 * couple / (q.h * s.b**2),
     }
+
+
+def _free_length(n: int, s: Springs, leaf: Array) -> Array:
+    """Over all, leaf to leaf, on the true centre line; `analytic.spring.frame` sums one spring."""
+    R = s.r + s.b / 2
+    return np.asarray(2 * R + (n - 2) * (2 * R * np.sin(s.alpha) + leaf * np.cos(s.alpha)) + s.b)

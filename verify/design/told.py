@@ -5,10 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from verify import units
+from verify.design.fem import Verified
 from verify.design.limits import Limit
 from verify.design.nearest import Relaxation
 from verify.design.outcome import Outcome
-from verify.design.records import columns, violations
+from verify.design.records import COLUMNS, columns, violations
 from verify.design.search import Search
 from verify.told import aligned
 
@@ -27,41 +28,83 @@ def print_outcome(outcome: Outcome) -> None:
     if outcome.chosen is None:
         print_nothing(s)
         return
-    print(f"front: {len(s.front)} springs that none beats in stress, L_0, room to A and stiffness"
-          f"{f', {len(s.members)} of them spread over it' if len(s.front) > len(s.members) else ''}")  # fmt: skip
+    more = len(s.front) > len(s.members)
+    print(
+        f"front: {len(s.front)} springs that none beats in stress, L_0, room to A and stiffness"
+        + (f", {len(s.members)} spread over it" if more else "")
+    )
     for line in aligned(front_table(outcome)):
         print(f"  {line}")
     print_chosen(outcome)
+    for warning in warnings(outcome):
+        print(f"warning: {warning}")
 
 
 def front_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """The members of the front as cells, a head of names and units first."""
+    """The members of the front as cells, heads of names and units first."""
     s, values = outcome.search, columns(outcome.search)
-    unit_of = {"b": "mm", "L1": "mm", "r": "mm", "alpha": "deg", "L0": "mm", "U_w": "mm",
-               "k1": "N/mm", "U_A": "mm", "stress": "MPa", "n": ""}  # fmt: skip
-    fem = ["FE", "deviation", ""] if outcome.verified else []
-    head = ["", *(symbol for _, symbol, _ in FRONT), *fem]
-    below = ["", *(unit_of[name] for name, _, _ in FRONT), *(["N/mm", "", ""] if fem else [])]
-    lines = [tuple(head), tuple(below)]
+    unit_of = dict(COLUMNS) | {"n": ""}
+    fem = bool(outcome.verified)
+    lines = [
+        (
+            "",
+            *(symbol for _, symbol, _ in FRONT),
+            *(("k_1 FE", "less FE", "Δ FE", "e_r FE", "") if fem else ()),
+        ),
+        (
+            "",
+            *(unit_of[name] for name, _, _ in FRONT),
+            *(("N/mm", "", "mm", "", "") if fem else ()),
+        ),
+    ]
     for rank, i in enumerate(s.members):
-        mark = "*" if rank == outcome.chosen else ""
-        cells = [f"{rank + 1}{mark}"]
+        cells = [f"{rank + 1}{'*' if rank == outcome.chosen else ''}"]
         cells += [f"{values[name][i]:.{digits}f}" for name, _, digits in FRONT]
-        if outcome.verified:
-            v = outcome.verified[rank]
-            cells += [f"{v.k1 / 1e3:.5f}", f"{100 * v.deviation:+.3f} %",
-                      "agrees" if v.agrees else f"disagrees: more than ±{100 * v.limit:.2g} %"]  # fmt: skip
-        lines.append(tuple(cells))
+        lines.append((*cells, *(by_fem(outcome.verified[rank]) if fem else ())))
     return lines
+
+
+def by_fem(v: Verified) -> tuple[str, ...]:
+    """What finite elements say of a member, the verdict last."""
+    return (
+        f"{v.k1 / 1e3:.5f}", f"{100 * v.deviation:+.3f} %", f"{v.delta * 1e3:.3f}",
+        f"{100 * v.e_r:+.2f} %", verdict(v),
+    )  # fmt: skip
+
+
+def verdict(v: Verified) -> str:
+    """In words; a formula that is off comes first."""
+    if not v.agrees:
+        return f"formula beyond ±{100 * v.limit:.2g} %"
+    return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
+
+
+def warnings(outcome: Outcome) -> list[str]:
+    """What the chosen spring has to be warned of."""
+    s, i = outcome.search, outcome.candidate
+    q, f = s.task.demands, s.formulas
+    found = []
+    wide = 1 / (1 - q.nu**2)
+    if q.width_factor < wide and q.h > 10 * s.springs.b[i]:
+        found.append(
+            f"a strip {q.h / s.springs.b[i]:.0f} times as wide as thick lies between E I and "
+            f"E I/(1 - ν²): k_1 may be up to {wide / q.width_factor - 1:.1%} above; "
+            "width_factor takes that"
+        )
+    if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
+        found.append(
+            f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
+            f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail held at its arc"
+        )
+    if outcome.verified and not any(v.agrees and v.fits for v in outcome.verified):
+        found.append("finite elements keep no member of the front")
+    return found
 
 
 def print_chosen(outcome: Outcome) -> None:
     """Every limit beside the chosen spring's value."""
-    assert outcome.chosen is not None
-    s = outcome.search
-    i = int(s.members[outcome.chosen])
-    nearest = " (nearest to the best of everything)" if outcome.chosen == 0 else ""
-    print(f"chosen: member {outcome.chosen + 1}{nearest}")
+    s, i = outcome.search, outcome.candidate
+    print(f"chosen: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}")
     for line in aligned([_kept(limit, i) for limit in s.judged.limits]):
         print(f"  {line}")
 
