@@ -45,10 +45,11 @@ class March:
             term_energy=self.response.term_energy,
         )
 
-    def step(self, change: float, control: Control) -> State:
+    def step(self, change: float, control: Control, *, crossing: bool = True) -> State:
         """The state after a predicted `change` of the factor.
 
-        ConvergenceError leaves everything as it was.
+        ConvergenceError leaves everything as it was; also where the sign of a pivot changes
+        and `crossing` is false.
         """
         balance, before = self.balance, self.state
         try:
@@ -58,6 +59,8 @@ class March:
             stress = self.response.predict(predicted)
             u, factor, found, residuals = balance.solve(before, predicted, change, stress, control)
             tangent = balance.factorise(u, found.K)
+            if tangent.negative != before.negative and not crossing:
+                raise ConvergenceError("the step crosses a critical point or leaves the branch")
         except ConvergenceError:
             for term in balance.terms:
                 term.reject()
@@ -85,7 +88,9 @@ class March:
             rest = factor - self.state.factor
             size = rest if abs(size) >= abs(rest) * (1 - 1e-9) else size
             try:
-                self.step(size, Given(size))
+                # a longer step past a critical point may end on another branch
+                smallest = abs(size) < 2 * abs(whole) / 2**HALVINGS
+                self.step(size, Given(size), crossing=smallest)
             except ConvergenceError as error:
                 size /= 2
                 if abs(size) < abs(whole) / 2**HALVINGS:
