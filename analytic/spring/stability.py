@@ -1,0 +1,75 @@
+r"""When an accordion spring gives way sideways: critical points of its elastica.
+
+The spring is compressed with its head guided. Let go sideways, the head keeps what the guide
+exerted on it as a dead load; it can then move without a change of load where the tail's movements,
+seen from the head, no longer depend on the head's freedom: where a part of `State.J` is singular.
+Beyond that displacement only the guide holds the head. Lateral stiffness of the guided head is
+what the guide feels.
+
+Along that path nothing leads the head aside before. A head that is free from the first moment
+drifts all the way, since its force bends the spring by more on one side than on the other, and
+the drift grows without an end near the same force.
+
+References
+----------
+.. [1] S. P. Timoshenko, J. M. Gere, Theory of Elastic Stability, 2nd ed., McGraw-Hill 1961, ch. 2.
+"""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from analytic.spring.elastica import COUPLE, F_X, F_Y, TURN, Elastica, Head, State
+
+# under a dead force along x: what of the tail's (rotation, x, y) has to stay, what of the head may
+# change
+FREEDOM = {
+    "free": ((0,), (TURN,)),
+    "hinged": ((0, 2), (TURN, F_Y)),
+    "guided": ((0, 2), (COUPLE, F_Y)),
+}
+SHARP, SECANTS = 1e-10, 30  # of the displacement
+
+
+def determinant(state: State, head: Head) -> float:
+    """Zero where a head of this freedom can move under the loads that it has."""
+    rows, columns = FREEDOM[head]
+    return float(np.linalg.det(state.J[np.ix_(rows, columns)]))
+
+
+def lateral_stiffness(state: State) -> float:
+    """Of a guided head against a movement along y [force/length], where it stands."""
+    # the tail, seen from the head, then moves by -y
+    exerted = np.linalg.solve(state.J[:, [COUPLE, F_X, F_Y]], np.array([0.0, 0.0, -1.0]))
+    return float(exerted[2])
+
+
+def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
+    """The first critical point of a `head` that is let go, on the guided path through U [length].
+
+    None where there is no critical point up to the last U. Steps as for `Elastica.path`.
+    """
+    near = [line.unloaded()]
+    for u in U:
+        here = line.displaced("guided", u, near)
+        if len(near) == 2 and determinant(here, head) * determinant(near[-1], head) <= 0:
+            return _located(line, head, near[-1], here)
+        near = [near[-1], here]
+    return None
+
+
+def _located(line: Elastica, head: Head, before: State, after: State) -> State:
+    """Between two states of different sign: the secant that keeps both signs (Illinois)."""
+    a, b = (determinant(state, head) for state in (before, after))
+    for _ in range(SECANTS):
+        u = (before.U * b - after.U * a) / (b - a)
+        here = line.displaced("guided", u, [before, after])
+        c = determinant(here, head)
+        if abs(after.U - before.U) < SHARP * after.U or abs(c) <= SHARP * max(abs(a), abs(b)):
+            break
+        if c * b < 0:
+            before, a = after, b
+        else:
+            a /= 2
+        after, b = here, c
+    return here

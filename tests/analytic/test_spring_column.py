@@ -1,0 +1,125 @@
+"""The equivalent column: integrals of a unit, Haringx's equation, and the elastica behind them."""
+
+import math
+
+import numpy as np
+import pytest
+
+from analytic.spring import column, frame
+from analytic.spring.elastica import Elastica
+from analytic.spring.stability import critical, determinant, lateral_stiffness
+
+SHAPE = {"L1": 11.6, "radius": 0.5, "alpha": math.radians(80)}
+STRIP = {"b": 0.1, "h": 56.0, "E": 206e3, "nu": 0.3}
+
+
+def spring(n, tail="arc", b=0.1, **changes):
+    EA = 206e3 * 56 * b
+    parts = frame.pieces(n=n, **SHAPE | changes, tail=tail)
+    return Elastica(parts, EI=EA * b**2 / 12, EA=EA, GA=5 / 6 * EA / 2.6)
+
+
+@pytest.mark.parametrize("alpha", [20.0, 55.0, 80.0, 90.0])
+def test_a_unit_s_flexibilities_are_the_unit_load_integrals(alpha):
+    """Against Gauss points on its arc, leaf and arc, seen from its centre."""
+    shape = SHAPE | {"alpha": math.radians(alpha)}
+    parts = list(frame.pieces(n=4, **shape))[2:5]
+    line = frame.sections(iter([(1e-9, -math.pi / 2), *parts]))
+    line.at[:] -= np.average(line.at, axis=1, weights=line.ds)[:, None]
+    C = frame.flexibility(line, **STRIP, theory="shear")
+    unit = column.unit(**shape, **STRIP)
+    assert [unit.axial, unit.lateral, unit.turn] == pytest.approx(np.diag(C), rel=1e-6)
+
+
+def test_the_pitch_adds_up_to_the_free_length():
+    whole = frame.end_point(n=10, **SHAPE)[0]
+    assert column.free_length(n=10, **SHAPE) == pytest.approx(whole, rel=1e-12)
+
+
+@pytest.mark.parametrize(("head", "waves"), [("free", math.pi / 2), ("guided", 2 * math.pi)])
+def test_the_shortening_solves_haringx_s_equation(head, waves):
+    n = 10 if head == "free" else 60
+    xi = column.critical_shortening(head, n=n, b=0.1, **SHAPE)
+    kL = wave(n, xi)[0]
+    assert kL == pytest.approx(waves, rel=1e-12)
+
+
+def test_the_hinged_head_s_shortening_solves_haringx_s_equation():
+    xi = column.critical_shortening("hinged", n=30, b=0.1, **SHAPE)
+    kL, stiffer = wave(30, xi)
+    assert math.tan(kL) == pytest.approx(kL / stiffer, rel=1e-9)
+    assert math.pi < kL < 1.5 * math.pi
+
+
+def wave(n, xi):
+    """Wave number times length, and 1 + P/S, by the rigidities of the shortened column."""
+    u = column.unit(**SHAPE, **STRIP)
+    p, L0 = u.pitch, column.free_length(n=n, **SHAPE)
+    B, C = p / u.turn * (1 - xi), p / u.axial
+    S = p / (u.lateral - p**2 * u.turn / 12) * (1 - xi)
+    P, L = C * xi, L0 * (1 - xi)
+    return float(np.sqrt(P / B * (1 + P / S)) * L), float(1 + P / S)
+
+
+def test_a_short_spring_never_buckles():
+    xi = column.critical_shortening("guided", n=np.array([4, 10, 60]), b=0.1, **SHAPE)
+    assert np.isnan(xi).tolist() == [True, True, False]
+
+
+def test_ever_more_units_make_euler_s_column():
+    xi = column.critical_shortening("free", n=4000, b=0.1, **SHAPE)
+    u, L0 = column.unit(**SHAPE, **STRIP), column.free_length(n=4000, **SHAPE)
+    P = column.critical_force("free", n=4000, **SHAPE, **STRIP)
+    assert pytest.approx(math.pi**2 / 4 * u.pitch / u.turn / L0**2, rel=1e-5) == P
+    assert pytest.approx(u.pitch / u.axial * xi, rel=1e-12) == P
+
+
+def test_the_force_has_the_cube_of_the_thickness_and_the_shortening_none_of_it():
+    thin, thick = (
+        (column.critical_force("free", n=10, **SHAPE, **STRIP | {"b": b}),
+         column.critical_shortening("free", n=10, b=b, **SHAPE))
+        for b in (0.05, 0.1)
+    )  # fmt: skip
+    assert thick[0] / thin[0] == pytest.approx(8, rel=1e-3)
+    assert thick[1] == pytest.approx(thin[1], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("n", "tail", "within"),
+    [(6, "arc", 0.18), (10, "arc", 0.07), (20, "arc", 0.03), (10, "mid-leaf", 0.01)],
+)
+def test_the_column_comes_nearer_to_the_elastica_with_more_units(n, tail, within):
+    xi = column.critical_shortening("free", n=n, b=0.1, **SHAPE)
+    L0 = column.free_length(n=n, **SHAPE)
+    state = critical(spring(n, tail), "free", np.linspace(0.2, 2, 10) * xi * L0)
+    assert pytest.approx(xi, rel=within) == state.U / L0
+    assert determinant(state, "free") == pytest.approx(0, abs=1e-8)
+
+
+def test_a_slender_spring_s_hinged_head_buckles_near_haringx_s_load():
+    shape = {"L1": 2.9, "radius": 0.5, "alpha": math.radians(80)}
+    xi, L0 = column.critical_shortening("hinged", n=20, b=0.1, **shape), 28.5
+    state = critical(spring(20, L1=2.9), "hinged", np.linspace(0.1, 1.3, 12) * xi * L0)
+    L0 = column.free_length(n=20, **shape)
+    assert pytest.approx(xi, rel=0.05) == state.U / L0
+
+
+def test_the_paper_s_spring_does_not_buckle_with_a_hinged_head():
+    assert critical(spring(10), "hinged", np.arange(1.0, 19.0)) is None
+
+
+def test_the_lateral_stiffness_is_that_of_the_force_method_at_first():
+    line = frame.sections(frame.pieces(n=10, **SHAPE))
+    C = frame.flexibility(line, **STRIP, theory="shear")
+    assert lateral_stiffness(spring(10).unloaded()) == pytest.approx(
+        np.linalg.inv(C)[1, 1], rel=1e-7
+    )
+
+
+def test_wrong_geometry_gets_one_line():
+    with pytest.raises(ValueError, match="must be positive"):
+        column.unit(**SHAPE | {"L1": 0.0}, **STRIP)
+    with pytest.raises(ValueError, match=r"alpha must lie in \(0, 90\] deg"):
+        column.unit(**SHAPE | {"alpha": 2.0}, **STRIP)
+    with pytest.raises(ValueError, match="at least 3 segments"):
+        column.free_length(n=2, **SHAPE)
