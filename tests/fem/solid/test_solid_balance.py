@@ -160,5 +160,5 @@ def test_a_folded_cell_is_named():
     mesh = hook()
     at = mesh.doflocs.copy()
     at[:, mesh.t[:4, 0]] = at[:, mesh.t[[3, 2, 1, 0], 0]]
-    with pytest.raises(ValueError, match="cell .* of 14, about .*, is folded or flat"):
+    with pytest.raises(ValueError, match=r"cell .* of 14, about .*, is folded or flat"):
         bent(replace(mesh, doflocs=at))
