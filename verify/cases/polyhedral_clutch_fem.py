@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 CLOSE, MOST = 1e-11, 60
 GROWTH, LOCKED = 1.5, 100.0  # steps in search of N, and how often the pressure's part is no limit
 THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
+THIN = 0.015  # and that at the rollers below which it is: bent walls end contacts beside vertices
 
 
 class DrivenRing:
@@ -28,7 +29,8 @@ class DrivenRing:
         self.q, self.elastic = q, elastic
         turn = np.hypot(q.e, q.ring.apothem) * np.sin(q.psi + q.phi_1)
         self.kappa = grip * q.D_i / 2 / turn  # moments of roller and hub about the axis
-        self.refine = 2 * level if q.delta_1 > THICK * q.d_e else level
+        slim = q.d_e / 2 - q.ring.apothem < THIN * q.d_e
+        self.refine = 2 * level if slim or q.delta_1 > THICK * q.d_e else level
         self.ring = self.coarse = self._ring(1, q.p_t, 0.0)
         coarse = self.force(q.p_t)
         if isfinite(coarse):
