@@ -1,14 +1,14 @@
 """Inputs of the accordion spring, shared by its cases."""
 
 import math
-from typing import Any
+from typing import Any, Self
 
 from pydantic import model_validator
 
 from verify.inputs import Inputs, count, quantity
 
 
-class AccordionInputs(Inputs):
+class SpringInputs(Inputs):
     """Geometry and material of an accordion spring; r is the inner radius of the arcs."""
 
     n: int = count(10, "n", "number of segments", claims="wang2023:n", ge=4, le=200)
@@ -26,17 +26,9 @@ class AccordionInputs(Inputs):
     )
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5, claims="wang2023:E")
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45, claims="wang2023:nu")
-    F: float | None = quantity(
-        None, "N", "F", "working force, for deflection and stress", omitted=None, gt=0,
-        example="5 N",
-    )  # fmt: skip
-    R_p: float | None = quantity(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
-        example="1200 MPa",
-    )  # fmt: skip
 
     @model_validator(mode="after")
-    def _strip(self) -> "AccordionInputs":
+    def _strip(self) -> Self:
         if not self.b < self.r:
             raise ValueError(
                 f"a leaf spring needs b < r, got b = {self.b * 1e3:g} mm, r = {self.r * 1e3:g} mm"
@@ -64,6 +56,19 @@ class AccordionInputs(Inputs):
         return self.path | {"radius": self.r, "leaf": leaf}
 
 
-def strip_of(q: AccordionInputs) -> dict[str, Any]:
+class AccordionInputs(SpringInputs):
+    """A spring with the force and the strength that it may have."""
+
+    F: float | None = quantity(
+        None, "N", "F", "working force, for deflection and stress", omitted=None, gt=0,
+        example="5 N",
+    )  # fmt: skip
+    R_p: float | None = quantity(
+        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        example="1200 MPa",
+    )  # fmt: skip
+
+
+def strip_of(q: SpringInputs) -> dict[str, Any]:
     """Section and material of the strip."""
     return {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}
