@@ -1,0 +1,248 @@
+"""Contact of beams of some thickness: with each other and with rigid obstacles, with friction.
+
+Terms of `fem.beam.large.LargeFrame`. Surfaces lie half a thickness off the centre line, the free
+end of a line is a half circle around its last node.
+"""
+
+import math
+from abc import ABC, abstractmethod
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.sparse import csc_array
+
+from fem.beam.section import Array, Indices
+from fem.beam.terms import Term
+from fem.beam.touching_law import Answer, Law
+from fem.beam.touching_lines import past, touch
+from fem.beam.touching_neighbours import Apart, arcs
+from fem.beam.touching_pairs import Meeting, Pairs
+from fem.beam.touching_points import Probes, probes
+from fem.beam.touching_record import OBSTACLE, Record
+from fem.beam.touching_rigid import Body, Shape
+from fem.beam.touching_touch import Touch, scatter
+
+SHARE = 0.1  # of E h, what a strip of h x 1 under pressure gives way, is the contact's stiffness
+NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itself
+REACH = 4.0  # thicknesses around a line that are searched for others
+
+
+class Touching(Term, ABC):
+    """Probes of lines, the law of contact between them and something else.
+
+    `record` tells what touches in the accepted state, `records` in all since the path's start
+    (the reference state first).
+    """
+
+    def __init__(
+        self, points: Array, elements: Indices, probes: Probes, slots: int, thickness: float,
+        EA: float, friction: float, share: float,
+    ) -> None:  # fmt: skip
+        self.points, self.elements, self.probes = points, elements, probes
+        stiffness = share * EA / thickness**2 * np.repeat(probes.length, slots)
+        self.law = Law(stiffness, friction, thickness)
+        self.dissipated = 0.0
+        self.records: list[Record] = []
+
+    @property
+    def record(self) -> Record:
+        """What touches in the accepted state."""
+        return self.records[-1]
+
+    def start(self, x: Array) -> None:
+        self.law.start()
+        self.dissipated, self.records = 0.0, []
+        self._start(x)
+        self.accept(x)
+
+    def evaluate(self, x: Array) -> tuple[float, Array, csc_array]:
+        found, answer = self._answer(x)
+        return answer.energy, *scatter(x.size, found.dofs, answer.force, answer.tangent)
+
+    def settle(self, x: Array) -> bool:
+        return self.law.settle(*self._answer(x))
+
+    def accept(self, x: Array) -> None:
+        found, answer = self._answer(x)
+        self.dissipated += self.law.accept(found, answer)
+        self.records.append(self._record(x, found, answer))
+        self._keep(x)
+
+    def reject(self) -> None:
+        self.law.reject()
+
+    def _answer(self, x: Array) -> tuple[Touch, Answer]:
+        found = self._touch(x)
+        return found, self.law.answer(found)
+
+    @abstractmethod
+    def _start(self, x: Array) -> None:
+        """Begin in the reference state."""
+
+    @abstractmethod
+    def _keep(self, x: Array) -> None:
+        """Sides and slip count from `x` on."""
+
+    @abstractmethod
+    def _touch(self, x: Array) -> Touch:
+        """The places that press at `x`."""
+
+    @abstractmethod
+    def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
+        """The places of `found` for whoever reads them."""
+
+
+class SelfContact(Touching):
+    """Contact between the elements of one frame.
+
+    Parameters
+    ----------
+    points, elements
+        As of the frame: nodes (n, 2) [length], elements (m, 2) or (m, 3).
+    thickness
+        b [length]: two lines touch where they are b apart.
+    EA
+        Axial stiffness [force] of the lines, which sizes the contact's stiffness.
+    friction
+        Coulomb's coefficient.
+    apart
+        Arc length [length] within which places of one line never touch, 3 b by default; elements
+        that share a node never do.
+    share
+        Contact stiffness: a pressure of share x EA/b^2 x overlap per length, and at free ends a
+        force of share x EA/b x overlap. Results don't depend on it, iterations do.
+    per_element
+        Probes of an element, by default at least 4 and as many as keep an arc's facets within
+        a thousandth of b.
+
+    Raises
+    ------
+    ValueError
+        For unknown nodes, numbers that aren't positive, elements thinner than they are long.
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        elements: ArrayLike,
+        *,
+        thickness: float,
+        EA: float,
+        friction: float = 0.0,
+        apart: float | None = None,
+        share: float = SHARE,
+        per_element: int | None = None,
+    ) -> None:
+        lines, nodes = _checked(points, elements, thickness, EA, friction, share, per_element)
+        if apart is not None and not 0 <= apart < math.inf:
+            raise ValueError(f"apart must be a length of 0 or more, got {apart}")
+        own = probes(lines, nodes, thickness, per_element)
+        super().__init__(lines, nodes, own, 2, thickness, EA, friction, share)
+        self.thickness = thickness
+        least = NEIGHBOURS * thickness if apart is None else apart
+        far = Apart(lines, nodes, own, least)
+        self.pairs = Pairs(nodes, own, far, REACH * thickness)
+        self.arcs = arcs(lines, nodes)
+
+    def _start(self, x: Array) -> None:
+        self.pairs.accept(x)
+        self._keep(x)
+
+    def _keep(self, x: Array) -> None:
+        self.pairs.accept(x)
+        self.past = past(x, self.pairs.nearest(x), 2 * len(self.probes.xi), self.arcs)
+
+    def _touch(self, x: Array) -> Touch:
+        return touch(x, self._met(x), self.probes, self.arcs, self.thickness, self.past)
+
+    def _met(self, x: Array) -> Meeting:
+        met = self.pairs.nearest(x)
+        return met.chosen(self.law.pressing(met.slot, met.distance - self.thickness))
+
+    def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
+        met, probe = self._met(x), found.slot // 2
+        return _record(x, self.probes, probe, met.element, met.n, found.gap + self.thickness,
+                       found, answer)  # fmt: skip
+
+
+class Obstacle(Touching):
+    """Contact of lines with a rigid `shape`: `Flat` or `Disc` of `fem.beam.touching_rigid`.
+
+    With a `carrier` the shape moves and turns with that node of the frame, whose supports or
+    prescribed movement then move it and whose reaction is the contact force. `elements` may be
+    some of the frame's; the other parameters are those of `SelfContact`.
+
+    Raises
+    ------
+    ValueError
+        As `SelfContact`.
+    """
+
+    def __init__(
+        self,
+        points: ArrayLike,
+        elements: ArrayLike,
+        shape: Shape,
+        *,
+        thickness: float,
+        EA: float,
+        carrier: int | None = None,
+        friction: float = 0.0,
+        share: float = SHARE,
+        per_element: int | None = None,
+    ) -> None:
+        lines, nodes = _checked(points, elements, thickness, EA, friction, share, per_element)
+        if carrier is not None and not 0 <= carrier < len(lines):
+            raise ValueError(f"no node {carrier}: the frame has nodes 0 to {len(lines) - 1}")
+        own = probes(lines, nodes, thickness, per_element)
+        super().__init__(lines, nodes, own, 1, thickness, EA, friction, share)
+        self.body = Body(shape, carrier, own, thickness)
+
+    def _start(self, x: Array) -> None:
+        self.body.start(x)
+
+    def _keep(self, x: Array) -> None:
+        self.body.accept(x)
+
+    def _touch(self, x: Array) -> Touch:
+        surface = self.body.surface(x)
+        probe = np.arange(len(self.probes.xi))
+        pressing = self.law.pressing(probe, surface.distance - self.body.b / 2)
+        return self.body.touch(x, probe[pressing], surface)
+
+    def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
+        n = self.body.normals(x, self.body.surface(x))[found.slot]
+        none = np.full(found.slot.shape, OBSTACLE)
+        return _record(x, self.probes, found.slot, none, n, found.gap * 2 + self.body.b, found,
+                       answer)  # fmt: skip
+
+
+def _record(
+    x: Array, own: Probes, probe: Indices, partners: Indices, n: Array, apart: Array,
+    found: Touch, answer: Answer,
+) -> Record:  # fmt: skip
+    at = np.einsum("kp,kpd->kd", own.shape[probe], x[own.nodes[probe], :2])
+    return Record(
+        own.element[probe], partners, at - n * apart[:, None] / 2, n, found.gap, answer.normal,
+        answer.tangential, answer.sticking,
+    )  # fmt: skip
+
+
+def _checked(
+    points: ArrayLike, elements: ArrayLike, thickness: float, EA: float, friction: float,
+    share: float, per_element: int | None,
+) -> tuple[Array, Indices]:  # fmt: skip
+    """Points and elements as arrays; ValueError for numbers out of range."""
+    lines, nodes = np.asarray(points, float), np.asarray(elements, int)
+    if nodes.ndim != 2 or nodes.shape[1] not in (2, 3):
+        raise ValueError(f"elements have 2 or 3 nodes each, got an array {nodes.shape}")
+    if unknown := sorted(set(nodes.ravel().tolist()) - set(range(len(lines)))):
+        raise ValueError(f"no node {unknown[0]}: the frame has nodes 0 to {len(lines) - 1}")
+    for name, value in {"thickness": thickness, "EA": EA, "share": share}.items():
+        if not 0 < value < math.inf:
+            raise ValueError(f"{name} must be positive and finite, got {value}")
+    if not 0 <= friction < math.inf:
+        raise ValueError(f"friction must be 0 or more, got {friction}")
+    if per_element is not None and per_element < 1:
+        raise ValueError(f"an element needs 1 probe or more, got per_element = {per_element}")
+    return lines, nodes

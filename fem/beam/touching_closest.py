@@ -1,0 +1,36 @@
+"""Closest points of straight and quadratic line elements."""
+
+import numpy as np
+
+from fem.beam.section import Array
+from fem.beam.touching_points import shapes
+
+ITERATIONS = 30
+CONVERGED = 1e-14
+
+
+def closest(corners: Array, at: Array) -> Array:
+    """Place (k,) in 0..1 on each element (k, p, 2) that is nearest to the point `at` (k, 2).
+
+    Newton's method on the distance, from the projection on the chord; where the distance isn't
+    convex (beyond the centre of curvature) a step of the chord's own length scale replaces it.
+    """
+    chord = corners[:, 1] - corners[:, 0]
+    along = np.einsum("kd,kd->k", at - corners[:, 0], chord)
+    xi = np.clip(along / np.einsum("kd,kd->k", chord, chord), 0.0, 1.0)
+    rows = np.arange(len(xi))
+    for _ in range(ITERATIONS):
+        N, slope, second = shapes(xi[rows], corners.shape[1])
+        own = corners[rows]
+        d = at[rows] - np.einsum("kp,kpd->kd", N, own)
+        x1 = np.einsum("kp,kpd->kd", slope, own)
+        stretch = np.einsum("kd,kd->k", x1, x1)
+        bend = np.einsum("kd,kpd,kp->k", d, own, second)
+        H = np.where(bend < 0.7 * stretch, stretch - bend, stretch)
+        moved = np.clip(xi[rows] + np.einsum("kd,kd->k", d, x1) / H, 0.0, 1.0)
+        change = np.abs(moved - xi[rows])
+        xi[rows] = moved
+        rows = rows[change > CONVERGED]
+        if not rows.size:
+            break
+    return xi

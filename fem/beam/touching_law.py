@@ -1,0 +1,122 @@
+r"""Normal force and friction of touching places: penalties with multipliers.
+
+The normal force is what z = multiplier - stiffness x gap has above zero, rounded within the
+onset e = stiffness x `rounding` so that Newton's method sees no kink:
+
+.. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
+
+Friction sticks by a tangential penalty and slides at |T| = friction x N. `settle` moves both
+forces into the multipliers until neither penetration nor elastic slip exceeds `allowed`.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.beam.section import Array
+from fem.beam.touching_touch import Touch, outer
+
+ROUNDING = 2e-5  # of the thickness
+ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no settling
+DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
+TANGENTIAL = 0.5  # of the normal stiffness
+
+
+@dataclass(frozen=True)
+class Answer:
+    """Energy of the places; force (k, m) and tangent (k, m, m); N, T and which stick (k,)."""
+
+    energy: float
+    force: Array
+    tangent: Array
+    normal: Array
+    tangential: Array
+    sticking: NDArray[np.bool_]
+
+
+class Law:
+    """Contact law of slots with normal `stiffness` (slots,) [force / length]."""
+
+    def __init__(self, stiffness: Array, friction: float, thickness: float) -> None:
+        self.stiffness, self.friction = stiffness, friction
+        self.onset = stiffness * ROUNDING * thickness
+        self.allowed, self.deep = ALLOWED * thickness, DEEP * thickness
+        self.start()
+
+    def start(self) -> None:
+        self.normal, self.tangential = np.zeros((2, self.stiffness.size))
+        self.kept = self.normal, self.tangential
+
+    def pressing(self, slot: NDArray[np.int64], gap: Array) -> NDArray[np.bool_]:
+        """Whether a gap is small enough for a force."""
+        return self.normal[slot] - self.stiffness[slot] * gap > -self.onset[slot]
+
+    def answer(self, touch: Touch) -> Answer:
+        """Forces at places that press."""
+        k, e = self.stiffness[touch.slot], self.onset[touch.slot]
+        z = self.normal[touch.slot] - k * touch.gap
+        round_ = z < e
+        N = np.where(round_, (z + e) ** 2 / (4 * e), z)
+        hard = k * np.where(round_, (z + e) / (2 * e), 1.0)
+        energy = float((_energy(z, e) / k).sum() - self._multiplied().sum())
+        force = -N[:, None] * touch.opening
+        turning = np.where(touch.gap < -self.deep, 0.0, N)
+        K = hard[:, None, None] * outer(touch.opening, touch.opening)
+        K -= turning[:, None, None] * touch.turning
+        if not self.friction:
+            none = np.zeros_like(N)
+            return Answer(energy, force, K, N, none, none > 0)
+        trial = self.tangential[touch.slot] + TANGENTIAL * k * touch.slip
+        stick = np.abs(trial) < self.friction * N
+        way = np.sign(trial)
+        T = np.where(stick, trial, way * self.friction * N)
+        dT = np.where(
+            stick[:, None],
+            TANGENTIAL * k[:, None] * touch.slipping,
+            -(way * self.friction * hard)[:, None] * touch.opening,
+        )
+        force += T[:, None] * touch.sliding
+        K += outer(touch.sliding, dT)
+        K += np.where(touch.gap < -self.deep, 0.0, T)[:, None, None] * touch.swerving
+        return Answer(energy, force, K, N, T, stick)
+
+    def settle(self, touch: Touch, answer: Answer) -> bool:
+        """Take the forces as multipliers where the gaps or the stick are off; True if they were."""
+        off = np.abs(touch.gap)[answer.normal > self.onset[touch.slot]].max(initial=0.0)
+        crept = np.where(answer.sticking, np.abs(touch.slip), 0.0).max(initial=0.0)
+        if max(off, crept) < self.allowed:
+            return False
+        self.normal, _ = self._placed(touch, answer)
+        if crept >= self.allowed:
+            _, self.tangential = self._placed(touch, answer)
+        return True
+
+    def accept(self, touch: Touch, answer: Answer) -> float:
+        """The step's friction work; from now on slip counts anew and friction goes on from T."""
+        before = self.kept[1][touch.slot]
+        work = float((answer.tangential + before) @ touch.slip) / 2
+        _, self.tangential = self._placed(touch, answer)
+        pressed = np.zeros(self.stiffness.size, bool)
+        pressed[touch.slot] = True
+        self.normal = np.where(pressed, self.normal, 0.0)
+        self.kept = self.normal, self.tangential
+        return work
+
+    def reject(self) -> None:
+        self.normal, self.tangential = self.kept
+
+    def _placed(self, touch: Touch, answer: Answer) -> tuple[Array, Array]:
+        N, T = np.zeros((2, self.stiffness.size))
+        N[touch.slot], T[touch.slot] = answer.normal, answer.tangential
+        return N, T
+
+    def _multiplied(self) -> Array:
+        """What the multipliers would store at no gap: counts as nothing."""
+        held = self.normal > 0
+        return _energy(self.normal[held], self.onset[held]) / self.stiffness[held]
+
+
+def _energy(z: Array, e: Array) -> Array:
+    """Integral of the normal force over z."""
+    return np.where(z < e, (z + e) ** 3 / (12 * e), z**2 / 2 + e**2 / 6)

@@ -1,0 +1,160 @@
+r"""Gap and slip between a probe and a rigid flat or disc that moves with a carrier node.
+
+In the obstacle's own frame, with the probe x_s, the surface's normal n at the nearest place and
+half a thickness b/2 between the line and its surface:
+
+.. math:: g = n\cdot(x_s - P) - b/2, \qquad
+   \dot s = t\cdot v + \tfrac{b}{2}(\dot\phi_s - \dot\phi_c)
+
+with v the velocity of x_s seen from the obstacle and phi_c the obstacle's rotation.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from fem.beam.section import Array, Indices
+from fem.beam.touching_points import Probes
+from fem.beam.touching_touch import Touch, along, outer, turned
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Nearest places to points (k, 2): `distance`, `n` (k, 2) and the arc length `arc` there.
+
+    Per movement of the point along t (n turned by -90 deg): `turn` of n and `stretch` of arc.
+    `period` is the arc length once round.
+    """
+
+    distance: Array
+    n: Array
+    turn: Array
+    stretch: Array
+    arc: Array
+    period: float = math.inf
+
+
+class Shape(Protocol):
+    """An obstacle in its own frame, as it stands in the reference state."""
+
+    def surface(self, at: Array) -> Surface:
+        """The nearest places to points (k, 2)."""
+        ...
+
+
+@dataclass(frozen=True)
+class Flat:
+    """The half plane behind `at`; `normal` points out of it, at the beam."""
+
+    at: tuple[float, float]
+    normal: tuple[float, float]
+
+    def __post_init__(self) -> None:
+        if not math.hypot(*self.normal) > 0:
+            raise ValueError(f"the normal of a flat has a length, got {self.normal}")
+
+    def surface(self, at: Array) -> Surface:
+        n = np.asarray(self.normal, float) / math.hypot(*self.normal)
+        d = at - np.asarray(self.at, float)
+        none = np.zeros(len(at))
+        arc = d[:, 0] * n[1] - d[:, 1] * n[0]
+        return Surface(d @ n, np.tile(n, (len(at), 1)), none, none + 1, arc)
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A disc of `radius` [length] around `centre`; with `inside` the beam lies in its bore."""
+
+    centre: tuple[float, float]
+    radius: float
+    inside: bool = False
+
+    def __post_init__(self) -> None:
+        if not self.radius > 0:
+            raise ValueError(f"a disc's radius is positive, got {self.radius:g}")
+
+    def surface(self, at: Array) -> Surface:
+        d = at - np.asarray(self.centre, float)
+        away = np.maximum(np.hypot(*d.T), 1e-9 * self.radius)
+        way = -1.0 if self.inside else 1.0
+        n = way * d / away[:, None]
+        angle = np.arctan2(d[:, 1], d[:, 0])
+        arc = -way * self.radius * angle
+        round_ = 2 * math.pi * self.radius
+        return Surface(way * (away - self.radius), n, -way / away, self.radius / away, arc, round_)
+
+
+class Body:
+    """A shape on a carrier node (None: it stands still), beside the probes of a line."""
+
+    def __init__(self, shape: Shape, carrier: int | None, probes: Probes, thickness: float) -> None:
+        self.shape, self.carrier = shape, carrier
+        self.probes, self.b = probes, thickness
+
+    def start(self, x: Array) -> None:
+        self.rest = self._pose(x)[:2]
+        self.accept(x)
+
+    def accept(self, x: Array) -> None:
+        self.before = x.copy()
+        self.past = self.surface(x)
+
+    def surface(self, x: Array) -> Surface:
+        """Nearest places of all probes in the shape's own frame."""
+        x_c, y_c, phi = self._pose(x)
+        d = self._at(x) - (x_c, y_c)
+        c, s = math.cos(phi), math.sin(phi)
+        own = np.column_stack([c * d[:, 0] + s * d[:, 1], c * d[:, 1] - s * d[:, 0]])
+        return self.shape.surface(own + self.rest)
+
+    def touch(self, x: Array, probe: Indices, surface: Surface) -> Touch:
+        """Gap, slip and their slopes at the probes of number `probe`; `surface` is of all."""
+        x_c, y_c, phi = self._pose(x)
+        n = self.normals(x, surface)[probe]
+        t = np.column_stack([n[:, 1], -n[:, 0]])
+        r = self._at(x)[probe] - (x_c, y_c)
+        across = np.column_stack([-r[:, 1], r[:, 0]])  # how a turn of the carrier moves the place
+        nodes, shape = self.probes.nodes[probe], self.probes.shape[probe]
+        one = np.ones((len(probe), 1))
+        W, sections = np.hstack([shape, -one]), np.hstack([shape, 0 * one])
+        e = turned(np.hstack([0 * shape, one]))
+        relative_t, relative_n = along(W, t), along(W, n)
+        A = relative_t - (t * across).sum(axis=1)[:, None] * e
+        B = relative_n - (n * across).sum(axis=1)[:, None] * e
+        own_turn = surface.turn[probe, None] * A
+        psi = own_turn + e
+        sliding = A + self.b / 2 * (turned(sections) - e)
+        passed = surface.arc[probe] - self.past.arc[probe]
+        if math.isfinite(surface.period):
+            passed -= surface.period * np.round(passed / surface.period)
+        turns = (shape * (x - self.before)[nodes, 2]).sum(axis=1)
+        old, now = self.past.n[probe], surface.n[probe]
+        turn = np.arctan2(old[:, 0] * now[:, 1] - old[:, 1] * now[:, 0], (old * now).sum(axis=1))
+        turn += phi - self._pose(self.before)[2]
+        touch = Touch(
+            slot=probe, dofs=self._dofs(nodes), gap=surface.distance[probe] - self.b / 2,
+            opening=B, turning=-outer(A, psi) - outer(e, relative_t),
+            sliding=sliding, swerving=outer(B, psi) + outer(e, relative_n),
+            slip=passed + self.b / 2 * (turns - turn),
+            slipping=surface.stretch[probe, None] * A + self.b / 2 * (turned(sections) - psi),
+        )  # fmt: skip
+        return touch if self.carrier is not None else touch.without(3)
+
+    def normals(self, x: Array, surface: Surface) -> Array:
+        """Normals (k, 2) of the nearest places in space."""
+        phi = self._pose(x)[2]
+        c, s = math.cos(phi), math.sin(phi)
+        return surface.n @ np.array([[c, s], [-s, c]])
+
+    def _dofs(self, nodes: Indices) -> Indices:
+        carrier = np.full((len(nodes), 1), self.carrier or 0)
+        own = np.hstack([nodes, carrier])
+        return (3 * own[:, :, None] + np.arange(3)).reshape(len(nodes), 3 * own.shape[1])
+
+    def _pose(self, x: Array) -> Array:
+        return np.zeros(3) if self.carrier is None else x[self.carrier]
+
+    def _at(self, x: Array) -> Array:
+        return np.einsum("kp,kpd->kd", self.probes.shape, x[self.probes.nodes, :2])

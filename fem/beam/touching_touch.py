@@ -1,0 +1,68 @@
+"""What the law of contact must know of every touching place, and what it answers."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.sparse import csc_array
+
+from fem.beam.section import Array, Indices
+
+
+@dataclass(frozen=True)
+class Touch:
+    """k places with m unknowns each: rows `dofs` (k, m) of the frame.
+
+    `gap`, its slopes `opening` (k, m) and `turning` (k, m, m); `sliding` (k, m), the virtual
+    slip, and its slopes `swerving` (k, m, m); `slip` since the last accepted state and its
+    slopes `slipping` (k, m).
+    """
+
+    slot: Indices
+    dofs: Indices
+    gap: Array
+    opening: Array
+    turning: Array
+    sliding: Array
+    swerving: Array
+    slip: Array
+    slipping: Array
+
+    def without(self, last: int) -> "Touch":
+        """The same without the last unknowns: what they move stands still."""
+        keep = slice(None, -last)
+        return replace(
+            self,
+            dofs=self.dofs[:, keep],
+            opening=self.opening[:, keep],
+            turning=self.turning[:, keep, keep],
+            sliding=self.sliding[:, keep],
+            swerving=self.swerving[:, keep, keep],
+            slipping=self.slipping[:, keep],
+        )
+
+
+def along(weights: Array, direction: Array) -> Array:
+    """(k, 3 nodes): how weighted displacements of the nodes (k, nodes) count along a direction."""
+    parts = np.zeros((*weights.shape, 3))
+    parts[:, :, :2] = weights[:, :, None] * direction[:, None, :]
+    return parts.reshape(len(weights), 3 * weights.shape[1])
+
+
+def turned(weights: Array) -> Array:
+    """(k, 3 nodes): weighted rotations of the nodes."""
+    parts = np.zeros((*weights.shape, 3))
+    parts[:, :, 2] = weights
+    return parts.reshape(len(weights), 3 * weights.shape[1])
+
+
+def outer(a: Array, b: Array) -> Array:
+    """A b^T of each place."""
+    return a[:, :, None] * b[:, None, :]
+
+
+def scatter(size: int, dofs: Indices, force: Array, slope: Array) -> tuple[Array, csc_array]:
+    """Force (size,) and tangent (size, size) of the places' parts."""
+    rows = np.broadcast_to(dofs[:, :, None], slope.shape)
+    columns = np.broadcast_to(dofs[:, None, :], slope.shape)
+    K = csc_array((slope.ravel(), (rows.ravel(), columns.ravel())), shape=(size, size))
+    return np.bincount(dofs.ravel(), force.ravel(), size).astype(float), K
