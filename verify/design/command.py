@@ -1,9 +1,12 @@
 """The command `design`, apart from reading the command line."""
 
 import json
+import shlex
 import sys
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
+from typing import IO
 
 from verify.commands import writable
 from verify.design.inputs import load
@@ -12,7 +15,7 @@ from verify.design.records import candidates_csv, record
 from verify.design.told import print_outcome
 from verify.files import write_whole
 
-TABLE = "candidates.csv"
+PAGE, TABLE = "design.html", "candidates.csv"
 
 
 def run_design(
@@ -28,26 +31,43 @@ def run_design(
     else:
         print_outcome(outcome)
     if out is not None:
-        _write(files(outcome), out)
-        told = f"written: {', '.join(str(out / name) for name in files(outcome))}"
+        made = files(outcome, command(path, choose, use_fem=use_fem))
+        _write(made, out)
+        told = f"written: {', '.join(str(out / name) for name in made)}"
         print(told, file=sys.stderr if as_json else sys.stdout)
     return 0 if outcome.passed else 1
 
 
-def files(outcome: Outcome) -> Mapping[str, str]:
+def command(path: Path, choose: int | None, *, use_fem: bool) -> str:
+    """What repeats this."""
+    chosen = "" if choose is None else f"--choose {choose} "
+    fem = "" if use_fem else "--no-fem "
+    return f"freewheel design {fem}{chosen}{shlex.quote(path.name)}"
+
+
+def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
     """What goes into the folder, by name."""
-    found = {TABLE: candidates_csv(outcome.search)}
+    from reports.design import page as drawn
+    from verify.design.page import page
+
+    texts = {TABLE: candidates_csv(outcome.search)}
     if outcome.chosen is not None:
-        found[CHOSEN] = chosen_file(outcome)
-    return found
+        texts[CHOSEN] = chosen_file(outcome)
+        repeat += f"\nfreewheel check --fem {CHOSEN}"
+    texts[PAGE] = drawn(page(outcome, repeat))
+    return {name: text.encode() for name, text in texts.items()}
 
 
-def _write(made: Mapping[str, str], out: Path) -> None:
+def _write(made: Mapping[str, bytes], out: Path) -> None:
     """Every file whole; a chosen spring of an earlier task goes."""
-    for name, text in made.items():
+    for name, content in made.items():
         try:
-            write_whole(out / name, lambda file, text=text: file.write(text.encode()))
+            write_whole(out / name, partial(_fill, content))
         except OSError as error:
             raise OSError(f"{out / name} cannot be written: {error.strerror}") from error
     if CHOSEN not in made:
         (out / CHOSEN).unlink(missing_ok=True)
+
+
+def _fill(content: bytes, file: IO[bytes]) -> None:
+    file.write(content)

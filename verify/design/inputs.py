@@ -37,8 +37,14 @@ SWEEPS = {
 
 def word(default: str, what: str) -> Any:
     """An input that is one of a few words; left out, it is the default."""
-    about = {"unit": "1", "symbol": "", "what": what, "claims": "", "omitted": default}
-    return Field(default=default, json_schema_extra=about)
+    about: dict[str, Any] = {
+        "unit": "1",
+        "symbol": "",
+        "what": what,
+        "claims": "",
+        "omitted": default,
+    }
+    return Field(default=default, json_schema_extra=about | {"omitted": default})
 
 
 class Demands(Inputs):

@@ -1,0 +1,72 @@
+"""The page of a design task: self-contained, and nothing in it runs."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import jinja2
+from markupsafe import Markup
+
+from reports import formats, html
+from reports.design_plots import Bars, Parallel, Region, bars, parallel, region
+from reports.sketch import sketch
+from verify.shown import Figure, Sketch, Table
+
+Picture = Figure | Bars | Region | Parallel
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tile:
+    """A number that the page opens with; `css` colours it ("" or a status such as is-pass)."""
+
+    number: str
+    words: str
+    css: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignPage:
+    """Everything on the page, in words and numbers; `failure` is what went wrong, one line each."""
+
+    name: str
+    meta: str
+    tiles: Sequence[Tile]
+    failure: Sequence[str]
+    warnings: Sequence[str]
+    lead: str
+    sketch: Sketch | None
+    chosen: Sequence[tuple[str, str, str]]
+    """Symbol, what it is, value with unit."""
+    limits: Table
+    front: Table | None
+    relaxations: Sequence[Table]
+    figures: Sequence[Picture]
+    steps: Sequence[str]
+    inputs: Sequence[tuple[str, str, str]]
+    command: str
+
+
+def page(design: DesignPage) -> str:
+    """HTML of the page."""
+    env = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(html.HERE), autoescape=True, trim_blocks=True,
+        lstrip_blocks=True, undefined=jinja2.StrictUndefined,
+    )  # fmt: skip
+    env.filters |= {
+        "symbol": formats.symbol, "prose": formats.prose, "plot": plot, "sketch": sketch,
+        "columns": html.columns,
+    }  # fmt: skip
+    css = Markup(html.styles())  # noqa: S704 - the project's own files
+    return env.get_template("design.html.j2").render(page=design, css=css)
+
+
+def plot(figure: Picture) -> Markup:
+    """The drawing of a figure."""
+    match figure:
+        case Bars():
+            return bars(figure)
+        case Region():
+            return region(figure)
+        case Parallel():
+            return parallel(figure)
+        case _:
+            return html.plot(figure)
