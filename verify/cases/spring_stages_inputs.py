@@ -1,0 +1,56 @@
+"""Inputs of the accordion spring beyond its free stage: its ends, and what the width stiffens."""
+
+from typing import Any
+
+from pydantic import Field, model_validator
+
+from analytic.spring.loops import Tail
+from analytic.spring.stages import Head
+from verify.cases.spring_inputs import AccordionInputs
+from verify.inputs import quantity
+
+
+def _word(default: str, what: str) -> Any:
+    about: dict[str, Any] = {
+        "unit": "1",
+        "symbol": "",
+        "what": what,
+        "claims": "",
+        "omitted": default,
+    }
+    return Field(default=default, json_schema_extra=about)
+
+
+class StagesInputs(AccordionInputs):
+    """The accordion spring with both end leaves whole, and how it is held."""
+
+    width_factor: float | None = quantity(
+        None, "1", "f", "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)",
+        omitted=None, ge=1, le=1.3, example="1.09",
+    )  # fmt: skip
+    head: Head = _word(
+        "guided", "what the roller lets the head do: guided, neither move sideways nor turn"
+    )
+    tail: Tail = _word(
+        "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
+    )
+
+    @model_validator(mode="after")
+    def _factor(self) -> "StagesInputs":
+        most = self.widest
+        if self.width_factor is not None and self.width_factor > most * (1 + 1e-6):
+            raise ValueError(
+                f"a strip is stiffened by its width by 1/(1 - ν²) = {most:.5g} at most, got "
+                f"width_factor = {self.width_factor:g}"
+            )
+        return self
+
+    @property
+    def widest(self) -> float:
+        """The factor of a strip much wider than its leaves are long."""
+        return 1 / (1 - self.nu**2)
+
+    @property
+    def factor(self) -> float:
+        """The width factor that the judged rows take."""
+        return 1.0 if self.width_factor is None else self.width_factor
