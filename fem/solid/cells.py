@@ -47,7 +47,7 @@ class Cells:
             slope=np.ascontiguousarray(slope.reshape(m, 3 * weight.size, n)),
             N=N.T,
             dx=abs(det) * weight,
-            nodes=np.asarray(mesh.dofs.element_dofs).T,
+            nodes=np.asarray(mesh.dofs.element_dofs, np.int64).T,  # pairs outgrow 32 bits
             lam=lam,
             mu=mu,
             count=mesh.doflocs.shape[1],
