@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import block_array, coo_array, csc_array
-from scipy.sparse.linalg import splu
+from scipy.sparse import coo_array, csc_array
+from scipy.sparse.linalg import SuperLU, splu
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -138,10 +138,11 @@ def ties(nodes: int, links: Sequence[Link], ends: Indices | None = None) -> Ties
     return Ties(B, np.array([link.value for link in links], dtype=np.float64))
 
 
-def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]) -> None:
-    """ValueError for links with nothing to prescribe, and for frames that move in spite of them.
+def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]) -> bool:
+    """Whether the supports hold the frame without its links.
 
-    `part` (n,) is the connected part that each node belongs to.
+    `part` (n,) is the connected part that each node belongs to. ValueError for links with
+    nothing to prescribe, and for frames that move in spite of them.
     """
     own = np.linalg.svd(tied.B[:, free].toarray(), compute_uv=False)
     if free.sum() < tied.count or own[-1] < DEPENDENT:
@@ -152,23 +153,41 @@ def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]
     for dof, mode, entry in ((0, 0, 1.0), (1, 1, 1.0), (0, 2, -y), (1, 2, x), (2, 2, 1.0)):
         modes[node, dof, 3 * part + mode] = entry
     motions = modes.reshape(free.size, -1)
-    held = np.vstack([motions[~free], tied.B @ motions])
-    s = np.linalg.svd(held, compute_uv=False)
-    if s.size < motions.shape[1] or s[-1] < DEPENDENT:
+    if not _holds(np.vstack([motions[~free], tied.B @ motions])):
         raise ValueError("the frame can move rigidly in spite of its links: support it")
+    return _holds(motions[~free])
+
+
+def _holds(rows: Array) -> bool:
+    """Whether what supports keep from moving leaves no motion of (rows, motions)."""
+    s = np.linalg.svd(rows, compute_uv=False)
+    return bool(s.size == rows.shape[1] and s[-1] > DEPENDENT)
 
 
 Solver = Callable[[Array, Array], tuple[Array, Array]]
 
 
-def tied_solver(K: csc_array, B: csc_array) -> Solver:
-    """Solve K u - B^T p = r, B u = g for (u, p); RuntimeError where that is singular."""
-    size = float(abs(K.diagonal()).mean())
-    saddle = csc_array(block_array([[K, -size * B.T], [-size * B, None]]))
-    factor, n = splu(saddle), K.shape[0]
+def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
+    """Solve K u - B^T p = r, B u = g for (u, p), by the compliance of the links.
+
+    K is positive definite if the frame stands `alone`, without its links; else s B^T B makes it
+    so and changes nothing, since B u is g. RuntimeError where even that is singular.
+    """
+    s = 0.0 if alone else float(abs(K.diagonal()).mean())
+    factor = positive_factor(csc_array(K + s * (B.T @ B)) if s else K)
+    moved = factor.solve(B.T.toarray())
+    compliance = B @ moved
 
     def solve(r: Array, g: Array) -> tuple[Array, Array]:
-        both = factor.solve(np.concatenate([r, -size * g]))
-        return both[:n], size * both[n:]
+        u = factor.solve(r + s * (B.T @ g))
+        p = np.linalg.solve(compliance, g - B @ u)
+        return u + moved @ p, p
 
     return solve
+
+
+def positive_factor(K: csc_array) -> SuperLU:
+    """Factors of a positive definite matrix; RuntimeError where a pivot is zero."""
+    return splu(
+        K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
+    )

@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csc_array
 from scipy.sparse.csgraph import connected_components
-from scipy.sparse.linalg import splu
 
-from fem.beam.links import Solver, Ties, check_ties, tied_solver, ties
+from fem.beam.links import Solver, Ties, check_ties, positive_factor, tied_solver, ties
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -144,11 +143,12 @@ def solve_supported(
             i = _rows(n, node).start + DOFS.index(component)
             free[i], u[i] = False, value
     tied = tied or ties(n, ())
+    alone = True
     if tied.count:
-        check_ties(tied, points, _parts(n, elements), free)
+        alone = check_ties(tied, points, _parts(n, elements), free)
     else:
         check_rigid_motions(points, elements, free)
-    solve = _factorised(csc_array(K[free][:, free]), csc_array(tied.B[:, free]))
+    solve = _factorised(csc_array(K[free][:, free]), csc_array(tied.B[:, free]), alone)
     change, stiff = math.inf, abs(K)
     strained, correction = strains(u.reshape(-1, 3)), np.zeros(3 * n)
     pushing = np.zeros(tied.count)
@@ -178,13 +178,11 @@ def solve_supported(
     return solution, strained
 
 
-def _factorised(K: csc_array, B: csc_array) -> Solver:
+def _factorised(K: csc_array, B: csc_array, alone: bool) -> Solver:
     try:
         if B.shape[0]:
-            return tied_solver(K, B)
-        factor = splu(
-            K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-        )
+            return tied_solver(K, B, alone)
+        factor = positive_factor(K)
     except RuntimeError as error:  # SuperLU's word for a zero pivot
         raise ValueError("the frame is a mechanism: a part of it can move freely") from error
     return lambda residual, _: (factor.solve(residual), np.zeros(0))
