@@ -19,7 +19,7 @@ MOST_CELLS = {"L1": 60, "r": 30}
 NAMES = {
     "e_max": "|U_w − Δ|/Δ", "ratio_min": "U_w/L_0 too small", "ratio_max": "U_w/L_0 too large",
     "wedge": "wedge", "margin": "point A", "sigma": "stress", "z_max": "L_0/b",
-    "room": "room across", "k_band": "tolerance", "buckling": "buckling", "shape": "no spring",
+    "room": "room across", "k_band": "tolerance", "sway": "buckling", "shape": "no spring",
 }  # fmt: skip
 
 
@@ -50,9 +50,7 @@ def region(s: Search, i: int, name: str) -> Region:
     """Candidates that share n, b and alpha with candidate `i`, over L1 and r."""
     g = s.springs
     same = (g.n == g.n[i]) & (g.b == g.b[i]) & (g.alpha == g.alpha[i])
-    r, L1 = (
-        _thinned(np.unique(getattr(g, k)), getattr(g, k)[i], MOST_CELLS[k]) for k in ("r", "L1")
-    )
+    r, L1 = _thinned(g.r, i, MOST_CELLS["r"]), _thinned(g.L1, i, MOST_CELLS["L1"])
     count = np.where(s.judged.possible, s.judged.violations.sum(axis=0), -1)
     shown: Mapping[Any, int] = {
         (r_i, l_i): int(c) for r_i, l_i, c in zip(g.r[same], g.L1[same], count[same], strict=True)
@@ -134,12 +132,9 @@ def curve(outcome: Outcome) -> Curves:
             share = (1 + sign * q.b_tolerance / float(s.springs.b[i])) ** 3
             name = "with the strip's tolerance" if sign == 1 else ""
             drawn.append(Curve(name=name, x=U * 1e3, y=F * share, style="dashes", colour=0))
-    if outcome.verified:
-        v = outcome.verified[outcome.chosen or 0]
-        drawn.append(
-            Curve(name="finite elements, large displacements", x=v.U * 1e3, y=v.F, style="dots",
-                  colour=1)
-        )  # fmt: skip
+    if (large := outcome.curve) is not None:
+        name = "finite elements, large displacements"
+        drawn.append(Curve(name=name, x=large.U * 1e3, y=large.F, style="dots", colour=1))
     drawn.append(
         Curve(name="task", x=np.array([U_w * 1e3]), y=np.array([q.F_w]), style="dots", colour=2)
     )

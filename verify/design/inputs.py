@@ -85,6 +85,14 @@ class Demands(Inputs):
         "5 %", "%", "m_A", "how far U_w stays below U_A, where leaves touch", omitted=0.0,
         ge=0, le=1000,
     )  # fmt: skip
+    sway: float | None = quantity(
+        "20 %", "%", "m_cr", "how far U_w stays below U_cr, where the spring sways", omitted=None,
+        ge=0, le=1000,
+    )  # fmt: skip
+    friction: float = quantity(
+        0.15, "1", "µ", "friction where leaves touch, in finite elements", omitted=0.0, ge=0, le=1,
+        claims="wang2023:fea-friction-coefficient",
+    )  # fmt: skip
     b_tolerance: float | None = quantity(
         "0.002 mm", "mm", "t_b", "tolerance of the thickness, ± this", omitted=None, ge=0, le=1
     )

@@ -77,8 +77,6 @@ class Judged:
 def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
     """Every limit that the demands set, on all candidates."""
     delta = f.delta(q.F_w)
-    with np.errstate(divide="ignore"):
-        to_A = np.where(f.U_w > 0, f.U_A / f.U_w, np.where(np.isnan(f.U_w), np.nan, np.inf))
     found = [
         Limit(key="e_max", what="working against computed displacement", symbol="|U_w − Δ|/Δ",
               unit="%", value=np.abs(f.U_w - delta) / delta, bound=q.e_max, source="Eq. 11"),
@@ -89,11 +87,17 @@ def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
         Limit(key="wedge", what="free length in the wedge", symbol="L_0", unit="mm",
               value=f.L0, bound=q.wedge, source="Fig. 12"),
         Limit(key="margin", what="room to point A, where leaves touch", symbol="U_A/U_w − 1",
-              unit="%", value=to_A, bound=1 + q.margin, source="closed form of stage OA",
-              least=True, offset=1.0),
+              unit="%", value=_over(f.U_A, f.U_w), bound=1 + q.margin,
+              source="closed form of stage OA", least=True, offset=1.0),
         Limit(key="sigma", what="bending stress at F_w", symbol="σ", unit="MPa",
               value=f.stress, bound=q.sigma, source="curved bar"),
     ]  # fmt: skip
+    if q.sway is not None:
+        found.append(
+            Limit(key="sway", what="room to sideways buckling", symbol="U_cr/U_w − 1", unit="%",
+                  value=_over(f.U_cr, f.U_w), bound=1 + q.sway, source="Haringx's column",
+                  least=True, offset=1.0)
+        )  # fmt: skip
     if q.z_max is not None:
         found.append(
             Limit(key="z_max", what="free length over thickness", symbol="L_0/b", unit="1",
@@ -116,3 +120,9 @@ def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
 
 def _where(s: Springs, values: Array) -> Array:
     return np.where(s.possible, values, np.nan)
+
+
+def _over(room: Array, U_w: Array) -> Array:
+    """Room over U_w; a spring that need not move has all the room."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(U_w <= 0, np.inf, room / U_w)

@@ -4,24 +4,28 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from verify import progress, units
+from verify.design.compressed import Curve, compressed
 from verify.design.fem import Verified, verified
 from verify.design.inputs import Task
 from verify.design.search import Search, search
 from verify.inputs import InputError
 
 CHOSEN = "chosen.toml"
+BEYOND = 1.15  # of U_A, how far the chosen spring is compressed
 
 
 @dataclass(frozen=True)
 class Outcome:
     """`verified` belongs to the members of the front, none without finite elements.
 
-    `chosen` counts the members from 0, and is None where nothing is feasible.
+    `chosen` counts the members from 0, and is None where nothing is feasible; `curve` is the
+    chosen spring's by finite elements, to some way beyond U_A.
     """
 
     search: Search
     verified: Sequence[Verified]
     chosen: int | None
+    curve: Curve | None = None
 
     @property
     def passed(self) -> bool:
@@ -60,7 +64,11 @@ def carry_out(task: Task, *, choose: int | None, use_fem: bool, quiet: bool) -> 
 
         checked = verified(found.springs, found.formulas, members, task.demands, tell)
     kept = next((k for k, v in enumerate(checked) if v.agrees and v.fits), 0)
-    return Outcome(found, checked, kept if choose is None else choose - 1)
+    chosen = kept if choose is None else choose - 1
+    i, f = members[chosen], found.formulas
+    U_A, U_w = float(f.U_A[i]), float(f.U_w[i])
+    curve = compressed(found.springs, i, task.demands, U_w=U_w, stroke=BEYOND * max(U_A, U_w))
+    return Outcome(found, checked, chosen, curve)
 
 
 def chosen_file(outcome: Outcome) -> str:

@@ -14,7 +14,7 @@ from verify.design.nearest import Relaxation
 from verify.design.outcome import Outcome
 from verify.design.records import COLUMNS, columns
 from verify.design.search import Search
-from verify.design.told import FRONT, geometry, in_unit, rounded, verdict, warnings
+from verify.design.told import FRONT, geometry, in_unit, rounded, spare, verdict, warnings
 from verify.shown import Sketch, Table
 
 STEPS = (
@@ -26,15 +26,16 @@ STEPS = (
     "names).",
     "It has to keep |U_w − Δ|/Δ (Eq. 11), both limits of U_w/L_0 (Eq. 12) and of L_0/b (Eq. 13), "
     "and to fit into the wedge (Fig. 12).",
-    "Beyond the paper: leaves must not touch before U_w, the bending stress inside the loops, the "
-    "height across and the change of k_1 with the strip's tolerance stay within limits.",
+    "Beyond the paper: leaves must not touch before U_w, nor the spring sway; the bending stress "
+    "inside the loops, the height across and the change of k_1 with the strip's tolerance stay "
+    "within limits.",
     "Of the feasible ones those stay that no other beats in stress, L_0, U_A/U_w and "
     "|k_1/k_w − 1| at once, k_w = F_w/U_w. Of a longer front 20 are kept: the best of each, the "
     "one nearest to the best of everything, then always whichever is farthest from those taken, "
     "every axis scaled to the front.",
     "Finite elements judge each member: a curved frame its k_1, within a third of what Eq. 11 "
-    "allows; a geometrically exact beam Eq. 11 itself, with the displacement that F_w really "
-    "causes.",
+    "allows; a geometrically exact beam whose leaves may touch Eq. 11 itself, with the "
+    "displacement that F_w really causes.",
     "Chosen is the member nearest to the best of everything that finite elements keep.",
 )
 
@@ -135,8 +136,8 @@ def _limits(s: Search, i: int | None) -> Table:
     for limit in s.judged.limits:
         bound = f"{limit.sign} {in_unit(limit, limit.bound - limit.offset)}"
         value = "" if i is None else in_unit(limit, float(limit.value[i]) - limit.offset)
-        spare = "" if i is None else f"{-100 * float(limit.excess[i]):.3g} %"
-        rows.append((limit.symbol, value, bound, spare, limit.source))
+        room = "" if i is None else spare(limit, i)
+        rows.append((limit.symbol, value, bound, room, limit.source))
     return Table(
         title="Its limits", header=("limit", "value", "", "to spare", "from"), rows=tuple(rows)
     )

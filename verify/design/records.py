@@ -75,8 +75,9 @@ def record(outcome: Outcome) -> dict[str, Any]:
                 "k1": {"value": v.k1 / 1e3, "unit": "N/mm"}, "deviation": v.deviation,
                 "limit": v.limit, "mesh": v.mesh, "agrees": v.agrees,
                 "Delta": {"value": finite(v.delta * 1e3), "unit": "mm"}, "e_r": finite(v.e_r),
-                "fits": v.fits, "force_at_U_w": {"value": finite(v.force), "unit": "N"},
-                "curve": {"U_mm": list(v.U * 1e3), "F_N": list(v.F)},
+                "fits": v.fits,
+                "force_at_U_w": {"value": finite(v.curve.force(v.U_w)), "unit": "N"},
+                "touches": {"value": finite(v.curve.touches * 1e3), "unit": "mm"},
             }  # fmt: skip
         members.append(member)
     return {
@@ -88,6 +89,9 @@ def record(outcome: Outcome) -> dict[str, Any]:
         "members": members,
         "chosen": None if outcome.chosen is None else outcome.chosen + 1,
         "passed": outcome.passed,
+        "curve": None
+        if outcome.curve is None
+        else {"U_mm": list(outcome.curve.U * 1e3), "F_N": list(outcome.curve.F)},
         "nearest": [relaxed(r) for r in s.nearest],
         "relax_one": [relaxed(r) for r in s.relaxations],
     }

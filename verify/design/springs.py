@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.spring import energy
+from analytic.spring.column import critical_shortening
+from analytic.spring.column import free_length as centre_length
 from analytic.spring.stages import stages
 from verify.design.inputs import Demands
 
@@ -48,7 +50,8 @@ def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
 class Formulas:
     """What the formulas give for N springs, SI, arrays (N,); NaN where no strip can be bent.
 
-    `k1_eqs_1_9` is the stiffness as the paper has it, whatever the demands say of arcs and tail.
+    `k1_eqs_1_9` is the stiffness as the paper has it, whatever the demands say of arcs and ends;
+    `U_cr` is inf where nothing sways.
     """
 
     L0: Array
@@ -58,6 +61,7 @@ class Formulas:
     U_A: Array
     F_A: Array
     k2: Array
+    U_cr: Array
     stress: Array
 
     def delta(self, F_w: float) -> Array:
@@ -78,12 +82,15 @@ def formulas(springs: Springs, demands: Demands) -> Formulas:
 
 def _of_one_n(n: int, s: Springs, q: Demands) -> Mapping[str, Array]:
     leaf = energy.leaf_length(L1=s.L1, r=s.r, b=s.b, alpha=s.alpha)
-    L0 = _free_length(n, s, leaf)
+    L0 = centre_length(n=n, L1=s.L1, radius=s.r + s.b / 2, alpha=s.alpha) + s.b
     staged = stages(
         n=n, b=s.b, h=q.h, radius=s.r if q.arcs == "inner" else s.r + s.b / 2, L1=s.L1,
         alpha=s.alpha, E=q.E, nu=q.nu, width_factor=q.width_factor, head=q.head, tail=q.tail,
         leaf=leaf,
     )  # fmt: skip
+    sways = critical_shortening(
+        q.head, n=n, L1=s.L1, radius=s.r + s.b / 2, alpha=s.alpha, b=s.b, nu=q.nu
+    )
     couple = q.F_w * staged.top_couple / staged.F_A
     return {
         "L0": L0,
@@ -93,11 +100,6 @@ def _of_one_n(n: int, s: Springs, q: Demands) -> Mapping[str, Array]:
         "U_A": staged.U_A,
         "F_A": staged.F_A,
         "k2": staged.k2,
+        "U_cr": np.where(np.isnan(sways), np.inf, sways * (L0 - s.b)),
         "stress": energy.curvature_factor(b=s.b, r=s.r) * 6 * couple / (q.h * s.b**2),
     }
-
-
-def _free_length(n: int, s: Springs, leaf: Array) -> Array:
-    """Over all, leaf to leaf, on the true centre line; `analytic.spring.frame` sums one spring."""
-    R = s.r + s.b / 2
-    return np.asarray(2 * R + (n - 2) * (2 * R * np.sin(s.alpha) + leaf * np.cos(s.alpha)) + s.b)

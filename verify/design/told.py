@@ -76,6 +76,8 @@ def verdict(v: Verified) -> str:
     """In words; a formula that is off comes first."""
     if not v.agrees:
         return f"formula beyond ±{100 * v.limit:.2g} %"
+    if v.curve.touches <= v.U_w:
+        return f"leaves touch by {v.curve.touches * 1e3:.3g} mm"
     return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
 
 
@@ -136,6 +138,8 @@ def geometry(s: Search, i: int) -> str:
 
 def in_unit(limit: Limit, value: float) -> str:
     """A value of a limit's input [SI] in its unit."""
+    if np.isinf(value):
+        return "∞"
     number = f"{value / units.factor(limit.unit):.4g}"
     return number if limit.unit == "1" else f"{number} {limit.unit}"
 
@@ -153,8 +157,13 @@ def _reason(limit: Limit, count: int) -> tuple[str, ...]:
 def _kept(limit: Limit, i: int) -> tuple[str, ...]:
     value = in_unit(limit, float(limit.value[i]) - limit.offset)
     bound = in_unit(limit, limit.bound - limit.offset)
-    room = f"{-100 * float(limit.excess[i]):.3g} % to spare"
-    return limit.what, limit.symbol, value, f"{limit.sign} {bound}", room
+    return limit.what, limit.symbol, value, f"{limit.sign} {bound}", f"{spare(limit, i)} to spare"
+
+
+def spare(limit: Limit, i: int) -> str:
+    """How far candidate `i` is inside the limit, a share of the bound."""
+    room = -float(limit.excess[i])
+    return "∞" if np.isinf(room) else f"{100 * room:.3g} %"
 
 
 def _relaxed(r: Relaxation) -> tuple[str, ...]:

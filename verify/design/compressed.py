@@ -1,0 +1,68 @@
+"""A candidate pressed together: geometrically exact beam whose leaves touch."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.design.inputs import Demands
+from verify.design.springs import Springs
+from verify.design.strip import HEAD_HELD, strip
+
+Array = NDArray[np.float64]
+PER_ARC = 4
+PARTS = 10  # of the working displacement, so that U_w is one of the states
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Displacements and forces `U`, `F` (k,) [m, N] from the origin on.
+
+    `touches` [m] is the first of them at which leaves touch, inf where they don't; the curve ends
+    early where no equilibrium was found.
+    """
+
+    U: Array
+    F: Array
+    touches: float
+
+    def force(self, U: float) -> float:
+        """Force [N] at U, NaN beyond the curve's end."""
+        return float(np.interp(U, self.U, self.F, right=np.nan))
+
+    def displacement(self, F: float) -> float:
+        """Displacement [m] at which F is first borne, by a cubic; NaN where it never is."""
+        beyond = np.flatnonzero(F <= self.F)
+        if not beyond.size:
+            return float("nan")
+        k = min(max(int(beyond[0]) - 2, 0), max(len(self.U) - 4, 0))
+        near = slice(k, k + 4)
+        degree = min(3, len(self.U[near]) - 1)
+        return float(np.polynomial.Polynomial.fit(self.F[near], self.U[near], degree)(F))
+
+
+def compressed(s: Springs, i: int, q: Demands, *, U_w: float, stroke: float) -> Curve:
+    """Candidate `i`, whose head moves beyond `stroke` [m] in tenths of U_w; with its free tips."""
+    from fem.beam.large import LargeFrame
+    from fem.beam.touching import SelfContact
+
+    line, section = strip(s, i, q, PER_ARC, tips=True)
+    head = line.nodes["head"]
+    contact = SelfContact(
+        line.points, line.elements, thickness=float(s.b[i]), EA=section.EA, friction=q.friction
+    )
+    frame = LargeFrame(
+        line.points, line.elements, sections=section, terms=(contact,),
+        supports={line.nodes["tail"]: "xyr", head: HEAD_HELD[q.head]},
+    )  # fmt: skip
+    U, F, touches, state = [0.0], [0.0], float("inf"), None
+    while U[-1] < stroke:
+        try:
+            state = frame.displaced({head: {"x": U_w / PARTS}}, [1.0], since=state).last
+        except ArithmeticError:
+            break
+        U.append(len(U) * U_w / PARTS)
+        F.append(float(state.reactions[head, 0]))
+        if contact.record.normal.size:
+            touches = min(touches, U[-1])
+    return Curve(np.array(U), np.array(F), touches)
