@@ -23,10 +23,10 @@ NODES = 9
 
 
 class Shapes(NamedTuple):
-    """Values `N` (points, 9) and slopes `dN` (points, 2, 9)."""
+    """Values `N` (points, 9) and `slopes` (points, 2, 9)."""
 
     N: Array
-    dN: Array
+    slopes: Array
 
 
 def gauss(count: int) -> tuple[Array, Array]:
@@ -44,7 +44,8 @@ def shapes(X: Array) -> Shapes:
     """Of all nodes at points X (2, k) of the unit square."""
     element = ElementQuad2()
     each: list[Any] = [element.lbasis(X, i) for i in range(NODES)]
-    return Shapes(np.array([N for N, _ in each]).T, np.array([dN for _, dN in each]).transpose(2, 1, 0))
+    slopes = np.array([slope for _, slope in each]).transpose(2, 1, 0)
+    return Shapes(np.array([N for N, _ in each]).T, slopes)
 
 
 def _lagrange(nodes: Array, x: Array) -> Array:

@@ -41,8 +41,10 @@ class ShellSolution:
         Stationary at the solution, so that an error of u enters squared. Under loads alone it is
         minus half their work: compliance = -2 x this / force^2.
         """
-        return self.strain_energy - float(np.sum(self.f[:, :3] * self.u)) - float(
-            np.sum(self.f[:, 3:] * self.rotation)
+        return (
+            self.strain_energy
+            - float(np.sum(self.f[:, :3] * self.u))
+            - float(np.sum(self.f[:, 3:] * self.rotation))
         )
 
     @property
@@ -58,7 +60,9 @@ class ShellSolution:
     @property
     def bending_stress(self) -> Array:
         """Tensors (cells, 9, 3, 3) on the face that the normals point to; minus that opposite."""
-        return self._in_space(6 * self.resultants[..., BENDING] / self.thickness[:, None, None] ** 2)
+        return self._in_space(
+            6 * self.resultants[..., BENDING] / self.thickness[:, None, None] ** 2
+        )
 
     @property
     def shear_stress(self) -> Array:

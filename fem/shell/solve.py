@@ -29,7 +29,6 @@ MAX_CORRECTIONS = 60
 CONVERGED = 1e-24  # relative energy, the square of relative displacements
 ROUND_OFF = 1e-18
 RESIDUAL_LIMIT = 1e-12
-FOLDED = 1e-6  # area of a cell at a Gauss point over that of its largest
 
 
 def solve_shell(
@@ -95,8 +94,6 @@ def solve_shell(
         + node_forces(len(points), loads or {})
     )
     B, area, tangents = operator(points[cells])
-    if area.min() < FOLDED * area.max(axis=1)[np.argmin(area.min(axis=1))]:
-        raise ValueError(f"cell {np.argmin(area.min(axis=1))} is folded or has no area")
     E, nu = np.array([(m.E, m.nu) for m in chosen]).T
     D = moduli(E, nu, t, area.sum(axis=1))
     u, resultants, energy, internal, residual = _solve(
@@ -177,9 +174,7 @@ def _assemble(B, D, area, dofs, number):
     rows, columns = np.repeat(own, n, axis=1).ravel(), np.tile(own, (1, n)).ravel()
     keep = (rows >= 0) & (columns >= 0)
     size = number.max() + 1
-    return csc_array(
-        coo_array((k.ravel()[keep], (rows[keep], columns[keep])), shape=(size, size))
-    )
+    return csc_array(coo_array((k.ravel()[keep], (rows[keep], columns[keep])), shape=(size, size)))
 
 
 def _factor(K: csc_array) -> Callable[[Array], Array]:

@@ -8,9 +8,10 @@ vanish in every rigid motion. From them
 
 .. math:: \varepsilon_{\alpha\beta} = \tfrac12 (a_\alpha\cdot e_\beta + a_\beta\cdot e_\alpha),
    \quad \gamma_\alpha = n\cdot e_\alpha,
-   \quad \kappa_{\alpha\beta} = \tfrac12 (a_\alpha\cdot k_\beta\times n + a_\beta\cdot k_\alpha\times n)
+   \quad \kappa_{\alpha\beta}
+   = \tfrac12 (a_\alpha\cdot k_\beta\times n + a_\beta\cdot k_\alpha\times n)
 
-are the membrane strains, the shear strains and the curvatures, as in the best first-order theory of
+are the membrane strains, the shear strains and the curvatures, as in the first-order theory of
 Sanders and Koiter where n moves with u; along a strip, those of a Timoshenko beam. The last,
 ω = (a_2·e_1 - a_1·e_2)/2 over the area, is what θ·n and the surface's own rotation in its plane
 differ by: zero in the exact solution, whatever the stiffness that holds it there. The shear
@@ -28,6 +29,7 @@ MEMBRANE, BENDING, SHEAR = slice(0, 3), slice(3, 6), slice(6, 8)
 TIED, UNTIED = 8, 9  # ω by its tying points, and as it is
 STRAINS, UNKNOWNS = 10, 6 * NODES
 SHEAR_FACTOR = 5 / 6
+FLAT_OUT = 1e-6  # area at a Gauss point over the cell's mean, below which it counts as none
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class Frame:
     """
 
     N: Array
-    dN: Array
+    slopes: Array
     a: Array
     n: Array
     area: Array
@@ -46,23 +48,25 @@ class Frame:
     @classmethod
     def of(cls, corners: Array, X: Array) -> "Frame":
         """At points X (2, k) of cells with nodes at `corners` (m, 9, 3)."""
-        N, dN = shapes(X)
-        a = np.einsum("kai,mic->mkac", dN, corners)
+        N, slopes = shapes(X)
+        a = np.einsum("kai,mic->mkac", slopes, corners)
         normal = np.cross(a[:, :, 0], a[:, :, 1])
         area = np.linalg.norm(normal, axis=-1)
-        return cls(N, dN, a, normal / np.maximum(area, 1e-300)[..., None], area)
+        return cls(N, slopes, a, normal / np.maximum(area, 1e-300)[..., None], area)
 
     def along(self, alpha: int, c: Array) -> Array:
         """c·e_α (m, k, 54) for vectors c (m, k, 3)."""
         B = np.empty((*c.shape[:2], NODES, 6))
-        B[..., :3] = self.dN[None, :, alpha, :, None] * c[:, :, None]
+        B[..., :3] = self.slopes[None, :, alpha, :, None] * c[:, :, None]
         turned = np.cross(c, self.a[:, :, alpha])  # c·(-θ x a) = θ·(c x a)
         B[..., 3:] = self.N[None, :, :, None] * turned[:, :, None]
         return B.reshape(*c.shape[:2], UNKNOWNS)
 
     def local(self) -> tuple[Array, Array]:
-        """Unit tangents (m, k, 2, 3), the first along a_1, and ∂ξ_α/∂s_i (m, k, 2, 2)."""
-        first = self.a[:, :, 0] / np.linalg.norm(self.a[:, :, 0], axis=-1, keepdims=True)
+        """Unit tangents (m, k, 2, 3), the first near the cell's a_1, and ∂ξ_α/∂s_i (m, k, 2, 2)."""
+        cell = self.a[:, :, 0].mean(axis=1, keepdims=True)
+        first = cell - np.sum(cell * self.n, axis=-1, keepdims=True) * self.n
+        first /= np.linalg.norm(first, axis=-1, keepdims=True)
         e = np.stack([first, np.cross(self.n, first)], axis=2)
         return e, np.linalg.inv(np.einsum("mkic,mkac->mkia", e, self.a))
 
@@ -70,25 +74,40 @@ class Frame:
 def operator(corners: Array) -> tuple[Array, Array, Array]:
     """B (m, 9, 10, 54) of all strains at the Gauss points, areas (m, 9), tangents (m, 9, 2, 3).
 
-    Rows: ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the unit tangents' frame.
+    Rows: ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the unit tangents' frame. Raises
+    ValueError for folded cells.
     """
     at = Frame.of(corners, POINTS)
+    _check_folds(at)
     e, slope = at.local()
     B = np.zeros((len(corners), len(WEIGHTS), STRAINS, UNKNOWNS))
-    _in_plane(corners, slope, B)
+    ab, ba = at.along(0, at.a[:, :, 1]), at.along(1, at.a[:, :, 0])
+    e12 = _in_plane(corners, slope[..., None], B)
+    _keep_mean(B, at.area * WEIGHTS, slope[..., None], (ab + ba) / 2 - e12)
     _curvatures(at, e, slope, B)
-    B[:, :, UNTIED] = (at.along(0, at.a[:, :, 1]) - at.along(1, at.a[:, :, 0])) / 2
-    B[:, :, UNTIED] /= at.area[..., None]
+    B[:, :, UNTIED] = (ab - ba) / 2 / at.area[..., None]
     return B, at.area * WEIGHTS, e
 
 
-def _in_plane(corners: Array, slope: Array, B: Array) -> None:
-    """Membrane, shear and drilling strains from their tying points."""
+def _check_folds(at: Frame) -> None:
+    """ValueError where a cell's normals turn over or it has no area."""
+    mean = np.einsum("mk,mkc->mc", at.area, at.n)
+    upright = np.einsum("mkc,mc->mk", at.n, mean).min(axis=1)
+    bad = (upright <= 0) | (at.area.min(axis=1) <= FLAT_OUT * at.area.mean(axis=1))
+    if bad.any():
+        raise ValueError(f"cell {np.argmax(bad)} is folded or has no area")
+
+
+def _in_plane(corners: Array, s: Array, B: Array) -> Array:
+    """Membrane, shear and drilling strains from their tying points; returns the tied ε_12.
+
+    s[:, :, α, i] is ξ_α's slope along the unit tangent i.
+    """
     first, second, both = (Frame.of(corners, X) for X in TYING)
     one, two, mixed = TO_POINTS
 
     def spread(to: Array, tied: Array) -> Array:
-        return np.einsum("qk,mku->mqu", to, tied, optimize=True)
+        return np.asarray(np.einsum("qk,mku->mqu", to, tied, optimize=True))
 
     e11 = spread(one, first.along(0, first.a[:, :, 0]))
     e22 = spread(two, second.along(1, second.a[:, :, 1]))
@@ -96,21 +115,40 @@ def _in_plane(corners: Array, slope: Array, B: Array) -> None:
     ab, ba = both.along(0, both.a[:, :, 1]), both.along(1, both.a[:, :, 0])
     e12, omega = spread(mixed, ab + ba) / 2, spread(mixed, ab - ba) / 2
 
-    s = slope[..., None]  # ξ_α along unit tangent i: s[:, :, α, i]
+    B[:, :, MEMBRANE] = _along_tangents(s, e12)
     for row, i, j, factor in ((0, 0, 0, 1), (1, 1, 1, 1), (2, 0, 1, 2)):
-        B[:, :, row] = factor * (
-            s[:, :, 0, i] * s[:, :, 0, j] * e11
-            + s[:, :, 1, i] * s[:, :, 1, j] * e22
-            + (s[:, :, 0, i] * s[:, :, 1, j] + s[:, :, 1, i] * s[:, :, 0, j]) * e12
-        )
+        B[:, :, row] += factor * s[:, :, 0, i] * s[:, :, 0, j] * e11
+        B[:, :, row] += factor * s[:, :, 1, i] * s[:, :, 1, j] * e22
     B[:, :, 6] = s[:, :, 0, 0] * g1 + s[:, :, 1, 0] * g2
     B[:, :, 7] = s[:, :, 0, 1] * g1 + s[:, :, 1, 1] * g2
-    B[:, :, TIED] = omega * np.linalg.det(slope)[..., None]
+    B[:, :, TIED] = omega * (s[:, :, 0, 0] * s[:, :, 1, 1] - s[:, :, 0, 1] * s[:, :, 1, 0])
+    return e12
+
+
+def _along_tangents(s: Array, e12: Array) -> Array:
+    """ε11, ε22 and 2 ε12 (m, q, 3, 54) along the unit tangents of a covariant ε_12."""
+    return np.stack(
+        [
+            2 * s[:, :, 0, 0] * s[:, :, 1, 0] * e12,
+            2 * s[:, :, 0, 1] * s[:, :, 1, 1] * e12,
+            2 * (s[:, :, 0, 0] * s[:, :, 1, 1] + s[:, :, 1, 0] * s[:, :, 0, 1]) * e12,
+        ],
+        axis=2,
+    )
+
+
+def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
+    """Give the membrane strains back the cell's mean of what tying took from ε_12.
+
+    None in parallelograms; other flat cells would not pass the patch test without it.
+    """
+    mean = np.einsum("mq,mqsu->msu", area, _along_tangents(s, lost), optimize=True)
+    B[:, :, MEMBRANE] += (mean / area.sum(axis=1)[:, None, None])[:, None]
 
 
 def _curvatures(at: Frame, e: Array, slope: Array, B: Array) -> None:
     """Of the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
-    along = np.einsum("kan,mkai->mkin", at.dN, slope)[..., None]
+    along = np.einsum("kan,mkai->mkin", at.slopes, slope)[..., None]
     e1, e2 = e[:, :, 0, None], e[:, :, 1, None]
     B = B.reshape(*B.shape[:3], NODES, 6)[..., 3:]
     B[:, :, 3] = along[:, :, 0] * e2

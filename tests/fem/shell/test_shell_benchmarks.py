@@ -1,0 +1,124 @@
+"""Shells of the literature, and plates by their series."""
+
+from math import cosh, pi, radians, tanh
+
+import numpy as np
+import pytest
+
+from fem.plane.material import Elastic
+from fem.shell.solve import solve_shell
+from meshes.shell.panel import cylinder_panel, rectangle
+from tests.fem.shell.grids import over
+
+SYMMETRY = {"x": "xbc", "y": "yac", "z": "zab"}  # of planes across these axes
+
+
+def roof(count):
+    """Vertical movement (upwards) of the free edge in the middle of Scordelis' and Lo's roof."""
+    mesh = cylinder_panel(radius=25.0, angle=radians(40), width=25.0, around=count, across=count)
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=0.25, materials=Elastic(E=4.32e8, nu=0.0),
+        boundaries=mesh.boundaries, surface_loads=(0, -90.0, 0),
+        supports={"edge": "xy", "head": SYMMETRY["x"], "middle": SYMMETRY["z"]},
+    )  # fmt: skip
+    return s.u[mesh.nodes["tail"], 1]
+
+
+def test_the_barrel_roof_sinks_between_its_published_values():
+    """0.3006 by thin-shell theory, 0.3024 in the standard set of MacNeal and Harder (1985)."""
+    for count in (8, 16):
+        assert 0.3006 < -roof(count) < 0.3024
+
+
+def test_the_pinched_cylinder_with_diaphragms_gives_way_as_in_flugge_s_series():
+    """1.8248e-5, without shear deformation; with it the force dents its own point, ever deeper."""
+    count = 20
+    mesh = cylinder_panel(radius=300.0, angle=pi / 2, width=300.0, around=count, across=count)
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=3.0, materials=Elastic(E=3e6, nu=0.3),
+        boundaries=mesh.boundaries, loads={mesh.nodes["head"]: (0, -0.25, 0, 0, 0, 0)},
+        supports={
+            "edge": "xy", "head": SYMMETRY["x"], "tail": SYMMETRY["y"], "middle": SYMMETRY["z"]
+        },
+    )  # fmt: skip
+    assert -s.u[mesh.nodes["head"], 1] == pytest.approx(1.8248e-5, rel=0.015)
+
+
+def test_the_pinched_hemisphere_gives_way_as_published():
+    """0.0935 (Simo, Fox, Rifai 1989) with a hole of 18 deg; its rigid turns cost nothing."""
+
+    def sphere(u, v):
+        phi, lift = pi / 2 * u, radians(72) * v
+        return 10 * np.cos(lift) * np.cos(phi), 10 * np.cos(lift) * np.sin(phi), 10 * np.sin(lift)
+
+    grid = over(16, 16, sphere)
+    pulled, pushed = int(grid.number[0, 0]), int(grid.number[-1, 0])
+    s = solve_shell(
+        grid.points, grid.cells, thickness=0.04, materials=Elastic(E=6.825e7, nu=0.3),
+        boundaries=grid.boundaries,
+        supports={"u=0": SYMMETRY["y"], "u=1": SYMMETRY["x"], pulled: "z"},
+        loads={pulled: (1, 0, 0, 0, 0, 0), pushed: (0, -1, 0, 0, 0, 0)},
+    )  # fmt: skip
+    assert s.u[pulled, 0] == pytest.approx(0.0935, rel=2e-3)
+    assert s.u[pushed, 1] == pytest.approx(-s.u[pulled, 0], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("thickness", "force", "axis", "published"),
+    [
+        (0.32, 1.0, 1, 1.754e-3),  # beam theory, MacNeal and Harder (1985)
+        (0.32, 1.0, 2, 5.424e-3),
+        (0.0032, 1e-6, 1, 1.294e-3),  # Belytschko, Wong, Stolarski (1989)
+        (0.0032, 1e-6, 2, 5.256e-3),
+    ],
+)
+def test_the_twisted_beam_bends_as_published(thickness, force, axis, published):
+    def helicoid(u, v):
+        across = 1.1 * (v - 0.5)
+        return 12 * u, across * np.cos(pi / 2 * u), across * np.sin(pi / 2 * u)
+
+    grid = over(12, 2, helicoid)
+    load = np.zeros(6)
+    load[axis] = force
+    s = solve_shell(
+        grid.points, grid.cells, thickness=thickness, materials=Elastic(E=29e6, nu=0.22),
+        boundaries=grid.boundaries, supports={"u=0": "xyzabc"},
+        loads={int(grid.number[-1, 2]): load},
+    )  # fmt: skip
+    assert s.average("u=1")[axis] == pytest.approx(published, rel=3e-3)
+
+
+def plate(t, held, count=8):
+    """Deflection of a quarter of a square plate in units of q a^4 / D; corner at the origin."""
+    mesh = rectangle(length=0.5, width=0.5, along=count, across=count)
+    steel = Elastic(E=1e9, nu=0.3)
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=t, materials=steel, boundaries=mesh.boundaries,
+        pressures=-1.0,
+        supports={"head": held["head"], "edge": held["edge"], "tail": "xbc", "middle": "zab"},
+    )  # fmt: skip
+    return s.u[mesh.nodes["tail"], 1] * steel.E * t**3 / (12 * (1 - steel.nu**2))
+
+
+def navier():
+    """Middle of a simply supported square plate, in q a^4 / D (Levy's series, nu anything)."""
+    total = 5 / 384
+    for m in range(1, 12, 2):
+        a = m * pi / 2
+        sign = (-1) ** ((m - 1) // 2)
+        total -= 4 / pi**5 * sign * (a * tanh(a) + 2) / (2 * cosh(a) * m**5)
+    return total
+
+
+@pytest.mark.parametrize("t", [1e-2, 1e-3, 1e-4])
+def test_a_clamped_square_plate_deflects_as_in_the_handbook_however_thin(t):
+    """0.00126532 q a^4 / D (Timoshenko and Woinowsky-Krieger give 0.00126; series, thin)."""
+    clamped = {"head": "xyzabc", "edge": "xyzabc"}
+    # shear adds some 0.07 q a^2 / (5/6 G t) (the membrane's sag), that is 20 (t / a)^2 of it
+    assert plate(t, clamped) == pytest.approx(0.00126532, rel=1e-4 + 30 * t**2)
+
+
+@pytest.mark.parametrize("t", [1e-3, 1e-4])
+def test_a_simply_supported_square_plate_deflects_as_levy_s_series(t):
+    hard = {"head": "xyza", "edge": "xyzc"}
+    assert plate(t, hard) == pytest.approx(navier(), rel=1e-4)

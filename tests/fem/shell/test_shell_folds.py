@@ -1,0 +1,93 @@
+"""Folded, branched and closed shells of flat leaves, against frames and Bredt's tube."""
+
+import numpy as np
+import pytest
+
+from fem.plane.material import Elastic
+from fem.shell.solve import solve_shell
+from tests.fem.shell.grids import over
+
+E, NU, T, L = 1e9, 0.3, 0.01, 1.0
+EI, EA = E / (1 - NU**2) * T**3 / 12, E / (1 - NU**2) * T
+GA = 5 / 6 * E / (2 * (1 + NU)) * T
+DEPTH = 0.2
+
+
+def joined(*grids):
+    """One mesh of several, nodes at the same place being one; boundaries "name of the k-th"."""
+    points = np.concatenate([g.points for g in grids])
+    _, first, row = np.unique(points.round(9), axis=0, return_index=True, return_inverse=True)
+    row, offset, cells, boundaries = row.ravel(), 0, [], {}
+    for k, g in enumerate(grids):
+        cells.append(row[g.cells + offset])
+        boundaries |= {f"{name} of {k}": row[e + offset] for name, e in g.boundaries.items()}
+        offset += len(g.points)
+    return points[first], np.concatenate(cells), boundaries
+
+
+def plate(start, end, count=4):
+    """From one line along z to another, both through points (x, y)."""
+    (a, b), (c, d) = start, end
+    return over(count, 1, lambda u, v: (a + (c - a) * u, b + (d - b) * u, DEPTH * v))
+
+
+def solve(grids, clamped, loaded, force):
+    points, cells, boundaries = joined(*grids)
+    sides = {name: "zab" for name in boundaries if name.startswith("v=")}
+    return solve_shell(
+        points, cells, thickness=T, materials=Elastic(E=E, nu=NU), boundaries=boundaries,
+        supports=sides | dict.fromkeys(clamped, "xyzabc"), edge_loads={loaded: (*force, 0)},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("angle", [0.3, np.pi / 2, 2.5])
+def test_a_fold_hands_on_force_and_moment(angle):
+    """Two leaves, the second turned by `angle`; unit load along the first leaf at the end."""
+    knee = (L, 0.0)
+    tip = (L + L * np.cos(angle), L * np.sin(angle))
+    s = solve([plate((0, 0), knee), plate(knee, tip)], ["u=0 of 0"], "u=1 of 1", (1.0, 0))
+    # M = y_tip - y along both leaves, N and V by the force's direction (Castigliano)
+    lever = L * np.sin(angle)
+    bending = (lever**2 * L + lever**2 * L / 3) / EI
+    stretching = (L + L * np.cos(angle) ** 2) / EA + L * np.sin(angle) ** 2 / GA
+    assert s.average("u=1 of 1")[0] == pytest.approx(bending + stretching, rel=1e-9)
+
+
+def test_a_branch_shares_the_moment_out_between_its_partners():
+    """Three leaves meet; two are clamped, the third is bent by a force across its end."""
+    s = solve(
+        [plate((-L, 0), (0, 0)), plate((0, 0), (L, 0)), plate((0, 0), (0, L))],
+        ["u=0 of 0", "u=1 of 1"], "u=1 of 2", (1.0, 0),
+    )  # fmt: skip
+    # slope-deflection with shear: (4 + phi)/(1 + phi) EI/L of each clamped leaf
+    phi = 12 * EI / (GA * L**2)
+    turn = -L / (2 * (4 + phi) / (1 + phi) * EI / L)
+    node = np.argmin(np.abs(s.points).sum(axis=1))
+    assert s.rotation[node, 2] == pytest.approx(turn, rel=1e-9)
+    for end in ("u=0 of 0", "u=1 of 1"):
+        assert s.reaction(end)[0] == pytest.approx(-DEPTH / 2, rel=1e-9)
+
+
+def test_a_tube_of_flat_sides_twists_as_bredt_says():
+    """Square tube, closed: the twist per length is T / (4 A^2 G t) x perimeter."""
+    side, length, t, torque = 1.0, 6.0, 0.002, 5.0
+    corners = [(0, 0), (side, 0), (side, side), (0, side)]
+    grids = [
+        over(2, 12, lambda u, v, a=a, b=b: (
+            a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u, length * v))
+        for a, b in zip(corners, corners[1:] + corners[:1], strict=True)
+    ]  # fmt: skip
+    points, cells, boundaries = joined(*grids)
+    flow = torque / (2 * side**2)
+    along = [(1, 0), (0, 1), (-1, 0), (0, -1)]
+    s = solve_shell(
+        points, cells, thickness=t, materials=Elastic(E=E, nu=NU), boundaries=boundaries,
+        # a square tube doesn't warp: three corners may be held along it
+        supports={f"v=0 of {k}": "xy" for k in range(4)}
+        | {int(np.argmin(np.linalg.norm(points - (*c, 0), axis=1))): "z" for c in corners[:3]},
+        edge_loads={f"v=1 of {k}": (flow * x, flow * y, 0) for k, (x, y) in enumerate(along)},
+    )  # fmt: skip
+    G = E / (2 * (1 + NU))
+    twist = torque * 4 * side / (4 * side**4 * G * t) * length
+    moved = s.average("v=1 of 0") - s.average("v=1 of 2")
+    assert moved[0] == pytest.approx(twist * side, rel=1e-3)

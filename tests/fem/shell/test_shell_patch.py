@@ -1,0 +1,157 @@
+"""States of constant strain come out exactly, and rigid motions alone cost nothing."""
+
+from math import cos, pi, sin
+
+import numpy as np
+import pytest
+
+from fem.plane.material import Elastic
+from fem.shell.solve import solve_shell
+from fem.shell.strains import moduli, operator, unknowns
+from tests.fem.shell.grids import over, rotation_matrix, straightened, turned
+
+E, NU, T = 210.0, 0.3, 0.05
+STEEL = Elastic(E=E, nu=NU)
+ROUND_OFF = 1e-10
+TILT = rotation_matrix((1, 2, 3), 0.7)
+SURFACES = {
+    "flat": lambda u, v: (u, v, 0 * u),
+    "cylinder": lambda u, v: (np.sin(u), v, np.cos(u)),
+    "saddle": lambda u, v: (u, v, 0.3 * u * v + 0.2 * u**2 - 0.3 * v**2),
+    "skew": lambda u, v: (u + 0.2 * u * v, v - 0.15 * u * v, 0 * u),
+}
+
+
+def distorted():
+    """Straight-sided cells, none a parallelogram, in the plane z = 0."""
+    return straightened(
+        over(
+            3, 3, lambda u, v: (2 * u + 0.2 * np.sin(7 * u * v), v + 0.1 * np.sin(5 * u) * v, 0 * u)
+        )
+    )
+
+
+def outer(grid):
+    return np.unique(np.concatenate([grid.boundaries[name] for name in grid.boundaries]))
+
+
+def solve_inside(displacement, rotation, nodes=None):
+    """Distorted cells in a tilted plane, moved along their border; also what they should do."""
+    flat = distorted()
+    grid = turned(flat, TILT)
+    exact_u = displacement(*flat.points.T).T @ TILT.T
+    exact_r = rotation(*flat.points.T).T @ TILT.T
+    supports = {
+        int(node): dict(zip("xyzabc", (*exact_u[node], *exact_r[node]), strict=True))
+        for node in outer(grid)
+    }
+    for node in range(len(flat.points)) if nodes == "turned" else ():
+        held = dict(zip("abc", exact_r[node], strict=True))
+        supports[node] = held | dict(supports.get(node, {}))
+    solved = solve_shell(grid.points, grid.cells, thickness=T, materials=STEEL, supports=supports)
+    return solved, exact_u, exact_r
+
+
+def tilted(tensor):
+    """A plane tensor in the tilted plane."""
+    full = np.zeros((3, 3))
+    full[:2, :2] = tensor
+    return TILT @ full @ TILT.T
+
+
+def hooke(e11, e22, e12):
+    """Plane stress of three tensor strains."""
+    factor = E / (1 - NU**2)
+    s12 = E / (1 + NU) * e12
+    return np.array([[factor * (e11 + NU * e22), s12], [s12, factor * (e22 + NU * e11)]])
+
+
+def test_constant_membrane_strain():
+    e11, e22, e12, turn = 2e-3, -1e-3, 0.7e-3, 0.4e-3
+    s, u, rotation = solve_inside(
+        lambda x, y, z: np.array([e11 * x + (e12 - turn) * y, (e12 + turn) * x + e22 * y, 0 * x]),
+        lambda x, y, z: np.array([0 * x, 0 * x, turn + 0 * x]),
+    )
+    np.testing.assert_allclose(s.u, u, atol=ROUND_OFF * np.abs(u).max())
+    np.testing.assert_allclose(s.rotation, rotation, atol=ROUND_OFF * np.abs(u).max())
+    stress = tilted(hooke(e11, e22, e12))
+    np.testing.assert_allclose(
+        s.membrane_stress, np.broadcast_to(stress, s.membrane_stress.shape), atol=ROUND_OFF
+    )
+    np.testing.assert_allclose(s.bending_stress, 0, atol=ROUND_OFF)
+
+
+def test_constant_curvature():
+    a, b, c = (
+        3e-3,
+        -2e-3,
+        1e-3,
+    )  # w = (a x^2 + b y^2)/2 + c x y; the fibre at +n strains by -w'' t/2
+    s, u, rotation = solve_inside(
+        lambda x, y, z: np.array([0 * x, 0 * x, (a * x**2 + b * y**2) / 2 + c * x * y]),
+        lambda x, y, z: np.array([b * y + c * x, -(a * x + c * y), 0 * x]),
+    )
+    np.testing.assert_allclose(s.u, u, atol=ROUND_OFF * np.abs(u).max())
+    np.testing.assert_allclose(s.rotation, rotation, atol=ROUND_OFF * np.abs(rotation).max())
+    stress = tilted(hooke(a, b, c)) * -T / 2
+    np.testing.assert_allclose(
+        s.bending_stress, np.broadcast_to(stress, s.bending_stress.shape), atol=ROUND_OFF
+    )
+    np.testing.assert_allclose(s.shear_stress, 0, atol=ROUND_OFF)
+
+
+def test_constant_transverse_shear():
+    s, u, _ = solve_inside(
+        lambda x, y, z: np.array([0 * x, 0 * x, 2e-3 * x - 1e-3 * y]),
+        lambda x, y, z: np.zeros((3, x.size)),
+        nodes="turned",
+    )
+    np.testing.assert_allclose(s.u, u, atol=ROUND_OFF * np.abs(u).max())
+    shear = 5 / 6 * E / (2 * (1 + NU)) * TILT @ (2e-3, -1e-3, 0)
+    np.testing.assert_allclose(
+        s.shear_stress, np.broadcast_to(shear, s.shear_stress.shape), atol=ROUND_OFF
+    )
+
+
+@pytest.mark.parametrize("name", SURFACES)
+@pytest.mark.parametrize("count", [(1, 1), (2, 1), (2, 2)])
+def test_a_free_shell_has_six_motions_without_energy_and_no_more(name, count):
+    grid = over(*count, SURFACES[name])
+    B, area, _ = operator(grid.points[grid.cells])
+    m = len(grid.cells)
+    D = moduli(np.full(m, E), np.full(m, NU), np.full(m, T), area.sum(axis=1))
+    cells = np.einsum("mqsu,mst,mqtv,mq->muv", B, D, B, area, optimize=True)
+    K = np.zeros((6 * len(grid.points),) * 2)
+    for k, own in zip(cells, unknowns(grid.cells), strict=True):
+        K[np.ix_(own, own)] += k
+    energies = np.linalg.eigvalsh(K)
+    assert abs(energies[:6]).max() < 1e-14 * energies[-1]
+    assert energies[6] > 1e-4 * T**2 * energies[-1]  # as stiff as bending
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_a_rigid_motion_strains_nothing(name):
+    grid = over(3, 2, SURFACES[name])
+    shift, turn = np.array([0.1, -0.2, 0.3]), np.array([0.3, 0.5, -0.7])
+    u = np.hstack([shift + np.cross(turn, grid.points), np.tile(turn, (len(grid.points), 1))])
+    B, _, _ = operator(grid.points[grid.cells])
+    strains = np.einsum("mqsu,mu->mqs", B, u.ravel()[unknowns(grid.cells)])
+    np.testing.assert_allclose(strains, 0, atol=1e-13)
+
+
+def test_the_answer_turns_with_the_problem():
+    grid = over(3, 2, SURFACES["saddle"])
+    load = np.array([1.0, 2.0, -3.0])
+
+    def tip(rotation):
+        at = turned(grid, rotation)
+        s = solve_shell(
+            at.points, at.cells, thickness=T, materials=STEEL, boundaries=at.boundaries,
+            supports={"u=0": "xyzabc"}, edge_loads={"u=1": tuple(rotation @ load)},
+        )  # fmt: skip
+        return rotation.T @ s.u[grid.number[-1, -1]]
+
+    for angle in (0.3, pi / 2):
+        np.testing.assert_allclose(
+            tip(rotation_matrix((cos(2), sin(2), 1), angle)), tip(np.eye(3)), rtol=1e-9
+        )

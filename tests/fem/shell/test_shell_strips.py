@@ -1,0 +1,107 @@
+"""Strips against beams: narrow ones in plane stress, those with held edges in plane strain."""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from fem.plane.material import Elastic
+from fem.shell.solve import solve_shell
+from meshes.shell.panel import cylinder_panel, rectangle
+
+E, NU = 206e9, 0.3
+STEEL = Elastic(E=E, nu=NU)
+EDGES_HELD = {"middle": "zab", "edge": "zab"}  # an endless width
+MIDDLE = {"middle": "zab"}
+WIDE = E / (1 - NU**2)
+G = E / (2 * (1 + NU))
+SHEAR = 5 / 6
+FORCE = 3.0  # per length
+
+
+def tip(mesh, thickness, load, **more):
+    """Displacement where the force per length acts, averaged over the width; clamped at the tail."""
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=thickness, materials=STEEL,
+        boundaries=mesh.boundaries, edge_loads={"head": load},
+        supports={"tail": "xyzabc"} | more,
+    )  # fmt: skip
+    return s.average("head")
+
+
+def test_a_narrow_strip_bends_as_a_beam_in_plane_stress():
+    length, t = 1.0, 1e-3
+    mesh = rectangle(length=length, width=5e-3, along=20, across=2)
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=t, materials=STEEL, boundaries=mesh.boundaries,
+        edge_loads={"head": (0, FORCE, 0)},
+        # sections stay free to curve and to narrow at the clamp
+        supports={"tail": "xc", mesh.nodes["tail"]: "y"} | MIDDLE,
+    )  # fmt: skip
+    exact = FORCE * (length**3 / (3 * E * t**3 / 12) + length / (SHEAR * G * t))
+    assert s.average("head")[1] == pytest.approx(exact, rel=1e-4)
+
+
+def test_an_endless_strip_bends_with_the_stiffness_of_a_plate():
+    length, t = 1.0, 1e-2
+    mesh = rectangle(length=length, width=0.3, along=8, across=1)
+    moved = tip(mesh, t, (0, FORCE, 0), **EDGES_HELD)
+    exact = FORCE * (length**3 / (3 * WIDE * t**3 / 12) + length / (SHEAR * G * t))
+    assert moved[1] == pytest.approx(exact, rel=1e-9)
+    assert moved[5] == pytest.approx(-FORCE * length**2 / (2 * WIDE * t**3 / 12), rel=1e-9)
+
+
+def test_an_endless_strip_stretches_with_the_stiffness_of_a_plate():
+    mesh = rectangle(length=1.0, width=0.3, along=3, across=2)
+    moved = tip(mesh, 1e-2, (-FORCE, 0, 0), **EDGES_HELD)
+    assert moved[0] == pytest.approx(-FORCE / (WIDE * 1e-2), rel=1e-12)
+
+
+def test_a_strip_in_its_own_plane_bends_as_a_deep_beam():
+    length, width, t = 40.0, 0.5, 0.01
+    mesh = rectangle(length=length, width=width, along=20, across=2)
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=t, materials=STEEL, boundaries=mesh.boundaries,
+        edge_loads={"head": (0, 0, FORCE)},
+        supports={"tail": "xyabc", mesh.nodes["tail"]: "z"},  # sections stay free to narrow
+    )  # fmt: skip
+    bending = FORCE * width * length**3 / (3 * E * t * width**3 / 12)
+    shear = FORCE * width * length / (SHEAR * G * t * width)
+    assert s.average("head")[2] == pytest.approx(bending + shear, rel=1e-4)
+
+
+def quarter(R, EI, EA, GA):
+    """Of a quarter clamped at one end: radial movement of the other under a radial force of one.
+
+    At the angle t from the end M = R sin t, N = -sin t, V = cos t (Castigliano).
+    """
+    return pi / 4 * (R**3 / EI + R / EA + R / GA)
+
+
+def curved_tip(t, around, width=0.3):
+    mesh = cylinder_panel(radius=1.0, angle=pi / 2, width=width, around=around, across=1)
+    return tip(mesh, t, (0, FORCE, 0), **EDGES_HELD)[1]
+
+
+def error_of_quarter(t, around):
+    exact = FORCE * quarter(1.0, WIDE * t**3 / 12, WIDE * t, SHEAR * G * t)
+    return curved_tip(t, around) / exact - 1
+
+
+@pytest.mark.parametrize("t", [0.1, 1e-3])
+def test_a_curved_strip_converges_to_castigliano_with_order_four(t):
+    coarse, fine = abs(error_of_quarter(t, 4)), abs(error_of_quarter(t, 8))
+    assert fine < 3e-5
+    assert np.log2(coarse / fine) == pytest.approx(4, abs=0.2), (coarse, fine)
+
+
+@pytest.mark.parametrize("t", [1e-2, 1e-3, 1e-4])
+def test_a_curved_strip_of_four_cells_does_not_lock(t):
+    assert abs(error_of_quarter(t, 4)) < 1e-3
+
+
+def test_a_narrow_curved_strip_bends_as_a_beam_in_plane_stress():
+    t, width = 0.01, 0.01
+    mesh = cylinder_panel(radius=1.0, angle=pi / 2, width=width, around=16, across=1)
+    exact = FORCE * quarter(1.0, E * t**3 / 12, E * t, SHEAR * G * t)
+    assert tip(mesh, t, (0, FORCE, 0), **MIDDLE)[1] == pytest.approx(exact, rel=2e-3)
