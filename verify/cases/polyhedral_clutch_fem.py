@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 CLOSE, MOST = 1e-11, 60
 GROWTH, LOCKED = 1.5, 100.0  # steps in search of N, and how often the pressure's part is no limit
 THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
-THIN = 0.015  # and that at the rollers below which it is: bent walls end contacts beside vertices
+THIN = 0.02  # and that at the rollers below which it is: bent walls end contacts beside vertices
 
 
 class DrivenRing:
