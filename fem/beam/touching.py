@@ -17,14 +17,14 @@ from fem.beam.touching_law import Answer, Law
 from fem.beam.touching_lines import past, touch
 from fem.beam.touching_neighbours import Apart, arcs
 from fem.beam.touching_pairs import Meeting, Pairs
-from fem.beam.touching_points import Probes, probes
+from fem.beam.touching_points import Probes, places, probes
 from fem.beam.touching_record import OBSTACLE, Record
 from fem.beam.touching_rigid import Body, Shape
 from fem.beam.touching_touch import Touch, scatter
 
 SHARE = 0.1  # of E h, what a strip of h x 1 under pressure gives way, is the contact's stiffness
+PROBES = 2  # of an element
 NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itself
-REACH = 4.0  # thicknesses around a line that are searched for others
 
 
 class Touching(Term, ABC):
@@ -112,8 +112,7 @@ class SelfContact(Touching):
         Contact stiffness: a pressure of share x EA/b^2 x overlap per length, and at free ends a
         force of share x EA/b x overlap. Results don't depend on it, iterations do.
     per_element
-        Probes of an element, by default at least 4 and as many as keep an arc's facets within
-        a thousandth of b.
+        Probes of an element: each seeks the least gap in its part of it.
 
     Raises
     ------
@@ -131,7 +130,7 @@ class SelfContact(Touching):
         friction: float = 0.0,
         apart: float | None = None,
         share: float = SHARE,
-        per_element: int | None = None,
+        per_element: int = PROBES,
     ) -> None:
         lines, nodes = _checked(points, elements, thickness, EA, friction, share, per_element)
         if apart is not None and not 0 <= apart < math.inf:
@@ -141,7 +140,7 @@ class SelfContact(Touching):
         self.thickness = thickness
         least = NEIGHBOURS * thickness if apart is None else apart
         far = Apart(lines, nodes, own, least)
-        self.pairs = Pairs(nodes, own, far, REACH * thickness)
+        self.pairs = Pairs(nodes, own, far, thickness)
         self.arcs = arcs(lines, nodes)
 
     def _start(self, x: Array) -> None:
@@ -150,7 +149,7 @@ class SelfContact(Touching):
 
     def _keep(self, x: Array) -> None:
         self.pairs.accept(x)
-        self.past = past(x, self.pairs.nearest(x), 2 * len(self.probes.xi), self.arcs)
+        self.past = past(x, self.pairs.nearest(x), self.probes, self.arcs)
 
     def _touch(self, x: Array) -> Touch:
         return touch(x, self._met(x), self.probes, self.arcs, self.thickness, self.past)
@@ -160,9 +159,12 @@ class SelfContact(Touching):
         return met.chosen(self.law.pressing(met.slot, met.distance - self.thickness))
 
     def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
-        met, probe = self._met(x), found.slot // 2
-        return _record(x, self.probes, probe, met.element, met.n, found.gap + self.thickness,
-                       found, answer)  # fmt: skip
+        met = self._met(x)
+        own = self.probes.element[met.slot // 2]
+        there = places(x, self.elements[met.element], met.xi).position
+        at = there + met.n * met.distance[:, None] / 2
+        return Record(own, met.element, at, met.n, found.gap, answer.normal, answer.tangential,
+                      answer.sticking)  # fmt: skip
 
 
 class Obstacle(Touching):
@@ -189,14 +191,14 @@ class Obstacle(Touching):
         carrier: int | None = None,
         friction: float = 0.0,
         share: float = SHARE,
-        per_element: int | None = None,
+        per_element: int = PROBES,
     ) -> None:
         lines, nodes = _checked(points, elements, thickness, EA, friction, share, per_element)
         if carrier is not None and not 0 <= carrier < len(lines):
             raise ValueError(f"no node {carrier}: the frame has nodes 0 to {len(lines) - 1}")
         own = probes(lines, nodes, thickness, per_element)
         super().__init__(lines, nodes, own, 1, thickness, EA, friction, share)
-        self.body = Body(shape, carrier, own, thickness)
+        self.body = Body(shape, carrier, lines, own, thickness)
 
     def _start(self, x: Array) -> None:
         self.body.start(x)
@@ -205,32 +207,24 @@ class Obstacle(Touching):
         self.body.accept(x)
 
     def _touch(self, x: Array) -> Touch:
-        surface = self.body.surface(x)
-        probe = np.arange(len(self.probes.xi))
+        eta, surface = self.body.nearest(x)
+        probe = np.arange(len(self.probes.length))
         pressing = self.law.pressing(probe, surface.distance - self.body.b / 2)
-        return self.body.touch(x, probe[pressing], surface)
+        return self.body.touch(x, probe[pressing], eta, surface)
 
     def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
-        n = self.body.normals(x, self.body.surface(x))[found.slot]
-        none = np.full(found.slot.shape, OBSTACLE)
-        return _record(x, self.probes, found.slot, none, n, found.gap * 2 + self.body.b, found,
-                       answer)  # fmt: skip
-
-
-def _record(
-    x: Array, own: Probes, probe: Indices, partners: Indices, n: Array, apart: Array,
-    found: Touch, answer: Answer,
-) -> Record:  # fmt: skip
-    at = np.einsum("kp,kpd->kd", own.shape[probe], x[own.nodes[probe], :2])
-    return Record(
-        own.element[probe], partners, at - n * apart[:, None] / 2, n, found.gap, answer.normal,
-        answer.tangential, answer.sticking,
-    )  # fmt: skip
+        eta, surface = self.body.nearest(x)
+        probe, n = found.slot, self.body.normals(x, surface)[found.slot]
+        here = places(x, self.probes.nodes[probe], eta[probe]).position
+        at = here - n * (found.gap[:, None] + self.body.b / 2)
+        none = np.full(probe.shape, OBSTACLE)
+        return Record(self.probes.element[probe], none, at, n, found.gap, answer.normal,
+                      answer.tangential, answer.sticking)  # fmt: skip
 
 
 def _checked(
     points: ArrayLike, elements: ArrayLike, thickness: float, EA: float, friction: float,
-    share: float, per_element: int | None,
+    share: float, per_element: int,
 ) -> tuple[Array, Indices]:  # fmt: skip
     """Points and elements as arrays; ValueError for numbers out of range."""
     lines, nodes = np.asarray(points, float), np.asarray(elements, int)
@@ -243,6 +237,6 @@ def _checked(
             raise ValueError(f"{name} must be positive and finite, got {value}")
     if not 0 <= friction < math.inf:
         raise ValueError(f"friction must be 0 or more, got {friction}")
-    if per_element is not None and per_element < 1:
+    if per_element < 1:
         raise ValueError(f"an element needs 1 probe or more, got per_element = {per_element}")
     return lines, nodes

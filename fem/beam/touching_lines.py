@@ -13,13 +13,15 @@ other line and the turns of both sections against n.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fem.beam.section import Array, Indices
 from fem.beam.touching_neighbours import Arcs
 from fem.beam.touching_pairs import Meeting
-from fem.beam.touching_points import Probes, shapes
+from fem.beam.touching_points import Places, Probes, places
 from fem.beam.touching_touch import Touch, along, outer, turned
 
+PARALLEL = 1e-6  # relative curvature x thickness below which lines count as parallel
 LEAST = 0.2  # of the thickness: lines nearer than that turn by no more
 
 
@@ -29,70 +31,105 @@ class Past:
 
     x: Array
     member: Indices
+    own_arc: Array
     arc: Array
     n: Array
 
 
-def past(x: Array, met: Meeting, slots: int, arcs: Arcs) -> Past:
-    member, arc, n = np.full(slots, -1), np.zeros(slots), np.zeros((slots, 2))
+def past(x: Array, met: Meeting, probes: Probes, arcs: Arcs) -> Past:
+    slots = 2 * len(probes.length)
+    member, own_arc, arc, n = np.full(slots, -1), *np.zeros((2, slots)), np.zeros((slots, 2))
     member[met.slot] = arcs.member[met.element]
+    own_arc[met.slot], _ = arcs.place(probes.element[met.slot // 2], met.eta)
     arc[met.slot], _ = arcs.place(met.element, met.xi)
     n[met.slot] = met.n
-    return Past(x.copy(), member, arc, n)
+    return Past(x.copy(), member, own_arc, arc, n)
 
 
 def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: Past) -> Touch:
     """Gap, slip and their slopes at the places `met`; sections are `b` thick."""
     probe = met.slot // 2
-    slave, nodes = probes.nodes[probe], arcs.elements[met.element]
-    p, k = nodes.shape[1], len(nodes)
-    N, N1, N2 = shapes(met.xi, p)
-    none = np.zeros_like(N)
-    W = np.hstack([probes.shape[probe], -N])  # the probe less the place, of both elements' nodes
-    W1 = np.hstack([none, N1])
-    own = x[nodes]
-    x1 = np.einsum("kp,kpd->kd", N1, own[:, :, :2])
-    x2 = np.einsum("kp,kpd->kd", N2, own[:, :, :2])
+    own = places(x, probes.nodes[probe], met.eta)
+    other = places(x, arcs.elements[met.element], met.xi)
+    k, p = own.nodes.shape
     n, t = met.n, np.column_stack([met.n[:, 1], -met.n[:, 0]])
-    apart = met.distance
-    stretch = np.einsum("kd,kd->k", x1, t)
-    H = stretch**2 - apart * np.einsum("kd,kd->k", n, x2)
-    A, B, C = along(W, t), along(W, n), along(W1, n)
-    xi = np.where(met.end, 0.0, 1 / H)[:, None] * (stretch[:, None] * A + apart[:, None] * C)
-    near = np.where(np.abs(apart) < LEAST * b, np.copysign(LEAST * b, apart), apart)[:, None]
-    psi = -(A - stretch[:, None] * xi) / near  # turn of n
-    R = turned(np.hstack([probes.shape[probe], N]))
-    turns = np.hstack([none, N1])
-    half = apart[:, None] / 2
-    sliding = A + half * R
+    none = np.zeros((k, p))
+    own_1, other_1 = np.hstack([own.N1, none]), np.hstack([none, other.N1])
+    W = np.hstack([own.N, -other.N])  # the probe less the place, of both elements' nodes
+    A, B = along(W, t), along(W, n)
+    C_own, C = along(own_1, n), along(other_1, n)
+    limit = np.where(np.abs(met.distance) < LEAST * b, np.copysign(LEAST * b, met.distance),
+                     met.distance)  # fmt: skip
+    a, c = (own.slope * t).sum(axis=1), (other.slope * t).sum(axis=1)
+    # the gap is stationary in both places unless they are held: its slopes by eta and by xi
+    H_own, H = a**2 / limit + (own.second * n).sum(axis=1), c**2 / limit - (other.second * n).sum(1)
+    eta, xi = _follow(
+        (H_own, -a * c / limit, H),
+        (A * (a / limit)[:, None] + C_own, -A * (c / limit)[:, None] - C),
+        (~met.held, ~met.end), a,
+    )  # fmt: skip
+    psi = -(A + a[:, None] * eta - c[:, None] * xi) / limit[:, None]  # turn of n
+    R = turned(np.hstack([own.N, other.N]))
+    half = met.distance[:, None] / 2
     swerving = (
-        outer(B, psi) - outer(along(W1, t), xi) + outer(R, B) / 2
-        + half[:, :, None] * outer(turned(turns), xi)
+        outer(B, psi) + outer(along(own_1, t), eta) - outer(along(other_1, t), xi)
+        + outer(R, B) / 2
+        + half[:, :, None] * (outer(turned(own_1), eta) + outer(turned(other_1), xi))
     )  # fmt: skip
-    slip, slipping = _slip(x, met, arcs, before, b, slave, nodes, (probes.shape[probe], N, N1))
-    dofs = (3 * np.hstack([slave, nodes])[:, :, None] + np.arange(3)).reshape(k, 6 * p)
-    sense, bend = slipping
-    S = sense[:, None] * xi + b / 2 * (R + bend[:, None] * xi) - b * psi
+    slip, (by_eta, by_xi) = _slip(x, met, (own, other), probes, arcs, b, before)
+    known = before.member[met.slot] == arcs.member[met.element]
     return Touch(
-        met.slot, dofs, apart - b, B, -outer(A, psi) - outer(C, xi), sliding, swerving,
-        np.where(before.member[met.slot] == arcs.member[met.element], slip, 0.0), S,
-    )  # fmt: skip
+        slot=met.slot,
+        dofs=(3 * np.hstack([own.nodes, other.nodes])[:, :, None] + np.arange(3)).reshape(k, 6 * p),
+        gap=met.distance - b,
+        opening=B,
+        turning=outer(C_own, eta) - outer(C, xi) - outer(A, psi),
+        sliding=A + half * R,
+        swerving=swerving,
+        slip=np.where(known, slip, 0.0),
+        slipping=by_eta[:, None] * eta + by_xi[:, None] * xi + b / 2 * R - b * psi,
+    )
+
+
+def _follow(
+    H: tuple[Array, Array, Array], slopes: tuple[Array, Array],
+    free: tuple[NDArray[np.bool_], NDArray[np.bool_]], a: Array,
+) -> tuple[Array, Array]:  # fmt: skip
+    """How eta and xi follow the unknowns, (k, m) each: 2 x 2 equations, 0 where not free."""
+    H_11, H_12, H_22 = H
+    one, two = free
+    # places of parallel lines run away: there the tangent leaves the probe where it is
+    det = H_11 * H_22 - H_12**2
+    curved = np.where(two, det - PARALLEL * H_12**2, H_11 - PARALLEL * a**2)
+    one = one & (curved > 0)
+    H_12 = np.where(one & two, H_12, 0.0)
+    H_11, H_22 = np.where(one, H_11, np.inf), np.where(two, H_22, np.inf)
+    inverse = 1 / np.where(one & two, det, 1.0)
+    eta_1 = np.where(one & two, -H_22 * inverse, -1 / H_11)
+    cross = np.where(one & two, H_12 * inverse, 0.0)
+    xi_2 = np.where(one & two, -H_11 * inverse, -1 / H_22)
+    by_eta, by_xi = slopes
+    eta = eta_1[:, None] * by_eta + cross[:, None] * by_xi
+    return eta, cross[:, None] * by_eta + xi_2[:, None] * by_xi
 
 
 def _slip(
-    x: Array, met: Meeting, arcs: Arcs, before: Past, b: float, slave: Indices, nodes: Indices,
-    shape: tuple[Array, Array, Array],
+    x: Array, met: Meeting, both: tuple[Places, Places], probes: Probes, arcs: Arcs, b: float,
+    before: Past,
 ) -> tuple[Array, tuple[Array, Array]]:  # fmt: skip
-    """Slip (k,) since the last accepted state; its slope by xi: of the arc, of the turns."""
-    of_probe, N, N1 = shape
-    arc, stretch = arcs.place(met.element, met.xi)
-    nodes_now = x[nodes]
-    x1 = np.einsum("kp,kpd->kd", N1, nodes_now[:, :, :2])
-    forward = np.sign(x1[:, 0] * met.n[:, 1] - x1[:, 1] * met.n[:, 0])  # x1 along t or against
-    sense = forward * arcs.sense[met.element]
+    """Slip (k,) since the last accepted state and its slopes by eta and xi at fixed sections."""
+    elements = probes.element[met.slot // 2], met.element
     rotated = x[:, 2] - before.x[:, 2]
-    old = before.n[met.slot]
+    old, slopes = before.n[met.slot], []
     turn = np.arctan2(old[:, 0] * met.n[:, 1] - old[:, 1] * met.n[:, 0], (old * met.n).sum(axis=1))
-    sections = (of_probe * rotated[slave]).sum(axis=1) + (N * rotated[nodes]).sum(axis=1)
-    slip = sense * (arc - before.arc[met.slot]) + b / 2 * (sections - 2 * turn)
-    return slip, (sense * stretch, (N1 * rotated[nodes]).sum(axis=1))
+    slip = -b * turn
+    for way, element, place, line, since in zip(
+        (-1, 1), elements, (met.eta, met.xi), both, (before.own_arc, before.arc), strict=True
+    ):
+        arc, stretch = arcs.place(element, place)
+        # whether the line runs along t or against it
+        forward = np.sign(line.slope[:, 0] * met.n[:, 1] - line.slope[:, 1] * met.n[:, 0])
+        sense = way * forward * arcs.sense[element]
+        slip += sense * (arc - since[met.slot]) + b / 2 * (line.N * rotated[line.nodes]).sum(axis=1)
+        slopes.append(sense * stretch + b / 2 * (line.N1 * rotated[line.nodes]).sum(axis=1))
+    return slip, (slopes[0], slopes[1])

@@ -60,7 +60,7 @@ def arcs(points: Array, elements: Indices) -> Arcs:
 
 
 class Apart:
-    """Tells which elements are further from a probe than `least` along the line."""
+    """Tells which elements are further from a probe's cell than `least` along the line."""
 
     def __init__(self, points: Array, elements: Indices, probes: Probes, least: float) -> None:
         self.least = least
@@ -69,8 +69,9 @@ class Apart:
         size = lengths(points, elements, np.ones(len(elements)))
         graph = csc_array((size, tuple(self.row.T)), shape=(ends.size, ends.size))
         self.between = dijkstra(graph, directed=False, limit=least)
-        before = lengths(points, probes.nodes, probes.xi)
-        self.to_ends = np.column_stack([before, size[probes.element] - before])
+        before = lengths(points, probes.nodes, probes.lower)
+        beyond = size[probes.element] - lengths(points, probes.nodes, probes.upper)
+        self.to_ends = np.column_stack([before, beyond])
         self.own = probes.element
 
     def __call__(self, probe: Indices, element: Indices) -> NDArray[np.bool_]:

@@ -7,12 +7,13 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from fem.beam.section import Array, Indices
-from fem.beam.touching_closest import closest
+from fem.beam.touching_closest import closest, least
 from fem.beam.touching_neighbours import Apart
-from fem.beam.touching_points import Probes, shapes
+from fem.beam.touching_points import Probes, places
 
 BULGE = 1.2  # of an element beyond the circle through its nodes
 CLEAR = 0.5  # sine of the angle from which a place lies clearly on one side of a line
+REACH = 4.0  # thicknesses around a line that are searched for others
 TINY = 1e-300
 
 
@@ -20,16 +21,19 @@ TINY = 1e-300
 class Meeting:
     """The nearest place of an element for k slots (a probe's right or left: 2 probe + side).
 
-    `xi` on `element`; `n` (k, 2) from there towards the probe, across the element except at an
-    `end`; `distance` along n, negative where the lines crossed since the last accepted state.
+    `xi` on `element`, `eta` on the probe's; `n` (k, 2) from there towards the probe, across the
+    element except at an `end`; `distance` along n, negative where the lines crossed since the
+    last accepted state. `held`: eta is a bound of the probe's cell.
     """
 
     slot: Indices
     element: Indices
+    eta: Array
     xi: Array
     n: Array
     distance: Array
     end: NDArray[np.bool_]
+    held: NDArray[np.bool_]
 
     def chosen(self, which: NDArray[np.bool_] | Indices) -> "Meeting":
         return Meeting(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
@@ -38,8 +42,9 @@ class Meeting:
 class Pairs:
     """Candidates: pairs of a probe and an element that may touch before the next look-round."""
 
-    def __init__(self, elements: Indices, probes: Probes, apart: Apart, reach: float) -> None:
-        self.elements, self.probes, self.apart, self.reach = elements, probes, apart, reach
+    def __init__(self, elements: Indices, probes: Probes, apart: Apart, touching: float) -> None:
+        self.elements, self.probes, self.apart = elements, probes, apart
+        self.touching, self.reach = touching, REACH * touching + float(probes.length.max())
 
     def accept(self, x: Array) -> None:
         """From now on sides are those of the state `x`."""
@@ -51,29 +56,55 @@ class Pairs:
         at = x[:, :2]
         if np.abs(at - self.seen).max(initial=0.0) > self.reach / 4:
             self._look_round(at)
-        xi, d, tangent, across, end = self._project(at, self.probe, self.element)
+        eta = self._least(at)
+        met = self._meet(at, np.arange(self.slot.size), eta)
+        if not met.slot.size:
+            return met
+        first = np.flatnonzero(np.diff(met.slot, prepend=-1))
+        count = np.diff(np.append(first, met.slot.size))
+        away = np.abs(met.distance)
+        best = np.flatnonzero(away <= np.repeat(np.minimum.reduceat(away, first), count))
+        # ties: at a node of two elements
+        return met.chosen(best[np.diff(met.slot[best], prepend=-1) > 0])
+
+    def _least(self, at: Array) -> Array:
+        """Where each pair's probe is nearest to the element; its middle for distant pairs."""
+        p = self.probes
+        eta = p.middle[self.probe]
+        met = self._meet(at, np.arange(self.slot.size), eta)
+        near = np.flatnonzero(np.abs(met.distance) < self.touching + p.length[self.probe])
+
+        def slope(eta: Array, rows: Indices) -> Array:
+            """Of the distance by eta."""
+            met = self._meet(at, near[rows], eta)
+            own = places(at, p.nodes[self.probe[near[rows]]], eta).slope
+            return np.einsum("kd,kd->k", met.n, own)
+
+        cell = self.probe[near]
+        eta[near] = least(p.lower[cell], p.upper[cell], slope)
+        return eta
+
+    def _meet(self, at: Array, pair: Indices, eta: Array) -> Meeting:
+        """The nearest place of each pair's element to the place eta of its probe's element."""
+        probe, element = self.probe[pair], self.element[pair]
+        xi, d, tangent, across, end = self._project(at, probe, element, eta)
         distance = np.maximum(np.hypot(*d.T), TINY)
         left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-        side = np.where(self.clear, self.side, np.sign(across))
+        clear, before = self.clear[pair], self.side[pair]
+        side = np.where(clear, before, np.sign(across))
         n = side[:, None] * left
         corner = end | (side == 0)
-        crossed = self.clear & (self.side * across < -CLEAR * distance)
+        crossed = clear & (before * across < -CLEAR * distance)
         signed = np.where(corner, np.where(crossed, -distance, distance), side * across)
         n[corner] = d[corner] / signed[corner, None]
-        if not self.slot.size:
-            return Meeting(self.slot, self.element, xi, n, signed, end)
-        first = np.flatnonzero(np.diff(self.slot, prepend=-1))
-        least = np.repeat(
-            np.minimum.reduceat(distance, first), np.diff(np.append(first, self.slot.size))
-        )
-        best = np.flatnonzero(distance <= least)
-        best = best[np.diff(self.slot[best], prepend=-1) > 0]  # ties: at a node of two elements
-        return Meeting(self.slot, self.element, xi, n, signed, end).chosen(best)
+        held = (eta == self.probes.lower[probe]) | (eta == self.probes.upper[probe])
+        return Meeting(self.slot[pair], element, eta, xi, n, signed, end, held)
 
     def _look_round(self, at: Array) -> None:
         """Lists the candidates around the positions `at`, with their sides when last accepted."""
         self.seen = at.copy()
-        corners, here = at[self.elements], self._places(at)
+        p = self.probes
+        corners, here = at[self.elements], places(at, p.nodes, p.middle).position
         centre = (corners.min(axis=1) + corners.max(axis=1)) / 2
         radius = BULGE * np.hypot(*np.moveaxis(corners - centre[:, None], -1, 0)).max(axis=1)
         found = cKDTree(here).query_ball_point(centre, radius + self.reach)
@@ -81,27 +112,22 @@ class Pairs:
         probe = np.concatenate([np.asarray(own, int) for own in found])
         keep = self.apart(probe, element)
         probe, element = probe[keep], element[keep]
-        _, d, _, across, _ = self._project(self.accepted, probe, element)
-        p = self.probes
-        own = np.einsum("kp,kpd->kd", p.slope[probe], self.accepted[p.nodes[probe]])
+        _, d, _, across, _ = self._project(self.accepted, probe, element, p.middle[probe])
+        own = places(self.accepted, p.nodes[probe], p.middle[probe]).slope
         slot = 2 * probe + (own[:, 0] * -d[:, 1] + own[:, 1] * d[:, 0] > 0)
         order = np.argsort(slot, kind="stable")
         self.slot, self.probe, self.element = slot[order], probe[order], element[order]
         self.side = np.sign(across)[order]
         self.clear = (np.abs(across) > CLEAR * np.hypot(*d.T))[order]
 
-    def _places(self, at: Array) -> Array:
-        return np.einsum("kp,kpd->kd", self.probes.shape, at[self.probes.nodes])
-
     def _project(
-        self, at: Array, probe: Indices, element: Indices
+        self, at: Array, probe: Indices, element: Indices, eta: Array
     ) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
         """xi, vector to the probe, unit tangent, offset to its left, whether xi is an end."""
-        corners, place = at[self.elements[element]], self._places(at)[probe]
-        xi = closest(corners, place)
-        N, slope, _ = shapes(xi, self.elements.shape[1])
-        d = place - np.einsum("kp,kpd->kd", N, corners)
-        tangent = np.einsum("kp,kpd->kd", slope, corners)
-        tangent /= np.hypot(*tangent.T)[:, None]
+        here = places(at, self.probes.nodes[probe], eta).position
+        xi = closest(at[self.elements[element]], here)
+        there = places(at, self.elements[element], xi)
+        d = here - there.position
+        tangent = there.slope / np.hypot(*there.slope.T)[:, None]
         across = tangent[:, 0] * d[:, 1] - tangent[:, 1] * d[:, 0]
         return xi, d, tangent, across, (xi == 0.0) | (xi == 1.0)

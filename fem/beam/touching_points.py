@@ -6,9 +6,6 @@ import numpy as np
 
 from fem.beam.section import Array, Indices
 
-FEWEST = 4  # probes of an element
-FACET = 1e-3  # of the thickness: what an arc between two probes may stand proud of them
-
 
 def shapes(xi: Array, nodes: int) -> tuple[Array, Array, Array]:
     """Shape functions (k, nodes) at xi in 0..1 of ends (and middle), first and second slopes."""
@@ -34,43 +31,54 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 
 @dataclass(frozen=True)
 class Probes:
-    """Probes: `element` (k,), place `xi` in 0..1, shares of its nodes `shape`, `slope` (k, p).
+    """A probe seeks the least gap within its cell `lower` to `upper` (k,) of `element` (k,).
 
     `length` (k,) is what each of them stands for, the thickness at the free end of a line.
     """
 
     element: Indices
-    xi: Array
     nodes: Indices
-    shape: Array
-    slope: Array
+    lower: Array
+    upper: Array
     length: Array
 
+    @property
+    def middle(self) -> Array:
+        """Middle of the cells."""
+        return (self.lower + self.upper) / 2
 
-def probes(points: Array, elements: Indices, thickness: float, per_element: int | None) -> Probes:
-    """`per_element` probes in equal parts of each element, and one at each free end of a line.
 
-    By default as many as it takes for the facets of an arc to be flat to a thousandth of the
-    thickness, four at least.
-    """
+def probes(points: Array, elements: Indices, thickness: float, per_element: int) -> Probes:
+    """`per_element` probes, each in its part of an element, and one at each free end of a line."""
     size = lengths(points, elements, np.ones(len(elements)))
-    facet = np.sqrt(8 * FACET * thickness / np.maximum(curvatures(points, elements), 1e-300))
-    enough = np.maximum(FEWEST, np.ceil(size / facet - 1e-9)).astype(int)
-    count = enough if per_element is None else np.full_like(enough, per_element)
-    element = np.repeat(np.arange(len(elements)), count)
-    xi = np.concatenate([(np.arange(m) + 0.5) / m for m in count])
-    length = (size / count)[element]
+    element = np.repeat(np.arange(len(elements)), per_element)
+    lower = np.tile(np.arange(per_element) / per_element, len(elements))
     uses = np.bincount(elements[:, :2].ravel(), minlength=len(points))
     loose, end = np.nonzero(uses[elements[:, :2]] == 1)
-    element, xi = np.append(element, loose), np.append(xi, end.astype(float))
-    length = np.append(length, np.full(loose.size, thickness))
-    shape, slope, _ = shapes(xi, elements.shape[1])
-    return Probes(element, xi, elements[element], shape, slope, length)
+    upper = np.append(lower + 1 / per_element, end.astype(float))
+    length = np.append(size[element] / per_element, np.full(loose.size, thickness))
+    element, lower = np.append(element, loose), np.append(lower, end.astype(float))
+    return Probes(element, elements[element], lower, upper, length)
 
 
-def curvatures(points: Array, elements: Indices) -> Array:
-    """Curvature (m,) in the middle of each element."""
-    _, slope, second = shapes(np.full(len(elements), 0.5), elements.shape[1])
-    x1, y1 = np.einsum("kp,kpd->dk", slope, points[elements])
-    x2, y2 = np.einsum("kp,kpd->dk", second, points[elements])
-    return np.abs(x1 * y2 - y1 * x2) / np.hypot(x1, y1) ** 3
+@dataclass(frozen=True)
+class Places:
+    """Places on elements: nodes, shape functions (k, p) and their slopes by xi.
+
+    `position`, `slope` and `second` slope by xi of the places (k, 2).
+    """
+
+    nodes: Indices
+    N: Array
+    N1: Array
+    position: Array
+    slope: Array
+    second: Array
+
+
+def places(at: Array, nodes: Indices, xi: Array) -> Places:
+    """The places xi (k,) on elements of the given nodes (k, p)."""
+    N, N1, N2 = shapes(xi, nodes.shape[1])
+    corner = at[nodes, :2]
+    x, x1, x2 = (np.einsum("kp,kpd->kd", weights, corner) for weights in (N, N1, N2))
+    return Places(nodes, N, N1, x, x1, x2)

@@ -16,8 +16,11 @@ from typing import Protocol
 import numpy as np
 
 from fem.beam.section import Array, Indices
-from fem.beam.touching_points import Probes
+from fem.beam.touching_closest import least
+from fem.beam.touching_points import Places, Probes, lengths, places
 from fem.beam.touching_touch import Touch, along, outer, turned
+
+PARALLEL = 1e-6  # relative curvature x thickness below which a line counts as parallel
 
 
 @dataclass(frozen=True)
@@ -89,8 +92,10 @@ class Disc:
 class Body:
     """A shape on a carrier node (None: it stands still), beside the probes of a line."""
 
-    def __init__(self, shape: Shape, carrier: int | None, probes: Probes, thickness: float) -> None:
-        self.shape, self.carrier = shape, carrier
+    def __init__(
+        self, shape: Shape, carrier: int | None, points: Array, probes: Probes, thickness: float
+    ) -> None:
+        self.shape, self.carrier, self.points = shape, carrier, points
         self.probes, self.b = probes, thickness
 
     def start(self, x: Array) -> None:
@@ -99,48 +104,91 @@ class Body:
 
     def accept(self, x: Array) -> None:
         self.before = x.copy()
-        self.past = self.surface(x)
+        self.eta, self.past = self.nearest(x)
 
-    def surface(self, x: Array) -> Surface:
-        """Nearest places of all probes in the shape's own frame."""
+    def nearest(self, x: Array) -> tuple[Array, Surface]:
+        """Where each probe is nearest to the shape, and the shape's place there."""
+        p = self.probes
+
+        def slope(eta: Array, rows: Indices) -> Array:
+            """Of the distance by eta."""
+            own = places(x, p.nodes[rows], eta)
+            n = self.normals(x, self._surface(x, own.position))
+            return np.einsum("kd,kd->k", n, own.slope)
+
+        eta = least(p.lower, p.upper, slope)
+        return eta, self._surface(x, places(x, p.nodes, eta).position)
+
+    def _surface(self, x: Array, at: Array) -> Surface:
+        """Nearest places, in the shape's own frame, to points (k, 2) in space."""
         x_c, y_c, phi = self._pose(x)
-        d = self._at(x) - (x_c, y_c)
+        d = at - (x_c, y_c)
         c, s = math.cos(phi), math.sin(phi)
         own = np.column_stack([c * d[:, 0] + s * d[:, 1], c * d[:, 1] - s * d[:, 0]])
         return self.shape.surface(own + self.rest)
 
-    def touch(self, x: Array, probe: Indices, surface: Surface) -> Touch:
-        """Gap, slip and their slopes at the probes of number `probe`; `surface` is of all."""
-        x_c, y_c, phi = self._pose(x)
+    def touch(self, x: Array, probe: Indices, eta: Array, surface: Surface) -> Touch:
+        """Gap, slip and their slopes at the probes `probe`; eta and surface are of all."""
+        x_c, y_c, _ = self._pose(x)
         n = self.normals(x, surface)[probe]
         t = np.column_stack([n[:, 1], -n[:, 0]])
-        r = self._at(x)[probe] - (x_c, y_c)
+        own = places(x, self.probes.nodes[probe], eta[probe])
+        r = own.position - (x_c, y_c)
         across = np.column_stack([-r[:, 1], r[:, 0]])  # how a turn of the carrier moves the place
-        nodes, shape = self.probes.nodes[probe], self.probes.shape[probe]
         one = np.ones((len(probe), 1))
-        W, sections = np.hstack([shape, -one]), np.hstack([shape, 0 * one])
-        e = turned(np.hstack([0 * shape, one]))
+        W, own_1 = np.hstack([own.N, -one]), np.hstack([own.N1, 0 * one])
+        sections, e = turned(np.hstack([own.N, 0 * one])), turned(np.hstack([0 * own.N, one]))
         relative_t, relative_n = along(W, t), along(W, n)
         A = relative_t - (t * across).sum(axis=1)[:, None] * e
         B = relative_n - (n * across).sum(axis=1)[:, None] * e
-        own_turn = surface.turn[probe, None] * A
-        psi = own_turn + e
-        sliding = A + self.b / 2 * (turned(sections) - e)
+        a, C = (own.slope * t).sum(axis=1), along(own_1, n)
+        turning = surface.turn[probe]
+        # the gap is stationary in eta unless a bound of the cell holds it
+        H = (own.second * n).sum(axis=1) - a**2 * turning
+        free = (eta > self.probes.lower)[probe] & (eta < self.probes.upper)[probe]
+        free &= (H - PARALLEL * a**2 / self.b) > 0
+        moved = np.where(free, 1 / np.where(free, H, 1.0), 0.0)[:, None] * (
+            a[:, None] * (turning[:, None] * A + e) - C
+        )
+        along_t = A + a[:, None] * moved
+        psi = turning[:, None] * along_t + e
+        slip, bend = self._passed(x, probe, eta, own, surface)
+        stretch = surface.stretch[probe, None]
+        own_stretch = np.sign(a) * self._stretch(probe, eta[probe])
+        touch = Touch(
+            slot=probe, dofs=self._dofs(own.nodes), gap=surface.distance[probe] - self.b / 2,
+            opening=B, turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t),
+            sliding=A + self.b / 2 * (sections - e),
+            swerving=outer(B, psi) + outer(along(own_1, t), moved) + outer(e, relative_n)
+            + self.b / 2 * outer(turned(own_1), moved),
+            slip=slip,
+            slipping=stretch * along_t + self.b / 2 * (sections - psi)
+            + (self.b / 2 * bend - own_stretch)[:, None] * moved,
+        )  # fmt: skip
+        return touch if self.carrier is not None else touch.without(3)
+
+    def _passed(
+        self, x: Array, probe: Indices, eta: Array, own: Places, surface: Surface
+    ) -> tuple[Array, Array]:
+        """Slip (k,) since the last accepted state, and how the section's turn varies by eta."""
+        phi, before = self._pose(x)[2], self._pose(self.before)[2]
         passed = surface.arc[probe] - self.past.arc[probe]
         if math.isfinite(surface.period):
             passed -= surface.period * np.round(passed / surface.period)
-        turns = (shape * (x - self.before)[nodes, 2]).sum(axis=1)
+        n = self.normals(x, surface)[probe]
+        forward = np.sign(own.slope[:, 0] * n[:, 1] - own.slope[:, 1] * n[:, 0])
+        nodes, lines = self.probes.nodes[probe], self.points
+        passed -= forward * (lengths(lines, nodes, eta[probe])
+                             - lengths(lines, nodes, self.eta[probe]))  # fmt: skip
+        rotated = (x - self.before)[nodes, 2]
         old, now = self.past.n[probe], surface.n[probe]
         turn = np.arctan2(old[:, 0] * now[:, 1] - old[:, 1] * now[:, 0], (old * now).sum(axis=1))
-        turn += phi - self._pose(self.before)[2]
-        touch = Touch(
-            slot=probe, dofs=self._dofs(nodes), gap=surface.distance[probe] - self.b / 2,
-            opening=B, turning=-outer(A, psi) - outer(e, relative_t),
-            sliding=sliding, swerving=outer(B, psi) + outer(e, relative_n),
-            slip=passed + self.b / 2 * (turns - turn),
-            slipping=surface.stretch[probe, None] * A + self.b / 2 * (turned(sections) - psi),
-        )  # fmt: skip
-        return touch if self.carrier is not None else touch.without(3)
+        slip = passed + self.b / 2 * ((own.N * rotated).sum(axis=1) - turn - phi + before)
+        return slip, (own.N1 * rotated).sum(axis=1)
+
+    def _stretch(self, probe: Indices, eta: Array) -> Array:
+        """Reference length by eta."""
+        return np.hypot(*places(self.points, self.probes.nodes[probe], eta).slope.T)
 
     def normals(self, x: Array, surface: Surface) -> Array:
         """Normals (k, 2) of the nearest places in space."""
@@ -155,6 +203,3 @@ class Body:
 
     def _pose(self, x: Array) -> Array:
         return np.zeros(3) if self.carrier is None else x[self.carrier]
-
-    def _at(self, x: Array) -> Array:
-        return np.einsum("kp,kpd->kd", self.probes.shape, x[self.probes.nodes, :2])
