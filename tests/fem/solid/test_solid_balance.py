@@ -87,6 +87,14 @@ def test_a_small_rotation_strains_nothing_and_a_turned_body_acts_alike():
     assert turned.strain_energy == pytest.approx(bent(mesh).strain_energy, rel=1e-9)
 
 
+def test_places_that_hold_the_same_nodes_share_what_they_carry():
+    solved = bent(supports={"tail": "xyz", "middle": "z"})
+    (tail, _), (middle, _) = solved.reaction("tail"), solved.reaction("middle")
+    assert tail + middle == pytest.approx(-0.1 * np.array(PULL))
+    assert abs(tail[2]) > 1e-3
+    assert abs(middle[2]) > 1e-3
+
+
 def test_a_uniform_line_moves_as_one_and_its_forces_cancel():
     line = (0.0, 0.0, None)
     solved = bent(uniform={line: "x"})
@@ -138,6 +146,28 @@ def test_two_bodies_are_held_each_by_its_own_supports():
     mesh = MeshHex2.from_mesh(apart).with_boundaries({"low": lambda x: x[0] == 0.0})
     with pytest.raises(ValueError, match="body 2 of 2 can move rigidly"):
         solve_solid(mesh, materials=STEEL, supports={"low": "xyz"})
+
+
+def test_a_uniform_line_holds_against_turning():
+    supports = {(0.0, 0.0, 0.0): "xyz", (-0.05, 0.0, 0.0): "y"}
+    with pytest.raises(ValueError, match="can move rigidly"):
+        bent(supports=supports, uniform={(3.5, 0.5, None): "x"})
+    solved = bent(supports=supports, uniform={(3.5, 0.5, None): "xy"})
+    assert solved.reaction((0.0, 0.0, 0.0))[0][2] == pytest.approx(-0.1 * PULL[2])
+
+
+def test_bodies_that_share_an_edge_are_hinged_there():
+    grid = MeshHex.init_tensor(np.arange(3.0), np.arange(3.0), np.arange(2.0))
+    diagonal = grid.restrict(lambda x: (x[0] - 1) * (x[1] - 1) > 0)
+    mesh = MeshHex2.from_mesh(diagonal).with_boundaries({"low": lambda x: x[0] == 0.0})
+    with pytest.raises(ValueError, match=r"can move rigidly \(.*about z"):
+        solve_solid(mesh, materials=STEEL, supports={"low": "xyz"})
+    post, pull = (2.0, 2.0, None), (2.0, 0.0, 0.0)
+    solved = solve_solid(
+        mesh, materials=STEEL, supports={"low": "xyz", post: "y"}, forces={(2.0, 1.0, None): pull}
+    )
+    total = solved.reaction("low")[0] + solved.reaction(post)[0]
+    assert total == pytest.approx(-np.array(pull), abs=1e-9)
 
 
 @pytest.mark.parametrize(
