@@ -62,8 +62,7 @@ WEIGHTS = np.outer(gauss(3)[1], gauss(3)[1]).ravel()
 # tying points of a strain along the first direction, along the second, and of those of both
 TYING = (grid(TWO, THREE), grid(THREE, TWO), grid(TWO, TWO))
 _FROM_TWO, _FROM_THREE = _lagrange(TWO, THREE), np.eye(3)
-TO_POINTS = (
-    np.kron(_FROM_TWO, _FROM_THREE),
-    np.kron(_FROM_THREE, _FROM_TWO),
-    np.kron(_FROM_TWO, _FROM_TWO),
+TO_POINTS = tuple(
+    np.asarray(np.kron(a, b), dtype=np.float64)
+    for a, b in ((_FROM_TWO, _FROM_THREE), (_FROM_THREE, _FROM_TWO), (_FROM_TWO, _FROM_TWO))
 )

@@ -5,7 +5,7 @@ solve_shell(points, cells, thickness=0.25, materials=Elastic(E=4.32e8, nu=0.0),
             surface_loads=(0, -90, 0))
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -177,10 +177,10 @@ def _assemble(B, D, area, dofs, number):
     return csc_array(coo_array((k.ravel()[keep], (rows[keep], columns[keep])), shape=(size, size)))
 
 
-def _factor(K: csc_array) -> Callable[[Array], Array]:
+def _factor(K):
     """Solver of the symmetric, positive definite K."""
     if not K.shape[0]:
-        return np.zeros_like
+        return lambda residual: residual
     factor = splu(
         K, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
     )

@@ -82,16 +82,15 @@ def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indic
     """ValueError where supports and ties leave a connected part of the shell a rigid motion."""
     count = len(points)
     first = np.repeat(cells[:, :1], cells.shape[1], axis=1).ravel()
-    links = [np.array([first, cells.ravel()]), pairs // 6]
-    ends = np.hstack(links)
+    ends = np.hstack([np.array([first, cells.ravel()]), pairs // 6])
     graph = coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(count, count))
     parts, part = connected_components(graph, directed=False)
     fixed = ~np.isnan(held)
     for k in range(parts):
         own = np.flatnonzero(part == k)
-        modes = np.zeros((count, 6, 6))
-        modes[own] = _rigid_modes(points[own])
-        modes = modes.reshape(6 * count, 6)
+        by_node = np.zeros((count, 6, 6))
+        by_node[own] = _rigid_modes(points[own])
+        modes = by_node.reshape(6 * count, 6)
         tied = pairs[:, part[pairs[0] // 6] == k]
         conditions = np.vstack([modes[fixed], modes[tied[0]] - modes[tied[1]], np.zeros((6, 6))])
         _, s, v = np.linalg.svd(conditions, full_matrices=False)
@@ -104,8 +103,7 @@ def _rigid_modes(points: Array) -> Array:
     """Displacements and rotations (nodes, 6, 6 modes), rotations about the middle."""
     at = points - points.mean(axis=0)
     at = at / max(np.ptp(at, axis=0).max(), 1e-300)
-    modes = np.zeros((len(at), 6, 6))
-    modes[:, :, :] = np.eye(6)
+    modes = np.tile(np.eye(6), (len(at), 1, 1))
     for axis in range(3):
         modes[:, :3, 3 + axis] = np.cross(np.eye(3)[axis], at)
     return modes

@@ -65,7 +65,7 @@ def test_wrong_input_is_refused(change, message):
 
 
 def test_a_part_without_supports_is_named():
-    points = np.vstack([GRID.points, GRID.points + (0, 0, 1)])
+    points = np.vstack([GRID.points, GRID.points + np.array([0, 0, 1])])
     cells = np.vstack([GRID.cells, GRID.cells + 15])
     problem = GOOD | {"bodies": {}}
     del problem["points"], problem["cells"]

@@ -82,11 +82,7 @@ def test_constant_membrane_strain():
 
 
 def test_constant_curvature():
-    a, b, c = (
-        3e-3,
-        -2e-3,
-        1e-3,
-    )  # w = (a x^2 + b y^2)/2 + c x y; the fibre at +n strains by -w'' t/2
+    a, b, c = 3e-3, -2e-3, 1e-3  # w = (a x^2 + b y^2)/2 + c x y, strains -w'' t/2 at +n
     s, u, rotation = solve_inside(
         lambda x, y, z: np.array([0 * x, 0 * x, (a * x**2 + b * y**2) / 2 + c * x * y]),
         lambda x, y, z: np.array([b * y + c * x, -(a * x + c * y), 0 * x]),

@@ -20,7 +20,7 @@ FORCE = 3.0  # per length
 
 
 def tip(mesh, thickness, load, **more):
-    """Displacement where the force per length acts, averaged over the width; clamped at the tail."""
+    """Average displacement of the head under that force per length; the tail is clamped."""
     s = solve_shell(
         mesh.points, mesh.cells, thickness=thickness, materials=STEEL,
         boundaries=mesh.boundaries, edge_loads={"head": load},
