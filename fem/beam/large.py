@@ -124,17 +124,18 @@ class LargeFrame:
     ) -> Path:
         """States with nodes moved by components "x", "y", "r" times each of the factors.
 
-        `reactions` hold the force that the movement takes. `loads` act in full all the time;
-        with `since` movement and loads add to that state.
+        `reactions` hold the force that the movement takes. `loads` act in full all the time,
+        from before the movement begins. With `since` movement and loads add to that state.
 
         Raises
         ------
         ValueError, ArithmeticError
             As `under_loads`.
         """
-        if loads:
-            since = self.under_loads(loads, [1.0], since=since).last
         pattern, held = movement(len(self.points), moved)
+        if loads:
+            acting = loading(self.elements, loads, None, None)
+            since = self._reach(acting, self.held | held, [1.0], since).last
         return self._reach(pattern, self.held | held, factors, since)
 
     def along_arc(
@@ -225,9 +226,12 @@ class LargeFrame:
     def _reach(
         self, pattern: Loading, held: Mask, factors: Iterable[float], since: State | None
     ) -> Path:
+        wanted = [float(factor) for factor in factors]
+        if not np.isfinite(wanted).all():
+            raise ValueError(f"factors must be finite numbers, got {wanted}")
         march = self._march(pattern, held, since)
         start = march.state
-        return Path(start, tuple(march.reach(float(factor)) for factor in factors), pattern)
+        return Path(start, tuple(march.reach(factor) for factor in wanted), pattern)
 
     def _march(self, pattern: Loading, held: Mask, since: State | None) -> March:
         start = (since or self.rest()).at(0.0)

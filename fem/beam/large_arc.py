@@ -17,7 +17,8 @@ from fem.beam.large_newton import ConvergenceError
 from fem.beam.large_state import State
 from fem.beam.section import Array
 
-ITERATIONS = 5  # that steps are sized for
+ITERATIONS = 7  # that steps are sized for
+CROSSING = 1 / 32  # of the longest step: longer ones may leap over a turn onto another branch
 
 
 @dataclass(frozen=True)
@@ -47,12 +48,13 @@ def follow(march: March, first: float, largest: float) -> Iterator[State]:
     start = size = abs(first) * math.sqrt(float(weights * push @ push))
     if not start > 0:
         raise ValueError("along_arc needs loads or movement that move the frame, and first != 0")
-    heading = math.copysign(1.0, first) * push
+    heading, longest = math.copysign(1.0, first) * push, start
     while True:
         before = march.state
         arc = Arc(size, weights)
         try:
-            march.step(arc.speed(march.tangent.push, heading), arc)
+            speed = arc.speed(march.tangent.push, heading)
+            march.step(speed, arc, crossing=size < CROSSING * longest)
         except ConvergenceError as error:
             size /= 2
             if size < start / 2**HALVINGS:
@@ -61,10 +63,11 @@ def follow(march: March, first: float, largest: float) -> Iterator[State]:
                     f"{error}, with steps down to {2 * size / start:.1e} of the first"
                 ) from error
             continue
+        longest = max(longest, size)
         heading = (march.state.exact - before.exact).astype(float).ravel()
         yield march.state
-        effort = math.sqrt(ITERATIONS / len(march.state.residuals))
-        size = min(size * float(np.clip(effort, 0.5, 2.0)), max(largest, start))
+        ease = ITERATIONS / len(march.state.residuals)
+        size = min(size * float(np.clip(ease, 0.5, 2.0)), max(largest, start))
 
 
 def collect(

@@ -43,6 +43,7 @@ class Elements:
     _place: Indices = field(init=False)
     _rows: Indices = field(init=False)
     _starts: Indices = field(init=False)
+    _unit: Extended = field(init=False)  # 1 but for round-off, so that nothing strains at rest
 
     def __post_init__(self) -> None:
         m, k = self.nodes.shape
@@ -59,7 +60,14 @@ class Elements:
         self.__dict__.update(
             _fields=fields.reshape(m, q, 4, 3 * k), _dofs=dofs.ravel(), _place=place,
             _rows=entries % size, _starts=starts,
+            _unit=(self.tangent**2).sum(axis=-1),
         )  # fmt: skip
+
+    @property
+    def noise(self) -> float:
+        """Nodal force by round-off of the strains, per size of the displacements."""
+        steepest = self.moduli.max(axis=2) * abs(self.slope).sum(axis=2).astype(float)
+        return float(np.finfo(np.longdouble).eps * np.linalg.norm(steepest))
 
     def strains(self, u: Extended) -> tuple[Array, Array, Array]:
         """Strains (m, q, 3), r' (m, q, 2) and tangent t (m, q, 2) at displacements u (n, 3)."""
@@ -72,7 +80,7 @@ class Elements:
         along = (t * stretch).sum(axis=-1)
         across = t[..., 0] * stretch[..., 1] - t[..., 1] * stretch[..., 0]
         bend = (self.slope @ (at[:, :, 2:] - at[:, :1, 2:]))[..., 0]
-        strain = np.stack([along - 1, across, bend], axis=-1)
+        strain = np.stack([along - self._unit, across, bend], axis=-1)
         return strain.astype(float), stretch.astype(float), t.astype(float)
 
     def increments(self, strain: Array, t: Array) -> Array:

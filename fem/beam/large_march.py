@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from fem.beam.large_elements import Extended
 from fem.beam.large_newton import Balance, Control, ConvergenceError, Response, Tangent
 from fem.beam.large_state import State
 from fem.beam.section import Array
@@ -61,6 +62,8 @@ class March:
             tangent = balance.factorise(u, found.K)
             if tangent.negative != before.negative and not crossing:
                 raise ConvergenceError("the step crosses a critical point or leaves the branch")
+            if not balance.terms and self._leaps(u, predicted):  # terms may have kinks
+                raise ConvergenceError("the step leaps to another branch")
         except ConvergenceError:
             for term in balance.terms:
                 term.reject()
@@ -82,7 +85,7 @@ class March:
 
     def reach(self, factor: float) -> State:
         """The state at a given factor, in as few steps as Newton's method allows."""
-        start, steps = self.state.factor, 0
+        start, steps, good = self.state.factor, 0, 1
         whole = size = factor - start
         while True:
             rest = factor - self.state.factor
@@ -92,7 +95,7 @@ class March:
                 smallest = abs(size) < 2 * abs(whole) / 2**HALVINGS
                 self.step(size, Given(size), crossing=smallest)
             except ConvergenceError as error:
-                size /= 2
+                size, good = size / 2, 0
                 if abs(size) < abs(whole) / 2**HALVINGS:
                     raise ArithmeticError(
                         f"no equilibrium found beyond factor {self.state.factor:.6g} on the way "
@@ -100,11 +103,17 @@ class March:
                         "beyond a limit point use along_arc()"
                     ) from error
                 continue
-            steps += 1
+            steps, good = steps + 1, good + 1
             if size == rest:
                 self.state = replace(self.state, factor=factor, steps=steps)
                 return self.state
-            size *= 2
+            size *= 2 if good > 1 else 1
+
+    def _leaps(self, u: Extended, predicted: Array) -> bool:
+        """Whether the step went farther from its prediction than the prediction is long."""
+        off = (u - self.state.exact).astype(float).ravel() - predicted
+        weights = self.balance.weights
+        return float(weights * off @ off) > float(weights * predicted @ predicted)
 
     def _work(self, moved: Array, control: Control, found: Response, tangent: Tangent) -> float:
         """Work of all nodal forces over a step: cubics through forces and displacements."""

@@ -154,12 +154,13 @@ class Balance:
         """
         u, factor = start.exact + step.reshape(-1, 3), start.factor + change
         history: list[float] = []
+        noise = self.elements.noise * self.length
         settlements, last = 0, MAX_ITERATIONS
         while len(history) < last:
             found = self.respond(u, factor, stress)
             size = self._measure(found.residual.reshape(-1, 3))
             history.append(size / found.size if found.size else 0.0)
-            still = self._moved(step) < STILL and history[-1] < ROUND_OFF
+            still = self._moved(step) < STILL and size < max(ROUND_OFF * found.size, noise)
             if history[-1] < TOLERANCE or still:
                 if not self._unsettled(u):
                     return u, factor, found, tuple(history)

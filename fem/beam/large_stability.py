@@ -144,6 +144,10 @@ def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
     K = balance.respond(start, 0.0).K
     push, free = balance.factorise(start, K).push, ~balance.held
     K_g = balance.elements.initial_stress_stiffness(push.reshape(-1, 3))
+    if not K_g.data.any():
+        raise ValueError("the loads do not strain the frame: nothing buckles")
+    if not count < free.sum() - 1:
+        raise ValueError(f"{count} modes of {free.sum()} unknowns: refine the mesh")
     inverse, shapes = eigsh(
         -reduced(K_g, free), count, M=reduced(K, free), which="LA", v0=np.ones(int(free.sum()))
     )
