@@ -41,22 +41,24 @@ def sketch(q: StagesInputs) -> Sketch:
     facing /= mm
     arc_end = end - np.array([0.0, toward * a])
     held = sorted([arc_end[1], tip[1]] if q.tail == "arc" else [end[1] - wall, end[1] + wall])
-    foot = low[1] - 0.1 * tall
+    below, tail_side = -a - 0.6 * tall, toward * (a + 0.5 * tall)
     shapes = (
-        Shape(style="text", points=np.array([[-0.6 * tall, 0.0]])),
-        Shape(style="text", points=np.array([[right + 0.6 * tall, 0.0]])),
+        Shape(style="text", points=np.array([[-1.1 * tall, 0.0]])),
+        Shape(style="text", points=np.array([[right + 1.1 * tall, 0.0]])),
         Shape(style="axis", points=np.array([[-0.1 * tall, 0.0], [right + 0.2 * tall, 0.0]])),
         Shape(style="line", points=line),
-        Shape(style="load", points=np.array([[-0.3 * tall, 0.0], [0.0, 0.0]]), label="F"),
+        Shape(style="load", points=np.array([[-0.35 * tall, 0.0], [0.0, 0.0]]), label="F"),
         Shape(style="clamp", points=np.array([[right + edge, held[1]], [right + edge, held[0]]])),
+        Shape(style="faint", points=np.array([[0.0, -a], [0.0, below]])),
+        Shape(style="faint", points=np.array([[facing, -a], [facing, below]])),
         Shape(style="dimension", label=f"g_0 = {own(q).gap / mm:.3g} mm",
-              points=np.array([[0.0, -a], [facing, -a]])),
-        Shape(style="leader", label="free tip of the head",
-              points=np.array([[-0.3 * tall, foot], [0.0, -a]])),
-        Shape(style="leader", label="free tip of the tail" if q.tail == "mid-leaf" else "clamped",
-              points=np.array([[tip[0] + 0.3 * tall, toward * (a + 0.25 * tall)], tip])),
+              points=np.array([[0.0, below], [facing, below]])),
+        Shape(style="leader", label="free tip",
+              points=np.array([[-0.3 * tall, -a - 0.15 * tall], [0.0, -a]])),
+        Shape(style="leader", label="free tip" if q.tail == "mid-leaf" else "clamped leaf",
+              points=np.array([[tip[0] + 0.25 * tall, tail_side], tip])),
         Shape(style="dimension", label=f"L_1 = {2 * a:.4g} mm",
-              points=np.array([[-0.15 * tall, -a], [-0.15 * tall, a]])),
+              points=np.array([[-0.5 * tall, -a], [-0.5 * tall, a]])),
     )  # fmt: skip
     return Sketch(
         title=f"centre line with whole end leaves, head {q.head}, tail held at {q.tail}, to scale",
@@ -103,7 +105,7 @@ def equations(q: StagesInputs, v: Values) -> Sequence[Equation]:
 
 def figures(context: Context) -> Sequence[Figure]:
     found: list[Figure] = [_judged(context)] if context.converging else []
-    return (*found, _beside_eq_10(context) if context.is_paper else _bounds(context.inputs))
+    return (*found, *(_beside_eq_10(context) if context.is_paper else _bounds(context.inputs)))
 
 
 def _judged(context: Context) -> Profile:
@@ -123,36 +125,44 @@ def _judged(context: Context) -> Profile:
     )  # fmt: skip
 
 
-def _beside_eq_10(context: Context) -> Curves:
+def _beside_eq_10(context: Context) -> tuple[Curves, ...]:
     """Readings that meet the printed k_1, and the inputs' own, over the lines of Eq. 10."""
     q, lines = context.inputs, eq10()
     tests = [published(f"wang2023:{name}-test").value * 1e3 for name in ("k1", "k2")]
-    U = np.array([0.0, lines.U, EQ10_END])
-    tested = np.cumsum([0.0, tests[0] * U[1], tests[1] * (U[2] - U[1])])
-    curves = [
-        _curve("Eq. 10, the paper's shell model", U / mm,
-              np.array([lines.c1, lines.F, lines.c2 + lines.k2 * U[2]]), "line", 0),
-        _curve("slopes of the tests, from the origin", U / mm, tested, "dots", 0),
-    ]  # fmt: skip
-    for i, x in enumerate(meeting(q)[:3], start=1):
-        places = np.array([0.0, x.U_A, EQ10_END])
-        name = f"meets k_1: {x}"
-        curves.append(_curve(name, places / mm, x.stages.force(places), "dashes", i))
-    s = own(q)
-    places = np.array([0.0, float(s.U_A), EQ10_END])
-    name = f"tail at {q.tail}, head {q.head}, r + b/2, " + (
-        "E I" if q.width_factor is None else f"{q.width_factor:.4g} E I"
+    U = np.linspace(0.0, EQ10_END, 60)
+    printed = np.where(U > lines.U, lines.c2 + lines.k2 * U, lines.c1 + lines.k1 * U)
+    tested = np.where(U > lines.U, (tests[0] - tests[1]) * lines.U + tests[1] * U, tests[0] * U)
+    found = [("Eq. 10, the paper's shell model", printed, "line", 0),
+             ("slopes of the tests, from the origin", tested, "dots", 5)]  # fmt: skip
+    found += [
+        (f"meets k_1: {x}", x.stages.force(U), "dashes", i)
+        for i, x in enumerate(meeting(q)[:3], start=1)
+    ]
+    strip = "E I" if q.width_factor is None else f"{q.width_factor:.4g} E I"
+    name = f"tail at {q.tail}, head {q.head}, r + b/2, {strip}"
+    found.append((name, own(q).force(U), "dashes", 4))
+    note = (
+        "To 11 N, where the tests end. The constants of the tests' lines are not printed: their "
+        "slopes are drawn from the origin, with Eq. 10's point A."
     )
-    curves.append(_curve(name, places / mm, s.force(places), "dashes", 4))
-    return Curves(
-        title="Closed form beside Eq. 10: what a reading chosen by k_1 says of A and k_2",
-        x_label="U [mm]", y_label="F [N]", curves=tuple(curves),
-        note="To 11 N, where the tests end. The constants of the tests' lines are not printed: "
-        "their slopes are drawn from the origin, with Eq. 10's point A.",
+    return (
+        Curves(
+            title="Closed form beside Eq. 10: what a reading chosen by k_1 says of A and k_2",
+            x_label="U [mm]", y_label="F [N]", note=note,
+            curves=tuple(_curve(name, U / mm, F, style, c) for name, F, style, c in found),
+        ),
+        Curves(
+            title="The same less Eq. 10's first slope, which shows where the tips touch",
+            x_label="U [mm]", y_label="F − 0.613 N/mm U [N]", note=note,
+            y_bottom=float(min((F - lines.k1 * U).min() for _, F, _, _ in found)),
+            curves=tuple(
+                _curve(name, U / mm, F - lines.k1 * U, style, c) for name, F, style, c in found
+            ),
+        ),
     )  # fmt: skip
 
 
-def _bounds(q: StagesInputs) -> Curves:
+def _bounds(q: StagesInputs) -> tuple[Curves, ...]:
     """The inputs' own spring, narrow and wide, and with its other ends."""
     top = 1.5 * float(own(q).U_A)
     curves = []
@@ -161,10 +171,10 @@ def _bounds(q: StagesInputs) -> Curves:
             s = own(q, head=head, tail=tail)
             U = np.unique(np.clip([0.0, float(s.U_A), float(s.U_B), top], 0.0, top))
             curves.append(_curve(f"head {head}, tail at {tail}", U / mm, s.force(U), style, i))
-    return Curves(
+    return (Curves(
         title="Force over displacement for every way of holding the ends", x_label="U [mm]",
         y_label="F [N]", curves=tuple(curves), note="Closed form, linear theory.",
-    )  # fmt: skip
+    ),)  # fmt: skip
 
 
 def _curve(name: str, U: Any, F: Any, style: str, colour: int) -> Curve:
