@@ -10,6 +10,7 @@ from fem.beam.touching_points import shapes
 ITERATIONS = 30
 BRACKETINGS = 80
 CONVERGED = 1e-14
+SETTLED = 1e-11  # of a place: the distance there is stationary
 
 
 def closest(corners: Array, at: Array) -> Array:
@@ -39,27 +40,37 @@ def closest(corners: Array, at: Array) -> Array:
     return xi
 
 
-def least(lower: Array, upper: Array, slope: Callable[[Array, Indices], Array]) -> Array:
+def least(
+    lower: Array,
+    upper: Array,
+    rise: Callable[[Array, Indices], tuple[Array, Array]],
+    below: float = np.inf,
+) -> Array:
     """Place (k,) between `lower` and `upper` where a function is least.
 
-    `slope(places, rows)` is its slope at places of the functions of the given numbers. Within a
-    cell the function is taken to have one minimum, at an end where the slope doesn't change from
-    - to +. False position with halved weights (the Illinois method) finds the others.
+    `rise(places, rows)` are values and slopes at places of the functions of the given numbers.
+    Within a cell the function is taken to have one minimum, at an end where the slope doesn't
+    change from - to +. False position with halved weights (the Illinois method) finds the
+    others, roughly where both ends' tangents tell that they stay above `below`.
     """
-    rows = np.arange(len(lower))
-    first, last = slope(lower, rows), slope(upper, rows)
-    found = np.where(first + last > 0, lower, upper)
-    rows = np.flatnonzero((first < 0) & (last > 0))
+    every = np.arange(len(lower))
+    low, first = rise(lower, every)
+    high, last = rise(upper, every)
+    found = np.where(high > low, lower, upper)
+    inside = (first < 0) & (last > 0)
+    at = lower + (high - low - last * (upper - lower)) / np.where(inside, first - last, 1.0)
+    found = np.where(inside, at, found)  # where the tangents meet
+    rows = np.flatnonzero(inside & (low + first * (at - lower) < below))
     a, b, at_a, at_b = lower[rows], upper[rows], first[rows], last[rows]
     for _ in range(BRACKETINGS):
         if not rows.size:
             break
         place = (a * at_b - b * at_a) / (at_b - at_a)
-        value = slope(place, rows)
+        _, value = rise(place, rows)
         found[rows] = place
         crossed = value * at_b < 0
         a, at_a = np.where(crossed, b, a), np.where(crossed, at_b, at_a / 2)
         moved, b, at_b = np.abs(place - b), place, value
-        going = (moved > CONVERGED) & (value != 0)
+        going = (moved > SETTLED) & (value != 0)
         rows, a, b, at_a, at_b = (part[going] for part in (rows, a, b, at_a, at_b))
     return found

@@ -102,12 +102,14 @@ def _follow(
     det = H_11 * H_22 - H_12**2
     curved = np.where(two, det - PARALLEL * H_12**2, H_11 - PARALLEL * a**2)
     one = one & (curved > 0)
+    two = two & (H_22 > 0)
     H_12 = np.where(one & two, H_12, 0.0)
     H_11, H_22 = np.where(one, H_11, np.inf), np.where(two, H_22, np.inf)
-    inverse = 1 / np.where(one & two, det, 1.0)
-    eta_1 = np.where(one & two, -H_22 * inverse, -1 / H_11)
-    cross = np.where(one & two, H_12 * inverse, 0.0)
-    xi_2 = np.where(one & two, -H_11 * inverse, -1 / H_22)
+    both = one & two
+    inverse = 1 / np.where(both, det, 1.0)
+    cross = H_12 * inverse
+    eta_1, xi_2 = -1 / H_11, -1 / H_22
+    eta_1[both], xi_2[both] = -(H_22 * inverse)[both], -(H_11 * inverse)[both]
     by_eta, by_xi = slopes
     eta = eta_1[:, None] * by_eta + cross[:, None] * by_xi
     return eta, cross[:, None] * by_eta + xi_2[:, None] * by_xi

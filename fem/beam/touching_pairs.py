@@ -14,6 +14,7 @@ from fem.beam.touching_points import Probes, places
 BULGE = 1.2  # of an element beyond the circle through its nodes
 CLEAR = 0.5  # sine of the angle from which a place lies clearly on one side of a line
 REACH = 4.0  # thicknesses around a line that are searched for others
+NEAR = 1.5  # the same: lines further apart need no exact place
 TINY = 1e-300
 
 
@@ -44,18 +45,27 @@ class Pairs:
 
     def __init__(self, elements: Indices, probes: Probes, apart: Apart, touching: float) -> None:
         self.elements, self.probes, self.apart = elements, probes, apart
-        self.touching, self.reach = touching, REACH * touching + float(probes.length.max())
+        self.last: tuple[Array, Meeting] | None = None
+        self.touching, self.reach = touching, REACH * touching
 
     def accept(self, x: Array) -> None:
         """From now on sides are those of the state `x`."""
+        self.last = None
         self.accepted = x[:, :2].copy()
         self._look_round(self.accepted)
 
     def nearest(self, x: Array) -> Meeting:
         """Every slot's nearest element within reach at `x`."""
         at = x[:, :2]
+        if self.last and np.array_equal(at, self.last[0]):
+            return self.last[1]
         if np.abs(at - self.seen).max(initial=0.0) > self.reach / 4:
             self._look_round(at)
+        found = self._nearest(at)
+        self.last = at.copy(), found
+        return found
+
+    def _nearest(self, at: Array) -> Meeting:
         eta = self._least(at)
         met = self._meet(at, np.arange(self.slot.size), eta)
         if not met.slot.size:
@@ -72,16 +82,17 @@ class Pairs:
         p = self.probes
         eta = p.middle[self.probe]
         met = self._meet(at, np.arange(self.slot.size), eta)
-        near = np.flatnonzero(np.abs(met.distance) < self.touching + p.length[self.probe])
+        half = p.length[self.probe] / 2
+        near = np.flatnonzero(met.distance < NEAR * self.touching + half)
 
-        def slope(eta: Array, rows: Indices) -> Array:
-            """Of the distance by eta."""
+        def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
+            """Distance and its slope by eta."""
             met = self._meet(at, near[rows], eta)
             own = places(at, p.nodes[self.probe[near[rows]]], eta).slope
-            return np.einsum("kd,kd->k", met.n, own)
+            return met.distance, np.einsum("kd,kd->k", met.n, own)
 
         cell = self.probe[near]
-        eta[near] = least(p.lower[cell], p.upper[cell], slope)
+        eta[near] = least(p.lower[cell], p.upper[cell], rise, NEAR * self.touching)
         return eta
 
     def _meet(self, at: Array, pair: Indices, eta: Array) -> Meeting:
@@ -107,10 +118,12 @@ class Pairs:
         corners, here = at[self.elements], places(at, p.nodes, p.middle).position
         centre = (corners.min(axis=1) + corners.max(axis=1)) / 2
         radius = BULGE * np.hypot(*np.moveaxis(corners - centre[:, None], -1, 0)).max(axis=1)
-        found = cKDTree(here).query_ball_point(centre, radius + self.reach)
+        half = p.length / 2
+        found = cKDTree(here).query_ball_point(centre, radius + self.reach + half.max())
         element = np.repeat(np.arange(len(centre)), [len(own) for own in found])
         probe = np.concatenate([np.asarray(own, int) for own in found])
-        keep = self.apart(probe, element)
+        away = np.hypot(*(here[probe] - centre[element]).T)
+        keep = (away < radius[element] + self.reach + half[probe]) & self.apart(probe, element)
         probe, element = probe[keep], element[keep]
         _, d, _, across, _ = self._project(self.accepted, probe, element, p.middle[probe])
         own = places(self.accepted, p.nodes[probe], p.middle[probe]).slope

@@ -110,13 +110,14 @@ class Body:
         """Where each probe is nearest to the shape, and the shape's place there."""
         p = self.probes
 
-        def slope(eta: Array, rows: Indices) -> Array:
-            """Of the distance by eta."""
+        def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
+            """Distance and its slope by eta."""
             own = places(x, p.nodes[rows], eta)
-            n = self.normals(x, self._surface(x, own.position))
-            return np.einsum("kd,kd->k", n, own.slope)
+            surface = self._surface(x, own.position)
+            n = self.normals(x, surface)
+            return surface.distance, np.einsum("kd,kd->k", n, own.slope)
 
-        eta = least(p.lower, p.upper, slope)
+        eta = least(p.lower, p.upper, rise)
         return eta, self._surface(x, places(x, p.nodes, eta).position)
 
     def _surface(self, x: Array, at: Array) -> Surface:
@@ -157,7 +158,7 @@ class Body:
         own_stretch = np.sign(a) * self._stretch(probe, eta[probe])
         touch = Touch(
             slot=probe, dofs=self._dofs(own.nodes), gap=surface.distance[probe] - self.b / 2,
-            opening=B, turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t),
+            opening=B, turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t + a[:, None] * moved),
             sliding=A + self.b / 2 * (sections - e),
             swerving=outer(B, psi) + outer(along(own_1, t), moved) + outer(e, relative_n)
             + self.b / 2 * outer(turned(own_1), moved),
