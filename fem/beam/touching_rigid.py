@@ -158,7 +158,8 @@ class Body:
         own_stretch = np.sign(a) * self._stretch(probe, eta[probe])
         touch = Touch(
             slot=probe, dofs=self._dofs(own.nodes), gap=surface.distance[probe] - self.b / 2,
-            opening=B, turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t + a[:, None] * moved),
+            opening=B,
+            turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t + a[:, None] * moved),
             sliding=A + self.b / 2 * (sections - e),
             swerving=outer(B, psi) + outer(along(own_1, t), moved) + outer(e, relative_n)
             + self.b / 2 * outer(turned(own_1), moved),
