@@ -112,19 +112,19 @@ class Elements:
         _add_geometric(A, strain, t, stress)
         return self._assemble(A)
 
-    def initial_stress_stiffness(self, u: Array) -> csc_array:
-        """Change of the stiffness at rest (3n, 3n) along the small displacement `u` (n, 3)."""
-        t, none = self.tangent.astype(float), np.zeros((*self.weight.shape, 3))
-        S = self.increments(none, t)
-        strain = self.change(S, u)
-        turn = (u[self.nodes, 2] @ self.shape.T.astype(float))[..., None]
-        dS = np.zeros_like(S)
-        dS[..., 0, :2] = turn * np.stack([-t[..., 1], t[..., 0]], axis=-1)
-        dS[..., 0, 2], dS[..., 1, 2] = strain[..., 1], -strain[..., 0]
-        dS[..., 1, :2] = -turn * t
-        A = np.swapaxes(dS, 2, 3) @ (S * self.moduli[..., None])
-        A += np.swapaxes(A, 2, 3)
-        _add_geometric(A, none, t, self.moduli * strain)
+    def linear_forces(self, u: Array) -> Array:
+        """N, V, M (m, q, 3) of small displacements `u` (n, 3)."""
+        none = np.zeros((*self.weight.shape, 3))
+        return self.moduli * self.change(self.increments(none, self.tangent.astype(float)), u)
+
+    def initial_stress_stiffness(self, stress: Array) -> csc_array:
+        """Geometric stiffness at rest (3n, 3n) of N, V, M (m, q, 3).
+
+        The turn of the stiff axial direction is left out: its first order without the second
+        would soften any bent member of large EA.
+        """
+        A = np.zeros((*self.weight.shape, 4, 4))
+        _add_geometric(A, np.zeros_like(stress), self.tangent.astype(float), stress)
         return self._assemble(A)
 
     def _assemble(self, A: Array) -> csc_array:

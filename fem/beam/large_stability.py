@@ -138,14 +138,16 @@ def _does_work(balance: Balance, place: _Place) -> bool:
 def linear_buckling(balance: Balance, count: int) -> tuple[Array, Array]:
     """Smallest positive factors (count,) and modes (count, n, 3) of K_0 + factor K_g.
 
-    K_g is the exact derivative of the stiffness along the linear solution.
+    K_g is the geometric stiffness of the forces of the linear solution.
     """
     start = np.zeros((len(balance.points), 3), np.longdouble)
     K = balance.respond(start, 0.0).K
     push, free = balance.factorise(start, K).push, ~balance.held
-    K_g = balance.elements.initial_stress_stiffness(push.reshape(-1, 3))
-    if not K_g.data.any():
-        raise ValueError("the loads do not strain the frame: nothing buckles")
+    stress = balance.elements.linear_forces(push.reshape(-1, 3))
+    K_g = balance.elements.initial_stress_stiffness(stress)
+    N, V, M = abs(stress.reshape(-1, 3)).max(axis=0)
+    if not max(N, V) > 1e-9 * M / balance.length:
+        raise ValueError("the loads bring no axial or shear force: nothing buckles")
     if not count < free.sum() - 1:
         raise ValueError(f"{count} modes of {free.sum()} unknowns: refine the mesh")
     inverse, shapes = eigsh(
