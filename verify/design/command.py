@@ -25,7 +25,9 @@ def run_design(
     task = load(path)
     if out is not None:
         writable(out)
-    outcome = carry_out(task, choose=choose, use_fem=use_fem, quiet=as_json)
+    outcome = carry_out(
+        task, choose=choose, use_fem=use_fem, drawn=as_json or out is not None, quiet=as_json
+    )
     if as_json:
         print(json.dumps(record(outcome), ensure_ascii=False))
     else:

@@ -6,12 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.design.inputs import Demands
-from verify.design.springs import Springs
+from verify.design.springs import Formulas, Springs
 from verify.design.strip import HEAD_HELD, strip
 
 Array = NDArray[np.float64]
 PER_ARC = 4
 PARTS = 10  # of the working displacement, so that U_w is one of the states
+
+NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by up to an eighth
 
 
 @dataclass(frozen=True)
@@ -41,18 +43,24 @@ class Curve:
         return float(np.polynomial.Polynomial.fit(self.F[near], self.U[near], degree)(F))
 
 
-def compressed(s: Springs, i: int, q: Demands, *, U_w: float, stroke: float) -> Curve:
-    """Candidate `i`, whose head moves beyond `stroke` [m] in tenths of U_w; with its free tips."""
+def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) -> Curve:
+    """Candidate `i`, whose head moves beyond `stroke` [m] in tenths of U_w.
+
+    Where that ends well below the closed form's U_A its leaves are not watched.
+    """
     from fem.beam.large import LargeFrame
     from fem.beam.touching import SelfContact
 
-    line, section = strip(s, i, q, PER_ARC, tips=True)
+    U_w = float(f.U_w[i])
+    near = stroke > NEAR * float(f.U_A[i])
+    line, section = strip(s, i, q, PER_ARC, tips=near)
     head = line.nodes["head"]
-    contact = SelfContact(
-        line.points, line.elements, thickness=float(s.b[i]), EA=section.EA, friction=q.friction
-    )
+    contacts = [
+        SelfContact(line.points, line.elements, thickness=float(s.b[i]), EA=section.EA,
+                    friction=q.friction)
+    ] if near else []  # fmt: skip
     frame = LargeFrame(
-        line.points, line.elements, sections=section, terms=(contact,),
+        line.points, line.elements, sections=section, terms=contacts,
         supports={line.nodes["tail"]: "xyr", head: HEAD_HELD[q.head]},
     )  # fmt: skip
     U, F, touches, state = [0.0], [0.0], float("inf"), None
@@ -63,6 +71,6 @@ def compressed(s: Springs, i: int, q: Demands, *, U_w: float, stroke: float) -> 
             break
         U.append(len(U) * U_w / PARTS)
         F.append(float(state.reactions[head, 0]))
-        if contact.record.normal.size:
+        if any(contact.record.normal.size for contact in contacts):
             touches = min(touches, U[-1])
     return Curve(np.array(U), np.array(F), touches)

@@ -56,7 +56,7 @@ def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
     """Candidate `i`: its stiffness from two meshes, and its curve."""
     coarse, fine = (_stiffness(s, i, q, per_arc) for per_arc in PER_ARC)
     U_w = float(f.U_w[i])
-    curve = compressed(s, i, q, U_w=U_w, stroke=STROKE * max(U_w, float(f.delta(q.F_w)[i])))
+    curve = compressed(s, f, i, q, stroke=STROKE * max(U_w, float(f.delta(q.F_w)[i])))
     return Verified(
         k1=fine, mesh=abs(coarse / fine - 1), deviation=float(f.k1[i]) / fine - 1, curve=curve,
         delta=curve.displacement(q.F_w), U_w=U_w, e_max=q.e_max,

@@ -43,11 +43,13 @@ class Outcome:
         return int(self.search.members[self.chosen])
 
 
-def carry_out(task: Task, *, choose: int | None, use_fem: bool, quiet: bool) -> Outcome:
+def carry_out(
+    task: Task, *, choose: int | None, use_fem: bool, drawn: bool, quiet: bool
+) -> Outcome:
     """Search, verify the front, and choose member number `choose`, counted from 1.
 
     By default it is the first that finite elements keep, the members being sorted by their
-    distance to the ideal point; the very first where they keep none.
+    distance to the ideal point; the very first where they keep none. `drawn` adds its curve.
     """
     found = search(task)
     members = [int(i) for i in found.members]
@@ -66,8 +68,10 @@ def carry_out(task: Task, *, choose: int | None, use_fem: bool, quiet: bool) -> 
     kept = next((k for k, v in enumerate(checked) if v.agrees and v.fits), 0)
     chosen = kept if choose is None else choose - 1
     i, f = members[chosen], found.formulas
-    U_A, U_w = float(f.U_A[i]), float(f.U_w[i])
-    curve = compressed(found.springs, i, task.demands, U_w=U_w, stroke=BEYOND * max(U_A, U_w))
+    if not drawn:
+        return Outcome(found, checked, chosen)
+    stroke = BEYOND * max(float(f.U_A[i]), float(f.U_w[i]))
+    curve = compressed(found.springs, f, i, task.demands, stroke=stroke)
     return Outcome(found, checked, chosen, curve)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from verify import units
-from verify.inputs import InputError
+from verify.inputs import LARGEST_INTEGER, InputError
 
 MOST = 10_000  # values of one parameter
 
@@ -61,9 +61,8 @@ class Sweep:
                 f"got {parts[2][:20]!r}"
             )
         if not first < last:
-            raise InputError(
-                f"{where}: a range rises, got {self._shown(first)} to {self._shown(last)}"
-            )
+            ends = " to ".join(self._shown(end / units.factor(self.unit)) for end in (first, last))
+            raise InputError(f"{where}: a range rises, got {ends}")
         values = np.linspace(first, last, int(parts[2]))
         if self.whole and np.any(values != np.round(values)):
             raise InputError(f"{where}: {raw[:60]!r} steps over fractions, needs whole numbers")
@@ -72,8 +71,11 @@ class Sweep:
     def _one(self, raw: Any, where: str) -> float:
         if isinstance(raw, str):
             return self._text(raw, where)
-        if isinstance(raw, bool) or not isinstance(raw, int | float) or abs(raw) > 1e15:
-            raise InputError(f"{where}: needs {units.DIMENSIONS[self.unit]}, got {str(raw)[:60]!r}")
+        if isinstance(raw, bool) or not isinstance(raw, int | float):
+            got = repr(raw)[:60] if not isinstance(raw, dict | list) else "a table or list"
+            raise InputError(f"{where}: needs {units.DIMENSIONS[self.unit]}, got {got}")
+        if not abs(raw) <= LARGEST_INTEGER:
+            raise InputError(f"{where}: the number is out of range")
         if self.unit != "1":
             raise InputError(
                 f"{where}: {raw} has no unit: needs {units.DIMENSIONS[self.unit]}, "
