@@ -96,17 +96,19 @@ def test_a_clamp_that_turns_carries_the_loaded_frame_round():
     expected = frame.section_forces(loaded)[1]
     for state in turned.states:
         np.testing.assert_allclose(frame.section_forces(state)[1], expected, atol=1e-9)
-    assert turned.last.strain_energy == pytest.approx(loaded.strain_energy, rel=1e-11)
+    assert turned.last.strain_energy == pytest.approx(loaded.strain_energy, rel=1e-9)
 
 
-def test_newtons_method_converges_quadratically():
+@pytest.mark.parametrize("section", [SECTION, STIFF], ids=["soft", "stiff"])
+@pytest.mark.parametrize("follower", [None, {TIP: (1.0, -4.0)}], ids=["dead", "follower"])
+def test_newtons_method_converges_quadratically(section, follower):
     """Each residual's exponent is near twice that of the one before."""
-    for section in (SECTION, STIFF):
-        (history,) = hook(section=section).under_loads({TIP: LOAD}, [1.0]).residuals
-        e = -np.log10([r for r in history if 1e-13 < r < 1e-1])
-        assert len(e) >= 2, history
-        assert e[-1] > 1.7 * e[-2] or e[-1] > 9.5 + 0.5 * e[-2], history
-        assert len(history) <= 8
+    frame = hook(section=section)
+    (history,) = frame.under_loads({TIP: LOAD}, [1.0], follower=follower).residuals
+    e = -np.log10([r for r in history if 1e-13 < r < 1e-1])
+    assert len(e) >= 2, history
+    assert e[-1] > 1.7 * e[-2], history
+    assert len(history) <= 8
 
 
 def test_work_becomes_strain_energy():

@@ -159,3 +159,20 @@ def test_a_deep_arch_reaches_the_load_of_dadeppo_and_schmidt():
     extreme = loads[1] - (loads[2] - loads[0]) ** 2 / 8 / (loads[0] + loads[2] - 2 * loads[1])
     assert point.factor * R**2 / EI == pytest.approx(extreme, rel=2e-5)
     assert extreme == pytest.approx(8.97, abs=0.005)
+
+
+def test_linearised_buckling_of_a_bent_arch_does_not_depend_on_its_axial_stiffness():
+    """A thin two-hinged half circle under a load at its crown bends before it buckles."""
+
+    def arc(x):
+        return -np.cos(np.pi * x), np.sin(np.pi * x)
+
+    points, elements = chain((arc, 24))
+    loads = []
+    for EA in (1e5, 1e7, 1e9):
+        frame = LargeFrame(
+            points, elements, sections=Section(EA=EA, EI=1.0, GA=EA),
+            supports={0: "xy", 48: "xy"},
+        )  # fmt: skip
+        loads.append(frame.linear_buckling({24: (0, -1, 0)})[0][0])
+    np.testing.assert_allclose(loads, loads[-1], rtol=1e-3)
