@@ -37,7 +37,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Head = Literal["free", "hinged", "guided"]
 
-POINTS = 8  # on each leaf and arc
+POINTS = 6  # on each leaf and arc
 TURN, COUPLE, F_X, F_Y = range(4)  # the head's rotation and what it exerts
 CONVERGED, ITERATIONS = 1e-12, 30  # of the rotations [rad]
 HELD_OFF = {  # what the head can have, where its movement along x is given
@@ -125,6 +125,20 @@ class Elastica:
         """The state under a dead force (F_x, F_y) and couple on a free head, found from `near`."""
         P = np.array([near.head[TURN], couple, *F])
         return self._solve(near.psi, P, (TURN,), (0,), np.zeros(3))
+
+    def linear_load(self) -> float:
+        r"""Force along x at which a free head's spring buckles if it does not deform before.
+
+        1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`, where psi
+        vanishes at the tail and c is the cosine of the centre line's angle, with what the strips'
+        own strains under F add to it.
+        """
+        cos, sin, F = np.cos(self.phi), np.sin(self.phi), 0.0
+        for _ in range(3):  # F/EA is small
+            c = cos + F * (self._stretch * sin**2 + self._shear * cos**2)
+            operator = (self._wS - self._SS) * c / self.EI
+            F = float(1 / np.linalg.eigvals(operator).real.max())
+        return F
 
     def _solve(
         self, psi: Array, P: Array, columns: tuple[int, ...], rows: tuple[int, ...], moved: Array

@@ -26,13 +26,14 @@ from verify.cases.ring_loads import INNER, OUTER
 from verify.cases.ring_loads_map import MAP
 from verify.cases.ring_rotation import ROTATION
 from verify.cases.spring_accordion import ACCORDION
+from verify.cases.spring_buckling import BUCKLING
 from verify.cases.spring_continuum import CONTINUUM
 from verify.cases.spring_stages import STAGES
 
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
-    ACCORDION, CONTINUUM, STAGES,
+    ACCORDION, CONTINUUM, STAGES, BUCKLING,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
 )  # fmt: skip

@@ -1,0 +1,323 @@
+"""An accordion spring that gives way sideways: Haringx's column, the elastica, finite elements."""
+
+import math
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from analytic.spring import column, frame, stability
+from analytic.spring.elastica import Elastica
+from verify.case import Case, Context, Output, Values
+from verify.cases import spring_buckling_shown as shown
+from verify.cases.spring_buckling_fem import SWEPT, fem
+from verify.cases.spring_buckling_inputs import DRIFT, MANY, RATIO, TAILS, BucklingInputs
+from verify.cases.spring_inputs import strip_of
+from verify.cases.spring_shown import sketch
+from verify.checks import Accepted, Approximation, Identity, Limit, Order
+
+MOST = 24  # segments of an elastica that a check has time for
+SEARCHED = np.linspace(0.05, 0.75, 15)  # of the free length, for critical points
+SPREAD = 0.005  # of U_cr over a fourfold thickness
+HINGED_TO = 0.7  # of the free length
+NOISE = 1e-5  # rounding of finite elements of slender springs, times what it is seen as
+
+
+def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
+    EA = q.E * q.h * q.b
+    GA = 5 / 6 * EA / (2 * (1 + q.nu))
+    return Elastica(frame.pieces(**q.path, tail=tail), EI=EA * q.b**2 / 12, EA=EA, GA=GA)
+
+
+@lru_cache(maxsize=8)
+def gives_way(q: BucklingInputs, tail: frame.Tail) -> Values:
+    """Where the head of the elastica gives way, and how it drifts before; empty where it does not.
+
+    Small steps first, since slender springs give way early.
+    """
+    line = elastica(q, tail)
+    load = line.linear_load()
+    start = load * _flexibility(q, tail) / q.length
+    steps = np.concatenate([min(start, 0.05) * np.linspace(0.5, 1.5, 3), SEARCHED])
+    found = stability.critical(line, "free", np.unique(steps) * q.length)
+    if found is None:
+        return {}
+    values = {f"U_cr, {tail}": found.U, f"F_cr, {tail}": found.F}
+    values[f"F_lin, {tail}"] = load
+    values[f"k_y, {tail}"] = stability.lateral_stiffness(line.unloaded())
+    state = line.unloaded()
+    for share in sorted({*np.linspace(0.2, 0.8, 4), *DRIFT}):
+        state = line.pushed((share * q.P, 0.0), state)
+        if share in DRIFT:
+            values[f"drift {share:g} P, {tail}"] = state.drift
+    return values
+
+
+def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
+    return 1 / frame.stiffness(**q.path, **strip_of(q), head="guided", tail=tail, theory="shear")
+
+
+def analytic(q: BucklingInputs) -> Values:
+    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **strip_of(q))
+    values = {
+        "unit turn": float(1 / unit.turn), "unit axial": float(1 / unit.axial),
+        "unit lateral": float(1 / unit.lateral), "L": q.length,
+    }  # fmt: skip
+    heads: tuple[column.Head, ...] = ("free", "hinged", "guided")
+    for head in heads:
+        xi = float(column.critical_shortening(head, **q.path, b=q.b, nu=q.nu))
+        if math.isfinite(xi):
+            values[f"Haringx U, {head}"] = xi * q.length
+            values[f"Haringx F, {head}"] = float(
+                column.critical_force(head, **q.path, **strip_of(q))
+            )
+    if q.n <= MOST:
+        for tail in TAILS:
+            values |= gives_way(q, tail)
+    if q.F is not None:
+        values["deflection"] = q.F / frame.stiffness(
+            **q.path, **strip_of(q), head="guided", tail="arc", theory="shear"
+        )
+    return values
+
+
+def too_large(q: BucklingInputs) -> str:
+    if q.n > MOST:
+        return (
+            f"n = {q.n} segments are more than {MOST}: the elastica takes too long; Haringx's "
+            "column is right within 3 % there, check it without --fem"
+        )
+    heads = math.isfinite(float(column.critical_shortening("free", **q.path, b=q.b, nu=q.nu)))
+    if heads and all(gives_way(q, tail) for tail in TAILS):
+        return ""
+    return (
+        "this spring is too short to give way sideways before its leaves meet: there is nothing "
+        "to compare, check it without --fem"
+    )
+
+
+def end_effect(tail: frame.Tail) -> Callable[[Any, Values], tuple[float, float]]:
+    """Haringx's column over the elastica: ends that are no units, known to a tenth of itself."""
+
+    def interval(_: Any, v: Values) -> tuple[float, float]:
+        m = v["Haringx U, free"] / v[f"U_cr, {tail}"] - 1
+        return m - 0.1 * abs(m) - 1e-4, m + 0.1 * abs(m) + 1e-4
+
+    return interval
+
+
+def swept(context: Context, name: str) -> Any:
+    """An array of the level on which sweeps are made."""
+    return next(r.arrays[name] for r in context.fem if name in r.arrays)
+
+
+def spread(context: Context) -> tuple[float, float, str]:
+    """What is left of half a per cent in U_cr over thicknesses on one centre line."""
+    b, U, _ = swept(context, "by b").T
+    apart = float(np.ptp(U) / U.mean())
+    z = context.inputs.length / b
+    return (SPREAD - apart, NOISE,
+            f"{apart:.2%} while L_0/b falls from {z[0]:.0f} to {z[-1]:.0f}")  # fmt: skip
+
+
+def by_cube(context: Context) -> tuple[list[float], list[float]]:
+    b, _, F = swept(context, "by b")[::-1].T
+    return b.tolist(), F.tolist()
+
+
+def one_ratio(context: Context) -> tuple[float, float, str]:
+    """How much more than a factor of five U_cr/L_0 of springs with the same L_0/b differs."""
+    xi = swept(context, "same ratio")
+    return (float(xi.max() / xi.min() - 5), 0.01,
+            f"U_cr/L_0 from {xi.min():.2%} to {xi.max():.1%} at L_0/b = {RATIO:g}")  # fmt: skip
+
+
+def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
+    """The least determinant of a free head's path over that at rest: zero at a critical point."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        F, U, _, left = swept(context, f"free, {tail}").T
+        k = int(left.argmin())
+        share = U[-1] / context.inputs.length
+        return float(left[k]), 1e-3, (
+            f"{left[k]:.1%} of the determinant is left at {F[k]:.3g} N, none is lost up to "
+            f"{share:.0%} of the length"
+        )  # fmt: skip
+
+    return margin
+
+
+def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
+    """The same of a hinged head on the guided path."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        left = swept(context, f"guided, {tail}")[:, 3]
+        return float(left.min()), 1e-3, f"{left.min():.0%} of the determinant is left"
+
+    return margin
+
+
+def many_units(context: Context) -> tuple[list[float], list[float], list[float]]:
+    """Haringx over finite elements with more and more units, over the shortening itself.
+
+    The ends that are no units are 1/n of the spring, and the shortening is as 1/n^2.
+    """
+    q = context.inputs
+    xi = column.critical_shortening("free", **q.path | {"n": np.array(MANY)}, b=q.b, nu=q.nu)
+    d = xi / swept(context, "many") - 1
+    return xi.tolist(), d.tolist(), (NOISE * (np.array(MANY) / 10) ** 2).tolist()
+
+
+def warnings(q: BucklingInputs, v: Values) -> Sequence[str]:
+    found = []
+    if (free := v.get("Haringx U, free")) is None:
+        return ["too short to give way sideways, whatever holds the head"]
+    if q.F is not None:
+        U, least = v["deflection"], min(free, *(v.get(f"U_cr, {t}", free) for t in TAILS))
+        for head, limit in (("free", least), ("hinged", v.get("Haringx U, hinged"))):
+            if limit is not None and limit < U:
+                found.append(
+                    f"F = {q.F:g} N compresses by {U * 1e3:.3g} mm; a head that is {head} gives "
+                    f"way at {limit * 1e3:.3g} mm: it needs a guide"
+                )
+    if q.n > MOST:
+        found.append(f"more than {MOST} segments: by Haringx's column alone")
+    return found
+
+
+WHERE: dict[frame.Tail, str] = {"arc": "tail held at its arc", "mid-leaf": "tail held at mid-leaf"}
+CHECKS = (
+    *(
+        Identity(name=f"stiffness of a middle unit, {what}", symbol=symbol, unit=unit,
+                 analytic=f"unit {key}", fem=f"unit {key}", formal=4, demand=5e-4,
+                 demand_reason="one unit, a few curved elements")
+        for key, symbol, unit, what in (
+            ("turn", "1/a_B", "N m", "against a couple"),
+            ("axial", "1/a_C", "N/mm", "along"), ("lateral", "1/a_S", "N/mm", "across"),
+        )
+    ),
+    *(
+        Identity(name=f"{what}, {where}", symbol=symbol, unit=unit, analytic=f"{key}, {tail}",
+                 fem=f"{key}, {tail}", formal=4, demand=1e-3,
+                 demand_reason="exact elastica and exact beam")
+        for tail, where in WHERE.items()
+        for key, symbol, unit, what in (
+            ("U_cr", "U_cr", "mm", "displacement at which a free head gives way"),
+            ("F_cr", "F_cr", "N", "force at which a free head gives way"),
+            ("F_lin", "F_lin", "N", "linear buckling load of the undeformed spring"),
+            ("k_y", "k_y", "N/mm", "lateral stiffness of the guided head, unloaded"),
+            *((f"drift {share:g} P", "u_y", "mm", f"drift of a free head under {share:g} P")
+              for share in DRIFT),
+        )
+    ),
+    *(
+        Approximation(name=f"Haringx's column, {where}", symbol="U_cr", unit="mm",
+                      analytic="Haringx U, free", fem=f"U_cr, {tail}", formal=4,
+                      interval=end_effect(tail), demand=0.02,
+                      source="the elastica of the whole spring, within a tenth of the difference",
+                      demand_reason="a tenth of the end effect on both sides")
+        for tail, where in WHERE.items()
+    ),
+    Limit(name="Haringx's column with ever more units, tail held at its arc", symbol="U_cr",
+          unit="1", points=many_units, exponent=0.5),
+    Order(name="buckling force over thickness", symbol="q", unit="1", errors=by_cube, order=3,
+          demand=0.005, demand_reason="tells a cube from what strain and shear do to it"),
+    Accepted(name="U_cr is the same for a fourfold thickness on one centre line", symbol="U_cr",
+             unit="1", margin=spread, printed=("wang2023:rule-length-thickness-max",)),
+    Accepted(name="springs of one L_0/b give way at displacements that differ fivefold",
+             symbol="U_cr/L_0", unit="1", margin=one_ratio,
+             printed=("wang2023:rule-length-thickness-max",)),
+    *(
+        Accepted(name=f"a free head drifts without a critical point, {where}", symbol="det",
+                 unit="1", margin=stays(tail))
+        for tail, where in WHERE.items()
+    ),
+    *(
+        Accepted(name=f"a hinged head does not give way up to {HINGED_TO:.0%} of L_0, {where}",
+                 symbol="det", unit="1", margin=hinged(tail))
+        for tail, where in WHERE.items()
+    ),
+)  # fmt: skip
+
+BUCKLING = Case(
+    id="spring-buckling",
+    title="Accordion spring that gives way sideways",
+    paper="wang2023",
+    place="Sec. 3, Eq. 13, Fig. 11 (lateral displacement)",
+    lead="How far a spring can be pressed before only a guide keeps its head in line: Haringx's "
+    "column of the spring's own units, the exact elastica of its leaves and arcs, and "
+    "geometrically exact beams.",
+    inputs=BucklingInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=(4, SWEPT, 16),
+    checks=CHECKS,
+    outputs=(
+        Output(
+            key="U_cr, arc",
+            symbol="U_cr",
+            unit="mm",
+            what="a free head gives way, tail held at its arc",
+        ),
+        Output(key="F_cr, arc", symbol="F_cr", unit="N", what="the force there"),
+        Output(
+            key="U_cr, mid-leaf",
+            symbol="U_cr",
+            unit="mm",
+            what="a free head gives way, tail held at mid-leaf",
+        ),
+        Output(key="F_cr, mid-leaf", symbol="F_cr", unit="N", what="the force there"),
+        Output(
+            key="Haringx U, free",
+            symbol="U_cr",
+            unit="mm",
+            what="a free head gives way, by Haringx's column",
+        ),
+        Output(key="Haringx F, free", symbol="F_cr", unit="N", what="the force there"),
+        Output(
+            key="Haringx U, hinged",
+            symbol="U_cr",
+            unit="mm",
+            judged=False,
+            what="a hinged head gives way, by Haringx's column",
+        ),
+        Output(
+            key="Haringx U, guided",
+            symbol="U_cr",
+            unit="mm",
+            judged=False,
+            what="a guided spring gives way between its ends, by Haringx's column",
+        ),
+        Output(
+            key="k_y, arc",
+            symbol="k_y",
+            unit="N/mm",
+            what="lateral stiffness of the guided head, unloaded",
+        ),
+        Output(
+            key="deflection",
+            symbol="U_w",
+            unit="mm",
+            judged=False,
+            what="displacement at F, head guided, small displacements",
+        ),
+    ),
+    readings=(
+        "a free head: the force keeps its direction and acts at O, which moves sideways and turns",
+        "gives way: pressed with its head guided and let go, the head can move without a change "
+        "of load; what the guide exerted stays as a dead load",
+        "r is the inner radius: the centre line of the arcs has r + b/2",
+    ),
+    assumptions=(
+        "leaves do not touch: the paper's spring gives way before they do",
+        "narrow strip: E I without 1 − ν², which forces carry and displacements do not",
+        "tail clamped, at the end of its arc or in the middle of its leaf",
+    ),
+    warnings=warnings,
+    too_large=too_large,
+    equations=shown.equations,
+    tables=shown.tables,
+    sketch=sketch,
+    figures=shown.figures,
+)
