@@ -75,9 +75,9 @@ def candidates(out):
 
 
 def matches(line, inputs):
-    names = ("b [mm]", "L1 [mm]", "r [mm]")
-    si = (inputs.b, inputs.L1, inputs.r)
-    close = (abs(float(line[n]) - 1e3 * v) < 1e-9 for n, v in zip(names, si, strict=True))
+    names = ("b [mm]", "L1 [mm]", "r [mm]", "alpha [deg]")
+    own = (1e3 * inputs.b, 1e3 * inputs.L1, 1e3 * inputs.r, np.degrees(inputs.alpha))
+    close = (abs(float(line[n]) - v) < 1e-6 for n, v in zip(names, own, strict=True))
     return int(line["n"]) == inputs.n and all(close)
 
 
