@@ -80,6 +80,7 @@ class LargeFrame:
         self.held = held_components(len(self.points), supports)
         self.terms = tuple(terms)
         self._sections, self._supports, self._bodies = sections, supports, bodies
+        self._reached: State | None = None  # what the terms remember
 
     def rest(self) -> State:
         """The reference state, without load; terms forget their history."""
@@ -87,7 +88,8 @@ class LargeFrame:
         u = np.zeros((n, 3), np.longdouble)
         for term in self.terms:
             term.start(np.column_stack([self.points, np.zeros(n)]))
-        return State(0.0, u, nothing(n), self.held, np.zeros(3 * n), 0.0)
+        self._reached = State(0.0, u, nothing(n), self.held, np.zeros(3 * n), 0.0)
+        return self._reached
 
     def under_loads(
         self,
@@ -102,7 +104,8 @@ class LargeFrame:
 
         `loads`: node to dead force (x, y) and couple; `follower`: node to a force that turns
         with it, as it points at rest; `distributed`: element to dead force (x, y) per reference
-        length. With `since` (the last state of a path) they add to what that state bears.
+        length. With `since` (a state of another path) they add to what that state bears; terms
+        remember the last state of the last path only.
 
         Raises
         ------
@@ -169,7 +172,7 @@ class LargeFrame:
         pattern = loading(self.elements, loads, follower, distributed).plus(1.0, moving)
         march = self._march(pattern, self.held | held, since)
         start = march.state
-        return Path(start, collect(follow(march, first, largest), steps, until), pattern)
+        return self._end(Path(start, collect(follow(march, first, largest), steps, until), pattern))
 
     def buckling(self, path: Path) -> tuple[CriticalPoint, ...]:
         """Limit points and bifurcations between the states of a path, with their modes.
@@ -231,11 +234,17 @@ class LargeFrame:
             raise ValueError(f"factors must be finite numbers, got {wanted}")
         march = self._march(pattern, held, since)
         start = march.state
-        return Path(start, tuple(march.reach(factor) for factor in wanted), pattern)
+        return self._end(Path(start, tuple(march.reach(f) for f in wanted), pattern))
 
     def _march(self, pattern: Loading, held: Mask, since: State | None) -> March:
-        start = (since or self.rest()).at(0.0)
+        if self.terms and since is not None and since is not self._reached:
+            raise ValueError("terms remember one path: go on from its last state, or from rest")
+        start, self._reached = (since or self.rest()).at(0.0), None
         start = replace(start, held=start.held | held)
         if not self.terms:
             check_rigid_motions(self.points, self.elements.nodes, ~start.held)
         return March(self._balance(start, pattern, start.held), start)
+
+    def _end(self, path: Path) -> Path:
+        self._reached = path.last
+        return path

@@ -2,8 +2,8 @@
 
 The arc is the root mean square over the nodes of displacement (by the frame's size) and rotation
 (Crisfield's cylinder: the factor takes no part). Its equation is linearised in each iteration
-(Ramm, Wriggers & Simo), so there are no two roots to choose from; the way on is the one that
-turns by less than 90 deg from the last step.
+(Ramm, Wriggers & Simo), so there are no two roots to choose from; a step that turns by more
+than 60 deg from the tangent, 90 deg where terms have kinks, is repeated in smaller ones.
 """
 
 import math
@@ -27,6 +27,7 @@ class Arc:
 
     size: float
     weights: Array
+    kink = 2.0  # a right angle
 
     def correct(self, moved: Array, step: Array, push: Array) -> float:
         along = self.weights * moved

@@ -1,5 +1,6 @@
 """Steps along a path of equilibrium: predictor, Newton, halving, work."""
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,6 +19,7 @@ class Given:
     """Control by a given change of the factor."""
 
     change: float
+    kink = math.inf
 
     def correct(self, moved: Array, step: Array, push: Array) -> float:  # noqa: ARG002
         return 0.0
@@ -30,21 +32,13 @@ class March:
     """Goes from one state in equilibrium to the next; nothing changes where a step fails."""
 
     def __init__(self, balance: Balance, start: State) -> None:
-        self.balance, self.state = balance, start
-        self._look()
+        self.balance = balance
+        self._look(start)
+        self.state = replace(start, negative=self.tangent.negative)
 
-    def _look(self) -> None:
-        """Tangent at the present state."""
-        here = self.state
+    def _look(self, here: State) -> None:
         self.response: Response = self.balance.respond(here.exact, here.factor)
         self.tangent: Tangent = self.balance.factorise(here.exact, self.response.K)
-        self.state = replace(
-            here,
-            negative=self.tangent.negative,
-            internal=self.response.internal,
-            strain_energy=self.response.strain_energy,
-            term_energy=self.response.term_energy,
-        )
 
     def step(self, change: float, control: Control, *, crossing: bool = True) -> State:
         """The state after a predicted `change` of the factor.
@@ -62,7 +56,7 @@ class March:
             tangent = balance.factorise(u, found.K)
             if tangent.negative != before.negative and not crossing:
                 raise ConvergenceError("the step crosses a critical point or leaves the branch")
-            if not balance.terms and self._leaps(u, predicted):  # terms may have kinks
+            if self._strayed(u, predicted) > (control.kink if balance.terms else 1.0):
                 raise ConvergenceError("the step leaps to another branch")
         except ConvergenceError:
             for term in balance.terms:
@@ -77,10 +71,9 @@ class March:
             found.strain_energy, found.term_energy,
             sum(term.dissipated for term in balance.terms), work, residuals, 1, tangent.negative,
         )  # fmt: skip
-        if balance.terms:
-            self._look()
-        else:
-            self.response, self.tangent = found, tangent
+        self.response, self.tangent = found, tangent
+        if balance.terms:  # with another history they may answer otherwise
+            self._look(self.state)
         return self.state
 
     def reach(self, factor: float) -> State:
@@ -109,11 +102,12 @@ class March:
                 return self.state
             size *= 2 if good > 1 else 1
 
-    def _leaps(self, u: Extended, predicted: Array) -> bool:
-        """Whether the step went farther from its prediction than the prediction is long."""
+    def _strayed(self, u: Extended, predicted: Array) -> float:
+        """How far the step is from its prediction, relative to that one's length; squared."""
         off = (u - self.state.exact).astype(float).ravel() - predicted
         weights = self.balance.weights
-        return float(weights * off @ off) > float(weights * predicted @ predicted)
+        size = float(weights * predicted @ predicted)
+        return float(weights * off @ off) / size if size else 0.0
 
     def _work(self, moved: Array, control: Control, found: Response, tangent: Tangent) -> float:
         """Work of all nodal forces over a step: cubics through forces and displacements."""

@@ -41,6 +41,7 @@ class _Plane:
 
     normal: Array
     progress: float
+    kink = math.inf
 
     def correct(self, moved: Array, step: Array, push: Array) -> float:
         missing = self.progress - float(self.normal @ (moved + step))

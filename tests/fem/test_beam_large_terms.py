@@ -101,6 +101,13 @@ def test_a_path_goes_on_with_the_history_of_its_terms():
     assert back.reactions[1, 0] == pytest.approx(50 * 0.08 + 2.0 - 2.0, rel=1e-9)
 
 
+def test_a_state_that_the_terms_have_forgotten_is_refused():
+    frame = bar(Slider(1, 100.0, 2.0, 6))
+    path = frame.displaced({1: {"x": 0.1}}, [0.5, 1.0])
+    with pytest.raises(ValueError, match="terms remember one path: go on from its last state"):
+        frame.under_loads({1: (1.0, 0, 0)}, [1.0], since=path.states[0])
+
+
 def test_steps_that_are_taken_back_leave_no_history():
     """A strip rolled up in one step, too much for Newton's method, slips as in small steps."""
     x = np.linspace(0, 1, 21)
