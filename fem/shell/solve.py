@@ -23,6 +23,7 @@ from fem.shell.supports import (
     check_rigid_motions,
     held_values,
     reduced_numbers,
+    tied_unknowns,
 )
 
 MAX_CORRECTIONS = 60
@@ -61,7 +62,7 @@ def solve_shell(
         Edges (k, 3) of two ends and the middle, and cells, by name.
     ties
         Boundary name to components that all its nodes share: "x" for a rigid line that moves
-        along x.
+        along x. Where a support holds one of them, it holds all.
     edge_loads
         Boundary name to force per length; three numbers or f(x) of points (3, ...).
     pressures, surface_loads
@@ -86,7 +87,8 @@ def solve_shell(
         raise ValueError(f"thickness must be positive, got {t[~(t > 0)][0]:g}")
     chosen = _by_cell(len(cells), materials, bodies, "material")
     held = held_values(supports, boundaries, len(points))
-    number, pairs = reduced_numbers(held, ties or {}, boundaries)
+    pairs = tied_unknowns(ties or {}, boundaries, len(points))
+    number, held = reduced_numbers(held, pairs)
     check_rigid_motions(points, cells, held, pairs)
     f = (
         edge_forces(points, boundaries, edge_loads or {})

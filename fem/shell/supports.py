@@ -51,31 +51,34 @@ def held_values(supports: Named, boundaries: Boundaries, count: int) -> Array:
     return values.ravel()
 
 
-def reduced_numbers(
-    held: Array, ties: Mapping[str, str], boundaries: Boundaries
-) -> tuple[Indices, Indices]:
-    """Number of the free unknown behind each (6 nodes,), -1 where held; nodes' mutual links.
-
-    `ties` names the components that all nodes of a boundary share. The links (2, k) are pairs of
-    unknowns that are one.
-    """
-    count = held.size // 6
-    links = [np.empty((2, 0), int)]
+def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -> Indices:
+    """Pairs (2, k) of unknowns that are one: `ties` names components that a boundary shares."""
+    pairs = [np.empty((2, 0), int)]
     for name, components in ties.items():
         nodes = nodes_of(name, boundaries, count)
         for component in components:
             own = 6 * nodes + place(component, name)
-            if not np.isnan(held[own]).all():
-                raise ValueError(f"{name!r}: {component} is tied and held at once")
-            links.append(np.array([np.full(own.size - 1, own[0]), own[1:]]))
-    pairs = np.hstack(links)
+            pairs.append(np.array([np.full(own.size - 1, own[0]), own[1:]]))
+    return np.hstack(pairs)
+
+
+def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
+    """Number of the free unknown behind each (6 nodes,), -1 where held; and what holds each.
+
+    Where one of several tied unknowns is held, all of them are.
+    """
     graph = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), shape=(held.size, held.size))
     groups, group = connected_components(graph, directed=False)
-    free = np.zeros(groups, bool)
-    free[group[np.isnan(held)]] = True
+    fixed = ~np.isnan(held)
+    value = np.full(groups, np.nan)
+    value[group[fixed]] = held[fixed]
+    if np.any(differ := value[group[fixed]] != held[fixed]):
+        node, column = divmod(int(np.flatnonzero(fixed)[differ][0]), 6)
+        raise ValueError(f"node {node}: {COMPONENTS[column]} is tied to one held at another value")
+    free = np.isnan(value)
     number = np.full(groups, -1)
     number[free] = np.arange(free.sum())
-    return number[group], pairs
+    return number[group], value[group]
 
 
 def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indices) -> None:

@@ -98,6 +98,16 @@ def test_tied_nodes_move_as_one_and_the_rest_is_softer_without():
     assert free.strain_energy > tied.strain_energy
 
 
+def test_a_node_holds_those_that_are_tied_to_it():
+    mesh = panel()
+    load = {"edge": (0.0, -1e3, 0.0)}
+    one = solve(
+        mesh, edge_loads=load, ties={"head": "y"}, supports=CLAMP | {mesh.nodes["head"]: "y"}
+    )
+    every = solve(mesh, edge_loads=load, supports=CLAMP | {"head": "y"})
+    np.testing.assert_allclose(one.u, every.u, atol=1e-12 * np.abs(every.u).max())
+
+
 def test_millimetres_and_megapascals_say_the_same():
     mesh = panel()
     load = (0.0, -1e3, 500.0)

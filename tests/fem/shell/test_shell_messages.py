@@ -48,7 +48,10 @@ LOST = np.vstack([GRID.points, [9.0, 9.0, 9.0]])
         ),
         ({"supports": {}}, "the shell can move rigidly"),
         ({"supports": {"u=0": "xyz"}}, r"can move rigidly \(.*turn about y\): support it against"),
-        ({"ties": {"u=0": "x"}}, "'u=0': x is tied and held at once"),
+        (
+            {"supports": {"u=0": "xyzabc", 14: {"x": 1.0}}, "ties": {"v=1": "x"}},
+            r"node \d+: x is tied to one held at another value",
+        ),
         ({"ties": {"u=2": "x"}}, "no boundary 'u=2'"),
         ({"edge_loads": {"u=2": (0, 0, 1)}}, "no boundary 'u=2'"),
         ({"edge_loads": {"u=1": (0, 1)}}, "'u=1': a load has three components"),
