@@ -16,6 +16,7 @@ import numpy as np
 from verify import cache, environment, units
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
+from verify.design.inputs import CASE as DESIGN
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.results import CaseResult, Report, Status
 from verify.run import Job
@@ -123,6 +124,8 @@ def load(path: Path) -> tuple[str, Case, Inputs, Values]:
     try:
         case = find(case_id)
     except ValueError as error:
+        if case_id == DESIGN:
+            raise InputError(f"{path}: case: a task for freewheel design") from error
         raise InputError(f"{path}: case: {error}") from error
     inputs = build(case.inputs, raw, str(path))
     try:

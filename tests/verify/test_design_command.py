@@ -175,6 +175,11 @@ def test_a_place_that_cannot_be_written_is_told_before_the_work(tmp_path, capsys
     assert "cannot be written" in capsys.readouterr().err
 
 
+def test_check_sends_a_design_task_to_the_right_command(tmp_path, capsys):
+    assert run(["check", str(task(tmp_path))]) == 2
+    assert "a task for freewheel design" in capsys.readouterr().err
+
+
 # What finite elements decide
 
 

@@ -20,13 +20,14 @@ NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by 
 class Curve:
     """Displacements and forces `U`, `F` (k,) [m, N] from the origin on.
 
-    `touches` [m] is the first of them at which leaves touch, inf where they don't; the curve ends
-    early where no equilibrium was found.
+    `touches` [m] is the first of them at which leaves touch, inf where they don't; it is not
+    `whole` where no equilibrium was found up to the stroke.
     """
 
     U: Array
     F: Array
     touches: float
+    whole: bool = True
 
     def force(self, U: float) -> float:
         """Force [N] at U, NaN beyond the curve's end."""
@@ -73,4 +74,4 @@ def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) ->
         F.append(float(state.reactions[head, 0]))
         if any(contact.record.normal.size for contact in contacts):
             touches = min(touches, U[-1])
-    return Curve(np.array(U), np.array(F), touches)
+    return Curve(np.array(U), np.array(F), touches, whole=U[-1] >= stroke)

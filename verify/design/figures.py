@@ -8,6 +8,7 @@ import numpy as np
 from reports.design import Picture
 from reports.design_plots import Bars, Parallel, Region
 from verify import units
+from verify.design.compressed import PARTS
 from verify.design.front import scaled
 from verify.design.outcome import Outcome
 from verify.design.records import violations
@@ -132,7 +133,16 @@ def curve(outcome: Outcome) -> Curves:
             share = (1 + sign * q.b_tolerance / float(s.springs.b[i])) ** 3
             name = "with the strip's tolerance" if sign == 1 else ""
             drawn.append(Curve(name=name, x=U * 1e3, y=F * share, style="dashes", colour=0))
+    touching = ""
     if (large := outcome.curve) is not None:
+        if np.isfinite(large.touches):
+            before = large.touches - U_w / PARTS
+            touching = (
+                f" By finite elements they touch between {before * 1e3:.4g} and "
+                f"{large.touches * 1e3:.4g} mm."
+            )
+        if not large.whole:
+            touching += " Their curve ends where they find no equilibrium."
         name = "finite elements, large displacements"
         drawn.append(Curve(name=name, x=large.U * 1e3, y=large.F, style="dots", colour=1))
     drawn.append(
@@ -142,5 +152,5 @@ def curve(outcome: Outcome) -> Curves:
         title="Force over displacement of the chosen spring", x_label="U [mm]", y_label="F [N]",
         curves=tuple(drawn),
         note=f"Leaves touch at U_A = {U_A * 1e3:.4g} mm, F_A = {F_A:.4g} N by the closed form, "
-        f"k_1 = {k1 / 1e3:.4g} N/mm before and k_2 = {k2 / 1e3:.4g} N/mm after.",
+        f"k_1 = {k1 / 1e3:.4g} N/mm before and k_2 = {k2 / 1e3:.4g} N/mm after." + touching,
     )  # fmt: skip

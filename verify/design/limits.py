@@ -88,7 +88,7 @@ def limits(s: Springs, f: Formulas, q: Demands) -> Judged:
               value=f.L0, bound=q.wedge, source="Fig. 12"),
         Limit(key="margin", what="room to point A, where leaves touch", symbol="U_A/U_w − 1",
               unit="%", value=_over(f.U_A, f.U_w), bound=1 + q.margin,
-              source="closed form of stage OA", least=True, offset=1.0),
+              source="closed form", least=True, offset=1.0),
         Limit(key="sigma", what="bending stress at F_w", symbol="σ", unit="MPa",
               value=f.stress, bound=q.sigma, source="curved bar"),
     ]  # fmt: skip
