@@ -5,8 +5,9 @@ onset e = stiffness x `rounding` so that Newton's method sees no kink:
 
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
-Friction sticks by a tangential penalty and slides at |T| = friction x N. `settle` moves both
-forces into the multipliers until neither penetration nor elastic slip exceeds `allowed`.
+Friction sticks by a tangential penalty and slides at |T| = friction x N. Which places stick and
+which slide in what way stands while Newton's method runs; `settle` mends it in between, and moves
+both forces into the multipliers until neither penetration nor elastic slip exceeds `allowed`.
 """
 
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ from fem.beam.touching_touch import Touch, outer
 ROUNDING = 2e-5  # of the thickness
 ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no settling
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
+STICKS = 2.0  # beside -1 and 1, the ways to slide, and 0, not known yet
+SLACK = 1e-9  # relative, of the friction's limit and of the allowed slip
 TANGENTIAL = 0.5  # of the normal stiffness
 
 
@@ -45,8 +48,8 @@ class Law:
         self.start()
 
     def start(self) -> None:
-        self.normal, self.tangential = np.zeros((2, self.stiffness.size))
-        self.kept = self.normal, self.tangential
+        self.normal, self.tangential, self.way = np.zeros((3, self.stiffness.size))
+        self.kept = self.normal, self.tangential, self.way
 
     def pressing(self, slot: NDArray[np.int64], gap: Array) -> NDArray[np.bool_]:
         """Whether a gap is small enough for a force."""
@@ -67,10 +70,10 @@ class Law:
         if not self.friction:
             none = np.zeros_like(N)
             return Answer(energy, force, K, N, none, none > 0)
-        trial = self.tangential[touch.slot] + TANGENTIAL * k * touch.slip
-        stick = np.abs(trial) < self.friction * N
-        way = np.sign(trial)
-        T = np.where(stick, trial, way * self.friction * N)
+        way = self.way[touch.slot]
+        stick = way == STICKS
+        way = np.where(stick, 0.0, way)
+        T = np.where(stick, self._trial(touch), way * self.friction * N)
         dT = np.where(
             stick[:, None],
             TANGENTIAL * k[:, None] * touch.slipping,
@@ -82,15 +85,32 @@ class Law:
         return Answer(energy, force, K, N, T, stick)
 
     def settle(self, touch: Touch, answer: Answer) -> bool:
-        """Take the forces as multipliers where the gaps or the stick are off; True if they were."""
+        """Mend what sticks, and multipliers where gaps or stick are off; True if anything was."""
         off = np.abs(touch.gap)[answer.normal > self.onset[touch.slot]].max(initial=0.0)
         crept = np.where(answer.sticking, np.abs(touch.slip), 0.0).max(initial=0.0)
-        if max(off, crept) < self.allowed:
-            return False
-        self.normal, _ = self._placed(touch, answer)
-        if crept >= self.allowed:
+        mended = self.friction > 0 and self._mend(touch, answer)
+        if off >= self.allowed:
+            self.normal, _ = self._placed(touch, answer)
+        if crept >= self.allowed and not mended:
             _, self.tangential = self._placed(touch, answer)
-        return True
+        return mended or max(off, crept) >= self.allowed
+
+    def _mend(self, touch: Touch, answer: Answer) -> bool:
+        """Whether places stick beyond the friction's limit, slide back or have just come."""
+        before = self.way[touch.slot]
+        trial, limit = self._trial(touch), self.friction * answer.normal
+        over = np.abs(trial) > limit * (1 + SLACK)
+        free = np.where(over, np.sign(trial), STICKS)
+        back = before * touch.slip < -SLACK * self.allowed
+        slides = (before != 0) & (before != STICKS)
+        found = np.where(slides, np.where(back, STICKS, before), free)
+        self.way = np.zeros_like(self.way)
+        self.way[touch.slot] = found
+        return bool((found != before).any())
+
+    def _trial(self, touch: Touch) -> Array:
+        k = TANGENTIAL * self.stiffness[touch.slot]
+        return self.tangential[touch.slot] + k * touch.slip
 
     def accept(self, touch: Touch, answer: Answer) -> float:
         """The step's friction work; from now on slip counts anew and friction goes on from T."""
@@ -99,12 +119,12 @@ class Law:
         _, self.tangential = self._placed(touch, answer)
         pressed = np.zeros(self.stiffness.size, bool)
         pressed[touch.slot] = True
-        self.normal = np.where(pressed, self.normal, 0.0)
-        self.kept = self.normal, self.tangential
+        self.normal, self.way = np.where(pressed, [self.normal, self.way], 0.0)
+        self.kept = self.normal, self.tangential, self.way
         return work
 
     def reject(self) -> None:
-        self.normal, self.tangential = self.kept
+        self.normal, self.tangential, self.way = self.kept
 
     def _placed(self, touch: Touch, answer: Answer) -> tuple[Array, Array]:
         N, T = np.zeros((2, self.stiffness.size))
