@@ -112,14 +112,19 @@ class Elastica:
         zero = np.zeros(4)
         return self._solve(np.zeros_like(self.w), zero, (), (), np.zeros(3))
 
-    def displaced(self, head: Head, U: float, near: Sequence[State]) -> State:
-        """The state at U, found from one or two states in its neighbourhood."""
+    def displaced(
+        self, head: Head, U: float, near: Sequence[State], *, aside: float = 0.0
+    ) -> State:
+        """The state at U, found from one or two states in its neighbourhood.
+
+        A head that is not free is held `aside` of its line, along y [length].
+        """
         psi, P = near[-1].psi, near[-1].head
         if len(near) == 2 and near[1].U != near[0].U:
             share = (U - near[1].U) / (near[1].U - near[0].U)
             psi, P = psi + share * (psi - near[0].psi), P + share * (P - near[0].head)
         held = (0, 1) if head == "free" else (0, 1, 2)
-        return self._solve(psi, P, HELD_OFF[head], held, np.array([0.0, -U, 0.0]))
+        return self._solve(psi, P, HELD_OFF[head], held, np.array([0.0, -U, -aside]))
 
     def pushed(self, F: tuple[float, float], near: State, *, couple: float = 0.0) -> State:
         """The state under a dead force (F_x, F_y) and couple on a free head, found from `near`."""

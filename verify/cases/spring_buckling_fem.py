@@ -120,7 +120,6 @@ def shortening(one: Spring, length: float) -> float:
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
     """Stiffnesses of one middle unit about its centre, clamped at one end."""
     from fem.beam.curved import solve_curved_frame
-    from fem.beam.section import Section
     from meshes.spring.path import accordion
 
     one = spring(q, q.path | {"tail": "arc"}, q.b, level)
@@ -132,14 +131,12 @@ def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
     points = line.points[nodes]
     start, end = (int(np.hypot(*(points - at).T).argmin()) for at in ((x0, y0), (x1, y1)))
     p, y = x1 - x0, (y1 - y0) / 2
-    A = q.b * q.h
-    strip = Section(EA=q.E * A, EI=q.E * A * q.b**2 / 12, GA=5 / 6 * q.E / (2 * (1 + q.nu)) * A)
     # unit loads at the centre, carried to the end by a rigid arm
     loads = {"turn": (0, 0, 1.0), "axial": (1.0, 0, y), "lateral": (0, 1.0, -p / 2)}
     found = {}
     for name, load in loads.items():
         solved = solve_curved_frame(
-            points, elements.reshape(own.shape), sections=strip, supports={start: "xyr"},
+            points, elements.reshape(own.shape), sections=one.section, supports={start: "xyr"},
             loads={end: load},
         )  # fmt: skip
         found[f"unit {name}"] = -1 / (2 * solved.potential_energy)

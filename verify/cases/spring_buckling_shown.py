@@ -103,13 +103,14 @@ def _slender(context: Context, found: Array | None) -> Curves:
         on = np.isfinite(xi) & (x < 12)
         curves.append(Curve(name=f"Haringx, {name}", x=x[on], y=100 * xi[on], colour=k))
     if found is not None:
-        for k, ratio in enumerate(MAP_L1):
-            at = np.array([q.length_of(m, ratio * q.L1) / (ratio * q.L1) for m in MAP_N])
-            on = np.isfinite(found[k]) & (at < 12)
-            curves.append(
-                Curve(name=f"FE, free, {ratio:g} L_1", x=at[on], y=100 * found[k][on],
-                      style="dots", colour=k)
-            )  # fmt: skip
+        at = np.array([
+            [q.length_of(m, ratio * q.L1) / (ratio * q.L1) for m in MAP_N] for ratio in MAP_L1
+        ])  # fmt: skip
+        on = np.isfinite(found) & (at < 12)
+        curves.append(
+            Curve(name="FE, head free, leaves of half to double length", x=at[on],
+                  y=100 * found[on], style="dots", colour=0)
+        )  # fmt: skip
     return Curves(
         title="Slenderness at which springs give way", x_label="L_0/L_1", y_label="U_cr/L_0 [%]",
         curves=tuple(curves), y_bottom=0.0, y_top=60.0,
@@ -157,9 +158,9 @@ def _guide(context: Context) -> Curves:
     curves = []
     for k, tail in enumerate(TAILS):
         U, _, k_y, _ = np.asarray(swept(context, f"guided, {tail}")).T
-        curves.append(Curve(name=f"tail held at {tail}", x=U / mm, y=k_y, colour=k))
+        curves.append(Curve(name=f"tail held at {tail}", x=U / mm, y=k_y * mm, colour=k))
     return Curves(
-        title="Lateral stiffness of the guided head", x_label="U [mm]", y_label="k_y [N/m]",
+        title="Lateral stiffness of the guided head", x_label="U [mm]", y_label="k_y [N/mm]",
         curves=tuple(curves), y_bottom=min(float(c.y.min()) for c in curves),
         note="Below zero the spring pushes its roller off the line, and only a guide holds it.",
     )  # fmt: skip

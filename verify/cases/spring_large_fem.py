@@ -39,15 +39,32 @@ class Spring:
     def head(self) -> int:
         return int(self.line.nodes["head"])
 
-    def frame(self, head: str) -> "LargeFrame":
-        """A frame whose head's components in `head` are held ("yr": guided along x)."""
-        from fem.beam.large import LargeFrame
+    @cached_property
+    def section(self) -> Any:
         from fem.beam.section import Section
 
         A, G = self.b * self.h, self.E / (2 * (1 + self.nu))
-        strip = Section(EA=self.E * A, EI=self.E * A * self.b**2 / 12, GA=5 / 6 * G * A)
+        return Section(EA=self.E * A, EI=self.E * A * self.b**2 / 12, GA=5 / 6 * G * A)
+
+    @property
+    def stiffness(self) -> float:
+        """Of a free head along x, at small displacement [force/length]."""
+        from fem.beam.curved import solve_curved_frame
+
+        solved = solve_curved_frame(
+            self.line.points, self.line.elements, sections=self.section,
+            supports={self.line.nodes["tail"]: "xyr"}, loads={self.head: (1.0, 0.0, 0.0)},
+        )  # fmt: skip
+        return -1 / (2 * solved.potential_energy)
+
+    def frame(self, head: str) -> "LargeFrame":
+        """A frame whose head's components in `head` are held ("yr": guided along x)."""
+        from fem.beam.large import LargeFrame
+
         supports = {self.line.nodes["tail"]: "xyr", self.head: head}
-        return LargeFrame(self.line.points, self.line.elements, sections=strip, supports=supports)
+        return LargeFrame(
+            self.line.points, self.line.elements, sections=self.section, supports=supports
+        )
 
     @cached_property
     def guided(self) -> "LargeFrame":
