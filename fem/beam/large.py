@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from fem.beam.large_arc import collect, follow
+from fem.beam.large_balance import Balance
 from fem.beam.large_elements import reference
 from fem.beam.large_loading import (
     Forces,
@@ -23,7 +24,6 @@ from fem.beam.large_loading import (
     nothing,
 )
 from fem.beam.large_march import March
-from fem.beam.large_newton import Balance
 from fem.beam.large_stability import CriticalPoint, critical_points, linear_buckling
 from fem.beam.large_state import Path, State
 from fem.beam.section import (

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from fem.beam.large_balance import ConvergenceError
 from fem.beam.large_march import HALVINGS, March
-from fem.beam.large_newton import ConvergenceError
 from fem.beam.large_state import State
 from fem.beam.section import Array
 

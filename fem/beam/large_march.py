@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from fem.beam.large_balance import Balance, ConvergenceError, Response, Tangent
 from fem.beam.large_elements import Extended
-from fem.beam.large_newton import Balance, Control, ConvergenceError, Response, Tangent
+from fem.beam.large_newton import Control, equilibrium
 from fem.beam.large_state import State
 from fem.beam.section import Array
 
@@ -52,7 +53,9 @@ class March:
             if not float(abs(predicted[2::3]).max()) < 2.0:
                 raise ConvergenceError("the tangent turns a section by more than 2 rad")
             stress = self.response.predict(predicted)
-            u, factor, found, residuals = balance.solve(before, predicted, change, stress, control)
+            u, factor, found, residuals = equilibrium(
+                balance, before, predicted, change, stress, control
+            )
             tangent = balance.factorise(u, found.K)
             if tangent.negative != before.negative and not crossing:
                 raise ConvergenceError("the step crosses a critical point or leaves the branch")

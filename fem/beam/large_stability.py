@@ -8,7 +8,8 @@ from itertools import pairwise
 import numpy as np
 from scipy.sparse.linalg import eigsh
 
-from fem.beam.large_newton import Balance, ConvergenceError, Tangent, reduced
+from fem.beam.large_balance import Balance, ConvergenceError, Tangent, reduced
+from fem.beam.large_newton import equilibrium
 from fem.beam.large_state import Path, State
 from fem.beam.section import Array
 
@@ -100,7 +101,7 @@ def _between(balance: Balance, low: State, high: State, share: float, plane: _Pl
     step, change = share * _moved(low, high), share * (high.factor - low.factor)
     stress = balance.respond(low.exact, low.factor).predict(step)
     try:
-        u, factor, found, _ = balance.solve(low, step, change, stress, plane)
+        u, factor, found, _ = equilibrium(balance, low, step, change, stress, plane)
     finally:
         for term in balance.terms:
             term.reject()
