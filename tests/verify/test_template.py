@@ -11,7 +11,7 @@ import pytest
 
 from verify.cases.registry import CASES
 from verify.cli import run
-from verify.inputs import REQUIRED, Inputs, build, meta, quantity
+from verify.inputs import REQUIRED, Inputs, build, choices, meta, quantity
 from verify.template import template
 
 EACH = pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
@@ -51,7 +51,9 @@ def test_every_line_has_a_unit_a_description_a_range_and_a_source(case):
     for hidden, name, value, comment in lines_of(case):
         about = meta(fields[name])
         assert about["what"] in comment
-        if about["unit"] == "1":
+        if words := choices(fields[name]):
+            assert f"one of {', '.join(words)}" in comment
+        elif about["unit"] == "1":
             assert "number" in comment
         else:
             assert value.strip('"').endswith(about["unit"])
