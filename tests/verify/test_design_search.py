@@ -202,6 +202,16 @@ def test_relaxing_what_is_named_admits_the_named_spring(demands):
     assert search(replace(task, demands=wider)).judged.feasible[found.nearest[0].candidate]
 
 
+def test_what_no_input_can_be_set_to_is_not_proposed():
+    """A free head sways however small the margin is: U_cr itself lies below U_w."""
+    found = search(asked(some(6), head="free"))
+    assert not found.front.size
+    assert "sway" not in [r.limit.key for r in found.relaxations]
+    (named,) = (r for r in found.nearest if r.limit.key == "sway")
+    assert named.needed < 0
+    assert not named.possible
+
+
 def test_no_other_candidate_s_largest_excess_is_smaller_than_the_nearest_one_s():
     found = search(asked(some(6), sigma=100e6))
     excess = np.array([limit.excess for limit in found.judged.limits]).max(axis=0)

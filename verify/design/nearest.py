@@ -1,11 +1,16 @@
 """Where nothing is feasible: the candidate that comes nearest, and which limits to relax."""
 
+import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from verify.design.inputs import Demands
 from verify.design.limits import Judged, Limit
+from verify.inputs import BOUNDS, bounds_of
+
+KEPT = {word: getattr(operator, rule) for rule, word in BOUNDS.items()}
 
 
 @dataclass(frozen=True)
@@ -21,6 +26,12 @@ class Relaxation:
     def excess(self) -> float:
         """Share of the bound by which the candidate is beyond."""
         return float(self.limit.excess[self.candidate])
+
+    @property
+    def possible(self) -> bool:
+        """Whether the input may be set to what is needed."""
+        bounds = bounds_of(Demands.model_fields[self.limit.key])
+        return all(KEPT[word](self.needed, bound) for word, bound in bounds)
 
 
 def relaxation(limit: Limit, i: int) -> Relaxation:
@@ -43,11 +54,14 @@ def nearest(judged: Judged) -> list[Relaxation]:
 
 
 def alone(judged: Judged) -> Sequence[Relaxation]:
-    """For every limit whose relaxing alone makes something feasible, the least that does so."""
+    """For every limit whose relaxing alone makes something feasible, the least that does so.
+
+    What no input can be set to is left out.
+    """
     lonely = judged.possible & (judged.violations.sum(axis=0) == 1)
     found = []
     for limit, bad in zip(judged.limits, judged.violations, strict=True):
         which = np.flatnonzero(lonely & bad)
         if which.size:
             found.append(relaxation(limit, int(which[limit.excess[which].argmin()])))
-    return sorted(found, key=lambda r: r.excess)
+    return sorted((r for r in found if r.possible), key=lambda r: r.excess)

@@ -170,7 +170,8 @@ def _relaxed(r: Relaxation) -> tuple[str, ...]:
     limit = r.limit
     return (
         limit.what, f"{limit.symbol} {limit.sign} {in_unit(limit, r.given)} ({limit.source})",
-        f"relax {limit.key} from {in_unit(limit, r.given)} to {rounded(r)}",
+        f"relax {limit.key} from {in_unit(limit, r.given)} to {rounded(r)}"
+        if r.possible else f"needs {rounded(r)}, which {limit.key} cannot be set to",
         f"{100 * r.excess:.3g} % beyond",
     )  # fmt: skip
 
