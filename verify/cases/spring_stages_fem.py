@@ -16,7 +16,7 @@ from verify.shown import Field
 
 if TYPE_CHECKING:
     from fem.beam.links import Link
-    from fem.beam.section import FrameSolution
+    from fem.beam.section import FrameSolution, Section
     from meshes.line import LineMesh
 
 SHARES = np.linspace(0.0625, 0.6875, 11)  # of the length between head and tail
@@ -56,7 +56,7 @@ def fem(q: StagesInputs, level: int) -> FemResult:
         line = centre_line(
             **q.path, tail=ends.tail, tips=True, per_arc=level, per_leaf=max(1, level // 2)
         )
-        frame = Spring(line, section, ends, q)
+        frame = linked_fem(line, section, ends, q)
         found = frame.stages()
         values |= {f"{ends}, {key}": value for key, value in found.items()}
         u_it |= {f"{ends}, {key}": abs(v) * frame.round_off for key, v in found.items()}
@@ -76,35 +76,50 @@ def force_over_displacement(found: dict[str, float], length: float) -> Any:
     return np.where(U > B, found["F_B"] + found["k3"] * (U - B), second)
 
 
-class Spring:
-    """One spring, its supports and both pairs of tip and leaf as links that may be closed."""
+def linked_fem(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) -> "Spring":
+    """The spring on a mesh with tips, cut where they will touch."""
+    from fem.beam.links import Link, divide
 
-    def __init__(self, line: "LineMesh", section: Any, ends: Ends, q: StagesInputs) -> None:
-        from fem.beam.links import Link, divide
-
-        points, chords = line.chords
-        held = {line.nodes["tail"]}
-        if ends.tail == "arc":  # the tail's whole leaf is clamped
-            rest = np.intersect1d(line.bodies["tips"], line.bodies[f"unit {q.n}"])
-            held |= set(chords[rest].ravel().tolist())
-        self.section, self.head = section, line.nodes["head"]
-        self.supports = dict.fromkeys(held, "xyr") | {self.head: SUPPORTS[ends.head]}
-        places = []
-        for tip, unit in (("head tip", 2), ("tail tip", q.n - 1)):
-            leaf = np.intersect1d(line.bodies["leaves"], line.bodies[f"unit {unit}"])
-            pair = opposite(points, chords[leaf], line.nodes[tip], ends.normal, q.b)
-            second = int(leaf[pair.element]), pair.share
-            places.append(Link(first=line.nodes[tip], second=second, direction=pair.direction,
-                               value=-pair.gap))  # fmt: skip
-        cut = divide(points, chords, places)
-        self.points, self.chords, self.ends = cut.points, cut.elements, cut.ends
-        self.links = [
+    points, chords = line.chords
+    held = {line.nodes["tail"]}
+    if ends.tail == "arc":  # the tail's whole leaf is clamped
+        rest = np.intersect1d(line.bodies["tips"], line.bodies[f"unit {q.n}"])
+        held |= set(chords[rest].ravel().tolist())
+    places = []
+    for tip, unit in (("head tip", 2), ("tail tip", q.n - 1)):
+        leaf = np.intersect1d(line.bodies["leaves"], line.bodies[f"unit {unit}"])
+        pair = opposite(points, chords[leaf], line.nodes[tip], ends.normal, q.b)
+        second = int(leaf[pair.element]), pair.share
+        places.append(Link(first=line.nodes[tip], second=second, direction=pair.direction,
+                           value=-pair.gap))  # fmt: skip
+    cut, head = divide(points, chords, places), line.nodes["head"]
+    return Spring(
+        points=cut.points, chords=cut.elements, ends=cut.ends, section=section, head=head,
+        supports=dict.fromkeys(held, "xyr") | {head: SUPPORTS[ends.head]},
+        links=[
             replace(link, first=int(i), second=int(j))
             for link, (i, j) in zip(places, cut.ends, strict=True)
-        ]
-        self.round_off = ROUND_OFF
+        ],
+    )  # fmt: skip
 
-    def solve(self, force: float, closed: "Sequence[Link]" = ()) -> "FrameSolution":
+
+@dataclass
+class Spring:
+    """One spring, its supports and both pairs of tip and leaf as links that may be closed.
+
+    `ends` (2, 2) are the pairs' nodes; `round_off` grows with what the solver leaves.
+    """
+
+    points: Any
+    chords: Any
+    ends: Any
+    section: "Section"
+    head: int
+    supports: dict[int, str]
+    links: "list[Link]"
+    round_off: float = ROUND_OFF
+
+    def solve_fem(self, force: float, closed: "Sequence[Link]" = ()) -> "FrameSolution":
         """Under `force` at the head, with `closed` links."""
         from fem.beam.straight import solve_frame
 
@@ -131,7 +146,7 @@ class Spring:
         if F_B - F_A <= TOGETHER * F_A:
             F_B, k2 = F_A, k3
         U_A = F_A / k1
-        push = self.solve(F_A, [self.links[first]]).link_forces[0]
+        push = self.solve_fem(F_A, [self.links[first]]).link_forces[0]
         return {
             "k1": k1, "F_A": F_A, "U_A": U_A, "k2": k2, "k3": k3, "F_B": F_B,
             "U_B": U_A + (F_B - F_A) / k2, "push": float(push),
@@ -139,7 +154,7 @@ class Spring:
 
     def respond(self, touching: tuple[int, ...]) -> tuple[float, list[float]]:
         """Stiffness, and how fast both gaps close per force, while pairs are `touching`."""
-        solved = self.solve(1.0, [replace(self.links[i], value=0.0) for i in touching])
+        solved = self.solve_fem(1.0, [replace(self.links[i], value=0.0) for i in touching])
         closing = [
             float((solved.u[tip, :2] - solved.u[leaf, :2]) @ link.direction)
             for (tip, leaf), link in zip(self.ends, self.links, strict=True)
@@ -148,7 +163,7 @@ class Spring:
 
     def field(self, force: float, q: StagesInputs) -> Field:
         """The spring under `force` before any tip has touched, and its bending stress."""
-        solved = self.solve(force)
+        solved = self.solve_fem(force)
         stress = -6 * solved.section_forces[..., 2].mean(axis=1) / (q.h * q.b**2)
         return Field(
             name="point A", points=self.points, cells=self.chords,
