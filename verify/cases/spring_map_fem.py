@@ -44,14 +44,17 @@ def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> Spring:
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
     """Stiffness of a free head at small displacement, and secant ones of a guided head.
 
-    Zero where the strip is no leaf spring: b >= r.
+    Zero where the strip is no leaf spring (b >= r), and where no equilibrium is found: slender
+    springs leap aside between their guided ends.
     """
     if cell.b >= cell.r:
         return (0.0,) * (1 + len(SHARES))
     one = spring(q, cell, PER_ARC, PER_LEAF)
-    secant = [
-        F / (share * cell.length) for share, F in zip(SHARES, pressed(one, cell), strict=True)
-    ]
+    try:
+        forces = pressed(one, cell)
+    except ArithmeticError:
+        return (one.stiffness, *(0.0,) * len(SHARES))
+    secant = (F / (share * cell.length) for share, F in zip(SHARES, forces, strict=True))
     return (one.stiffness, *secant)
 
 

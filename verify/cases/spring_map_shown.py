@@ -49,11 +49,11 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
     if name == "slender":
         labels = "L_0/b", "segments n"
         columns, rows = (DEEP_SLENDER, DEEP_SEGMENTS) if deep else (SLENDER, SEGMENTS)
-        without, of = "no leaf spring: b ≥ r", "n and L_0/b"
+        without, of = "b ≥ r, or leaps aside", "n and L_0/b"
     else:
         labels = "L_1/r", "α [deg]"
         columns, rows = (DEEP_LEAVES, DEEP_ANGLES) if deep else (LEAVES, ANGLES)
-        without, of = "", "α and L_1/r"
+        without, of = "leaps aside", "α and L_1/r"
     return [
         Map(
             title=f"Eqs. 1-9 over {of}, {when}", x_label=labels[0], y_label=labels[1],

@@ -1,0 +1,190 @@
+"""Springs that give way sideways: faults turn rows red; odd springs; what is refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.spring import column, stability
+from analytic.spring.elastica import Elastica
+from verify.case import Context
+from verify.cases import spring_buckling, spring_buckling_fem
+from verify.cases.spring_buckling import BUCKLING, analytic, gives_way, too_large
+from verify.cases.spring_buckling_inputs import BucklingInputs
+from verify.cases.spring_large_fem import Spring
+from verify.inputs import InputError, build
+from verify.results import Status
+
+pytestmark = pytest.mark.xdist_group("spring-buckling")
+
+PAPER = {"n": 10, "b": "0.1 mm", "h": "56 mm", "r": "0.45 mm", "L1": "11.6 mm", "alpha": "80 deg",
+         "E": "206 GPa", "nu": 0.3}  # fmt: skip
+U_CR = "displacement at which a free head gives way, tail held at its arc"
+F_CR = "force at which a free head gives way, tail held at its arc"
+COLUMN = "Haringx's column, tail held at its arc"
+MANY = "Haringx's column with ever more units, tail held at its arc"
+
+
+def own(**changes):
+    return build(BucklingInputs, PAPER | changes, "my.toml")
+
+
+def names(rows):
+    return {row.quantity for row in rows}
+
+
+@pytest.fixture
+def fresh():
+    """Values of the elastica that a fault may have changed are not kept."""
+    gives_way.cache_clear()
+    yield
+    gives_way.cache_clear()
+
+
+def test_no_row_is_red_on_the_paper_s_inputs(judged, red):
+    assert not red(judged(BUCKLING))
+
+
+def unit_with(**parts):
+    """Units with some of their flexibilities replaced by what is made of them."""
+
+    def fault(right):
+        def wrong(**k):
+            found = right(**k)
+            return replace(found, **{name: make(found) for name, make in parts.items()})
+
+        return wrong
+
+    return fault
+
+
+FAULTS = [
+    pytest.param(column, "unit", unit_with(axial=lambda u: 1.001 * u.axial),
+                 "stiffness of a middle unit, along", id="a unit 0.1 % too soft along"),
+    pytest.param(column, "unit", unit_with(turn=lambda u: u.turn * 1.001),
+                 "stiffness of a middle unit, against a couple", id="a unit 0.1 % too soft"),
+    pytest.param(column, "unit", lambda f: lambda **k: f(**k | {"alpha": np.pi / 2 - k["alpha"]}),
+                 "stiffness of a middle unit, across", id="sine for cosine"),
+    pytest.param(column, "free_length", lambda f: lambda **k: 2 * f(**k), MANY,
+                 id="twice the column's length"),
+    pytest.param(column, "WAVES", lambda w: w | {"free": np.pi}, MANY, id="hinged at both ends"),
+    pytest.param(column, "unit", unit_with(turn=lambda u: u.turn * 1.02), MANY,
+                 id="bending 2 % too soft"),
+    pytest.param(spring_buckling, "elastica",
+                 lambda f: lambda q, tail: Elastica(_parts(q, tail), EI=_EI(q) ** 2), F_CR,
+                 id="E I squared"),
+    pytest.param(spring_buckling, "elastica",
+                 lambda f: lambda q, tail: Elastica(_parts(q, tail), EI=_EI(q) / (1 - q.nu**2)),
+                 F_CR, id="a wide strip"),
+    pytest.param(spring_buckling, "elastica",
+                 lambda f: lambda q, tail: f(q.model_copy(update={"r": q.r - q.b / 2}), tail),
+                 U_CR, id="the inner radius"),
+    pytest.param(stability, "FREEDOM", lambda f: f | {"free": f["hinged"]}, U_CR,
+                 id="a hinge for a free head"),
+]  # fmt: skip
+
+
+def _parts(q, tail):
+    return spring_buckling.frame.pieces(**q.path, tail=tail)
+
+
+def _EI(q):
+    return q.E * q.h * q.b**3 / 12
+
+
+@pytest.mark.parametrize(("owner", "name", "fault", "row"), FAULTS)
+def test_a_wrong_formula_turns_its_row_red(
+    owner, name, fault, row, judged, red, monkeypatch, fresh
+):
+    judged(BUCKLING)
+    gives_way.cache_clear()
+    monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
+    bare = replace(BUCKLING, figures=lambda _: (), tables=lambda _: ())
+    found = judged(bare)
+    assert found.errors or row in names(red(found))  # no equilibrium is an error of the case
+
+
+def test_shear_of_the_column_counts(monkeypatch):
+    """Without its shear the column of ten units is 0.1 % off: the elastica tells, no interval."""
+    shape = {"n": 10, "L1": 11.6, "radius": 0.5, "alpha": np.radians(80), "b": 0.1}
+    whole = column.critical_shortening("free", **shape)
+    no_shear = unit_with(lateral=lambda u: u.pitch**2 * u.turn / 12)
+    monkeypatch.setattr(column, "unit", no_shear(column.unit))
+    apart = column.critical_shortening("free", **shape) / whole - 1
+    assert apart == pytest.approx(-1.35e-3, rel=0.05)
+
+
+def wrong_section(right):
+    """Sections without shear stiffness enough: ten times too soft."""
+    return property(lambda self: replace(right.func(self), GA=right.func(self).GA / 1e4))
+
+
+FE_FAULTS = [
+    pytest.param(Spring, "section", wrong_section, U_CR, id="shear ten thousand times too soft"),
+    pytest.param(spring_buckling_fem, "spring",
+                 lambda f: lambda q, p, b, level: f(q, p | {"L1": 1.002 * p["L1"]}, b, level),
+                 U_CR, id="leaves 0.2 % too long"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("owner", "name", "fault", "row"), FE_FAULTS)
+def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatch, fresh):
+    monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
+    monkeypatch.setattr(spring_buckling_fem, "SWEPT", 0)  # sweeps are not asked
+    q = BucklingInputs()
+    levels = [spring_buckling_fem.fem(q, level) for level in (2, 4, 8)]
+    (check,) = (c for c in BUCKLING.checks if c.name == row)
+    rows = check.rows(Context(BUCKLING.id, q, analytic(q), levels, True))
+    assert rows[0].status is Status.FAIL
+
+
+ODD = [
+    pytest.param({"n": 9}, id="odd n"),
+    pytest.param({"n": 24, "L1": "3 mm"}, id="slender"),
+    pytest.param({"alpha": "90 deg"}, id="upright leaves"),
+    pytest.param({"alpha": "30 deg"}, id="flat leaves"),
+    pytest.param({"b": "0.44 mm"}, id="thick"),
+    pytest.param({"b": "0.001 mm"}, id="foil"),
+    pytest.param({"n": 200}, id="many"),
+    pytest.param({"n": 4}, id="short"),
+    pytest.param({"E": "0.01 GPa", "nu": 0.0}, id="soft"),
+    pytest.param({"r": "4 mm", "L1": "8.1 mm"}, id="round"),
+]
+
+
+@pytest.mark.parametrize("change", ODD)
+def test_odd_springs_have_finite_values(change):
+    q = own(**change)
+    with np.errstate(over="raise", divide="raise", invalid="raise"):  # as the command does
+        v = analytic(q)
+        assert isinstance(too_large(q), str)
+    assert all(np.isfinite(x) for x in v.values())
+
+
+def test_the_displacement_of_giving_way_has_no_size():
+    v = analytic(own())
+    small = analytic(own(b="0.001 mm", h="0.56 mm", r="0.0045 mm", L1="0.116 mm"))
+    for key in ("U_cr, arc", "Haringx U, free"):
+        assert small[key] == pytest.approx(0.01 * v[key], rel=1e-8)
+
+
+def test_a_free_head_beyond_its_force_is_told_of():
+    q = own(F="2 N")
+    found = BUCKLING.warnings(q, analytic(q))
+    assert len(found) == 1
+    assert "a head that is free gives way at 1.46 mm: it needs a guide" in found[0]
+    assert not BUCKLING.warnings(own(F="0.5 N"), analytic(own(F="0.5 N")))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [({"n": 30}, "n = 30 segments are more than 24"), ({"n": 4}, "too short to give way sideways")],
+)
+def test_springs_without_a_comparison_say_so(change, said):
+    assert said in too_large(own(**change))
+    assert not too_large(own())
+
+
+def test_wrong_input_gets_one_line():
+    with pytest.raises(InputError, match=r"inputs.F = -1 N: must be greater than 0 N"):
+        own(F="-1 N")

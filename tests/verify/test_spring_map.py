@@ -1,0 +1,191 @@
+"""Where Eqs. 1-9 hold: faults turn rows red; odd springs; what is refused; cells of the maps."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.spring import energy
+from verify.case import Context
+from verify.cases import spring_map, spring_map_fem
+from verify.cases.spring_large_fem import Spring
+from verify.cases.spring_map import DEEP_MAP, MAP, analytic, pressed
+from verify.cases.spring_map_inputs import (
+    DEEP_LEAVES,
+    DEEP_SLENDER,
+    Cell,
+    MapInputs,
+    points,
+    slender,
+)
+from verify.inputs import InputError, build
+from verify.results import Status
+
+pytestmark = pytest.mark.xdist_group("spring-map")
+
+PAPER = {"n": 10, "b": "0.1 mm", "h": "56 mm", "r": "0.45 mm", "L1": "11.6 mm", "alpha": "80 deg",
+         "E": "206 GPa", "nu": 0.3, "x_r": "8.3 mm", "y_r": "0.56 mm",
+         "kappa": "0.012 1/mm"}  # fmt: skip
+GUIDED = "force of the guided head at 30% of its length"
+ACROSS = "force across, where the roller's way ends"
+SECANT = "Eq. 9 at 30% of the length, head guided"
+CLAIM = "Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement"
+FALLS = "their error at small displacement falls as L_0/b grows on one centre line"
+TESTS = "Eq. 9 against Eq. 10 at the tests' largest force"
+
+
+def own(**changes):
+    return build(MapInputs, PAPER | changes, "my.toml")
+
+
+@pytest.fixture
+def fresh():
+    """Values of the elastica that a fault may have changed are not kept."""
+    pressed.cache_clear()
+    yield
+    pressed.cache_clear()
+
+
+def test_no_row_is_red_on_the_paper_s_inputs(judged, red):
+    assert not red(judged(MAP))
+
+
+def stiffer(factor, **changes):
+    """Eq. 9 times a factor, or of a geometry that changes follow from."""
+
+    def fault(right):
+        def wrong(**k):
+            return factor * right(**k | {name: make(k) for name, make in changes.items()})
+
+        return wrong
+
+    return fault
+
+
+def elastica_of(**changes):
+    """The elastica of another strip."""
+
+    def fault(right):
+        def wrong(parts, **k):
+            return right(parts, **k | {name: make(k) for name, make in changes.items()})
+
+        return wrong
+
+    return fault
+
+
+FAULTS = [
+    pytest.param(spring_map, "Elastica", elastica_of(EI=lambda k: 1.003 * k["EI"]), GUIDED,
+                 id="E I 0.3 % too large"),
+    pytest.param(spring_map, "Elastica", elastica_of(EI=lambda k: k["EI"] / 0.91), ACROSS,
+                 id="a wide strip"),
+    pytest.param(energy, "stiffness", stiffer(1.05), CLAIM, id="Eq. 9 5 % too stiff"),
+    pytest.param(energy, "stiffness", stiffer(0.95), FALLS, id="Eq. 9 5 % too soft"),
+    pytest.param(energy, "stiffness", stiffer(1.0, alpha=lambda k: np.pi / 2 - k["alpha"]), CLAIM,
+                 id="sine for cosine"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("owner", "name", "fault", "row"), FAULTS)
+def test_a_wrong_formula_turns_its_row_red(
+    owner, name, fault, row, judged, red, monkeypatch, fresh
+):
+    judged(MAP)
+    pressed.cache_clear()
+    monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
+    found = judged(replace(MAP, figures=lambda _: (), tables=lambda _: ()))
+    assert row in {r.quantity for r in red(found)}
+
+
+def test_another_radius_leaves_the_interval_of_eq_9(judged, red, monkeypatch, fresh):
+    """The interval comes from the elastica: a spring of the inner radius moves it."""
+    judged(MAP)
+    pressed.cache_clear()
+    right = spring_map.frame.pieces
+    monkeypatch.setattr(
+        spring_map.frame, "pieces", lambda **k: right(**k | {"radius": 0.9 * k["radius"]})
+    )
+    found = judged(replace(MAP, figures=lambda _: (), tables=lambda _: ()))
+    assert {SECANT, GUIDED} <= {r.quantity for r in red(found)}
+
+
+FE_FAULTS = [
+    pytest.param(Spring, "section", lambda right: property(
+        lambda self: replace(right.func(self), EI=1.003 * right.func(self).EI)), GUIDED,
+        id="E I 0.3 % too large"),
+    pytest.param(Spring, "frame", lambda f: lambda self, head: f(self, head.replace("r", "")), ACROSS,
+                 id="the guide lets the head turn"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("owner", "name", "fault", "row"), FE_FAULTS)
+def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatch, fresh):
+    monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
+    monkeypatch.setattr(spring_map_fem, "MAPPED", 0)  # maps are not asked
+    q = MapInputs()
+    levels = [spring_map_fem.fem(q, level) for level in (4, 8, 16)]
+    (check,) = (c for c in MAP.checks if c.name == row)
+    assert check.rows(Context(MAP.id, q, analytic(q), levels, True))[0].status is Status.FAIL
+
+
+def test_the_printed_six_per_cent_are_noted(judged):
+    (row,) = (r for r in judged(MAP).rows if r.quantity == TESTS)
+    assert row.status is Status.NOTE
+    assert row.analytic == pytest.approx(7.95, abs=0.01)
+
+
+ODD = [
+    pytest.param({"n": 9}, id="odd n"),
+    pytest.param({"n": 5, "x_r": "4 mm"}, id="short"),
+    pytest.param({"n": 24}, id="long"),
+    pytest.param({"n": 200}, id="many"),
+    pytest.param({"alpha": "90 deg", "x_r": "4 mm", "y_r": "0 mm"}, id="upright leaves"),
+    pytest.param({"b": "0.44 mm"}, id="thick"),
+    pytest.param({"b": "0.001 mm"}, id="foil"),
+    pytest.param({"r": "4 mm", "L1": "8.1 mm"}, id="round"),
+    pytest.param({"E": "0.01 GPa", "nu": 0.0}, id="soft"),
+]
+
+
+@pytest.mark.parametrize("change", ODD)
+def test_odd_springs_have_finite_values(change):
+    q = own(**change)
+    with np.errstate(over="raise", divide="raise", invalid="raise"):  # as the command does
+        v = analytic(q)
+        MAP.warnings(q, v)
+        assert all(len(row) == 4 for row in points(q, deep=False)["slender"])
+    assert all(np.isfinite(x) for x in v.values())
+    assert MAP.figures(Context(MAP.id, q, v, [], False)) == ()
+
+
+def test_the_cells_of_a_column_have_its_slenderness():
+    for n, ratio in ((4, 60.0), (24, 480.0)):
+        cell = slender(MapInputs(), n, ratio)
+        assert cell.length / cell.b == pytest.approx(ratio, rel=1e-9)
+
+
+def test_a_cell_that_is_no_leaf_spring_is_left_out():
+    assert spring_map_fem.measured(MapInputs(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
+
+
+def test_the_finer_map_has_a_part_for_each_of_its_rows():
+    rows = [row for grid in points(MapInputs(), deep=True).values() for row in grid]
+    assert len(DEEP_MAP.levels) == len(rows)
+    part = DEEP_MAP.fem(MapInputs(), 0).arrays["cells"]
+    assert part.shape == (len(DEEP_SLENDER), 3)
+    assert len(rows[-1]) == len(DEEP_LEAVES)
+    assert (part > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"x_r": "20 mm"}, r"way must be at most 0.7 of the spring's length = 17.84 mm, got x_r"),
+        ({"y_r": "5 mm"}, r"taken for straight needs y_r <= 0.2 x_r, got x_r = 8.3 mm, y_r = 5 mm"),
+        ({"kappa": "-1 1/mm"}, r"inputs.kappa = -1 1/mm: must be at least 0 1/mm"),
+    ],
+)
+def test_a_way_that_cannot_be_gets_one_line(change, message):
+    with pytest.raises(InputError, match=message) as caught:
+        own(**change)
+    assert "\n" not in str(caught.value)
