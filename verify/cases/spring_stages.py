@@ -11,8 +11,16 @@ from verify.cases import spring_stages_shown
 from verify.cases.spring_accordion import too_large
 from verify.cases.spring_stages_fem import ENDS, Ends, fem
 from verify.cases.spring_stages_inputs import StagesInputs
-from verify.cases.spring_stages_readings import ACCEPTED, FITTED, MET, chosen, keeps, tables
-from verify.checks import Accepted, Exact, Identity, Order
+from verify.cases.spring_stages_readings import (
+    ACCEPTED,
+    FITTED,
+    MET,
+    PaperReading,
+    chosen,
+    keeps,
+    tables,
+)
+from verify.checks import Exact, Identity, Order
 from verify.printed import PrintedMeasurement
 
 QUANTITIES = (
@@ -121,7 +129,7 @@ CHECKS = (
     Order(name="order of the straight elements in k_2", symbol="p", unit="1", errors=chord_errors,
           order=2, demand=0.05, demand_reason="tells an order from its neighbours"),
     *(
-        Accepted(name=f"{words} of the reading chosen by k_1 beside Eq. 10", symbol=symbol,
+        PaperReading(name=f"{words} of the reading chosen by k_1 beside Eq. 10", symbol=symbol,
                  unit=unit, margin=keeps(key, figure), fem_needed=False, fitted=FITTED,
                  printed=printed)
         for key, figure, symbol, unit, words, printed in (

@@ -6,7 +6,7 @@ k_2 and of the point A is a prediction, and calibrated all the same.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
@@ -16,8 +16,10 @@ from analytic.spring.loops import Tail
 from analytic.spring.stages import Head, Stages, stages
 from verify.case import Context
 from verify.cases.spring_stages_inputs import StagesInputs
+from verify.checks import Accepted, Margin
 from verify.judge import expanded
 from verify.published.ledger import published
+from verify.results import Row
 from verify.shown import Table
 
 MET = 0.01  # k_1 within this of the printed one
@@ -141,7 +143,13 @@ def chosen(q: StagesInputs) -> Reading:
     return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
 
 
-Margin = Callable[[Context], tuple[float, float, str]]
+class PaperReading(Accepted):
+    """What the chosen reading says of the paper's spring; of one's own it says nothing."""
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
 
 
 def keeps(key: str, figure: float) -> Margin:
