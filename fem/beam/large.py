@@ -57,6 +57,25 @@ class LargeFrame:
     ------
     ValueError
         For unknown names, missing shear stiffness, folded elements.
+
+    Examples
+    --------
+    A strip rolled up to a circle by an end couple, and its buckling load as a column:
+
+    >>> import numpy as np
+    >>> from fem.beam.section import Section
+    >>> x = np.linspace(0, 1, 41)
+    >>> k = 2 * np.arange(20)
+    >>> frame = LargeFrame(
+    ...     np.column_stack([x, 0 * x]), np.column_stack([k, k + 2, k + 1]),
+    ...     sections=Section(EA=1e6, EI=1.0, GA=4e5), supports={0: "xyr"},
+    ... )
+    >>> path = frame.under_loads({40: (0, 0, 2 * np.pi)}, [0.5, 1.0])
+    >>> (path.u[-1, 40] + [1, 0, 0]).round(4) + 0.0
+    array([0.    , 0.    , 6.2832])
+    >>> loads, modes = frame.linear_buckling({40: (-1, 0, 0)})
+    >>> round(float(loads[0]) / (np.pi**2 / 4), 4)
+    1.0
     """
 
     def __init__(

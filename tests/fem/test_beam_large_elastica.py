@@ -1,5 +1,6 @@
 """Cantilevers at large displacement beside elliptic integrals and Reissner's equations."""
 
+import doctest
 from math import pi
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import ellipj, ellipk
 
+from fem.beam import large
 from fem.beam.large import LargeFrame
 from fem.beam.section import Section
 from tests.fem.beam_large_reference import cantilever, integrate, shoot
@@ -123,6 +125,12 @@ def test_a_uniform_dead_load_reaches_reissners_equations():
     frame = strip(30, section=THICK)
     path = frame.under_loads({}, [1.0], distributed=dict.fromkeys(range(30), (0.0, -q)))
     np.testing.assert_allclose(tip(path)[-1], end(M)[:3], rtol=2e-5)
+
+
+def test_the_example_of_the_frame_holds():
+    failed, attempted = doctest.testmod(large)
+    assert attempted > 5
+    assert not failed
 
 
 @pytest.mark.parametrize(("nodes", "order"), [(2, 2), (3, 4)])

@@ -157,6 +157,17 @@ def test_reactions_balance_loads_and_prescribed_movement_returns_them():
     np.testing.assert_allclose(moved.u, loaded.u, atol=1e-10)
 
 
+def test_movement_along_an_arc_passes_the_states_of_given_movement():
+    frame, moved = hook(), {TIP: {"x": -0.5, "y": 0.4}}
+    path = frame.along_arc({2 * COUNT: (0, 0.5, 0)}, first=0.1, steps=6, moved=moved)
+    last = path.last
+    given = frame.displaced(moved, [last.factor / 2, last.factor]).last
+    given = frame.under_loads({2 * COUNT: (0, 0.5, 0)}, [last.factor], since=given).last
+    np.testing.assert_allclose(last.u[TIP, :2], np.array([-0.5, 0.4]) * last.factor, atol=1e-12)
+    np.testing.assert_allclose(last.u, given.u, atol=1e-9)
+    np.testing.assert_allclose(last.reactions, given.reactions, atol=1e-7)
+
+
 @pytest.mark.parametrize("unit", [1e-3, 1e3])
 def test_units_change_nothing(unit):
     """Lengths in another unit, forces too: EA, GA times 2, EI times 2 unit^2."""
