@@ -38,6 +38,9 @@ def test_at_rest_the_tangent_is_that_of_the_linear_curved_beam():
         loads={TIP: LOAD},
     )  # fmt: skip
     np.testing.assert_allclose(small.u * 1e7, linear.u, rtol=1e-6, atol=1e-6)
+    stations, forces = frame.section_forces(small)
+    np.testing.assert_allclose(stations, linear.stations, atol=1e-12)
+    np.testing.assert_allclose(forces * 1e7, linear.section_forces, atol=1e-5)
     S = frame.elements.increments(np.zeros((24, 2, 3)), frame.elements.tangent.astype(float))
     none = np.zeros((24, 2, 3))
     K = frame.elements.tangent_stiffness(S, none, frame.elements.tangent.astype(float), none)
