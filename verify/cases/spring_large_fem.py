@@ -1,12 +1,14 @@
 """Springs at large displacement for the cases: frames, and where a head let go would give way."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.optimize import brentq
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 if TYPE_CHECKING:
     from fem.beam.large import LargeFrame
@@ -31,9 +33,7 @@ class Spring:
 
     @cached_property
     def line(self) -> Any:
-        from meshes.spring.centre_line import centre_line
-
-        return centre_line(**self.path, per_arc=self.per_arc, per_leaf=self.per_leaf)
+        return line_fem(self.path, self.per_arc, self.per_leaf)
 
     @property
     def head(self) -> int:
@@ -41,30 +41,19 @@ class Spring:
 
     @cached_property
     def section(self) -> Any:
-        from fem.beam.section import Section
-
         A, G = self.b * self.h, self.E / (2 * (1 + self.nu))
-        return Section(EA=self.E * A, EI=self.E * A * self.b**2 / 12, GA=5 / 6 * G * A)
+        return section_fem(EA=self.E * A, EI=self.E * A * self.b**2 / 12, GA=5 / 6 * G * A)
 
     @property
     def stiffness(self) -> float:
         """Of a free head along x, at small displacement [force/length]."""
-        from fem.beam.curved import solve_curved_frame
-
-        solved = solve_curved_frame(
-            self.line.points, self.line.elements, sections=self.section,
-            supports={self.line.nodes["tail"]: "xyr"}, loads={self.head: (1.0, 0.0, 0.0)},
-        )  # fmt: skip
-        return -1 / (2 * solved.potential_energy)
+        push = {self.head: (1.0, 0.0, 0.0)}
+        return stiffness_fem(self.line, self.section, {self.line.nodes["tail"]: "xyr"}, push)
 
     def frame(self, head: str) -> "LargeFrame":
         """A frame whose head's components in `head` are held ("yr": guided along x)."""
-        from fem.beam.large import LargeFrame
-
         supports = {self.line.nodes["tail"]: "xyr", self.head: head}
-        return LargeFrame(
-            self.line.points, self.line.elements, sections=self.section, supports=supports
-        )
+        return frame_fem(self.line, self.section, supports)
 
     @cached_property
     def guided(self) -> "LargeFrame":
@@ -84,8 +73,6 @@ class Spring:
 
         The `order` of elimination changes it by its rounding alone.
         """
-        from scipy.sparse.linalg import splu
-
         e = self.guided.elements
         strain, _, t = e.strains(state.exact)
         K = e.tangent_stiffness(e.increments(strain, t), strain, t, e.moduli * strain)
@@ -115,8 +102,6 @@ class Spring:
 
         And how much the eigenvalue of the rounded matrices differs from that of the mode's strains.
         """
-        from scipy.sparse.linalg import LinearOperator, eigsh, splu
-
         frame = self.frame("")
         e = frame.elements
         rest = frame.rest()
@@ -158,8 +143,6 @@ class Spring:
 
     def _located(self, before: "State", at: float, u: float) -> "tuple[float, float, State]":
         """Between the displacement `at` of a state before and `u` beyond."""
-        from scipy.optimize import brentq
-
         found = {0.0: before}
 
         def beyond(step: float) -> float:
@@ -172,3 +155,36 @@ class Spring:
         zeros = [self.determinant(here, "free", order) for order in ORDERS]
         slope = self.determinant(before, "free") / step
         return at + step, max(map(abs, zeros)) / slope, here
+
+
+def line_fem(path: dict[str, Any], per_arc: int, per_leaf: int) -> Any:
+    from meshes.spring.centre_line import centre_line
+
+    return centre_line(**path, per_arc=per_arc, per_leaf=per_leaf)
+
+
+def section_fem(*, EA: float, EI: float, GA: float) -> Any:
+    from fem.beam.section import Section
+
+    return Section(EA=EA, EI=EI, GA=GA)
+
+
+def frame_fem(line: Any, section: Any, supports: Mapping[int, str]) -> "LargeFrame":
+    from fem.beam.large import LargeFrame
+
+    return LargeFrame(line.points, line.elements, sections=section, supports=supports)
+
+
+def stiffness_fem(
+    line: Any,
+    section: Any,
+    supports: Mapping[int, str],
+    push: Mapping[int, tuple[float, float, float]],
+) -> float:
+    """Of small displacements against a unit force `push` [force/length]."""
+    from fem.beam.curved import solve_curved_frame
+
+    solved = solve_curved_frame(
+        line.points, line.elements, sections=section, supports=supports, loads=push
+    )
+    return -1 / (2 * solved.potential_energy)

@@ -168,7 +168,7 @@ CHECKS = (
     ),
     Accepted(name="Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement",
              symbol="k_1", unit="1", margin=within_claim, printed=("wang2023:k1-error-large-z",)),
-    Accepted(name="their error at small displacement falls as L_0/b grows on one centre line",
+    Accepted(name="error of Eqs. 1-9 at small displacement falls as L_0/b grows on one centre line",
              symbol="k_1", unit="1", margin=falls,
              printed=("wang2023:k1-error-large-z", "wang2023:rule-length-thickness-max")),
     Accepted(name="a free head bears less than a third of Eq. 9's force at 30 % of the length",

@@ -46,6 +46,8 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
     `date` is when the finer cells were measured, empty for those of the run.
     """
     deep = bool(date)
+    columns: Sequence[float]
+    rows: Sequence[float]
     if name == "slender":
         labels = "L_0/b", "segments n"
         columns, rows = (DEEP_SLENDER, DEEP_SEGMENTS) if deep else (SLENDER, SEGMENTS)
