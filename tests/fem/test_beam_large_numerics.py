@@ -150,14 +150,24 @@ def test_the_order_of_loads_and_movement_does_not_matter():
 
 def test_reactions_balance_loads_and_prescribed_movement_returns_them():
     frame = hook()
-    loaded = frame.under_loads({TIP: LOAD}, [1.0]).last
+    loaded = frame.under_loads({TIP: LOAD, 0: (1.0, 2.0, 0.5)}, [1.0]).last
+    assert abs(loaded.reactions[1:]).max() == 0
     arm = (frame.points + loaded.u[:, :2])[TIP] - frame.points[0]
     couple = LOAD[2] + arm[0] * LOAD[1] - arm[1] * LOAD[0]
-    np.testing.assert_allclose(loaded.reactions[0], [-LOAD[0], -LOAD[1], -couple], atol=1e-9)
+    total = [LOAD[0] + 1.0, LOAD[1] + 2.0, couple + 0.5]
+    np.testing.assert_allclose(-loaded.reactions[0], total, atol=1e-9)
     x, y, r = loaded.u[TIP]
     moved = frame.displaced({TIP: {"x": x, "y": y, "r": r}}, [0.5, 1.0]).last
     np.testing.assert_allclose(moved.reactions[TIP], LOAD, atol=1e-8)
     np.testing.assert_allclose(moved.u, loaded.u, atol=1e-10)
+
+
+def test_arcs_have_the_length_they_are_asked_for():
+    """Root mean square over the nodes of displacement by the diagonal, and rotation."""
+    path = hook().along_arc({TIP: LOAD}, first=0.1, steps=8, largest=1e-9)
+    step = np.diff(path.u, axis=0, prepend=0) / [*[np.hypot(*np.ptp(hook().points, axis=0))] * 2, 1]
+    size = np.sqrt((step**2).sum(axis=(1, 2)) / len(hook().points))
+    np.testing.assert_allclose(size, size[0], rtol=1e-5)
 
 
 def test_movement_along_an_arc_passes_the_states_of_given_movement():
