@@ -156,7 +156,7 @@ class SelfContact(Touching):
 
     def _met(self, x: Array) -> Meeting:
         met = self.pairs.nearest(x)
-        return met.chosen(self.law.pressing(met.slot, met.distance - self.thickness))
+        return met.chosen(self.law.pressing(met.slot, met.distance + met.eased - self.thickness))
 
     def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
         met = self._met(x)
@@ -209,7 +209,9 @@ class Obstacle(Touching):
     def _touch(self, x: Array) -> Touch:
         eta, surface = self.body.nearest(x)
         probe = np.arange(len(self.probes.length))
-        pressing = self.law.pressing(probe, surface.distance - self.body.b / 2)
+        pressing = self.law.pressing(
+            probe, surface.distance + self.body.eased(eta) - self.body.b / 2
+        )
         return self.body.touch(x, probe[pressing], eta, surface)
 
     def _record(self, x: Array, found: Touch, answer: Answer) -> Record:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from fem.beam.section import Array
 from fem.beam.touching_touch import Touch, outer
 
-ROUNDING = 2e-5  # of the thickness
+ROUNDING = 1e-4  # of the thickness
 ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no settling
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
 STICKS = 2.0  # beside -1 and 1, the ways to slide, and 0, not known yet
@@ -119,7 +119,9 @@ class Law:
         _, self.tangential = self._placed(touch, answer)
         pressed = np.zeros(self.stiffness.size, bool)
         pressed[touch.slot] = True
-        self.normal, self.way = np.where(pressed, [self.normal, self.way], 0.0)
+        # a place that presses at rest has no way yet: it sticks until something pulls
+        known = np.where((self.way == 0) & (self.friction > 0), STICKS, self.way)
+        self.normal, self.way = np.where(pressed, [self.normal, known], 0.0)
         self.kept = self.normal, self.tangential, self.way
         return work
 

@@ -62,7 +62,10 @@ def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: 
                      met.distance)  # fmt: skip
     a, c = (own.slope * t).sum(axis=1), (other.slope * t).sum(axis=1)
     # the gap is stationary in both places unless they are held: its slopes by eta and by xi
-    H_own, H = a**2 / limit + (own.second * n).sum(axis=1), c**2 / limit - (other.second * n).sum(1)
+    H_own, H = (
+        a**2 / limit + (own.second * n).sum(axis=1) + probes.ease[probe],
+        c**2 / limit - (other.second * n).sum(1),
+    )
     eta, xi = _follow(
         (H_own, -a * c / limit, H),
         (A * (a / limit)[:, None] + C_own, -A * (c / limit)[:, None] - C),
@@ -73,7 +76,7 @@ def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: 
     half = met.distance[:, None] / 2
     swerving = (
         outer(B, psi) + outer(along(own_1, t), eta) - outer(along(other_1, t), xi)
-        + outer(R, B) / 2
+        + outer(R, B - met.easing[:, None] * eta) / 2
         + half[:, :, None] * (outer(turned(own_1), eta) + outer(turned(other_1), xi))
     )  # fmt: skip
     slip, (by_eta, by_xi) = _slip(x, met, (own, other), probes, arcs, b, before)
@@ -81,7 +84,7 @@ def touch(x: Array, met: Meeting, probes: Probes, arcs: Arcs, b: float, before: 
     return Touch(
         slot=met.slot,
         dofs=(3 * np.hstack([own.nodes, other.nodes])[:, :, None] + np.arange(3)).reshape(k, 6 * p),
-        gap=met.distance - b,
+        gap=met.distance + met.eased - b,
         opening=B,
         turning=outer(C_own, eta) - outer(C, xi) - outer(A, psi),
         sliding=A + half * R,

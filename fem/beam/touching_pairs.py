@@ -24,7 +24,8 @@ class Meeting:
 
     `xi` on `element`, `eta` on the probe's; `n` (k, 2) from there towards the probe, across the
     element except at an `end`; `distance` along n, negative where the lines crossed since the
-    last accepted state. `held`: eta is a bound of the probe's cell.
+    last accepted state. `held`: eta is a bound of the probe's cell. `eased` is what the gap
+    counts more, `easing` its slope by eta.
     """
 
     slot: Indices
@@ -35,6 +36,8 @@ class Meeting:
     distance: Array
     end: NDArray[np.bool_]
     held: NDArray[np.bool_]
+    eased: Array
+    easing: Array
 
     def chosen(self, which: NDArray[np.bool_] | Indices) -> "Meeting":
         return Meeting(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
@@ -89,7 +92,8 @@ class Pairs:
             """Distance and its slope by eta."""
             met = self._meet(at, near[rows], eta)
             own = places(at, p.nodes[self.probe[near[rows]]], eta).slope
-            return met.distance, np.einsum("kd,kd->k", met.n, own)
+            rise = np.einsum("kd,kd->k", met.n, own) + met.easing
+            return met.distance + met.eased, rise
 
         cell = self.probe[near]
         eta[near] = least(p.lower[cell], p.upper[cell], rise, NEAR * self.touching)
@@ -109,7 +113,9 @@ class Pairs:
         signed = np.where(corner, np.where(crossed, -distance, distance), side * across)
         n[corner] = d[corner] / signed[corner, None]
         held = (eta == self.probes.lower[probe]) | (eta == self.probes.upper[probe])
-        return Meeting(self.slot[pair], element, eta, xi, n, signed, end, held)
+        easing = self.probes.ease[probe] * (eta - self.probes.middle[probe])
+        eased = easing * (eta - self.probes.middle[probe]) / 2
+        return Meeting(self.slot[pair], element, eta, xi, n, signed, end, held, eased, easing)
 
     def _look_round(self, at: Array) -> None:
         """Lists the candidates around the positions `at`, with their sides when last accepted."""

@@ -6,6 +6,8 @@ import numpy as np
 
 from fem.beam.section import Array, Indices
 
+EASE = 1e-4  # of the thickness: what a gap at the end of a cell counts more
+
 
 def shapes(xi: Array, nodes: int) -> tuple[Array, Array, Array]:
     """Shape functions (k, nodes) at xi in 0..1 of ends (and middle), first and second slopes."""
@@ -33,7 +35,9 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 class Probes:
     """A probe seeks the least gap within its cell `lower` to `upper` (k,) of `element` (k,).
 
-    `length` (k,) is what each of them stands for, the thickness at the free end of a line.
+    `length` (k,) is what each of them stands for, the thickness at the free end of a line. Off
+    the middle of its cell a gap counts more, by `ease` (eta - middle)^2/2: where lines are
+    parallel the probe rests there.
     """
 
     element: Indices
@@ -41,6 +45,7 @@ class Probes:
     lower: Array
     upper: Array
     length: Array
+    ease: Array
 
     @property
     def middle(self) -> Array:
@@ -58,7 +63,8 @@ def probes(points: Array, elements: Indices, thickness: float, per_element: int)
     upper = np.append(lower + 1 / per_element, end.astype(float))
     length = np.append(size[element] / per_element, np.full(loose.size, thickness))
     element, lower = np.append(element, loose), np.append(lower, end.astype(float))
-    return Probes(element, elements[element], lower, upper, length)
+    half = np.maximum(upper - lower, 0.1 / per_element) / 2
+    return Probes(element, elements[element], lower, upper, length, 2 * EASE * thickness / half**2)
 
 
 @dataclass(frozen=True)

@@ -115,10 +115,17 @@ class Body:
             own = places(x, p.nodes[rows], eta)
             surface = self._surface(x, own.position)
             n = self.normals(x, surface)
-            return surface.distance, np.einsum("kd,kd->k", n, own.slope)
+            off = eta - p.middle[rows]
+            eased = surface.distance + p.ease[rows] * off**2 / 2
+            return eased, np.einsum("kd,kd->k", n, own.slope) + p.ease[rows] * off
 
         eta = least(p.lower, p.upper, rise)
         return eta, self._surface(x, places(x, p.nodes, eta).position)
+
+    def eased(self, eta: Array) -> Array:
+        """What the gaps of all probes count more."""
+        eased: Array = self.probes.ease * (eta - self.probes.middle) ** 2 / 2
+        return eased
 
     def _surface(self, x: Array, at: Array) -> Surface:
         """Nearest places, in the shape's own frame, to points (k, 2) in space."""
@@ -145,23 +152,25 @@ class Body:
         a, C = (own.slope * t).sum(axis=1), along(own_1, n)
         turning = surface.turn[probe]
         # the gap is stationary in eta unless a bound of the cell holds it
-        H = (own.second * n).sum(axis=1) - a**2 * turning
+        H = (own.second * n).sum(axis=1) - a**2 * turning + self.probes.ease[probe]
         free = (eta > self.probes.lower)[probe] & (eta < self.probes.upper)[probe]
         free &= (H - PARALLEL * a**2 / self.b) > 0
         moved = np.where(free, 1 / np.where(free, H, 1.0), 0.0)[:, None] * (
             a[:, None] * (turning[:, None] * A + e) - C
         )
+        rise = (own.slope * n).sum(axis=1)[:, None]
         along_t = A + a[:, None] * moved
         psi = turning[:, None] * along_t + e
         slip, bend = self._passed(x, probe, eta, own, surface)
         stretch = surface.stretch[probe, None]
         own_stretch = np.sign(a) * self._stretch(probe, eta[probe])
         touch = Touch(
-            slot=probe, dofs=self._dofs(own.nodes), gap=surface.distance[probe] - self.b / 2,
+            slot=probe, dofs=self._dofs(own.nodes),
+            gap=(surface.distance + self.eased(eta))[probe] - self.b / 2,
             opening=B,
             turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t + a[:, None] * moved),
             sliding=A + self.b / 2 * (sections - e),
-            swerving=outer(B, psi) + outer(along(own_1, t), moved) + outer(e, relative_n)
+            swerving=outer(B, psi) + outer(along(own_1, t), moved) + outer(e, relative_n + rise * moved)
             + self.b / 2 * outer(turned(own_1), moved),
             slip=slip,
             slipping=stretch * along_t + self.b / 2 * (sections - psi)
