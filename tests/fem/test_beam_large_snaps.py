@@ -176,3 +176,21 @@ def test_linearised_buckling_of_a_bent_arch_does_not_depend_on_its_axial_stiffne
         )  # fmt: skip
         loads.append(frame.linear_buckling({24: (0, -1, 0)})[0][0])
     np.testing.assert_allclose(loads, loads[-1], rtol=1e-3)
+
+
+def test_load_control_does_not_leap_over_a_limit_point():
+    """A shallow sine arch under a load half as large again as its limit stands snapped through.
+
+    Newton's method would find that state in one step; the path leads nowhere near it.
+    """
+    points, elements = chain((lambda x: (x, 0.1 * np.sin(np.pi * x)), 12))
+    frame = LargeFrame(
+        points, elements, sections=Section(EA=2e3, EI=1.0, GA=2e3),
+        supports={0: "xy", 24: "xy", 12: "x"},
+    )  # fmt: skip
+    path = frame.along_arc({12: (0, -1, 0)}, first=1.0, until=lambda s: s.u[12, 1] < -0.06)
+    (point,) = frame.buckling(path)
+    assert point.limit
+    with pytest.raises(ArithmeticError, match=r"no equilibrium found beyond factor 10\.7\d* "):
+        frame.under_loads({12: (0, -1, 0)}, [1.4 * point.factor])
+    assert point.factor == pytest.approx(10.7, rel=0.01)
