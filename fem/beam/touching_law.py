@@ -23,7 +23,7 @@ ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no se
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
 STICKS = 2.0  # beside -1 and 1, the ways to slide, and 0, not known yet
 SLACK = 1e-9  # relative, of the friction's limit and of the allowed slip
-TANGENTIAL = 0.5  # of the normal stiffness
+TANGENTIAL = 0.002  # of the normal stiffness
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,10 @@ class Law:
     def accept(self, touch: Touch, answer: Answer) -> float:
         """The step's friction work; from now on slip counts anew and friction goes on from T."""
         before = self.kept[1][touch.slot]
-        work = float((answer.tangential + before) @ touch.slip) / 2
+        slid = np.abs(self.kept[2][touch.slot]) == 1
+        # what begins to slide does so at the end's force: its stick was a small part of the slip
+        mean = np.where(slid | answer.sticking, (answer.tangential + before) / 2, answer.tangential)
+        work = float(mean @ touch.slip)
         _, self.tangential = self._placed(touch, answer)
         pressed = np.zeros(self.stiffness.size, bool)
         pressed[touch.slot] = True

@@ -170,8 +170,8 @@ class Body:
             opening=B,
             turning=outer(C, moved) - outer(A, psi) - outer(e, relative_t + a[:, None] * moved),
             sliding=A + self.b / 2 * (sections - e),
-            swerving=outer(B, psi) + outer(along(own_1, t), moved) + outer(e, relative_n + rise * moved)
-            + self.b / 2 * outer(turned(own_1), moved),
+            swerving=outer(B, psi) + outer(along(own_1, t), moved)
+            + outer(e, relative_n + rise * moved) + self.b / 2 * outer(turned(own_1), moved),
             slip=slip,
             slipping=stretch * along_t + self.b / 2 * (sections - psi)
             + (self.b / 2 * bend - own_stretch)[:, None] * moved,
