@@ -101,7 +101,7 @@ def test_a_wrong_formula_turns_its_row_red(
     monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
     bare = replace(BUCKLING, figures=lambda _: (), tables=lambda _: ())
     found = judged(bare)
-    assert found.errors or row in names(red(found))  # no equilibrium is an error of the case
+    assert found.errors or row in names(red(found))  # missing values are an error of the case
 
 
 def test_shear_of_the_column_counts(monkeypatch):
