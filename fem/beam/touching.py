@@ -117,7 +117,7 @@ class SelfContact(Touching):
     Raises
     ------
     ValueError
-        For unknown nodes, numbers that aren't positive, elements thinner than they are long.
+        For unknown nodes and numbers that aren't positive.
     """
 
     def __init__(
@@ -171,8 +171,8 @@ class Obstacle(Touching):
     """Contact of lines with a rigid `shape`: `Flat` or `Disc` of `fem.beam.touching_rigid`.
 
     With a `carrier` the shape moves and turns with that node of the frame, whose supports or
-    prescribed movement then move it and whose reaction is the contact force. `elements` may be
-    some of the frame's; the other parameters are those of `SelfContact`.
+    prescribed movement then move it and whose reaction is the contact force: an end of a stub of
+    its own, since every node belongs to an element. `elements` may be some of the frame's; the other parameters are those of `SelfContact`.
 
     Raises
     ------
