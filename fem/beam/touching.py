@@ -172,7 +172,8 @@ class Obstacle(Touching):
 
     With a `carrier` the shape moves and turns with that node of the frame, whose supports or
     prescribed movement then move it and whose reaction is the contact force: an end of a stub of
-    its own, since every node belongs to an element. `elements` may be some of the frame's; the other parameters are those of `SelfContact`.
+    its own, since every node belongs to an element. `elements` may be some of the frame's; the
+    other parameters are those of `SelfContact`.
 
     Raises
     ------
