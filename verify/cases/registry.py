@@ -28,6 +28,7 @@ from verify.cases.ring_rotation import ROTATION
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_buckling import BUCKLING
 from verify.cases.spring_continuum import CONTINUUM
+from verify.cases.spring_curve import CURVE
 from verify.cases.spring_map import DEEP_MAP
 from verify.cases.spring_map import MAP as SPRING_MAP
 from verify.cases.spring_stages import STAGES
@@ -35,7 +36,7 @@ from verify.cases.spring_stages import STAGES
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
-    ACCORDION, CONTINUUM, STAGES, BUCKLING, SPRING_MAP,
+    ACCORDION, CONTINUUM, STAGES, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
 )  # fmt: skip

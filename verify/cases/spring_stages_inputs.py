@@ -10,7 +10,8 @@ from verify.cases.spring_inputs import AccordionInputs
 from verify.inputs import quantity
 
 
-def _word(default: str, what: str) -> Any:
+def word(default: str, what: str) -> Any:
+    """An input that is one of a few words."""
     about: dict[str, Any] = {
         "unit": "1",
         "symbol": "",
@@ -28,10 +29,10 @@ class StagesInputs(AccordionInputs):
         None, "1", "f", "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)",
         omitted=None, ge=1, le=1.3, example="1.09",
     )  # fmt: skip
-    head: Head = _word(
+    head: Head = word(
         "guided", "what the roller lets the head do: guided, neither move sideways nor turn"
     )
-    tail: Tail = _word(
+    tail: Tail = word(
         "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
     )
 

@@ -1,0 +1,83 @@
+"""Accordion spring, the whole curve: geometrically exact beams that touch (Wang et al. 2023)."""
+
+from collections.abc import Sequence
+
+from verify.case import Case, Output, Values
+from verify.cases import spring_curve_shown, spring_stages_shown
+from verify.cases.spring_accordion import too_large
+from verify.cases.spring_curve_claims import CHECKS
+from verify.cases.spring_curve_inputs import CurveInputs
+from verify.cases.spring_curve_runs import LEVELS, fem
+from verify.printed import PrintedMeasurement
+
+
+def analytic(q: CurveInputs) -> Values:
+    form = spring_curve_shown.linear(q)
+    values = {key: float(getattr(form, key)) for key in ("k1", "U_A", "F_A", "k2")}
+    return {key: value for key, value in values.items() if value < float("inf")}
+
+
+def warnings(q: CurveInputs, v: Values) -> Sequence[str]:
+    found = []
+    if q.head == "free":
+        found.append(
+            "a head that is free gives way sideways early: see case spring-buckling for the load"
+        )
+    if "U_A" not in v:
+        found.append("linear theory lets no leaves touch with these ends")
+    return found
+
+
+CURVE = Case(
+    id="spring-curve",
+    title="Accordion spring, the whole curve",
+    paper="wang2023",
+    place="Sec. 2, Eq. 10, Fig. 9; Table 1",
+    lead="Force over displacement through all stages by geometrically exact beams that touch each "
+    "other with friction: how far straight lines hold, and which reading of the paper's spring "
+    "gives its Eq. 10.",
+    inputs=CurveInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=LEVELS,
+    checks=(
+        *CHECKS,
+        *(
+            PrintedMeasurement(
+                name=f"{symbol} of the closed form against the {what}", symbol=symbol,
+                unit="N/mm", analytic=key, reference=f"wang2023:{key}-{name}",
+            )
+            for key, symbol in (("k1", "k_1"), ("k2", "k_2"))
+            for name, what in (("fea", "paper's shell model"), ("test", "paper's test"))
+        ),
+    ),
+    outputs=(
+        Output(key="k1", symbol="k_1", unit="N/mm", what="stiffness at rest"),
+        Output(key="U_A", symbol="U_A", unit="mm", judged=False,
+               what="displacement where leaves touch, linear theory"),
+        Output(key="F_A", symbol="F_A", unit="N", what="force there, linear theory",
+               judged=False),
+        Output(key="k2", symbol="k_2", unit="N/mm", what="stiffness beyond, linear theory",
+               judged=False),
+    ),
+    quick=False,
+    readings=(
+        "r is the radius of the arcs' centre line, as a shell model's middle surface would be "
+        "drawn from the printed dimensions; chosen with tail and head by k_1 alone (calibrated)",
+        "the tail is held in the middle of its leaf, the head moves along the axis and does not "
+        "turn",
+        "k_1 and k_2 of a curve are least-squares lines before and after the leaves touch",
+        "the width factor f is that of the shell in case spring-width",
+    ),
+    assumptions=(
+        "plane deformation of a strip with one bending stiffness; linear elastic",
+        "free ends of leaves are round, b/2 in radius",
+        "friction by Coulomb between leaves; none at the head, whose movement is given",
+    ),
+    warnings=warnings,
+    too_large=too_large,
+    equations=spring_curve_shown.equations,
+    tables=spring_curve_shown.tables,
+    sketch=spring_stages_shown.sketch,
+    figures=spring_curve_shown.figures,
+)  # fmt: skip
