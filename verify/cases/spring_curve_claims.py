@@ -30,6 +30,7 @@ SAME_CONTACT = 0.002  # of a slope, whatever the contact's stiffness
 HALVED = 0.003  # of a slope, on a mesh of half the size
 BALANCE = 1e-5  # of the work
 K1, K2, CROSSING, FORCE = 0.01, 0.05, 0.05, 0.04  # of Eq. 10
+SETTLED = 1e-4  # of b: how early contact may act, or late
 RETRACED = 1e-5  # of the force: contact is settled to 1e-4 b, a few millionths of it
 STIFFER = 10.0  # times k_2, once all loops meet
 FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
@@ -202,8 +203,11 @@ def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list
 
     def points(context: Context) -> tuple[list[float], list[float], list[float]]:
         coarse, fine = array(context, "thin")[:, :, k]
-        exact = np.array([_thin(context.inputs, share)[name] for share in THIN])
-        u = np.maximum(abs(fine / coarse - 1), 1e-6)
+        forms = [_thin(context.inputs, share) for share in THIN]
+        exact = np.array([form[name] for form in forms])
+        early = [SETTLED * thin(context.inputs, share).b / form["gap"]
+                 for share, form in zip(THIN, forms, strict=True)]  # fmt: skip
+        u = np.maximum(abs(fine / coarse - 1), early)
         return list(THIN), (fine / exact - 1).tolist(), u.tolist()
 
     return points
@@ -214,7 +218,7 @@ def _thin(q: CurveInputs, share: float) -> dict[str, float]:
     spring = thin(q, share)
     found = stages(n=THIN_UNITS, b=spring.b, h=q.h, radius=spring.line["radius"], L1=q.L1,
                    alpha=spring.line["alpha"], E=q.E, nu=q.nu, theory="shear")  # fmt: skip
-    return {key: float(getattr(found, key)) for key in ("U_A", "F_A", "k2")}
+    return {key: float(getattr(found, key)) for key in ("U_A", "F_A", "k2", "gap")}
 
 
 LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"

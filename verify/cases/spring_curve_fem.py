@@ -129,8 +129,10 @@ def _curve(mesh: Any, states: "list[State]", records: "list[Record]", n: int) ->
     found = [record.pressing(units) for record in records]
     press = [[one.get((f"unit {i}", f"unit {i + 1}"), 0.0) for i in range(1, n)] for one in found]
     shapes = np.array([mesh.points + state.u[:, :2] for state in states])
-    ends, middle = mesh.elements[:, :2], mesh.elements[:, 2]
-    order = np.append(np.column_stack([ends[:, 0], middle]).ravel(), ends[-1, 1])
+    after = {int(first): (int(middle), int(end)) for first, end, middle in mesh.elements}
+    order = [int(mesh.nodes["head tip"])]
+    while order[-1] in after:
+        order += after[order[-1]]
     return Curve(
         U=np.array([state.u[head, 0] for state in states]),
         F=np.array([state.reactions[head, 0] for state in states]),
@@ -143,5 +145,5 @@ def _curve(mesh: Any, states: "list[State]", records: "list[Record]", n: int) ->
         negative=np.array([state.negative for state in states]),
         shapes=shapes,
         touches=tuple(record.at for record in records),
-        nodes=order,
+        nodes=np.array(order),
     )
