@@ -1,0 +1,160 @@
+"""What case spring-width claims of its shells: acceptance figures, limits, other elements."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from verify import judge
+from verify.case import Context
+from verify.cases.spring_curve_inputs import CurveInputs
+from verify.cases.spring_width_fem import ENDS
+from verify.checks import Margin
+from verify.convergence import grid_convergence
+from verify.published.ledger import published
+from verify.shown import Array
+
+N_PER_MM = 1e3
+LIMIT = 0.005  # of the factor at the ends of the sweep
+TAKEN = 0.002  # of the factor that the whole curve is computed with
+ESTIMATE = 0.001  # of the factor, by a leaf's
+SWEEP = 0.005  # the same over all widths
+SOLID = 1e-3  # of the factor, by solids
+HEAD = 5e-4  # of the factor, whatever holds the head and the tail
+UNIFORM = 5e-5  # of the factor, however the head's force spreads
+MET = 0.01  # of the printed stiffness
+
+
+def swept(context: Context, name: str) -> Array:
+    """An array of the level on which sweeps are made."""
+    return next(result.arrays[name] for result in context.fem if name in result.arrays)
+
+
+def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:
+    """Of the finest value of `key`, standard; infinite where it does not converge."""
+    h, v = context.series(key)
+    grid = grid_convergence(h, v, formal=formal, scale=abs(v[-1]))
+    return judge.numerical_uncertainty(grid) / abs(v[-1])
+
+
+def sweep_uncertainty(context: Context) -> float:
+    """Standard uncertainty of swept factors: what their mesh and the finest differ by."""
+    f = context.series("f")[1]
+    return max(abs(value / f[-1] - 1) for value in f)
+
+
+def sweep(context: Context) -> Array:
+    """Widths [m] and factors (m, 2), narrow to wide."""
+    names = ("narrow", "medium", "wide")
+    found: Any = [row for name in names for row in swept(context, f"sweep {name}")]
+    return np.array(sorted(map(tuple, found)))
+
+
+def limits(context: Context) -> tuple[float, float]:
+    """Of a narrow and of a wide spring by formula."""
+    return 1.0, context.analytic["k wide"] / context.analytic["k narrow"]
+
+
+def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
+    """Plane stress over the shell, against the width over the thickness."""
+    h, f = swept(context, "sweep narrow").T
+    u = [sweep_uncertainty(context)] * len(h)
+    return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
+
+
+def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
+    """Plane strain over the shell, against a leaf's length over the width."""
+    h, f = swept(context, "sweep wide").T
+    u = [sweep_uncertainty(context)] * len(h)
+    return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
+
+
+def at_end(which: int) -> Margin:
+    """What is left of half a per cent at the narrow (0) or wide (-1) end of the sweep."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        h, f = sweep(context)[which]
+        off = float(f / limits(context)[which] - 1)
+        U = judge.expanded(sweep_uncertainty(context))
+        return LIMIT - abs(off), U, f"{off:+.3%} at h = {h * 1e3:.4g} mm"
+
+    return margin
+
+
+def taken(context: Context) -> tuple[float, float, str]:
+    """What is left of the figure between the shell's factor and the one curves are made with."""
+    default = CurveInputs.model_fields["width_factor"].default
+    f = context.series("f")[1][-1]
+    U = judge.expanded(relative_uncertainty(context, "f"))
+    return TAKEN - abs(default / f - 1), U, f"{default:g} taken, {f:.5f} by the shell"
+
+
+def estimate(context: Context) -> tuple[float, float, str]:
+    """What is left between a leaf's factor and the spring's at the inputs' width."""
+    f, leaf = context.series("f")[1][-1], context.analytic["f"]
+    U = judge.expanded(relative_uncertainty(context, "f"))
+    return ESTIMATE - abs(leaf / f - 1), U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}"
+
+
+def estimates(context: Context) -> tuple[float, float, str]:
+    """What is left between both over all widths of the sweep."""
+    from verify.cases.spring_width_shown import leaf_factor
+
+    h, f = sweep(context).T
+    off = leaf_factor(context.inputs, h) / f - 1
+    worst = int(abs(off).argmax())
+    U = judge.expanded(sweep_uncertainty(context))
+    return SWEEP - float(abs(off[worst])), U, (
+        f"leaf {off[worst]:+.2%} at most, at h = {h[worst] * 1e3:.3g} mm"
+    )  # fmt: skip
+
+
+def solids(name: str) -> Margin:
+    """What is left between shell and solid of a loop, each over its own plane strain."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        keys = f"{name}, shell", f"{name}, solid"
+        shell, solid = (context.series(key)[1][-1] for key in keys)
+        u = (relative_uncertainty(context, key, formal=4) for key in keys)  # quadratic elements
+        off = shell / solid - 1
+        return SOLID - abs(off), judge.expanded(math.hypot(*u)), (
+            f"shell {shell:.5f}, solid {solid:.5f} of plane strain: {off:+.1e}"
+        )  # fmt: skip
+
+    return margin
+
+
+def ends(context: Context) -> tuple[float, float, str]:
+    """What is left between the factors of all ways to hold the ends, on one mesh."""
+    f = swept(context, "ends")
+    spread = float((f.max() - f.min()) / f.mean())
+    return HEAD - spread, 0.0, f"{f.min():.5f} to {f.max():.5f}"
+
+
+def uniform(context: Context) -> tuple[float, float, str]:
+    """What is left between a line that stays straight and a uniform force, on one mesh."""
+    line, force = swept(context, "uniform")
+    off = float(force / line - 1)
+    return UNIFORM - abs(off), 0.0, f"a uniform force moves the head by {-off:+.1e} more"
+
+
+def readings(context: Context) -> dict[tuple[str, str], tuple[float, float]]:
+    """Factor and stiffness [N/m] by the shell for every way to hold the ends."""
+    found = {}
+    for (tail, head), f in zip(ENDS, swept(context, "ends"), strict=True):
+        found[tail, head] = float(f), float(f * context.analytic[f"{tail}, {head}, k narrow"])
+    return found
+
+
+def meets(tail: str, head: str) -> Callable[[Context], tuple[float, float, str]]:
+    """What is left of the figure between the shell with these ends and the paper's shell model."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        printed = published("wang2023:k1-fea").value * N_PER_MM
+        k = readings(context)[tail, head][1]
+        U = judge.expanded(sweep_uncertainty(context), 0.5 / math.sqrt(3) / printed)
+        off = k / printed - 1
+        return MET - abs(off), U, f"{k / N_PER_MM:.4f} N/mm, {off:+.2%} of the printed one"
+
+    return margin
