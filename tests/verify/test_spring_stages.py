@@ -123,7 +123,7 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, broken, r
 
 
 def test_one_of_sixteen_readings_meets_the_printed_stiffness():
-    q = StagesInputs()
+    q = StagesInputs(width_factor=None)
     assert len(readings(q)) == 16
     assert [str(x) for x in meeting(q)] == [str(chosen(q))]
     x = chosen(q)
@@ -167,7 +167,7 @@ def test_a_prediction_beyond_its_figure_fails(monkeypatch, judged, red):
 
 
 def test_the_table_marks_what_meets_the_printed_stiffness(judged):
-    q = StagesInputs()
+    q = StagesInputs(width_factor=None)
     context = Context("spring-stages", q, STAGES.analytic(q), [], is_paper=True)
     (table,) = STAGES.tables(context)
     assert len(table.rows) == 16
@@ -209,9 +209,9 @@ def test_a_force_tells_what_is_left_until_a_tip_touches():
     ("own", "word"),
     [
         ({}, "U_A is 55% of the free length"),
-        ({}, "a strip 560 times as wide as thick"),
-        ({"F": 10.0}, "F = 10 N is beyond A (7.889 N): both tips touch"),
-        ({"F": 9.0, "tail": "arc"}, "F = 9 N is beyond A (8.59 N): a tip touches"),
+        ({"width_factor": None}, "a strip 560 times as wide as thick"),
+        ({"F": 10.0}, "F = 10 N is beyond A (8.645 N): both tips touch"),
+        ({"F": 9.5, "tail": "arc"}, "F = 9.5 N is beyond A (9.412 N): a tip touches"),
         ({"R_p": 5e8}, "at A exceeds R_p = 500 MPa: the loops yield before the tips touch"),
         ({"alpha": np.radians(20), "L1": 5e-3}, "° from parallel to the tip"),
     ],

@@ -26,8 +26,9 @@ class StagesInputs(AccordionInputs):
     """The accordion spring with both end leaves whole, and how it is held."""
 
     width_factor: float | None = quantity(
-        None, "1", "f", "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)",
-        omitted=None, ge=1, le=1.3, example="1.09",
+        1.0957, "1", "f",
+        "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)", omitted=None,
+        ge=1, le=1.3, example="1.09",
     )  # fmt: skip
     head: Head = word(
         "guided", "what the roller lets the head do: guided, neither move sideways nor turn"
