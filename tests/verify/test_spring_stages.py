@@ -210,7 +210,7 @@ def test_a_force_tells_what_is_left_until_a_tip_touches():
     [
         ({}, "U_A is 55% of the free length"),
         ({"width_factor": None}, "a strip 560 times as wide as thick"),
-        ({"F": 10.0}, "F = 10 N is beyond A (8.645 N): both tips touch"),
+        ({"F": 10.0}, "F = 10 N is beyond A (8.644 N): both tips touch"),
         ({"F": 9.5, "tail": "arc"}, "F = 9.5 N is beyond A (9.412 N): a tip touches"),
         ({"R_p": 5e8}, "at A exceeds R_p = 500 MPa: the loops yield before the tips touch"),
         ({"alpha": np.radians(20), "L1": 5e-3}, "° from parallel to the tip"),
