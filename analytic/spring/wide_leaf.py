@@ -25,6 +25,7 @@ References
    Soc. 54 (1950) 708-715.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -87,10 +88,10 @@ def _energy(s: float, nu: float, terms: int) -> float:
 
 def _unit(k: int) -> Array:
     """Coefficients of the Legendre polynomial of degree k."""
-    return np.eye(k + 1)[k]
+    return np.asarray(np.eye(k + 1)[k], dtype=np.float64)
 
 
-def _products(functions: list[Array]) -> Array:
+def _products(functions: Sequence[NDArray[Any]]) -> Array:
     """Integrals (3, 3, m, m) of the products of the functions' derivatives, by their orders."""
     degree = max(map(len, functions))
     t, w = legendre.leggauss(degree)

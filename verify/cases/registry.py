@@ -32,11 +32,12 @@ from verify.cases.spring_curve import CURVE
 from verify.cases.spring_map import DEEP_MAP
 from verify.cases.spring_map import MAP as SPRING_MAP
 from verify.cases.spring_stages import STAGES
+from verify.cases.spring_width import WIDTH
 
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
-    ACCORDION, CONTINUUM, STAGES, CURVE, BUCKLING, SPRING_MAP,
+    ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
 )  # fmt: skip

@@ -1,11 +1,11 @@
 """What case spring-width claims of its shells: acceptance figures, limits, other elements."""
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+from analytic.spring.frame import Head, Tail
 from verify import judge
 from verify.case import Context
 from verify.cases.spring_curve_inputs import CurveInputs
@@ -139,15 +139,15 @@ def uniform(context: Context) -> tuple[float, float, str]:
     return UNIFORM - abs(off), 0.0, f"a uniform force moves the head by {-off:+.1e} more"
 
 
-def readings(context: Context) -> dict[tuple[str, str], tuple[float, float]]:
+def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
     """Factor and stiffness [N/m] by the shell for every way to hold the ends."""
-    found = {}
+    found: dict[tuple[Tail, Head], tuple[float, float]] = {}
     for (tail, head), f in zip(ENDS, swept(context, "ends"), strict=True):
         found[tail, head] = float(f), float(f * context.analytic[f"{tail}, {head}, k narrow"])
     return found
 
 
-def meets(tail: str, head: str) -> Callable[[Context], tuple[float, float, str]]:
+def meets(tail: Tail, head: Head) -> Margin:
     """What is left of the figure between the shell with these ends and the paper's shell model."""
 
     def margin(context: Context) -> tuple[float, float, str]:

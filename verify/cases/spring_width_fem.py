@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.spring.frame import Head, Tail
 from verify.case import FemResult
 from verify.cases.spring_width_inputs import WidthInputs
 from verify.shown import Field
@@ -19,7 +20,9 @@ if TYPE_CHECKING:
 
 LEVELS = (2, 3, 4)  # cells of an arc
 SWEPT = 2  # the level of sweeps and of ends that are not the inputs' own
-ENDS = (("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"))
+ENDS: tuple[tuple[Tail, Head], ...] = (
+    ("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"),
+)  # fmt: skip
 HEADS = {"free": "", "hinged": "y", "guided": "yabc"}
 NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness
 MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
@@ -59,7 +62,7 @@ def widths_of_both(q: WidthInputs) -> dict[str, float]:
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
     """The factor over widths, at other ends, and under a uniform force instead of a rigid line."""
 
-    def factor(h: float, tail: str = q.tail, head: str = q.head, **how: bool) -> float:
+    def factor(h: float, tail: Tail = q.tail, head: Head = q.head, **how: bool) -> float:
         plane = spring(q, h, SWEPT, tail, head, held=True, narrow=True)
         return spring(q, h, SWEPT, tail, head, **how) / plane
 
@@ -78,7 +81,7 @@ def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
 
 
 def spring(
-    q: WidthInputs, h: float, level: int, tail: str, head: str, *, held: bool = False,
+    q: WidthInputs, h: float, level: int, tail: Tail, head: Head, *, held: bool = False,
     narrow: bool = False, uniform: bool = False,
 ) -> float:  # fmt: skip
     """Stiffness [N/m] of the spring as a shell of width h [m], symmetric about its middle.
@@ -89,10 +92,9 @@ def spring(
     """
     from meshes.spring.path import accordion
 
-    tail_of: Any = tail
     material = in_plane_stress(q) if narrow else steel(q)
     mesh = swept(
-        list(accordion(**q.path, tail=tail_of)), q.b, h, level, across=1 if held else 3 * level
+        list(accordion(**q.path, tail=tail)), q.b, h, level, across=1 if held else 3 * level
     )
     solved = pulled(mesh, q.b, h, material, HEADS[head], held=held, uniform=uniform)
     return -1 / solved.potential_energy
@@ -126,11 +128,13 @@ def pulled(
     """Under one newton along x on half the width's head; two on the whole."""
     from fem.shell.solve import solve_shell
 
-    edge = {"edge": "zab"} if held else {}
+    supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
+    if held:
+        supports["edge"] = "zab"
     return solve_shell(
         mesh.points, mesh.cells, thickness=b, materials=material, boundaries=mesh.boundaries,
         ties={} if uniform else {"head": "x"}, edge_loads={"head": (2 / h, 0.0, 0.0)},
-        supports={"tail": "xyzabc", "middle": "zab", "head": head} | edge,
+        supports=supports,
     )  # fmt: skip
 
 
