@@ -1,0 +1,97 @@
+"""The width stiffens the shell of a spring's strip as it does calculix's solids.
+
+These are second-order bricks of reduced integration, one layer of them: what calculix makes of
+its shells S8R, but without the rigid knots that it puts where rotations are held.
+"""
+
+import re
+from math import radians
+
+import numpy as np
+import pytest
+
+from benchmarks.calculix import executable, run_deck
+from fem.plane.material import Elastic
+from fem.shell.solve import solve_shell
+from meshes.shell.strip import swept_path
+from meshes.spring.path import accordion
+from tests.fem.calculix_strips import strip
+
+STEEL = Elastic(E=206e3, nu=0.3)  # MPa, mm
+B, PER_ARC, PER_LEAF = 0.1, 6, 12
+SPRING = {"n": 4, "L1": 11.6, "radius": 0.5, "alpha": radians(80), "tail": "arc"}
+UNIT = 1.0  # movement of the head
+
+
+def shell_stiffness(mesh, h, edge):
+    """Of the guided head's line along x, over the whole width."""
+    s = solve_shell(
+        mesh.points, mesh.cells, thickness=B, materials=STEEL, boundaries=mesh.boundaries,
+        ties={"head": "x"}, edge_loads={"head": (2 / h, 0, 0)},
+        supports={"tail": "xyzabc", "middle": "zab", "head": "yabc", "edge": edge},
+    )  # fmt: skip
+    return -1 / s.potential_energy
+
+
+def solid_stiffness(path, levels, edge, deck):
+    """The same by bricks between the planes z = `levels`, whose odd ones hold middle nodes."""
+    part = strip(path, [PER_ARC if piece.turn else PER_LEAF for piece in path], B)
+    n, last = len(part.points), len(levels) - 1
+    points = np.vstack([np.column_stack([part.points, np.full(n, z)]) for z in levels])
+    bricks = np.vstack([_bricks(part.cells + k * n, n) for k in range(0, last, 2)])
+    used = np.unique(bricks)
+    layers = n * np.arange(len(levels))[:, None]
+    head, tail = (layers + part.across[i] for i in (0, -1))
+    held = {
+        1: layers + part.middle(-1),
+        2: np.hstack([head, tail]),
+        3: np.concatenate([tail.ravel(), np.arange(n), last * n + np.arange(n if edge else 0)]),
+    }
+    write_deck(deck, points, used, bricks, held, moved=layers + part.middle(0))
+    run_deck(deck)
+    said = deck.with_suffix(".dat").read_text("ascii")
+    energy = re.findall(r"total internal energy[^\n]*\n\s*\n\s*(\S+)", said)[-1]
+    return 4 * float(energy) / UNIT**2
+
+
+def _bricks(cells, n):
+    """Twenty nodes each, from cells of eight in the lower of three planes of `n` nodes."""
+    corners, edges = cells[:, :4], cells[:, 4:]
+    return np.hstack([corners, corners + 2 * n, edges, edges + 2 * n, corners + n])
+
+
+def write_deck(path, points, used, bricks, held, moved):
+    with path.open("w", encoding="ascii") as deck:
+        deck.write("*NODE\n")
+        np.savetxt(deck, np.column_stack([used + 1, points[used]]), fmt="%d,%.12e,%.12e,%.12e")
+        deck.write("*ELEMENT, TYPE=C3D20R, ELSET=BODY\n")
+        for i, nodes in enumerate((bricks + 1).astype(str), 1):
+            deck.write(f"{i}," + ",".join(nodes[:12]) + ",\n" + ",".join(nodes[12:]) + "\n")
+        deck.write(f"*MATERIAL, NAME=M\n*ELASTIC\n{STEEL.E!r},{STEEL.nu!r}\n")
+        deck.write("*SOLID SECTION, ELSET=BODY, MATERIAL=M\n*BOUNDARY\n")
+        for i, nodes in held.items():
+            deck.writelines(f"{node + 1},{i},{i}\n" for node in np.intersect1d(nodes, used))
+        deck.write("*STEP\n*STATIC\n*BOUNDARY\n")
+        deck.writelines(f"{node + 1},1,1,{UNIT}\n" for node in np.intersect1d(moved, used))
+        deck.write("*EL PRINT, ELSET=BODY, TOTALS=ONLY\nELSE\n*NODE FILE\nU\n*END STEP\n")
+
+
+def both(h, across, finest, edge, folder):
+    """Stiffness per width of the shell and of calculix's solids, on cells of the same sizes."""
+    path = list(accordion(**SPRING))
+    mesh = swept_path(path, width=h / 2, per_arc=PER_ARC, per_leaf=PER_LEAF, across=across,
+                      finest=finest, leaf_ends=0.1)  # fmt: skip
+    levels = np.unique(mesh.points[np.unique(mesh.boundaries["tail"]), 2].round(9))
+    solids = solid_stiffness(path, levels, edge, folder / "strip.inp")
+    return shell_stiffness(mesh, h, edge) / h, solids / h
+
+
+@pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
+@pytest.mark.parametrize(("h", "finest"), [(5.6, 0.15), (56.0, 0.4)])
+def test_the_strip_s_width_factor_is_that_of_calculix(h, finest, tmp_path):
+    # with held edges both are in plane strain, where only (b/R)^2 tells solids from shells
+    held = both(2.0, 1, None, "zab", tmp_path)
+    assert held[1] == pytest.approx(held[0], rel=2e-3)
+    free = both(h, 10, finest, "", tmp_path)
+    assert free[0] < (1 - 2e-3) * held[0]
+    assert free[1] / held[1] == pytest.approx(free[0] / held[0], rel=5e-4)
