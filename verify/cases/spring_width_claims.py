@@ -1,6 +1,7 @@
 """What case spring-width claims of its shells: acceptance figures, limits, other elements."""
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,9 +11,10 @@ from verify import judge
 from verify.case import Context
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_width_fem import ENDS
-from verify.checks import Margin
+from verify.checks import Limit, Margin
 from verify.convergence import grid_convergence
 from verify.published.ledger import published
+from verify.results import Row
 from verify.shown import Array
 
 N_PER_MM = 1e3
@@ -24,6 +26,20 @@ SOLID = 1e-3  # of the factor, by solids
 HEAD = 5e-4  # of the factor, whatever holds the head and the tail
 UNIFORM = 5e-5  # of the factor, however the head's force spreads
 MET = 0.01  # of the printed stiffness
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperLimit(Limit):
+    """A limit that one power leads to at the paper's inputs; at one's own it is not claimed.
+
+    A tail held where it is bent adds to a narrow spring what a clamp keeps from curving across, in
+    proportion to the width, beside what its leaves gain.
+    """
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
 
 
 def swept(context: Context, name: str) -> Array:
@@ -39,9 +55,12 @@ def relative_uncertainty(context: Context, key: str, formal: float | None = None
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Standard uncertainty of swept factors: what their mesh and the finest differ by."""
-    f = context.series("f")[1]
-    return max(abs(value / f[-1] - 1) for value in f)
+    """Standard uncertainty of swept factors: what their mesh and the finest differ by.
+
+    At the inputs' width and at the narrowest.
+    """
+    series = (context.series(key)[1] for key in ("f", "f narrowest"))
+    return max(abs(value / f[-1] - 1) for f in series for value in f)
 
 
 def sweep(context: Context) -> Array:

@@ -40,6 +40,7 @@ def fem(q: WidthInputs, level: int) -> FemResult:
     values["narrow"] = spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
     values["k"] = spring(q, q.h, level, q.tail, q.head)
     values["f"] = values["k"] / values["narrow"]
+    values["f narrowest"] = factor(q, NARROW[0] * q.b, level)
     arrays: dict[str, NDArray[Any]] = {}
     for ratio in RATIOS:
         values[f"leaf {ratio:g}"], arrays[f"lifted {ratio:g}"] = thin_leaf(q, ratio, level)
@@ -61,23 +62,28 @@ def widths_of_both(q: WidthInputs) -> dict[str, float]:
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
     """The factor over widths, at other ends, and under a uniform force instead of a rigid line."""
-
-    def factor(h: float, tail: Tail = q.tail, head: Head = q.head, **how: bool) -> float:
-        plane = spring(q, h, SWEPT, tail, head, held=True, narrow=True)
-        return spring(q, h, SWEPT, tail, head, **how) / plane
-
     swept = {
         "narrow": [ratio * q.b for ratio in NARROW],
         "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * q.b],
         "wide": [ratio * q.leaf for ratio in WIDE],
     }
     found = {
-        f"sweep {name}": np.array([(h, factor(h)) for h in widths]).reshape(-1, 2)
+        f"sweep {name}": np.array([(h, factor(q, h, SWEPT)) for h in widths]).reshape(-1, 2)
         for name, widths in swept.items()
     }
-    found["ends"] = np.array([factor(q.h, tail, head) for tail, head in ENDS])
-    found["uniform"] = np.array([factor(q.h), factor(q.h, uniform=True)])
+    found["ends"] = np.array([factor(q, q.h, SWEPT, *ends) for ends in ENDS])
+    found["uniform"] = np.array([factor(q, q.h, SWEPT, uniform=each) for each in (False, True)])
     return found
+
+
+def factor(
+    q: WidthInputs, h: float, level: int, tail: Tail | None = None, head: Head | None = None, *,
+    uniform: bool = False,
+) -> float:  # fmt: skip
+    """Stiffness over that in plane stress on the same mesh, held as the inputs say or otherwise."""
+    ends = tail or q.tail, head or q.head
+    plane = spring(q, h, level, *ends, held=True, narrow=True)
+    return spring(q, h, level, *ends, uniform=uniform) / plane
 
 
 def spring(
@@ -94,10 +100,17 @@ def spring(
 
     material = in_plane_stress(q) if narrow else steel(q)
     mesh = swept(
-        list(accordion(**q.path, tail=tail)), q.b, h, level, across=1 if held else 3 * level
+        list(accordion(**q.path, tail=tail)), q.b, h, level, across=cells(q, h, level, held)
     )
     solved = pulled(mesh, q.b, h, material, HEADS[head], held=held, uniform=uniform)
     return -1 / solved.potential_energy
+
+
+def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
+    """Across half the width: one where nothing changes, few where all of it is edge."""
+    if held:
+        return 1
+    return level if h <= NARROW[-1] * q.b else 3 * level
 
 
 def steel(q: WidthInputs) -> "Elastic":
@@ -181,8 +194,8 @@ def loop(q: WidthInputs) -> "tuple[Piece, ...]":
 
 def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh, ShellSolution]":
     """Stiffness of a loop of width h over that in plane strain, with its solution."""
-    path, free = loop(q), 3 * level
-    mesh = swept(path, q.b, h, level, across=free)
+    path = loop(q)
+    mesh = swept(path, q.b, h, level, across=cells(q, h, level, held=False))
     solved = pulled(mesh, q.b, h, steel(q), HEADS["guided"])
     endless = pulled(swept(path, q.b, h, level, across=1), q.b, h, steel(q), HEADS["guided"],
                      held=True)  # fmt: skip

@@ -40,7 +40,7 @@ def equations(q: WidthInputs, v: Values) -> Sequence[Equation]:
             rf"\frac{{h}}{{l}} = {tex(q.h / q.leaf, 4)}",
         ),
         Equation(
-            tex=r"f_\text{leaf} = \frac{1}{3 (1-\nu^2)} \min_w \int\!\!\int w_{\xi\xi}^2 "
+            tex=r"f_\text{leaf} = \frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
             r"+ s^4 w_{\eta\eta}^2 + 2\nu s^2 w_{\xi\xi} w_{\eta\eta} "
             r"+ 2(1-\nu) s^2 w_{\xi\eta}^2\, d\xi\,d\eta, \quad s = \frac{l}{h}",
             numbers=rf"= {tex(v['f'], 6)}",
