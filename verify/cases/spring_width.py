@@ -8,7 +8,6 @@ from verify.case import Case, Output, Values
 from verify.cases import spring_width_claims as claims
 from verify.cases import spring_width_shown as shown
 from verify.cases.spring_inputs import strip_of
-from verify.cases.spring_shown import sketch
 from verify.cases.spring_stages_readings import PaperReading
 from verify.cases.spring_width_fem import ENDS, LEVELS, RATIOS, WIDE, fem, widths_of_both
 from verify.cases.spring_width_inputs import WidthInputs
@@ -132,7 +131,7 @@ WIDTH = Case(
     id="spring-width",
     title="Accordion spring as a strip of finite width",
     paper="wang2023",
-    place="Sec. 2, shell model; h in I = h b^3/12",
+    place="Sec. 2, shell model; h in I = h b³/12",
     lead="How much stiffer than E I the width makes the spring: a shell of the whole spring, "
     "solids of a loop, and a leaf as a plate by Ritz's method, between a beam in plane stress and "
     "an endless strip in plane strain.",
@@ -164,7 +163,7 @@ WIDTH = Case(
     too_large=too_large,
     equations=shown.equations,
     tables=shown.tables,
-    sketch=sketch,
+    sketch=shown.sketch,
     figures=shown.figures,
     pictures=shown.pictures,
 )  # fmt: skip

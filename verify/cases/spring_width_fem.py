@@ -24,7 +24,8 @@ ENDS: tuple[tuple[Tail, Head], ...] = (
     ("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"),
 )  # fmt: skip
 HEADS = {"free": "", "hinged": "y", "guided": "yabc"}
-NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness
+NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness, or over THREAD where that is more
+THREAD = 1 / 120  # of a leaf's length: narrower ones are ill-conditioned
 MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
 WIDE = (2.0, 5.0, 10.0, 30.0, 90.0)
 RATIOS = (0.2, 1.0, 5.0)  # of a thin leaf's width over its length
@@ -40,7 +41,7 @@ def fem(q: WidthInputs, level: int) -> FemResult:
     values["narrow"] = spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
     values["k"] = spring(q, q.h, level, q.tail, q.head)
     values["f"] = values["k"] / values["narrow"]
-    values["f narrowest"] = factor(q, NARROW[0] * q.b, level)
+    values["f narrowest"] = factor(q, NARROW[0] * thread(q), level)
     arrays: dict[str, NDArray[Any]] = {}
     for ratio in RATIOS:
         values[f"leaf {ratio:g}"], arrays[f"lifted {ratio:g}"] = thin_leaf(q, ratio, level)
@@ -55,6 +56,11 @@ def fem(q: WidthInputs, level: int) -> FemResult:
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
 
+def thread(q: WidthInputs) -> float:
+    """The width [m] that narrow springs are measured by."""
+    return max(q.b, THREAD * q.leaf)
+
+
 def widths_of_both(q: WidthInputs) -> dict[str, float]:
     """Widths [m] of the loop that is solved as a shell and as a solid, the inputs' own last."""
     return {f"h/b = {ratio:g}": ratio * q.b for ratio in BOTH} | {"own": q.h}
@@ -63,8 +69,8 @@ def widths_of_both(q: WidthInputs) -> dict[str, float]:
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
     """The factor over widths, at other ends, and under a uniform force instead of a rigid line."""
     swept = {
-        "narrow": [ratio * q.b for ratio in NARROW],
-        "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * q.b],
+        "narrow": [ratio * thread(q) for ratio in NARROW],
+        "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * thread(q)],
         "wide": [ratio * q.leaf for ratio in WIDE],
     }
     found = {

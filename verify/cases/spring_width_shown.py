@@ -7,6 +7,8 @@ import numpy as np
 
 from analytic.spring.wide_leaf import width_factor
 from verify.case import Context, Values
+from verify.cases import spring_stages_shown
+from verify.cases.spring_stages_inputs import StagesInputs
 from verify.cases.spring_width_claims import (
     N_PER_MM,
     limits,
@@ -17,7 +19,7 @@ from verify.cases.spring_width_claims import (
 from verify.cases.spring_width_fem import RATIOS, widths_of_both
 from verify.cases.spring_width_inputs import WidthInputs
 from verify.published.ledger import published
-from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Profile, Table
+from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Profile, Sketch, Table
 from verify.tex import tex
 
 mm, MPa = 1e-3, 1e6
@@ -26,6 +28,11 @@ mm, MPa = 1e-3, 1e6
 def leaf_factor(q: WidthInputs, h: Any) -> Array:
     """The factor of a middle leaf of width h [m] (m,)."""
     return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
+
+
+def sketch(q: WidthInputs) -> Sketch:
+    """The spring with its whole end leaves, held as the inputs say."""
+    return spring_stages_shown.sketch(StagesInputs(**q.model_dump()))
 
 
 def equations(q: WidthInputs, v: Values) -> Sequence[Equation]:
