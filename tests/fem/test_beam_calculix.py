@@ -11,11 +11,7 @@ import pytest
 from benchmarks.calculix import executable
 from fem.beam.large import LargeFrame
 from meshes.spring.path import Piece
-from tests.fem.calculix_decks import (
-    Load,
-    Problem,
-    run,
-)
+from tests.fem.calculix_decks import Load, Problem, run
 from tests.fem.calculix_strips import beams, plane_strain_section, section_held, strip
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
@@ -62,5 +58,5 @@ def test_an_arc_and_a_leaf_bend_as_in_calculix(tmp_path):
         P = 4 * plane_strain_section(b).EI / L**2
         ours, theirs = tips(pieces, [16, 32], b, R, (P, -P / 2), tmp_path)
         apart.append((theirs - ours) / np.abs(ours).max())
-    assert np.abs(apart[0]).max() < 6e-4
-    assert np.abs(4 * apart[1] - apart[0]).max() / 3 < 2e-5
+    assert np.abs(apart[0]).max() < 4e-4
+    assert np.abs(4 * apart[1] - apart[0]).max() / 3 < 1e-6  # calculix prints seven digits
