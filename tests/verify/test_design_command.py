@@ -26,6 +26,7 @@ SMALL = {
     "L1": '"12.9 mm : 13.6 mm : 2"',
     "r": '"0.35 mm : 0.6 mm : 2"',
     "alpha": '"81 deg : 83 deg : 2"',
+    "width_factor": "1",
 }
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.spring import energy, frame, stages
+from analytic.spring.wide_leaf import width_factor
 from verify.design.inputs import Task, default
 from verify.design.limits import limits
 from verify.design.nearest import alone, nearest
@@ -28,7 +29,8 @@ AS_PRINTED = {"arcs": "inner", "head": "free", "tail": "arc", "sway": None}
 def asked(ranges=None, **demands):
     """The default task with other demands [SI]."""
     base = default()
-    return Task("task", base.demands.model_copy(update=demands), ranges or base.ranges)
+    narrow = {"width_factor": 1.0} | demands
+    return Task("task", base.demands.model_copy(update=narrow), ranges or base.ranges)
 
 
 def some(count=4, **ranges):
@@ -57,6 +59,17 @@ def test_arrays_give_what_one_spring_gives(n, head, tail):
         assert f.U_w[i] == f.L0[i] - q.L_w
         eqs = energy.stiffness(**one, r=s.r[i], b=s.b[i], h=q.h, E=q.E)
         assert f.k1_eqs_1_9[i] == pytest.approx(float(eqs), rel=1e-12)
+
+
+def test_without_a_width_factor_every_leaf_is_a_plate():
+    task = asked(some(3), width_factor=None)
+    s = candidates(task.ranges)
+    f = formulas(s, task.demands)
+    for i in np.flatnonzero(s.possible)[::40]:
+        leaf = energy.leaf_length(L1=s.L1[i], r=s.r[i], b=s.b[i], alpha=s.alpha[i])
+        assert f.f[i] == pytest.approx(float(width_factor(task.demands.h, leaf)), abs=2e-5)
+    narrow = formulas(s, asked(width_factor=1.0).demands)
+    assert f.k1[s.possible] == pytest.approx((f.f * narrow.k1)[s.possible], rel=1e-12)
 
 
 def test_the_width_factor_stiffens_and_moves_no_point_of_contact():
@@ -117,6 +130,7 @@ DEMANDS = default().demands.model_copy(
 )
 # 5 N at 8 mm; L_0 = 24 mm: U_w/L_0 = 1/3 and L_0/b = 240; far from every other limit
 KEPT = {
+    "f": 1.0,
     "L0": 24e-3, "U_w": 8e-3, "k1": 625.0, "k1_eqs_1_9": 600.0, "U_A": 16e-3, "F_A": 10.0,
     "k2": 700.0, "U_cr": 20e-3, "stress": 300e6,
 }  # fmt: skip

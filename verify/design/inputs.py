@@ -62,9 +62,10 @@ class Demands(Inputs):
     h: float = quantity("56 mm", "mm", "h", "width", gt=0, le=1e4, claims="wang2023:h")
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5, claims="wang2023:E")
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45, claims="wang2023:nu")
-    width_factor: float = quantity(
-        1.0, "1", "f", "stiffness of the wide strip over that of a narrow one, up to 1/(1 - ν²)",
-        omitted=1.0, ge=1, le=1.3,
+    width_factor: float | None = quantity(
+        None, "1", "f",
+        "stiffness of the wide strip over that of a narrow one; by default that of a leaf, a plate",
+        omitted=None, ge=1, le=1.3, example="1.0957",
     )  # fmt: skip
     arcs: Arcs = word(
         "centre line", "radius of the arcs in k_1: true centre line or, as Eqs. 1-9 have it, inner"
@@ -129,7 +130,7 @@ class Demands(Inputs):
             missing = "b_tolerance" if self.b_tolerance is None else "k_band"
             raise ValueError(f"b_tolerance and k_band belong together, {missing} is missing")
         wide = 1 / (1 - self.nu**2)
-        if self.width_factor > wide * (1 + 1e-12):
+        if self.width_factor is not None and self.width_factor > wide * (1 + 1e-12):
             raise ValueError(
                 f"width_factor = {self.width_factor:g} is more than 1/(1 - ν²) = {wide:.5g}, "
                 "that of an endlessly wide strip"

@@ -117,6 +117,7 @@ WORDS = {
     "r": ("r", "inner radius of the arcs"), "alpha": ("α", "angle of the arcs"),
     "L0": ("L_0", "free length"), "U_w": ("U_w", "working displacement"),
     "Delta": ("Δ", "computed displacement, F_w/k_1"), "k1": ("k_1", "stiffness"),
+    "f": ("f", "width factor"),
     "k1_eqs_1_9": ("k_1", "stiffness by Eqs. 1-9 as the paper reads them"),
     "U_A": ("U_A", "displacement at which leaves touch"), "F_A": ("F_A", "force there"),
     "k2": ("k_2", "stiffness beyond"), "stress": ("σ", "bending stress at F_w"),

@@ -17,8 +17,8 @@ from verify.design.search import Search
 GEOMETRY = 5  # of the columns, which every candidate has
 COLUMNS = (
     ("n", "1"), ("b", "mm"), ("L1", "mm"), ("r", "mm"), ("alpha", "deg"), ("L0", "mm"),
-    ("U_w", "mm"), ("Delta", "mm"), ("k1", "N/mm"), ("k1_eqs_1_9", "N/mm"), ("U_A", "mm"),
-    ("F_A", "N"), ("k2", "N/mm"), ("stress", "MPa"),
+    ("U_w", "mm"), ("Delta", "mm"), ("f", "1"), ("k1", "N/mm"), ("k1_eqs_1_9", "N/mm"),
+    ("U_A", "mm"), ("F_A", "N"), ("k2", "N/mm"), ("stress", "MPa"),
 )  # fmt: skip
 
 
@@ -27,7 +27,7 @@ def columns(s: Search) -> dict[str, Any]:
     q, g, f = s.task.demands, s.springs, s.formulas
     si = {
         "n": g.n, "b": g.b, "L1": g.L1, "r": g.r, "alpha": g.alpha, "L0": f.L0, "U_w": f.U_w,
-        "Delta": f.delta(q.F_w), "k1": f.k1, "k1_eqs_1_9": f.k1_eqs_1_9, "U_A": f.U_A,
+        "Delta": f.delta(q.F_w), "f": f.f, "k1": f.k1, "k1_eqs_1_9": f.k1_eqs_1_9, "U_A": f.U_A,
         "F_A": f.F_A, "k2": f.k2, "stress": f.stress,
     }  # fmt: skip
     return {

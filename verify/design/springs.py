@@ -11,9 +11,12 @@ from analytic.spring import energy
 from analytic.spring.column import critical_shortening
 from analytic.spring.column import free_length as centre_length
 from analytic.spring.stages import stages
+from analytic.spring.wide_leaf import width_factor
 from verify.design.inputs import Demands
 
 Array = NDArray[np.float64]
+
+SAMPLED = 0.1  # steps of ln(h/l) between width factors; in between they err by 1e-5
 
 
 @dataclass(frozen=True)
@@ -50,12 +53,13 @@ def candidates(ranges: Mapping[str, tuple[float, ...]]) -> Springs:
 class Formulas:
     """What the formulas give for N springs, SI, arrays (N,); NaN where no strip can be bent.
 
-    `k1_eqs_1_9` is the stiffness as the paper has it, whatever the demands say of arcs and ends;
-    `U_cr` is inf where nothing sways.
+    `f` is the width factor on E I; `k1_eqs_1_9` the stiffness as the paper has it, whatever the
+    demands say of arcs and ends; `U_cr` is inf where nothing sways.
     """
 
     L0: Array
     U_w: Array
+    f: Array
     k1: Array
     k1_eqs_1_9: Array
     U_A: Array
@@ -67,6 +71,20 @@ class Formulas:
     def delta(self, F_w: float) -> Array:
         """Computed displacement of Eq. 11 under the working force."""
         return F_w / self.k1
+
+
+def width_factors(springs: Springs, demands: Demands) -> Array:
+    """What its width stiffens each strip by, as given or that of its leaves.
+
+    A leaf's factor depends on h over its length alone: between samples of that it is interpolated.
+    """
+    if demands.width_factor is not None:
+        return np.full(len(springs), demands.width_factor)
+    leaf = energy.leaf_length(L1=springs.L1, r=springs.r, b=springs.b, alpha=springs.alpha)
+    low, high = np.log(demands.h / leaf.max()), np.log(demands.h / leaf.min())
+    at = np.linspace(low, high, max(2, int(np.ceil((high - low) / SAMPLED)) + 1))
+    f = width_factor(np.exp(at), 1.0, nu=demands.nu)
+    return np.asarray(np.interp(np.log(demands.h / leaf), at, f))
 
 
 def formulas(springs: Springs, demands: Demands) -> Formulas:
@@ -83,9 +101,10 @@ def formulas(springs: Springs, demands: Demands) -> Formulas:
 def _of_one_n(n: int, s: Springs, q: Demands) -> Mapping[str, Array]:
     leaf = energy.leaf_length(L1=s.L1, r=s.r, b=s.b, alpha=s.alpha)
     L0 = centre_length(n=n, L1=s.L1, radius=s.r + s.b / 2, alpha=s.alpha) + s.b
+    f = width_factors(s, q)
     staged = stages(
         n=n, b=s.b, h=q.h, radius=s.r if q.arcs == "inner" else s.r + s.b / 2, L1=s.L1,
-        alpha=s.alpha, E=q.E, nu=q.nu, width_factor=q.width_factor, head=q.head, tail=q.tail,
+        alpha=s.alpha, E=q.E, nu=q.nu, width_factor=f, head=q.head, tail=q.tail,
         leaf=leaf,
     )  # fmt: skip
     sways = critical_shortening(
@@ -95,6 +114,7 @@ def _of_one_n(n: int, s: Springs, q: Demands) -> Mapping[str, Array]:
     return {
         "L0": L0,
         "U_w": L0 - q.L_w if q.L_w is not None else np.full(len(s), q.U_w),
+        "f": f,
         "k1": staged.k1,
         "k1_eqs_1_9": energy.stiffness(n=n, b=s.b, h=q.h, r=s.r, L1=s.L1, alpha=s.alpha, E=q.E),
         "U_A": staged.U_A,

@@ -2,8 +2,10 @@
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from verify.design.inputs import Demands
-from verify.design.springs import Springs
+from verify.design.springs import Springs, width_factors
 
 if TYPE_CHECKING:
     from fem.beam.section import Section
@@ -24,5 +26,6 @@ def strip(
         n=int(s.n[i]), L1=float(s.L1[i]), radius=float(s.r[i]) + b / 2, alpha=float(s.alpha[i]),
         tail=q.tail, tips=tips, per_arc=per_arc, per_leaf=max(2, per_arc // 2),
     )  # fmt: skip
-    E, G, A = q.E * q.width_factor, q.E / (2 * (1 + q.nu)), b * q.h
+    factor = float(width_factors(s[np.array([i])], q)[0])
+    E, G, A = q.E * factor, q.E / (2 * (1 + q.nu)), b * q.h
     return line, Section(EA=E * A, EI=E * A * b**2 / 12, GA=G * A * 5 / 6)

@@ -13,6 +13,7 @@ from verify.design.records import COLUMNS, columns, violations
 from verify.design.search import Search
 from verify.told import aligned
 
+WIDE = 1.005  # width factor from which a strip is told to be wide
 FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha", "α", 2),
          ("L0", "L_0", 3), ("U_w", "U_w", 3), ("k1", "k_1", 5), ("U_A", "U_A", 3),
          ("stress", "σ", 1))  # fmt: skip
@@ -86,12 +87,10 @@ def warnings(outcome: Outcome) -> list[str]:
     s, i = outcome.search, outcome.candidate
     q, f = s.task.demands, s.formulas
     found = []
-    wide = 1 / (1 - q.nu**2)
-    if q.width_factor < wide and q.h > 10 * s.springs.b[i]:
+    if q.width_factor is None and f.f[i] > WIDE:
         found.append(
-            f"a strip {q.h / s.springs.b[i]:.0f} times as wide as thick lies between E I and "
-            f"E I/(1 - ν²): k_1 may be up to {wide / q.width_factor - 1:.1%} above; "
-            "width_factor takes that"
+            f"the strip's width stiffens it by {f.f[i] - 1:.1%}, as a leaf that is a plate: arcs "
+            "add to that, and 1/(1 - ν²) is the most (case spring-width measures it)"
         )
     if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
         found.append(
