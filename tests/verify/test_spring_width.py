@@ -260,6 +260,11 @@ def test_many_segments_are_refused_with_what_to_do():
     assert not too_large(own(n=30))
 
 
+def test_foils_are_refused():
+    assert "11955 times as long as thick" in too_large(own(b="0.001 mm"))
+    assert not too_large(own(b="0.005 mm"))
+
+
 def test_tables_hold_the_printed_stiffness_for_the_paper_s_spring_alone(levels):
     q = WidthInputs()
     context = Context(WIDTH.id, q, analytic(q), levels, True)

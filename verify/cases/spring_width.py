@@ -15,6 +15,7 @@ from verify.checks import Accepted, Approximation, Identity, Limit
 from verify.printed import PrintedMeasurement
 
 MOST = 30  # segments that shells are solved for
+FOIL = 3000  # thicknesses in a leaf's length, beyond which narrow shells are ill-conditioned
 PLATE = 3.0  # widths over the thickness from which a leaf is a plate
 SLENDER = 0.2  # of a leaf's length, that an arc is long
 
@@ -60,6 +61,11 @@ def warnings(q: WidthInputs, _: Values) -> Sequence[str]:
 
 
 def too_large(q: WidthInputs) -> str:
+    if q.leaf > FOIL * q.b:
+        return (
+            f"leaves {q.leaf / q.b:.0f} times as long as thick are more than {FOIL}: shells of "
+            "such foils are ill-conditioned, and a leaf's plate is exact but for its arcs"
+        )
     if q.n <= MOST:
         return ""
     return (
