@@ -26,6 +26,7 @@ References
 """
 
 from collections.abc import Sequence
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -74,16 +75,22 @@ def width_factor(h: ArrayLike, length: ArrayLike, *, nu: float = 0.3, terms: int
 
 def _energy(s: float, nu: float, terms: int) -> float:
     """The least energy for s = (l/h)^2."""
+    along, across, poisson, twist = _parts(terms)
+    K = along + s**2 * across + s * (nu * poisson + 2 * (1 - nu) * twist)
+    free = slice(terms + 1, None)  # the beam's own shape, alike across, is prescribed
+    c = np.linalg.solve(K[free, free], -K[free, 0])
+    return float(K[0, 0] + c @ K[free, 0]) / 2
+
+
+@cache
+def _parts(terms: int) -> tuple[Array, Array, Array, Array]:
+    """Matrices of the energy's four products; a function X with every Y, then the next X."""
     beam = legendre.poly2leg(SHAPE)
     X = [beam, *(legendre.legint(_unit(k), 2, lbnd=-1) for k in range(3, 2 * terms + 3, 2))]
     Y = [_unit(0), *(legendre.legint(_unit(k), 2) for k in range(0, 2 * terms, 2))]
     x, y = _products(X), _products(Y)
-    K = np.kron(x[2, 2], y[0, 0]) + s**2 * np.kron(x[0, 0], y[2, 2])
-    K += nu * s * (np.kron(x[2, 0], y[0, 2]) + np.kron(x[0, 2], y[2, 0]))
-    K += 2 * (1 - nu) * s * np.kron(x[1, 1], y[1, 1])
-    free = np.arange(len(Y), len(K))  # the beam's own shape, alike across, is prescribed
-    c = np.linalg.solve(K[np.ix_(free, free)], -K[free, 0])
-    return float(K[0, 0] + c @ K[free, 0]) / 2
+    poisson = np.kron(x[2, 0], y[0, 2]) + np.kron(x[0, 2], y[2, 0])
+    return np.kron(x[2, 2], y[0, 0]), np.kron(x[0, 0], y[2, 2]), poisson, np.kron(x[1, 1], y[1, 1])
 
 
 def _unit(k: int) -> Array:

@@ -118,7 +118,7 @@ def figures(context: Context) -> Sequence[Figure]:
 def _over_width(context: Context) -> Profile:
     q = context.inputs
     h, f = sweep(context).T
-    at = np.geomspace(h[0], h[-1], 60)
+    at = np.geomspace(h[0], h[-1], 40)
     return Profile(
         title="Stiffness over that of a narrow strip: the whole spring beside one leaf",
         x_label="log10 of h/b", y_label="f", x=np.log10(at / q.b), y=leaf_factor(q, at),
