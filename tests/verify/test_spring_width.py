@@ -69,15 +69,15 @@ FORMULA_FAULTS = [
 
 
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FORMULA_FAULTS)
-def test_a_wrong_formula_turns_a_row_red(owner, name, fault, row, judged, red, monkeypatch):
-    judged(WIDTH)
+def test_a_wrong_formula_turns_a_row_red(owner, name, fault, row, levels, monkeypatch):
+    assert judge_row(row, levels) is Status.PASS
     monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
-    assert row in names(red(judged(WIDTH)))
+    assert judge_row(row, levels) is Status.FAIL
 
 
-def test_another_default_of_the_curve_turns_its_row_red(judged, red, monkeypatch):
+def test_another_default_of_the_curve_turns_its_row_red(levels, monkeypatch):
     monkeypatch.setattr(CurveInputs.model_fields["width_factor"], "default", 1.0989)
-    assert TAKEN in names(red(judged(WIDTH)))
+    assert judge_row(TAKEN, levels) is Status.FAIL
 
 
 def without(levels, **changed):
@@ -141,7 +141,7 @@ def levels():
     """Of the paper's inputs, from the cache."""
     from tests.conftest import solved
 
-    return solved(WIDTH, WidthInputs())
+    return [level.result for level in solved(WIDTH, WidthInputs())]
 
 
 def test_edges_held_by_mistake_turn_the_factor_s_rows_red(levels):
@@ -189,13 +189,13 @@ def test_wrong_sweeps_turn_rows_red(key, fault, row, levels):
     assert judge_row(row, with_arrays(levels, **{key: fault})) is Status.FAIL
 
 
-def test_a_head_without_its_line_is_softer_than_with_it():
-    """A force at a point of the head, which the line would spread, moves the point alone."""
+def test_a_free_head_without_its_line_is_a_little_softer_than_with_it():
+    """A uniform force bends the line; of a short spring, whose head is free, the most."""
     q = own(n=4)
     line = spring(q, q.h, 2, "arc", "free")
     force = spring(q, q.h, 2, "arc", "free", uniform=True)
     assert force < line
-    assert force == pytest.approx(line, rel=1e-4)
+    assert force == pytest.approx(line, rel=2e-4)
 
 
 def test_what_a_wide_spring_lacks_is_as_wide_as_its_leaves(levels):
@@ -262,7 +262,7 @@ def test_many_segments_are_refused_with_what_to_do():
 
 
 def test_foils_are_refused():
-    assert "11955 times as long as thick" in too_large(own(b="0.001 mm"))
+    assert "11938 times as long as thick" in too_large(own(b="0.001 mm"))
     assert not too_large(own(b="0.005 mm"))
 
 
