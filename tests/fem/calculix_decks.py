@@ -1,4 +1,4 @@
-"""Decks for calculix: plane strain at large displacement with frictionless contact.
+"""Decks for calculix: plane strain at large displacement, with contact.
 
 Eight-node quadrilaterals with reduced integration, per unit of width.
 """
@@ -59,6 +59,7 @@ class Problem:
     watched: Sequence[int]
     touching: Sequence[Touching] = ()
     stiffness: float = 0.0  # of the contact: pressure over overlap
+    friction: float = 0.0
     increment: float = 0.25  # of each step
 
 
@@ -71,7 +72,7 @@ class Answer:
     seconds: float
 
 
-def run(problem: Problem, deck: Path, limit: float = 60.0) -> Answer:
+def run(problem: Problem, deck: Path, limit: float = 300.0) -> Answer:
     write_deck(problem, deck)
     done = run_deck(deck, limit=limit)
     said = deck.with_suffix(".dat").read_text("ascii")
@@ -130,6 +131,8 @@ def _write_contact(problem: Problem, deck: TextIO) -> None:
     if problem.touching:
         deck.write("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, ")
         deck.write(f"PRESSURE-OVERCLOSURE=LINEAR\n{problem.stiffness!r}\n")
+    if problem.friction:
+        deck.write(f"*FRICTION\n{problem.friction!r},{problem.stiffness / 2!r}\n")
     for k in range(len(problem.touching)):
         deck.write(f"*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE\nS{k},M{k}\n")
 
