@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 
 from analytic.spring.frame import Head, Tail
+from analytic.spring.wide_leaf import width_factor
 from verify import judge
 from verify.case import Context
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_width_fem import ENDS
+from verify.cases.spring_width_inputs import WidthInputs
 from verify.checks import Limit, Margin
 from verify.convergence import grid_convergence
 from verify.published.ledger import published
@@ -116,10 +118,13 @@ def estimate(context: Context) -> tuple[float, float, str]:
     return ESTIMATE - abs(leaf / f - 1), U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}"
 
 
+def leaf_factor(q: WidthInputs, h: Any) -> Array:
+    """The factor of a middle leaf of width h [m] (m,)."""
+    return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
+
+
 def estimates(context: Context) -> tuple[float, float, str]:
     """What is left between both over all widths of the sweep."""
-    from verify.cases.spring_width_shown import leaf_factor
-
     h, f = sweep(context).T
     off = leaf_factor(context.inputs, h) / f - 1
     worst = int(abs(off).argmax())

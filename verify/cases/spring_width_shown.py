@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from analytic.spring.wide_leaf import width_factor
 from verify.case import Context, Values
 from verify.cases import spring_stages_shown
 from verify.cases.spring_stages_inputs import StagesInputs
 from verify.cases.spring_width_claims import (
     N_PER_MM,
+    leaf_factor,
     limits,
     readings,
     sweep,
@@ -19,15 +19,10 @@ from verify.cases.spring_width_claims import (
 from verify.cases.spring_width_fem import RATIOS, widths_of_both
 from verify.cases.spring_width_inputs import WidthInputs
 from verify.published.ledger import published
-from verify.shown import Array, Curve, Curves, Equation, Figure, Picture, Profile, Sketch, Table
+from verify.shown import Curve, Curves, Equation, Figure, Picture, Profile, Sketch, Table
 from verify.tex import tex
 
 mm, MPa = 1e-3, 1e6
-
-
-def leaf_factor(q: WidthInputs, h: Any) -> Array:
-    """The factor of a middle leaf of width h [m] (m,)."""
-    return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
 
 
 def sketch(q: WidthInputs) -> Sketch:
