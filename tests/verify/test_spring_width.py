@@ -10,7 +10,7 @@ from verify.case import Context
 from verify.cases import spring_width, spring_width_claims, spring_width_fem
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_width import WIDTH, analytic, too_large, warnings
-from verify.cases.spring_width_fem import ENDS, LEVELS, spring
+from verify.cases.spring_width_fem import ENDS, LEVELS, fem_spring
 from verify.cases.spring_width_inputs import WidthInputs
 from verify.inputs import InputError, build
 from verify.judge import fit_limit
@@ -99,13 +99,13 @@ def rows_of_a_shell(change, monkeypatch):
 
     Only they are solved, on all levels.
     """
-    right = spring_width_fem.pulled
-    monkeypatch.setattr(spring_width_fem, "pulled", lambda *a, **k: right(*change(a), **k))
+    right = spring_width_fem.fem_pulled
+    monkeypatch.setattr(spring_width_fem, "fem_pulled", lambda *a, **k: right(*change(a), **k))
     q = WidthInputs()
     values = [
         {
-            "mid-leaf, guided, held": spring(q, q.h, level, "mid-leaf", "guided", held=True),
-            "narrow": spring(q, q.h, level, "mid-leaf", "guided", held=True, narrow=True),
+            "mid-leaf, guided, held": fem_spring(q, q.h, level, "mid-leaf", "guided", held=True),
+            "narrow": fem_spring(q, q.h, level, "mid-leaf", "guided", held=True, narrow=True),
         }
         for level in LEVELS
     ]
@@ -192,8 +192,8 @@ def test_wrong_sweeps_turn_rows_red(key, fault, row, levels):
 def test_a_free_head_without_its_line_is_a_little_softer_than_with_it():
     """A uniform force bends the line; of a short spring, whose head is free, the most."""
     q = own(n=4)
-    line = spring(q, q.h, 2, "arc", "free")
-    force = spring(q, q.h, 2, "arc", "free", uniform=True)
+    line = fem_spring(q, q.h, 2, "arc", "free")
+    force = fem_spring(q, q.h, 2, "arc", "free", uniform=True)
     assert force < line
     assert force == pytest.approx(line, rel=2e-4)
 

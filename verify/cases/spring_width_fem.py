@@ -37,14 +37,14 @@ ROUND_OFF = 1e-12  # of the energy
 def fem(q: WidthInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
     for tail, head in ENDS:
-        values[f"{tail}, {head}, held"] = spring(q, q.h, level, tail, head, held=True)
-    values["narrow"] = spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
-    values["k"] = spring(q, q.h, level, q.tail, q.head)
+        values[f"{tail}, {head}, held"] = fem_spring(q, q.h, level, tail, head, held=True)
+    values["narrow"] = fem_spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
+    values["k"] = fem_spring(q, q.h, level, q.tail, q.head)
     values["f"] = values["k"] / values["narrow"]
     values["f narrowest"] = factor(q, NARROW[0] * thread(q), level)
     arrays: dict[str, NDArray[Any]] = {}
     for ratio in RATIOS:
-        values[f"leaf {ratio:g}"], arrays[f"lifted {ratio:g}"] = thin_leaf(q, ratio, level)
+        values[f"leaf {ratio:g}"], arrays[f"lifted {ratio:g}"] = fem_leaf(q, ratio, level)
     fields: list[Field] = []
     for name, h in widths_of_both(q).items():
         loops = shell_loop(q, h, level)
@@ -88,11 +88,11 @@ def factor(
 ) -> float:  # fmt: skip
     """Stiffness over that in plane stress on the same mesh, held as the inputs say or otherwise."""
     ends = tail or q.tail, head or q.head
-    plane = spring(q, h, level, *ends, held=True, narrow=True)
-    return spring(q, h, level, *ends, uniform=uniform) / plane
+    plane = fem_spring(q, h, level, *ends, held=True, narrow=True)
+    return fem_spring(q, h, level, *ends, uniform=uniform) / plane
 
 
-def spring(
+def fem_spring(
     q: WidthInputs, h: float, level: int, tail: Tail, head: Head, *, held: bool = False,
     narrow: bool = False, uniform: bool = False,
 ) -> float:  # fmt: skip
@@ -104,11 +104,11 @@ def spring(
     """
     from meshes.spring.path import accordion
 
-    material = in_plane_stress(q) if narrow else steel(q)
-    mesh = swept(
+    material = fem_plane_stress(q) if narrow else fem_steel(q)
+    mesh = fem_mesh(
         list(accordion(**q.path, tail=tail)), q.b, h, level, across=cells(q, h, level, held)
     )
-    solved = pulled(mesh, q.b, h, material, HEADS[head], held=held, uniform=uniform)
+    solved = fem_pulled(mesh, q.b, h, material, HEADS[head], held=held, uniform=uniform)
     return -1 / solved.potential_energy
 
 
@@ -119,20 +119,22 @@ def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
     return level if h <= NARROW[-1] * q.b else 3 * level
 
 
-def steel(q: WidthInputs) -> "Elastic":
+def fem_steel(q: WidthInputs) -> "Elastic":
     from fem.plane.material import Elastic
 
     return Elastic(E=q.E, nu=q.nu)
 
 
-def in_plane_stress(q: WidthInputs) -> "Elastic":
+def fem_plane_stress(q: WidthInputs) -> "Elastic":
     """What is in plane strain as stiff as the spring's steel in plane stress."""
     from fem.plane.material import Elastic
 
     return Elastic(E=q.E * (1 + 2 * q.nu) / (1 + q.nu) ** 2, nu=q.nu / (1 + q.nu))
 
 
-def swept(path: "Sequence[Piece]", b: float, h: float, level: int, *, across: int) -> "ShellMesh":
+def fem_mesh(
+    path: "Sequence[Piece]", b: float, h: float, level: int, *, across: int
+) -> "ShellMesh":
     """Half of the strip's width; cells shrink to its edge, whose layer is about b wide."""
     from meshes.shell.strip import swept_path
 
@@ -140,7 +142,7 @@ def swept(path: "Sequence[Piece]", b: float, h: float, level: int, *, across: in
                       finest=3.2 * b / level, leaf_ends=0.1)  # fmt: skip
 
 
-def pulled(
+def fem_pulled(
     mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
     held: bool = False, uniform: bool = False,
 ) -> "ShellSolution":  # fmt: skip
@@ -157,7 +159,7 @@ def pulled(
     )  # fmt: skip
 
 
-def thin_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
+def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
     """The factor of a leaf so thin that it is Kirchhoff's plate, and how it curves across.
 
     The latter (k, 2): place along the leaf over its length, and what the edge is lifted above the
@@ -174,9 +176,9 @@ def thin_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[
             path, width=h / 2, per_arc=1, per_leaf=6 * level, across=1 if held else 3 * level,
             finest=None if held else 0.02 * min(h / 2, length) / level, leaf_ends=0.02,
         )  # fmt: skip
-        return mesh, pulled(mesh, b, h, material, HEADS["guided"], held=held)
+        return mesh, fem_pulled(mesh, b, h, material, HEADS["guided"], held=held)
 
-    (mesh, wide), (_, narrow) = solve(steel(q), False), solve(in_plane_stress(q), True)
+    (mesh, wide), (_, narrow) = solve(fem_steel(q), False), solve(fem_plane_stress(q), True)
     y, x = mesh.points[:, 1] / length, wide.u[:, 0]
     edge, middle = (np.unique(mesh.boundaries[name]) for name in ("edge", "middle"))
     edge, middle = edge[np.argsort(y[edge])], middle[np.argsort(y[middle])]
@@ -185,7 +187,7 @@ def thin_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[
     return float(factor), np.column_stack([y[edge], lifted])
 
 
-def loop(q: WidthInputs) -> "tuple[Piece, ...]":
+def fem_loop(q: WidthInputs) -> "tuple[Piece, ...]":
     """Half a leaf, two quarter arcs, and half a leaf."""
     from meshes.spring.path import Piece
 
@@ -200,25 +202,25 @@ def loop(q: WidthInputs) -> "tuple[Piece, ...]":
 
 def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh, ShellSolution]":
     """Stiffness of a loop of width h over that in plane strain, with its solution."""
-    path = loop(q)
-    mesh = swept(path, q.b, h, level, across=cells(q, h, level, held=False))
-    solved = pulled(mesh, q.b, h, steel(q), HEADS["guided"])
-    endless = pulled(swept(path, q.b, h, level, across=1), q.b, h, steel(q), HEADS["guided"],
+    path = fem_loop(q)
+    mesh = fem_mesh(path, q.b, h, level, across=cells(q, h, level, held=False))
+    solved = fem_pulled(mesh, q.b, h, fem_steel(q), HEADS["guided"])
+    endless = fem_pulled(fem_mesh(path, q.b, h, level, across=1), q.b, h, fem_steel(q), HEADS["guided"],
                      held=True)  # fmt: skip
     return endless.potential_energy / solved.potential_energy, mesh, solved
 
 
 def solid_loop(q: WidthInputs, h: float, level: int) -> float:
     """The same of 27-node solids, one through the thickness."""
-    return solid(q, h, level, held=False) / solid(q, h, level, held=True)
+    return fem_solid(q, h, level, held=False) / fem_solid(q, h, level, held=True)
 
 
-def solid(q: WidthInputs, h: float, level: int, *, held: bool) -> float:
+def fem_solid(q: WidthInputs, h: float, level: int, *, held: bool) -> float:
     """Stiffness [N/m] of the loop as a solid; what shears its ends is a parabola over them."""
     from fem.solid.solve import solve_solid
     from meshes.solid.strip import solid_strip
 
-    path = loop(q)
+    path = fem_loop(q)
     x, y = path[-1].end
     mesh = solid_strip(path, b=q.b, width=h / 2, through=1, per_arc=level, per_leaf=3 * level,
                        across=1 if held else 2 * level, grading=100.0)  # fmt: skip
@@ -231,7 +233,7 @@ def solid(q: WidthInputs, h: float, level: int, *, held: bool) -> float:
         return traction
 
     solved = solve_solid(
-        mesh, materials=steel(q), points=(2, 3, 3), uniform={(0.0, 0.0, None): "x"},
+        mesh, materials=fem_steel(q), points=(2, 3, 3), uniform={(0.0, 0.0, None): "x"},
         supports={
             "middle": "z", "head": "y", "tail": "y", (x, y, None): "x" if held else "xz",
             **({"edge": "z"} if held else {}),
