@@ -62,8 +62,8 @@ class Balance:
         """Of displacements (3n,) where they are compared: lengths by the frame's, and per node."""
         return np.tile([self.length**-2, self.length**-2, 1.0], len(self.points)) / len(self.points)
 
-    def positions(self, u: Extended) -> Array:
-        x = u.astype(float)
+    def positions(self, u: Extended) -> Extended:
+        x = u.copy()
         x[:, :2] += self.points
         return x
 
@@ -79,7 +79,8 @@ class Balance:
         stored, x = 0.0, self.positions(u)
         for term in self.terms:
             part, force, slope = term.evaluate(x)
-            stored, internal, K = stored + part, internal + force, csc_array(K + slope)
+            stored, K = stored + float(part), csc_array(K + slope)
+            internal = internal + np.asarray(force, float)
             size += self.measure(force.reshape(-1, 3)) ** 2
         acting = self.base.plus(factor, self.pattern)
         if (slope := acting.slope(u)) is not None:

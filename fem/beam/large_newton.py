@@ -15,6 +15,8 @@ from fem.beam.section import Array
 
 TOLERANCE = 1e-10  # residual, relative to the forces between nodes and elements
 ROUND_OFF = 1e-7  # the same where steps have become round-off
+FLICKER = 1e-8  # the same where places flicker between touching and not
+STALL = 4  # iterations without progress
 STILL = 1e-14  # a step that is round-off, relative to the size of the frame
 MAX_ITERATIONS = 25
 MAX_SETTLEMENTS = 40
@@ -53,16 +55,17 @@ def equilibrium(
     u, factor = start.exact + step.reshape(-1, 3), start.factor + change
     history: list[float] = []
     noise = balance.elements.noise * balance.length
-    settlements, last = 0, MAX_ITERATIONS
+    settlements, since, last = 0, 0, MAX_ITERATIONS
     while len(history) < last:
         found = balance.respond(u, factor, stress)
         size = balance.measure(found.residual.reshape(-1, 3))
         history.append(size / found.size if found.size else 0.0)
         still = _moved(balance, step) < STILL and size < max(ROUND_OFF * found.size, noise)
-        if history[-1] < TOLERANCE or still:
+        if history[-1] < TOLERANCE or still or (balance.terms and _stalled(history[since:])):
             if not _unsettled(balance, u):
                 return u, factor, found, tuple(history)
             settlements, last = settlements + 1, len(history) + MAX_ITERATIONS
+            since = len(history)
             if settlements > MAX_SETTLEMENTS:
                 raise ConvergenceError(f"the terms do not settle in {MAX_SETTLEMENTS} rounds")
             found = balance.respond(u, factor)
@@ -83,6 +86,12 @@ def equilibrium(
 def _unsettled(balance: Balance, u: Extended) -> bool:
     asked = [term.settle(balance.positions(u)) for term in balance.terms]  # every one of them
     return any(asked)
+
+
+def _stalled(history: list[float]) -> bool:
+    """Whether a small residual stopped falling: places that touch without force come and go."""
+    before, late = history[:-STALL], history[-STALL:]
+    return bool(before) and history[-1] < FLICKER and min(late) > min(before) / 2
 
 
 def _moved(balance: Balance, step: Array) -> float:

@@ -4,7 +4,10 @@ from typing import Protocol
 
 from scipy.sparse import csc_array
 
+from fem.beam.large_elements import Extended
 from fem.beam.section import Array
+
+Positions = Array | Extended
 
 
 class Term(Protocol):
@@ -13,7 +16,9 @@ class Term(Protocol):
     `fem.beam.large.LargeFrame` calls `start` once before a path begins in the reference state,
     `evaluate` in every Newton iteration, `settle` when Newton converged, then `accept`, or
     `reject` where the step is given up and a smaller one follows. Every x is an array (n, 3):
-    current positions and the rotation of the nodes, zero in the reference state [length, rad].
+    current positions and the rotation of the nodes, zero in the reference state [length, rad],
+    after `start` with the extended precision of the frame's displacements: stiff contact loses
+    the last digits of its force otherwise.
 
     `dissipated` is the energy lost since `start`, up to the last `accept`.
     """
@@ -23,7 +28,7 @@ class Term(Protocol):
     def start(self, x: Array) -> None:
         """Forget all history; `x` is the reference state."""
 
-    def evaluate(self, x: Array) -> tuple[float, Array, csc_array]:
+    def evaluate(self, x: Positions) -> tuple[float, Array, csc_array]:
         """Stored energy, internal force (3n,) = d energy/dx and tangent (3n, 3n) at `x`.
 
         The internal force is what the term demands of the loads: a spring that pulls a node
@@ -34,14 +39,14 @@ class Term(Protocol):
         """
         ...
 
-    def settle(self, x: Array) -> bool:  # noqa: ARG002
+    def settle(self, x: Positions) -> bool:  # noqa: ARG002
         """Improve multipliers at the converged `x`; True asks for equilibrium again.
 
         What it changes must be undone by `reject`.
         """
         return False
 
-    def accept(self, x: Array) -> None:
+    def accept(self, x: Positions) -> None:
         """Take `x` as the new accepted state: history, multipliers and `dissipated` stand."""
 
     def reject(self) -> None:

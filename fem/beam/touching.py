@@ -6,13 +6,14 @@ end of a line is a half circle around its last node.
 
 import math
 from abc import ABC, abstractmethod
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import csc_array
 
 from fem.beam.section import Array, Indices
-from fem.beam.terms import Term
+from fem.beam.terms import Positions, Term
 from fem.beam.touching_law import Answer, Law
 from fem.beam.touching_lines import past, touch
 from fem.beam.touching_neighbours import Apart, arcs
@@ -23,6 +24,7 @@ from fem.beam.touching_rigid import Body, Shape
 from fem.beam.touching_touch import Touch, scatter
 
 SHARE = 0.1  # of E h, what a strip of h x 1 under pressure gives way, is the contact's stiffness
+SOFTER = 6.0  # thicknesses: longer cells bend so easily that less stiffness does
 PROBES = 2  # of an element
 NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itself
 
@@ -39,8 +41,9 @@ class Touching(Term, ABC):
         EA: float, friction: float, share: float,
     ) -> None:  # fmt: skip
         self.points, self.elements, self.probes = points, elements, probes
-        stiffness = share * EA / thickness**2 * np.repeat(probes.length, slots)
-        self.law = Law(stiffness, friction, thickness)
+        softer = np.minimum(1.0, (SOFTER * thickness / probes.length) ** 4)
+        stiffness = np.repeat(share * EA / thickness**2 * probes.length, slots)
+        self.law = Law(stiffness * np.repeat(softer, slots), stiffness, friction, thickness)
         self.dissipated = 0.0
         self.records: list[Record] = []
 
@@ -55,23 +58,24 @@ class Touching(Term, ABC):
         self._start(x)
         self.accept(x)
 
-    def evaluate(self, x: Array) -> tuple[float, Array, csc_array]:
+    def evaluate(self, x: Positions) -> tuple[float, Array, csc_array]:
         found, answer = self._answer(x)
         return answer.energy, *scatter(x.size, found.dofs, answer.force, answer.tangent)
 
-    def settle(self, x: Array) -> bool:
+    def settle(self, x: Positions) -> bool:
         return self.law.settle(*self._answer(x))
 
-    def accept(self, x: Array) -> None:
+    def accept(self, x: Positions) -> None:
         found, answer = self._answer(x)
         self.dissipated += self.law.accept(found, answer)
-        self.records.append(self._record(x, found, answer))
-        self._keep(x)
+        near = x.astype(float)
+        self.records.append(self._record(near, found, answer))
+        self._keep(near)
 
     def reject(self) -> None:
         self.law.reject()
 
-    def _answer(self, x: Array) -> tuple[Touch, Answer]:
+    def _answer(self, x: Positions) -> tuple[Touch, Answer]:
         found = self._touch(x)
         return found, self.law.answer(found)
 
@@ -84,7 +88,7 @@ class Touching(Term, ABC):
         """Sides and slip count from `x` on."""
 
     @abstractmethod
-    def _touch(self, x: Array) -> Touch:
+    def _touch(self, x: Positions) -> Touch:
         """The places that press at `x`."""
 
     @abstractmethod
@@ -151,8 +155,10 @@ class SelfContact(Touching):
         self.pairs.accept(x)
         self.past = past(x, self.pairs.nearest(x), self.probes, self.arcs)
 
-    def _touch(self, x: Array) -> Touch:
-        return touch(x, self._met(x), self.probes, self.arcs, self.thickness, self.past)
+    def _touch(self, x: Positions) -> Touch:
+        near = x.astype(float)
+        met = self._met(near).sharpened(x, self.probes, self.elements)
+        return touch(near, met, self.probes, self.arcs, self.thickness, self.past)
 
     def _met(self, x: Array) -> Meeting:
         met = self.pairs.nearest(x)
@@ -207,13 +213,16 @@ class Obstacle(Touching):
     def _keep(self, x: Array) -> None:
         self.body.accept(x)
 
-    def _touch(self, x: Array) -> Touch:
-        eta, surface = self.body.nearest(x)
+    def _touch(self, x: Positions) -> Touch:
+        near = x.astype(float)
+        eta, surface = self.body.nearest(near)
         probe = np.arange(len(self.probes.length))
         pressing = self.law.pressing(
             probe, surface.distance + self.body.eased(eta) - self.body.b / 2
         )
-        return self.body.touch(x, probe[pressing], eta, surface)
+        probe = probe[pressing]
+        touch = self.body.touch(near, probe, eta, surface)
+        return replace(touch, gap=self.body.gap(x, probe, eta[probe]))
 
     def _record(self, x: Array, found: Touch, answer: Answer) -> Record:
         eta, surface = self.body.nearest(x)

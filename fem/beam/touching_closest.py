@@ -5,7 +5,6 @@ from collections.abc import Callable
 import numpy as np
 
 from fem.beam.section import Array, Indices
-from fem.beam.touching_points import shapes
 
 ITERATIONS = 30
 BRACKETINGS = 80
@@ -13,31 +12,38 @@ CONVERGED = 1e-14
 SETTLED = 1e-11  # of a place: the distance there is stationary
 
 
-def closest(corners: Array, at: Array) -> Array:
-    """Place (k,) in 0..1 on each element (k, p, 2) that is nearest to the point `at` (k, 2).
+def closest(curve: Array, at: Array) -> Array:
+    """Place (k,) in 0..1 on each curve (`powers`, (k, 2, 3)) that is nearest to `at` (k, 2).
 
     Newton's method on the distance, from the projection on the chord; where the distance isn't
     convex (beyond the centre of curvature) a step of the chord's own length scale replaces it.
     """
-    chord = corners[:, 1] - corners[:, 0]
-    along = np.einsum("kd,kd->k", at - corners[:, 0], chord)
-    xi = np.clip(along / np.einsum("kd,kd->k", chord, chord), 0.0, 1.0)
-    rows = np.arange(len(xi))
+    x0, x1, x2 = np.moveaxis(curve, -1, 0)
+    chord = x1 + x2
+    away = at - x0
+    xi = np.clip(_dot(away, chord) / _dot(chord, chord), 0.0, 1.0)
+    # half the distance squared has the slope p0 + p1 xi + p2 xi^2 + p3 xi^3
+    p0, p1, p2 = -_dot(away, x1), _dot(x1, x1) - 2 * _dot(away, x2), 3 * _dot(x1, x2)
+    p3, stretch_2 = 2 * _dot(x2, x2), 4 * _dot(x2, x2)
+    own = np.stack([p0, p1, p2, p3, p1 + 2 * _dot(away, x2), 4 * _dot(x1, x2), stretch_2])
+    rows, place = np.arange(len(xi)), xi.copy()
     for _ in range(ITERATIONS):
-        N, slope, second = shapes(xi[rows], corners.shape[1])
-        own = corners[rows]
-        d = at[rows] - np.einsum("kp,kpd->kd", N, own)
-        x1 = np.einsum("kp,kpd->kd", slope, own)
-        stretch = np.einsum("kd,kd->k", x1, x1)
-        bend = np.einsum("kd,kpd,kp->k", d, own, second)
-        H = np.where(bend < 0.7 * stretch, stretch - bend, stretch)
-        moved = np.clip(xi[rows] + np.einsum("kd,kd->k", d, x1) / H, 0.0, 1.0)
-        change = np.abs(moved - xi[rows])
+        p0, p1, p2, p3, s0, s1, s2 = own
+        slope = ((p3 * place + p2) * place + p1) * place + p0
+        H = (3 * p3 * place + 2 * p2) * place + p1
+        stretch = (s2 * place + s1) * place + s0
+        H = np.where(0.3 * stretch < H, H, stretch)
+        moved = np.clip(place - slope / H, 0.0, 1.0)
         xi[rows] = moved
-        rows = rows[change > CONVERGED]
-        if not rows.size:
+        going = np.abs(moved - place) > CONVERGED
+        if not going.any():
             break
+        rows, place, own = rows[going], moved[going], own[:, going]
     return xi
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1]
 
 
 def least(

@@ -23,7 +23,7 @@ ALLOWED = 1e-4  # of the thickness: penetration and elastic slip that need no se
 DEEP = 0.05  # of the thickness: only an iterate is so deep, and its huge force must not turn
 STICKS = 2.0  # beside -1 and 1, the ways to slide, and 0, not known yet
 SLACK = 1e-9  # relative, of the friction's limit and of the allowed slip
-TANGENTIAL = 0.002  # of the normal stiffness
+TANGENTIAL = 0.002  # of what is firm
 
 
 @dataclass(frozen=True)
@@ -39,10 +39,14 @@ class Answer:
 
 
 class Law:
-    """Contact law of slots with normal `stiffness` (slots,) [force / length]."""
+    """Contact law of slots with normal `stiffness` (slots,) [force / length].
 
-    def __init__(self, stiffness: Array, friction: float, thickness: float) -> None:
+    They stick by a share of `firm` (slots,) [force / length].
+    """
+
+    def __init__(self, stiffness: Array, firm: Array, friction: float, thickness: float) -> None:
         self.stiffness, self.friction = stiffness, friction
+        self.sticking = TANGENTIAL * firm
         self.onset = stiffness * ROUNDING * thickness
         self.allowed, self.deep = ALLOWED * thickness, DEEP * thickness
         self.start()
@@ -76,7 +80,7 @@ class Law:
         T = np.where(stick, self._trial(touch), way * self.friction * N)
         dT = np.where(
             stick[:, None],
-            TANGENTIAL * k[:, None] * touch.slipping,
+            self.sticking[touch.slot, None] * touch.slipping,
             -(way * self.friction * hard)[:, None] * touch.opening,
         )
         force += T[:, None] * touch.sliding
@@ -109,8 +113,7 @@ class Law:
         return bool((found != before).any())
 
     def _trial(self, touch: Touch) -> Array:
-        k = TANGENTIAL * self.stiffness[touch.slot]
-        return self.tangential[touch.slot] + k * touch.slip
+        return self.tangential[touch.slot] + self.sticking[touch.slot] * touch.slip
 
     def accept(self, touch: Touch, answer: Answer) -> float:
         """The step's friction work; from now on slip counts anew and friction goes on from T."""

@@ -1,15 +1,16 @@
 """Probes and the nearest places of other elements, on either side of a line."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from fem.beam.section import Array, Indices
+from fem.beam.terms import Positions
 from fem.beam.touching_closest import closest, least
 from fem.beam.touching_neighbours import Apart
-from fem.beam.touching_points import Probes, places
+from fem.beam.touching_points import Probes, on, positions, powers
 
 BULGE = 1.2  # of an element beyond the circle through its nodes
 CLEAR = 0.5  # sine of the angle from which a place lies clearly on one side of a line
@@ -42,6 +43,13 @@ class Meeting:
     def chosen(self, which: NDArray[np.bool_] | Indices) -> "Meeting":
         return Meeting(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
 
+    def sharpened(self, x: Positions, probes: Probes, elements: Indices) -> "Meeting":
+        """The same with distances that count every digit of the positions `x`."""
+        at = x[:, :2].astype(np.longdouble)
+        here = positions(at, probes.nodes[self.slot // 2], self.eta)
+        away = here - positions(at, elements[self.element], self.xi)
+        return replace(self, distance=np.copysign(np.hypot(*away.T), self.distance).astype(float))
+
 
 class Pairs:
     """Candidates: pairs of a probe and an element that may touch before the next look-round."""
@@ -69,8 +77,9 @@ class Pairs:
         return found
 
     def _nearest(self, at: Array) -> Meeting:
-        eta = self._least(at)
-        met = self._meet(at, np.arange(self.slot.size), eta)
+        curves = powers(at[self.elements])
+        eta = self._least(curves)
+        met = self._meet(curves, np.arange(self.slot.size), eta)
         if not met.slot.size:
             return met
         first = np.flatnonzero(np.diff(met.slot, prepend=-1))
@@ -80,18 +89,18 @@ class Pairs:
         # ties: at a node of two elements
         return met.chosen(best[np.diff(met.slot[best], prepend=-1) > 0])
 
-    def _least(self, at: Array) -> Array:
+    def _least(self, curves: Array) -> Array:
         """Where each pair's probe is nearest to the element; its middle for distant pairs."""
         p = self.probes
         eta = p.middle[self.probe]
-        met = self._meet(at, np.arange(self.slot.size), eta)
+        met = self._meet(curves, np.arange(self.slot.size), eta)
         half = p.length[self.probe] / 2
         near = np.flatnonzero(met.distance < NEAR * self.touching + half)
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
             """Distance and its slope by eta."""
-            met = self._meet(at, near[rows], eta)
-            own = places(at, p.nodes[self.probe[near[rows]]], eta).slope
+            met = self._meet(curves, near[rows], eta)
+            _, own = on(curves[p.element[self.probe[near[rows]]]], eta)
             rise = np.einsum("kd,kd->k", met.n, own) + met.easing
             return met.distance + met.eased, rise
 
@@ -99,10 +108,10 @@ class Pairs:
         eta[near] = least(p.lower[cell], p.upper[cell], rise, NEAR * self.touching)
         return eta
 
-    def _meet(self, at: Array, pair: Indices, eta: Array) -> Meeting:
+    def _meet(self, curves: Array, pair: Indices, eta: Array) -> Meeting:
         """The nearest place of each pair's element to the place eta of its probe's element."""
         probe, element = self.probe[pair], self.element[pair]
-        xi, d, tangent, across, end = self._project(at, probe, element, eta)
+        xi, d, tangent, across, end = self._project(curves, probe, element, eta)
         distance = np.maximum(np.hypot(*d.T), TINY)
         left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
         clear, before = self.clear[pair], self.side[pair]
@@ -121,7 +130,8 @@ class Pairs:
         """Lists the candidates around the positions `at`, with their sides when last accepted."""
         self.seen = at.copy()
         p = self.probes
-        corners, here = at[self.elements], places(at, p.nodes, p.middle).position
+        corners = at[self.elements]
+        here, _ = on(powers(corners)[p.element], p.middle)
         centre = (corners.min(axis=1) + corners.max(axis=1)) / 2
         radius = BULGE * np.hypot(*np.moveaxis(corners - centre[:, None], -1, 0)).max(axis=1)
         half = p.length / 2
@@ -131,8 +141,9 @@ class Pairs:
         away = np.hypot(*(here[probe] - centre[element]).T)
         keep = (away < radius[element] + self.reach + half[probe]) & self.apart(probe, element)
         probe, element = probe[keep], element[keep]
-        _, d, _, across, _ = self._project(self.accepted, probe, element, p.middle[probe])
-        own = places(self.accepted, p.nodes[probe], p.middle[probe]).slope
+        before, middle = powers(self.accepted[self.elements]), p.middle[probe]
+        _, d, _, across, _ = self._project(before, probe, element, middle)
+        _, own = on(before[p.element[probe]], middle)
         slot = 2 * probe + (own[:, 0] * -d[:, 1] + own[:, 1] * d[:, 0] > 0)
         order = np.argsort(slot, kind="stable")
         self.slot, self.probe, self.element = slot[order], probe[order], element[order]
@@ -140,13 +151,13 @@ class Pairs:
         self.clear = (np.abs(across) > CLEAR * np.hypot(*d.T))[order]
 
     def _project(
-        self, at: Array, probe: Indices, element: Indices, eta: Array
+        self, curves: Array, probe: Indices, element: Indices, eta: Array
     ) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
         """xi, vector to the probe, unit tangent, offset to its left, whether xi is an end."""
-        here = places(at, self.probes.nodes[probe], eta).position
-        xi = closest(at[self.elements[element]], here)
-        there = places(at, self.elements[element], xi)
-        d = here - there.position
-        tangent = there.slope / np.hypot(*there.slope.T)[:, None]
+        here, _ = on(curves[self.probes.element[probe]], eta)
+        xi = closest(curves[element], here)
+        there, slope = on(curves[element], xi)
+        d = here - there
+        tangent = slope / np.hypot(*slope.T)[:, None]
         across = tangent[:, 0] * d[:, 1] - tangent[:, 1] * d[:, 0]
         return xi, d, tangent, across, (xi == 0.0) | (xi == 1.0)

@@ -1,24 +1,48 @@
 """Places along line elements where their surface is probed for contact."""
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
+from fem.beam.large_elements import Extended
 from fem.beam.section import Array, Indices
+
+A = TypeVar("A", Array, Extended)  # of one precision or the other
 
 EASE = 1e-4  # of the thickness: what a gap at the end of a cell counts more
 
 
-def shapes(xi: Array, nodes: int) -> tuple[Array, Array, Array]:
+def shapes(xi: A, nodes: int) -> tuple[A, A, A]:
     """Shape functions (k, nodes) at xi in 0..1 of ends (and middle), first and second slopes."""
-    one, zero = np.ones_like(xi), np.zeros_like(xi)
+    N, N1, N2 = np.zeros((3, *xi.shape, nodes), xi.dtype)
     if nodes == 2:
-        return np.stack([1 - xi, xi], -1), np.stack([-one, one], -1), np.stack([zero, zero], -1)
-    return (
-        np.stack([(1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1), 4 * xi * (1 - xi)], axis=-1),
-        np.stack([4 * xi - 3, 4 * xi - 1, 4 - 8 * xi], axis=-1),
-        np.stack([4 * one, 4 * one, -8 * one], axis=-1),
+        N[..., 0], N[..., 1] = 1 - xi, xi
+        N1[:] = -1, 1
+    else:
+        N[..., 0], N[..., 1] = (1 - xi) * (1 - 2 * xi), xi * (2 * xi - 1)
+        N[..., 2] = 4 * xi * (1 - xi)
+        N1[..., 0], N1[..., 1], N1[..., 2] = 4 * xi - 3, 4 * xi - 1, 4 - 8 * xi
+        N2[:] = 4, 4, -8
+    return N, N1, N2
+
+
+def powers(corners: Array) -> Array:
+    """Coefficients (..., d, 3) of 1, xi and xi^2 in values (..., nodes, d) at elements' nodes."""
+    first, last = corners[..., 0, :], corners[..., 1, :]
+    if corners.shape[-2] == 2:
+        return np.stack([first, last - first, 0 * first], axis=-1)
+    middle = corners[..., 2, :]
+    return np.stack(
+        [first, 4 * middle - 3 * first - last, 2 * (first + last) - 4 * middle], axis=-1
     )
+
+
+def on(curve: Array, xi: Array) -> tuple[Array, Array]:
+    """Positions and slopes by xi (k, 2) of the places xi (k,) on curves (`powers`, (k, 2, 3))."""
+    x0, x1, x2 = np.moveaxis(curve, -1, 0)
+    place = xi[:, None]
+    return x0 + place * (x1 + place * x2), x1 + 2 * place * x2
 
 
 def lengths(points: Array, elements: Indices, upto: Array) -> Array:
@@ -80,6 +104,13 @@ class Places:
     position: Array
     slope: Array
     second: Array
+
+
+def positions(at: Extended, nodes: Indices, xi: Array) -> Extended:
+    """Positions (k, 2) of the places xi (k,) on elements (k, p), with every digit of the nodes."""
+    N, _, _ = shapes(xi.astype(np.longdouble), nodes.shape[1])
+    found: Extended = np.einsum("kp,kpd->kd", N, at[nodes, :2])
+    return found
 
 
 def places(at: Array, nodes: Indices, xi: Array) -> Places:

@@ -1,6 +1,8 @@
 """Where a frame touches itself or an obstacle in one accepted state."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import combinations_with_replacement
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,29 +44,27 @@ class Record:
     def between(self, bodies: Bodies) -> dict[tuple[str, str], tuple[float, float]]:
         """Force (x, y) on the first of two bodies by the second, for pairs in the bodies' order."""
         force, found = self.force, {}
-        names = list(bodies)
-        for i, one in enumerate(names):
-            for other in names[i:]:
-                there = self._pair(bodies[one], bodies[other])
-                back = self._pair(bodies[other], bodies[one])
-                if one == other:
-                    back = np.zeros_like(there)
-                if np.any(there | back):
-                    x, y = force[there].sum(axis=0) - force[back].sum(axis=0)
-                    found[one, other] = float(x), float(y)
+        for pair, there, back in self._pairs(bodies):
+            if pair[0] == pair[1]:
+                back[:] = False
+            x, y = force[there].sum(axis=0) - force[back].sum(axis=0)
+            found[pair] = float(x), float(y)
         return found
 
     def pressing(self, bodies: Bodies) -> dict[tuple[str, str], float]:
         """Sum of normal forces between two bodies, for pairs in the bodies' order."""
-        names, found = list(bodies), {}
-        for i, one in enumerate(names):
-            for other in names[i:]:
-                both = self._pair(bodies[one], bodies[other])
-                both |= self._pair(bodies[other], bodies[one])
-                if both.any():
-                    found[one, other] = float(self.normal[both].sum())
-        return found
+        return {
+            pair: float(self.normal[there | back].sum())
+            for pair, there, back in self._pairs(bodies)
+        }
 
-    def _pair(self, one: Indices, other: Indices) -> NDArray[np.bool_]:
-        pair: NDArray[np.bool_] = np.isin(self.elements, one) & np.isin(self.partners, other)
-        return pair
+    def _pairs(
+        self, bodies: Bodies
+    ) -> Iterator[tuple[tuple[str, str], NDArray[np.bool_], NDArray[np.bool_]]]:
+        """Pairs of bodies that touch, and where the first, and the second, has the probes."""
+        own = {name: np.isin(self.elements, body) for name, body in bodies.items()}
+        their = {name: np.isin(self.partners, body) for name, body in bodies.items()}
+        for one, other in combinations_with_replacement(bodies, 2):
+            there, back = own[one] & their[other], own[other] & their[one]
+            if np.any(there | back):
+                yield (one, other), there, back

@@ -16,8 +16,9 @@ from typing import Protocol
 import numpy as np
 
 from fem.beam.section import Array, Indices
+from fem.beam.terms import Positions
 from fem.beam.touching_closest import least
-from fem.beam.touching_points import Places, Probes, lengths, places
+from fem.beam.touching_points import Places, Probes, lengths, on, places, positions, powers
 from fem.beam.touching_touch import Touch, along, outer, turned
 
 PARALLEL = 1e-6  # relative curvature x thickness below which a line counts as parallel
@@ -109,29 +110,38 @@ class Body:
     def nearest(self, x: Array) -> tuple[Array, Surface]:
         """Where each probe is nearest to the shape, and the shape's place there."""
         p = self.probes
+        curves = powers(x[p.nodes, :2])
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
             """Distance and its slope by eta."""
-            own = places(x, p.nodes[rows], eta)
-            surface = self._surface(x, own.position)
+            own, slope = on(curves[rows], eta)
+            surface = self._surface(x, own)
             n = self.normals(x, surface)
             off = eta - p.middle[rows]
             eased = surface.distance + p.ease[rows] * off**2 / 2
-            return eased, np.einsum("kd,kd->k", n, own.slope) + p.ease[rows] * off
+            return eased, (n * slope).sum(axis=1) + p.ease[rows] * off
 
         eta = least(p.lower, p.upper, rise)
-        return eta, self._surface(x, places(x, p.nodes, eta).position)
+        return eta, self._surface(x, on(curves, eta)[0])
+
+    def gap(self, x: Positions, probe: Indices, eta: Array) -> Array:
+        """Gaps of some probes at the places eta, which count every digit of the positions `x`."""
+        at = x.astype(np.longdouble)
+        own = positions(at, self.probes.nodes[probe], eta)
+        easing = self.probes.ease[probe] * (eta - self.probes.middle[probe]) ** 2 / 2
+        gap: Array = (self._surface(at, own).distance + easing - self.b / 2).astype(float)
+        return gap
 
     def eased(self, eta: Array) -> Array:
         """What the gaps of all probes count more."""
         eased: Array = self.probes.ease * (eta - self.probes.middle) ** 2 / 2
         return eased
 
-    def _surface(self, x: Array, at: Array) -> Surface:
+    def _surface(self, x: Positions, at: Positions) -> Surface:
         """Nearest places, in the shape's own frame, to points (k, 2) in space."""
-        x_c, y_c, phi = self._pose(x)
-        d = at - (x_c, y_c)
-        c, s = math.cos(phi), math.sin(phi)
+        pose = self._pose(x)
+        d = at - pose[:2]
+        c, s = np.cos(pose[2]), np.sin(pose[2])
         own = np.column_stack([c * d[:, 0] + s * d[:, 1], c * d[:, 1] - s * d[:, 0]])
         return self.shape.surface(own + self.rest)
 
@@ -212,5 +222,5 @@ class Body:
         own = np.hstack([nodes, carrier])
         return (3 * own[:, :, None] + np.arange(3)).reshape(len(nodes), 3 * own.shape[1])
 
-    def _pose(self, x: Array) -> Array:
-        return np.zeros(3) if self.carrier is None else x[self.carrier]
+    def _pose(self, x: Positions) -> Positions:
+        return np.zeros_like(x[0]) if self.carrier is None else x[self.carrier]
