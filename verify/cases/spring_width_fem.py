@@ -205,8 +205,8 @@ def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh,
     path = fem_loop(q)
     mesh = fem_mesh(path, q.b, h, level, across=cells(q, h, level, held=False))
     solved = fem_pulled(mesh, q.b, h, fem_steel(q), HEADS["guided"])
-    endless = fem_pulled(fem_mesh(path, q.b, h, level, across=1), q.b, h, fem_steel(q), HEADS["guided"],
-                     held=True)  # fmt: skip
+    flat = fem_mesh(path, q.b, h, level, across=1)
+    endless = fem_pulled(flat, q.b, h, fem_steel(q), HEADS["guided"], held=True)
     return endless.potential_energy / solved.potential_energy, mesh, solved
 
 
