@@ -18,7 +18,7 @@ def closest(curve: Array, at: Array) -> Array:
     Newton's method on the distance, from the projection on the chord; where the distance isn't
     convex (beyond the centre of curvature) a step of the chord's own length scale replaces it.
     """
-    x0, x1, x2 = np.moveaxis(curve, -1, 0)
+    x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     chord = x1 + x2
     away = at - x0
     xi = np.clip(_dot(away, chord) / _dot(chord, chord), 0.0, 1.0)

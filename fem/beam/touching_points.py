@@ -40,7 +40,7 @@ def powers(corners: Array) -> Array:
 
 def on(curve: Array, xi: Array) -> tuple[Array, Array]:
     """Positions and slopes by xi (k, 2) of the places xi (k,) on curves (`powers`, (k, 2, 3))."""
-    x0, x1, x2 = np.moveaxis(curve, -1, 0)
+    x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     place = xi[:, None]
     return x0 + place * (x1 + place * x2), x1 + 2 * place * x2
 
