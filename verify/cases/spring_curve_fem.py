@@ -109,7 +109,10 @@ def fem_compress(
     def press_to(place: float) -> None:
         since = states[-1] if states else None
         step = place - (float(states[-1].u[head, 0]) if states else 0.0)
-        states.append(frame.displaced({head: {"x": step}}, [1.0], since=since).last)
+        try:
+            states.append(frame.displaced({head: {"x": step}}, [1.0], since=since).last)
+        except ArithmeticError as error:
+            raise ArithmeticError(f"pressed to {place * 1e3:.4g} mm: {error}") from error
         records.append(contact.record)
 
     for place in U:

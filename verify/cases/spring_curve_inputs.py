@@ -8,7 +8,7 @@ from analytic.spring import frame
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head
 from verify.cases.spring_inputs import SpringInputs
-from verify.cases.spring_stages_inputs import word
+from verify.cases.spring_stages_inputs import refuse_wider, word
 from verify.inputs import quantity
 
 Arcs = Literal["r", "r + b/2"]
@@ -39,6 +39,11 @@ class CurveInputs(SpringInputs):
     arcs: Arcs = word("r", "radius of the arcs' centre line: r as printed, or r + b/2")
 
     @model_validator(mode="after")
+    def _factor(self) -> Self:
+        refuse_wider(self.width_factor, self.nu)
+        return self
+
+    @model_validator(mode="after")
     def _reach(self) -> Self:
         L0 = frame.free_length(n=self.n, b=self.b, r=self.R - self.b / 2, L1=self.L1,
                                alpha=self.alpha)  # fmt: skip
@@ -53,6 +58,11 @@ class CurveInputs(SpringInputs):
     def R(self) -> float:
         """Radius of the arcs' centre line [m], as the reading has it."""
         return self.r if self.arcs == "r" else self.r + self.b / 2
+
+    @property
+    def is_paper(self) -> bool:
+        """Whether Eq. 10 and the readings speak of this spring."""
+        return self == CurveInputs()
 
     @property
     def factor(self) -> float:

@@ -7,21 +7,21 @@ from typing import Any
 import numpy as np
 
 from verify.case import FemResult
-from verify.cases.spring_curve_fem import Array, Spring, fem_compress
+from verify.cases.spring_curve_fem import Array, Curve, Spring, fem_compress
 from verify.cases.spring_curve_inputs import CurveInputs
 
 LEVELS = (4, 6, 8)  # cells of an arc and of a leaf
 COARSE, READINGS, FINE = LEVELS
-GRID = 68  # states over the stroke
+GRID = 68  # states over the stroke on the finest mesh
+HALF, QUARTER = GRID // 2, GRID // 4  # on the coarse mesh, and of its variants and the readings
 FIRST = 1e-6  # of the stroke, for the stiffness at rest
 TIMES = (0.1, 10.0)  # the contact's usual stiffness
-BACK = (1.0, 0.8, 0.6, 0.4)  # of the stroke, on the way back
+BACK = (14, 10, 6)  # of the variants' states, on the way back
 BEYOND = np.arange(1, 41) * 0.006  # of the stroke, beyond it
-READ = 34  # states of the readings
 ROUND_OFF = 1e-9
 TOUCH = 0.004  # of the force: tips that press this much touch for sure
 THIN = (0.01, 0.005, 0.002, 0.001)  # r over L_1, towards leaves that stay parallel
-THIN_UNITS, THIN_SLOPE, THIN_CELLS = 10, 1.5, (4, 6)
+THIN_UNITS, THIN_SLOPE, THIN_CELLS = 10, 1.5, (2, 3)
 THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # of the loops' radius
 
 
@@ -44,31 +44,53 @@ def readings(q: CurveInputs) -> Iterator[tuple[str, Spring]]:
         yield f"{tail}, {head}, {name}", spring_of(q, factor=1.0, mu=0.0, **changed)
 
 
+def grid(q: CurveInputs, states: int) -> Array:
+    """Displacements [m] over the stroke."""
+    return np.linspace(0, q.stroke, states + 1)[1:]
+
+
 def fem(q: CurveInputs, level: int) -> FemResult:
-    own, grid = spring_of(q), np.linspace(0, q.stroke, GRID + 1)[1:]
-    rest = fem_compress(own, [FIRST * q.stroke], per_arc=level)
-    k0 = float(rest.F[0] / rest.U[0])
+    own = spring_of(q)
+    rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)
+    once, twice = rest.F / rest.U
+    k0 = float(2 * once - twice)  # secants tend to it evenly
     arrays: dict[str, Any] = {}
-    if level == FINE:
-        arrays["rest"] = rest.shapes[0, rest.nodes]
-    if level != READINGS:
-        beyond = (q.stroke * (1 + BEYOND)).tolist() if level == FINE else ()
-        arrays |= fem_compress(own, grid, per_arc=level, beyond=beyond).arrays(f"curve {level}")
     if level == COARSE:
-        for times in TIMES:
-            varied = fem_compress(own, grid, per_arc=level, times=times)
-            arrays |= {f"contact {times:g}": np.array([varied.U, varied.F, varied.press.sum(1)])}
-        slippery = spring_of(q, mu=0.0)
-        there = fem_compress(slippery, np.append(grid, np.array(BACK) * q.stroke), per_arc=level)
-        arrays["there and back"] = np.array([there.U, there.F, there.press.sum(1)])
-    if level == READINGS:
-        read = np.linspace(0, q.stroke, READ + 1)[1:]
-        for name, spring in readings(q):
-            held = read if spring.head != "free" else read[:2]  # it gives way soon after
-            found = fem_compress(spring, held, per_arc=COARSE)
-            arrays[f"reading {name}"] = np.array([found.U, found.F, found.press.sum(1)])
-        arrays["thin"] = np.array([[thin_fem(q, share, c) for share in THIN] for c in THIN_CELLS])
+        curve = fem_compress(own, grid(q, HALF), per_arc=level)
+        arrays = curve.arrays(f"curve {level}") | _variants(q)
+    if level == READINGS and q.is_paper:
+        arrays = _read(q)
+    if level == FINE:
+        beyond = (q.stroke * (1 + BEYOND)).tolist()
+        curve = fem_compress(own, grid(q, GRID), per_arc=level, beyond=beyond)
+        arrays = curve.arrays(f"curve {level}") | {"rest": rest.shapes[0, rest.nodes]}
     return FemResult(h=1 / level, values={"k0": k0}, u_it={"k0": ROUND_OFF * k0}, arrays=arrays)
+
+
+def _variants(q: CurveInputs) -> dict[str, Any]:
+    """Other contact stiffnesses, and there and back without friction, on the coarse mesh."""
+    there, found = grid(q, QUARTER), {}
+    for times in TIMES:
+        varied = fem_compress(spring_of(q), there, per_arc=COARSE, times=times)
+        found[f"contact {times:g}"] = _kept(varied)
+    both_ways = np.append(there, there[np.array(BACK) - 1])
+    slippery = fem_compress(spring_of(q, mu=0.0), both_ways, per_arc=COARSE)
+    return found | {"there and back": _kept(slippery)}
+
+
+def _read(q: CurveInputs) -> dict[str, Any]:
+    """The readings, and the limit of slender leaves."""
+    held, found = grid(q, QUARTER), {}
+    for name, spring in readings(q):
+        within = held if spring.head != "free" else held[:1]  # it gives way soon after
+        found[f"reading {name}"] = _kept(fem_compress(spring, within, per_arc=COARSE))
+    limit = [[thin_fem(q, share, cells) for share in THIN] for cells in THIN_CELLS]
+    return found | {"thin": np.array(limit)}
+
+
+def _kept(curve: Curve) -> Array:
+    """U, F and the sum of the normal forces (3, k)."""
+    return np.array([curve.U, curve.F, curve.press.sum(axis=1)])
 
 
 def thin(q: CurveInputs, share: float) -> Spring:

@@ -22,6 +22,16 @@ def word(default: str, what: str) -> Any:
     return Field(default=default, json_schema_extra=about)
 
 
+def refuse_wider(width_factor: float | None, nu: float) -> None:
+    """ValueError for a factor beyond that of a strip much wider than its leaves are long."""
+    most = 1 / (1 - nu**2)
+    if width_factor is not None and width_factor > most * (1 + 1e-6):
+        raise ValueError(
+            f"a strip is stiffened by its width by 1/(1 - ν²) = {most:.5g} at most, got "
+            f"width_factor = {width_factor:g}"
+        )
+
+
 class StagesInputs(AccordionInputs):
     """The accordion spring with both end leaves whole, and how it is held."""
 
@@ -39,12 +49,7 @@ class StagesInputs(AccordionInputs):
 
     @model_validator(mode="after")
     def _factor(self) -> "StagesInputs":
-        most = self.widest
-        if self.width_factor is not None and self.width_factor > most * (1 + 1e-6):
-            raise ValueError(
-                f"a strip is stiffened by its width by 1/(1 - ν²) = {most:.5g} at most, got "
-                f"width_factor = {self.width_factor:g}"
-            )
+        refuse_wider(self.width_factor, self.nu)
         return self
 
     @property
