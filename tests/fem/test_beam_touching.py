@@ -230,3 +230,20 @@ def test_impossible_obstacles_are_named():
         Obstacle(points, elements, Flat((0, 0), (0, 1)), thickness=0.1, EA=1.0, carrier=5)
     with pytest.raises(ValueError, match="no node 9: the frame has nodes 0 to 4"):
         Obstacle(points, [[0, 9]], Flat((0, 0), (0, 1)), thickness=0.1, EA=1.0)
+
+
+def test_a_loop_of_eight_elements_rolls_over_a_leaf_smoothly():
+    # half a circle in 8 elements; true circles would keep their gap
+    radius, b = 0.45, 0.1
+    leaf, loop = line((-3, 0), (3, 0), 6), ring((0, radius + b), radius, 16)
+    points, elements, (_, first) = together(leaf, loop)
+    term = SelfContact(points, elements, thickness=b, EA=1.0)
+    x, centre = at_rest(points), np.array([0, radius + b, 0])
+    term.start(x)
+    gaps = []
+    for angle in np.linspace(0, np.pi / 8, 21):
+        y = x.copy()
+        y[first:] = rotated(x[first:] - centre, angle) + centre
+        met = term.pairs.nearest(y)
+        gaps.append((met.distance + met.eased).min() - b)
+    assert np.ptp(gaps) < 1e-3 * b
