@@ -17,7 +17,7 @@ from verify.cases.spring_curve_claims import (
 )
 from verify.cases.spring_curve_fem import Array
 from verify.cases.spring_curve_inputs import CurveInputs
-from verify.cases.spring_curve_runs import FINE, TOUCH
+from verify.cases.spring_curve_runs import FINE, LEVELS, TOUCH
 from verify.cases.spring_inputs import strip_of
 from verify.cases.spring_stages_readings import eq10
 from verify.published.ledger import published
@@ -57,7 +57,7 @@ def equations(q: CurveInputs, v: Values) -> Sequence[Equation]:
 
 
 def figures(context: Context) -> Sequence[Figure]:
-    if not context.fem:
+    if len(context.fem) < len(LEVELS):  # not run, or a curve broke off
         return ()
     found: list[Figure] = [_curve(context), _whole(context), _slope(context), _states(context)]
     return (*found, _readings(context)) if context.is_paper else tuple(found)
@@ -187,7 +187,7 @@ def _stable(context: Context) -> list[tuple[str, Array]]:
 
 
 def tables(context: Context) -> Sequence[Table]:
-    if not context.fem:
+    if len(context.fem) < len(LEVELS):  # not run, or a curve broke off
         return ()
     if not context.is_paper:
         return (_points(context),)
