@@ -344,3 +344,9 @@ def test_wrong_input_is_named_in_one_line(raw, message):
         build(CurveInputs, PAPER | raw, "my.toml")
     assert message in str(error.value)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("head", ["free", "hinged"])
+def test_only_a_guided_head_is_followed(head):
+    assert f"head = {head}: the whole curve" in CURVE.too_large(CurveInputs(head=head))
+    assert CURVE.too_large(CurveInputs()) == ""

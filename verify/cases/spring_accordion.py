@@ -11,7 +11,7 @@ import numpy as np
 from analytic.spring import energy, frame
 from verify.case import Case, Context, FemResult, Output, Values
 from verify.cases import spring_readings, spring_shown
-from verify.cases.spring_inputs import AccordionInputs, strip_of
+from verify.cases.spring_inputs import AccordionInputs, SpringInputs, strip_of
 from verify.checks import Approximation, Identity, Order
 from verify.printed import Contradiction, PrintedMeasurement, PrintedTheory
 from verify.shown import Field, Table
@@ -155,7 +155,7 @@ def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Any:
     return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])
 
 
-def too_large(q: AccordionInputs) -> str:
+def too_large(q: SpringInputs) -> str:
     """Elements of a frame this slender bend by less than what round-off makes of its movement."""
     leaf = q.L1 / math.sin(q.alpha) + 2 * q.R / math.tan(q.alpha)
     slender = q.n * (leaf + 2 * q.R * q.alpha) / q.b

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from verify.case import Case, Output, Values
 from verify.cases import spring_curve_shown, spring_stages_shown
-from verify.cases.spring_accordion import too_large
+from verify.cases.spring_accordion import too_large as too_slender
 from verify.cases.spring_curve_claims import CHECKS
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_curve_runs import LEVELS, fem
@@ -26,6 +26,16 @@ def warnings(q: CurveInputs, v: Values) -> Sequence[str]:
     if "U_A" not in v:
         found.append("linear theory lets no leaves touch with these ends")
     return found
+
+
+def too_large(q: CurveInputs) -> str:
+    """Beams are followed where the head is guided: a free one gives way, a hinged one wanders."""
+    if q.head != "guided":
+        return (
+            f"head = {q.head}: the whole curve is followed for a guided head alone, the first "
+            "stage of another is in spring-stages and its sideways movement in spring-buckling"
+        )
+    return too_slender(q)
 
 
 CURVE = Case(
