@@ -221,3 +221,16 @@ def test_every_spring_of_a_wide_range_touches_and_stiffens(head, tail):
 def test_impossible_springs_are_named_in_one_line(change, message):
     with pytest.raises(ValueError, match=message):
         stages(**PAPER | change)
+
+
+def test_a_guide_moves_point_a_as_worked_out_by_hand():
+    """Another derivation: the guide takes a couple of -0.36 mm F."""
+    paper = {"n": 10, "b": 0.1, "h": 56.0, "radius": 0.5, "L1": 11.6, "alpha": np.radians(80),
+             "E": 206e3}  # fmt: skip
+    free, guided = (stages(**paper, head=head) for head in ("free", "guided"))
+    assert [float(v) for v in (free.k1, free.U_A, free.F_A)] == pytest.approx(
+        [0.55997, 12.3828, 6.9340], rel=2e-5
+    )
+    assert [float(v) for v in (guided.k1, guided.U_A, guided.F_A)] == pytest.approx(
+        [0.56510, 13.9607, 7.8892], rel=5e-5
+    )

@@ -258,3 +258,9 @@ def test_ten_thousand_candidates_take_a_small_part_of_what_a_loop_takes():
     looped = (time.process_time() - start) / len(sample)
     assert len(found.springs) > 10_000
     assert taken < looped / 10
+
+
+def test_a_free_head_of_the_paper_s_spring_sways_where_haringx_has_it():
+    task = asked(PAPER, head="free", tail="arc")
+    f = formulas(candidates(task.ranges), task.demands)
+    assert float(f.U_cr[0]) == pytest.approx(1.4718e-3, rel=5e-3)

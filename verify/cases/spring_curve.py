@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from analytic.spring.wide_leaf import width_factor
 from verify.case import Case, Output, Values
 from verify.cases import spring_curve_shown, spring_stages_shown
 from verify.cases.spring_accordion import too_large as too_slender
@@ -9,6 +10,8 @@ from verify.cases.spring_curve_claims import CHECKS
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_curve_runs import LEVELS, fem
 from verify.printed import PrintedMeasurement
+
+OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
 
 
 def analytic(q: CurveInputs) -> Values:
@@ -22,6 +25,12 @@ def warnings(q: CurveInputs, v: Values) -> Sequence[str]:
     if q.head == "free":
         found.append(
             "a head that is free gives way sideways early: see case spring-buckling for the load"
+        )
+    leaf = float(width_factor(q.h, q.leaf, nu=q.nu))
+    if abs(leaf / q.width_factor - 1) > OTHER_WIDTH:
+        found.append(
+            f"width_factor = {q.width_factor:.5g}, but leaves of this width and length are "
+            f"stiffened by {leaf:.5g}: forces change by {leaf / q.width_factor - 1:+.1%}"
         )
     if "U_A" not in v:
         found.append("linear theory lets no leaves touch with these ends")

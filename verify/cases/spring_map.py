@@ -1,6 +1,6 @@
 """Where Eqs. 1-9 of the accordion spring hold: radius, displacement, what holds the head."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -79,20 +79,6 @@ def too_large(q: MapInputs) -> str:
     if q.n > MOST:
         return f"n = {q.n} segments are more than {MOST}: check it without --fem"
     return "" if pressed(q) else f"{LEAPS}: check it without --fem"
-
-
-def bent(share: float) -> Callable[[Any, Values], tuple[float, float]]:
-    """Eq. 9's force over that of the elastica: radius, guide and displacement.
-
-    Within a tenth of the difference, but no more than half a per cent: the elastica is exact.
-    """
-
-    def interval(_: Any, v: Values) -> tuple[float, float]:
-        m = v[f"k1 U, {share:g}"] / v[f"F, {share:g}"] - 1
-        known = min(0.1 * abs(m), 5e-3) + 1e-4
-        return m - known, m + known
-
-    return interval
 
 
 def mapped(context: Context, name: str) -> Any:
@@ -177,8 +163,7 @@ CHECKS = (
     *(
         Approximation(name=f"Eq. 9 at {share:.0%} of the length, head guided", symbol="F",
                       unit="N", analytic=f"k1 U, {share:g}", fem=f"F, {share:g}", formal=4,
-                      interval=bent(share), source="the exact elastica, within a tenth of the "
-                      "difference", demand=0.02, demand_reason="a tenth of the difference")
+                      interval=None, source="measured: radius, guide and displacement")
         for share in SHARES
     ),
     Accepted(name="Eqs. 1-9 are within 10 % from L_0/b = 240 on, n <= 24, small displacement",

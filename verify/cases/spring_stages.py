@@ -6,6 +6,7 @@ from typing import Any
 
 from analytic.spring import energy, frame
 from analytic.spring.stages import stages
+from analytic.spring.wide_leaf import width_factor
 from verify.case import Case, Context, Output, Values
 from verify.cases import spring_stages_shown
 from verify.cases.spring_accordion import too_large
@@ -35,6 +36,7 @@ LATER = (Ends("hinged", "mid-leaf"), Ends("guided", "arc"), Ends("free", "arc"))
 LINEAR = 0.1  # U_A over L_0 up to which lengths may be taken as unchanged
 PARALLEL = math.radians(5)
 ROUND_OFF = 1e-9
+OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
 
 
 def analytic(q: StagesInputs) -> Values:
@@ -80,6 +82,13 @@ def warnings(q: StagesInputs, v: Values) -> Sequence[str]:
         found.append(
             f"at A the leaf is {abs(math.degrees(v['tilt'])):.1f}° from parallel to the tip: the "
             "force between them leans as far from the spring's axis, which is neglected"
+        )
+    leaf = (q.L1 + 2 * q.R * math.cos(q.alpha)) / math.sin(q.alpha)
+    wide = float(width_factor(q.h, leaf, nu=q.nu))
+    if q.width_factor is not None and abs(wide / q.width_factor - 1) > OTHER_WIDTH:
+        found.append(
+            f"width_factor = {q.width_factor:.5g}, but leaves of this width and length are "
+            f"stiffened by {wide:.5g}: forces change by {wide / q.width_factor - 1:+.1%}"
         )
     if q.width_factor is None and q.h > 10 * q.b:
         found.append(

@@ -20,13 +20,16 @@ NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by 
 class Curve:
     """Displacements and forces `U`, `F` (k,) [m, N] from the origin on.
 
-    `touches` [m] is the first of them at which leaves touch, inf where they don't; it is not
-    `whole` where no equilibrium was found up to the stroke.
+    `touches` [m] is the first of them at which leaves touch, inf where they don't; `height` [m]
+    what the spring takes across up to U_w, `couple` [N m] the largest bending couple at U_w. It is
+    not `whole` where no equilibrium was found up to the stroke.
     """
 
     U: Array
     F: Array
     touches: float
+    height: float = 0.0
+    couple: float = 0.0
     whole: bool = True
 
     def force(self, U: float) -> float:
@@ -65,6 +68,7 @@ def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) ->
         supports={line.nodes["tail"]: "xyr", head: HEAD_HELD[q.head]},
     )  # fmt: skip
     U, F, touches, state = [0.0], [0.0], float("inf"), None
+    height, couple = float(np.ptp(line.points[:, 1])), 0.0
     while U[-1] < stroke:
         try:
             state = frame.displaced({head: {"x": U_w / PARTS}}, [1.0], since=state).last
@@ -74,4 +78,8 @@ def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) ->
         F.append(float(state.reactions[head, 0]))
         if any(contact.record.normal.size for contact in contacts):
             touches = min(touches, U[-1])
-    return Curve(np.array(U), np.array(F), touches, whole=U[-1] >= stroke)
+        if len(U) <= PARTS + 1:
+            height = max(height, float(np.ptp(line.points[:, 1] + state.u[:, 1])))
+            couple = float(abs(frame.section_forces(state)[1][..., 2]).max())
+    return Curve(np.array(U), np.array(F), touches, height + float(s.b[i]), couple,
+                 whole=U[-1] >= stroke)  # fmt: skip

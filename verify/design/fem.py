@@ -3,7 +3,9 @@
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import inf
 
+from analytic.spring.energy import curvature_factor
 from verify.design.compressed import Curve, compressed
 from verify.design.inputs import Demands
 from verify.design.springs import Formulas, Springs
@@ -20,7 +22,8 @@ class Verified:
 
     `k1` [N/m] at small displacements, its change with the mesh `mesh`, and `deviation`, formula
     less finite elements; `curve` is that of large displacements. Shares of the finite elements'
-    values.
+    values. `stress` [Pa] is that under F_w as it bends then; `room` [m] and `sigma` [Pa] are what
+    the task allows across and in bending.
     """
 
     k1: float
@@ -30,6 +33,19 @@ class Verified:
     delta: float
     U_w: float
     e_max: float
+    stress: float = 0.0
+    room: float = inf
+    sigma: float = inf
+
+    @property
+    def too_high(self) -> bool:
+        """Whether it takes more room across, pressed to U_w, than there is."""
+        return self.curve.height > self.room
+
+    @property
+    def overstressed(self) -> bool:
+        """Whether the stress under F_w is more than allowed."""
+        return self.stress > self.sigma
 
     @property
     def limit(self) -> float:
@@ -48,8 +64,10 @@ class Verified:
 
     @property
     def fits(self) -> bool:
-        """Whether that keeps Eq. 11, and no leaves touch up to U_w."""
-        return self.curve.touches > self.U_w and abs(self.e_r) <= self.e_max  # a NaN does not
+        """Whether that keeps Eq. 11, no leaves touch up to U_w, and room and strength suffice."""
+        if self.too_high or self.overstressed or self.curve.touches <= self.U_w:
+            return False
+        return abs(self.e_r) <= self.e_max  # a NaN does not
 
 
 def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
@@ -60,7 +78,17 @@ def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
     return Verified(
         k1=fine, mesh=abs(coarse / fine - 1), deviation=float(f.k1[i]) / fine - 1, curve=curve,
         delta=curve.displacement(q.F_w), U_w=U_w, e_max=q.e_max,
+        stress=_stress(s, i, q, curve, U_w), room=inf if q.room is None else q.room,
+        sigma=q.sigma,
     )  # fmt: skip
+
+
+def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
+    """Bending stress [Pa] inside a loop under F_w, from the couple at U_w under nearly F_w."""
+    b, force = float(s.b[i]), curve.force(U_w)
+    share = q.F_w / force if force > 0 else 1.0
+    bent = float(curvature_factor(b=b, r=float(s.r[i])))
+    return bent * 6 * share * curve.couple / (q.h * b**2)
 
 
 def verified(

@@ -77,6 +77,8 @@ def record(outcome: Outcome) -> dict[str, Any]:
                 "Delta": {"value": finite(v.delta * 1e3), "unit": "mm"}, "e_r": finite(v.e_r),
                 "fits": v.fits,
                 "force_at_U_w": {"value": finite(v.curve.force(v.U_w)), "unit": "N"},
+                "height": {"value": v.curve.height * 1e3, "unit": "mm"},
+                "stress": {"value": v.stress / 1e6, "unit": "MPa"},
                 "touches": {"value": finite(v.curve.touches * 1e3), "unit": "mm"},
             }  # fmt: skip
         members.append(member)

@@ -79,6 +79,10 @@ def verdict(v: Verified) -> str:
         return f"formula beyond ±{100 * v.limit:.2g} %"
     if v.curve.touches <= v.U_w:
         return f"leaves touch by {v.curve.touches * 1e3:.3g} mm"
+    if v.too_high:
+        return f"{v.curve.height * 1e3:.4g} mm across"
+    if v.overstressed:
+        return f"{v.stress / 1e6:.4g} MPa"
     return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
 
 
