@@ -83,8 +83,9 @@ class Demands(Inputs):
         "500 MPa", "MPa", "σ_max", "bending stress allowed at F_w", gt=0, le=1e5
     )
     margin: float = quantity(
-        "5 %", "%", "m_A", "how far U_w stays below U_A, where leaves touch", omitted=0.0,
-        ge=0, le=1000,
+        "15 %", "%", "m_A",
+        "how far U_w stays below U_A, where leaves touch (linear theory: up to an eighth too far)",
+        omitted=0.0, ge=0, le=1000,
     )  # fmt: skip
     sway: float | None = quantity(
         "20 %", "%", "m_cr", "how far U_w stays below U_cr, where the spring sways", omitted=None,

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from reports.design import DesignPage, Tile
 from verify import units
-from verify.cases import spring_shown
-from verify.cases.spring_inputs import AccordionInputs
+from verify.cases import spring_stages_shown
+from verify.cases.spring_stages_inputs import StagesInputs
 from verify.design.figures import figures
 from verify.design.inputs import SWEEPS
 from verify.design.limits import Limit
@@ -105,11 +105,12 @@ def _lead(outcome: Outcome) -> str:
 
 def _sketch(outcome: Outcome) -> Sketch:
     s, i, q = outcome.search.springs, outcome.candidate, outcome.search.task.demands
-    spring = AccordionInputs(
+    spring = StagesInputs(
         n=int(s.n[i]), b=float(s.b[i]), h=q.h, r=float(s.r[i]), L1=float(s.L1[i]),
-        alpha=float(s.alpha[i]), E=q.E, nu=q.nu,
+        alpha=float(s.alpha[i]), E=q.E, nu=q.nu, head=q.head, tail=q.tail,
+        width_factor=float(outcome.search.formulas.f[i]),
     )  # fmt: skip
-    return spring_shown.sketch(spring)
+    return spring_stages_shown.sketch(spring)
 
 
 WORDS = {

@@ -101,6 +101,11 @@ def warnings(outcome: Outcome) -> list[str]:
             f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
             f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail held at its arc"
         )
+    if outcome.verified and verdict(outcome.verified[outcome.chosen or 0]) != "kept":
+        found.append(
+            "finite elements reject the chosen spring: "
+            f"{verdict(outcome.verified[outcome.chosen or 0])}"
+        )
     if outcome.verified and not any(v.agrees and v.fits for v in outcome.verified):
         found.append("finite elements keep no member of the front")
     return found
