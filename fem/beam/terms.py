@@ -43,6 +43,7 @@ class Term(Protocol):
         """Improve multipliers at the converged `x`; True asks for equilibrium again.
 
         What it changes must be undone by `reject`.
+        ConvergenceError (`fem.beam.large_balance`) refuses `x`: the step is given up.
         """
         return False
 

@@ -12,12 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import csc_array
 
+from fem.beam.large_balance import ConvergenceError
 from fem.beam.section import Array, Indices
 from fem.beam.terms import Positions, Term
 from fem.beam.touching_law import Answer, Law
 from fem.beam.touching_lines import past, touch
 from fem.beam.touching_neighbours import Apart, arcs
 from fem.beam.touching_pairs import Meeting, Pairs
+from fem.beam.touching_passing import Passing
 from fem.beam.touching_points import Probes, places, probes
 from fem.beam.touching_record import OBSTACLE, Record
 from fem.beam.touching_rigid import Body, Shape
@@ -63,7 +65,11 @@ class Touching(Term, ABC):
         return answer.energy, *scatter(x.size, found.dofs, answer.force, answer.tangent)
 
     def settle(self, x: Positions) -> bool:
-        return self.law.settle(*self._answer(x))
+        if self.law.settle(*self._answer(x)):
+            return True
+        if self._passed(x.astype(float)):
+            raise ConvergenceError("parts of the frame would pass through each other")
+        return False
 
     def accept(self, x: Positions) -> None:
         found, answer = self._answer(x)
@@ -86,6 +92,10 @@ class Touching(Term, ABC):
     @abstractmethod
     def _keep(self, x: Array) -> None:
         """Sides and slip count from `x` on."""
+
+    @abstractmethod
+    def _passed(self, x: Array) -> bool:
+        """Whether something passed through something on the way from the accepted state."""
 
     @abstractmethod
     def _touch(self, x: Positions) -> Touch:
@@ -146,14 +156,20 @@ class SelfContact(Touching):
         far = Apart(lines, nodes, own, least)
         self.pairs = Pairs(nodes, own, far, thickness)
         self.arcs = arcs(lines, nodes)
+        self.passing = Passing(self.arcs, far, per_element, thickness)
 
     def _start(self, x: Array) -> None:
         self.pairs.accept(x)
+        self.passing.start(x)
         self._keep(x)
 
     def _keep(self, x: Array) -> None:
         self.pairs.accept(x)
+        self.passing.accept(x)
         self.past = past(x, self.pairs.nearest(x), self.probes, self.arcs)
+
+    def _passed(self, x: Array) -> bool:
+        return self.passing.passed(x)
 
     def _touch(self, x: Positions) -> Touch:
         near = x.astype(float)
@@ -212,6 +228,9 @@ class Obstacle(Touching):
 
     def _keep(self, x: Array) -> None:
         self.body.accept(x)
+
+    def _passed(self, x: Array) -> bool:
+        return self.body.passed(x)
 
     def _touch(self, x: Positions) -> Touch:
         near = x.astype(float)

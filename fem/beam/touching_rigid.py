@@ -23,6 +23,8 @@ from fem.beam.touching_touch import Touch, along, outer, turned
 
 PARALLEL = 1e-6  # relative curvature x thickness below which a line counts as parallel
 
+PIECES = 1000  # of a step's way at most, each no longer than the thickness
+
 
 @dataclass(frozen=True)
 class Surface:
@@ -100,7 +102,7 @@ class Body:
         self.probes, self.b = probes, thickness
 
     def start(self, x: Array) -> None:
-        self.rest = self._pose(x)[:2]
+        self.rest = self._pose(x)[:2].copy()
         self.accept(x)
 
     def accept(self, x: Array) -> None:
@@ -124,6 +126,16 @@ class Body:
         eta = least(p.lower, p.upper, rise)
         return eta, self._surface(x, on(curves, eta)[0])
 
+    def passed(self, x: Array) -> bool:
+        """Whether a node went straight through the shape on its way from the accepted state."""
+        nodes = np.unique(self.probes.nodes)
+        then = self._seen(self.before, self.before[nodes, :2])
+        way = self._seen(x, x[nodes, :2]) - then
+        pieces = min(PIECES, 1 + int(np.hypot(*way.T).max() / self.b))
+        at = then + np.linspace(0, 1, pieces, endpoint=False)[:, None, None] * way
+        distance = self.shape.surface(at.reshape(-1, 2)).distance.reshape(pieces, -1)
+        return bool(((distance[0] > 0) & (distance.min(axis=0) < 0)).any())
+
     def gap(self, x: Positions, probe: Indices, eta: Array) -> Array:
         """Gaps of some probes at the places eta, which count every digit of the positions `x`."""
         at = x.astype(np.longdouble)
@@ -139,11 +151,16 @@ class Body:
 
     def _surface(self, x: Positions, at: Positions) -> Surface:
         """Nearest places, in the shape's own frame, to points (k, 2) in space."""
+        return self.shape.surface(self._seen(x, at))
+
+    def _seen(self, x: Positions, at: Positions) -> Array:
+        """Points (k, 2) in space as they stand in the shape's own frame."""
         pose = self._pose(x)
         d = at - pose[:2]
         c, s = np.cos(pose[2]), np.sin(pose[2])
         own = np.column_stack([c * d[:, 0] + s * d[:, 1], c * d[:, 1] - s * d[:, 0]])
-        return self.shape.surface(own + self.rest)
+        seen: Array = own + self.rest
+        return seen
 
     def touch(self, x: Array, probe: Indices, eta: Array, surface: Surface) -> Touch:
         """Gap, slip and their slopes at the probes `probe`; eta and surface are of all."""
