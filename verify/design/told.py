@@ -80,7 +80,7 @@ def verdict(v: Verified) -> str:
     if v.curve.touches <= v.U_w:
         return f"leaves touch by {v.curve.touches * 1e3:.3g} mm"
     if v.too_high:
-        return f"{v.curve.height * 1e3:.4g} mm across"
+        return f"{v.curve.height * 1e3:.4g} mm high"
     if v.overstressed:
         return f"{v.stress / 1e6:.4g} MPa"
     return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
