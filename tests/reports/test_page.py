@@ -156,7 +156,7 @@ def test_nothing_that_is_not_known_is_told(text):
 def test_warnings_stand_in_the_head_once_each(report, text):
     head = text[: text.index("</header>")]
     warnings = {w for case in report.cases for w in case.warnings}
-    assert len(warnings) == 10
+    assert len(warnings) == 13
     assert head.count("<li>") == len(warnings)
 
 

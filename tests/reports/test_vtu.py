@@ -48,10 +48,11 @@ def test_every_field_of_a_run_opens_in_two_readers(report, tmp_path):
         assert set(grid.celltypes) == {VTK[corners]}
         assert 0 <= field.cells.min() < field.cells.max() < len(field.points)
         assert all(len(set(cell)) == corners for cell in field.cells.tolist())
-        np.testing.assert_array_equal(grid.points[:, :2], field.points)
+        np.testing.assert_array_equal(grid.points[:, : field.points.shape[1]], field.points)
         for key, values in field.point_data.items():
             name = named(field, key)
-            shown = values if values.ndim == 1 else np.pad(values, ((0, 0), (0, 1)))
+            flat = values.ndim == 2 and values.shape[1] == 2
+            shown = np.pad(values, ((0, 0), (0, 1))) if flat else values
             np.testing.assert_array_equal(mesh.point_data[name], shown)
             np.testing.assert_array_equal(grid.point_data[name], shown)
         for key, values in field.cell_data.items():
