@@ -90,6 +90,11 @@ def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: i
     )
 
 
+def word(default: str, what: str) -> Any:
+    """An input that is one of a few words; left out, it is the default."""
+    return Field(default=default, json_schema_extra=_extra("1", "", what, "", default))
+
+
 def _extra(unit: str, symbol: str, what: str, claims: str, omitted: Any) -> dict[str, Any]:
     return {"unit": unit, "symbol": symbol, "what": what, "claims": claims, "omitted": omitted}
 

@@ -9,8 +9,8 @@ from analytic.spring import frame
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head
 from verify.cases.spring_inputs import SpringInputs
-from verify.cases.spring_stages_inputs import refuse_wider, word
-from verify.inputs import quantity
+from verify.cases.spring_stages_inputs import refuse_wider
+from verify.inputs import quantity, word
 
 Arcs = Literal["r", "r + b/2"]
 SHORTEST = 0.05  # of the free length: a curve shorter than that shows nothing

@@ -1,25 +1,11 @@
 """Inputs of the accordion spring beyond its free stage: its ends, and what the width stiffens."""
 
-from typing import Any
-
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from analytic.spring.loops import Tail
 from analytic.spring.stages import Head
 from verify.cases.spring_inputs import AccordionInputs
-from verify.inputs import quantity
-
-
-def word(default: str, what: str) -> Any:
-    """An input that is one of a few words."""
-    about: dict[str, Any] = {
-        "unit": "1",
-        "symbol": "",
-        "what": what,
-        "claims": "",
-        "omitted": default,
-    }
-    return Field(default=default, json_schema_extra=about)
+from verify.inputs import quantity, word
 
 
 def refuse_wider(width_factor: float | None, nu: float) -> None:

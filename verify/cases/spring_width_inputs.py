@@ -4,7 +4,7 @@ import math
 
 from analytic.spring.frame import Head, Tail
 from verify.cases.spring_inputs import SpringInputs
-from verify.cases.spring_stages_inputs import word
+from verify.inputs import word
 
 
 class WidthInputs(SpringInputs):

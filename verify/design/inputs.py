@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from verify.design.sweep import Sweep
-from verify.inputs import InputError, Inputs, build, quantity, read_parameter_file
+from verify.inputs import InputError, Inputs, build, quantity, read_parameter_file, word
 
 CASE = "design-spring"
 Arcs = Literal["centre line", "inner"]
@@ -33,18 +33,6 @@ SWEEPS = {
               default="77 deg : 83 deg : 7", low=20, high=90),
     )
 }  # fmt: skip
-
-
-def word(default: str, what: str) -> Any:
-    """An input that is one of a few words; left out, it is the default."""
-    about: dict[str, Any] = {
-        "unit": "1",
-        "symbol": "",
-        "what": what,
-        "claims": "",
-        "omitted": default,
-    }
-    return Field(default=default, json_schema_extra=about | {"omitted": default})
 
 
 class Demands(Inputs):
