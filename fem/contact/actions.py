@@ -48,26 +48,35 @@ class Supports:
 
     def __init__(self, bodies: Bodies, supports: Mapping[str, Support], anchors: Anchors) -> None:
         self._bodies, self._supports = bodies, {k: components(s) for k, s in supports.items()}
-        self.conditions: Conditions = collect(bodies.basis, supports, anchors, turn=bodies.turn)
+        told: Any = {"turn": bodies.turn, "still": bodies.tied.still}
+        self.conditions: Conditions = collect(bodies.basis, supports, anchors, **told)
+        for name in bodies.means:
+            if name in self._supports or name in bodies.obstacles:
+                raise ValueError(
+                    f"the mean motion of {name!r} is held, and so is {name!r} itself: one of them"
+                )
         # the same supports with running numbers for values say which condition is whose
         keys = [(name, c) for name, held in self._supports.items() for c in held]
         self._number = {key: float(i + 1) for i, key in enumerate(keys)}
         numbered: dict[str, Support] = {
             name: {c: self._number[name, c] for c in held} for name, held in self._supports.items()
         }
-        self._of = collect(bodies.basis, numbered, anchors, turn=bodies.turn).value
+        self._of = collect(bodies.basis, numbered, anchors, **told).value
         rest = np.arange(len(supports), len(self.conditions.owners))
         self._of[np.isin(self.conditions.owner, rest)] = 0.0
 
     def values(self, displacements: Mapping[str, Support]) -> Array:
-        """Values (m,) of all conditions, then motions of obstacles, with these replaced."""
+        """Values (m,) of conditions, motions of obstacles, mean motions, with these replaced."""
         bodies = self._bodies
-        b = np.concatenate([self.conditions.value, np.zeros(3 * len(bodies.obstacles))])
+        means = [value for mean in bodies.means.values() for value in mean.held.values()]
+        b = np.concatenate([self.conditions.value, np.zeros(3 * len(bodies.obstacles)), means])
         for name, given in displacements.items():
             new = components(given)
             held = list(self._supports.get(name, {}))
             if name in bodies.obstacles:
                 held = [m for m in MOTIONS if m not in bodies.obstacles[name].free]
+            elif name in bodies.means:
+                held = list(bodies.means[name].held)
             if not held or set(new) - set(held):
                 raise ValueError(
                     f"displacements of {name!r}: supports are set up with the problem and only "
@@ -78,8 +87,8 @@ class Supports:
                 own = self._conditions_of(name, c)
                 if not callable(value):
                     b[own] = value
-                elif name in bodies.obstacles:
-                    raise ValueError(f"the motion {c} of obstacle {name!r} is a number")
+                elif name in bodies.obstacles or name in bodies.means:
+                    raise ValueError(f"the motion {c} of {name!r} is a number")
                 else:
                     b[own] = value(bodies.basis.doflocs[:, self.conditions.dofs[0, own]])
         if not np.all(np.isfinite(b)):
@@ -105,9 +114,15 @@ class Supports:
         return found
 
     def _conditions_of(self, name: str, component: str) -> Indices:
+        first = self.conditions.value.size
         if name in self._bodies.obstacles:
-            first = self.conditions.value.size + 3 * list(self._bodies.obstacles).index(name)
+            first += 3 * list(self._bodies.obstacles).index(name)
             return np.array([first + MOTIONS.index(component)])
+        if name in self._bodies.means:
+            keys = [(n, c) for n, mean in self._bodies.means.items() for c in mean.held]
+            return np.array(
+                [first + 3 * len(self._bodies.obstacles) + keys.index((name, component))]
+            )
         return np.flatnonzero(self._of == self._number[name, component])
 
 

@@ -1,13 +1,13 @@
 """The bodies of a contact problem: elastic and rigid ones, condensed to their contact surfaces."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import get_args
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, vstack
 from skfem import Basis
 from skfem.mesh import Mesh2D
 
@@ -18,8 +18,10 @@ from fem.plane.cells import Cells
 from fem.plane.discretisation import Array, Indices, named_cells, vector_basis
 from fem.plane.loads import moduli
 from fem.plane.material import Assumption, Elastic
+from fem.plane.means import Mean, mean_rows
 from fem.plane.rigid import free_motions
 from fem.plane.supports import Conditions
+from fem.plane.ties import Tie, tied
 
 UNHELD = 1e-9  # of a rigid motion: below, the surface does not feel it
 
@@ -60,6 +62,8 @@ class Bodies:
         thickness: float,
         degree: int | None,
         obstacles: Mapping[str, Obstacle],
+        ties: Sequence[Tie] = (),
+        means: Mapping[str, Mean] | None = None,
     ) -> None:
         if assumption not in get_args(Assumption):
             known = ", ".join(map(repr, get_args(Assumption)))
@@ -74,6 +78,8 @@ class Bodies:
                 raise ValueError(f"obstacle {name!r}: around a turn only y is free")
         self.obstacles, self.thickness = dict(obstacles), thickness
         self.basis: Basis = vector_basis(mesh, degree, turn=self.turn)
+        self.tied, self.means = tied(self.basis, ties), dict(means or {})
+        self.mean_rows = mean_rows(self.basis, self.means, turn=self.turn)
         self.lam, self.mu, self.ratio, self._rigid = _moduli(mesh, materials, assumption)
         self.cells = Cells.of(self.basis, thickness * self.lam, thickness * self.mu, turn=self.turn)
 
@@ -100,7 +106,8 @@ class Bodies:
         rigid = [_pairs(self.basis, cells) for cells in self._rigid]
         self.unknowns: Unknowns = unknowns(
             self.basis, conditions, surface=surface, rigid=rigid,
-            obstacles=list(self.obstacles.values()), turn=self.turn,
+            obstacles=list(self.obstacles.values()), tied=self.tied, means=self.mean_rows,
+            turn=self.turn,
         )  # fmt: skip
         self.motions, self.words = self._free_motions()
         self.condensed: Condensed = condense(self._stiffness(), self.unknowns.surface)
@@ -120,7 +127,8 @@ class Bodies:
         return (T.T @ K @ T).tocsr()
 
     def _free_motions(self) -> tuple[Array, tuple[str, ...]]:
-        found = free_motions(self.basis, self.conditions, turn=self.turn)
+        also = vstack([self.tied.rows, self.mean_rows]).tocsr()
+        found = free_motions(self.basis, self.conditions, turn=self.turn, also=also)
         T, s = self.unknowns.T, self.unknowns.surface
         q = (T[: self.basis.N].T @ found.fields)[T.shape[1] - s :]
         unfelt = np.hypot.reduce(q, axis=0) < UNHELD * np.hypot.reduce(found.fields, axis=0)

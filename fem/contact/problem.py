@@ -30,7 +30,9 @@ from fem.contact.solution import ContactSolution
 from fem.plane.discretisation import Array
 from fem.plane.loads import Pressure, Vector
 from fem.plane.material import Assumption, Elastic
+from fem.plane.means import Mean
 from fem.plane.supports import Anchors, Support
+from fem.plane.ties import Tie
 
 MAX_APPROACHES = 8
 RUNAWAY = 100.0  # times elastic displacements and closed gaps: no contact holds what moves more
@@ -50,6 +52,8 @@ class ContactProblem:
         supports: Mapping[str, Support] | None = None,
         anchors: Anchors | None = None,
         obstacles: Mapping[str, Obstacle] | None = None,
+        ties: Sequence[Tie] = (),
+        means: Mapping[str, Mean] | None = None,
         thickness: float = 1.0,
         degree: int | None = None,
     ) -> None:
@@ -70,6 +74,9 @@ class ContactProblem:
             As for `solve_plane`. Bodies may lack supports where contact and loads hold them.
         obstacles
             Rigid surfaces without a mesh, by name.
+        ties, means
+            As for `solve_plane`: cuts of cyclic sectors; boundaries whose mean motion is prescribed
+            while they deform freely.
         thickness
             Out-of-plane length; forces refer to it.
         degree
@@ -89,7 +96,9 @@ class ContactProblem:
             if sides in seen:
                 raise ValueError(f"contact {pair}: these two surfaces are paired twice")
             seen.add(sides)
-        self.bodies = Bodies(mesh, materials, assumption, thickness, degree, obstacles or {})
+        self.bodies = Bodies(
+            mesh, materials, assumption, thickness, degree, obstacles or {}, ties, means
+        )
         self.surfaces = Surfaces(self.bodies, contacts)
         self.supports = Supports(self.bodies, supports or {}, anchors or {})
         self.bodies.condense(self.supports.conditions, self.surfaces.unknowns)
@@ -123,7 +132,8 @@ class ContactProblem:
             (x, y, moment about its centre).
         displacements
             New values of supports, by boundary, with components that these hold; motions of
-            obstacles such as {"anvil": {"y": -1e-5}}. What is not named has its first value.
+            obstacles such as {"anvil": {"y": -1e-5}}, mean motions such as {"rim": {"r": 1e-3}}.
+            What is not named has its first value.
         after
             The step before, from which friction continues.
         steps

@@ -12,7 +12,7 @@ from fem.contact.complementarity import OPEN, STICK, Rest
 from fem.contact.interface import Interface
 from fem.contact.mortar import Mortar
 from fem.plane.discretisation import Array
-from fem.plane.solution import PlaneSolution
+from fem.plane.solution import Held, PlaneSolution
 
 
 @dataclass(frozen=True)
@@ -214,5 +214,5 @@ def in_plane(bodies: Bodies, u: Array, f: Array) -> PlaneSolution:
     return PlaneSolution(
         bodies.basis, u[:n], internal, f[:n], bodies.lam, bodies.mu, bodies.ratio,
         bodies.thickness, float(np.abs(residual @ (elastic.T @ u[:n])) / size) if size else 0.0,
-        bodies.conditions, bodies.turn,
+        bodies.conditions, bodies.turn, Held(bodies.tied, bodies.mean_rows, bodies.means),
     )  # fmt: skip

@@ -8,13 +8,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import block_diag, csr_array, hstack
+from scipy.sparse import block_diag, csr_array, hstack, vstack
 from skfem import Basis
 
 from fem.contact.pairs import MOTIONS, Obstacle
 from fem.plane.discretisation import Array, Indices
+from fem.plane.means import held_means
 from fem.plane.ordering import nested_dissection
-from fem.plane.supports import Conditions, free_directions
+from fem.plane.supports import Conditions
+from fem.plane.ties import Tied
 
 INDEPENDENT = 1e-9
 CONTRADICTION = 1e-9
@@ -26,8 +28,9 @@ class Unknowns:
 
     Columns of `T` (all, n) are orthonormal, but for those of obstacles. All are the unknowns of the
     mesh, then three for each obstacle. The last `surface` of the n free ones are those of contact
-    surfaces, rigid bodies and obstacles. `L` (all, m) turns the values of the m conditions and
-    the motions of obstacles into displacements; `rows` (conditions, all) reads them back.
+    surfaces, rigid bodies and obstacles. `L` (all, m) turns the values of the m conditions, the
+    motions of obstacles and the mean motions into displacements; `rows` (conditions, all) reads
+    the first back.
     """
 
     T: csr_array
@@ -55,15 +58,19 @@ def unknowns(
     surface: Indices,
     rigid: Sequence[Indices],
     obstacles: Sequence[Obstacle],
+    tied: Tied,
+    means: csr_array,
     turn: bool,
 ) -> Unknowns:
     """Unknowns of `basis` where `surface` are those on contact surfaces.
 
-    `rigid` lists the unknowns of each rigid body, in pairs x, y. With `turn` bodies move along the
-    axis y only.
+    `rigid` lists the unknowns of each rigid body, in pairs x, y. The rows `means` (k, mesh
+    unknowns) read the mean motions that are prescribed. With `turn` bodies move along the axis y
+    only.
     """
     place = nested_dissection(basis)
-    place[surface] += basis.N
+    place[surface] += 2 * basis.N
+    place = tied.ordered(place)
     stiff = np.zeros(basis.N, bool)
     stiff[np.concatenate([np.zeros(0, int), *rigid])] = True
     elastic = ~stiff[conditions.dofs[0]]
@@ -71,26 +78,35 @@ def unknowns(
         conditions, dofs=conditions.dofs[:, elastic], direction=conditions.direction[:, elastic],
         value=np.zeros(int(elastic.sum())), owner=conditions.owner[elastic],
     )  # fmt: skip
-    T, _ = free_directions(basis, still, place)
+    if np.any(stiff[tied.follower]) or np.any(stiff[tied.leader]):
+        raise ValueError("a rigid body cannot be tied: give it elastic material")
+    T, _ = tied.free_directions(basis, still, place)
     T = T[:, abs(T.T) @ stiff.astype(float) == 0]
     on_surface = np.zeros(basis.N)
     on_surface[surface] = 1
     count = int(np.count_nonzero(abs(T.T) @ on_surface))
-    columns, L = [T], _least_norm(still, np.flatnonzero(elastic), conditions.owner.size, basis.N)
+    led = tied.led(still) if tied.angle.size else still
+    L = _least_norm(led, np.flatnonzero(elastic), conditions.owner.size, basis.N)
+    L, lift = tied.P @ L, np.zeros((basis.N, 0))
+    if means.shape[0]:
+        T, lift = held_means(T, means, count)
+        L = L - csr_array(lift @ (means @ L))
+    columns = [T]
     for dofs in rigid:
         own = np.flatnonzero(np.isin(conditions.dofs[0], dofs))
-        shapes, lift = _rigid(basis, conditions, dofs, own, turn)
+        shapes, driven = _rigid(basis, conditions, dofs, own, turn)
         columns.append(_scattered(shapes, dofs, np.arange(shapes.shape[1]), basis.N))
-        L = L + _scattered(lift, dofs, own, basis.N, conditions.owner.size)
+        L = L + _scattered(driven, dofs, own, basis.N, conditions.owner.size)
         count += shapes.shape[1]
     free, fixed = _moving(obstacles, float(np.ptp(basis.mesh.p, axis=1).max()))
     n = conditions.owner.size
     at = np.tile(np.arange(n), 2), conditions.dofs.ravel()
     rows = csr_array((conditions.direction.ravel(), at), (n, basis.N + 3 * len(obstacles)))
+    none = csr_array((fixed.shape[0], lift.shape[1]))
+    moved = hstack([block_diag([L, fixed]), vstack([csr_array(lift), none])])
     return Unknowns(
-        block_diag([hstack(columns), free]).tocsr(), count + free.shape[1],
-        block_diag([L, fixed]).tocsr(), rows,
-    )  # fmt: skip
+        block_diag([hstack(columns), free]).tocsr(), count + free.shape[1], moved.tocsr(), rows
+    )
 
 
 def _least_norm(conditions: Conditions, index: Indices, of: int, count: int) -> csr_array:

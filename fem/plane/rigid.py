@@ -27,16 +27,21 @@ class Motions:
     words: tuple[str, ...]
 
 
-def check_rigid_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) -> None:
+def check_rigid_motions(
+    basis: Basis, conditions: Conditions, *, turn: bool = False, also: csr_array | None = None
+) -> None:
     """ValueError naming the rigid motion that the conditions leave to a body."""
-    if words := free_motions(basis, conditions, turn=turn).words:
+    if words := free_motions(basis, conditions, turn=turn, also=also).words:
         raise ValueError(f"{words[-1]}: support it against that")
 
 
-def free_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) -> Motions:
+def free_motions(
+    basis: Basis, conditions: Conditions, *, turn: bool = False, also: csr_array | None = None
+) -> Motions:
     """The rigid motions that the conditions leave to a body, or to a chain of hinged ones.
 
     A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
+    `also` (k, unknowns) are further rows that displacements make zero.
     With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
     """
     kinds = [1] if turn else [0, 1, 2]
@@ -71,17 +76,31 @@ def free_motions(basis: Basis, conditions: Conditions, *, turn: bool = False) ->
         rows[:, n * first : n * first + n] = motion(at, np.array([first]))[0]
         rows[:, n * second : n * second + n] = -motion(at, np.array([second]))[0]
         blocks.append(rows)
-    _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
-    # a basis with as many zeros as it can have: single motions of single bodies, where there are
-    free = lu(v[s < 1e-9].T, permute_l=True)[0].T.reshape(-1, count, n)
     nodes = node_dofs(basis)
     of_node = of_dof[nodes[0]]
     shapes = motion(basis.doflocs[:, nodes[0]], of_node)
+    if also is not None and also.shape[0]:
+        blocks.append(_compressed(also, nodes, of_node, shapes, count))
+    _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
+    # a basis with as many zeros as it can have: single motions of single bodies, where there are
+    free = lu(v[s < 1e-9].T, permute_l=True)[0].T.reshape(-1, count, n)
     fields = np.zeros((basis.N, len(free)))
     for i, amplitudes in enumerate(free):
         fields[nodes, i] = np.einsum("mij,mj->im", shapes, amplitudes[of_node])
     names = [_name(basis.mesh, body == k) for k in range(count)]
     return Motions(fields, tuple(_words(amplitudes, kinds, names) for amplitudes in free))
+
+
+def _compressed(
+    rows: csr_array, nodes: Indices, of_node: Indices, shapes: Array, count: int
+) -> Array:
+    """What `rows` (k, unknowns) say about the motions (n, of `count` bodies), in as few rows."""
+    n = shapes.shape[2]
+    all_motions = np.zeros((rows.shape[1], count, n))
+    for i in (0, 1):
+        all_motions[nodes[i], of_node] = shapes[:, i]
+    said = rows @ all_motions.reshape(rows.shape[1], -1)
+    return np.linalg.qr(np.vstack([said, np.zeros((n * count, n * count))]))[1]
 
 
 def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:

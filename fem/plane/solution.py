@@ -4,20 +4,40 @@ Quantities are integrals over named boundaries and bodies, or energies; stresses
 quadrature points from the displacement gradient, without smoothing.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 from skfem import Basis, FacetBasis
 
 from fem.plane.axis import depth, has_area, hoop_strain, on_axis
 from fem.plane.cells import Cells
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
 from fem.plane.locate import locate
+from fem.plane.means import Mean
 from fem.plane.samples import Samples
 from fem.plane.supports import Conditions, nearest_node
+from fem.plane.ties import Tied
+
+
+@dataclass(frozen=True)
+class Held:
+    """Ties and mean motions of a solution; `rows` (k, unknowns) read the means."""
+
+    tied: Tied
+    rows: csr_array
+    means: Mapping[str, Mean]
+
+    def on_means(self, conditions: Conditions, reaction: Array) -> Array:
+        """Force (k,) along each mean that makes up `reaction` (unknowns,)."""
+        rows = (self.rows @ self.tied.P).tocsc()
+        own = np.flatnonzero(np.diff(rows.indptr))
+        own = np.setdiff1d(own, self.tied.led(conditions).dofs)
+        force, *_ = np.linalg.lstsq(rows[:, own].toarray().T, (self.tied.P.T @ reaction)[own])
+        return np.asarray(force)
 
 
 @dataclass(frozen=True)
@@ -42,6 +62,7 @@ class PlaneSolution:
     residual: float
     conditions: Conditions
     turn: bool = False
+    held: Held | None = None
 
     @cached_property
     def strain_energy(self) -> float:
@@ -76,6 +97,20 @@ class PlaneSolution:
         node = nearest_node(self.basis, point)
         x, y, _ = self._resultant(self.conditions.anchored_at(node))
         return x, y
+
+    def mean_reaction(self, boundary: str) -> dict[str, float]:
+        """Force (x, y) and moment (r, about its point) that hold the mean motions of `boundary`."""
+        means = {} if self.held is None else self.held.means
+        if self.held is None or boundary not in means:
+            known = ", ".join(means) or "none"
+            raise ValueError(f"no mean motion of {boundary!r} is held; held are those of: {known}")
+        force = self.held.on_means(self.conditions, self.internal - self.f)
+        first = 0
+        for name, mean in means.items():
+            if name == boundary:
+                break
+            first += len(mean.held)
+        return dict(zip(means[boundary].held, force[first:].tolist(), strict=False))
 
     def displacement_at(self, point: tuple[float, float]) -> tuple[float, float]:
         """Displacement (x, y) of the node at `point`; ValueError where there is none."""
@@ -192,7 +227,11 @@ class PlaneSolution:
         return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), zz])
 
     def _resultant(self, chosen: NDArray[np.bool_]) -> tuple[float, float, float]:
-        forces = self.conditions.forces(self.internal - self.f)
+        reaction = self.internal - self.f
+        if self.held is None:
+            forces = self.conditions.forces(reaction)
+        else:
+            forces = self.held.tied.forces(self.conditions, reaction)
         x, y = (self.conditions.direction * forces)[:, chosen]
         at = self.basis.doflocs[:, self.conditions.dofs[0, chosen]]
         if self.turn:

@@ -4,10 +4,11 @@ solve_plane(mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
             supports={"x=0": "x", "y=0": "y"}, pressures={"bore": 100e6})
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import get_args
 
 import numpy as np
+from scipy.sparse import vstack
 from scipy.sparse.linalg import splu
 from skfem.mesh import Mesh2D
 
@@ -23,15 +24,12 @@ from fem.plane.loads import (
     surface_load,
 )
 from fem.plane.material import Assumption, Elastic
+from fem.plane.means import Mean, held_means, mean_rows
 from fem.plane.ordering import nested_dissection
 from fem.plane.rigid import check_rigid_motions
-from fem.plane.solution import PlaneSolution
-from fem.plane.supports import (
-    Anchors,
-    Support,
-    collect,
-    free_directions,
-)
+from fem.plane.solution import Held, PlaneSolution
+from fem.plane.supports import Anchors, Support, collect
+from fem.plane.ties import Tie, tied
 
 MAX_CORRECTIONS = 60
 CONVERGED = 1e-24  # relative energy, the square of relative displacements
@@ -58,6 +56,8 @@ def solve_plane(
     body_forces: Vector | Mapping[str, Vector] | None = None,
     point_forces: Mapping[tuple[float, float], tuple[float, float]] | None = None,
     anchors: Anchors | None = None,
+    ties: Sequence[Tie] = (),
+    means: Mapping[str, Mean] | None = None,
     thickness: float = 1.0,
     degree: int | None = None,
 ) -> PlaneSolution:
@@ -89,6 +89,10 @@ def solve_plane(
         Forces and supports at mesh nodes, by coordinates. A point force in the plane, or the
         total on a ring around the axis, has an unbounded displacement under it: take differences
         elsewhere.
+    ties
+        Boundaries that follow others: the cuts of cyclic sectors and periodic cells.
+    means
+        Boundary name to mean motions that are prescribed while it deforms freely.
     thickness
         Out-of-plane length; energies, reactions and point forces refer to it.
     degree
@@ -120,13 +124,19 @@ def solve_plane(
     f += force_load(basis, forces or {}, turn=turn)
     f += point_load(basis, point_forces or {}, turn=turn)
 
-    conditions = collect(basis, supports, anchors or {}, turn=turn)
-    check_rigid_motions(basis, conditions, turn=turn)
-    T, u0 = free_directions(basis, conditions, nested_dissection(basis))
+    held = tied(basis, ties)
+    conditions = collect(basis, supports, anchors or {}, turn=turn, still=held.still)
+    C = mean_rows(basis, means or {}, turn=turn)
+    check_rigid_motions(basis, conditions, turn=turn, also=vstack([held.rows, C]).tocsr())
+    T, u0 = held.free_directions(basis, conditions, held.ordered(nested_dissection(basis)))
+    if means:
+        T, lift = held_means(T, C)
+        u0 = u0 + lift @ (np.concatenate([[*m.held.values()] for m in means.values()]) - C @ u0)
     u, internal, residual = _solve(cells, f, T, u0)
     return PlaneSolution(
-        basis, u, internal, f, lam, mu, ratio, thickness, residual, conditions, turn
-    )
+        basis, u, internal, f, lam, mu, ratio, thickness, residual, conditions, turn,
+        Held(held, C, means or {}),
+    )  # fmt: skip
 
 
 def _solve(cells, f, T, u0):

@@ -27,6 +27,7 @@ INDEPENDENT = 1e-9  # singular values of the unit directions at a node: below, t
 COINCIDENT = 1e-9  # of the mesh's extent
 CONTRADICTION = 1e-9  # of the values prescribed at a node
 AXIS = "the axis"  # owns the condition u_r = 0 on the axis of a body of revolution
+CENTRE = "the centre of a tie"  # owns the nodes that follow themselves, turned
 
 
 @dataclass(frozen=True)
@@ -87,13 +88,21 @@ def node_dofs(basis: Basis) -> Indices:
 
 
 def collect(
-    basis: Basis, supports: Mapping[str, Support], anchors: Anchors, *, turn: bool = False
+    basis: Basis,
+    supports: Mapping[str, Support],
+    anchors: Anchors,
+    *,
+    turn: bool = False,
+    still: Indices | None = None,
 ) -> Conditions:
     """All conditions of `supports` (by boundary) and `anchors` (by point).
 
-    With `turn` x is a radius, and nodes on the axis stay there.
+    With `turn` x is a radius, and nodes on the axis stay there. The nodes `still` (2, k) stay where
+    they are.
     """
-    owners: tuple[Owner, ...] = (*supports, *anchors, *([AXIS] if turn else []))
+    rest = AXIS if turn else CENTRE
+    held = turn or (still is not None and still.size > 0)
+    owners: tuple[Owner, ...] = (*supports, *anchors, *([rest] if held else []))
     wanted = [
         (i, component, value)
         for i, support in enumerate((*supports.values(), *anchors.values()))
@@ -102,6 +111,8 @@ def collect(
     names = {i for i, component, _ in wanted if component in "nt" and i < len(supports)}
     guides = wall_normals(basis, {i: str(owners[i]) for i in sorted(names)}, turn)
     parts = [_kept_on_axis(basis, len(owners) - 1)] if turn else []
+    if still is not None and still.size:
+        parts.append(_kept_still(still, len(owners) - 1))
     for i, component, value in wanted:
         place = owners[i]
         if isinstance(place, tuple):
@@ -110,7 +121,7 @@ def collect(
             dofs, normal = guides[i]
             direction = normal if component == "n" else np.array([-normal[1], normal[0]])
         else:
-            dofs = _nodes(basis, named_facets(basis.mesh, place))
+            dofs = nodes_on(basis, named_facets(basis.mesh, place))
             direction = np.repeat(np.eye(2)[:, ["xy".index(component)]], dofs.shape[1], axis=1)
         values = _values(value, basis.doflocs[:, dofs[0]])
         parts.append((dofs, direction, values, np.full(values.size, i)))
@@ -139,11 +150,12 @@ def nearest_node(basis: Basis, point: tuple[float, float]) -> Indices:
 
 
 def free_directions(
-    basis: Basis, conditions: Conditions, place: Indices
+    basis: Basis, conditions: Conditions, place: Indices, led: Indices | None = None
 ) -> tuple[csr_array, Array]:
     """T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0.
 
-    Free unknowns q follow each other as their nodes do by `place` (unknowns,).
+    Free unknowns q follow each other as their nodes do by `place` (unknowns,). The unknowns `led`
+    are left out, and zero.
     """
     number, dofs, direction = conditions.by_node()
     value = (
@@ -156,6 +168,8 @@ def free_directions(
         _refuse(basis, conditions, number[np.argmax(wrong)])
     u0, fixed = np.zeros(basis.N), np.zeros(basis.N, bool)
     u0[dofs], fixed[dofs] = u.T, True
+    if led is not None:
+        fixed[led] = True
     _, s, v = np.linalg.svd(direction, full_matrices=False)
     guided = np.flatnonzero(s[:, 1] < INDEPENDENT)
     tangent = np.where(np.abs(v[guided, 1]) < INDEPENDENT**2, 0.0, v[guided, 1])
@@ -179,7 +193,7 @@ def _components(support: Support, where: str) -> Iterable[tuple[str, Prescribed]
     return items.items()
 
 
-def _nodes(basis: Basis, facets: Indices) -> Indices:
+def nodes_on(basis: Basis, facets: Indices) -> Indices:
     """Both unknowns (2, m) of every node on `facets`."""
     nodes = [basis.nodal_dofs[:, np.unique(basis.mesh.facets[:, facets])]]
     if basis.facet_dofs is not None and np.size(basis.facet_dofs):
@@ -194,6 +208,13 @@ def _kept_on_axis(basis: Basis, owner: int) -> tuple[Indices, Array, Array, Indi
     count = dofs.shape[1]
     direction = np.repeat([[1.0], [0.0]], count, axis=1)
     return dofs, direction, np.zeros(count), np.full(count, owner)
+
+
+def _kept_still(still: Indices, owner: int) -> tuple[Indices, Array, Array, Indices]:
+    """The conditions u = 0 at the nodes `still` (2, k)."""
+    count = 2 * still.shape[1]
+    direction = np.repeat(np.eye(2), still.shape[1], axis=1)
+    return np.tile(still, 2), direction, np.zeros(count), np.full(count, owner)
 
 
 def _at_point(basis: Basis, point: tuple[float, float], component: str) -> tuple[Indices, Array]:

@@ -1,0 +1,103 @@
+"""Mean motions of boundaries that deform freely: distributing couplings.
+
+    Mean({"r": 1e-3})        # turned by a milliradian about the origin, on the average
+    Mean({"x": 0.0, "y": 0.0})
+
+The mean shift is int u dA / A, the mean rotation int (arm x u) dA / int arm^2 dA. What holds them
+are tractions spread evenly, or growing with the arm.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import qr
+from scipy.sparse import csr_array, hstack
+from skfem import Basis
+
+from fem.plane.axis import depth
+from fem.plane.discretisation import Array, facet_basis, named_facets
+from fem.plane.loads import surface_load
+
+COMPONENTS = "xyr"
+INDEPENDENT = 1e-9  # of the largest singular value
+
+
+@dataclass(frozen=True)
+class Mean:
+    """Prescribed mean motions of a boundary.
+
+    `held` gives the values of x, y [length] and r [rad, about a point], or of some of them.
+    """
+
+    held: Mapping[str, float]
+    about: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        if not self.held or set(self.held) - set(COMPONENTS):
+            raise ValueError(
+                f"mean motions are of x, y and r, got {', '.join(self.held) or 'none'}"
+            )
+        if not np.all(np.isfinite([*self.held.values(), *self.about])):
+            raise ValueError(f"mean motions must be finite, got {self}")
+
+
+def mean_rows(basis: Basis, means: Mapping[str, Mean], *, turn: bool = False) -> csr_array:
+    """Rows (k, unknowns) that read the mean motions, component after component."""
+    rows = [np.zeros((0, basis.N))]
+    for name, mean in means.items():
+        if turn and set(mean.held) != {"y"}:
+            raise ValueError(f"mean motion of {name!r}: around a turn only y is a motion")
+        side = facet_basis(basis, named_facets(basis.mesh, name))
+        x = np.asarray(side.global_coordinates())
+        dA = np.asarray(side.dx) * depth(x, turn)
+        for component in mean.held:
+            tractions = {name: _Motion(component, mean.about, x, dA)}
+            rows.append(surface_load(basis, {}, tractions, turn=turn)[None])
+    found = csr_array(np.vstack(rows))
+    found.eliminate_zeros()
+    return found
+
+
+class _Motion:
+    """The traction whose work with u is the mean motion."""
+
+    def __init__(self, component: str, about: tuple[float, float], x: Array, dA: Array) -> None:
+        self.component, self.about = component, np.reshape(about, (2, 1, 1))
+        own = self._field(x)
+        self.size = float(((own**2).sum(axis=0) * dA).sum())
+        if not self.size > 0:
+            raise ValueError(f"a boundary without extent has no mean motion {component!r}")
+
+    def __call__(self, x: Array) -> Array:
+        return self._field(x) / self.size
+
+    def _field(self, x: Array) -> Array:
+        if self.component == "r":
+            arm = x - self.about
+            return np.array([-arm[1], arm[0]])
+        field = np.zeros(x.shape)
+        field["xy".index(self.component)] = 1.0
+        return field
+
+
+def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array, Array]:
+    """Columns of `T` (unknowns, n) that leave the means `C` (k, unknowns) at rest, and a lift.
+
+    The lift (unknowns, k) moves each mean by one. The last `surface` columns stay the last and
+    must not be part of any mean.
+    """
+    rows = (C @ T).tocsc()
+    touched = np.flatnonzero(np.diff(rows.indptr))
+    inner = T.shape[1] - surface
+    if np.any(touched >= inner):
+        raise ValueError("a boundary whose mean motion is held cannot be in contact as well")
+    own = rows[:, touched].toarray()
+    Q, R, _ = qr(own.T, pivoting=True)
+    size = np.abs(np.diag(R))
+    if size.size < len(own) or np.any(size <= INDEPENDENT * size.max(initial=0.0)):
+        raise ValueError("a mean motion is prescribed that supports or another mean hold already")
+    others = np.setdiff1d(np.arange(inner), touched)
+    kept = T[:, touched]
+    columns = [T[:, others], csr_array(kept @ Q[:, len(own) :]), T[:, inner:]]
+    return hstack(columns).tocsr(), np.asarray(kept @ np.linalg.pinv(own))
