@@ -1,0 +1,93 @@
+r"""Friction that a clutch under torque and axial load asks for (Nagler et al., Eqs. 1, 8 to 10).
+
+Of one roller, with the clamping angle alpha from geometry,
+
+.. math:: \mu_{req} = \frac{\sqrt{F_t^2 + F_a^2}}{F_n}
+          = \tan\alpha \sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2},
+
+F_a = F_ax/z and T = z R F_t of the whole clutch (R is R_s of an outer cam). Printed Eq. 8 calls the
+left side tan(alpha), which is F_t/F_n (Eq. 1), and takes the same F_ax in both.
+
+The torque counts in the locking direction alone (T > 0). An overrunning clutch (T < 0) is not
+wedged and the criterion does not speak of it: nan. At T = 0 no normal force is there to carry
+F_ax: infinite; with both at rest, tan(alpha), what Eq. 1 asks for. On a path on which both vanish
+together the limit is that of the ratio F_ax/T: `required_friction_of_ratio`.
+
+References
+----------
+.. [1] N. Nagler, A. Lohrengel, Forsch. Ingenieurwes. 85(4), 2021, Secs. 5 and 7.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.checks import Array, finite, not_negative, positive
+from analytic.freewheel.rules import require
+
+RED, GREEN = 0.8, 1.0  # mu/mu_req of Sec. 7, observed, not derived
+
+
+def required_friction_of_contact(*, F_n: ArrayLike, F_t: ArrayLike, F_a: ArrayLike) -> Array:
+    """mu_req from the forces [force] on one contact of one roller (Eq. 8).
+
+    >>> float(required_friction_of_contact(F_n=100.0, F_t=3.0, F_a=4.0))
+    0.05
+    """
+    F_n = positive(F_n, "normal force", "N")
+    return np.asarray(np.hypot(finite(F_t, "F_t", "N"), finite(F_a, "F_a", "N")) / F_n)
+
+
+def required_friction(*, alpha: ArrayLike, T: ArrayLike, F_ax: ArrayLike, R: ArrayLike) -> Array:
+    """mu_req under the torque T [force x length] and the axial load F_ax [force] (Eq. 9).
+
+    >>> mu_req = required_friction(alpha=np.arctan(0.03), T=30.0, F_ax=4.0, R=10.0)
+    >>> round(float(mu_req), 12)  # 0.03 sqrt(1 + (4/3)²)
+    0.05
+    """
+    T, F_ax = finite(T, "torque", "N m"), finite(F_ax, "axial load", "N")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.where((T == 0) & (F_ax == 0), 0.0, F_ax / T)
+    found = required_friction_of_ratio(alpha=alpha, ratio=ratio, R=R)
+    return np.where(T < 0, np.nan, found)
+
+
+def required_friction_of_ratio(*, alpha: ArrayLike, ratio: ArrayLike, R: ArrayLike) -> Array:
+    """mu_req where the axial load is `ratio` = F_ax/T [1/length] times the torque."""
+    lever = np.asarray(ratio, dtype=np.float64) * positive(R, "race's radius", "m")
+    return np.asarray(np.tan(np.asarray(alpha)) * np.hypot(1.0, lever))
+
+
+def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: ArrayLike) -> Array:
+    """F_ax [force] on the whole clutch at which mu_req = mu; nan where it slips without (Eq. 9).
+
+    >>> round(float(largest_axial_load(alpha=np.arctan(0.03), T=30.0, R=10.0, mu=0.05)), 12)
+    4.0
+    """
+    T, mu = not_negative(T, "torque", "N m"), positive(mu, "coefficient of friction", "")
+    spare = (mu / np.tan(np.asarray(alpha))) ** 2 - 1
+    root = np.sqrt(np.where(spare >= 0, spare, np.nan))
+    return np.asarray(T / positive(R, "race's radius", "m") * root)
+
+
+def safety(*, mu: ArrayLike, mu_req: ArrayLike) -> Array:
+    """Available over required friction, mu/mu_req (Eq. 10): the clutch holds from 1 on."""
+    return np.asarray(positive(mu, "coefficient of friction", "") / np.asarray(mu_req))
+
+
+def traffic_light(ratio: ArrayLike, *, red: float = RED, green: float = GREEN) -> NDArray[np.str_]:
+    """Class of mu/mu_req: "red" below `red`, "green" from `green` on, "yellow" between (Sec. 7).
+
+    "free" where the ratio is nan: the clutch overruns.
+
+    >>> traffic_light([0.79, 0.8, 1.0]).tolist()
+    ['red', 'yellow', 'green']
+    """
+    require(0 < red <= green, "classes need 0 < red <= green", "", red=red, green=green)
+    ratio = np.asarray(ratio, dtype=np.float64)
+    known = [np.isnan(ratio), ratio < red, ratio < green]
+    return np.select(known, ["free", "red", "yellow"], "green")
+
+
+def self_releasing(*, alpha: ArrayLike, mu: ArrayLike) -> NDArray[np.bool_]:
+    """Whether a roller slips out under torque alone, tan(alpha) > mu (Eq. 1)."""
+    return np.asarray(np.tan(np.asarray(alpha)) > positive(mu, "coefficient of friction", ""))

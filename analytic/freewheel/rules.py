@@ -1,0 +1,26 @@
+"""What the freewheel's formulas refuse, in one line: rule, value, unit."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.checks import Array, positive
+
+
+def require(holds: ArrayLike, rule: str, unit: str = "m", **values: ArrayLike) -> None:
+    """ValueError with the rule and the first values that break it, unless `holds` throughout."""
+    kept: NDArray[np.bool_] = np.asarray(holds, dtype=np.bool_)
+    if np.all(kept):
+        return
+    first = np.unravel_index(int(np.argmin(kept)), kept.shape)
+    told = ", ".join(
+        f"{name}={np.broadcast_to(np.asarray(value), kept.shape)[first]:.7g} {unit}".rstrip()
+        for name, value in values.items()
+    )
+    raise ValueError(f"{rule}, got {told}")
+
+
+def rollers(z: ArrayLike) -> Array:
+    """The number of rollers as an array; ValueError unless whole and at least 2."""
+    z = positive(z, "number of rollers", "")
+    require((z >= 2) & (z == np.round(z)), "number of rollers must be whole, 2 or more", "", z=z)
+    return z
