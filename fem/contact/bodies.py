@@ -80,7 +80,7 @@ class Bodies:
         self.basis: Basis = vector_basis(mesh, degree, turn=self.turn)
         self.tied, self.means = tied(self.basis, ties), dict(means or {})
         self.mean_rows = mean_rows(self.basis, self.means, turn=self.turn)
-        self.lam, self.mu, self.ratio, self._rigid = _moduli(mesh, materials, assumption)
+        self.lam, self.mu, self.ratio, self.rigid = _moduli(mesh, materials, assumption)
         self.cells = Cells.of(self.basis, thickness * self.lam, thickness * self.mu, turn=self.turn)
 
     @property
@@ -103,7 +103,7 @@ class Bodies:
     def condense(self, conditions: Conditions, surface: Indices) -> None:
         """Factorise, with the unknowns of the contact surfaces (s,) last."""
         self.conditions = conditions
-        rigid = [_pairs(self.basis, cells) for cells in self._rigid]
+        rigid = [_pairs(self.basis, cells) for cells in self.rigid]
         self.unknowns: Unknowns = unknowns(
             self.basis, conditions, surface=surface, rigid=rigid,
             obstacles=list(self.obstacles.values()), tied=self.tied, means=self.mean_rows,
@@ -115,7 +115,7 @@ class Bodies:
     def _stiffness(self) -> csr_array:
         """T' K T (n, n); where T only selects unknowns, K is assembled in that order at once."""
         T = self.unknowns.T
-        if np.all(T.data == 1) and np.all(np.diff(T.indptr) <= 1) and not self._rigid:
+        if np.all(T.data == 1) and np.all(np.diff(T.indptr) <= 1) and not self.rigid:
             place = np.full(self.count, -1)
             place[np.diff(T.indptr) == 1] = T.indices
             elastic = place[: self.basis.N]
