@@ -1,6 +1,7 @@
 """Half a roller that is squeezed at both ends of a diameter."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from skfem.mesh import Mesh2D
@@ -33,16 +34,20 @@ def half_roller(
             raise ValueError(
                 f"the fine zones of a roller need 0 < zone <= R/2, got zone={zone:g} m, R={R:g} m"
             )
-    fine = [Zone(zone, cells, refine) for zone in zones]
+    blocks = half_blocks(R, [Zone(zone, cells, refine) for zone in zones])
+    return mesh_blocks(blocks, order=order, straight=straight)
+
+
+def half_blocks(R: float, fine: Sequence[Zone]) -> list[Block]:
+    """The blocks of the half roller, fine near and far."""
     wide = max(fine, key=lambda zone: zone.width)
     # both quarters end on one cut, and their diagonals in one point of it
     _, far = diagonal(core(wide, -R)[1], math.pi / 4 + math.asin(wide.width / R), R)
-    blocks = [
+    return [
         block.placed(place)
         for name, place, zone in zip(("near", "far"), _places(R), fine, strict=True)
         for block in _quarter(R, zone, far, name)
     ]
-    return mesh_blocks(blocks, order=order, straight=straight)
 
 
 def _places(R: float) -> tuple[Place, Place]:

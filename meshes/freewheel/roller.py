@@ -1,0 +1,46 @@
+"""A whole roller touched at two places of its rim that are less than half a turn apart."""
+
+import math
+
+import numpy as np
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Point
+from meshes.contact.fan import Zone
+from meshes.contact.roller import half_blocks
+from meshes.freewheel.bent import Places, bent, flat_mesh
+
+NAMES = {"near": "inner", "far": "outer"}
+
+
+def bent_roller(
+    *,
+    r: float,
+    centre: Point,
+    rays: tuple[float, float],
+    zones: tuple[Zone, Zone],
+    order: int,
+    straight: bool,
+) -> Mesh2D:
+    """The disc of radius `r` about `centre`, fine about the two `rays` [rad] from its centre.
+
+    Rays count clockwise from +y, and about half a turn lies from the second to the first.
+    Boundaries "inner" and "outer", the halves of the rim about the two, in the order of `rays` and
+    `zones`; body "roller". A vertex lies at the centre.
+    """
+    half = half_blocks(r, zones)
+    mesh = flat_mesh((*half, *(block.mirrored(1, -1) for block in half)), order)
+    x, y = mesh.doflocs
+    radius, angle = np.hypot(x, y), np.arctan2(y, x)
+    inner, outer = rays
+    # the fine places, at half a turn and at 0, each move by half of what lacks of half a turn
+    lack = math.pi - (inner - outer)
+    angle += math.pi / 2 - outer + lack / 2 * (1 - _bend(angle, radius / r))
+    places = radius * np.array([np.cos(angle), np.sin(angle)]) + np.reshape(centre, (2, 1))
+    return bent(mesh, places, NAMES, straight=straight)
+
+
+def _bend(angle: Places, share: Places) -> Places:
+    """From 1 at the angle 0 to -1 at half a turn, even about both, and 0 at the centre."""
+    c = np.cos(angle)
+    return (3 * c - c**3) / 2 * share**2 * (2 - share**2)

@@ -1,0 +1,116 @@
+"""One pitch of a roller freewheel: the cam with flats, a roller and the round race.
+
+The axis is the origin. The flat lies across the y axis, and the roller at x >= 0, its centre at the
+angle psi from the y axis.
+"""
+
+import math
+
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Point
+from meshes.contact.fan import Zone
+from meshes.freewheel.limits import check_radii, check_roller, check_zones
+from meshes.freewheel.races import FlatRace, RoundRace
+from meshes.freewheel.roller import bent_roller
+from meshes.join import join
+
+CLEARANCE = 0.2  # of the roller's radius, between the tip of a star and the ring
+
+
+def inner_cam_sector(
+    *,
+    R: float,
+    R_a: float,
+    X: float,
+    r_b: float,
+    r: float,
+    z: int,
+    centre: Point,
+    zones: tuple[float, float],
+    cells: int = 6,
+    refine: int = 1,
+    clearance: float | None = None,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """Star with the flat y = `X`, roller of radius `r` about `centre`, and the ring around them.
+
+    The star has `z` flats and the bore `r_b`, the ring the bore `R` and the rim `R_a` [one unit of
+    length]; roller and races may overlap or leave a gap. A tip of the star that leaves less than
+    half of the `clearance` (r/5 by default) to the ring is cut by the circle that leaves all of it.
+
+    The `zones` are half-widths of the fine zones, of the star's contact and of the ring's: on
+    `refine` 1 `cells` even cells lie on each half on both bodies, and grow outside; 2 halves them
+    all, and so on. Bodies "star", "roller" and "ring". Boundaries "star.flat", "star.bore",
+    "star.left", "star.right" and, if cut, "star.tip"; "roller.inner" and "roller.outer", the halves
+    of its rim about the star's contact and the ring's; "ring.bore", "ring.rim", "ring.left" and
+    "ring.right". "right" is the cut at larger x; turned anticlockwise by 2 pi/z its nodes are those
+    of "left". A vertex of the roller lies at `centre`. `order` 1 or 2; `straight` cells keep
+    straight edges.
+
+    Raises ValueError, in metres, where the bodies cannot be, and where a fine zone is too wide.
+    """
+    check_radii("r_b < X < R < R_a", (r_b, X, R, R_a), z)
+    gap = CLEARANCE * r if clearance is None else clearance
+    if not 0 < gap < R - X:
+        raise ValueError(f"a star needs 0 < clearance < R - X = {R - X:g} m, got {gap:g} m")
+    pitch, psi = 2 * math.pi / z, math.atan2(*centre)
+    tip = R - gap if X / math.cos(pitch / 2) > R - gap / 2 else math.inf
+    star = FlatRace(X, r_b, pitch, centre[0], ("flat", "bore", "star"), tip)
+    ring = RoundRace(R, R_a, pitch, psi, ("bore", "rim", "ring"))
+    check_roller(r, centre, z, flat=centre[1] - X, circle=R - math.hypot(*centre))
+    check_zones(r, star, ring, flat=zones[0], circle=zones[1])
+    inner, outer = fine = Zone(zones[0], cells, refine), Zone(zones[1], cells, refine)
+    roller = bent_roller(
+        r=r, centre=centre, rays=(math.pi, psi), zones=fine, order=order, straight=straight
+    )
+    return join(
+        {
+            "star": star.mesh(inner, order=order, straight=straight),
+            "roller": roller,
+            "ring": ring.mesh(outer, order=order, straight=straight),
+        }
+    )
+
+
+def outer_cam_sector(
+    *,
+    R_s: float,
+    r_b: float,
+    X_o: float,
+    R_a: float,
+    r: float,
+    z: int,
+    centre: Point,
+    zones: tuple[float, float],
+    cells: int = 6,
+    refine: int = 1,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """Shaft of radius `R_s`, roller of radius `r` about `centre`, cup with the flat y = `X_o`.
+
+    The shaft has the bore `r_b`, the cup `z` flats inside and the rim `R_a`. The `zones` are those
+    of the shaft's contact and of the cup's. Bodies "shaft", "roller" and "cup"; boundaries
+    "shaft.rim", "shaft.bore", "cup.flat", "cup.rim" and the cuts "left" and "right" of both;
+    "roller.inner" is about the shaft's contact, "roller.outer" about the cup's. Otherwise as
+    `inner_cam_sector`.
+    """
+    check_radii("r_b < R_s < X_o < R_a cos(pi/z)", (r_b, R_s, X_o, R_a * math.cos(math.pi / z)), z)
+    pitch, psi = 2 * math.pi / z, math.atan2(*centre)
+    shaft = RoundRace(R_s, r_b, pitch, psi, ("rim", "bore", "shaft"))
+    cup = FlatRace(X_o, R_a, pitch, centre[0], ("flat", "rim", "cup"))
+    check_roller(r, centre, z, flat=X_o - centre[1], circle=math.hypot(*centre) - R_s)
+    check_zones(r, cup, shaft, flat=zones[1], circle=zones[0])
+    inner, outer = fine = Zone(zones[0], cells, refine), Zone(zones[1], cells, refine)
+    roller = bent_roller(
+        r=r, centre=centre, rays=(math.pi + psi, 0.0), zones=fine, order=order, straight=straight
+    )
+    return join(
+        {
+            "shaft": shaft.mesh(inner, order=order, straight=straight),
+            "roller": roller,
+            "cup": cup.mesh(outer, order=order, straight=straight),
+        }
+    )
