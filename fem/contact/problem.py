@@ -21,17 +21,19 @@ import numpy as np
 from skfem.mesh import Mesh2D
 
 from fem.contact.actions import Action, Forces, Loads, Supports
+from fem.contact.along import Along, Pull
+from fem.contact.along_problem import AlongProblem
 from fem.contact.approach import approached
 from fem.contact.bodies import Bodies, Response
 from fem.contact.complementarity import OPEN, Rest
 from fem.contact.interface import ROUND_OFF, Interface, Surfaces
 from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.solution import ContactSolution
-from fem.plane.discretisation import Array
+from fem.plane.discretisation import Array, Indices
 from fem.plane.loads import Pressure, Vector
 from fem.plane.material import Assumption, Elastic
 from fem.plane.means import Mean
-from fem.plane.supports import Anchors, Support
+from fem.plane.supports import Anchors, Prescribed, Support
 from fem.plane.ties import Tie
 
 MAX_APPROACHES = 8
@@ -54,6 +56,7 @@ class ContactProblem:
         obstacles: Mapping[str, Obstacle] | None = None,
         ties: Sequence[Tie] = (),
         means: Mapping[str, Mean] | None = None,
+        along: Along | None = None,
         thickness: float = 1.0,
         degree: int | None = None,
     ) -> None:
@@ -77,6 +80,9 @@ class ContactProblem:
         ties, means
             As for `solve_plane`: cuts of cyclic sectors; boundaries whose mean motion is prescribed
             while they deform freely.
+        along
+            What holds bodies along the third axis, z, where they may move along it: in plane
+            strain, u_z(x, y) and friction whose two components share one bound.
         thickness
             Out-of-plane length; forces refer to it.
         degree
@@ -105,6 +111,11 @@ class ContactProblem:
         self.bodies.unknowns.displaced(self.supports.values({}))
         self.interface = Interface(self.bodies, self.surfaces)
         self.interface.check_held(self.surfaces)
+        self.along: AlongProblem | None = None
+        if along is not None:
+            self.along = AlongProblem(
+                self.bodies, along, self.surfaces, self.interface, assumption
+            )
         self.loads = Loads(self.bodies)
         self._responses: dict[Hashable, Response] = {}
         self._shifts: dict[Hashable, Array] = {}
@@ -118,6 +129,8 @@ class ContactProblem:
         body_forces: Vector | Mapping[str, Vector] | None = None,
         point_forces: Mapping[tuple[float, float], tuple[float, float]] | None = None,
         displacements: Mapping[str, Support] | None = None,
+        axial_forces: Mapping[str, float] | None = None,
+        axial_displacements: Mapping[str, Prescribed] | None = None,
         after: ContactSolution | None = None,
         steps: int = 1,
     ) -> ContactSolution:
@@ -134,6 +147,9 @@ class ContactProblem:
             New values of supports, by boundary, with components that these hold; motions of
             obstacles such as {"anvil": {"y": -1e-5}}, mean motions such as {"rim": {"r": 1e-3}}.
             What is not named has its first value.
+        axial_forces, axial_displacements
+            Along the third axis, with `along`: total forces on boundaries, spread evenly, or on
+            obstacles that are free along it; new values of supports along it.
         after
             The step before, from which friction continues.
         steps
@@ -159,31 +175,46 @@ class ContactProblem:
         if steps < 1:
             raise ValueError(f"steps must be 1 or more, got {steps}")
         before = () if after is None else after.actions
+        pull = self._pull(axial_forces or {}, axial_displacements or {})
+        pulled = None if after is None or after.along is None else after.along.pull
         for share in np.arange(1, steps + 1) / steps:
             ramped = [replace(a, share=share * a.share) for a in actions]
             ramped += [replace(a, share=(1 - share) * a.share) for a in before if share < 1]
-            after = self._step(ramped, after)
+            now = None if pull is None else pull.after(pulled, share)
+            after = self._step(ramped, now, after)
         assert after is not None
         return after
 
-    def _step(self, actions: list[Action], after: ContactSolution | None) -> ContactSolution:
+    def _pull(
+        self, forces: Mapping[str, float], displacements: Mapping[str, Prescribed]
+    ) -> Pull | None:
+        if self.along is not None:
+            return self.along.bodies.pull(forces, displacements)
+        if forces or displacements:
+            raise ValueError("axial forces and displacements need a problem with along=Along(...)")
+        return None
+
+    def _step(
+        self, actions: list[Action], pull: Pull | None, after: ContactSolution | None
+    ) -> ContactSolution:
         """Equilibrium under `actions`, paired where bodies that start apart meet."""
         interface = self.interface if after is None else after.interface
-        found = self._equilibrium(actions, interface, after)
+        found = self._equilibrium(actions, pull, interface, after)
         for _ in range(MAX_APPROACHES):
             bases = approached(found, self.surfaces)
             if bases is None:
                 self._refuse(found.interface.kernel.unfelt(found.e))
                 return found
             moved = Interface(self.bodies, self.surfaces, bases)
-            found = self._equilibrium(actions, moved, after)
+            found = self._equilibrium(actions, pull, moved, after)
         raise ArithmeticError(
             f"the bodies did not come to rest: after {MAX_APPROACHES} approaches they still move"
         )
 
     def _equilibrium(
-        self, actions: list[Action], interface: Interface, after: ContactSolution | None
-    ) -> ContactSolution:
+        self, actions: list[Action], pull: Pull | None, interface: Interface,
+        after: ContactSolution | None,
+    ) -> ContactSolution:  # fmt: skip
         kernel, m = interface.kernel, interface.gaps.size
         w, e = np.zeros(interface.rows.shape[0]), np.zeros(self.bodies.motions.shape[1])
         responses = [(a.share, self._response(a)) for a in actions]
@@ -193,39 +224,62 @@ class ContactProblem:
         self._refuse(kernel.missing(e))
         slips = self._touching(interface, w, e) if after is None else after.slips
         w[:m] += interface.gaps
-        slips = slips + self._closing(interface, w, slips, after)
+        closes, share = self._closes(interface, w, after)
+        slips = slips + self._closing(interface, w, slips, after, closes, share)
         w[m:] -= slips
-        rest = kernel.solve(w, e, None if after is None else after.states)
+
+        def in_plane() -> Rest:
+            return kernel.solve(w, e, None if after is None else after.states)
+
+        along = None
+        if self.along is None or pull is None:
+            rest = in_plane()
+        else:
+            before = None if after is None or after.along is None else (after.rest, after.along)
+            rest, along = self.along.solve(interface, w, e, pull, before, (closes, share), in_plane)
         self._check_small(interface, responses, rest)
         return ContactSolution(
             bodies=self.bodies, interface=interface, actions=tuple(actions),
-            responses=tuple(responses), rest=rest, slips_before=slips,
+            responses=tuple(responses), rest=rest, slips_before=slips, along=along,
             e=e, w=w + kernel.B @ rest.multipliers + kernel.D @ rest.motion,
         )  # fmt: skip
 
     @staticmethod
-    def _closing(
-        interface: Interface, w: Array, slips: Array, after: ContactSolution | None
-    ) -> Array:
-        """What surfaces that are apart slide of themselves, on from `slips`, until a gap closes.
+    def _trial(interface: Interface, w: Array, after: ContactSolution | None) -> Array:
+        """What `w` leads to where contact forces stay as they are."""
+        kernel = interface.kernel
+        if after is None:
+            return w
+        return w + kernel.B @ after.rest.multipliers + kernel.D @ after.rest.motion
+
+    def _closes(
+        self, interface: Interface, w: Array, after: ContactSolution | None
+    ) -> tuple[Indices, Array]:
+        """Normal rows with friction whose gaps close of themselves, and the share at which they do.
 
         Other contact forces stay as they are for that, and the rest of `w` grows evenly. Nodes of
         a pair that touches already stick or slip from where they are, and so do those of bodies
         that only contact holds: how these move is not known beforehand.
         """
         kernel, m = interface.kernel, interface.gaps.size
-        gaps, trial = interface.gaps, w
-        touching = gaps <= 0
+        gaps, touching = interface.gaps, interface.gaps <= 0
         if after is not None:
             gaps, touching = after.w[:m], after.states != OPEN
-            trial = w + kernel.B @ after.rest.multipliers + kernel.D @ after.rest.motion
+        trial = self._trial(interface, w, after)
         held = np.abs(kernel.D[:m]).sum(axis=1) == 0
         apart = held & ~np.isin(kernel.part, kernel.part[touching])
         closes = np.flatnonzero((kernel.partner >= 0) & apart & (gaps > 0) & (trial[:m] < 0))
+        return closes, gaps[closes] / (gaps[closes] - trial[closes])
+
+    def _closing(
+        self, interface: Interface, w: Array, slips: Array, after: ContactSolution | None,
+        closes: Indices, share: Array,
+    ) -> Array:  # fmt: skip
+        """What surfaces that are apart slide, on from `slips`, until a gap closes at its share."""
+        kernel, m = interface.kernel, interface.gaps.size
         rows = kernel.partner[closes]
-        share = gaps[closes] / (gaps[closes] - trial[closes])
         found = np.zeros(slips.size)
-        found[rows - m] = share * (trial[rows] - slips[rows - m])
+        found[rows - m] = share * (self._trial(interface, w, after)[rows] - slips[rows - m])
         return found
 
     def _touching(self, interface: Interface, w: Array, e: Array) -> Array:

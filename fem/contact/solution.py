@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.contact.actions import Action
+from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies, Response
 from fem.contact.complementarity import OPEN, STICK, Rest
 from fem.contact.interface import Interface
@@ -22,8 +23,9 @@ class Touch:
     At the slave's m nodes, one after the other along the surface: `x` (2, m), `arc` (m,) [length]
     from its start, `pressure`, `traction` (m,) [stress] (along the normal
     from slave to master turned by +90 deg, as it acts on the master), `gap`, `slip` (m,) [length]
-    (weighted means about each node; slip since the step before), `closed`, `sticks` (m,).
-    At the integration points: `points`, `p`, `q` (n,) and `weight` (n,) [area].
+    (weighted means about each node; slip since the step before), `closed`, `sticks` (m,);
+    `traction_z`, `slip_z` (m,) along the third axis, zero in the plane.
+    At the integration points: `points`, `p`, `q`, `q_z` (n,) and `weight` (n,) [area].
     """
 
     x: Array
@@ -32,11 +34,14 @@ class Touch:
     traction: Array
     gap: Array
     slip: Array
+    traction_z: Array
+    slip_z: Array
     closed: NDArray[np.bool_]
     sticks: NDArray[np.bool_]
     mortar: Mortar
     p: Array
     q: Array
+    q_z: Array
     turn: bool
 
     @property
@@ -58,6 +63,11 @@ class Touch:
     def friction_force(self) -> float:
         """Integral of the tangential traction on the master."""
         return float(self.q @ self.weight)
+
+    @property
+    def force_z(self) -> float:
+        """Force along the third axis on the master."""
+        return float(self.q_z @ self.weight)
 
     def moment(self, about: tuple[float, float] = (0.0, 0.0), *, on: str = "master") -> float:
         """Moment of the tractions on the "master", or on the "slave", about a point."""
@@ -119,6 +129,7 @@ class ContactSolution:
     e: Array
     w: Array
     slips_before: Array
+    along: AlongStep | None = None
 
     @property
     def states(self) -> NDArray[np.int8]:
@@ -145,12 +156,16 @@ class ContactSolution:
         own = slice(self.interface.starts[i], self.interface.starts[i + 1])
         partner, states = kernel.partner[own], self.states[own]
         pressure = self.rest.multipliers[own]
-        traction, slip = np.zeros(m.size.size), np.zeros(m.size.size)
+        traction, slip, traction_z, slip_z = np.zeros((4, m.size.size))
         if np.any(partner >= 0):
             traction, slip = self.rest.multipliers[partner], self.w[partner] / m.size
+            if self.along is not None:
+                rows = partner - self.interface.gaps.size
+                traction_z, slip_z = self.along.traction[rows], self.along.w[rows] / m.size
         return Touch(
             x=m.x, arc=m.arc, turn=self.bodies.turn, pressure=pressure, traction=traction,
-            gap=self.w[own] / m.size, slip=slip, closed=states != OPEN,
+            gap=self.w[own] / m.size, slip=slip, traction_z=traction_z, slip_z=slip_z,
+            q_z=m.hats @ traction_z, closed=states != OPEN,
             sticks=(states == STICK) & (partner >= 0), mortar=m, p=m.hats @ pressure,
             q=m.hats @ traction,
         )  # fmt: skip
@@ -197,8 +212,19 @@ class ContactSolution:
 
     @property
     def strain_energy(self) -> float:
-        """Of all bodies [force x length]."""
-        return self.plane.strain_energy
+        """Of all bodies [force x length], of shear along the third axis too."""
+        along = 0.0 if self.along is None else self.along.strain_energy
+        return self.plane.strain_energy + along
+
+    @property
+    def u_z(self) -> Array:
+        """Displacements (nodes,) along z: vertices, nodes on edges and in cells, obstacles.
+
+        Zero in the plane.
+        """
+        if self.along is None:
+            return np.zeros(self.bodies.basis.N // 2 + len(self.bodies.obstacles))
+        return self.along.u
 
 
 def in_plane(bodies: Bodies, u: Array, f: Array) -> PlaneSolution:

@@ -1,0 +1,57 @@
+"""All contact pairs with friction as one system along z: slips and the compliance behind them."""
+
+import numpy as np
+from scipy.sparse import csr_array, diags_array, vstack
+
+from fem.contact.along import AlongBodies, Pull
+from fem.contact.cone import Cone
+from fem.contact.interface import LEAST, Interface
+from fem.contact.mortar import Mortar
+from fem.plane.discretisation import Array, Indices
+
+UNHELD = 1e-9  # of a shift: below, no surface with friction feels it
+
+
+class AlongInterface:
+    """Weighted slips along z, s_i = int phi_i (u_z,m - u_z,s), at the nodes that carry friction.
+
+    `rows` (r, nodes) follow the tangential rows of the plane; `cone` is the system of all rows,
+    those of the plane included.
+    """
+
+    def __init__(self, bodies: AlongBodies, plane: Interface) -> None:
+        self.bodies = bodies
+        rough = [m for m, p in zip(plane.mortars, plane.pairs, strict=True) if p.friction > 0]
+        none = csr_array((0, bodies.count))
+        self.rows: csr_array = vstack([none, *(_slips(m, bodies.columns) for m in rough)]).tocsr()
+        self.C = (self.rows @ bodies.surface).toarray()
+        B = self.C @ bodies.compliance(self.C.T)
+        if rough:
+            # as in the plane: what supports fix on both sides takes the least traction
+            area = np.concatenate([m.size for m in rough])
+            B[np.diag_indices(len(B))] += LEAST * np.mean(np.diag(B) / area**2) * area**2
+        self.cone = Cone.of(plane.kernel, (B + B.T) / 2, self.C @ bodies.shifts)
+
+    def loaded(self, pull: Pull) -> tuple[Array, Array]:
+        """What loads change of the slips (r,), shifts apart, and exert on shifts (k,)."""
+        bodies = self.bodies
+        _, on_surface = bodies.load(pull)
+        e = bodies.shifts.T @ on_surface
+        at_rest = bodies.compliance(on_surface - bodies.shifts @ e)
+        return self.C @ at_rest + self.rows @ pull.u_0, e
+
+    def check_held(self) -> None:
+        """ValueError where neither supports nor friction could hold a body along z."""
+        felt = np.abs(self.C @ self.bodies.shifts).max(axis=0, initial=0.0)
+        own = np.abs(self.C).max(initial=0.0)
+        if np.any(felt <= UNHELD * own):
+            self.bodies.refuse(self.bodies.words[int(np.argmin(felt))])
+
+
+def _slips(mortar: Mortar, columns: Indices) -> csr_array:
+    """Weighted u_z,m - u_z,s: a shift along x does to normal and tangent what one along z does."""
+    n = mortar.points.n
+    along_x = diags_array(n[0]) @ mortar.normal - diags_array(n[1]) @ mortar.tangential
+    rows = mortar.weighted(along_x.tocsr()[:, columns])
+    assert isinstance(rows, csr_array)
+    return rows

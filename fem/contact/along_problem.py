@@ -1,0 +1,129 @@
+"""Contact with friction along the surface and along z: the plane step and the cone about it."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from fem.contact.along import Along, AlongBodies, Pull
+from fem.contact.along_interface import AlongInterface
+from fem.contact.along_step import AlongStep
+from fem.contact.bodies import Bodies
+from fem.contact.complementarity import Rest
+from fem.contact.cone import Cone, Residual, State
+from fem.contact.cone_reach import missing
+from fem.contact.interface import Interface, Surfaces
+from fem.plane.discretisation import Array, Indices
+from fem.plane.material import Assumption
+
+Before = tuple[Rest, AlongStep]
+NOTHING = Residual(0.0, 0.0, 0.0)
+
+
+class AlongProblem:
+    """Bodies and contact along z, beside those of the plane."""
+
+    def __init__(
+        self, bodies: Bodies, along: Along, surfaces: Surfaces, plane: Interface,
+        assumption: Assumption,
+    ) -> None:  # fmt: skip
+        if assumption != "plane strain":
+            raise ValueError(
+                f"displacements along the third axis need plane strain, got {assumption!r}"
+            )
+        self.bodies = AlongBodies(bodies, along, surfaces.unknowns)
+        self.bodies.pull({}, {})  # contradicting supports are an error from the start
+        self._of: tuple[Interface, AlongInterface] = plane, AlongInterface(self.bodies, plane)
+        self._of[1].check_held()
+
+    def solve(
+        self,
+        plane: Interface,
+        w: Array,
+        e: Array,
+        pull: Pull,
+        before: Before | None,
+        closing: tuple[Indices, Array],
+        in_plane: Callable[[], Rest],
+    ) -> tuple[Rest, AlongStep]:
+        """The step under `w` and `e` of the plane, and `pull` along z.
+
+        `in_plane` gives the rest without friction along z; gaps of the normal rows `closing` close
+        in this step, each at its share of it.
+        """
+        interface = self._interface(plane)
+        w_z, e_z = interface.loaded(pull)
+        slips = np.zeros(w_z.size) if before is None else before[1].slips
+        slips = slips + self._closing(interface, w_z, slips, before, closing)
+        w_z = w_z - slips
+        none = before is None or not np.any(before[1].traction)
+        if none and not (np.any(w_z) or np.any(e_z)):
+            zero, shift = np.zeros(w_z.size), np.zeros(e_z.size)
+            return in_plane(), AlongStep(
+                interface=interface, pull=pull, traction=zero, shift=shift, w=zero,
+                slips_before=slips, residual=NOTHING,
+            )  # fmt: skip
+        cone = interface.cone
+        loads, pulls = np.concatenate([w, w_z]), np.concatenate([e, e_z])
+        self._refuse(missing(cone, pulls), e.size)
+        at = cone.solve(loads, pulls, self._starts(cone, loads, pulls, before, in_plane))
+        residual, states, moved = cone.checked(loads, pulls, at)
+        rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
+        return rest, AlongStep(
+            interface=interface, pull=pull, traction=at.multipliers[w.size :],
+            shift=at.motion[e.size :], w=moved[w.size :], slips_before=slips, residual=residual,
+        )  # fmt: skip
+
+    def _interface(self, plane: Interface) -> AlongInterface:
+        if self._of[0] is not plane:
+            self._of = plane, AlongInterface(self.bodies, plane)
+        return self._of[1]
+
+    def _closing(
+        self, interface: AlongInterface, w_z: Array, slips: Array, before: Before | None,
+        closing: tuple[Indices, Array],
+    ) -> Array:  # fmt: skip
+        """What surfaces that are apart slide along z, on from `slips`, until their gap closes."""
+        cone, r = interface.cone, slips.size
+        B, D = cone.B[-r:, -r:] if r else cone.B[:0, :0], interface.C @ self.bodies.shifts
+        trial = w_z - slips
+        if before is not None:
+            trial = trial + B @ before[1].traction + D @ before[1].shift
+        at = np.searchsorted(cone.rough, closing[0])
+        held = np.abs(D[at]).sum(axis=1) == 0
+        found = np.zeros(r)
+        found[at[held]] = closing[1][held] * trial[at[held]]
+        return found
+
+    @staticmethod
+    def _starts(
+        cone: Cone, w: Array, e: Array, before: Before | None, in_plane: Callable[[], Rest]
+    ) -> list[State]:
+        starts = []
+        if before is not None:
+            rest, along = before
+            starts.append(State(
+                np.concatenate([rest.multipliers, along.traction]),
+                np.concatenate([rest.motion, along.shift]),
+            ))  # fmt: skip
+        try:
+            rest = in_plane()
+        except ArithmeticError:
+            if not starts:
+                raise
+        else:
+            starts.append(cone.stuck(w, e, State(rest.multipliers, rest.motion)))
+        return starts
+
+    def _refuse(self, missed: Array, motions: int) -> None:
+        """ValueError where loads on motions and shifts are `missed` (k,) by what friction holds."""
+        if not np.any(missed):
+            return
+        plane, along = missed[:motions], missed[motions:]
+        if along.size and np.linalg.norm(along) >= np.linalg.norm(plane):
+            who = self.bodies.named(along)
+        else:
+            who = self.bodies.bodies.named(plane)
+        raise ValueError(
+            f"{who}, and the loads do move it: along the surface and along z together, friction "
+            "holds no more than mu times the pressure"
+        )
