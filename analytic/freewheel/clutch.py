@@ -1,0 +1,108 @@
+"""A roller freewheel: geometry, width and materials of its parts."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact import hertz_line
+from analytic.contact.checks import Array, in_plane, not_negative, positive
+from analytic.freewheel.geometry import Cam, InnerCam
+from analytic.freewheel.rules import require
+
+Star = Literal["annulus", "half space"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Material:
+    """Young's modulus [stress], infinite for a rigid body, and Poisson's ratio."""
+
+    E: ArrayLike
+    nu: ArrayLike
+
+    @cached_property
+    def plane(self) -> tuple[Array, Array]:
+        """E' and nu' of plane strain."""
+        return in_plane(self.E, self.nu, "plane strain")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Clutch:
+    """Cam, rollers of the length L, bore r_b of the inner part and rim R_a of the outer part.
+
+    The star of an inner cam is clamped on its bore, a shaft is free on it and may be solid
+    (r_b = 0); the rim is free. `star` chooses the star's compliance, see `compliance`.
+    ValueError where a part has no wall.
+    """
+
+    cam: Cam
+    L: ArrayLike
+    r_b: ArrayLike
+    R_a: ArrayLike
+    roller: Material
+    inner: Material
+    outer: Material
+    star: Star = "annulus"
+
+    def __post_init__(self) -> None:
+        positive(self.L, "rollers' length L", "m")
+        r_b = not_negative(self.r_b, "bore r_b", "m")
+        R_a = positive(self.R_a, "rim R_a", "m")
+        star = isinstance(self.cam, InnerCam)
+        solid, hollow = (
+            (self.cam.flat, self.cam.race) if star else (self.cam.race, self._corner_distance)
+        )
+        require(r_b < solid, "inner part needs r_b below its flat or shaft", r_b=r_b, limit=solid)
+        require(
+            (r_b > 0) | (not star), "a star is clamped on its bore: r_b must be positive", r_b=r_b
+        )
+        require(R_a > hollow, "outer part needs R_a above its bore", R_a=R_a, limit=hollow)
+        if self.star not in get_args(Star):
+            raise ValueError(f"star is one of {', '.join(get_args(Star))}, got {self.star!r}")
+
+    @property
+    def _corner_distance(self) -> Array:
+        return np.asarray(self.cam.flat / np.cos(np.pi / self.cam.count))
+
+    @cached_property
+    def _contacts(self) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+        """Relative radius and contact modulus at the inner and the outer contact."""
+        r, race = self.cam.roller, self.cam.race
+        radii = [hertz_line.relative_radius(R_1=r, R_2=-self.cam.sense * race), r]
+        if isinstance(self.cam, InnerCam):
+            radii.reverse()
+        moduli = [
+            hertz_line.contact_modulus(
+                E_1=self.roller.E, nu_1=self.roller.nu, E_2=part.E, nu_2=part.nu,
+                assumption="plane strain",
+            )
+            for part in (self.inner, self.outer)
+        ]  # fmt: skip
+        (R_i, R_o), (E_i, E_o) = radii, moduli
+        return (R_i, E_i), (R_o, E_o)
+
+    def half_widths(self, P: ArrayLike) -> tuple[Array, Array]:
+        """Hertz's a_i, a_o [length] under P = N/L [force/length]; 0 without load."""
+        P = np.asarray(P, dtype=np.float64)
+        a_i, a_o = (np.sqrt(4 * P * R / (np.pi * E)) for R, E in self._contacts)
+        return np.asarray(a_i), np.asarray(a_o)
+
+    def pressures(self, P: ArrayLike) -> tuple[Array, Array]:
+        """Hertz's p_i, p_o [stress] under P = N/L [force/length]; 0 without load."""
+        P = np.asarray(P, dtype=np.float64)
+        p_i, p_o = (np.sqrt(P * E / (np.pi * R)) for R, E in self._contacts)
+        return np.asarray(p_i), np.asarray(p_o)
+
+    def loads_at_pressure(self, p: ArrayLike) -> tuple[Array, Array]:
+        """P = N/L [force/length] at which the inner and the outer contact reach p [stress]."""
+        p = positive(p, "pressure", "Pa")
+        P_i, P_o = (p**2 * np.pi * R / E for R, E in self._contacts)
+        return np.asarray(P_i), np.asarray(P_o)
+
+    def loads_at_half_width(self, a: ArrayLike) -> tuple[Array, Array]:
+        """P = N/L [force/length] at which the inner and the outer contact reach a [length]."""
+        a = positive(a, "half-width", "m")
+        P_i, P_o = (a**2 * np.pi * E / (4 * R) for R, E in self._contacts)
+        return np.asarray(P_i), np.asarray(P_o)

@@ -1,0 +1,125 @@
+r"""How far the roller approaches both parts under P = N/L (plane strain).
+
+Every body gives way by a logarithm between the contact and a point that is named, so that of each
+approach only the whole, d = f + u, can be compared:
+
+.. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{l}{a} + k + c\,\frac{a}{l}\right]
+
+- half a roller, from contact to centre: l = r, k = 2 ln 4 - 1;
+- a circular race on a ring that is free on its other wall, or on a shaft: l = R, `series`, with
+  its bending and its growth under all z loads;
+- a star, clamped on its bore: "annulus", a disc through the contact, l = sqrt(X² + x²), under all
+  loads (`series`); "half space", l = 2 (X - r_b), k = -nu', the displacement down to the depth
+  X - r_b of a half space, which has no clamp and is some 2 % of d_i too stiff: `star_bracket`;
+- a cup with z flats: the ring whose bore encloses as much as the flats do.
+
+Of the tangential force none of this knows: on a ring it makes no radial displacement at the load.
+
+References
+----------
+.. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, sec. 5.6.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, not_negative
+from analytic.freewheel import series
+from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.geometry import InnerCam
+
+ROLLER = 2 * np.log(4) - 1  # k of half a roller
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Body:
+    """Constants of one body's approach: E', l [length], k, c."""
+
+    E: Array
+    l: Array  # noqa: E741
+    k: ArrayLike
+    c: ArrayLike = 0.0
+
+    def approach(self, P: Array, a: Array) -> tuple[Array, Array]:
+        """Approach [length] and its derivative by P, with a growing like the root of P."""
+        loaded = np.where(a > 0, a, self.l)  # P = 0 makes the product vanish whatever the logarithm
+        bracket = 2 * np.log(self.l / loaded) + self.k
+        linear = self.c * loaded / self.l
+        scale = 1 / (np.pi * self.E)
+        return P * scale * (bracket + linear), scale * (bracket - 1 + 1.5 * linear)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Approaches:
+    """d_i, d_o [length] and their derivatives by P [length²/force]."""
+
+    d_i: Array
+    d_o: Array
+    slope_i: Array
+    slope_o: Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Compliance:
+    """The bodies of a clutch: half a roller at either contact, inner and outer part."""
+
+    clutch: Clutch
+    inner: Body
+    outer: Body
+    half_roller: Body
+
+    def approaches(self, P: ArrayLike) -> Approaches:
+        """Approaches under P = N/L [force/length]."""
+        P = not_negative(P, "load per length", "N/m")
+        found = [
+            np.add(part.approach(P, a), self.half_roller.approach(P, a))
+            for part, a in zip((self.inner, self.outer), self.clutch.half_widths(P), strict=True)
+        ]
+        (d_i, slope_i), (d_o, slope_o) = found
+        return Approaches(d_i=d_i, d_o=d_o, slope_i=slope_i, slope_o=slope_o)
+
+
+def compliance(clutch: Clutch) -> Compliance:
+    """The bodies of `clutch`."""
+    E, _ = clutch.roller.plane
+    half = Body(E=E, l=clutch.cam.roller, k=ROLLER)
+    flat = _star(clutch) if isinstance(clutch.cam, InnerCam) else _cup(clutch)
+    race = _race(clutch)
+    inner, outer = (flat, race) if isinstance(clutch.cam, InnerCam) else (race, flat)
+    return Compliance(clutch=clutch, inner=inner, outer=outer, half_roller=half)
+
+
+def _race(clutch: Clutch) -> Body:
+    R = clutch.cam.race
+    if isinstance(clutch.cam, InnerCam):
+        return _ring(clutch, clutch.outer, R)
+    with np.errstate(divide="ignore"):
+        ratio = R / np.asarray(clutch.r_b)
+    E, nu = clutch.inner.plane
+    k = series.race_constant(ratio=ratio, n=clutch.cam.count, nu=nu, loaded="rim")
+    return Body(E=E, l=R, k=k, c=series.curvature_term(nu=nu, loaded="rim"))
+
+
+def _ring(clutch: Clutch, material: Material, bore: Array) -> Body:
+    E, nu = material.plane
+    ratio = np.asarray(clutch.R_a) / bore
+    k = series.race_constant(ratio=ratio, n=clutch.cam.count, nu=nu, loaded="bore")
+    return Body(E=E, l=bore, k=k, c=series.curvature_term(nu=nu, loaded="bore"))
+
+
+def _cup(clutch: Clutch) -> Body:
+    """A bore of the flats' area: the ring with X_o is too stiff, with X_o/cos(pi/z) too soft."""
+    angle = np.pi / clutch.cam.count
+    return _ring(clutch, clutch.outer, clutch.cam.flat * np.sqrt(np.tan(angle) / angle))
+
+
+def _star(clutch: Clutch) -> Body:
+    cam, r_b = clutch.cam, np.asarray(clutch.r_b)
+    E, nu = clutch.inner.plane
+    if clutch.star == "half space":
+        return Body(E=E, l=2 * (cam.flat - r_b), k=-nu)
+    x, _ = cam.centre(d_i=0.0, d_o=0.0)
+    rim = np.hypot(cam.flat, x)
+    return Body(E=E, l=rim, k=series.star_constant(ratio=rim / r_b, n=cam.count, nu=nu))

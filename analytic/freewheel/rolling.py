@@ -1,0 +1,46 @@
+r"""Torsion of the clutch from the rolling of its rollers (Nagler, Lohrengel, Eq. 7, corrected).
+
+A roller that rolls on the flat and on the race turns the parts against each other by
+
+.. math:: R\,d\varphi = \pm\left[(1 + \cos\psi)\,dx - \sin\psi\,dy\right],
+
++ for an inner cam, - for an outer one. With x = y tan(psi) all but the change of y integrates,
+
+.. math:: R\,\varphi = \pm\left(\left[x + y\,G\right] - \int G\,dy\right),
+          \qquad G = \operatorname{arsinh}\tan\psi .
+
+With the constraint of Eq. 5 the same is R dphi = (dd_i + dd_o)/tan(alpha), that is T dphi = dU.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array
+from analytic.freewheel.geometry import Cam
+
+
+def integrated(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
+    """R phi [length] of the integrated part, x + y G against no load, of an inner cam's sign."""
+    (x_0, y_0), (x, y) = cam.centre(d_i=0.0, d_o=0.0), cam.centre(d_i=d_i, d_o=d_o)
+    return np.asarray(x - x_0 + y * np.arcsinh(x / y) - y_0 * np.arcsinh(x_0 / y_0))
+
+
+def torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
+    """Angle phi [rad] along a path of approaches (..., points) that starts without load.
+
+    Cumulative, shaped like the path. Between points the small integral of G dy is the trapezoid's.
+    Fields of the cam broadcast against a last axis of points.
+    """
+    d_i, d_o = np.broadcast_arrays(np.asarray(d_i, np.float64), np.asarray(d_o, np.float64))
+    x, y = cam.centre(d_i=d_i, d_o=d_o)
+    G = np.arcsinh(x / y)
+    steps = (G[..., 1:] + G[..., :-1]) / 2 * np.diff(y, axis=-1)
+    rest = np.concatenate([np.zeros_like(y[..., :1]), np.cumsum(steps, axis=-1)], axis=-1)
+    held = x + y * G
+    rolled = held - held[..., :1] - rest
+    return np.asarray(cam.sense * rolled / cam.race)
+
+
+def small_angle_torsion(cam: Cam, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
+    """Angle phi [rad] for small angles, 2 s/R with s of Eq. 6."""
+    return np.asarray(2 * cam.arc(d_i=d_i, d_o=d_o) / cam.race)

@@ -1,0 +1,120 @@
+r"""What is left of a part's approach when its logarithm is taken out: one constant per shape.
+
+Under z line loads P on evenly spaced Hertz patches of half-width a on a wall of radius r the wall
+gives way at each load, towards the load, by
+
+.. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{r}{a} + k + c\,\frac{a}{r}\right] + O(a^2),
+          \qquad c = \mp\frac{2}{3}(1 - \nu')
+
+(upper sign for a bore): of the waves m = z, 2z, ... with the share 2 J_1(m a/r)/(m a/r) only the
+first order 1/m makes the logarithm, the next, of -/+(1 - nu')/(2 m²), makes c, as the mean of |t|
+over the semi-ellipse is 4/(3 pi), and the rest has forgotten a. k is read off `LoadedRace` for one
+narrow patch. The stresses in a ring under given loads do not know nu', so that k is linear in it.
+A star's k, with its bore clamped, comes from the four powers of `clamped_race`.
+"""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from numpy.polynomial.chebyshev import Chebyshev
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array
+from analytic.ring.fourier_ring import Wall
+from analytic.ring.loaded_race import LoadedRace
+
+PATCH = 1e-3  # a/r of the patch that k is read off; a² of it is left out
+NODES = 32  # of the interpolation over many ratios
+TERMS = 400  # waves of a star; what is left out falls with 1/m² and is added
+SOLID = 1e6  # ratio of a shaft without bore
+
+
+def race_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike, loaded: Wall) -> Array:
+    """K of a ring with r_o/r_i = `ratio` under n loads on a wall; nu of Hooke's law in the plane.
+
+    >>> k = race_constant(ratio=[1.2, 2.0], n=8, nu=0.4, loaded="bore")
+    >>> bool(k[0] > k[1])  # a thin ring gives way more
+    True
+    """
+    ratio = np.minimum(np.asarray(ratio, dtype=np.float64), SOLID)
+    at_0, at_1 = (
+        _over_ratios(lambda x, n, nu=nu: _race(x, n, nu, loaded), ratio, n) for nu in (0.0, 0.4)
+    )
+    return np.asarray(at_0 + np.asarray(nu) / 0.4 * (at_1 - at_0))
+
+
+def star_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike) -> Array:
+    """K of a disc under n loads on its rim, clamped on a bore r_i = r_o/`ratio`."""
+    ratio, nu = np.broadcast_arrays(np.asarray(ratio, dtype=np.float64), np.asarray(nu))
+    found = np.empty(np.broadcast_shapes(ratio.shape, np.shape(n)))
+    for value in np.unique(nu):
+        every = _over_ratios(lambda x, m, value=value: _star(x, m, float(value)), ratio, n)
+        found = np.where(nu == value, every, found)
+    return found
+
+
+def _over_ratios(function: Callable[[float, int], float], ratio: Array, n: ArrayLike) -> Array:
+    """`function` of ratio and n, through interpolation in ln(ratio - 1) where there are many."""
+    ratio, n = np.broadcast_arrays(ratio, np.asarray(n))
+    found = np.empty(ratio.shape)
+    for count in np.unique(n):
+        here = n == count
+        place = np.log(ratio[here] - 1)
+        places, back = np.unique(place, return_inverse=True)
+
+        def at(x: Array, count: int = int(count)) -> Array:
+            return np.array([function(float(1 + np.exp(v)), count) for v in x])
+
+        if places.size > NODES:
+            domain = [places[0], places[-1]]
+            found[here] = Chebyshev.interpolate(at, NODES - 1, domain=domain)(place)
+        else:
+            found[here] = at(places)[back]
+    return found
+
+
+@cache
+def _race(ratio: float, n: int, nu: float, loaded: Wall) -> float:
+    r_i, r_o = (1.0, ratio) if loaded == "bore" else (1 / ratio, 1.0)
+    race = LoadedRace(
+        r_i=r_i, r_o=r_o, E=1.0, nu=nu, assumption="plane stress",
+        loaded=loaded, n=n, P=np.pi, a=PATCH,
+    )  # fmt: skip
+    towards = 1.0 if loaded == "bore" else -1.0
+    bracket = towards * race.displacement(1.0, 0.0)
+    return float(bracket + 2 * np.log(PATCH) - PATCH * curvature_term(nu=nu, loaded=loaded))
+
+
+def curvature_term(*, nu: ArrayLike, loaded: Wall) -> Array:
+    """The factor c of a/r."""
+    return np.asarray((-1 if loaded == "bore" else 1) * 2 / 3 * (1 - np.asarray(nu)))
+
+
+@cache
+def _star(ratio: float, n: int, nu: float) -> float:
+    s = 1 / ratio
+    m = n * np.arange(1.0, TERMS + 1)
+    uniform = (1 - nu**2) * (1 - s**2) / ((1 + s**2) + nu * (1 - s**2))  # Lamé, no way at the bore
+    delta = _clamped_waves(m, s, nu) - 2 / m
+    tail = delta[-1] * TERMS  # sum of c/k² beyond TERMS is c/TERMS
+    return float(2 * np.log(2 / n) + 1 + n * (uniform / 2 + delta.sum() + tail))
+
+
+def _clamped_waves(m: Array, s: float, nu: float) -> Array:
+    """E' U/(p r_o) of the pressures cos(m theta), m >= 2, on the rim 1, with the bore s clamped.
+
+    The powers of `clamped_race`; those that fall outwards are scaled to 1 at the bore.
+    """
+    k, one = (3 - nu) / (1 + nu), np.ones(m.size)
+    U = np.array([one, one, k - m - 1, k + m - 1])
+    V = np.array([-one, one, k + m + 1, m - 1 - k])
+    e = np.array([m - 1, -m - 1, m + 1, 1 - m])
+    at_rim = np.where(e > 0, 1.0, s ** np.maximum(-e, 0.0))
+    at_bore = np.where(e > 0, s ** np.maximum(e, 0.0), 1.0)
+    pressed = at_rim * (e * U + nu * (U + m * V))
+    sheared = at_rim * (e * V - V - m * U)
+    A = np.array([pressed, sheared, at_bore * U, at_bore * V]).transpose(2, 0, 1)
+    b = np.tile([1 - nu**2, 0.0, 0.0, 0.0], (m.size, 1))
+    c = np.linalg.solve(A, b[..., None])[..., 0]
+    return np.asarray((c * (at_rim * U).T).sum(axis=1))
