@@ -48,7 +48,7 @@ class Supports:
 
     def __init__(self, bodies: Bodies, supports: Mapping[str, Support], anchors: Anchors) -> None:
         self._bodies, self._supports = bodies, {k: components(s) for k, s in supports.items()}
-        told: Any = {"turn": bodies.turn, "still": bodies.tied.still}
+        told: Any = {"turn": bodies.turn, "tied": bodies.tied}
         self.conditions: Conditions = collect(bodies.basis, supports, anchors, **told)
         for name in bodies.means:
             if name in self._supports or name in bodies.obstacles:

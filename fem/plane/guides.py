@@ -1,6 +1,7 @@
 """Outward normals at the nodes of named boundaries, along which guides hold a body."""
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 from skfem import Basis
@@ -8,17 +9,20 @@ from skfem import Basis
 from fem.plane.axis import on_axis
 from fem.plane.discretisation import Array, Indices, facet_basis, outer_facets
 
+if TYPE_CHECKING:
+    from fem.plane.ties import Tied
+
 SMOOTH = 0.866  # cos 30 deg: facets that turn by less are one wall
 
 
 def wall_normals(
-    basis: Basis, names: Mapping[int, str], turn: bool
+    basis: Basis, names: Mapping[int, str], turn: bool, tied: "Tied | None" = None
 ) -> dict[int, tuple[Indices, Array]]:
     """Nodes (2, m) and outward normals (2, m) of each named boundary.
 
     A vertex between facets takes their mean normal where they are one smooth wall, over all the
     names; at a corner it takes the normal of every side. With `turn` a wall goes on beyond the
-    axis as its mirror image.
+    axis as its mirror image, and from a `tied` node at its leader.
     """
     nodes, normals, owner = [], [], []
     for i, name in names.items():
@@ -39,13 +43,24 @@ def wall_normals(
         pole = on_axis(basis.mesh, basis.doflocs[:, dofs[0]])
         pole &= normal[1] ** 2 - normal[0] ** 2 > SMOOTH
         normal[0, pole] = 0.0
-    smooth = _smoothed(dofs[0], normal)
+    if tied is None:
+        smooth = _smoothed(dofs[0], normal)
+    else:
+        leader, angle = tied.led_by(dofs)
+        smooth = turned(_smoothed(leader[0], turned(normal, -angle)), angle)
     found = {}
     for i in names:
         rows = np.vstack([dofs[:, of == i], smooth[:, of == i]])
         rows = np.unique(np.round(rows, 12), axis=1)
         found[i] = rows[:2].astype(int), rows[2:] / np.hypot(*rows[2:])
     return found
+
+
+def turned(vectors: Array, angle: Array) -> Array:
+    """`vectors` (2, m), each turned by its own of `angle` (m,) [rad]."""
+    c, s = np.cos(angle), np.sin(angle)
+    x, y = vectors
+    return np.array([c * x - s * y, s * x + c * y])
 
 
 def _smoothed(node: Indices, normal: Array) -> Array:

@@ -33,10 +33,9 @@ class Held:
 
     def on_means(self, conditions: Conditions, reaction: Array) -> Array:
         """Force (k,) along each mean that makes up `reaction` (unknowns,)."""
-        rows = (self.rows @ self.tied.P).tocsc()
-        own = np.flatnonzero(np.diff(rows.indptr))
-        own = np.setdiff1d(own, self.tied.led(conditions).dofs)
-        force, *_ = np.linalg.lstsq(rows[:, own].toarray().T, (self.tied.P.T @ reaction)[own])
+        led = self.tied.led(conditions)
+        rows = [led.beside(row) for row in (self.rows @ self.tied.P).toarray()]
+        force, *_ = np.linalg.lstsq(np.array(rows).T, led.beside(self.tied.P.T @ reaction))
         return np.asarray(force)
 
 
@@ -104,8 +103,7 @@ class PlaneSolution:
         if self.held is None or boundary not in means:
             known = ", ".join(means) or "none"
             raise ValueError(f"no mean motion of {boundary!r} is held; held are those of: {known}")
-        force = self.held.on_means(self.conditions, self.internal - self.f)
-        first = 0
+        force, first = self._on_means, 0
         for name, mean in means.items():
             if name == boundary:
                 break
@@ -226,11 +224,19 @@ class PlaneSolution:
         zz = dilation + 2 * mu * hoop if self.turn else ratio * (xx + yy)
         return np.array([xx, yy, mu * (grad[0, 1] + grad[1, 0]), zz])
 
+    @cached_property
+    def _on_means(self) -> Array:
+        """Force (k,) along each mean motion that is held."""
+        assert self.held is not None
+        return self.held.on_means(self.conditions, self.internal - self.f)
+
     def _resultant(self, chosen: NDArray[np.bool_]) -> tuple[float, float, float]:
         reaction = self.internal - self.f
         if self.held is None:
             forces = self.conditions.forces(reaction)
         else:
+            if self.held.means:
+                reaction = reaction - self.held.rows.T @ self._on_means
             forces = self.held.tied.forces(self.conditions, reaction)
         x, y = (self.conditions.direction * forces)[:, chosen]
         at = self.basis.doflocs[:, self.conditions.dofs[0, chosen]]

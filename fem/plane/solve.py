@@ -125,7 +125,7 @@ def solve_plane(
     f += point_load(basis, point_forces or {}, turn=turn)
 
     held = tied(basis, ties)
-    conditions = collect(basis, supports, anchors or {}, turn=turn, still=held.still)
+    conditions = collect(basis, supports, anchors or {}, turn=turn, tied=held)
     C = mean_rows(basis, means or {}, turn=turn)
     check_rigid_motions(basis, conditions, turn=turn, also=vstack([held.rows, C]).tocsr())
     T, u0 = held.free_directions(basis, conditions, held.ordered(nested_dissection(basis)))

@@ -7,7 +7,7 @@ free unknowns q; inclined and curved guides need no penalty.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,9 @@ from skfem import Basis
 from fem.plane.axis import on_axis
 from fem.plane.discretisation import Array, Indices, named_facets
 from fem.plane.guides import wall_normals
+
+if TYPE_CHECKING:
+    from fem.plane.ties import Tied
 
 Prescribed = float | Callable[[Array], Array]
 Support = str | Mapping[str, Prescribed]
@@ -80,6 +83,12 @@ class Conditions:
         force[number[number >= 0]] = each[number >= 0]
         return force
 
+    def beside(self, reaction: Array) -> Array:
+        """The part of `reaction` (unknowns,) that no condition can carry."""
+        left = reaction.copy()
+        np.subtract.at(left, self.dofs, self.direction * self.forces(reaction))
+        return left
+
 
 def node_dofs(basis: Basis) -> Indices:
     """X and y unknown of every node, shape (2, nodes): vertices, edge nodes, cell nodes."""
@@ -93,15 +102,16 @@ def collect(
     anchors: Anchors,
     *,
     turn: bool = False,
-    still: Indices | None = None,
+    tied: "Tied | None" = None,
 ) -> Conditions:
     """All conditions of `supports` (by boundary) and `anchors` (by point).
 
-    With `turn` x is a radius, and nodes on the axis stay there. The nodes `still` (2, k) stay where
-    they are.
+    With `turn` x is a radius, and nodes on the axis stay there. Walls go on where boundaries are
+    `tied`, and the nodes that ties keep still stay where they are.
     """
     rest = AXIS if turn else CENTRE
-    held = turn or (still is not None and still.size > 0)
+    still = np.zeros((2, 0), int) if tied is None else tied.still
+    held = turn or still.size > 0
     owners: tuple[Owner, ...] = (*supports, *anchors, *([rest] if held else []))
     wanted = [
         (i, component, value)
@@ -109,9 +119,9 @@ def collect(
         for component, value in _components(support, f"support {owners[i]!r}")
     ]
     names = {i for i, component, _ in wanted if component in "nt" and i < len(supports)}
-    guides = wall_normals(basis, {i: str(owners[i]) for i in sorted(names)}, turn)
+    guides = wall_normals(basis, {i: str(owners[i]) for i in sorted(names)}, turn, tied)
     parts = [_kept_on_axis(basis, len(owners) - 1)] if turn else []
-    if still is not None and still.size:
+    if still.size:
         parts.append(_kept_still(still, len(owners) - 1))
     for i, component, value in wanted:
         place = owners[i]

@@ -18,6 +18,7 @@ from scipy.spatial import cKDTree
 from skfem import Basis
 
 from fem.plane.discretisation import Array, Indices, named_facets
+from fem.plane.guides import turned
 from fem.plane.supports import Conditions, free_directions, node_dofs, nodes_on
 
 MATCH = 1e-6  # of the mesh's extent: how far nodes may lie beside their partners
@@ -82,18 +83,23 @@ class Tied:
         apart = (diags_array(np.ones(self.count)) - self.P).tocsr()
         return apart[self.follower.ravel()]
 
-    def led(self, conditions: Conditions) -> Conditions:
-        """The same conditions, those of followers written for their leaders."""
+    def led_by(self, nodes: Indices) -> tuple[Indices, Array]:
+        """Leaders (2, m) of `nodes` (2, m), and angles (m,) by which the nodes are turned.
+
+        A node that does not follow leads itself.
+        """
         place = np.full(self.count, -1)
         place[self.follower[0]] = np.arange(self.angle.size)
-        of = place[conditions.dofs[0]]
+        of = place[nodes[0]]
         own = np.flatnonzero(of >= 0)
-        dofs, direction = conditions.dofs.copy(), conditions.direction.copy()
-        dofs[:, own] = self.leader[:, of[own]]
-        c, s = np.cos(self.angle[of[own]]), np.sin(self.angle[of[own]])
-        x, y = direction[:, own]
-        direction[:, own] = c * x + s * y, c * y - s * x
-        return replace(conditions, dofs=dofs, direction=direction)
+        leader, angle = nodes.copy(), np.zeros(nodes.shape[1])
+        leader[:, own], angle[own] = self.leader[:, of[own]], self.angle[of[own]]
+        return leader, angle
+
+    def led(self, conditions: Conditions) -> Conditions:
+        """The same conditions, those of followers written for their leaders."""
+        dofs, angle = self.led_by(conditions.dofs)
+        return replace(conditions, dofs=dofs, direction=turned(conditions.direction, -angle))
 
     def free_directions(
         self, basis: Basis, conditions: Conditions, place: Indices
