@@ -39,8 +39,8 @@ class Body:
 
     E: Array
     l: Array  # noqa: E741
-    k: ArrayLike
-    c: ArrayLike = 0.0
+    k: Array
+    c: Array | float = 0.0
 
     def approach(self, P: Array, a: Array) -> tuple[Array, Array]:
         """Approach [length] and its derivative by P, with a growing like the root of P."""
@@ -84,7 +84,7 @@ class Compliance:
 def compliance(clutch: Clutch) -> Compliance:
     """The bodies of `clutch`."""
     E, _ = clutch.roller.plane
-    half = Body(E=E, l=clutch.cam.roller, k=ROLLER)
+    half = Body(E=E, l=clutch.cam.roller, k=np.asarray(ROLLER))
     flat = _star(clutch) if isinstance(clutch.cam, InnerCam) else _cup(clutch)
     race = _race(clutch)
     inner, outer = (flat, race) if isinstance(clutch.cam, InnerCam) else (race, flat)

@@ -14,7 +14,7 @@ A star's k, with its bore clamped, comes from the four powers of `clamped_race`.
 """
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 from numpy.polynomial.chebyshev import Chebyshev
@@ -24,8 +24,8 @@ from analytic.contact.checks import Array
 from analytic.ring.fourier_ring import Wall
 from analytic.ring.loaded_race import LoadedRace
 
-PATCH = 1e-3  # a/r of the patch that k is read off; a² of it is left out
-NODES = 32  # of the interpolation over many ratios
+PATCH = 2e-3  # a/r of the patch that k is read off; a² of it is left out
+NODES = 32  # of the interpolation over many ratios, at most
 TERMS = 400  # waves of a star; what is left out falls with 1/m² and is added
 SOLID = 1e6  # ratio of a shaft without bore
 
@@ -38,9 +38,7 @@ def race_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike, loaded: Wall
     True
     """
     ratio = np.minimum(np.asarray(ratio, dtype=np.float64), SOLID)
-    at_0, at_1 = (
-        _over_ratios(lambda x, n, nu=nu: _race(x, n, nu, loaded), ratio, n) for nu in (0.0, 0.4)
-    )
+    at_0, at_1 = (_over_ratios(partial(_race, nu=nu, loaded=loaded), ratio, n) for nu in (0.0, 0.4))
     return np.asarray(at_0 + np.asarray(nu) / 0.4 * (at_1 - at_0))
 
 
@@ -49,12 +47,12 @@ def star_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike) -> Array:
     ratio, nu = np.broadcast_arrays(np.asarray(ratio, dtype=np.float64), np.asarray(nu))
     found = np.empty(np.broadcast_shapes(ratio.shape, np.shape(n)))
     for value in np.unique(nu):
-        every = _over_ratios(lambda x, m, value=value: _star(x, m, float(value)), ratio, n)
+        every = _over_ratios(partial(_star, nu=float(value)), ratio, n)
         found = np.where(nu == value, every, found)
     return found
 
 
-def _over_ratios(function: Callable[[float, int], float], ratio: Array, n: ArrayLike) -> Array:
+def _over_ratios(function: Callable[..., float], ratio: Array, n: ArrayLike) -> Array:
     """`function` of ratio and n, through interpolation in ln(ratio - 1) where there are many."""
     ratio, n = np.broadcast_arrays(ratio, np.asarray(n))
     found = np.empty(ratio.shape)
@@ -64,18 +62,20 @@ def _over_ratios(function: Callable[[float, int], float], ratio: Array, n: Array
         places, back = np.unique(place, return_inverse=True)
 
         def at(x: Array, count: int = int(count)) -> Array:
-            return np.array([function(float(1 + np.exp(v)), count) for v in x])
+            return np.array([function(float(1 + np.exp(v)), n=count) for v in x])
 
-        if places.size > NODES:
+        width = places[-1] - places[0]
+        nodes = min(NODES, 8 + int(8 * width))  # 1e-9 of k, see the test
+        if places.size > nodes:
             domain = [places[0], places[-1]]
-            found[here] = Chebyshev.interpolate(at, NODES - 1, domain=domain)(place)
+            found[here] = Chebyshev.interpolate(at, nodes - 1, domain=domain)(place)
         else:
             found[here] = at(places)[back]
     return found
 
 
 @cache
-def _race(ratio: float, n: int, nu: float, loaded: Wall) -> float:
+def _race(ratio: float, *, n: int, nu: float, loaded: Wall) -> float:
     r_i, r_o = (1.0, ratio) if loaded == "bore" else (1 / ratio, 1.0)
     race = LoadedRace(
         r_i=r_i, r_o=r_o, E=1.0, nu=nu, assumption="plane stress",
@@ -92,7 +92,7 @@ def curvature_term(*, nu: ArrayLike, loaded: Wall) -> Array:
 
 
 @cache
-def _star(ratio: float, n: int, nu: float) -> float:
+def _star(ratio: float, *, n: int, nu: float) -> float:
     s = 1 / ratio
     m = n * np.arange(1.0, TERMS + 1)
     uniform = (1 - nu**2) * (1 - s**2) / ((1 + s**2) + nu * (1 - s**2))  # Lamé, no way at the bore
