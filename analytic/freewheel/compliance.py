@@ -80,6 +80,20 @@ class Compliance:
         (d_i, slope_i), (d_o, slope_o) = found
         return Approaches(d_i=d_i, d_o=d_o, slope_i=slope_i, slope_o=slope_o)
 
+    def tangent(self, N: ArrayLike) -> tuple[Array, Array]:
+        """tan(alpha) at the normal force N and its derivative by N [1/force].
+
+        From tan² alpha = (rho - y)/(rho + y); nan beyond pop-through.
+        """
+        cam, L = self.clutch.cam, np.asarray(self.clutch.L)
+        d = self.approaches(np.asarray(N) / L)
+        rho = cam.distance(d_i=d.d_i, d_o=d.d_o)
+        lower = cam.sense * (d.d_i + d.d_o - cam.pop_through)
+        d_lower = cam.sense * (d.slope_i + d.slope_o) / L
+        d_rho = cam.sense * (d.slope_o if cam.sense > 0 else d.slope_i) / L
+        tangent = np.sqrt(np.where(lower > 0, lower, np.nan) / (2 * rho - lower))
+        return tangent, (rho * d_lower - lower * d_rho) / (2 * rho - lower) ** 2 / tangent
+
 
 def compliance(clutch: Clutch) -> Compliance:
     """The bodies of `clutch`."""

@@ -63,7 +63,7 @@ def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: Arra
     >>> round(float(largest_axial_load(alpha=np.arctan(0.03), T=30.0, R=10.0, mu=0.05)), 12)
     4.0
     """
-    T, mu = not_negative(T, "torque", "N m"), positive(mu, "coefficient of friction", "")
+    T, mu = not_negative(T, "torque", "N m"), friction(mu)
     spare = (mu / np.tan(np.asarray(alpha))) ** 2 - 1
     root = np.sqrt(np.where(spare >= 0, spare, np.nan))
     return np.asarray(T / positive(R, "race's radius", "m") * root)
@@ -71,7 +71,7 @@ def largest_axial_load(*, alpha: ArrayLike, T: ArrayLike, R: ArrayLike, mu: Arra
 
 def safety(*, mu: ArrayLike, mu_req: ArrayLike) -> Array:
     """Available over required friction, mu/mu_req (Eq. 10): the clutch holds from 1 on."""
-    return np.asarray(positive(mu, "coefficient of friction", "") / np.asarray(mu_req))
+    return np.asarray(friction(mu) / np.asarray(mu_req))
 
 
 def traffic_light(ratio: ArrayLike, *, red: float = RED, green: float = GREEN) -> NDArray[np.str_]:
@@ -90,4 +90,9 @@ def traffic_light(ratio: ArrayLike, *, red: float = RED, green: float = GREEN) -
 
 def self_releasing(*, alpha: ArrayLike, mu: ArrayLike) -> NDArray[np.bool_]:
     """Whether a roller slips out under torque alone, tan(alpha) > mu (Eq. 1)."""
-    return np.asarray(np.tan(np.asarray(alpha)) > positive(mu, "coefficient of friction", ""))
+    return np.asarray(np.tan(np.asarray(alpha)) > friction(mu))
+
+
+def friction(mu: ArrayLike) -> Array:
+    """Coefficient of friction as an array; ValueError unless positive."""
+    return positive(mu, "coefficient of friction mu", "")

@@ -24,6 +24,7 @@ References
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,6 +33,7 @@ from analytic.contact.checks import Array, finite, positive
 from analytic.freewheel.rules import require, rollers
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Cam(ABC):
     """z rollers between flats and a circular race: what both kinds have in common.
 
@@ -39,7 +41,7 @@ class Cam(ABC):
     cam) and -1 where it narrows it (outer cam).
     """
 
-    sense: float
+    sense: ClassVar[float]
     r: ArrayLike
     z: ArrayLike
 
@@ -140,9 +142,7 @@ class InnerCam(Cam):
 
     sense = 1.0
     R: ArrayLike
-    r: ArrayLike
     X: ArrayLike
-    z: ArrayLike
 
     def __post_init__(self) -> None:
         R, r = positive(self.R, "ring's bore radius R", "m"), positive(self.r, "roller's r", "m")
@@ -179,9 +179,7 @@ class OuterCam(Cam):
 
     sense = -1.0
     R_s: ArrayLike
-    r: ArrayLike
     X_o: ArrayLike
-    z: ArrayLike
 
     def __post_init__(self) -> None:
         R_s, r = positive(self.R_s, "shaft's radius R_s", "m"), positive(self.r, "roller's r", "m")

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from analytic.contact.checks import Array, finite, not_negative
 from analytic.freewheel import printed, rolling
 from analytic.freewheel.clutch import Clutch
-from analytic.freewheel.compliance import Approaches, Compliance, compliance
+from analytic.freewheel.compliance import Compliance, compliance
 
 WIDEST = 0.5  # half-width over roller's radius beyond which nothing is told
 STEPS = 60
@@ -75,7 +75,8 @@ class State:
         known, rest = np.where(np.isfinite(self.N), self.N, 0.0), np.zeros(self.N.shape)
         for u, weight in zip((1 + x) / 2, w / 2, strict=True):
             # the logarithm at no load is smooth in u
-            d, (x_c, y_c) = _placed(self.bodies, known * u**3)
+            d = self.bodies.approaches(known * u**3 / np.asarray(clutch.L))
+            x_c, y_c = cam.centre(d_i=d.d_i, d_o=d.d_o)
             slope = d.slope_i if cam.sense > 0 else d.slope_o
             dy = -cam.sense * slope / np.asarray(clutch.L)
             rest = rest + weight * 3 * u**2 * known * np.arcsinh(x_c / y_c) * dy
@@ -89,7 +90,7 @@ def loaded(clutch: Clutch, T: ArrayLike) -> State:
     F_t = T / (clutch.cam.count * clutch.cam.race)
 
     def residual(N: Array) -> tuple[Array, Array]:
-        tangent, slope = _tangent(bodies, N)
+        tangent, slope = bodies.tangent(N)
         return np.log(N * tangent / F_t), 1 + N * slope / tangent
 
     return _state(bodies, _newton(residual, F_t / np.tan(clutch.cam.alpha0), clutch))
@@ -143,23 +144,6 @@ def _widest(clutch: Clutch) -> Array:
     return np.asarray(
         clutch.L * np.minimum(*clutch.loads_at_half_width(WIDEST * clutch.cam.roller))
     )
-
-
-def _placed(bodies: Compliance, N: Array) -> tuple[Approaches, tuple[Array, Array]]:
-    d = bodies.approaches(N / np.asarray(bodies.clutch.L))
-    return d, bodies.clutch.cam.centre(d_i=d.d_i, d_o=d.d_o)
-
-
-def _tangent(bodies: Compliance, N: Array) -> tuple[Array, Array]:
-    """tan(alpha) and its derivative by N, from tan² alpha = (rho - y)/(rho + y)."""
-    cam, L = bodies.clutch.cam, np.asarray(bodies.clutch.L)
-    d = bodies.approaches(N / L)
-    rho = cam.distance(d_i=d.d_i, d_o=d.d_o)
-    lower = cam.sense * (d.d_i + d.d_o - cam.pop_through)
-    d_lower = cam.sense * (d.slope_i + d.slope_o) / L
-    d_rho = cam.sense * (d.slope_o if cam.sense > 0 else d.slope_i) / L
-    tangent = np.sqrt(lower / (2 * rho - lower))
-    return tangent, (rho * d_lower - lower * d_rho) / (2 * rho - lower) ** 2 / tangent
 
 
 def _state(bodies: Compliance, N: Array) -> State:

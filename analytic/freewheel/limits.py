@@ -1,0 +1,117 @@
+"""Torques at which a clutch meets its limits, and which comes first.
+
+Infinite where a limit is not met on the way to the last state there is: the summit of an outer
+cam's torque, beyond which the rollers go through, or contacts wider than r/2.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.checks import Array, not_negative
+from analytic.freewheel import state
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.criterion import friction
+from analytic.freewheel.state import State
+
+HALVINGS = 60
+LEAST = 1e-9  # of the largest normal force, from which on limits are looked for
+
+TOLD = {
+    "release": "the rollers slip out: tan(alpha) exceeds mu",
+    "pressure_inner": "the inner contact reaches the pressure limit",
+    "pressure_outer": "the outer contact reaches the pressure limit",
+    "corner": "the rollers reach the corners of the flats",
+    "pop_through": "the rollers go through between flat and shaft",
+    "hertz": "the contacts are wider than half the roller's radius",
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Limits:
+    """Torque [force x length] at each limit; `TOLD` says what each name means."""
+
+    release: Array
+    pressure_inner: Array
+    pressure_outer: Array
+    corner: Array
+    pop_through: Array
+    hertz: Array
+
+    @property
+    def torque(self) -> Array:
+        """The least of them."""
+        return np.asarray(self._all.min(axis=0))
+
+    @property
+    def first(self) -> NDArray[np.str_]:
+        """Name of the least of them."""
+        names = np.array([field.name for field in fields(self)])
+        return np.asarray(names[self._all.argmin(axis=0)])
+
+    def passed(self, T: ArrayLike) -> NDArray[np.str_]:
+        """What is the matter at the torque T, in words; empty within all limits."""
+        told = np.array([TOLD[field.name] for field in fields(self)])[self._all.argmin(axis=0)]
+        return np.where(not_negative(T, "torque", "N m") > self.torque, told, "")
+
+    @property
+    def _all(self) -> Array:
+        return np.array(np.broadcast_arrays(*(getattr(self, f.name) for f in fields(self))))
+
+
+def limits(clutch: Clutch, *, mu: ArrayLike, p_lim: ArrayLike) -> Limits:
+    """Limits of `clutch` with the coefficient of friction mu and the allowed pressure [stress]."""
+    mu, cam = friction(mu), clutch.cam
+    L = np.asarray(clutch.L)
+    last = L * np.minimum(*clutch.loads_at_half_width(state.WIDEST * cam.roller))
+    summit = _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
+    corner = _first(clutch, last, lambda now: now.alpha + 0 * cam.corner > _corner_angle(now))
+    end = np.minimum(summit, last)
+
+    def torque(N: Array) -> Array:
+        within = end >= N
+        found = state.at_normal_force(clutch, np.where(within, N, 0.0)).T
+        return np.where(within, found, np.inf)
+
+    P_i, P_o = clutch.loads_at_pressure(p_lim)
+    hertz = np.where(np.isfinite(summit), np.inf, torque(last))
+    return Limits(
+        release=_release(clutch, mu), pressure_inner=torque(P_i * L),
+        pressure_outer=torque(P_o * L), corner=torque(corner), pop_through=torque(summit),
+        hertz=hertz,
+    )  # fmt: skip
+
+
+def _release(clutch: Clutch, mu: Array) -> Array:
+    """Torque at which tan(alpha) = mu: 0 where it is more without load, infinite where never."""
+    at = state.at_angle(clutch, 2 * np.arctan(mu))
+    started = np.tan(clutch.cam.alpha0) > mu
+    reached = np.where(clutch.cam.sense > 0, at.T, np.inf)
+    return np.where(started, 0.0, np.where(np.isnan(reached), np.inf, reached))
+
+
+def _growth(now: State) -> Array:
+    """dT/dN over T/N."""
+    tangent, slope = now.bodies.tangent(now.N)
+    return np.asarray(1 + now.N * slope / tangent)
+
+
+def _corner_angle(now: State) -> Array:
+    """Half the angle psi [rad] under which the contact would stand at the corner."""
+    cam = now.bodies.clutch.cam
+    _, y = cam.centre(d_i=now.d_i, d_o=now.d_o)
+    return np.asarray(np.arctan(cam.corner / y) / 2)
+
+
+def _first(clutch: Clutch, last: Array, met: Callable[[State], NDArray[np.bool_]]) -> Array:
+    """Least normal force [force] at which `met` holds, on bisection; infinite if never."""
+    shape = np.broadcast_shapes(last.shape, clutch.cam.alpha0.shape)
+    low, high = np.broadcast_to(LEAST * last, shape), np.broadcast_to(last, shape)
+    never = ~met(state.at_normal_force(clutch, high))
+    for _ in range(HALVINGS):
+        middle = np.sqrt(low * high)
+        beyond = met(state.at_normal_force(clutch, middle))
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return np.where(never, np.inf, low)

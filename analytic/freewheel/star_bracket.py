@@ -1,0 +1,68 @@
+r"""Expected interval of a clamped star's approach, from two bodies that can be solved.
+
+Too stiff is a layer of the height h = X - r_b, bonded to a rigid base, under loads a flat's length
+apart: the star's material lies inside the layer, its clamp, the bore, falls away from the base.
+The layer's surface gives way to a wave of the number q by 2 K(q h)/(E' q) times its pressure,
+
+.. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
+          \qquad \kappa = 3 - 4\nu .
+
+Too soft is the disc through the corners, of the radius X/cos(pi/z), clamped on the same bore: it
+is deeper than the star under any contact and its surface curves away from the load. The same disc
+of radius X lies inside the star and gives way more than the star does under the middle of a flat.
+
+References
+----------
+.. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, sec. 5.8 (layers).
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, positive
+from analytic.freewheel import series
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.compliance import Body, compliance
+from analytic.freewheel.geometry import InnerCam
+
+DEEP = 20.0  # q h beyond which K is 1 to round-off
+
+
+def expected_approach(clutch: Clutch, P: ArrayLike) -> tuple[Array, Array]:
+    """Least and largest d_i [length] of an inner cam under P = N/L, of one clutch."""
+    if not isinstance(clutch.cam, InnerCam):
+        raise ValueError("the interval is that of a star: the clutch needs an inner cam")
+    P = positive(P, "load per length", "N/m")
+    a, _ = clutch.half_widths(P)
+    half, _ = compliance(clutch).half_roller.approach(P, a)
+    return half + _layer(clutch).approach(P, a)[0], half + _disc(clutch).approach(P, a)[0]
+
+
+def layer_constant(*, pitch: float, kappa: float) -> float:
+    """K of a bonded layer of height 1 under loads at the distance `pitch`, for l = 1.
+
+    >>> [round(layer_constant(pitch=p, kappa=1.8), 2) for p in (500.0, 5.0)]  # others hardly matter
+    [1.33, 1.33]
+    """
+    step = 2 * np.pi / pitch
+    t = step * np.arange(1, np.ceil(DEEP / step) + 1)
+    K = (2 * kappa * np.sinh(2 * t) - 4 * t) / (
+        2 * kappa * np.cosh(2 * t) + 4 * t**2 + 1 + kappa**2
+    )
+    uniform = 4 * (kappa - 1) / (1 + kappa) ** 2  # K/t at 0: the layer pressed everywhere
+    return float(2 * np.log(2 / step) + 1 + uniform * step + 2 * ((K - 1) / t * step).sum())
+
+
+def _layer(clutch: Clutch) -> Body:
+    cam, (E, _) = clutch.cam, clutch.inner.plane
+    height = cam.flat - np.asarray(clutch.r_b)
+    kappa = 3 - 4 * float(np.asarray(clutch.inner.nu))
+    k = layer_constant(pitch=float(2 * cam.corner / height), kappa=kappa)
+    return Body(E=E, l=height, k=np.asarray(k))
+
+
+def _disc(clutch: Clutch) -> Body:
+    cam, (E, nu) = clutch.cam, clutch.inner.plane
+    rim = np.asarray(cam.flat / np.cos(np.pi / cam.count))
+    k = series.star_constant(ratio=rim / np.asarray(clutch.r_b), n=cam.count, nu=nu)
+    return Body(E=E, l=rim, k=k)

@@ -1,0 +1,55 @@
+r"""Roller tilted by its axial forces, which the criterion does not contain.
+
+The axial forces F_a at both contacts, a chord 2 r cos(alpha) apart, are a couple. The resultants
+F_n/cos(alpha) along the chord balance it by moving along the roller, one to either side, by
+
+.. math:: e = r \cos^2\alpha\,\frac{F_a}{F_n}.
+
+A linear line load then has the peak N/L (1 + 6 e/L) at one end; from e = L/6 on it lifts off the
+other and is a triangle over 3 (L/2 - e). Hertz's pressure follows the root of the line load. Ends
+and crowns are left out.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, not_negative, positive
+
+
+def offset(*, F_a: ArrayLike, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike) -> Array:
+    """How far e [length] the contact's resultant moves along the roller.
+
+    >>> float(offset(F_a=10.0, F_n=100.0, r=2.5, alpha=0.0))
+    0.25
+    """
+    share = not_negative(F_a, "axial force", "N") / positive(F_n, "normal force", "N")
+    return np.asarray(positive(r, "roller's r", "m") * np.cos(np.asarray(alpha)) ** 2 * share)
+
+
+def peak_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
+    """Peak of the line load over its mean; infinite where e reaches the roller's end.
+
+    >>> peak_factor(e=[0.0, 1.0, 2.0], L=6.0).tolist()  # 1 + 6 e/L, then 4/(3 (1 - 2 e/L))
+    [1.0, 2.0, 4.0]
+    """
+    share = not_negative(e, "offset e", "m") / positive(L, "roller's length L", "m")
+    on = np.maximum(1 - 2 * share, 0.0)
+    with np.errstate(divide="ignore"):
+        return np.where(share <= 1 / 6, 1 + 6 * share, 4 / (3 * on))
+
+
+def pressure_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
+    """Peak of Hertz's pressure over that of the even line load: the root of `peak_factor`."""
+    return np.asarray(np.sqrt(peak_factor(e=e, L=L)))
+
+
+def axial_force_at_lift_off(
+    *, F_n: ArrayLike, r: ArrayLike, alpha: ArrayLike, L: ArrayLike
+) -> Array:
+    """Axial force F_a [force] of one roller at which one end lifts off, e = L/6.
+
+    >>> float(axial_force_at_lift_off(F_n=100.0, r=2.5, alpha=0.0, L=3.0))
+    20.0
+    """
+    L = positive(L, "roller's length L", "m")
+    return np.asarray(L / 6 / offset(F_a=1.0, F_n=F_n, r=r, alpha=alpha))

@@ -1,0 +1,139 @@
+r"""Clutches out of tolerance: sensitivities of the clamping angle and Monte Carlo.
+
+From cos psi = y/rho, with 2 rho sin psi below,
+
+.. math::
+    \frac{\partial\alpha_0}{\partial X} = \frac{-1}{2\rho\sin\psi}, \quad
+    \frac{\partial\alpha_0}{\partial r} = \mp\frac{1 + \cos\psi}{2\rho\sin\psi}, \quad
+    \frac{\partial\alpha_0}{\partial R} = \frac{\cos\psi}{2\rho\sin\psi},
+
+the upper sign for an inner cam. A clutch of an ensemble has equal rollers: that rollers of one
+clutch differ and share its load unevenly is not contained.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.checks import Array, not_negative
+from analytic.freewheel import criterion, state
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.geometry import Cam, InnerCam
+from analytic.freewheel.rules import require
+
+Kind = Literal["normal", "uniform"]
+
+
+def sensitivities(cam: Cam) -> dict[str, Array]:
+    """Derivatives of alpha0 [rad/length] by the fields R, r, X (R_s, r, X_o) of `cam`.
+
+    >>> cam = InnerCam(R=16.5, r=2.5, X=14 * np.cos(np.radians(7)) - 2.5, z=8)
+    >>> round(float(np.degrees(5e-3 * sensitivities(cam)["X"])), 3)  # 5 um on X, in degrees
+    -0.084
+    """
+    psi, rho = 2 * cam.alpha0, cam.distance(d_i=0.0, d_o=0.0)
+    scale = 1 / (2 * rho * np.sin(psi))
+    R, X = _names(cam)
+    by_r = -cam.sense * scale * (1 + np.cos(psi))
+    return {X: np.asarray(-scale), "r": np.asarray(by_r), R: np.asarray(scale * np.cos(psi))}
+
+
+def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, float]]:
+    """Standard deviation of alpha0 [rad] and each field's share of its variance.
+
+    >>> cam = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)
+    >>> first_order(cam, {"X": 5e-3})[1]
+    {'X': 1.0}
+    """
+    slopes = sensitivities(cam)
+    _known(sigma, slopes)
+    parts = {name: float((slopes[name] * value) ** 2) for name, value in sigma.items()}
+    variance = sum(parts.values())
+    require(variance > 0, "tolerances need a deviation above 0", "")
+    return float(np.sqrt(variance)), {name: part / variance for name, part in parts.items()}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Ensemble:
+    """Clutches drawn: arrays of those that wedge, and how many of all that are.
+
+    Angles in rad; alpha and mu_req under the load, nan where there is no state.
+    """
+
+    drawn: dict[str, Array]
+    wedging: NDArray[np.bool_]
+    alpha0: Array
+    alpha: Array
+    mu_req: Array
+    mu: Array
+
+    @property
+    def slipping(self) -> float:
+        """Share of all clutches that do not hold: no wedge, no state, or mu_req above mu."""
+        return float(1 - np.count_nonzero(self.mu_req <= self.mu) / self.wedging.size)
+
+
+def draw(
+    clutch: Clutch,
+    sigma: Mapping[str, float],
+    *,
+    mu: float,
+    T: float,
+    F_ax: float,
+    n: int,
+    seed: int,
+    kind: Kind = "normal",
+) -> Ensemble:
+    """Draw n clutches about `clutch` with standard deviations `sigma` and load them.
+
+    `sigma` by name: R, r, X (R_s, r, X_o) [length], mu. "uniform" means the same deviations.
+    """
+    names = {*_names(clutch.cam), "r", "mu"}
+    _known(sigma, names)
+    means = {name: float(np.asarray(getattr(clutch.cam, name))) for name in names - {"mu"}}
+    means["mu"] = mu
+    drawn = _drawn(means, sigma, n, seed, kind)
+    wedging = _wedges(clutch.cam, drawn)
+    kept = {name: value[wedging] for name, value in drawn.items()}
+    cam = replace(clutch.cam, **{name: kept[name] for name in names - {"mu"}})
+    now = state.loaded(replace(clutch, cam=cam), T)
+    asked = criterion.required_friction(alpha=now.alpha, T=T, F_ax=F_ax, R=cam.race)
+    return Ensemble(
+        drawn=drawn, wedging=wedging, alpha0=cam.alpha0, alpha=now.alpha, mu_req=asked,
+        mu=kept["mu"],
+    )  # fmt: skip
+
+
+def _drawn(
+    means: Mapping[str, float], sigma: Mapping[str, float], n: int, seed: int, kind: Kind
+) -> dict[str, Array]:
+    if kind not in get_args(Kind):
+        raise ValueError(f"kind is one of {', '.join(get_args(Kind))}, got {kind!r}")
+    rng = np.random.default_rng(seed)
+    found = {}
+    for name in sorted(means):  # so that a seed means the same draw always
+        deviation = float(not_negative(sigma.get(name, 0.0), f"deviation of {name}", ""))
+        unit = rng.normal(size=n) if kind == "normal" else rng.uniform(-1, 1, n) * np.sqrt(3)
+        found[name] = means[name] + deviation * unit
+    return found
+
+
+def _wedges(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.bool_]:
+    """Whether a clutch drawn has a wedge on its flats at all."""
+    R, X, r = (drawn[name] for name in (*_names(cam), "r"))
+    rho, y = R - cam.sense * r, X + cam.sense * r
+    x = np.sqrt(np.maximum(rho**2 - y**2, 0.0))
+    return np.asarray((y < rho) & (x < X * np.tan(np.pi / cam.count)) & (drawn["mu"] > 0))
+
+
+def _names(cam: Cam) -> tuple[str, str]:
+    return ("R", "X") if isinstance(cam, InnerCam) else ("R_s", "X_o")
+
+
+def _known(given: Mapping[str, float], known: Mapping[str, Array] | set[str]) -> None:
+    strange = sorted(set(given) - set(known))
+    if strange:
+        raise ValueError(f"tolerances are those of {', '.join(sorted(known))}, got {strange[0]!r}")
