@@ -98,20 +98,21 @@ class AlongProblem:
     def _starts(
         cone: Cone, w: Array, e: Array, before: Before | None, in_plane: Callable[[], Rest]
     ) -> list[State]:
-        starts = []
+        starts, failed = [], None
+        try:
+            rest = in_plane()
+        except ArithmeticError as error:
+            failed = error
+        else:
+            starts.append(cone.stuck(w, e, State(rest.multipliers, rest.motion)))
         if before is not None:
             rest, along = before
             starts.append(State(
                 np.concatenate([rest.multipliers, along.traction]),
                 np.concatenate([rest.motion, along.shift]),
             ))  # fmt: skip
-        try:
-            rest = in_plane()
-        except ArithmeticError:
-            if not starts:
-                raise
-        else:
-            starts.append(cone.stuck(w, e, State(rest.multipliers, rest.motion)))
+        if failed is not None and not starts:
+            raise failed
         return starts
 
     def _refuse(self, missed: Array, motions: int) -> None:

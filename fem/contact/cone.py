@@ -29,14 +29,26 @@ SLIP = FORWARD
 EXACT = 1e-9  # of the peak pressure and of the forces: what the solution may miss
 FINE = 1e-13  # of the peak pressure: Newton's method ends
 GOOD = 1e-10  # here too, where rounding lets it come no closer
-MAX_STEPS = 80
-SHORTEST = 1.0 / 64  # of Newton's step
-MEMORY = 6  # steps among whose residuals the next one's must not be the largest
-SPRING = 1e-7  # of the contact's own stiffness
-SLACKER = 1e-5
+MAX_STEPS = 40
+ROUGHLY = 0.2  # of the peak pressure: so much Newton's full step may miss, and more than before
+SHORTEST = 1.0 / 8  # of Newton's step, where it misses more than any of the steps before
+MEMORY = 6  # of these steps
+BARE = 1e-24  # of the largest stiffness against a motion, in whose units others are
+SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
+WEAKEST = 1e-12
+RUNAWAY = 100.0  # times what surfaces deform: no friction holds what moves more
+FAR = 10.0  # nor what moves more than this, if no rest is found there
 MAX_RELEASES = 60
 LOWER = 0.7  # friction from one solution on the way down to the next
 MAX_LOWER = 40
+
+
+class Sliding(ArithmeticError):
+    """Friction does not balance the loads: `missed` (k,) of these move bodies, a `share` of all."""
+
+    def __init__(self, missed: Array, share: float) -> None:
+        super().__init__(f"friction holds no more: {share:.2e} of the loads move bodies on")
+        self.missed, self.share = missed, share
 
 
 @dataclass(frozen=True)
@@ -110,28 +122,26 @@ class Cone:
         ArithmeticError where that fails too, or the bodies come to no rest.
         """
         failed: ArithmeticError | None = None
-        for start in starts:
-            try:
-                return self._released(w_0, e, start, self.friction)
-            except ArithmeticError as error:
-                failed = error
-        for start in starts:
-            try:
-                return self._lowered(w_0, e, start)
-            except ArithmeticError as error:
-                failed = error
+        for solve in (self._released, self._lowered):
+            for start in starts:
+                try:
+                    return solve(w_0, e, start, self.friction)
+                except Sliding:
+                    raise
+                except ArithmeticError as error:
+                    failed = error
         raise failed or ArithmeticError("the contact has no start")
 
-    def _lowered(self, w_0: Array, e: Array, at: State) -> State:
+    def _lowered(self, w_0: Array, e: Array, at: State, friction: Array) -> State:
         """From friction at which everything sticks, step by step down to what there is."""
-        at = self._released(w_0, e, at, self.friction * LOWER**-MAX_LOWER)
+        at = self._released(w_0, e, at, friction * LOWER**-MAX_LOWER)
         _, used = self._use(at.multipliers)
         share = max(1.0, 1.01 * float(used.max(initial=0.0)))
         share = min(share, LOWER**-MAX_LOWER)
         while share > 1:
-            at = self._released(w_0, e, at, self.friction * share)
+            at = self._released(w_0, e, at, friction * share)
             share *= LOWER
-        return self._released(w_0, e, at, self.friction)
+        return self._released(w_0, e, at, friction)
 
     def _use(self, multipliers: Array) -> tuple[Array, Array]:
         """Friction (r,), and its share (r,) of what the pressure allows, zero without pressure."""
@@ -142,8 +152,11 @@ class Cone:
 
     def _released(self, w_0: Array, e: Array, at: State, friction: Array) -> State:
         """The solution on springs that follow the motions until nothing pulls at them."""
-        spring = SPRING
-        at = self._newton(w_0, e, at, spring, friction)
+        try:
+            at = self._newton(w_0, e, at, SPRINGS[-1], friction, most=MAX_STEPS // 2)
+        except ArithmeticError:
+            at = self._eased(w_0, e, at, friction)
+        spring = SPRINGS[-1]
         missed = self._missed(e, at)
         for _ in range(MAX_RELEASES):
             if missed <= FINE:
@@ -154,23 +167,38 @@ class Cone:
             if missed > before / 2:
                 if missed <= GOOD:
                     return at
-                spring = max(SLACKER * SPRING, spring / 10)
-        raise ArithmeticError(
-            f"the contact does not come to rest: its forces miss the loads by {missed:.2e} of "
-            f"these, for friction holds no more{AWAY}"
-        )
+                spring = max(WEAKEST, spring / 10)
+        raise Sliding(e + self.D.T @ at.multipliers, missed)
+
+    def _eased(self, w_0: Array, e: Array, at: State, friction: Array) -> State:
+        """On springs that are let go; what they still carry then slides."""
+        moved = 0.0  # of what surfaces deform: a spring's stiffness is a share of theirs
+        for spring in SPRINGS:
+            try:
+                new = self._newton(w_0, e, at, spring, friction)
+            except ArithmeticError:
+                if moved > FAR:
+                    raise Sliding(e + self.D.T @ at.multipliers, self._missed(e, at)) from None
+                raise
+            at = new
+            moved = self._missed(e, at) / spring
+            if moved > RUNAWAY:
+                raise Sliding(e + self.D.T @ at.multipliers, self._missed(e, at))
+        return at
 
     def _missed(self, e: Array, at: State) -> float:
         size = np.abs(e) + np.abs(self.D.T) @ np.abs(at.multipliers)
         missed = np.abs(e + self.D.T @ at.multipliers)
         return float(missed.max(initial=0.0) / (size.max(initial=0.0) or 1.0))
 
-    def _newton(self, w_0: Array, e: Array, at: State, spring: float, friction: Array) -> State:
+    def _newton(
+        self, w_0: Array, e: Array, at: State, spring: float, friction: Array, most: int = MAX_STEPS
+    ) -> State:
         """The solution with springs that hold the motions where they are."""
         held, K = at.motion, spring * self._own.max(initial=0.0) * np.eye(at.motion.size)
         sizes: list[float] = []
         error, states = self._error(w_0, e, at, held, K, friction)
-        for _ in range(MAX_STEPS):
+        for _ in range(most):
             goal = self._linear(w_0, e, at, held, K, friction, states)
             share, best = 1.0, None
             while share >= SHORTEST:
@@ -181,7 +209,7 @@ class Cone:
                 found, wanted = self._error(w_0, e, new, held, K, friction)
                 if best is None or found < best[0]:
                     best = found, wanted, new
-                if found <= (1 - 0.1 * share) * max([error, *sizes[-MEMORY:]]):
+                if found <= max([ROUGHLY, error, *sizes[-MEMORY:]]):
                     best = found, wanted, new
                     break
                 share /= 2
@@ -192,7 +220,7 @@ class Cone:
             if error <= FINE or (same and error <= GOOD and error > before / 10):
                 return at
         raise ArithmeticError(
-            f"the contact did not converge: after {MAX_STEPS} steps Newton's method still misses "
+            f"the contact did not converge: after {most} steps Newton's method still misses "
             f"Coulomb's law by {error:.2e} of the pressure{AWAY}"
         )
 
@@ -268,7 +296,8 @@ class Cone:
         A = np.block([[A, P.T @ self.D], [self.D.T @ Q, -K]])
         known = np.concatenate([-P.T @ w_0, -e - K @ held])
         scale = 1 / np.sqrt(np.diag(P.T @ self.B @ P))
-        scale = np.concatenate([scale, 1 / np.sqrt(np.maximum(self._own, 1e-24 * self._own.max()))])
+        least = BARE * self._own.max(initial=0.0) or 1.0
+        scale = np.concatenate([scale, 1 / np.sqrt(np.maximum(self._own, least))])
         try:
             found = scale * np.linalg.solve(scale[:, None] * A * scale, scale * known)
         except np.linalg.LinAlgError:
@@ -282,7 +311,7 @@ class Cone:
         n, k = self._z[0] if self._z.size else len(self.B), plane.motion.size
         closed = self._z[plane.multipliers[self.rough] > 0]
         B, D = self.B[np.ix_(closed, closed)], self.D[closed, k:]
-        K = SPRING * (self._own[k:].max(initial=0.0) or 1.0) * np.eye(D.shape[1])
+        K = SPRINGS[-1] * (self._own[k:].max(initial=0.0) or 1.0) * np.eye(D.shape[1])
         scale = np.concatenate([1 / np.sqrt(np.diag(B)), 1 / np.sqrt(np.maximum(np.diag(K), 1e-300))])
         A = scale[:, None] * np.block([[B, D], [D.T, -K]]) * scale
         found = scale * np.linalg.solve(A, scale * -np.concatenate([w_0[closed], e[k:]]))
