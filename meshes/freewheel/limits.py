@@ -9,7 +9,7 @@ from meshes.freewheel.races import FlatRace, RoundRace
 
 STEEPEST = math.pi / 4  # angle psi up to which the roller's mesh bends
 ASTRAY = 1 / 2  # of the roller's radius, that it may lie beside either race
-ROOM = 1.25  # fine zones that fit between the contact and the end of the flat
+ROOM = 2.0  # fine zones that fit between the contact and the end of the flat
 
 
 def check_radii(rule: str, radii: Sequence[float], z: float) -> None:
@@ -48,14 +48,14 @@ def check_roller(r: float, centre: Point, z: int, *, flat: float, circle: float)
 
 
 def check_zones(r: float, cam: FlatRace, race: RoundRace, *, flat: float, circle: float) -> None:
-    """ValueError unless the half-widths `flat` and `circle` [m] of the fine zones fit their body."""
+    """ValueError unless the half-widths `flat` and `circle` [m] of the zones fit their bodies."""
     room = (cam.half_flat - abs(cam.at)) / ROOM
     wall = abs(cam.apothem - cam.other)
     bound = min(r / 2, wall, room)
     if not 0 < flat <= bound:
         raise ValueError(
-            "the fine zone on the flat needs 0 < zone <= r/2, the wall and 0.8 of what is left to "
-            f"the end of the flat, here {bound:g} m, got {flat:g} m"
+            "the fine zone on the flat needs 0 < zone <= r/2, the wall and half of what is left "
+            f"to the end of the flat, here {bound:g} m, got {flat:g} m"
         )
     wall = race.touched * min(abs(math.log(race.other / race.touched)), race.pitch / 4)
     bound = min(r / 2, wall)

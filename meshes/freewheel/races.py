@@ -91,8 +91,9 @@ class FlatRace:
         return bent(mesh, places, _outline(mesh), straight=straight)
 
     def _side(self, sign: int, surface: str) -> Side:
-        parts = ((surface, self.half_flat), ("tip", self.half_outline))
-        parts = parts if self.half_flat < self.half_outline else parts[:1]
+        parts = [(surface, self.half_flat)]
+        if self.half_flat < self.half_outline:
+            parts.append(("tip", self.half_outline))
         cut = "right" if sign > 0 else "left"
         return Side(tuple((name, end - sign * self.at) for name, end in parts), cut)
 

@@ -4,12 +4,14 @@ The surface lies on y = 0 and is touched at the origin, the body below. Each sid
 cut, and the nodes of both cuts have the same places in y.
 """
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
 from meshes.contact.blocks import Block, Edge
-from meshes.contact.fan import Outline, Zone, fan, strip_cells
+from meshes.contact.fan import Outline, Zone, fan, graded
+from meshes.contact.grading import last_cell
 
-SLIM = 1.5  # a longer side goes on beside a fan about as wide as deep, in even cells
+SLIM = 1.5  # a longer side goes on beside a fan about as wide as deep, in growing cells
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,7 @@ class Strip:
     zone: Zone
 
     def blocks(self) -> list[Block]:
-        """A fan on each side of the origin, and even blocks beside and below them."""
+        """A fan on each side of the origin, and blocks beside and below them."""
         sides = self.left, self.right
         # both fans share their axis, and need as many cells along it
         least = max(self._half(side)[1].edges[0].cells for side in sides) // self.zone.refine
@@ -53,36 +55,44 @@ class Strip:
     def _half(self, side: Side, least: int = 1) -> list[Block]:
         deep, fine = self._deep, self.zone
         name, reach = side.parts[0]
-        width = reach if reach <= SLIM * deep else deep
+        # the core is that much wider than deep: so the fan's diagonal runs at half a right angle
+        square = deep + fine.width - fine.depth
+        width = reach if reach <= SLIM * square else square
         rest = [(name, reach)] * (width < reach) + list(side.parts[1:])
         below = deep < self.depth
         names = name, "" if rest else side.cut, "" if below else self.base
         outline = Outline((width, 0.0), (width, -deep), (0.0, -deep), names)
         blocks = fan(outline, fine, self.body, least=least)
-        surface, axis = blocks[1].edges[0], blocks[2].edges[3]
-        columns = [(0.0, width, fine.cells * fine.refine, name)]
-        for part, end in rest:
-            start = columns[-1][1]
-            columns.append((start, end, strip_cells(surface, fine, length=end - start), part))
-        rows = fine.rows * fine.refine
-        blocks += [self._rectangle(column, (0.0, -deep, rows), side) for column in columns[1:]]
+        columns = [Edge((0.0, 0.0), (width, 0.0), fine.cells * fine.refine, name=name)]
+        columns += _beyond(blocks[1].edges[0], rest, fine.refine)
+        fanned = Edge((0.0, 0.0), (0.0, -deep), fine.rows * fine.refine)
+        blocks += [self._rectangle(column, fanned, side) for column in columns[1:]]
         if below:
-            rows = strip_cells(axis, fine, length=self.depth - deep)
-            blocks += [self._rectangle(c, (-deep, -self.depth, rows), side) for c in columns]
+            (row,) = _beyond(blocks[2].edges[3], [("", self.depth)], fine.refine)
+            blocks += [self._rectangle(column, row, side) for column in columns]
         return blocks
 
-    def _rectangle(
-        self,
-        column: tuple[float, float, int, str],
-        row: tuple[float, float, int],
-        side: Side,
-    ) -> Block:
-        (x, end, n, part), (y, bottom, m) = column, row
-        outer = side.cut if end == side.parts[-1][1] else ""
+    def _rectangle(self, column: Edge, row: Edge, side: Side) -> Block:
+        """The block across the width of `column` and down the height of `row`."""
+        x, end, y, bottom = column.start[0], column.end[0], row.start[1], row.end[1]
+        cut = side.cut if end == side.parts[-1][1] else ""
+        base = self.base if bottom == -self.depth else ""
         edges = (
-            Edge((x, y), (end, y), n, name=part if y == 0 else ""),
-            Edge((end, y), (end, bottom), m, name=outer),
-            Edge((x, bottom), (end, bottom), n, name=self.base if bottom == -self.depth else ""),
-            Edge((x, y), (x, bottom), m),
+            replace(column, start=(x, y), end=(end, y), name=column.name if y == 0 else ""),
+            replace(row, start=(end, y), end=(end, bottom), name=cut),
+            replace(column, start=(x, bottom), end=(end, bottom), name=base),
+            replace(row, start=(x, y), end=(x, bottom), name=""),
         )
         return Block(edges, self.body)
+
+
+def _beyond(edge: Edge, parts: list[tuple[str, float]], refine: int) -> list[Edge]:
+    """The line of `edge` from its end on to the end of each part, its cells growing further."""
+    found = []
+    for name, end in parts:
+        share = end / math.hypot(*edge.end)
+        size = last_cell(length=edge.length, cells=edge.cells // refine, beta=edge.beta)
+        there = edge.end[0] * share, edge.end[1] * share
+        (edge,) = graded([(Edge(edge.end, there, 0, name=name), size)], refine)
+        found.append(edge)
+    return found
