@@ -3,13 +3,14 @@
 Where the torque has passed through zero the clutch overruns and asks for nothing (nan). As torque
 goes to zero with F_ax/T kept, alpha goes to alpha_0 and mu_req to
 tan(alpha_0) sqrt(1 + (R F_ax/T)²): finite, the least of an inner cam, whose angle grows with the
-torque, and the most of an outer cam.
+torque, and the most of an outer cam. Where torque passes through zero while the axial load does
+not, mu_req is infinite at the last locked time: no friction holds without normal force.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.checks import Array
 from analytic.freewheel import criterion, state
@@ -69,4 +70,15 @@ def follow(clutch: Clutch, path: LoadPath, *, mu: float, t: ArrayLike | None = N
     mu_req = criterion.required_friction_of_ratio(
         alpha=alpha, ratio=path.ratio(t), R=clutch.cam.race
     )
-    return Course(t=t, T=T, F_ax=path.axial_load(t), alpha=alpha, mu_req=mu_req, mu=mu)
+    F_ax = path.axial_load(t)
+    mu_req = np.where(_released_under_load(T, F_ax), np.inf, mu_req)
+    return Course(t=t, T=T, F_ax=F_ax, alpha=alpha, mu_req=mu_req, mu=mu)
+
+
+def _released_under_load(T: Array, F_ax: Array) -> NDArray[np.bool_]:
+    """Locked times next to overrunning ones with an axial load that keeps its sign in between."""
+    passing = (T[1:] * T[:-1] < 0) & (F_ax[1:] * F_ax[:-1] > 0)
+    beside = np.zeros(T.shape, dtype=np.bool_)
+    beside[1:] |= passing
+    beside[:-1] |= passing
+    return beside & (T > 0)

@@ -94,8 +94,9 @@ def _release(clutch: Clutch, mu: Array) -> Array:
 
 def _growth(now: State) -> Array:
     """dT/dN over T/N."""
-    tangent, slope = now.bodies.tangent(now.N)
-    return np.asarray(1 + now.N * slope / tangent)
+    N = np.where(np.isfinite(now.N), now.N, 0.0)  # beyond the last state: whatever
+    tangent, slope = now.bodies.tangent(N)
+    return np.asarray(1 + N * slope / tangent)
 
 
 def _corner_angle(now: State) -> Array:

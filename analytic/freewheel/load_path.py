@@ -120,7 +120,7 @@ class BothAlternating(LoadPath):
         return np.asarray(self.F / self.T * _growth(t, 0.0, self.duration))
 
     def _turn(self, t: ArrayLike) -> Array:
-        return np.asarray(2 * np.pi * self.frequency * np.asarray(t))
+        return np.asarray(2 * np.pi * np.mod(self.frequency * np.asarray(t), 1.0))  # exactly 0
 
 
 def _growth(t: ArrayLike, start: float, end: float) -> Array:

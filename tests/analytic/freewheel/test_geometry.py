@@ -1,0 +1,132 @@
+"""Wedge of both kinds of cams against drawn circles and lines; Eqs. 3 to 6 as printed fail."""
+
+import numpy as np
+import pytest
+
+from analytic.freewheel import printed
+from analytic.freewheel.geometry import InnerCam, OuterCam
+
+UM = 1e-3  # lengths in mm here
+STAR = InnerCam(R=16.5, r=2.5, X=11.39565, z=8)
+CUP = OuterCam(R_s=10.0, r=2.0, X_o=12 * np.cos(np.radians(8)) + 2, z=8)
+
+
+def contact_points(cam, d_i=0.0, d_o=0.0):
+    """Points of the roller nearest to the flat and to the race, from its centre alone."""
+    x, y = cam.centre(d_i=d_i, d_o=d_o)
+    centre = np.array([x, y])
+    outward = cam.sense * centre / np.hypot(x, y)
+    return centre - cam.sense * cam.roller * np.array([0.0, 1.0]), centre + cam.roller * outward
+
+
+@pytest.mark.parametrize("cam", [STAR, CUP], ids=["star", "cup"])
+def test_the_roller_touches_flat_and_race(cam):
+    on_flat, on_race = contact_points(cam)
+    assert on_flat[1] == pytest.approx(cam.flat, rel=1e-14)
+    assert np.hypot(*on_race) == pytest.approx(cam.race, rel=1e-14)
+
+
+@pytest.mark.parametrize("cam", [STAR, CUP], ids=["star", "cup"])
+def test_the_line_through_both_contacts_makes_the_same_angle_with_both_normals(cam):
+    """Eq. 2: a roller held by two contacts alone; each angle is the clamping angle."""
+    on_flat, on_race = contact_points(cam)
+    chord = (on_race - on_flat) / np.linalg.norm(on_race - on_flat)
+    at_flat = np.arccos(abs(chord[1]))
+    at_race = np.arccos(abs(chord @ on_race) / np.linalg.norm(on_race))
+    assert at_flat == pytest.approx(float(cam.alpha0), abs=1e-13)
+    assert at_race == pytest.approx(float(cam.alpha0), abs=1e-13)
+    assert np.linalg.norm(chord @ (on_race - on_flat)) == pytest.approx(
+        2 * cam.roller * np.cos(cam.alpha0)
+    )
+
+
+@pytest.mark.parametrize("cam", [STAR, CUP], ids=["star", "cup"])
+def test_the_forces_on_the_flat_have_the_race_s_torque_and_z_x_f_t_has_not(cam):
+    """Eq. 3, from the cross product at the drawn contact; the lever X needs X = R."""
+    F_t = float(np.tan(cam.alpha0))  # F_n = 1
+    on_flat, on_race = contact_points(cam)
+    chord = (on_race - on_flat) / np.linalg.norm(on_race - on_flat) / np.cos(cam.alpha0)
+    moment = cam.count * abs(on_flat[0] * chord[1] - on_flat[1] * chord[0])
+    assert cam.torque_on_race(F_t=F_t) == pytest.approx(moment, rel=1e-11)
+    assert cam.torque_on_cam(F_n=1.0, F_t=F_t) == pytest.approx(moment, rel=1e-11)
+    wrong = printed.torque_on_cam(cam, F_t=F_t) / moment
+    assert wrong == pytest.approx(float(cam.flat / cam.race), rel=1e-11)
+    assert abs(wrong - 1) > 0.3
+
+
+def test_eq_4_has_the_ring_s_radius_in_its_numerator():
+    root = np.sqrt((16.5 + 11.39565) / (2 * (16.5 - 2.5)))
+    assert float(STAR.alpha0) == pytest.approx(np.arccos(root), rel=1e-12)
+    assert np.degrees(float(STAR.alpha0)) == pytest.approx(3.5, abs=1e-4)
+    assert np.degrees(float(printed.alpha0(STAR))) == pytest.approx(45.2, abs=0.05)
+
+
+def test_eq_5_returns_to_eq_4_without_load_and_opens_under_load():
+    """As printed it starts at 21.5 deg and narrows, although the gap widens."""
+    loaded = {"d_i": 16 * UM, "d_o": 24 * UM}
+    right = np.arccos((11.39565 - 0.016 + 2.5) / (16.5 + 0.024 - 2.5)) / 2
+    assert float(STAR.alpha(**loaded)) == pytest.approx(right, rel=1e-11)
+    assert np.degrees(right) == pytest.approx(4.114, abs=1e-3)
+    first, then = printed.alpha_1(STAR, d_i=0.0, d_o=0.0), printed.alpha_1(STAR, **loaded)
+    assert np.degrees(float(first)) == pytest.approx(21.5, abs=0.01)
+    assert then < first
+
+
+def test_eq_5_with_the_ring_s_outer_radius_does_not_return_to_eq_4():
+    cos, rim = float(np.cos(2 * STAR.alpha0)), 21.0
+    assert cos == pytest.approx((11.39565 + 2.5) / (16.5 - 2.5), rel=1e-12)
+    assert cos != pytest.approx((11.39565 + 2.5) / (rim - 2.5), rel=0.1)
+
+
+@pytest.mark.parametrize("cam", [STAR, CUP], ids=["star", "cup"])
+def test_eq_6_is_the_arc_of_the_centre_from_its_unloaded_place(cam):
+    d_i, d_o = 4 * UM, 6 * UM
+    (x_0, y_0), (x, y) = cam.centre(d_i=0.0, d_o=0.0), cam.centre(d_i=d_i, d_o=d_o)
+    turned = abs(np.arctan2(x, y) - np.arctan2(x_0, y_0))
+    assert cam.arc(d_i=0.0, d_o=0.0) == 0
+    assert cam.arc(d_i=d_i, d_o=d_o) == pytest.approx(turned * np.hypot(x, y), rel=1e-9)
+
+
+def test_an_outer_cam_s_roller_moves_between_flat_and_shaft_until_it_goes_through():
+    ends = float(CUP.pop_through)
+    assert ends == pytest.approx(10 + 2 * 2 - CUP.X_o, rel=1e-12)
+    share = np.array([0.0, 0.5, 0.99, 1.001])
+    alpha = CUP.alpha(d_i=0.3 * ends * share, d_o=0.7 * ends * share)
+    assert np.all(np.diff(alpha[:3]) < 0)
+    assert np.isnan(alpha[3])
+    assert np.cos(2 * alpha[1]) == pytest.approx(
+        (CUP.X_o - 2 + 0.35 * ends) / (12 - 0.15 * ends), rel=1e-12
+    )
+
+
+def test_fields_and_approaches_broadcast():
+    cam = InnerCam(R=16.5, r=2.5, X=np.array([11.38, 11.39])[:, None], z=8)
+    assert cam.alpha(d_i=np.zeros(3), d_o=0.0).shape == (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("make", "rule"),
+    [
+        (lambda: InnerCam(R=16.5, r=2.5, X=11.5, z=8), "no wedge"),
+        (lambda: InnerCam(R=16.5, r=17.0, X=1.0, z=8), "roller too large"),
+        (lambda: InnerCam(R=16.5, r=2.5, X=-2.6, z=8), "flat beyond"),
+        (lambda: InnerCam(R=16.5, r=2.5, X=11.39, z=20), "touch each other"),
+        (lambda: InnerCam(R=16.5, r=2.5, X=9.0, z=8), "corner"),
+        (lambda: InnerCam(R=16.5, r=2.5, X=11.39, z=7.5), "whole"),
+        (lambda: InnerCam(R=16.5, r=np.nan, X=11.39, z=8), "positive and finite"),
+        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=9.0, z=8), "cuts the shaft"),
+        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=14.1, z=8), "no wedge"),
+        (lambda: OuterCam(R_s=1.0, r=2.0, X_o=1.5, z=8), "roller too large"),
+        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=13.9, z=20), "touch each other"),
+        (lambda: OuterCam(R_s=10.0, r=2.0, X_o=12.0, z=8), "corner"),
+    ],
+)
+def test_what_cannot_wedge_is_refused_in_one_line(make, rule):
+    with pytest.raises(ValueError, match=rule) as refused:
+        make()
+    assert "\n" not in str(refused.value)
+
+
+def test_of_many_clutches_the_first_that_cannot_wedge_is_named():
+    with pytest.raises(ValueError, match=r"X=11\.6 m"):
+        InnerCam(R=16.5, r=2.5, X=[11.39, 11.6, 11.7], z=8)
