@@ -1,8 +1,8 @@
 """Finite elements of one pitch of a roller freewheel: star, roller and ring as they lie at psi.
 
-The roller lies in its place with both contacts overlapping. The star is clamped in its bore, the
-ring's mean rotation held and the roller free: contact and friction bring it to rest near that place
-and the ring's moment is the torque. Where the roller is then says psi and both approaches.
+The roller lies in its place with both contacts overlapping, free but for them. The star is clamped
+in its bore, the ring's mean rotation held; its moment is the torque. Where the roller comes to rest
+says psi and both approaches.
 """
 
 import math
@@ -18,13 +18,15 @@ from verify.cases.freewheel_inputs import StarInputs
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
+    from fem.contact.along import Along
     from fem.contact.problem import ContactProblem
     from fem.contact.solution import ContactSolution
 
 Array = NDArray[np.float64]
 
 ZONE = 1.5  # half-widths of even cells about each contact
-CELLS = 6
+CORE = 0.05  # of the radius: where the roller's rotation is read
+STILL, MOST = 1e-7, 8  # of both approaches: what the roller may move; steps
 
 
 @dataclass(frozen=True)
@@ -61,60 +63,119 @@ class Sector:
     """One pitch with the roller at a place, meshed for contacts of these half-widths [m]."""
 
     def __init__(
-        self, place: Place, widths: tuple[float, float], refine: int, *, mu: float
-    ) -> None:
-        self.place, self.q = place, place.q
-        self.mesh = fem_mesh(place, widths, refine)
-        self.problem = fem_problem(place, self.mesh, mu)
+        self, place: Place, widths: tuple[float, float], cells: int, *, mu: float,
+        along: "Along | None" = None,
+    ) -> None:  # fmt: skip
+        self.place = place
+        self.problem = fem_problem(place, fem_mesh(place, widths, cells), mu, along)
 
-    def at(self, turn: float = 0.0, after: "ContactSolution | None" = None) -> "State":
-        """The state with the ring's mean rotation `turn` [rad], positive where it locks."""
-        solution = self.problem.solve(displacements={"ring.rim": {"r": -turn}}, after=after)
-        return State(self.place, solution)
+    def rest(self, drags: tuple[float, float] = (0.0, 0.0)) -> "State":
+        """The state in which the roller's centre neither leaves its place nor turns.
+
+        `drags` [m], how far the surfaces of star and ring are turned into the wedge, are improved
+        until it does not. In small displacements forces act where the mesh has them: a roller that
+        creeps out, or turns, until friction holds it, would bear them beside its contacts.
+        """
+        for _ in range(MOST):
+            state = self.at(drags)
+            out, turned = state.motion
+            if max(abs(out), abs(turned)) <= STILL * (state.place.d_i + state.place.d_o):
+                return state
+            drags = drags[0] - out - turned, drags[1] - out + turned
+        raise ArithmeticError(f"the roller moves by {out:.1e} m after {MOST} steps")
+
+    def at(self, drags: tuple[float, float], **more: Any) -> "State":
+        """The state with the surfaces of star and ring turned into the wedge by `drags` [m].
+
+        `more` goes to the solver: what happens along z, and steps.
+        """
+        q, angle = self.place.q, drags[0] / self.place.q.X
+        moved: Any = {
+            "ring.rim": {"r": -drags[1] / q.R},
+            "star.bore": {"x": lambda x: angle * x[1], "y": lambda x: -angle * x[0]},
+        }
+        return State(self.place, drags, self.problem.solve(displacements=moved, **more))
 
 
 @dataclass(frozen=True)
 class State:
-    """A pitch at rest; forces of one roller per length [N/m], the torque of all per length."""
+    """A pitch at rest; forces of one roller per length [N/m], the torque of all per length [N]."""
 
     start: Place
+    drags: tuple[float, float]
     solution: "ContactSolution"
 
     @cached_property
+    def motion(self) -> tuple[float, float]:
+        """How far [m] the roller's centre creeps into the wedge and how far its rim turns."""
+        r, half = self.start.q.r, self.start.psi / 2
+        u = np.array(self.solution.plane.displacement_at((self.start.x, self.start.y)))
+        near = CORE * r
+        x = np.array([[self.start.x], [self.start.y]]) + near * np.array(
+            [[1, -1, 0, 0], [0, 0, 1, -1]]
+        )
+        right, left, up, down = self.solution.plane.at(x).u.T
+        turn = (right[1] - left[1] - up[0] + down[0]) / (4 * near)
+        return float(u @ (math.cos(half), -math.sin(half))), float(r * turn)
+
+    @cached_property
     def place(self) -> Place:
-        """Where the roller's centre has come to rest."""
-        x, y = self.solution.plane.displacement_at((self.start.x, self.start.y))
-        return Place(self.start.q, self.start.x + x, self.start.y + y)
+        """Where the roller's centre is, seen from the star as it is turned."""
+        u = self.solution.plane.displacement_at((self.start.x, self.start.y))
+        x, y = self.start.x + u[0], self.start.y + u[1]
+        c, s = math.cos(self.tilt), math.sin(self.tilt)
+        return Place(self.start.q, c * x - s * y, s * x + c * y)
+
+    @property
+    def tilt(self) -> float:
+        """How far the star is turned, clockwise [rad]."""
+        return self.drags[0] / self.start.q.X
 
     @property
     def torque(self) -> float:
-        """Of all rollers per length [N]."""
         return -self.start.q.z * self.solution.plane.mean_reaction("ring.rim")["r"]
 
     @property
-    def normal(self) -> tuple[float, float]:
-        """Normal forces at the star and at the ring [N/m]."""
-        inner, outer = self.solution.touches
-        return inner.normal_force, outer.normal_force
+    def on_star(self) -> tuple[float, float]:
+        """Force on the star along its flat's normal inwards, and along it out of the wedge."""
+        x, y = self.solution.touches[0].force
+        c, s = math.cos(self.tilt), math.sin(self.tilt)
+        return -s * x - c * y, -c * x + s * y
 
     @property
-    def tangential(self) -> tuple[float, float]:
-        """Friction forces at the star and at the ring [N/m]."""
+    def on_ring(self) -> tuple[float, float]:
+        """Force on the ring along the ray through the roller's centre, and across out of the wedge."""
+        x, y = self.solution.touches[1].force
+        psi = self.place.psi + self.tilt
+        c, s = math.cos(psi), math.sin(psi)
+        return s * x + c * y, s * y - c * x
+
+    @property
+    def widths(self) -> tuple[float, float]:
+        """Half-widths of both contacts [m], from the moments of the pressure."""
         inner, outer = self.solution.touches
-        return inner.friction_force, outer.friction_force
+        return inner.half_width(), outer.half_width()
+
+    @property
+    def peaks(self) -> tuple[float, float]:
+        """Largest pressures [Pa]."""
+        inner, outer = self.solution.touches
+        return inner.peak, outer.peak
 
 
-def fem_mesh(place: Place, widths: tuple[float, float], refine: int) -> "Mesh2D":
+def fem_mesh(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
     from meshes.freewheel.sector import inner_cam_sector
 
     q = place.q
     return inner_cam_sector(
         R=q.R, R_a=q.R_a, X=q.X, r_b=q.r_b, r=q.r, z=q.z, centre=(place.x, place.y),
-        zones=(ZONE * widths[0], ZONE * widths[1]), cells=CELLS, refine=refine,
+        zones=(ZONE * widths[0], ZONE * widths[1]), cells=cells,
     )  # fmt: skip
 
 
-def fem_problem(place: Place, mesh: "Mesh2D", mu: float) -> "ContactProblem":
+def fem_problem(
+    place: Place, mesh: "Mesh2D", mu: float, along: "Along | None" = None
+) -> "ContactProblem":
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle, Flat
@@ -124,7 +185,7 @@ def fem_problem(place: Place, mesh: "Mesh2D", mu: float) -> "ContactProblem":
 
     q, pitch = place.q, 2 * math.pi / place.q.z
     rim = Circle((place.x, place.y), q.r)
-    meet: Any = {"friction": mu, "slave_shape": rim, "press_fit": True}
+    meet: Any = {"normal": "master", "friction": mu, "slave_shape": rim, "press_fit": True}
     return ContactProblem(
         mesh,
         materials=Elastic(E=q.E, nu=q.nu),
@@ -141,4 +202,5 @@ def fem_problem(place: Place, mesh: "Mesh2D", mu: float) -> "ContactProblem":
             for body in ("star", "ring")
         ],
         means={"ring.rim": Mean({"r": 0.0})},
+        along=along,
     )  # fmt: skip
