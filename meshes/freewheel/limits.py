@@ -50,6 +50,11 @@ def check_roller(r: float, centre: Point, z: int, *, flat: float, circle: float)
 def check_zones(r: float, cam: FlatRace, race: RoundRace, *, flat: float, circle: float) -> None:
     """ValueError unless the half-widths `flat` and `circle` [m] of the zones fit their bodies."""
     room = (cam.half_flat - abs(cam.at)) / ROOM
+    if not room > 0:
+        raise ValueError(
+            f"the roller touches at x={cam.at:g} m, beyond the end of the flat at "
+            f"x={cam.half_flat:g} m"
+        )
     wall = abs(cam.apothem - cam.other)
     bound = min(r / 2, wall, room)
     if not 0 < flat <= bound:

@@ -12,6 +12,7 @@ from meshes.contact.fan import Outline, Zone, fan, graded
 from meshes.contact.grading import last_cell
 
 SLIM = 1.5  # a longer side goes on beside a fan about as wide as deep, in growing cells
+LONG = 0.6  # of the width across the strip, how long its cells far from the contact are about
 
 
 @dataclass(frozen=True)
@@ -58,25 +59,26 @@ class Strip:
         # the core is that much wider than deep: so the fan's diagonal runs at half a right angle
         square = deep + fine.width - fine.depth
         width = reach if reach <= SLIM * square else square
-        rest = [(name, reach)] * (width < reach) + list(side.parts[1:])
+        rest = list(side.parts if width < reach else side.parts[1:])
         below = deep < self.depth
         names = name, "" if rest else side.cut, "" if below else self.base
         outline = Outline((width, 0.0), (width, -deep), (0.0, -deep), names)
         blocks = fan(outline, fine, self.body, least=least)
         columns = [Edge((0.0, 0.0), (width, 0.0), fine.cells * fine.refine, name=name)]
-        columns += _beyond(blocks[1].edges[0], rest, fine.refine)
+        columns += _beyond(blocks[1].edges[0], rest, fine.refine, LONG * self.depth)
         fanned = Edge((0.0, 0.0), (0.0, -deep), fine.rows * fine.refine)
         blocks += [self._rectangle(column, fanned, side) for column in columns[1:]]
         if below:
-            (row,) = _beyond(blocks[2].edges[3], [("", self.depth)], fine.refine)
+            longest = LONG * (self.left.parts[-1][1] + self.right.parts[-1][1])
+            (row,) = _beyond(blocks[2].edges[3], [("", self.depth)], fine.refine, longest)
             blocks += [self._rectangle(column, row, side) for column in columns]
         return blocks
 
     def _rectangle(self, column: Edge, row: Edge, side: Side) -> Block:
         """The block across the width of `column` and down the height of `row`."""
         x, end, y, bottom = column.start[0], column.end[0], row.start[1], row.end[1]
-        cut = side.cut if end == side.parts[-1][1] else ""
-        base = self.base if bottom == -self.depth else ""
+        cut = side.cut if math.isclose(end, side.parts[-1][1]) else ""
+        base = self.base if math.isclose(bottom, -self.depth) else ""
         edges = (
             replace(column, start=(x, y), end=(end, y), name=column.name if y == 0 else ""),
             replace(row, start=(end, y), end=(end, bottom), name=cut),
@@ -86,13 +88,17 @@ class Strip:
         return Block(edges, self.body)
 
 
-def _beyond(edge: Edge, parts: list[tuple[str, float]], refine: int) -> list[Edge]:
-    """The line of `edge` from its end on to the end of each part, its cells growing further."""
+def _beyond(edge: Edge, parts: list[tuple[str, float]], refine: int, longest: float) -> list[Edge]:
+    """The line of `edge` from its end on to the end of each part, its cells growing further.
+
+    On average they are not above `longest` on `refine` 1.
+    """
     found = []
     for name, end in parts:
         share = end / math.hypot(*edge.end)
-        size = last_cell(length=edge.length, cells=edge.cells // refine, beta=edge.beta)
         there = edge.end[0] * share, edge.end[1] * share
-        (edge,) = graded([(Edge(edge.end, there, 0, name=name), size)], refine)
+        size = last_cell(length=edge.length, cells=edge.cells // refine, beta=edge.beta)
+        new = Edge(edge.end, there, 0, name=name)
+        (edge,) = graded([(new, size)], refine, least=math.ceil(new.length / longest))
         found.append(edge)
     return found
