@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from analytic.contact import hertz_line
 from analytic.contact.checks import Array, in_plane, not_negative, positive
-from analytic.freewheel.geometry import Cam, InnerCam
+from analytic.freewheel.cam import Cam
+from analytic.freewheel.geometry import InnerCam
 from analytic.freewheel.rules import require
 
 Star = Literal["annulus", "half space"]

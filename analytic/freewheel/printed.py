@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.checks import Array
-from analytic.freewheel.geometry import Cam, InnerCam
+from analytic.freewheel.cam import Cam
+from analytic.freewheel.geometry import InnerCam
 
 
 def torque_on_cam(cam: Cam, *, F_t: ArrayLike) -> Array:

@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 
 from analytic.contact.checks import Array, not_negative
 from analytic.freewheel import criterion, state
+from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch
-from analytic.freewheel.geometry import Cam, InnerCam
+from analytic.freewheel.geometry import InnerCam
 from analytic.freewheel.rules import require
 
 Kind = Literal["normal", "uniform"]
