@@ -106,6 +106,24 @@ class Elements:
         total += np.bincount(self._dofs, nodal.ravel(), total.size)
         return total, nodal.reshape(*self.nodes.shape, 3)
 
+    def change_of_forces(
+        self, S: Array, strain: Array, t: Array, stress: Array, step: Extended
+    ) -> Array:
+        """Linear change of the internal forces (3n,) under the `stress` N, V, M by a step (n, 3).
+
+        What `tangent_stiffness` times the step is, without the rounding of stiff directions.
+        """
+        at = step[self.nodes]
+        change = (self.slope @ (at - at[:, :1]))[..., [0, 1, 2, 2]]
+        change[..., 2] = at[:, :, 2] @ self.shape.T
+        A = np.zeros((*self.weight.shape, 4, 4))
+        _add_geometric(A, strain, t, stress)
+        bent = (S @ change[..., None])[..., 0].astype(float)
+        local = (S * (self.moduli * bent)[..., None]).sum(axis=2)
+        local += (A @ change.astype(float)[..., None])[..., 0]
+        nodal = (self._fields * (local * self.weight[..., None])[..., None]).sum(axis=2)
+        return np.bincount(self._dofs, nodal.sum(axis=1).ravel(), 3 * self.count)
+
     def tangent_stiffness(self, S: Array, strain: Array, t: Array, stress: Array) -> csc_array:
         """Stiffness (3n, 3n): material part, and geometric part of the `stress` N, V, M."""
         A = np.swapaxes(S, 2, 3) @ (S * self.moduli[..., None])

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from fem.beam.large import LargeFrame
     from fem.beam.large_state import State
 
-LOCATED = 1e-10  # of the displacement
-ORDERS = ("MMD_AT_PLUS_A", "COLAMD", "NATURAL")
+LOCATED = 1e-13  # of the displacement
+CORRECTIONS = 4  # of a linear solution, each of which gains digits
 NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacement to the next
 
 
@@ -68,60 +68,89 @@ class Spring:
         """What presses the head along x."""
         return float(state.reactions[self.head, 0])
 
-    def flexibility(self, state: "State", order: str = ORDERS[0]) -> Any:
-        """Movement (3, 3) of the head under small loads added to those it bears, if let go.
+    def head_stiffness(self, state: "State") -> tuple[Any, Any]:
+        """Force and couple (3, 3) on the head per small movement of it, let go from a state.
 
-        The `order` of elimination changes it by its rounding alone.
+        And its rounding (3, 3), by what it lacks in symmetry and what the last correction changed.
+        Only the rest of the spring is solved
+        for, so that nothing is singular where the head gives way; what is left comes from strains
+        in extended precision, since K u would round in thin strips.
         """
         e = self.guided.elements
         strain, _, t = e.strains(state.exact)
-        K = e.tangent_stiffness(e.increments(strain, t), strain, t, e.moduli * strain)
-        free = np.ones(K.shape[0], bool)
-        free[3 * self.line.nodes["tail"] + np.arange(3)] = False
-        head = np.flatnonzero(np.repeat(np.arange(len(free) // 3) == self.head, 3)[free])
-        loads = np.zeros((int(free.sum()), 3))
-        loads[head, range(3)] = 1.0
+        S, stress = e.increments(strain, t), e.moduli * strain
+        size = 3 * e.count
+        head, tail = (3 * node + np.arange(3) for node in (self.head, self.line.nodes["tail"]))
+        free = np.ones(size, bool)
+        free[[*head, *tail]] = False
         symmetric = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
-        return splu(K[free][:, free].tocsc(), permc_spec=order, **symmetric).solve(loads)[head]
+        K = e.tangent_stiffness(S, strain, t, stress)[free][:, free]
+        factor = splu(K.tocsc(), permc_spec="MMD_AT_PLUS_A", **symmetric)
+        moved = np.zeros((3, size), np.longdouble)
+        moved[range(3), head] = 1.0
+        forces, smallest = np.zeros((3, size)), np.inf
+        while True:
+            before = forces[:, head]
+            forces = np.array([
+                e.change_of_forces(S, strain, t, stress, u.reshape(-1, 3)) for u in moved
+            ])  # fmt: skip
+            step = factor.solve(-forces[:, free].T).T
+            change = float(abs(step).max())
+            if not change < smallest / 2:
+                return self._rounded(forces[:, head], before)
+            smallest = change
+            moved[:, free] += step
 
-    def determinant(self, state: "State", head: str, order: str = ORDERS[0]) -> float:
+    def _rounded(self, S: Any, before: Any) -> tuple[Any, Any]:
+        """A stiffness (3, 3) and its rounding, the worst of its parts in every one."""
+        size = np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))
+        worst = float((np.maximum(abs(S - S.T), abs(S - before)) / size).max())
+        return (S + S.T) / 2, worst * size
+
+    def determinant(self, state: "State", head: str) -> float:
         """Of the stiffness that a head of this freedom has under the loads it bears."""
-        try:
-            C = self.flexibility(state, order)
-        except RuntimeError:  # SuperLU's word for a zero pivot: the point itself
-            return 0.0
-        held = C[1, 1] if head == "hinged" else 1.0  # of the rest, where y is held
-        return float(held / np.linalg.det(C))
+        S, _ = self.head_stiffness(state)
+        moving = [0, 2] if head == "hinged" else [0, 1, 2]
+        return float(np.linalg.det(S[np.ix_(moving, moving)]))
 
-    def lateral_stiffness(self, state: "State", order: str = ORDERS[0]) -> float:
-        """Of the guided head against a movement along y [force/length]."""
-        return float(np.linalg.inv(self.flexibility(state, order))[1, 1])
+    def lateral_stiffness(self, state: "State") -> tuple[float, float]:
+        """Of the guided head against a movement along y, and its rounding [force/length]."""
+        S, rounding = self.head_stiffness(state)
+        return float(S[1, 1]), float(rounding[1, 1])
 
     def linear_load(self) -> tuple[float, float]:
         """Force at which a free head's spring buckles if it does not deform before [force].
 
-        And how much the eigenvalue of the rounded matrices differs from that of the mode's strains.
+        And what another step of inverse iteration changes of it.
         """
         frame = self.frame("")
         e = frame.elements
         rest = frame.rest()
         strain, _, t = e.strains(rest.exact)
-        S = e.increments(strain, t)
-        free = ~rest.held
-        K = e.tangent_stiffness(S, strain, t, 0 * strain)
-        factor = splu(K[free][:, free].tocsc())
-        u = np.zeros(free.size)
-        u[free] = factor.solve((np.arange(free.size) == 3 * self.head)[free].astype(float))
+        S, free = e.increments(strain, t), ~rest.held
+        K = e.tangent_stiffness(S, strain, t, 0 * strain)[free][:, free]
+        factor = splu(K.tocsc())
+        push = (np.arange(free.size) == 3 * self.head).astype(float)
+        u = np.zeros(free.size, np.longdouble)
+        for _ in range(CORRECTIONS):
+            left = push - e.change_of_forces(S, strain, t, 0 * strain, u.reshape(-1, 3))
+            u[free] += factor.solve(left[free])
         no_moduli = replace(e, moduli=0 * e.moduli)
-        stress = e.moduli * e.change(S, u.reshape(-1, 3))
+        stress = e.moduli * e.change(S, u.astype(float).reshape(-1, 3))
         G = no_moduli.tangent_stiffness(S, strain, t, stress)[free][:, free]
         inverse = LinearOperator(G.shape, factor.solve)
-        largest, mode = eigsh(-G, 1, K[free][:, free], which="LA", Minv=inverse)
-        u[free] = mode[:, 0]
-        bent = e.change(S, u.reshape(-1, 3))  # the mode's own strains: K u would round
-        energy = ((e.moduli * bent**2).sum(axis=-1) * e.weight).sum()
-        load = float(-energy / (u[free] @ G @ u[free]))
-        return load, abs(load - 1 / float(largest[0]))
+        _, modes = eigsh(-G, 1, K, which="LA", Minv=inverse, v0=factor.solve(push[free]))
+
+        def load(mode: Any) -> float:
+            """By the mode's own strains: K times the mode would round."""
+            moved = np.zeros(free.size)
+            moved[free] = mode
+            bent = e.change(S, moved.reshape(-1, 3))
+            energy = ((e.moduli * bent**2).sum(axis=-1) * e.weight).sum()
+            return float(-energy / (mode @ G @ mode))
+
+        before, mode = modes[:, 0], factor.solve(-G @ modes[:, 0])
+        return load(mode), abs(load(mode) - load(before))
 
     def gives_way(self, until: float) -> "tuple[float, float, State | None]":
         """Where a guided head, let go, first gives way: displacement, its rounding, and state.
@@ -133,7 +162,8 @@ class Spring:
         """
         load, _ = self.linear_load()
         before, at = self.guided.rest(), 0.0
-        u = min(NEAR * load * float(self.flexibility(before)[0, 0]), until / STEP)
+        S, _ = self.head_stiffness(before)
+        u = min(NEAR * load * float(np.linalg.inv(S)[0, 0]), until / STEP)
         while at < until:
             here = self.compressed([u - at], before)[0]
             if self.determinant(here, "free") <= 0:
@@ -142,19 +172,24 @@ class Spring:
         return math.nan, 0.0, None
 
     def _located(self, before: "State", at: float, u: float) -> "tuple[float, float, State]":
-        """Between the displacement `at` of a state before and `u` beyond."""
+        """Between the displacement `at` of a state before and `u` beyond.
+
+        The determinant is as good as round-off there, so that its root is one number.
+        """
         found = {0.0: before}
 
         def beyond(step: float) -> float:
             if step not in found:
-                found[step] = self.compressed([step], before)[0]
+                near = min(found, key=lambda known: abs(known - step))
+                found[step] = self.compressed([step - near], found[near])[0]
             return self.determinant(found[step], "free")
 
-        step = float(brentq(beyond, 0.0, u - at, xtol=LOCATED * u, rtol=1e-12))
+        step = float(brentq(beyond, 0.0, u - at, xtol=LOCATED * u, rtol=1e-13))
         here = found[step]
-        zeros = [self.determinant(here, "free", order) for order in ORDERS]
         slope = self.determinant(before, "free") / step
-        return at + step, max(map(abs, zeros)) / slope, here
+        S, rounding = self.head_stiffness(here)
+        lost = abs(np.linalg.det(S + rounding) - np.linalg.det(S))
+        return at + step, float(lost) / slope + LOCATED * u, here
 
 
 def line_fem(path: dict[str, Any], per_arc: int, per_leaf: int) -> Any:
