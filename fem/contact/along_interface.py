@@ -22,8 +22,10 @@ class AlongInterface:
     def __init__(self, bodies: AlongBodies, plane: Interface) -> None:
         self.bodies = bodies
         rough = [m for m, p in zip(plane.mortars, plane.pairs, strict=True) if p.friction > 0]
-        none = csr_array((0, bodies.count))
-        self.rows: csr_array = vstack([none, *(_slips(m, bodies.columns) for m in rough)]).tocsr()
+        none = csr_array((0, bodies.nodes.count))
+        self.rows: csr_array = vstack(
+            [none, *(_slips(m, bodies.nodes.columns) for m in rough)]
+        ).tocsr()
         self.C = (self.rows @ bodies.surface).toarray()
         B = self.C @ bodies.compliance(self.C.T)
         if rough:

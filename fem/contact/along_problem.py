@@ -4,12 +4,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from fem.contact.along import Along, AlongBodies, Pull
+from fem.contact.along import Along, Pull
+from fem.contact.along_bodies import AlongBodies
 from fem.contact.along_interface import AlongInterface
 from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies
-from fem.contact.complementarity import Rest
+from fem.contact.complementarity import OPEN, Rest
 from fem.contact.cone import Cone, Residual, State
+from fem.contact.cone_descent import RUNAWAY, Descent, SlidingError
 from fem.contact.cone_reach import missing
 from fem.contact.interface import Interface, Surfaces
 from fem.plane.discretisation import Array, Indices
@@ -65,13 +67,22 @@ class AlongProblem:
         cone = interface.cone
         loads, pulls = np.concatenate([w, w_z]), np.concatenate([e, e_z])
         self._refuse(missing(cone, pulls), e.size)
-        at = cone.solve(loads, pulls, self._starts(cone, loads, pulls, before, in_plane))
+        try:
+            starts = self._starts(cone, loads, pulls, before, in_plane)
+            at = Descent(cone, loads, pulls).solve(starts)
+        except SlidingError as slide:
+            raise ArithmeticError(
+                f"{self._who(slide.missed, e.size)}, and slides or rolls on: friction along the "
+                "surface and along z together is exhausted"
+            ) from None
         residual, states, moved = cone.checked(loads, pulls, at)
         rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
-        return rest, AlongStep(
+        step = AlongStep(
             interface=interface, pull=pull, traction=at.multipliers[w.size :],
             shift=at.motion[e.size :], w=moved[w.size :], slips_before=slips, residual=residual,
         )  # fmt: skip
+        self._check_small(plane, rest, step)
+        return rest, step
 
     def _interface(self, plane: Interface) -> AlongInterface:
         if self._of[0] is not plane:
@@ -119,12 +130,29 @@ class AlongProblem:
         """ValueError where loads on motions and shifts are `missed` (k,) by what friction holds."""
         if not np.any(missed):
             return
-        plane, along = missed[:motions], missed[motions:]
-        if along.size and np.linalg.norm(along) >= np.linalg.norm(plane):
-            who = self.bodies.named(along)
-        else:
-            who = self.bodies.bodies.named(plane)
         raise ValueError(
-            f"{who}, and the loads do move it: along the surface and along z together, friction "
-            "holds no more than mu times the pressure"
+            f"{self._who(missed, motions)}, and the loads do move it: along the surface and along "
+            "z together, friction holds no more than mu times the pressure"
         )
+
+    def _who(self, amplitudes: Array, motions: int) -> str:
+        """The motion of the plane, or the shift along z, that most of the amplitudes belong to."""
+        plane, along = amplitudes[:motions], amplitudes[motions:]
+        if along.size and np.linalg.norm(along) >= np.linalg.norm(plane):
+            return self.bodies.named(along)
+        return self.bodies.bodies.named(plane)
+
+    def _check_small(self, plane: Interface, rest: Rest, step: AlongStep) -> None:
+        """ArithmeticError where bodies slide along z by far more than they deform."""
+        if not step.shift.size:
+            return
+        closed = rest.states[step.interface.cone.rough] != OPEN
+        slip = np.abs(step.w / plane.sizes[step.interface.cone.rough])[closed].max(initial=0.0)
+        pushed = self.bodies.compliance(step.interface.C.T @ step.traction)
+        pressed = self.bodies.bodies.compliance(plane.C.T @ rest.multipliers)
+        size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
+        if slip > RUNAWAY * size:
+            raise ArithmeticError(
+                f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g} where surfaces "
+                f"deform by {size:.3g}: under these loads it slides away"
+            )

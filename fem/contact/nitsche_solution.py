@@ -81,11 +81,12 @@ def _touch(
     m: Mortar, gap: Array, slip: Array, p: Array, q: Array, limit: Array, turn: bool
 ) -> PointTouch:
     mass = (m.hats.T @ diags_array(m.weight) @ m.hats).tocsc()
-    sticks = (np.abs(q) < limit).astype(float)
+    sticks, none = (np.abs(q) < limit).astype(float), np.zeros(m.size.size)
     return PointTouch(
         x=m.x, arc=m.arc, pressure=spsolve(mass, m.weighted(p)),
         traction=spsolve(mass, m.weighted(q)),
         gap=m.weighted(gap) / m.size, slip=m.weighted(slip) / m.size,
         closed=m.weighted((p > 0).astype(float)) > m.size / 2,
-        sticks=m.weighted(sticks) > m.size / 2, mortar=m, p=p, q=q, turn=turn,
+        sticks=m.weighted(sticks) > m.size / 2, mortar=m, p=p, q=q, turn=turn, traction_z=none,
+        slip_z=none, q_z=np.zeros(q.size),
     )  # fmt: skip

@@ -113,9 +113,7 @@ class ContactProblem:
         self.interface.check_held(self.surfaces)
         self.along: AlongProblem | None = None
         if along is not None:
-            self.along = AlongProblem(
-                self.bodies, along, self.surfaces, self.interface, assumption
-            )
+            self.along = AlongProblem(self.bodies, along, self.surfaces, self.interface, assumption)
         self.loads = Loads(self.bodies)
         self._responses: dict[Hashable, Response] = {}
         self._shifts: dict[Hashable, Array] = {}
@@ -224,8 +222,8 @@ class ContactProblem:
         self._refuse(kernel.missing(e))
         slips = self._touching(interface, w, e) if after is None else after.slips
         w[:m] += interface.gaps
-        closes, share = self._closes(interface, w, after)
-        slips = slips + self._closing(interface, w, slips, after, closes, share)
+        closing = self._closes(interface, w, after)
+        slips = slips + self._closing(interface, w, slips, after, closing)
         w[m:] -= slips
 
         def in_plane() -> Rest:
@@ -236,7 +234,7 @@ class ContactProblem:
             rest = in_plane()
         else:
             before = None if after is None or after.along is None else (after.rest, after.along)
-            rest, along = self.along.solve(interface, w, e, pull, before, (closes, share), in_plane)
+            rest, along = self.along.solve(interface, w, e, pull, before, closing, in_plane)
         self._check_small(interface, responses, rest)
         return ContactSolution(
             bodies=self.bodies, interface=interface, actions=tuple(actions),
@@ -273,10 +271,10 @@ class ContactProblem:
 
     def _closing(
         self, interface: Interface, w: Array, slips: Array, after: ContactSolution | None,
-        closes: Indices, share: Array,
+        closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
         """What surfaces that are apart slide, on from `slips`, until a gap closes at its share."""
-        kernel, m = interface.kernel, interface.gaps.size
+        kernel, m, (closes, share) = interface.kernel, interface.gaps.size, closing
         rows = kernel.partner[closes]
         found = np.zeros(slips.size)
         found[rows - m] = share * (self._trial(interface, w, after)[rows] - slips[rows - m])

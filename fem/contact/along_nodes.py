@@ -1,0 +1,150 @@
+"""Nodes of bodies that move along z: their numbers and names, and which of them move as one."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
+
+from fem.contact.along import Along
+from fem.contact.bodies import Bodies
+from fem.plane.discretisation import Array, Indices, named_facets
+from fem.plane.ordering import nested_dissection
+from fem.plane.supports import Prescribed, node_dofs, nodes_on
+
+CONTRADICTION = 1e-9  # of the values prescribed along z
+
+
+class AlongNodes:
+    """Vertices, nodes on edges and in cells, and one for each obstacle.
+
+    `dofs` (2, meshed) are their unknowns x and y of the plane, `of_dof` (unknowns,) the nodes of
+    these, `cells` (cells, n) those of each cell. Nodes of a rigid body, and tied ones, have the
+    same `group` (count,); `held` (groups,) says which of these supports hold.
+    """
+
+    def __init__(self, bodies: Bodies, along: Along) -> None:
+        """Number the nodes; ValueError for unknown names."""
+        self.bodies, self.along = bodies, along
+        self.dofs = node_dofs(bodies.basis)
+        self.meshed = self.dofs.shape[1]
+        self.count = self.meshed + len(bodies.obstacles)
+        self.of_dof = np.empty(bodies.basis.N, int)
+        self.of_dof[self.dofs] = np.arange(self.meshed)
+        self.cells: Indices = self.of_dof[bodies.cells.dofs[..., 0]]
+        self._check_free()
+        self._rigid = [np.unique(self.cells[own]) for own in bodies.rigid]
+        self.group = self._groups()
+        self.held = np.zeros(self.group.max() + 1, bool)
+        for name in self.supported:
+            self.held[self.group[self.named(name)]] = True
+
+    @property
+    def columns(self) -> Indices:
+        """Of a row of the plane problem, the unknowns (count,) x of nodes and obstacles."""
+        obstacles = self.bodies.basis.N + 3 * np.arange(len(self.bodies.obstacles))
+        return np.concatenate([self.dofs[0], obstacles])
+
+    @property
+    def supported(self) -> list[str]:
+        """Boundaries and obstacles whose u_z is prescribed."""
+        fixed = [o for o in self.bodies.obstacles if o not in self.along.free]
+        return [*self.along.supports, *(o for o in fixed if o not in self.along.supports)]
+
+    def named(self, name: str) -> Indices:
+        """Nodes of a boundary, or of an obstacle."""
+        if name in self.bodies.obstacles:
+            return np.array([self.meshed + list(self.bodies.obstacles).index(name)])
+        basis = self.bodies.basis
+        return np.asarray(self.of_dof[nodes_on(basis, named_facets(basis.mesh, name))[0]])
+
+    def prescribed(self, values: Mapping[str, Prescribed]) -> Array:
+        """Displacements (count,) of held nodes; ValueError where supports contradict each other."""
+        given = np.full(self.held.size, np.nan)
+        largest = 0.0
+        for name, value in values.items():
+            at = self.group[self.named(name)]
+            u = np.broadcast_to(self._value(name, value), at.shape)
+            largest = max(largest, float(np.abs(u).max(initial=0.0)))
+            given[at] = np.where(np.isnan(given[at]), u, given[at])
+            missed = float(np.abs(given[at] - u).max(initial=0.0))
+            if missed > CONTRADICTION * largest:
+                raise ValueError(
+                    f"supports along z contradict each other at {name!r}: {missed:.3g} apart"
+                )
+        return np.asarray(np.nan_to_num(given)[self.group])
+
+    def ordered(self, surface: Indices) -> tuple[csr_array, int]:
+        """T (count, n) from free unknowns in order of elimination to nodes.
+
+        The last of them, as many as the second value says, belong to the nodes `surface`, to rigid
+        bodies and to obstacles.
+        """
+        place = np.full(self.count, self.count)
+        place[: self.meshed] = nested_dissection(self.bodies.basis)[self.dofs[0]]
+        last = np.concatenate([surface, *self._rigid, np.arange(self.meshed, self.count)])
+        order, late = np.zeros(self.held.size, int), np.zeros(self.held.size, bool)
+        np.maximum.at(order, self.group, place)
+        late[self.group[last.astype(int)]] = True
+        free = np.flatnonzero(~self.held)
+        free = free[np.lexsort((order[free], late[free]))]
+        column = np.full(self.held.size, -1)
+        column[free] = np.arange(free.size)
+        own = np.flatnonzero(column[self.group] >= 0)
+        at = own, column[self.group[own]]
+        return csr_array((np.ones(own.size), at), (self.count, free.size)), int(late[free].sum())
+
+    def loose(self) -> list[tuple[NDArray[np.bool_], str]]:
+        """Nodes (count,) of every body that no support holds, and the body's name.
+
+        A body is what hangs together by cells, ties and rigidity.
+        """
+        first = np.repeat(self.cells[:, :1], self.cells.shape[1], axis=1).ravel()
+        one = np.zeros(self.held.size, int)
+        one[self.group] = np.arange(self.count)
+        body = self._joined([first, one[self.group]], [self.cells.ravel(), np.arange(self.count)])
+        bodies = [body == k for k in range(body.max() + 1)]
+        return [(own, self._word(own)) for own in bodies if not np.any(self.held[self.group[own]])]
+
+    def _check_free(self) -> None:
+        for name in self.along.free:
+            if name not in self.bodies.obstacles or name in self.along.supports:
+                known = ", ".join(self.bodies.obstacles) or "none"
+                raise ValueError(
+                    f"along z obstacles without support are free, got {name!r}; there are: {known}"
+                )
+
+    def _value(self, name: str, value: Prescribed) -> Array:
+        if callable(value):
+            if name in self.bodies.obstacles:
+                raise ValueError(f"the motion along z of obstacle {name!r} is a number")
+            u = np.asarray(value(self.bodies.basis.doflocs[:, self.dofs[0, self.named(name)]]))
+        else:
+            u = np.asarray(value, float)
+        if not np.all(np.isfinite(u)):
+            raise ValueError(f"the displacement along z of {name!r} is not finite")
+        return u
+
+    def _groups(self) -> Indices:
+        tied = self.bodies.tied
+        return self._joined(
+            [self.of_dof[tied.leader[0]], *(own[:-1] for own in self._rigid)],
+            [self.of_dof[tied.follower[0]], *(own[1:] for own in self._rigid)],
+        )
+
+    def _joined(self, first: list[Indices], second: list[Indices]) -> Indices:
+        """A number (count,) for all nodes that pairs of them link."""
+        at = np.concatenate(first), np.concatenate(second)
+        links = csr_array((np.ones(at[0].size), at), (self.count, self.count))
+        return np.asarray(connected_components(links, directed=False)[1])
+
+    def _word(self, own: NDArray[np.bool_]) -> str:
+        for name, node in zip(self.bodies.obstacles, range(self.meshed, self.count), strict=True):
+            if own[node]:
+                return f"obstacle {name!r}"
+        for name, cells in (self.bodies.basis.mesh.subdomains or {}).items():
+            if np.all(own[self.cells[cells]]):
+                return f"body {name!r}"
+        x, y = self.bodies.basis.doflocs[:, self.dofs[0, np.argmax(own)]]
+        return f"the body at ({x:.5g}, {y:.5g})"
