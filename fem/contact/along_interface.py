@@ -3,7 +3,8 @@
 import numpy as np
 from scipy.sparse import csr_array, diags_array, vstack
 
-from fem.contact.along import AlongBodies, Pull
+from fem.contact.along import Pull
+from fem.contact.along_bodies import AlongBodies
 from fem.contact.cone import Cone
 from fem.contact.interface import LEAST, Interface
 from fem.contact.mortar import Mortar
