@@ -7,7 +7,7 @@ from typing import get_args
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
-from scipy.sparse import csr_array, vstack
+from scipy.sparse import csr_array
 from skfem import Basis
 from skfem.mesh import Mesh2D
 
@@ -78,7 +78,7 @@ class Bodies:
                 raise ValueError(f"obstacle {name!r}: around a turn only y is free")
         self.obstacles, self.thickness = dict(obstacles), thickness
         self.basis: Basis = vector_basis(mesh, degree, turn=self.turn)
-        self.tied, self.means = tied(self.basis, ties), dict(means or {})
+        self.tied, self.means = tied(self.basis, ties, turn=self.turn), dict(means or {})
         self.mean_rows = mean_rows(self.basis, self.means, turn=self.turn)
         self.lam, self.mu, self.ratio, self.rigid = _moduli(mesh, materials, assumption)
         self.cells = Cells.of(self.basis, thickness * self.lam, thickness * self.mu, turn=self.turn)
@@ -127,8 +127,7 @@ class Bodies:
         return (T.T @ K @ T).tocsr()
 
     def _free_motions(self) -> tuple[Array, tuple[str, ...]]:
-        also = vstack([self.tied.rows, self.mean_rows]).tocsr()
-        found = free_motions(self.basis, self.conditions, turn=self.turn, also=also)
+        found = free_motions(self.basis, self.conditions, self.tied, self.mean_rows, turn=self.turn)
         T, s = self.unknowns.T, self.unknowns.surface
         q = (T[: self.basis.N].T @ found.fields)[T.shape[1] - s :]
         unfelt = np.hypot.reduce(q, axis=0) < UNHELD * np.hypot.reduce(found.fields, axis=0)

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import lu
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, diags_array, vstack
 from scipy.sparse.csgraph import connected_components
 from skfem import Basis
 from skfem.mesh import Mesh2D
 
 from fem.plane.discretisation import Array, Indices
 from fem.plane.supports import Conditions, node_dofs
+from fem.plane.ties import Tied
 
 MOTIONS = ("x", "y", "rotation")
 
@@ -28,20 +29,20 @@ class Motions:
 
 
 def check_rigid_motions(
-    basis: Basis, conditions: Conditions, *, turn: bool = False, also: csr_array | None = None
+    basis: Basis, conditions: Conditions, tied: Tied, means: csr_array, *, turn: bool = False
 ) -> None:
     """ValueError naming the rigid motion that the conditions leave to a body."""
-    if words := free_motions(basis, conditions, turn=turn, also=also).words:
+    if words := free_motions(basis, conditions, tied, means, turn=turn).words:
         raise ValueError(f"{words[-1]}: support it against that")
 
 
 def free_motions(
-    basis: Basis, conditions: Conditions, *, turn: bool = False, also: csr_array | None = None
+    basis: Basis, conditions: Conditions, tied: Tied, means: csr_array, *, turn: bool = False
 ) -> Motions:
     """The rigid motions that the conditions leave to a body, or to a chain of hinged ones.
 
     A body is what hangs together by edges; bodies that share a vertex alone are hinged there.
-    `also` (k, unknowns) are further rows that displacements make zero.
+    Ties and the rows `means` (k, unknowns) hold as well.
     With `turn` it is one of revolution, and its only rigid motion is along the axis, y.
     """
     kinds = [1] if turn else [0, 1, 2]
@@ -78,8 +79,11 @@ def free_motions(
         blocks.append(rows)
     nodes = node_dofs(basis)
     of_node = of_dof[nodes[0]]
-    shapes = motion(basis.doflocs[:, nodes[0]], of_node)
-    if also is not None and also.shape[0]:
+    shapes = motion(tied.x[:, nodes[0]], of_node)
+    # a row's size must not depend on the unit of length
+    size_of = np.abs(means).sum(axis=1)
+    also = vstack([tied.rows, diags_array(1 / size_of) @ means]).tocsr()
+    if also.shape[0]:
         blocks.append(_compressed(also, nodes, of_node, shapes, count))
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
     # a basis with as many zeros as it can have: single motions of single bodies, where there are

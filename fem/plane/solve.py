@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from typing import get_args
 
 import numpy as np
-from scipy.sparse import vstack
 from scipy.sparse.linalg import splu
 from skfem.mesh import Mesh2D
 
@@ -124,10 +123,10 @@ def solve_plane(
     f += force_load(basis, forces or {}, turn=turn)
     f += point_load(basis, point_forces or {}, turn=turn)
 
-    held = tied(basis, ties)
+    held = tied(basis, ties, turn=turn)
     conditions = collect(basis, supports, anchors or {}, turn=turn, tied=held)
     C = mean_rows(basis, means or {}, turn=turn)
-    check_rigid_motions(basis, conditions, turn=turn, also=vstack([held.rows, C]).tocsr())
+    check_rigid_motions(basis, conditions, held, C, turn=turn)
     T, u0 = held.free_directions(basis, conditions, held.ordered(nested_dissection(basis)))
     if means:
         T, lift = held_means(T, C)

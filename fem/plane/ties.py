@@ -19,10 +19,12 @@ from skfem import Basis
 
 from fem.plane.discretisation import Array, Indices, named_facets
 from fem.plane.guides import turned
+from fem.plane.moves import Move
 from fem.plane.supports import Conditions, free_directions, node_dofs, nodes_on
 
 MATCH = 1e-6  # of the mesh's extent: how far nodes may lie beside their partners
 SAME = 1e-9  # rotations [rad] that differ by less are one
+Follows = dict[int, tuple[int, Move]]  # by the unknowns x of nodes: whom, and the move from there
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,27 +40,39 @@ class Tie:
     about: tuple[float, float] = (0.0, 0.0)
     shift: tuple[float, float] = (0.0, 0.0)
 
+    def __post_init__(self) -> None:
+        if not np.all(np.isfinite([self.angle, *self.about, *self.shift])):
+            raise ValueError(f"tie {self}: angle, about and shift must be finite")
+        if self.leader == self.follower and not self.angle and not any(self.shift):
+            raise ValueError(f"tie {self}: a boundary cannot follow itself")
+
     def __str__(self) -> str:
         return f"{self.follower!r} to {self.leader!r}"
 
-    def moved(self, x: Array) -> Array:
-        """Places (2, m) of followers whose leaders are at `x` (2, m)."""
-        about = np.reshape(self.about, (2, 1))
-        return rotation(self.angle) @ (x - about) + about + np.reshape(self.shift, (2, 1))
+    @property
+    def move(self) -> Move:
+        """What brings leaders to their followers."""
+        return Move.about(complex(*self.about), self.angle, complex(*self.shift))
 
 
 @dataclass(frozen=True)
 class Tied:
     """Followers (2, m) and leaders (2, m), unknowns x and y of nodes; `angle` (m,) [rad].
 
-    No leader follows another node; `still` (2, k) are nodes that stay where they are.
+    No leader follows another node; `still` (2, k) are nodes that stay where they are. `x` (2,
+    unknowns) are the places of nodes, followers being where ties put them to the last digit.
     """
 
     follower: Indices
     leader: Indices
     angle: Array
     still: Indices
-    count: int
+    x: Array
+
+    @property
+    def count(self) -> int:
+        """Unknowns of the mesh."""
+        return self.x.shape[1]
 
     @cached_property
     def P(self) -> csr_array:
@@ -127,45 +141,46 @@ class Tied:
         return place
 
 
-def rotation(angle: float) -> Array:
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([[c, -s], [s, c]])
+def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
+    """Who follows whom; ValueError where nodes of a tie do not match.
 
-
-def tied(basis: Basis, ties: Sequence[Tie]) -> Tied:
-    """Who follows whom; ValueError where nodes of a tie do not match."""
-    root = np.arange(basis.N)  # by the unknowns x of nodes
-    turn = np.zeros(basis.N)  # what each is turned against its root
+    With `turn` x is a radius, and ties can only shift along the axis.
+    """
     y_of = np.zeros(basis.N, int)
     nodes = node_dofs(basis)
     y_of[nodes[0]] = nodes[1]
-    still: set[int] = set()
+    follows: Follows = {}
+    at_rest: set[int] = set()
     for tie in ties:
+        if turn and (math.remainder(tie.angle, 2 * math.pi) or tie.shift[0]):
+            raise ValueError(f"tie {tie}: around a turn followers are only shifted along y")
         for a, b in zip(*_partners(basis, tie), strict=True):
-            (a_root, a_turn), (b_root, b_turn) = _found(root, turn, a), _found(root, turn, b)
-            angle = a_turn + tie.angle - b_turn  # of b's root against a's
+            (a_root, to_a), (b_root, to_b) = _root(follows, a), _root(follows, b)
+            between = to_b.back.after(tie.move.after(to_a))
             if a_root != b_root:
-                root[b_root], turn[b_root] = a_root, angle
-            elif abs(math.remainder(angle, 2 * math.pi)) > SAME:
-                still.add(a_root)
-    joined = np.flatnonzero(root != np.arange(basis.N))
-    follower = joined[np.isin(joined, nodes[0])]
-    ends = [_found(root, turn, f) for f in follower.tolist()]
-    leader = np.array([r for r, _ in ends], dtype=int)
-    at_rest = np.array(sorted({_found(root, turn, n)[0] for n in still}), dtype=int)
+                follows[b_root] = a_root, between
+            elif abs(math.remainder(between.angle, 2 * math.pi)) > SAME:
+                at_rest.add(a_root)
+    follower = np.array(sorted(follows), dtype=int)
+    ends = [_root(follows, f) for f in follower.tolist()]
+    leader = np.array([root for root, _ in ends], dtype=int)
+    still = np.array(sorted({_root(follows, n)[0] for n in at_rest}), dtype=int)
+    x = basis.doflocs.copy()
+    at = np.array([move.of(complex(*x[:, root])) for root, move in ends], dtype=complex)
+    x[:, follower] = x[:, y_of[follower]] = np.array([at.real, at.imag])
     return Tied(
         np.array([follower, y_of[follower]]), np.array([leader, y_of[leader]]),
-        np.array([t for _, t in ends], dtype=float), np.array([at_rest, y_of[at_rest]]), basis.N,
+        np.array([move.angle for _, move in ends], dtype=float), np.array([still, y_of[still]]), x,
     )  # fmt: skip
 
 
-def _found(root: Indices, turn: Array, node: int) -> tuple[int, float]:
-    """The root of a node and what the node is turned against it."""
-    angle = 0.0
-    while root[node] != node:
-        angle += float(turn[node])
-        node = int(root[node])
-    return node, angle
+def _root(follows: Follows, node: int) -> tuple[int, Move]:
+    """The node at the head of all that `node` follows, and the move from there to it."""
+    move = Move()
+    while node in follows:
+        node, last = follows[node]
+        move = move.after(last)
+    return node, move
 
 
 def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
@@ -178,7 +193,8 @@ def _partners(basis: Basis, tie: Tie) -> tuple[list[int], list[int]]:
         raise ValueError(
             f"tie {tie}: {follower.size} nodes cannot follow {leader.size}: mesh both sides alike"
         )
-    wanted = tie.moved(basis.doflocs[:, leader])
+    moved = tie.move.of(basis.doflocs[0, leader] + 1j * basis.doflocs[1, leader])
+    wanted = np.array([moved.real, moved.imag])
     distance, nearest = cKDTree(basis.doflocs[:, follower].T).query(wanted.T)
     extent = float(np.ptp(basis.mesh.p, axis=1).max())
     worst = int(np.argmax(distance))

@@ -1,0 +1,35 @@
+"""Moves of the plane without strain: turns about the origin, then shifts."""
+
+import cmath
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Place = TypeVar("Place", complex, NDArray[np.complex128])
+
+
+@dataclass(frozen=True)
+class Move:
+    """A turn by `angle` [rad], then a `shift` [length]; places and shifts are x + iy."""
+
+    angle: float = 0.0
+    shift: complex = 0.0
+
+    @classmethod
+    def about(cls, centre: complex, angle: float, shift: complex = 0.0) -> "Move":
+        """A turn about `centre`, then a `shift`."""
+        return cls(angle, centre + shift - cmath.rect(1, angle) * centre)
+
+    def of(self, place: Place) -> Place:
+        """Where what was at `place` comes to lie."""
+        return cmath.rect(1, self.angle) * place + self.shift
+
+    def after(self, first: "Move") -> "Move":
+        """The `first` move, then this one."""
+        return Move(self.angle + first.angle, self.of(first.shift))
+
+    @property
+    def back(self) -> "Move":
+        return Move(-self.angle, -cmath.rect(1, -self.angle) * self.shift)
