@@ -1,0 +1,155 @@
+"""Bodies that stick together and are sheared along z: layers, and rings pressed onto each other.
+
+Anti-plane shear is the linear problem behind the cone: closed forms with logarithms and straight
+lines show its stiffness, its contact and its signs.
+"""
+
+import numpy as np
+import pytest
+
+from fem.contact.along import Along
+from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from fem.plane.ties import Tie
+from meshes.contact.block import block
+from meshes.contact.round import full_ring
+from meshes.join import join
+
+SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
+G_SOFT, G_HARD = 1.0 / 2.6, 4.0 / 2.4
+EXACT = 1e-9
+
+
+def layers(cells="quad", order=2, thickness=1.0, low=HARD):
+    """A soft layer on a hard one, of heights 0.5, pressed together so that all of it sticks."""
+    make = {"cells": cells, "order": order}
+    mesh = join({"up": block(x=(0, 1), y=(0.5, 1), nx=5, ny=3, **make),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=7, ny=2, **make)})  # fmt: skip
+    return ContactProblem(
+        mesh, materials={"up": SOFT, "low": low}, assumption="plane strain", thickness=thickness,
+        supports={"low.bottom": "xy", "up.top": "xy"},
+        along=Along(supports={"low.bottom": 0.0, "up.top": 0.0}),
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=10.0)],
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("cells", ["quad", "tri"])
+@pytest.mark.parametrize("order", [1, 2])
+def test_layers_that_stick_shear_evenly(cells, order):
+    moved = 1e-3
+    problem = layers(cells, order, thickness=0.3)
+    s = problem.solve(
+        displacements={"up.top": {"x": 0.0, "y": -0.01}}, axial_displacements={"up.top": moved}
+    )
+    tau = moved / (0.5 / G_SOFT + 0.5 / G_HARD)
+    touch = s.touches[0]
+    # on the master, which the slave above drags along
+    np.testing.assert_allclose(touch.traction_z, tau, rtol=EXACT)
+    assert touch.force_z == pytest.approx(0.3 * tau, rel=EXACT)
+    assert s.along.reaction("up.top") == pytest.approx(0.3 * tau, rel=EXACT)
+    assert s.along.reaction("low.bottom") == pytest.approx(-0.3 * tau, rel=EXACT)
+    nodes = s.along.interface.bodies.nodes
+    y = s.bodies.basis.doflocs[1, nodes.dofs[0]]
+    upper = np.arange(y.size)[np.isin(np.arange(y.size), nodes.cells[s.bodies.lam < 0.7])]
+    lower = np.setdiff1d(np.arange(y.size), upper)
+    np.testing.assert_allclose(s.u_z[lower], tau / G_HARD * y[lower], atol=EXACT * moved)
+    np.testing.assert_allclose(
+        s.u_z[upper], moved - tau / G_SOFT * (1 - y[upper]), atol=EXACT * moved
+    )
+    stress = s.along.stress()
+    np.testing.assert_allclose(stress[:, 1], tau, rtol=EXACT)
+    np.testing.assert_allclose(stress[:, 0], 0.0, atol=EXACT * tau)
+    assert s.along.strain_energy == pytest.approx(0.3 * tau * moved / 2, rel=EXACT)
+    assert s.strain_energy == pytest.approx(
+        s.plane.strain_energy + s.along.strain_energy, rel=EXACT
+    )
+
+
+def test_a_rigid_layer_moves_as_one():
+    problem = layers(low=Rigid())
+    s = problem.solve(
+        displacements={"up.top": {"x": 0.0, "y": -0.01}}, axial_displacements={"up.top": 1e-3}
+    )
+    assert s.touches[0].force_z == pytest.approx(1e-3 * G_SOFT / 0.5, rel=EXACT)
+    s = problem.solve(
+        displacements={"up.top": {"x": 0.0, "y": -0.01}}, axial_displacements={"low.bottom": 1e-3}
+    )
+    assert s.touches[0].force_z == pytest.approx(-1e-3 * G_SOFT / 0.5, rel=EXACT)
+
+
+def test_a_line_of_force_along_z_leaves_rings_by_the_logarithm():
+    # u_z = F/(2 pi G) ln(r/r_i) in each ring, and the traction at the fit is F/(2 pi r)
+    r_i, r, r_o, F, L = 0.02, 0.04, 0.07, 5e3, 0.3
+    soft, hard = Elastic(E=70e9, nu=0.3), Elastic(E=210e9, nu=0.3)
+    mesh = join({"in": full_ring(r_i=r_i, r_o=r, around=32, across=6),
+                 "out": full_ring(r_i=r, r_o=r_o, around=24, across=6)})  # fmt: skip
+    problem = ContactProblem(
+        mesh, materials={"in": hard, "out": soft}, assumption="plane strain", thickness=L,
+        supports={"in.bore": "xy"}, along=Along(supports={"in.bore": 0.0}),
+        contacts=[Pair(slave="in.rim", master="out.bore", friction=0.2, interference=1e-5,
+                       slave_shape=Circle((0, 0), r),
+                       master_shape=Circle((0, 0), r, hollow=True))],
+    )  # fmt: skip
+    s = problem.solve(axial_forces={"out.rim": F})
+    touch = s.touches[0]
+    assert np.all(touch.sticks)
+    assert touch.force_z == pytest.approx(-F, rel=EXACT)
+    np.testing.assert_allclose(touch.traction_z, -F / (2 * np.pi * r * L), rtol=2e-3)
+    radius = np.hypot(*s.bodies.basis.doflocs[:, s.along.interface.bodies.nodes.dofs[0]])
+    G_in, G_out = 210e9 / 2.6, 70e9 / 2.6
+    inner = np.log(r / r_i) / G_in
+    outer = F / (2 * np.pi * L) * (inner + np.log(r_o / r) / G_out)
+    np.testing.assert_allclose(s.u_z[np.isclose(radius, r_o)], outer, rtol=2e-4)
+
+
+def test_an_obstacle_pulls_along_z_and_carries_what_it_pulls():
+    mesh = block(x=(0, 1), y=(0, 0.5), nx=5, ny=3)
+    problem = ContactProblem(
+        mesh, materials=SOFT, assumption="plane strain", supports={"top": "xy"},
+        along=Along(supports={"top": 0.0}), obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="bottom", master="floor", friction=10.0)],
+    )  # fmt: skip
+    down = {"top": {"x": 0.0, "y": -0.01}}
+    s = problem.solve(displacements=down, axial_displacements={"floor": 1e-3})
+    tau = 1e-3 * G_SOFT / 0.5
+    assert s.touches[0].force_z == pytest.approx(-tau, rel=EXACT)
+    assert s.along.reaction("floor") == pytest.approx(tau, rel=EXACT)
+    assert s.u_z[-1] == pytest.approx(1e-3, rel=EXACT)
+
+
+def test_an_obstacle_that_is_free_along_z_gives_way_to_a_force():
+    mesh = block(x=(0, 1), y=(0, 0.5), nx=5, ny=3)
+    problem = ContactProblem(
+        mesh, materials=SOFT, assumption="plane strain", supports={"top": "xy"},
+        along=Along(supports={"top": 0.0}, free=("floor",)), obstacles={"floor": Obstacle(Flat())},
+        contacts=[Pair(slave="bottom", master="floor", friction=10.0)],
+    )  # fmt: skip
+    s = problem.solve(
+        displacements={"top": {"x": 0.0, "y": -0.01}}, axial_forces={"floor": 1e-3}
+    )
+    assert s.u_z[-1] == pytest.approx(1e-3 * 0.5 / G_SOFT, rel=EXACT)
+
+
+def test_tied_cuts_move_alike_along_z():
+    # floors whose ends follow each other, pushed by a force over half of their tops
+    mesh = join({"up": block(x=(0, 1), y=(0.5, 1), nx=6, ny=3),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=6, ny=3)})  # fmt: skip
+    problem = ContactProblem(
+        mesh, materials=SOFT, assumption="plane strain",
+        supports={"low.bottom": "xy", "up.top": "y"},
+        along=Along(supports={"low.bottom": lambda x: 1e-3 * x[0] * (1 - x[0])}),
+        ties=[Tie(leader=f"{b}.left", follower=f"{b}.right", shift=(1.0, 0.0))
+              for b in ("up", "low")],
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=10.0)],
+    )  # fmt: skip
+    s = problem.solve(displacements={"up.top": {"y": -0.01}}, axial_forces={"up.top": 1e-4})
+    nodes = s.along.interface.bodies.nodes
+    for body in ("up", "low"):
+        left, right = (nodes.named(f"{body}.{end}") for end in ("left", "right"))
+        y = s.bodies.basis.doflocs[1, nodes.dofs[0]]
+        left, right = left[np.argsort(y[left])], right[np.argsort(y[right])]
+        np.testing.assert_allclose(s.u_z[left], s.u_z[right], atol=1e-15)
+    assert s.touches[0].force_z == pytest.approx(1e-4, rel=EXACT)
+    assert s.along.reaction("low.bottom") == pytest.approx(-1e-4, rel=EXACT)
