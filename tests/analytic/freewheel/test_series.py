@@ -1,8 +1,11 @@
 """The constants of rings, shafts and stars against the series they stand for."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from analytic.contact import hertz_line_approach
 from analytic.freewheel import series, star_bracket
 from analytic.freewheel.clutch import Clutch, Material
 from analytic.freewheel.compliance import compliance
@@ -111,3 +114,22 @@ def test_slopes_are_derivatives_of_the_approaches(clutch):
     above, below = bodies.tangent(2e3 * (1 + h))[0], bodies.tangent(2e3 * (1 - h))[0]
     assert float(slope) == pytest.approx(float(above - below) / (4e3 * h), rel=1e-7)
     assert float(tangent) > 0
+
+
+def test_more_waves_change_nothing_in_a_star_s_constant(monkeypatch):
+    """The waves left out are added as their leading order 1/m²; without, 2e-4 would be missing."""
+    few = series._star.__wrapped__(1.5, n=8, nu=0.43)
+    monkeypatch.setattr(series, "TERMS", 16 * series.TERMS)
+    assert few == pytest.approx(series._star.__wrapped__(1.5, n=8, nu=0.43), abs=1e-6)
+
+
+def test_roller_and_half_space_give_way_as_hertz_s_contact_says(star):
+    P, a = np.array(2e5), np.array(8e-5)
+    steel = {"E": E, "nu": NU, "assumption": "plane strain"}
+    roller, _ = compliance(star).half_roller.approach(P, a)
+    centre = hertz_line_approach.approach_to_centre(P=P, a=a, R=2.5e-3, E_plane=E / (1 - NU**2))
+    assert float(roller) == pytest.approx(float(centre), rel=1e-13)
+    deep, _ = compliance(replace(star, star="half space")).inner.approach(P, a)
+    depth = star.cam.X - star.r_b
+    far = hertz_line_approach.approach_to_far_depth(depth, P=P, a=a, **steel)
+    assert float(deep) == pytest.approx(float(far), rel=1e-13)
