@@ -58,3 +58,10 @@ def test_limits_of_many_frictions_at_once(star):
     assert found.first.tolist() == ["release", "release", "pressure_inner"]
     assert found.release[0] == 0
     assert 0 < found.release[1] < found.release[2]
+
+
+def test_no_state_is_told_with_a_contact_wider_than_half_the_roller_s_radius(star):
+    T = float(limits(star, mu=0.9, p_lim=1e13).hertz)
+    now = state.loaded(star, [0.9999 * T, 1.0001 * T])
+    assert now.a_o[0] == pytest.approx(1.25e-3, rel=1e-3)  # the bore's contact is the wider
+    assert np.isnan(now.alpha[1])
