@@ -93,9 +93,11 @@ def held_means(T: csr_array, C: csr_array, surface: int = 0) -> tuple[csr_array,
     if np.any(touched >= inner):
         raise ValueError("a boundary whose mean motion is held cannot be in contact as well")
     own = rows[:, touched].toarray()
-    Q, R, _ = qr(own.T, pivoting=True)
+    Q, R, order = qr(own.T, pivoting=True)
     size = np.abs(np.diag(R))
-    if size.size < len(own) or np.any(size <= INDEPENDENT * size.max(initial=0.0)):
+    # against what the rows are without supports
+    whole = np.sqrt(np.asarray((C * C).sum(axis=1)).ravel())[order]
+    if size.size < len(own) or np.any(size <= INDEPENDENT * whole):
         raise ValueError("a mean motion is prescribed that supports or another mean hold already")
     others = np.setdiff1d(np.arange(inner), touched)
     kept = T[:, touched]
