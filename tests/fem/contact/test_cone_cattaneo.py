@@ -1,0 +1,194 @@
+"""Rollers pressed together and pulled along z, alone and with a push: Cattaneo in every direction.
+
+Under a line of force in the surface of a half-space it moves by (1 - nu)/(pi G) ln(1/|x|) across
+the line and by 1/(pi G) ln(1/|x|) along it, each with the pressure's own compliance but for a
+factor. So the traction mu p(x; a) less a pressure over |x| < c shifts |x| < c as one along z too,
+and c = a sqrt(1 - Q/(mu P)). With nu = 0 both compliances are one, and the same holds for a force
+in any direction within the surface.
+"""
+
+import numpy as np
+import pytest
+
+from fem.contact.along import Along
+from fem.contact.pairs import Pair
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle
+from fem.plane.material import Elastic
+from meshes.contact.disc import half_disc
+from meshes.join import join
+
+R, MU, E = 10e-3, 0.3, 210e9
+A = 0.01 * R
+
+
+def load(nu):
+    """Of two discs whose contact is A wide: half the modulus, half the radius."""
+    return np.pi * E / (1 - nu**2) * A**2 / (4 * R)
+
+
+def rollers(nu, refine=2, held="xy", along=None):
+    mesh = join({"up": half_disc(R=R, zone=1.2 * A, refine=refine),
+                 "low": half_disc(R=R, zone=1.2 * A, refine=refine, below=True)})  # fmt: skip
+    return ContactProblem(
+        mesh, materials=Elastic(E=E, nu=nu), assumption="plane strain",
+        supports={"low.middle": "xy", "up.middle": held},
+        along=Along(supports={"low.middle": 0.0} | (along or {})),
+        contacts=[Pair(slave="up.surface", master="low.surface", friction=MU,
+                       slave_shape=Circle((0, R), R), master_shape=Circle((0, -R), R))],
+    )  # fmt: skip
+
+
+def stick_half_width(touch, q):
+    """c of the traction `q` (points,): int (mu p - q) x^2 is that of an ellipse over |x| < c."""
+    x, P = touch.along(), touch.normal_force
+    left = (MU * touch.p - q) @ touch.weight
+    # the ellipse left has the moment left c^2/4, and left = mu P c^2/a^2
+    moment = ((MU * touch.p - q) * x**2) @ touch.weight
+    assert left > 0
+    assert P > 0
+    return 2 * np.sqrt(moment / left)
+
+
+@pytest.fixture(scope="module")
+def pulled():
+    """Pressed, then pulled by shares of the friction, each from the pressed state."""
+    problem, P = rollers(0.3, held="x"), load(0.3)
+    pressed = problem.solve(forces={"up.middle": (0.0, -P)})
+    return problem, pressed
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.8, 0.95])
+def test_pulled_along_z_the_stick_zone_shrinks_as_cattaneo_has_it(pulled, share):
+    problem, pressed = pulled
+    P = load(0.3)
+    Q = share * MU * P
+    s = problem.solve(
+        forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": Q}, after=pressed
+    )
+    touch = s.touches[0]
+    assert touch.force_z == pytest.approx(Q, rel=1e-9)
+    assert s.along.residual.largest < 1e-9
+    a, c = touch.half_width(), touch.half_width() * np.sqrt(1 - share)
+    near = 1e-3 if share < 0.9 else 1e-2  # at 0.95 two cells lie within c
+    assert stick_half_width(touch, touch.q_z) == pytest.approx(c, rel=near)
+    cell = A * 1.2 / 12 / 2
+    assert np.ptp(touch.x[0, touch.sticks]) / 2 == pytest.approx(c, abs=1.5 * cell)
+    x, p_0 = touch.x[0], 2 * P / (np.pi * a)
+    full, less = (np.sqrt(np.maximum(1 - (x / w) ** 2, 0.0)) for w in (a, c))
+    inner = (np.abs(x) < 0.9 * a) & (np.abs(np.abs(x) - c) > 2 * cell)
+    expected = MU * p_0 * (full - c / a * less)
+    np.testing.assert_allclose(touch.traction_z[inner], expected[inner], atol=0.03 * MU * p_0)
+    # slips backwards against what drags the master forward, and nowhere inside
+    assert np.all(touch.slip_z[touch.closed & ~touch.sticks] < 0)
+    assert np.abs(touch.slip_z[touch.sticks]).max() < 1e-9 * np.abs(touch.slip_z).max()
+
+
+def test_the_stick_zone_converges_to_cattaneos():
+    misses = []
+    for refine in (1, 2, 4):
+        problem, P = rollers(0.3, refine, held="x"), load(0.3)
+        s = problem.solve(forces={"up.middle": (0.0, -P)})
+        pull = {"up.middle": 0.5 * MU * P}
+        s = problem.solve(forces={"up.middle": (0.0, -P)}, axial_forces=pull, after=s)
+        c = s.touches[0].half_width() * np.sqrt(0.5)
+        misses.append(abs(stick_half_width(s.touches[0], s.touches[0].q_z) / c - 1))
+    assert misses[2] < 2e-4
+    assert misses[2] < misses[0] / 4
+
+
+@pytest.fixture(scope="module")
+def oblique():
+    """Without Poisson's ratio, and moved: what is pushed above would tilt."""
+    problem = rollers(0.0, along={"up.middle": 0.0})
+    return problem, problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
+
+
+@pytest.mark.parametrize("angle", [0.0, 30.0, 45.0, 60.0, 90.0, 120.0])
+def test_without_poissons_ratio_every_direction_is_cattaneos(oblique, angle):
+    problem, pressed = oblique
+    x, z = 7e-7 * np.cos(np.radians(angle)), 7e-7 * np.sin(np.radians(angle))
+    s = problem.solve(
+        displacements={"up.middle": {"x": x, "y": -5e-6}}, axial_displacements={"up.middle": z},
+        after=pressed,
+    )  # fmt: skip
+    touch = s.touches[0]
+    F = np.array([touch.friction_force, touch.force_z])
+    Q, P = np.hypot(*F), touch.normal_force
+    d = F / Q
+    assert 0.3 < Q / (MU * P) < 0.9
+    own, across = d[0] * touch.q + d[1] * touch.q_z, d[0] * touch.q_z - d[1] * touch.q
+    scale = MU * touch.p.max()
+    assert np.abs(across).max() < 0.02 * scale  # pressing alone leaves 0.01, for discs are round
+    c = touch.half_width() * np.sqrt(1 - Q / (MU * P))
+    assert stick_half_width(touch, own) == pytest.approx(c, rel=2e-3)
+    nodal = np.hypot(touch.traction, touch.traction_z)
+    slips = touch.closed & ~touch.sticks
+    assert np.count_nonzero(slips) > 4
+    np.testing.assert_allclose(nodal[slips], MU * touch.pressure[slips], rtol=1e-9)
+    assert np.all(nodal <= MU * touch.pressure + 1e-9 * scale)
+    # friction opposes the slip, in both of its components
+    along = (touch.traction * touch.slip + touch.traction_z * touch.slip_z)[slips]
+    size = nodal[slips] * np.hypot(touch.slip, touch.slip_z)[slips]
+    np.testing.assert_allclose(along, -size, atol=1e-8 * size.max())
+
+
+def test_with_poissons_ratio_pushes_lag_behind_pulls():
+    # a push moves the surface by 1 - nu of what a pull does: oblique forces share alike no more
+    problem = rollers(0.45, along={"up.middle": 0.0})
+    pressed = problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
+    s = problem.solve(
+        displacements={"up.middle": {"x": 5e-7, "y": -5e-6}},
+        axial_displacements={"up.middle": 5e-7}, after=pressed,
+    )  # fmt: skip
+    touch = s.touches[0]
+    d = np.array([touch.friction_force, touch.force_z])
+    d /= np.hypot(*d)
+    across = d[0] * touch.q_z - d[1] * touch.q
+    assert np.abs(across).max() > 0.05 * MU * touch.p.max()
+
+
+def test_the_edges_turn_back_at_twice_the_change_of_load(pulled):
+    # Mindlin and Deresiewicz, along z: unloading is a loading of twice the friction
+    problem, pressed = pulled
+    P = load(0.3)
+
+    def at(share, after):
+        return problem.solve(
+            forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": share * MU * P},
+            after=after,
+        )  # fmt: skip
+
+    there = at(0.8, pressed)
+    back = at(0.3, there)
+    touch, before = back.touches[0], there.touches[0]
+    a = touch.half_width()
+    c = a * np.sqrt(1 - 0.5 / 2)
+    assert np.ptp(touch.x[0, touch.sticks]) / 2 == pytest.approx(c, abs=0.1 * A)
+    change = before.q_z - touch.q_z
+    x = touch.along()
+    twice = 2 * MU * touch.p - change
+    found = 2 * np.sqrt((twice * x**2) @ touch.weight / (twice @ touch.weight))
+    assert found == pytest.approx(c, rel=2e-3)
+    again = at(0.8, back)
+    np.testing.assert_allclose(
+        again.touches[0].traction_z, before.traction_z, atol=1e-3 * MU * touch.peak
+    )
+
+
+def test_the_way_there_matters(pulled):
+    problem, pressed = pulled
+    P = load(0.3)
+    half = {"up.middle": 0.5 * MU * P}
+    straight = problem.solve(
+        forces={"up.middle": (0.0, -P)}, axial_forces=half, after=pressed
+    ).touches[0]  # fmt: skip
+    far = problem.solve(
+        forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": 0.9 * MU * P}, after=pressed
+    )
+    round_about = problem.solve(
+        forces={"up.middle": (0.0, -P)}, axial_forces=half, after=far
+    ).touches[0]  # fmt: skip
+    assert straight.force_z == pytest.approx(round_about.force_z, rel=1e-9)
+    apart = np.abs(straight.traction_z - round_about.traction_z).max()
+    assert apart > 0.1 * MU * straight.peak
