@@ -37,12 +37,12 @@ def curves(c: Curves) -> Markup:
         if curve.style == "dots":
             axes.dots(u[seen], v[seen], f"s{curve.colour}", 2.4)
         else:
-            axes.curve(u[seen], v[seen], _css(curve))
-    rows = _key(axes, c.curves)
+            axes.curve(u[seen], v[seen], style(curve))
+    rows = key(axes, c.curves)
     return svg.drawing(WIDTH, HEIGHT + LINE * rows + 4, axes.body, c.title, "chart")
 
 
-def _key(axes: Axes, named: tuple[Curve, ...]) -> int:
+def key(axes: Axes, named: tuple[Curve, ...]) -> int:
     """Draw names with their swatches, as many a line as fit; returns the number of lines.
 
     A curve without a name belongs to the one before it.
@@ -58,11 +58,12 @@ def _key(axes: Axes, named: tuple[Curve, ...]) -> int:
         if curve.style == "dots":
             axes.body.append(svg.circle(left + SWATCH / 2, y - 4, 2.6, f"s{curve.colour}"))
         else:
-            axes.body.append(svg.line(left, y - 4, left + SWATCH, y - 4, _css(curve)))
+            axes.body.append(svg.line(left, y - 4, left + SWATCH, y - 4, style(curve)))
         axes.body.append(svg.text(left + SWATCH + 6, y, curve.name, "tick"))
         left += wide
     return row + 1
 
 
-def _css(curve: Curve) -> str:
+def style(curve: Curve) -> str:
+    """CSS classes of a curve."""
     return f"fit s{curve.colour}{' dashes' if curve.style == 'dashes' else ''}"

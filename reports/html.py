@@ -12,6 +12,7 @@ import jinja2
 from markupsafe import Markup
 
 from reports import formats, plots, signature
+from reports.bars import bars
 from reports.curves import curves
 from reports.equations import Glyphs
 from reports.error_map import error_map
@@ -20,8 +21,9 @@ from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.verdicts import first_author, verdicts
+from reports.zones import zones
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
-from verify.shown import Curves, Dots, Figure, Map, Profile, Refinement, Shapes, Table
+from verify.shown import Bars, Curves, Dots, Figure, Map, Profile, Refinement, Shapes, Table, Zones
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
@@ -198,6 +200,10 @@ def plot(figure: Figure) -> Markup:
             return error_map(figure)
         case Shapes():
             return shapes(figure)
+        case Zones():
+            return zones(figure)
+        case Bars():
+            return bars(figure)
 
 
 def _environment(glyphs: Glyphs) -> jinja2.Environment:

@@ -28,6 +28,7 @@ def case_data(
         "kicker": f"{case.id} · {case.paper}, {case.place}",
         "lead": prose(case.lead),
         "counts": [[status.value, count] for status, count in present(case.rows)],
+        "findings": [prose(f) for f in case.findings],
         "warnings": [prose(w) for w in case.warnings],
         "lines": [line_data(line, anchors) for line in group],
         "sketch": standalone(sketch(case.sketch)),

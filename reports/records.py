@@ -34,7 +34,8 @@ def _case(case: CaseResult) -> dict[str, Any]:
         "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
         "inputs": [asdict(i) for i in case.inputs],
         "values": [_plain(asdict(v)) for v in case.values], "assumptions": list(case.assumptions),
-        "readings": list(case.readings), "warnings": list(case.warnings),
+        "readings": list(case.readings), "findings": list(case.findings),
+        "warnings": list(case.warnings),
         "tables": [asdict(t) for t in case.tables], "command": case.command,
     }  # fmt: skip
 

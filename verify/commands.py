@@ -170,6 +170,7 @@ def _check_json(
              "value": values[o.key] / units.factor(o.unit)}
             for o in case.outputs if o.key in values
         ],
+        "findings": list(result.findings),
         "warnings": list(result.warnings),
         "rows": [row_record(row) for row in result.rows] if use_fem else [],
     }  # fmt: skip

@@ -18,6 +18,7 @@ def described(case: Case, context: Context) -> dict[str, Any]:
         "lead": case.lead, "assumptions": case.assumptions, "readings": case.readings,
         "inputs": _inputs(q, is_paper=context.is_paper), "values": formula_values(case, values),
         "equations": tuple(case.equations(q, values)), "warnings": tuple(case.warnings(q, values)),
+        "findings": tuple(case.findings(q, values)),
         "tables": tuple(case.tables(context)), "sketch": case.sketch(q),
         "figures": tuple(case.figures(context)), "pictures": tuple(case.pictures(q)),
         "fields": context.fem[-1].fields if context.fem else (),

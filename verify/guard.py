@@ -8,7 +8,7 @@ from typing import Any
 from verify.case import Case, Check
 from verify.results import Kind, Row, Status
 
-PARTS = ("equations", "warnings", "tables", "figures", "pictures")  # sequences that a case shows
+PARTS = ("equations", "findings", "warnings", "tables", "figures", "pictures")  # sequences
 
 
 def named(error: BaseException) -> str:

@@ -133,6 +133,7 @@ class Row:
 class CaseResult:
     """Everything that one case produced; `name` is that of the user's parameters, if any.
 
+    `findings` say in words what follows from the formulas, the verdict first.
     `errors` are the tracebacks of what went wrong inside the case.
     """
 
@@ -154,6 +155,7 @@ class CaseResult:
     figures: tuple[Figure, ...] = ()
     pictures: tuple[Picture, ...] = ()
     name: str = ""
+    findings: tuple[str, ...] = ()
     seconds: float = 0.0
     cached: bool = False
     command: str = ""

@@ -177,7 +177,46 @@ class Shapes:
     note: str = ""
 
 
-Figure = Profile | Refinement | Dots | Curves | Map | Shapes
+@dataclass(frozen=True, kw_only=True)
+class Zone:
+    """A state that holds between the zone below and `top` (m,); `tone` "good", "fair" or "bad"."""
+
+    name: str
+    top: Array
+    tone: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Zones:
+    """Which state holds where in a plane: zones stacked over `x` (m,) from y = 0 up to `y_top`.
+
+    A zone whose top is that of the one below, or lower, is not there. `curves` are drawn over
+    them; `point` is a place and its name. Zones are named where they lie, so that colours, which
+    `figures.css` keeps apart for the colour-blind and in print, need not be told apart.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    x: Array
+    zones: tuple[Zone, ...]
+    y_top: float
+    curves: tuple[Curve, ...] = ()
+    point: tuple[float, float, str] | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bars:
+    """Contributions as bars from zero, one below the other: name, value, and words beside it."""
+
+    title: str
+    label: str
+    items: tuple[tuple[str, float, str], ...]
+    note: str = ""
+
+
+Figure = Profile | Refinement | Dots | Curves | Map | Shapes | Zones | Bars
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -26,8 +26,12 @@ def print_verdicts(report: Report) -> None:
 
 
 def print_check(result: CaseResult, *, use_fem: bool) -> None:
-    """Inputs, formula values, the judged rows in short, and last what to be warned of."""
+    """What was found in words, inputs, formula values, the judged rows in short, warnings last."""
     print(f"{result.name}: {result.title} ({result.id})")
+    for found in result.findings:
+        print(f"  {found}")
+    if result.findings:
+        print("inputs")
     for line in aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
                           for i in result.inputs]):  # fmt: skip
         print(f"  {line}")

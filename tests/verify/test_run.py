@@ -63,7 +63,7 @@ def test_a_case_without_faults_has_no_errors():
     assert result.errors == ()
 
 
-SEQUENCES = ("equations", "warnings", "tables", "figures", "pictures")
+SEQUENCES = ("equations", "findings", "warnings", "tables", "figures", "pictures")
 
 
 @pytest.mark.parametrize(

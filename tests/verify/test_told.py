@@ -23,6 +23,12 @@ def test_a_check_ends_with_the_total_and_the_warnings(ring, capsys):
     assert warning == "warning: it yields"
 
 
+def test_findings_stand_before_the_numbers(ring, capsys):
+    print_check(replace(ring, findings=("green: it holds", "and so on")), use_fem=False)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1:4] == ["  green: it holds", "  and so on", "inputs"]
+
+
 def test_convergence_is_told_only_where_it_failed(ring, capsys):
     print_check(ring, use_fem=True)
     assert "convergence;" not in capsys.readouterr().out

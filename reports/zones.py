@@ -1,0 +1,78 @@
+"""Plot of the states in a plane: zones named where they lie, limits drawn over them, a point."""
+
+import numpy as np
+from markupsafe import Markup
+from numpy.typing import NDArray
+
+from reports import svg
+from reports.curves import key, style
+from reports.plots import HEIGHT, WIDTH, Axes
+from verify.shown import Array, Zone, Zones
+
+LINE = 18.0  # height of a line of the key
+LETTER = 7.0  # about the width of a letter of a zone's name
+TALL = 15.0  # room that a name needs
+EDGE = 6.0
+
+
+def zones(z: Zones) -> Markup:
+    """Zones from below; a name stands where its zone leaves it most room, or in the note's key."""
+    x = np.asarray(z.x, dtype=float)
+    axes = Axes((52, 28, 390, 262), (float(x[0]), float(x[-1])), (0.0, z.y_top))
+    floor = np.zeros(x.size)
+    for zone in z.zones:
+        top = np.clip(np.nan_to_num(np.asarray(zone.top, dtype=float)), floor, z.y_top)
+        if np.any(top > floor):
+            axes.ribbon(x, floor, top, zone.tone)
+            edge = (top > 0) & (top < z.y_top)
+            _edges(axes, x, top, edge)
+            axes.body += _name(axes, zone, x, floor, top)
+        floor = top
+    axes.grid(svg.ticks(*axes.y), svg.plain)
+    axes.base(svg.ticks(*axes.x, 6), svg.plain)
+    axes.titles(z.x_label, z.y_label)
+    for curve in z.curves:
+        u, v = np.asarray(curve.x, dtype=float), np.asarray(curve.y, dtype=float)
+        seen = (axes.x[0] <= u) & (u <= axes.x[1]) & (v >= 0) & (v <= z.y_top)
+        if np.count_nonzero(seen) > 1:
+            axes.curve(u[seen], v[seen], style(curve))
+    rows = key(axes, z.curves) if z.curves else 0
+    if z.point is not None:
+        axes.body += _mark(axes, *z.point)
+    return svg.drawing(WIDTH, HEIGHT + LINE * rows + 4, axes.body, z.title, "chart zones")
+
+
+def _edges(axes: Axes, x: Array, top: Array, inside: NDArray[np.bool_]) -> None:
+    """The upper limit of a zone where it is no edge of the plot."""
+    ends = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
+    for start, stop in ends.reshape(-1, 2):
+        part = slice(max(start - 1, 0), min(stop + 1, x.size))
+        axes.curve(x[part], top[part], "edge")
+
+
+def _name(axes: Axes, zone: Zone, x: Array, floor: Array, top: Array) -> list[Markup]:
+    """The zone's name in its roomiest place; none where no place is large enough."""
+    left = np.array([axes.X(v) for v in x])
+    low = np.array([axes.Y(v) for v in floor])
+    high = np.array([axes.Y(v) for v in top])
+    half = LETTER * len(zone.name) / 2
+    best, place = 0.0, None
+    for middle in np.linspace(axes.box[0] + half + EDGE, axes.box[2] - half - EDGE, 40):
+        over = np.abs(left - middle) <= half
+        if not np.any(over):
+            continue
+        bottom, ceiling = float(low[over].min()), float(high[over].max())
+        if bottom - ceiling > max(best, TALL):
+            best, place = bottom - ceiling, (float(middle), (bottom + ceiling) / 2 + 4)
+    return [svg.text(*place, zone.name, "zone", "middle")] if place else []
+
+
+def _mark(axes: Axes, x: float, y: float, name: str) -> list[Markup]:
+    """The point, at the edge of the plot where it lies beyond, and its name beside it."""
+    u = axes.X(min(max(x, axes.x[0]), axes.x[1]))
+    v = axes.Y(min(max(y, axes.y[0]), axes.y[1]))
+    right = u > (axes.box[0] + axes.box[2]) / 2
+    return [
+        svg.circle(u, v, 5.0, "mark"),
+        svg.text(u + (-10 if right else 10), v - 7, name, "named", "end" if right else "start"),
+    ]
