@@ -112,6 +112,26 @@ def test_cells_of_usual_clutches_are_neither_slivers_nor_needles(psi, share):
     mesh = inner_cam_sector(
         R=R, R_a=1.25 * R, X=X, r_b=0.6, r=r, z=z, centre=centre, zones=(share * r, share * r)
     )
+    check_shapes(mesh)
+
+
+@pytest.mark.parametrize("wall", [0.03, 0.1])
+@pytest.mark.parametrize("bore", [0.93, 0.6])
+@pytest.mark.parametrize("z", [3, 6])
+def test_cells_of_thin_walls_are_no_needles_either(wall, bore, z):
+    R, r, zone = 1.33, 0.16, (0.02, 0.02)
+    mesh = inner_cam_sector(
+        R=R, R_a=R * (1 + wall), X=1.0, r_b=bore, r=r, z=z, centre=centre_of(R, r), zones=zone
+    )
+    check_shapes(mesh)
+
+
+def centre_of(R, r):
+    """Of the roller that touches both races."""
+    return np.sqrt((R - r) ** 2 - (X + r) ** 2), X + r
+
+
+def check_shapes(mesh):
     corners = mesh.p[:, mesh.t]
     ahead, behind = (np.roll(corners, turn, axis=1) - corners for turn in (-1, 1))
     corner = np.arctan2(

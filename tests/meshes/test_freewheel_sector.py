@@ -125,6 +125,11 @@ def test_a_tip_that_reaches_the_ring_is_cut_by_the_circle_that_leaves_the_cleara
     assert reach == pytest.approx(min(corner, tip) if z < 5 else corner, rel=ROUND_OFF)
 
 
+def test_a_tip_that_leaves_more_than_half_of_the_clearance_stays_sharp():
+    assert R - 0.5e-3 < X / cos(pi / 4) < R - 0.25e-3
+    assert "star.tip" not in inner(z=4, clearance=0.5e-3).boundaries
+
+
 def star_with_tips():
     tip = R - 0.2 * R_R
     flat = sqrt(tip**2 - X**2)
@@ -236,6 +241,13 @@ def test_even_cells_lie_on_both_sides_of_each_contact(
     np.testing.assert_allclose(found, expected, rtol=uneven, atol=1e-9 * zone)
     side = np.sign(away[0][np.argsort(np.hypot(*away))[1 : 2 * n + 1]])
     assert side.sum() == 0
+
+
+def test_the_line_of_cells_under_each_contact_leaves_the_rim_at_a_right_angle():
+    mesh, row = inner(zones=(ZONES[0], ZONES[0])), ZONES[0] / 6
+    for inward in (ray(0.0), -ray(PSI)):
+        below = np.reshape(CENTRE - (R_R - row) * inward, (2, 1))
+        assert np.hypot(*(mesh.p - below)).min() < 0.01 * row
 
 
 @both
