@@ -1,0 +1,128 @@
+"""Finite elements of a freewheel's friction: torque alone, with axial load, and to where it slips."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.case import FemResult
+from verify.cases.freewheel_fem import Sector, State
+from verify.cases.freewheel_friction_inputs import FrictionInputs
+from verify.cases.freewheel_friction_limit import Limit, over_angles
+from verify.cases.freewheel_friction_model import (
+    Borne,
+    ample,
+    at_torque,
+    creeping,
+    pulled,
+    sector,
+)
+from verify.cases.freewheel_sweep import Start
+from verify.shown import Field
+
+Array = NDArray[np.float64]
+
+LEVELS = (4, 6, 9)  # cells on the half-width of the fine zones
+STEPS = (2.0, 3.5, 5.0, 7.0, 10.0)  # of the ring along z, over mu P'/G
+FREE = (3.0, 5.0, 8.0, 15.0, 30.0, 50.0, 75.0, 100.0, 125.0)  # the same with the ring held
+SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
+
+
+def fem(q: FrictionInputs, level: int) -> FemResult:
+    start = at_torque(q, level)
+    loaded, rest, held = under_load(q, start, level)
+    alone, borne = Borne.by(rest), Borne.by(held)
+    missed = abs(rest.torque * q.L / q.T - 1)
+    values = {
+        "F_t": borne.F_t[1] * q.L, "N": alone.N.mean() * q.L, "F_a": borne.F_z[0] * q.L,
+        "mu_t": alone.tangent, "mu_req": borne.required.mean(),
+        "balance": borne.F_z.sum() * q.L,
+    }  # fmt: skip
+    u_it = {key: missed * abs(values[key]) for key in ("F_t", "N", "mu_t", "mu_req")}
+    u_it["F_a"] = SOLVED * values["N"]
+    there = sector(q, start, level, q.mu, driven=True)
+    stuck = there.rest(rest.drags)
+    path, limit, jitter = to_the_limit(q, there, stuck)
+    values["F_lim"], u_it["F_lim"] = limit, jitter + missed * limit
+    arrays = {
+        "tan": np.array([math.tan(rest.start.psi / 2), rest.torque * q.L]),
+        "alone": np.array([alone.N, alone.F_t]), "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
+        "creep": path,
+    }  # fmt: skip
+    if level == LEVELS[-1]:
+        bound = Limit(q, start, rest.drags)
+        arrays |= {
+            "shares": bound.shares(), "onset": bound.of_torque(), "axial onset": bound.of_load(),
+            "angles": over_angles(q, start, rest.drags), "let out": let_out(q, there, stuck),
+        }  # fmt: skip
+    return FemResult(
+        h=1 / level, values={k: float(v) for k, v in values.items()},
+        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(q, held),),
+    )  # fmt: skip
+
+
+def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[Sector, State, State]:
+    """The clutch with ample friction: at rest under torque, and with the axial load as well."""
+    there = sector(q, start, cells, 1.0, driven=False)
+    there = sector(q, start, cells, ample(q, there.place), driven=False)
+    rest = there.rest(start.drags)
+    return there, rest, pulled(q, there, rest)
+
+
+def to_the_limit(q: FrictionInputs, there: Sector, stuck: State) -> tuple[Array, float, float]:
+    """The ring driven along z while N stays: path, the axial force [N] at its end, its change.
+
+    The path (m, 8) has u_z [m], the ring's drag [m], F_t/N and F_z/N of both contacts, N of the
+    ring over that at rest, and T over that at rest.
+    """
+    N = Borne.by(stuck).N
+    unit = q.mu * N.mean() * 2 * (1 + q.nu) / q.E
+    path, state = [row(stuck, stuck, 0.0)], stuck
+    for u in STEPS:
+        state = creeping(there, state, axial_displacements={"ring.rim": u * unit})
+        path.append(row(state, stuck, u * unit))
+    found = np.array(path)
+    # F_z/F_t of the ring times T/R: at the torque that is asked for
+    force = -found[:, 5] / found[:, 3] * q.T / q.R
+    return found, float(force[-1]), float(abs(force[-1] - force[-2]))
+
+
+def let_out(q: FrictionInputs, there: Sector, stuck: State) -> Array:
+    """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
+    unit = q.mu * Borne.by(stuck).N.mean() * 2 * (1 + q.nu) / q.E
+    path, state = [row(stuck, stuck, 0.0)], stuck
+    for u in FREE:
+        try:
+            state = there.at(
+                stuck.drags, after=state.solution, axial_displacements={"ring.rim": u * unit}
+            )
+        except ArithmeticError:  # the last of N is gone
+            break
+        path.append(row(state, stuck, u * unit))
+    return np.array(path)
+
+
+def row(state: State, stuck: State, u: float) -> list[float]:
+    b, drag = Borne.by(state), state.drags[1] - stuck.drags[1]
+    return [
+        u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.by(stuck).N[1],
+        state.torque / stuck.torque,
+    ]  # fmt: skip
+
+
+def field(q: FrictionInputs, state: State) -> Field:
+    """The sector under both loads: u_z and the shear stress along z over the torque's pressure."""
+    solution = state.solution
+    cells = solution.plane.cells()
+    assert solution.along is not None
+    corners = cells["cells"].astype(np.int64)
+    u_z = solution.along.u[: len(cells["points"])]
+    shear = np.hypot(*solution.along.stress().T)
+    return Field(
+        name="sector", points=cells["points"], cells=corners,
+        point_data={"displacement": cells["displacement"], "u_z": u_z},
+        cell_data={"shear_z": shear, "log_shear_z": np.log10(np.maximum(shear, 1.0) / 1e6),
+                   "von_mises": cells["von_mises"]},
+        units={"displacement": "m", "u_z": "m", "shear_z": "Pa", "log_shear_z": "1",
+               "von_mises": "Pa"},
+    )  # fmt: skip

@@ -1,0 +1,125 @@
+"""Where friction no longer holds a freewheel: over friction, over wedge angles, with axial load."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.freewheel.geometry import InnerCam
+from verify.cases.freewheel_fem import Place, Sector
+from verify.cases.freewheel_friction_inputs import FrictionInputs
+from verify.cases.freewheel_friction_model import Borne, creeping, fem_along, sector, slipping
+from verify.cases.freewheel_sweep import COARSE, Start
+
+Array = NDArray[np.float64]
+
+BELOW, ABOVE, BISECTIONS = 2e-4, 3e-4, 3  # of tan(psi/2): bracket of the onset under torque
+AXIAL_BELOW, AXIAL_ABOVE, AXIAL_BISECTIONS = 2e-3, 3e-3, 2  # of mu_req, with axial load
+SHARES = (1.01, 1.03, 1.08, 1.15, 1.3, 1.5, 2.0, 3.0)  # mu/tan(alpha) of the slip shares
+ANGLES = (0.25, 0.45, 0.65, 0.8, 0.9, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
+HELD = 0.5  # of N: more is left of it where places are alike and forces are not
+DRIVEN = (3.5, 8.0)  # of the ring along z, over mu P'/G: to where all slips
+SLIPS, STICKS = 0.0, 1.0
+
+
+class Limit:
+    """The clutch in its place under its torque, with other friction."""
+
+    def __init__(self, q: FrictionInputs, start: Start, drags: tuple[float, float]) -> None:
+        self.q, self.start, self.drags = q, start, drags
+        self.place = Place.overlapping(q, *start.d)
+        self.tan = math.tan(self.place.psi / 2)
+
+    def slipping(self, mu: float) -> Array:
+        """Share of N (2,) on slipping nodes of both contacts; 1 where no rest is found."""
+        there = Sector(self.place, self.start.widths, COARSE, mu=mu)
+        try:
+            return slipping(there.at(self.drags))
+        except ArithmeticError:
+            return np.ones(2)
+
+    def shares(self) -> Array:
+        """mu/tan(alpha) and the shares of N that slip, (3, m)."""
+        found = [(k, *self.slipping(k * self.tan)) for k in SHARES]
+        return np.array(found).T
+
+    def of_torque(self) -> Array:
+        """Friction over tan(psi/2) (2,) at which all of both contacts slips: value, half-width."""
+        return self._bisected(
+            lambda k: bool(self.slipping(k * self.tan).min() < 1), 1 - BELOW, 1 + ABOVE, BISECTIONS
+        )
+
+    def of_load(self) -> Array:
+        """Friction over Eq. 8 (2,) below which the axial load finds no rest: value, half-width."""
+        needed = self.tan * math.hypot(1.0, self.q.F_ax * self.q.R / self.q.T)
+        return self._bisected(
+            lambda k: self._bears(k * needed), 1 - AXIAL_BELOW, 1 + AXIAL_ABOVE, AXIAL_BISECTIONS
+        )
+
+    def _bears(self, mu: float) -> bool:
+        there = sector(self.q, self.start, COARSE, mu, driven=False)
+        force = self.q.F_ax / (self.q.z * self.q.L)
+        try:
+            rest = there.rest(self.drags)
+            # the coarse mesh has a torque of its own
+            force *= rest.torque * self.q.L / self.q.T
+            creeping(there, rest, axial_forces={"ring.rim": force})
+        except (ArithmeticError, ValueError):  # no rest, or no forces at all that balance the load
+            return False
+        return True
+
+    @staticmethod
+    def _bisected(holds, low: float, high: float, steps: int) -> Array:  # type: ignore[no-untyped-def]
+        if holds(low) or not holds(high):
+            return np.array([math.nan, 0.0])
+        for _ in range(steps):
+            middle = (low + high) / 2
+            low, high = (low, middle) if holds(middle) else (middle, high)
+        return np.array([(low + high) / 2, (high - low) / 2])
+
+
+def over_angles(q: FrictionInputs, start: Start, drags: tuple[float, float]) -> Array:
+    """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
+
+    tan(alpha)/mu, part of N that is left, F_t/(mu N) (0 where it is none), and after the ring has
+    been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring.
+    """
+    found, N = [], None
+    for k in ANGLES:
+        psi = 2 * math.atan(k * q.mu)
+        d_i, d_o = start.d
+        X = (q.R - q.r + d_o) * math.cos(psi) - q.r + d_i
+        try:
+            InnerCam(R=q.R, r=q.r, X=X, z=q.z)
+            if X <= q.r_b:
+                continue
+        except ValueError:
+            continue
+        other = q.model_copy(update={"X": X})
+        row, N = _one_angle(other, start, drags, N)
+        found.append([k, *row])
+    return np.array(found)
+
+
+def _one_angle(
+    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float | None
+) -> tuple[list[float], float | None]:
+    place = Place.overlapping(q, *start.d)
+    there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
+    try:
+        state = there.at(drags)
+    except ArithmeticError:
+        return [0.0] * 6, N
+    borne = Borne.by(state)
+    mean = float(borne.N.mean())
+    N = N or mean
+    if mean < HELD * N:
+        return [mean / N] + [0.0] * 5, N
+    alone, unit = borne.tangent / q.mu, q.mu * mean * 2 * (1 + q.nu) / q.E
+    for u in DRIVEN:
+        state = there.at(
+            drags, after=state.solution, axial_displacements={"ring.rim": u * unit}
+        )
+    b = Borne.by(state)
+    t, z = b.F_t / (q.mu * b.N), np.abs(b.F_z) / (q.mu * b.N)
+    return [mean / N, alone, t[0], z[0], t[1], z[1]], N

@@ -1,0 +1,123 @@
+"""Sectors of a freewheel under torque that are pulled along the axis, and what contacts bear."""
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.freewheel_fem import Place, Sector, State
+from verify.cases.freewheel_friction_inputs import FrictionInputs
+from verify.cases.freewheel_sweep import COARSE, FIRST, SPLIT, Start, after, rigid_force
+
+if TYPE_CHECKING:
+    from fem.contact.along import Along
+
+Array = NDArray[np.float64]
+
+AMPLE = 2.0  # friction over what statics asks for, where forces are measured
+HARDER = 0.85  # d ln(approach)/d ln(T), about
+NEAR, MOST = 1e-4, 12  # how near the torque coarse meshes come, and in how many steps
+STILL = 1e-6  # of both approaches: what the roller may move while the ring creeps
+
+
+@dataclass(frozen=True)
+class Borne:
+    """What the contacts of one roller bear per length [N/m]: `N`, `F_t`, `F_z` (2,), star and ring.
+
+    Normals are those of the contacts, F_t is positive into the wedge, F_z as it acts on the races.
+    """
+
+    N: Array
+    F_t: Array
+    F_z: Array
+
+    @classmethod
+    def by(cls, state: State) -> "Borne":
+        star, ring = state.solution.touches
+        return cls(
+            N=np.array([star.normal_force, ring.normal_force]),
+            F_t=np.array([-star.friction_force, ring.friction_force]),
+            F_z=np.array([star.force_z, ring.force_z]),
+        )
+
+    @property
+    def tangent(self) -> float:
+        """F_t/N at the mean angle of both contacts: they tilt to either side of the bisector."""
+        return math.tan(float(np.arctan(self.F_t / self.N).mean()))
+
+    @property
+    def required(self) -> Array:
+        """Resultant of the friction over N (2,)."""
+        return np.asarray(np.hypot(self.F_t, self.F_z) / self.N)
+
+
+def slipping(state: State) -> Array:
+    """Share of N (2,) on nodes that slip."""
+    found = []
+    for touch in state.solution.touches:
+        load = touch.pressure * touch.mortar.size
+        found.append(load[touch.closed & ~touch.sticks].sum() / load.sum())
+    return np.array(found)
+
+
+def fem_along(*, driven: bool) -> "Along":
+    """The star is clamped along z as well; the ring's rim is loaded, or driven, and rollers free."""
+    from fem.contact.along import Along
+
+    return Along(supports={"star.bore": 0.0} | ({"ring.rim": 0.0} if driven else {}))
+
+
+def sector(q: FrictionInputs, start: Start, cells: int, mu: float, *, driven: bool) -> Sector:
+    place = Place.overlapping(q, *start.d)
+    return Sector(place, start.widths, cells, mu=mu, along=fem_along(driven=driven))
+
+
+def ample(q: FrictionInputs, place: Place) -> float:
+    """Friction that holds torque and axial load well."""
+    return AMPLE * math.tan(place.psi / 2) * math.hypot(1.0, q.F_ax * q.R / q.T)
+
+
+@lru_cache(maxsize=8)
+def wedged(q: FrictionInputs) -> Start:
+    """Where the clutch lies under its torque, by coarse meshes."""
+    P = rigid_force(q) / q.L
+    whole = FIRST * P * (1 - q.nu**2) / q.E
+    d = SPLIT * whole, (1 - SPLIT) * whole
+    now = Start(d, (math.sqrt(q.r * d[0] / 2), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
+    for _ in range(MOST):
+        state = now.state(q, COARSE)
+        share = q.T / (state.torque * q.L)
+        now = after(state).scaled(share**HARDER)
+        if abs(share - 1) < NEAR:
+            return now
+    raise ArithmeticError(f"the torque is missed by {share - 1:.1%}")
+
+
+def at_torque(q: FrictionInputs, cells: int) -> Start:
+    """The same on meshes of `cells`."""
+    state = wedged(q).state(q, cells)
+    return after(state).scaled((q.T / (state.torque * q.L)) ** HARDER)
+
+
+def pulled(q: FrictionInputs, there: Sector, rest: State) -> State:
+    """The clutch at rest, then loaded by F_ax on the ring's rim."""
+    force = {"ring.rim": q.F_ax / (q.z * q.L)}
+    return there.at(rest.drags, axial_forces=force, after=rest.solution)
+
+
+def creeping(there: Sector, state: State, **along: Any) -> State:
+    """On from `state` with the roller in its place: what it is let out, the ring takes it back.
+
+    The ring turns on then, and N stays. ArithmeticError where that finds no rest.
+    """
+    drags, size = state.drags, state.start.d_i + state.start.d_o
+    for _ in range(MOST):
+        new = there.at(drags, after=state.solution, **along)
+        out, _ = new.motion
+        if abs(out) <= STILL * size:
+            return new
+        drags = drags[0], drags[1] - 2 * out
+    raise ArithmeticError(f"the roller moves by {out:.1e} m after {MOST} steps")
