@@ -45,8 +45,8 @@ class StarInputs(Inputs):
                 )
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
-                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond any friction; rollers "
-                f"hold below some {math.degrees(LARGEST_ANGLE):g}°: X is too small for R and r"
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers hold "
+                f"below some {math.degrees(LARGEST_ANGLE):g}°: X is too small for R and r"
             )
         return self
 

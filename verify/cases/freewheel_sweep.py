@@ -1,0 +1,166 @@
+"""The sector of a roller freewheel over its load, by finite elements, and what lies between.
+
+States are taken at overlaps of the contacts that grow from next to nothing to where the normal
+force is that of a rigid clutch, N_0 = T/(z R tan(alpha_0)), and beyond the torque T. In between
+cubic splines of logarithms, whose slopes hardly change.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from verify.cases.freewheel_fem import Place, Sector, State
+from verify.cases.freewheel_inputs import StarInputs
+
+Array = NDArray[np.float64]
+
+COARSE = 3  # cells on the half-width of the meshes that say where contacts lie
+SHARES = (0.012, 0.03, 0.075, 0.17, 0.33, 0.56, 0.82, 1.06)  # of the overlap under N_0
+STICKS = 2.0  # friction over tan(alpha): well above what the roller needs
+NEAR, MOST = 2e-3, 12  # how near N_0 the end of the sweep is, and in how many steps
+FIRST = 16.0  # overlap over N/(L E'), about
+GIVEN = 10.0  # N_0/(L E'): approaches at an angle that is given
+SPLIT = 0.33  # and the star's part of it
+GAUSS = 24  # points of each stretch of an integral over ln T
+QUANTITIES = ("T", "N", "N ring", "F_t", "F_t ring", "d_i", "d_o", "a_i", "a_o", "p_i", "p_o", "U")
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a state lies, about: overlap of both contacts [m], half-widths [m] and drags [m]."""
+
+    d: tuple[float, float]
+    widths: tuple[float, float]
+    drags: tuple[float, float]
+
+    def scaled(self, share: float) -> "Start":
+        """The same for overlaps that are `share` of these."""
+        root = math.sqrt(share)
+        return Start(
+            (share * self.d[0], share * self.d[1]),
+            (root * self.widths[0], root * self.widths[1]),
+            (share * self.drags[0], share * self.drags[1]),
+        )
+
+    def state(self, q: StarInputs, cells: int) -> State:
+        """The state that overlaps like this."""
+        place = Place.overlapping(q, *self.d)
+        sector = Sector(place, self.widths, cells, mu=STICKS * math.tan(place.psi / 2))
+        return sector.rest(self.drags)
+
+
+def after(state: State) -> Start:
+    """A start that overlaps as much as that of `state`, shared as where this came to rest."""
+    start, rest = state.start, state.place
+    share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
+    return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
+
+
+def rigid_force(q: StarInputs) -> float:
+    """N_0 = T/(z R tan(alpha_0)) [N]: what a rigid clutch would press with."""
+    cos = (q.X + q.r) / (q.R - q.r)
+    return q.T / (q.z * q.R) * math.sqrt((1 + cos) / (1 - cos))
+
+
+def given_angle(q: StarInputs) -> float:
+    """An angle psi [rad] that N_0 does not reach: both approaches `GIVEN` N_0/(L E') together."""
+    d = GIVEN * rigid_force(q) / q.L * (1 - q.nu**2) / q.E
+    return Place.overlapping(q, d / 2, d / 2).psi
+
+
+@lru_cache(maxsize=16)
+def starts(q: StarInputs) -> tuple[Start, ...]:
+    """Starts of all states of the sweep, from coarse meshes."""
+    P = rigid_force(q) / q.L
+    whole = FIRST * P * (1 - q.nu**2) / q.E
+    d = (SPLIT * whole, (1 - SPLIT) * whole)
+    now = Start(d, (math.sqrt(q.r * d[0] / 2), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
+    for _ in range(MOST):
+        state = now.state(q, COARSE)
+        share = P / state.on_star[0]
+        now = after(state).scaled(share**0.95)  # approaches grow a little slower than forces
+        if abs(share - 1) < NEAR:
+            break
+    else:
+        raise ArithmeticError(f"the normal force of a rigid clutch is missed by {share - 1:.1%}")
+    found, before = [], 1.0
+    for share in sorted(SHARES, reverse=True):
+        now = after(now.scaled(share / before).state(q, COARSE))
+        found.append(now)
+        before = share
+    return tuple(found)
+
+
+class Sweep:
+    """States of the sector on meshes of `cells`, and splines between them."""
+
+    def __init__(self, q: StarInputs, cells: int) -> None:
+        self.q = q
+        states = [start.state(q, cells) for start in reversed(starts(q))]
+        self.last = states[-1]
+        self.at_states = {name: np.array([read(q, s)[name] for s in states]) for name in QUANTITIES}
+        self.psi = np.array([s.place.psi for s in states])
+
+    def over(self, name: str, by: str = "T") -> CubicSpline:
+        """Logarithm of a quantity over that of another."""
+        return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
+
+    def at(self, name: str, value: float, by: str = "T") -> float:
+        """A quantity where another has a value; ArithmeticError beyond the sweep."""
+        low, high = self.at_states[by][[0, -1]]
+        if not low <= value <= high:
+            raise ArithmeticError(f"{by} = {value:.4g} lies beyond the states from {low:.4g} on")
+        return float(np.exp(self.over(name, by)(np.log(value))))
+
+    def place(self, value: float, by: str = "T") -> Place:
+        """Where the roller's centre is."""
+        return Place.overlapping(self.q, self.at("d_i", value, by), self.at("d_o", value, by))
+
+    def torsion_by_energy(self, T: Array) -> Array:
+        """Torsion [rad] as the integral of dU/T, with a power law below the first state."""
+        U = self.over("U")
+        return self._integral(lambda t: np.exp(U(t) - t) * U(t, 1), T)
+
+    def torsion_by_rolling(self, T: Array) -> Array:
+        """Torsion [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
+        d_i, d_o = self.over("d_i"), self.over("d_o")
+
+        def slope(t: Array) -> Array:
+            inner, outer = np.exp(d_i(t)), np.exp(d_o(t))
+            y, rho = self.q.X + self.q.r - inner, self.q.R - self.q.r + outer
+            tangent = np.sqrt((rho - y) / (rho + y))
+            return np.asarray((inner * d_i(t, 1) + outer * d_o(t, 1)) / (self.q.R * tangent))
+
+        return self._integral(slope, T)
+
+    def _integral(self, slope: Callable[[Array], Array], T: Array) -> Array:
+        """Of a slope over ln T, which grows by a power of T, from no torque on."""
+        first = float(np.log(self.at_states["T"][0]))
+        ends = np.concatenate([[first], np.log(np.atleast_1d(T))])
+        x, w = np.polynomial.legendre.leggauss(GAUSS)
+        parts = []
+        for low, high in pairwise(ends):
+            t = low + (high - low) * (x + 1) / 2
+            parts.append(float((high - low) / 2 * w @ slope(t)))
+        step = 1e-3
+        at = slope(np.array([first, first + step]))
+        tail = at[0] / (np.log(at[1] / at[0]) / step)
+        return np.asarray(tail + np.cumsum(parts))
+
+
+def read(q: StarInputs, state: State) -> dict[str, float]:
+    """Torque [N m], energy [J] of the clutch; forces [N] on one roller, lengths, pressures."""
+    (N, F_t), (N_ring, F_ring) = state.on_star, state.on_ring
+    (a_i, a_o), (p_i, p_o) = state.widths, state.peaks
+    return {
+        "T": state.torque * q.L, "N": N * q.L, "N ring": N_ring * q.L, "F_t": F_t * q.L,
+        "F_t ring": F_ring * q.L, "d_i": state.place.d_i, "d_o": state.place.d_o,
+        "a_i": a_i, "a_o": a_o, "p_i": p_i, "p_o": p_o,
+        "U": state.solution.strain_energy * q.L * q.z,
+    }  # fmt: skip
