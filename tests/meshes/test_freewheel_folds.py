@@ -116,7 +116,7 @@ def test_cells_of_usual_clutches_are_neither_slivers_nor_needles(psi, share):
 
 
 @pytest.mark.parametrize("wall", [0.03, 0.1])
-@pytest.mark.parametrize("bore", [0.93, 0.6])
+@pytest.mark.parametrize("bore", [0.9795, 0.93, 0.6])
 @pytest.mark.parametrize("z", [3, 6])
 def test_cells_of_thin_walls_are_no_needles_either(wall, bore, z):
     R, r, zone = 1.33, 0.16, (0.02, 0.02)

@@ -15,6 +15,7 @@ INNER = {"R": R, "R_a": R_A, "X": X, "r_b": R_B, "r": R_R, "z": Z, "centre": CEN
 R_S, X_O = 10e-3, 14.9e-3  # shaft and cup around the same roller
 AT_SHAFT = sqrt((R_S + R_R) ** 2 - (X_O - R_R) ** 2), X_O - R_R
 OUTER = {"R_s": R_S, "X_o": X_O, "r_b": 4e-3, "R_a": R_A, "r": R_R, "z": Z, "centre": AT_SHAFT}
+THIN_SHAFT = {"R_s": 1e-3, "r_b": 2e-4, "z": 3, "X_o": 6e-3, "centre": (2e-4, 3.5e-3)}
 ROUND_OFF = 1e-12  # relative
 BOTH = [(inner_cam_sector, INNER), (outer_cam_sector, OUTER)]
 both = pytest.mark.parametrize(("sector", "given"), BOTH)
@@ -310,7 +311,11 @@ def beside(angle, radius=R - R_R):
         (inner, {"R": R + 2e-3}, "from the circle it touches"),
         (inner, {"z": 20}, "rollers of r=0.0025 m overlap each other"),
         (inner, {"z": 16, "centre": beside(12)}, "beyond the end of the flat"),
-        (inner, {"z": 14, "centre": beside(10.3)}, "half of what is left to the end of the flat"),
+        (
+            inner,
+            {"z": 14, "centre": beside(10.3), "zones": (6e-5, 1e-4)},
+            "half of what is left to the end of the flat",
+        ),
         (inner, {"zones": (0.0, 1e-4)}, "zone on the flat needs 0 < zone"),
         (inner, {"zones": (1.3e-3, 1e-4)}, "r/2"),
         (inner, {"zones": (5e-4, 1e-4), "r_b": X - 4e-4}, "the wall"),
@@ -325,6 +330,7 @@ def beside(angle, radius=R - R_R):
         (outer, {"r": float("nan")}, "a roller needs r > 0"),
         (outer, {"zones": (1.3e-3, 1e-4)}, "zone on the circle"),
         (outer, {"zones": (1e-4, 1.3e-3)}, "zone on the flat"),
+        (outer, THIN_SHAFT | {"zones": (6e-4, 1e-4)}, "a quarter of the pitch, here 0.000523599"),
     ],
 )
 def test_a_sector_that_cannot_be_is_refused_in_one_line(sector, changed, rule):
