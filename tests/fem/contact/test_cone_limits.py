@@ -1,0 +1,178 @@
+"""Where friction in a cone ends: blocks slide at mu P in every direction, and that is said."""
+
+import numpy as np
+import pytest
+
+from fem.contact.along import Along
+from fem.contact.cone import Cone
+from fem.contact.cone_reach import missing
+from fem.contact.pairs import Obstacle, Pair, Rigid
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from meshes.contact.block import block
+from meshes.contact.round import full_disc
+from meshes.join import join
+
+SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
+MU, P = 0.2, 8e-3
+SLOPE = 0.1
+ANGLES = [0.0, 30.0, 60.0, 90.0, 200.0]
+
+
+def on_flat(low=HARD, top=None):
+    """A flat block on a wide one, its top free or moved."""
+    mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 0.6), nx=6, ny=2),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
+    held = {} if top is None else {"up.top": "xy"}
+    held_z = {} if top is None else {"up.top": 0.0}
+    return ContactProblem(
+        mesh, materials={"up": SOFT, "low": low}, assumption="plane strain",
+        supports={"low.bottom": "xy", **held}, along=Along(supports={"low.bottom": 0.0, **held_z}),
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=MU)],
+    )  # fmt: skip
+
+
+def towards(angle):
+    return float(np.cos(np.radians(angle))), float(np.sin(np.radians(angle)))
+
+
+def pulled(problem, pressed, angle, share):
+    """Drawn in its lowest face, so that nothing tilts it."""
+    x, z = (share * MU * P * d for d in towards(angle))
+    return problem.solve(
+        forces={"up.top": (0.0, -P), "up.bottom": (x, 0.0)}, axial_forces={"up.bottom": z},
+        after=pressed,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("low", [HARD, Rigid()], ids=["elastic", "rigid"])
+def test_a_block_holds_what_is_within_the_cone_and_no_more(low, angle):
+    problem = on_flat(low)
+    pressed = problem.solve(forces={"up.top": (0.0, -P)})
+    for share in (0.3, 0.7, 0.99, 0.9999):
+        s = pulled(problem, pressed, angle, share)
+        touch = s.touches[0]
+        x, z = (share * MU * P * d for d in towards(angle))
+        np.testing.assert_allclose(touch.force, (x, -P), atol=1e-9 * P)
+        assert touch.force_z == pytest.approx(z, abs=1e-9 * P)
+        q = np.hypot(touch.traction, touch.traction_z)
+        assert np.all(q <= MU * touch.pressure * (1 + 1e-9))
+        assert s.along is not None
+        assert s.along.residual.largest < 1e-9
+    for share in (1.000001, 1.3, 50.0):
+        with pytest.raises(ValueError, match="the loads do move it"):
+            pulled(problem, pressed, angle, share)
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+def test_a_block_that_is_moved_slides_at_mu_times_the_pressure(angle):
+    problem = on_flat(top="moved")
+    s = problem.solve(displacements={"up.top": {"x": 0.0, "y": -1e-3}})
+    x, z = towards(angle)
+    for far in (1e-3, 1e-2, 1.0):
+        s = problem.solve(
+            displacements={"up.top": {"x": far * x, "y": -1e-3}},
+            axial_displacements={"up.top": far * z}, after=s,
+        )  # fmt: skip
+    touch = s.touches[0]
+    assert not np.any(touch.sticks)
+    force = np.array([touch.force[0], touch.force_z])
+    # what is left of the elastic displacements turns the slip by their share of it
+    assert np.hypot(*force) == pytest.approx(MU * touch.normal_force, rel=1e-8)
+    np.testing.assert_allclose(force / np.hypot(*force), (x, z), atol=1e-3)
+    q = np.hypot(touch.traction, touch.traction_z)
+    np.testing.assert_allclose(q, MU * touch.pressure, rtol=1e-9)
+
+
+def test_what_slides_one_way_turns_to_another():
+    problem = on_flat(top="moved")
+    down = {"x": 0.0, "y": -1e-3}
+    s = problem.solve(displacements={"up.top": down})
+    s = problem.solve(displacements={"up.top": {"x": 0.5, "y": -1e-3}}, after=s)
+    assert s.touches[0].force[0] == pytest.approx(MU * s.touches[0].normal_force, rel=1e-9)
+    assert abs(s.touches[0].force_z) < 1e-12
+    for z in (1e-4, 1e-3, 1e-2, 0.5, 1.0):
+        before = s.touches[0]
+        s = problem.solve(
+            displacements={"up.top": {"x": 0.5, "y": -1e-3}}, axial_displacements={"up.top": z},
+            after=s,
+        )  # fmt: skip
+        touch = s.touches[0]
+        force = np.hypot(touch.force[0], touch.force_z)
+        assert force <= MU * touch.normal_force * (1 + 1e-9)
+        assert touch.force_z > before.force_z - 1e-6 * P  # turning further
+    assert touch.force_z == pytest.approx(MU * touch.normal_force, rel=1e-6)
+
+
+def wedged(free=()):
+    """A disc that friction alone holds between flats, each at SLOPE, that close towards +x."""
+    mesh, rim = full_disc(R=1.0, around=64), Circle((0.0, 0.0), 1.0)
+    facets = mesh.boundaries["rim"]
+    up = mesh.p[1, mesh.facets[:, facets]].mean(axis=0) > 0
+    mesh = mesh.with_boundaries({"over": facets[up], "under": facets[~up]})
+    x, y = float(np.sin(SLOPE)), float(np.cos(SLOPE))
+    flats = {"above": Obstacle(Flat((x, y), (-x, -y))), "below": Obstacle(Flat((x, -y), (-x, y)))}
+    fit = {"friction": 0.3, "slave_shape": rim, "interference": 0.02}
+    return ContactProblem(
+        mesh, materials=Elastic(E=1.0, nu=0.3), assumption="plane strain", obstacles=flats,
+        along=Along(free=free),
+        contacts=[Pair(slave="over", master="above", **fit),
+                  Pair(slave="under", master="below", **fit)],
+    )  # fmt: skip
+
+
+def test_a_disc_in_a_wedge_sticks_to_flats_that_move_along_z():
+    # two forces balance on it: their angle to the normals is that of the flats, and it follows
+    # both flats, by half of what one is moved
+    problem = wedged()
+    s = problem.solve()
+    for moved in (1e-3, 2e-3, 4e-3):
+        s = problem.solve(axial_displacements={"above": moved}, after=s)
+        above, below = s.touches
+        for touch in (above, below):
+            assert abs(touch.friction_force) == pytest.approx(
+                np.tan(SLOPE) * touch.normal_force, rel=1e-3
+            )
+        assert above.force_z == pytest.approx(-below.force_z, rel=1e-9)
+        assert above.force_z < 0  # the flat above drags the disc along, and is held back
+        assert s.along.reaction("above") == pytest.approx(-above.force_z, rel=1e-9)
+        assert s.u_z[: s.along.interface.bodies.nodes.meshed].mean() == pytest.approx(
+            moved / 2, rel=1e-6
+        )
+    assert abs(above.force_z) > 0.05 * above.normal_force
+
+
+def test_a_disc_in_a_wedge_holds_an_axial_force_within_the_cone():
+    mu, tan = 0.3, np.tan(SLOPE)
+    problem = wedged(free=("above",))
+    pressed = problem.solve()
+    N = pressed.touches[0].normal_force
+    limit = N * np.sqrt(mu**2 - tan**2)
+    for share in (0.5, 0.9):
+        s = problem.solve(axial_forces={"above": share * limit}, after=pressed)
+        touch = s.touches[0]
+        assert touch.force_z == pytest.approx(-share * limit, rel=1e-9)
+        used = np.hypot(touch.friction_force, touch.force_z) / (mu * touch.normal_force)
+        expected = np.hypot(tan, share * limit / touch.normal_force) / mu
+        assert used == pytest.approx(expected, rel=1e-3)
+        assert used < 1
+        assert touch.normal_force == pytest.approx(N, rel=0.01)
+    for share in (1.02, 3.0):
+        with pytest.raises(ArithmeticError, match="slides"):
+            problem.solve(axial_forces={"above": share * limit}, after=pressed)
+
+
+def test_the_reach_of_the_cone_is_found_in_any_direction():
+    # one node that a body rests on, shifts x, y and z: B and D as of a unit mass point
+    for angle in np.radians([0.0, 10.0, 37.0, 90.0, 200.0]):
+        cone = Cone(
+            B=np.eye(3), D=np.eye(3)[:, [1, 0, 2]], friction=np.array([0.5]), rough=np.array([0])
+        )
+        pull = np.array([np.cos(angle), 0.0, np.sin(angle)])
+        held, lost = (
+            missing(cone, -np.array([0.0, 2.0, 0.0]) + share * pull) for share in (1 - 1e-7, 1.01)
+        )
+        assert not np.any(held)
+        assert lost @ pull > 0

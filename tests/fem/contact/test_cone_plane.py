@@ -1,0 +1,139 @@
+"""Where nothing pulls along z, the cone is the plane's friction, and what is turned is turned."""
+
+import numpy as np
+import pytest
+
+from fem.contact.along import Along
+from fem.contact.cone import State
+from fem.contact.cone_descent import Descent
+from fem.contact.pairs import Pair
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle
+from fem.plane.material import Elastic
+from meshes.contact.block import block
+from meshes.contact.disc import half_disc
+from meshes.join import join
+
+SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
+
+
+def tower(along, friction=0.25):
+    mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
+    return ContactProblem(
+        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane strain",
+        supports={"low.bottom": "xy"}, along=along,
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=friction)],
+    )  # fmt: skip
+
+
+def test_without_loads_along_z_the_plane_is_what_it_was():
+    plane, both = tower(None), tower(Along(supports={"low.bottom": 0.0}))
+    a = b = None
+    for x in (0.0, 6e-4, 1.2e-3, -5e-4):
+        load = {"up.top": (x, -8e-3)}
+        a, b = plane.solve(forces=load, after=a), both.solve(forces=load, after=b)
+        np.testing.assert_array_equal(a.rest.multipliers, b.rest.multipliers)
+        np.testing.assert_array_equal(a.displacements, b.displacements)
+        assert not np.any(b.u_z)
+        assert b.touches[0].force_z == 0.0
+        assert a.u_z.size == b.u_z.size
+
+
+@pytest.mark.parametrize("share", [0.3, 0.75])
+def test_the_cones_own_equations_find_the_planes_friction(share):
+    # the way over Newton's method, from elsewhere: all nodes pulled along z at the start
+    problem = tower(Along(supports={"low.bottom": 0.0}))
+    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
+    load = {"up.top": (share * 0.25 * 8e-3, -8e-3)}
+    s = problem.solve(forces=load, after=pressed)
+    cone = s.along.interface.cone
+    n, k = s.rest.multipliers.size, s.rest.motion.size
+    w_0 = s.w - problem.interface.kernel.B @ s.rest.multipliers
+    w_0 = w_0 - problem.interface.kernel.D @ s.rest.motion
+    w = np.concatenate([w_0, np.zeros(len(cone.B) - n)])
+    e = np.concatenate([s.e, np.zeros(cone.D.shape[1] - k)])
+    rest = pressed.rest
+    start = State(
+        np.concatenate([rest.multipliers, 0.1 * rest.multipliers[cone.rough]]),
+        np.concatenate([rest.motion, np.zeros(e.size - k)]),
+    )
+    found = Descent(cone, w, e).solve([start])
+    peak = s.touches[0].peak
+    np.testing.assert_allclose(found.multipliers[:n], s.rest.multipliers, atol=1e-9 * peak)
+    np.testing.assert_allclose(found.multipliers[n:], 0.0, atol=1e-9 * peak)
+
+
+def test_a_push_so_small_along_z_changes_nothing_in_the_plane():
+    problem = tower(Along(supports={"low.bottom": 0.0}))
+    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
+    load = {"up.top": (1e-3, -8e-3)}
+    plane = problem.solve(forces=load, after=pressed)
+    both = problem.solve(forces=load, axial_forces={"up.top": 1e-15}, after=pressed)
+    atol = 1e-9 * plane.touches[0].peak
+    np.testing.assert_allclose(both.rest.multipliers, plane.rest.multipliers, atol=atol)
+
+
+def test_the_other_way_along_z_is_the_mirror_image():
+    problem = tower(Along(supports={"low.bottom": 0.0}))
+    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
+    load = {"up.top": (8e-4, -8e-3)}
+    there, back = (
+        problem.solve(forces=load, axial_forces={"up.top": z}, after=pressed)
+        for z in (1.1e-3, -1.1e-3)
+    )
+    peak = there.touches[0].peak
+    for name, sign in (("traction", 1), ("pressure", 1), ("traction_z", -1)):
+        a, b = getattr(there.touches[0], name), getattr(back.touches[0], name)
+        np.testing.assert_allclose(a, sign * b, atol=1e-9 * peak)
+    np.testing.assert_allclose(there.u_z, -back.u_z, atol=1e-9 * np.abs(there.u_z).max())
+
+
+def test_slave_and_master_may_change_places():
+    R, a, found = 10e-3, 2e-4, []
+    mesh = join({"up": half_disc(R=R, zone=1.4 * a, refine=2),
+                 "low": half_disc(R=R, zone=1.4 * a, refine=2, below=True)})  # fmt: skip
+    shapes = {"up": Circle((0, R), R), "low": Circle((0, -R), R)}
+    for slave, master in (("up", "low"), ("low", "up")):
+        problem = ContactProblem(
+            mesh, materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
+            supports={"low.middle": "xy", "up.middle": "xy"},
+            along=Along(supports={"low.middle": 0.0, "up.middle": 0.0}),
+            contacts=[Pair(slave=f"{slave}.surface", master=f"{master}.surface", friction=0.3,
+                           slave_shape=shapes[slave], master_shape=shapes[master])],
+        )  # fmt: skip
+        down = {"up.middle": {"x": 5e-7, "y": -5e-6}}
+        s = problem.solve(displacements={"up.middle": {"x": 0.0, "y": -5e-6}})
+        s = problem.solve(displacements=down, axial_displacements={"up.middle": 5e-7}, after=s)
+        found.append(s)
+    one, other = (np.array([*s.touches[0].force, s.touches[0].force_z]) for s in found)
+    np.testing.assert_allclose(one, -other, atol=1e-6 * abs(one[1]))
+
+
+@pytest.mark.parametrize("steps", [1, 4])
+def test_even_shares_in_one_direction_lead_where_one_step_does(steps):
+    problem = tower(Along(supports={"low.bottom": 0.0}), friction=0.6)
+    pressed = problem.solve(forces={"up.top": (0.0, -8e-3)})
+    load = {"forces": {"up.top": (0.0, -8e-3)}, "axial_forces": {"up.top": 1e-3}}
+    s = problem.solve(**load, after=pressed, steps=steps)
+    one = problem.solve(**load, after=pressed)
+    assert s.touches[0].force_z == pytest.approx(1e-3, rel=1e-9)
+    near = 1e-9 if steps == 1 else 0.02  # nodes that open on the way
+    np.testing.assert_allclose(
+        s.touches[0].traction_z, one.touches[0].traction_z, atol=near * one.touches[0].peak
+    )
+
+
+def test_what_is_held_along_z_changes_in_proportion_to_the_thickness():
+    mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
+    thin, thick = (
+        ContactProblem(
+            mesh, materials={"up": SOFT, "low": HARD}, assumption="plane strain", thickness=t,
+            supports={"low.bottom": "xy"}, along=Along(supports={"low.bottom": 0.0}),
+            contacts=[Pair(slave="up.bottom", master="low.top", friction=0.25)],
+        ).solve(forces={"up.top": (3e-4 * t, -8e-3 * t)}, axial_forces={"up.top": 1e-3 * t})
+        for t in (1.0, 0.2)
+    )  # fmt: skip
+    np.testing.assert_allclose(thin.u_z, thick.u_z, atol=1e-9 * np.abs(thin.u_z).max())
+    assert thick.touches[0].force_z == pytest.approx(0.2 * thin.touches[0].force_z, rel=1e-9)
