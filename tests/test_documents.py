@@ -37,19 +37,7 @@ def test_the_table_of_verdicts_is_that_of_this_code(judged):
     cases = [judged(case) for case in CASES]
     table = markdown(make_report(cases, CASES, 0.0))
     printed = README.partition("<!-- verdicts -->\n")[2].partition("\n<!-- /verdicts -->")[0]
-    for line, own in zip(printed.splitlines(), table.splitlines(), strict=True):
-        cells, others = line.split(" | "), own.split(" | ")
-        assert cells[:-2] == others[:-2], "run make readme"
-        for cell, other in zip(cells[-2:], others[-2:], strict=True):
-            assert same(cell, other), f"run make readme: {cell}, now {other}"
-
-
-def same(cell, other):
-    """Shares within a factor of four where they are tiny: the last digits of a search vary."""
-    if cell == other or "%" not in cell:
-        return cell == other
-    a, b = (float(text.partition(" ")[0]) for text in (cell, other))
-    return max(a, b) < 0.05 and max(a, b) <= 4 * min(a, b)
+    assert printed == table, "run make readme"
 
 
 @pytest.mark.parametrize("command", re.findall(r"^freewheel (\S+)", README, re.MULTILINE))

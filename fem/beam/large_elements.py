@@ -122,7 +122,9 @@ class Elements:
         local = (S * (self.moduli * bent)[..., None]).sum(axis=2)
         local += (A @ change.astype(float)[..., None])[..., 0]
         nodal = (self._fields * (local * self.weight[..., None])[..., None]).sum(axis=2)
-        return np.bincount(self._dofs, nodal.sum(axis=1).ravel(), 3 * self.count)
+        total = np.zeros(3 * self.count)
+        total += np.bincount(self._dofs, nodal.sum(axis=1).ravel(), total.size)
+        return total
 
     def tangent_stiffness(self, S: Array, strain: Array, t: Array, stress: Array) -> csc_array:
         """Stiffness (3n, 3n): material part, and geometric part of the `stress` N, V, M."""

@@ -52,6 +52,18 @@ def test_at_rest_the_tangent_is_that_of_the_linear_curved_beam():
 
 
 @pytest.mark.parametrize("nodes", [2, 3])
+def test_the_change_of_forces_is_the_tangent_times_the_step(nodes):
+    frame, rng = hook(nodes), np.random.default_rng(3)
+    e = frame.elements
+    u, step = (0.3 * rng.normal(size=(2, len(frame.points), 3))).astype(np.longdouble)
+    strain, _, t = e.strains(u)
+    S, stress = e.increments(strain, t), e.moduli * strain
+    expected = e.tangent_stiffness(S, strain, t, stress) @ step.astype(float).ravel()
+    found = e.change_of_forces(S, strain, t, stress, step)
+    np.testing.assert_allclose(found, expected, atol=1e-12 * abs(expected).max())
+
+
+@pytest.mark.parametrize("nodes", [2, 3])
 def test_force_and_tangent_are_derivatives_of_the_energy(nodes):
     frame, rng = hook(nodes), np.random.default_rng(3)
     e = frame.elements

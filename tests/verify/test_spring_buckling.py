@@ -8,7 +8,7 @@ import pytest
 from analytic.spring import column, stability
 from analytic.spring.elastica import Elastica
 from verify.case import Context
-from verify.cases import spring_buckling, spring_buckling_fem
+from verify.cases import spring_buckling, spring_buckling_fem, spring_large_fem
 from verify.cases.spring_buckling import BUCKLING, analytic, gives_way, too_large
 from verify.cases.spring_buckling_inputs import BucklingInputs
 from verify.cases.spring_large_fem import Spring
@@ -136,6 +136,35 @@ def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatc
     (check,) = (c for c in BUCKLING.checks if c.name == row)
     rows = check.rows(Context(BUCKLING.id, q, analytic(q), levels, True))
     assert rows[0].status is Status.FAIL
+
+
+SLENDER = {"b": 5e-5, "h": 0.056, "E": 206e9, "nu": 0.3, "per_arc": 4, "per_leaf": 2}
+
+
+@pytest.fixture
+def thin():
+    """A strip half as thick as the paper's, whose stiff and soft directions are furthest apart."""
+    return Spring(BucklingInputs().path | {"tail": "arc"}, **SLENDER)
+
+
+def test_the_head_s_stiffness_is_symmetric_though_nothing_makes_it_so(thin):
+    state = thin.compressed([1e-3])[0]
+    S, rounding = thin.head_stiffness(state)
+    assert (rounding / np.sqrt(abs(np.outer(np.diag(S), np.diag(S))))).max() < 1e-11
+
+
+def test_where_a_head_gives_way_does_not_depend_on_where_the_search_began(thin, monkeypatch):
+    found = []
+    for near in (0.8, 0.85, 0.9):
+        monkeypatch.setattr(spring_large_fem, "NEAR", near)
+        found.append(thin.gives_way(5e-3)[0])
+    assert found == pytest.approx([found[0]] * 3, rel=1e-11)
+
+
+def test_two_searches_of_one_spring_give_the_same_digits(thin):
+    other = Spring(thin.path, **SLENDER)
+    assert thin.gives_way(5e-3)[:2] == other.gives_way(5e-3)[:2]
+    assert thin.linear_load() == other.linear_load()
 
 
 ODD = [
