@@ -40,7 +40,7 @@ def rollers(nu, refine=2, held="xy", along=None):
 
 
 def stick_half_width(touch, q):
-    """c of the traction `q` (points,): int (mu p - q) x^2 is that of an ellipse over |x| < c."""
+    """C of the traction `q` (points,): int (mu p - q) x^2 is that of an ellipse over |x| < c."""
     x, P = touch.along(), touch.normal_force
     left = (MU * touch.p - q) @ touch.weight
     # the ellipse left has the moment left c^2/4, and left = mu P c^2/a^2
@@ -63,9 +63,7 @@ def test_pulled_along_z_the_stick_zone_shrinks_as_cattaneo_has_it(pulled, share)
     problem, pressed = pulled
     P = load(0.3)
     Q = share * MU * P
-    s = problem.solve(
-        forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": Q}, after=pressed
-    )
+    s = problem.solve(forces={"up.middle": (0.0, -P)}, axial_forces={"up.middle": Q}, after=pressed)
     touch = s.touches[0]
     assert touch.force_z == pytest.approx(Q, rel=1e-9)
     assert s.along.residual.largest < 1e-9

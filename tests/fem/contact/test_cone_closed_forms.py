@@ -126,9 +126,7 @@ def test_an_obstacle_that_is_free_along_z_gives_way_to_a_force():
         along=Along(supports={"top": 0.0}, free=("floor",)), obstacles={"floor": Obstacle(Flat())},
         contacts=[Pair(slave="bottom", master="floor", friction=10.0)],
     )  # fmt: skip
-    s = problem.solve(
-        displacements={"top": {"x": 0.0, "y": -0.01}}, axial_forces={"floor": 1e-3}
-    )
+    s = problem.solve(displacements={"top": {"x": 0.0, "y": -0.01}}, axial_forces={"floor": 1e-3})
     assert s.u_z[-1] == pytest.approx(1e-3 * 0.5 / G_SOFT, rel=EXACT)
 
 

@@ -1,0 +1,125 @@
+"""Forces along z balance, friction in the cone only takes energy, and random starts end alike."""
+
+import numpy as np
+import pytest
+
+from fem.contact.along import Along
+from fem.contact.cone import State
+from fem.contact.cone_descent import Descent
+from fem.contact.pairs import Obstacle, Pair
+from fem.contact.problem import ContactProblem
+from fem.contact.shapes import Circle, Flat
+from fem.plane.material import Elastic
+from meshes.contact.block import block
+from meshes.contact.disc import half_disc
+from meshes.join import join
+
+SOFT, HARD = Elastic(E=1.0, nu=0.3), Elastic(E=4.0, nu=0.2)
+EXACT = 1e-9
+
+
+def test_what_pulls_above_arrives_below():
+    # two blocks on a floor, the lower one pulled as well, all of them held by friction alone
+    mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5),
+                 "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
+    problem = ContactProblem(
+        mesh, materials={"up": SOFT, "low": HARD}, assumption="plane strain", thickness=0.3,
+        obstacles={"floor": Obstacle(Flat())}, along=Along(),
+        contacts=[Pair(slave="up.bottom", master="low.top", friction=0.5),
+                  Pair(slave="low.bottom", master="floor", friction=0.5)],
+    )  # fmt: skip
+    s = problem.solve(
+        forces={"up.top": (1e-3, -8e-3)}, axial_forces={"up.top": 1.5e-3, "low.left": -4e-4}
+    )
+    upper, lower = s.touches
+    assert upper.force_z == pytest.approx(1.5e-3, rel=EXACT)
+    assert lower.force_z == pytest.approx(1.1e-3, rel=EXACT)
+    assert s.along.reaction("floor") == pytest.approx(-1.1e-3, rel=EXACT)
+    np.testing.assert_allclose(lower.force, (1e-3, -8e-3), atol=EXACT * 8e-3)
+    internal = s.along.interface.bodies.internal_forces(s.u_z)
+    rest = internal - s.along.pull.f - s.along.interface.rows.T @ s.along.traction
+    assert np.abs(rest[:-1]).max() < EXACT * 1.5e-3  # every node but the floor, which is held
+
+
+def test_friction_only_takes_energy_and_all_that_is_missing():
+    # a roller on a flat swings in x and z out of phase; the trapezoidal rule loses nothing, for
+    # each step is linear but for nodes that open or close in it, and here none does
+    R, a = 10e-3, 2e-4
+    problem = ContactProblem(
+        half_disc(R=R, zone=1.4 * a, refine=1), materials=Elastic(E=210e9, nu=0.3),
+        assumption="plane strain", supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat())},
+        along=Along(supports={"middle": 0.0}),
+        contacts=[Pair(slave="surface", master="flat", friction=0.3, slave_shape=Circle((0, R), R))],
+    )  # fmt: skip
+    s, before, lost, path = None, np.zeros((2, 1)), [], []
+    for t in np.linspace(0, 4 * np.pi, 97):
+        x, z = 6e-7 * np.sin(t), 6e-7 * np.sin(t - np.pi / 3)
+        s = problem.solve(
+            displacements={"middle": {"x": x, "y": -2e-6}}, axial_displacements={"middle": z},
+            after=s,
+        )  # fmt: skip
+        touch = s.touches[0]
+        forces = np.array([touch.traction, touch.traction_z]) * touch.mortar.size
+        slips = np.array([touch.slip, touch.slip_z])
+        lost.append(-float(((forces + before) * slips).sum()) / 2)
+        before = forces
+        path.append((x, z, touch.force[0], touch.force_z, s.strain_energy))
+    x, z, F_x, F_z, energy = np.array(path).T
+    assert min(lost) > -1e-12 * max(lost)
+    second = slice(48, None)
+    work = float(np.trapezoid(F_x[second], x[second]) + np.trapezoid(F_z[second], z[second]))
+    assert work > 0.005 * np.ptp(x) * np.ptp(F_x)
+    change = energy[-1] - energy[48]
+    assert work - change == pytest.approx(sum(lost[49:]), rel=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_cone_finds_the_same_contact_from_random_starts(seed):
+    R, a = 10e-3, 2e-4
+    problem = ContactProblem(
+        half_disc(R=R, zone=1.4 * a, refine=1), materials=Elastic(E=210e9, nu=0.3),
+        assumption="plane strain", supports={"middle": "x"}, obstacles={"flat": Obstacle(Flat())},
+        along=Along(),
+        contacts=[Pair(slave="surface", master="flat", friction=0.3, slave_shape=Circle((0, R), R))],
+    )  # fmt: skip
+    P = 8e5
+    s = problem.solve(forces={"middle": (0.0, -P)})
+    s = problem.solve(forces={"middle": (0.0, -P)}, axial_forces={"middle": 0.2 * P}, after=s)
+    cone = s.along.interface.cone
+    n = s.rest.multipliers.size
+    at = State(
+        np.concatenate([s.rest.multipliers, s.along.traction]),
+        np.concatenate([s.rest.motion, s.along.shift]),
+    )
+    w = np.concatenate([s.w, s.along.w]) - cone.B @ at.multipliers - cone.D @ at.motion
+    e = -cone.D.T @ at.multipliers
+    random = np.random.default_rng(seed)
+    start = State(
+        at.multipliers[:n].max() * random.uniform(-1, 1, at.multipliers.size),
+        1e-6 * random.uniform(-1, 1, at.motion.size),
+    )
+    found = Descent(cone, w, e).solve([start])
+    peak = s.touches[0].peak
+    np.testing.assert_allclose(found.multipliers, at.multipliers, atol=1e-7 * peak)
+
+
+def test_slip_along_z_counts_from_where_a_gap_closes():
+    # half-way down the gap closes, and from there on the slave is dragged the other half
+    def step(steps):
+        mesh = block(x=(0, 1), y=(0.01, 0.51), nx=4, ny=3)
+        problem = ContactProblem(
+            mesh, materials=Elastic(E=1.0, nu=0.0), assumption="plane strain",
+            supports={"top": "xy"}, along=Along(supports={"top": 0.0}),
+            obstacles={"floor": Obstacle(Flat())},
+            contacts=[Pair(slave="bottom", master="floor", friction=5.0)],
+        )  # fmt: skip
+        return problem.solve(
+            displacements={"top": {"x": 0.0, "y": -0.02}}, axial_displacements={"top": 2e-3},
+            steps=steps,
+        )  # fmt: skip
+
+    G = 0.5
+    for steps in (1, 2, 4):
+        touch = step(steps).touches[0]
+        assert np.all(touch.sticks)
+        np.testing.assert_allclose(touch.traction_z, 1e-3 * G / 0.5, rtol=1e-9)
