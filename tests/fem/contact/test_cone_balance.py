@@ -49,7 +49,8 @@ def test_friction_only_takes_energy_and_all_that_is_missing():
         half_disc(R=R, zone=1.4 * a, refine=1), materials=Elastic(E=210e9, nu=0.3),
         assumption="plane strain", supports={"middle": "xy"}, obstacles={"flat": Obstacle(Flat())},
         along=Along(supports={"middle": 0.0}),
-        contacts=[Pair(slave="surface", master="flat", friction=0.3, slave_shape=Circle((0, R), R))],
+        contacts=[Pair(slave="surface", master="flat", friction=0.3,
+                       slave_shape=Circle((0, R), R))],
     )  # fmt: skip
     s, before, lost, path = None, np.zeros((2, 1)), [], []
     for t in np.linspace(0, 4 * np.pi, 97):
@@ -80,7 +81,8 @@ def test_the_cone_finds_the_same_contact_from_random_starts(seed):
         half_disc(R=R, zone=1.4 * a, refine=1), materials=Elastic(E=210e9, nu=0.3),
         assumption="plane strain", supports={"middle": "x"}, obstacles={"flat": Obstacle(Flat())},
         along=Along(),
-        contacts=[Pair(slave="surface", master="flat", friction=0.3, slave_shape=Circle((0, R), R))],
+        contacts=[Pair(slave="surface", master="flat", friction=0.3,
+                       slave_shape=Circle((0, R), R))],
     )  # fmt: skip
     P = 8e5
     s = problem.solve(forces={"middle": (0.0, -P)})
