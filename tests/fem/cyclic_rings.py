@@ -37,10 +37,10 @@ def arc(kind, angle, *, start, around, through, r_i=R_I, r_o=R_O):
     return replace(mesh, doflocs=np.array([r * np.cos(phi), r * np.sin(phi)]))
 
 
-def ring(kind, z, *, start=0.3, around=6, through=3):
+def ring(kind, z, *, start=0.3, around=6, through=3, r_i=R_I, r_o=R_O):
     """The closed ring of `z` such sectors: "bore", "rim"."""
     straight, _ = KINDS[kind]
-    cut = arc(kind, 2 * pi, start=start, around=z * around, through=through)
+    cut = arc(kind, 2 * pi, start=start, around=z * around, through=through, r_i=r_i, r_o=r_o)
     own = np.arange(cut.nvertices)
     p = cut.p[:, : cut.nvertices]
     for last in np.unique(cut.facets[:, cut.boundaries["last cut"]]):
@@ -52,7 +52,7 @@ def ring(kind, z, *, start=0.3, around=6, through=3):
     closed = curved(kind, closed, cut)
     radius = np.hypot(*closed.p[:, : closed.nvertices])[closed.facets].mean(axis=0)
     outer = closed.f2t[1] < 0
-    middle = (R_I + R_O) / 2
+    middle = (r_i + r_o) / 2
     return closed.with_boundaries({
         "bore": np.flatnonzero(outer & (radius < middle)),
         "rim": np.flatnonzero(outer & (radius > middle)),
