@@ -34,16 +34,21 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     alone, borne = Borne.by(rest), Borne.by(held)
     missed = abs(rest.torque * q.L / q.T - 1)
     values = {
-        "F_t": borne.F_t[1] * q.L, "N": alone.N.mean() * q.L, "F_a": borne.F_z[0] * q.L,
+        "F_t": alone.F_t[1] / rest.torque * q.T, "N": alone.N.mean() * q.L,
+        "F_a": borne.F_z[0] * q.L, "balance": borne.F_z.sum() * q.L,
         "mu_t": alone.tangent, "mu_req": borne.required.mean(),
-        "balance": borne.F_z.sum() * q.L,
     }  # fmt: skip
-    u_it = {key: missed * abs(values[key]) for key in ("F_t", "N", "mu_t", "mu_req")}
-    u_it["F_a"] = SOLVED * values["N"]
+    u_it = {key: missed * abs(values[key]) for key in ("N", "mu_t", "mu_req")}
+    u_it["mu_t"] /= 2  # tan² alpha is linear in the approaches, on which T grows faster
+    u_it |= {key: SOLVED * values["N"] for key in ("F_t", "F_a")}
     there = sector(q, start, level, q.mu, driven=True)
     stuck = there.rest(rest.drags)
-    path, limit, jitter = to_the_limit(q, there, stuck)
-    values["F_lim"], u_it["F_lim"] = limit, jitter + missed * limit
+    path = to_the_limit(q, there, stuck)
+    # F_z/F_t of the ring times T/R: at the torque that is asked for
+    force, turned = -path[:, 5] / path[:, 3] * q.T / q.R, np.diff(path[:, 1]) / np.diff(path[:, 0])
+    values |= {"F_lim": force[-1], "creep": turned[-1]}
+    u_it["F_lim"] = abs(force[-1] - force[-2]) + missed * force[-1]
+    u_it["creep"] = abs(turned[-1] - turned[-2])
     arrays = {
         "tan": np.array([math.tan(rest.start.psi / 2), rest.torque * q.L]),
         "alone": np.array([alone.N, alone.F_t]), "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
@@ -69,11 +74,11 @@ def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[Sector, Sta
     return there, rest, pulled(q, there, rest)
 
 
-def to_the_limit(q: FrictionInputs, there: Sector, stuck: State) -> tuple[Array, float, float]:
-    """The ring driven along z while N stays: path, the axial force [N] at its end, its change.
+def to_the_limit(q: FrictionInputs, there: Sector, stuck: State) -> Array:
+    """The path of the ring driven along z while N stays, until all slips and the ring creeps.
 
-    The path (m, 8) has u_z [m], the ring's drag [m], F_t/N and F_z/N of both contacts, N of the
-    ring over that at rest, and T over that at rest.
+    It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
+    contacts, N of the ring and T over those at rest.
     """
     N = Borne.by(stuck).N
     unit = q.mu * N.mean() * 2 * (1 + q.nu) / q.E
@@ -81,10 +86,7 @@ def to_the_limit(q: FrictionInputs, there: Sector, stuck: State) -> tuple[Array,
     for u in STEPS:
         state = creeping(there, state, axial_displacements={"ring.rim": u * unit})
         path.append(row(state, stuck, u * unit))
-    found = np.array(path)
-    # F_z/F_t of the ring times T/R: at the torque that is asked for
-    force = -found[:, 5] / found[:, 3] * q.T / q.R
-    return found, float(force[-1]), float(abs(force[-1] - force[-2]))
+    return np.array(path)
 
 
 def let_out(q: FrictionInputs, there: Sector, stuck: State) -> Array:

@@ -1,7 +1,7 @@
 """Sectors of a freewheel under torque that are pulled along the axis, and what contacts bear."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -97,9 +97,11 @@ def wedged(q: FrictionInputs) -> Start:
 
 
 def at_torque(q: FrictionInputs, cells: int) -> Start:
-    """The same on meshes of `cells`."""
-    state = wedged(q).state(q, cells)
-    return after(state).scaled((q.T / (state.torque * q.L)) ** HARDER)
+    """The same on meshes of `cells`, whose zones stay where they are."""
+    start = wedged(q)
+    state = start.state(q, cells)
+    found = after(state).scaled((q.T / (state.torque * q.L)) ** HARDER)
+    return replace(found, widths=start.widths)
 
 
 def pulled(q: FrictionInputs, there: Sector, rest: State) -> State:

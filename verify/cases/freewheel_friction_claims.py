@@ -1,0 +1,136 @@
+"""The claims about a freewheel's friction: what it asks for, where slip starts, what slips then."""
+
+import numpy as np
+
+from analytic.freewheel import criterion
+from verify.case import Context
+from verify.cases.freewheel_friction_formulas import (
+    both_contacts,
+    limit_creep,
+    limit_load,
+    one_contact,
+    two_tangents,
+    whole_load,
+)
+from verify.cases.freewheel_friction_limit import HELD
+from verify.cases.freewheel_torque_model import under_torque
+from verify.checks import Accepted, Approximation, Exact, Fact, Identity
+from verify.results import Row
+
+ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
+SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
+ANGLE = "two bodies that enclose the star say alpha"
+TILTED = f"{ANGLE}, surfaces tilt under N"
+STATICS = 1e-6  # of a value: what forces in balance may miss
+BALANCED = "forces in balance, on any mesh"
+
+
+def required(context: Context, *, loaded: bool) -> float:
+    """Eq. 9 at the angle and the torque that finite elements have."""
+    tan, T = context.fem[-1].arrays["tan"]
+    q = context.inputs
+    F_ax = q.F_ax if loaded else 0.0
+    return float(criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R))
+
+
+def onset(context: Context) -> tuple[float, float, str]:
+    """All of both contacts slips where friction is tan(alpha)."""
+    share, half = context.fem[-1].arrays["onset"]
+    tan = context.fem[-1].arrays["tan"][0]
+    off = share * tan / required(context, loaded=False) - 1
+    return ONSET - abs(off), 2 * half, f"slip starts at μ_req {off:+.3%}, {ONSET:.1%} accepted"
+
+
+def axial_onset(context: Context) -> tuple[float, float, str]:
+    """The axial load finds no rest where friction is below mu_req."""
+    share, half = context.fem[-1].arrays["axial onset"]
+    (tan, T), q = context.fem[-1].arrays["tan"], context.inputs
+    off = share * tan * np.hypot(1.0, q.F_ax * q.R / T) / required(context, loaded=True) - 1
+    return CONE - abs(off), half, f"slip starts at μ_req {off:+.2%}, {CONE:.1%} accepted"
+
+
+def of_contact(context: Context, where: int) -> tuple[float, float, str]:
+    """Resultant over N of one contact against Eq. 9."""
+    before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
+    return OWN - abs(now), abs(now - before), f"off by {now:+.3%}, {OWN:.1%} accepted"
+
+
+def _off(context: Context, forces: np.ndarray) -> float:  # type: ignore[type-arg]
+    N, F_t, F_z = forces
+    found = criterion.required_friction_of_contact(F_n=N, F_t=F_t, F_a=F_z)
+    return float(found / required(context, loaded=True) - 1)
+
+
+def on_the_cone(context: Context) -> tuple[float, float, str]:
+    """Resultant over mu N where all slips, of all contacts and clutches."""
+    arrays, mu = context.fem[-1].arrays, context.inputs.mu
+    last = arrays["creep"][-1] / mu
+    found = [np.hypot(last[2:4], last[4:6])]
+    for row in arrays["angles"]:
+        if row[2] > 0:
+            found.append(np.hypot(row[3::2], row[4::2]))
+    off = np.abs(np.concatenate(found) - 1).max()
+    return CONE - float(off), 0.0, f"within {off:.2%} of μN, {CONE:.1%} accepted"
+
+
+def over_angles(context: Context) -> tuple[float, float]:
+    """F_t/(mu N) is tan(alpha)/mu up to 1, and beyond next to nothing is left of N."""
+    k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
+    mu = context.inputs.mu
+    alpha = np.arctan(k * mu)
+    out = criterion.self_releasing(alpha=alpha, mu=mu)
+    needed = criterion.required_friction(alpha=alpha, T=1.0, F_ax=0.0, R=1.0) / mu
+    missed = np.where(out, SHARE * left / (1 - HELD), np.abs(ratio - needed))
+    return float(SHARE - missed.max()), 0.0
+
+
+class PaperFact(Fact):
+    """A fact about these inputs: at one's own, wedges of other angles may differ."""
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+CHECKS = (
+    Identity(name="tangential force of a roller (Eq. 3, corrected)", symbol="F_t", unit="N",
+             fem="F_t", analytic="F_t", demand=STATICS, demand_reason=BALANCED),
+    Identity(name="axial force of a roller, F_ax/z", symbol="F_a", unit="N", fem="F_a",
+             analytic="F_a", scale="F_t", demand=STATICS, demand_reason=BALANCED),
+    Approximation(name="normal force under torque", symbol="F_n", unit="N", fem="N", analytic="N",
+                  interval=lambda q, _v: under_torque(q).force(), source=TILTED, formal=2),
+    Approximation(name="required friction, torque alone (Eqs. 1, 2)", symbol="μ_req", unit="1",
+                  fem="mu_t", analytic="mu_t", interval=both_contacts, source=ANGLE, formal=2),
+    Approximation(name="required friction (Eqs. 8, 9)", symbol="μ_req", unit="1", fem="mu_req",
+                  analytic="mu_req", interval=one_contact, source=TILTED, formal=2),
+    Approximation(name="required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)",
+                  symbol="μ_req", unit="1", fem="mu_req", analytic="Eq. 8 printed",
+                  interval=whole_load, source=f"{TILTED}; z times a roller's axial force",
+                  formal=2),
+    Approximation(name="tan α, Eq. 8 as printed", symbol="tan α", unit="1", fem="mu_t",
+                  analytic="mu_req", interval=two_tangents,
+                  source=f"{ANGLE}; √(1 + (F_ax R/T)²) of it is no tangent", formal=2),
+    Approximation(name="limit of the axial load (Eq. 9)", symbol="F_ax,lim", unit="N",
+                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, demand=0.03,
+                  demand_reason="it goes as √((μ/tan α)² − 1)", formal=2),
+    Approximation(name="creep of the ring that slips along the axis, F_t/F_z", symbol="R dφ/du_z",
+                  unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.03,
+                  source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
+                  demand_reason="it goes as 1/√((μ/tan α)² − 1)"),
+    Accepted(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
+             margin=onset),
+    Accepted(name="friction below which the axial load finds no rest (Eqs. 8-10)",
+             symbol="μ/μ_req", unit="1", margin=axial_onset),
+    Accepted(name="required friction on the star, at its own angle (Eqs. 8, 9)", symbol="μ_req",
+             unit="1", margin=lambda context: of_contact(context, 0)),
+    Accepted(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
+             unit="1", margin=lambda context: of_contact(context, 1)),
+    Accepted(name="slipping contacts are on the friction cone", symbol="√(F_t² + F_z²)/(μN)",
+             unit="1", margin=on_the_cone),
+    PaperFact(name="wedge angles: held below tan α = μ, let out above", symbol="F_t/(μN)",
+              unit="1", margin=over_angles),
+    Exact(name="balance of a roller along the axis", symbol="ΣF_z", unit="N", fem="balance",
+          scale="F_t", bound=1e-9, bound_reason="the solver's balance of a body that only contact "
+          "holds"),
+)  # fmt: skip
