@@ -12,11 +12,12 @@ from skfem.mesh import Mesh2D
 
 from meshes.contact.blocks import Block, Edge, mesh_blocks
 from meshes.contact.fan import Zone
-from meshes.polyhedral.fans import BODY, across, corner_fan, roller_fan
+from meshes.polyhedral.fans import BODY, across, corner_column, corner_fan, roller_fan
 from meshes.polyhedral.outline import Outline
 
 ROWS = 3  # cells across the wall on the coarsest mesh without a fine zone
 NEAR = 0.7  # a fan that ends so near to the hub ends there
+LONG = 3.0  # fillet over wall from which on it needs no fan
 HUB = 4  # cells on the hub's stretch on the coarsest mesh
 PARTS = {"rim": ("rim", "zone"), "bore": ("flat", "hub", "fillet"), "flat": ("flat", "hub")}
 
@@ -31,6 +32,7 @@ def half_sector(
     zone: float | None = None,
     cells: int = 6,
     hub: tuple[float, float] | None = None,
+    arc: int = 6,
     order: int = 2,
     straight: bool = False,
 ) -> Mesh2D:
@@ -40,8 +42,9 @@ def half_sector(
     radius `fillet` of these [one unit of length]. `refine` 1 is the coarsest mesh, 2 halves every
     cell, and so on. With a `zone`, `cells` even cells (on `refine` 1) lie outside over
     0 <= y <= `zone`, where a roller touches. The `hub` presses the flat from s_0 to s_1 [length]
-    from its middle. Boundaries "rim" (all outside) and its part "zone"; "bore" with its parts
-    "flat" and "fillet"; "hub", part of the flat; the cuts "mid" (y = 0) and "corner"; body "ring".
+    from its middle. At least `arc` cells (on `refine` 1) lie on the fillet. Boundaries "rim" (all
+    outside) and its part "zone"; "bore" with its parts "flat" and "fillet"; "hub", part of the
+    flat; the cuts "mid" (y = 0) and "corner"; body "ring".
     `order` 1 or 2; `straight` cells keep straight edges.
 
     Raises ValueError unless z >= 3, 0 < d_i < d_e, 0 < fillet < d_i/2, where the zone is not
@@ -62,7 +65,12 @@ def half_sector(
     blocks = [] if fine is None else roller_fan(ring, fine, stops[0])
     for ends in pairwise(stops):
         blocks.append(_column(ring, ends, hub=ends == hub, rows=rows, refine=refine))
-    blocks += corner_fan(ring, stops[-1], rows, refine)
+    if fine is None and ring.fillet * ring.angle > LONG * (ring.r_e - ring.r_i):
+        rest = stops[-1], ring.half_flat
+        blocks.append(_column(ring, rest, hub=False, rows=rows, refine=refine))
+        blocks.append(corner_column(ring, rows, refine, arc))
+    else:
+        blocks += corner_fan(ring, stops[-1], rows, refine, arc)
     return _named(mesh_blocks(blocks, order=order, straight=straight))
 
 
