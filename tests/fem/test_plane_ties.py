@@ -249,3 +249,10 @@ def test_bonded_bodies_are_one():
     whole = arc("tri6", 2.0, through=6, r_o=2.2, **size)
     one = solved(whole, supports={"bore": "xy"}, tractions={"rim": patches(4)})
     assert apart(two, one) < SAME
+
+
+def test_a_tie_said_twice_says_nothing_more():
+    given = {"tractions": {"rim": patches(5)}}
+    once = solved(sector("tri6", 5), ties=[cyclic(5)], **given)
+    again = [cyclic(5), cyclic(5), cyclic(5, swapped=True)]
+    assert apart(solved(sector("tri6", 5), ties=again, **given), once) < SAME
