@@ -53,10 +53,11 @@ class Limit:
         """Friction over Eq. 8 (2,) below which the axial load finds no rest: value, half-width."""
         needed = self.tan * math.hypot(1.0, self.q.F_ax * self.q.R / self.q.T)
         return self._bisected(
-            lambda k: self._bears(k * needed), 1 - AXIAL_BELOW, 1 + AXIAL_ABOVE, AXIAL_BISECTIONS
+            lambda k: self.bears(k * needed), 1 - AXIAL_BELOW, 1 + AXIAL_ABOVE, AXIAL_BISECTIONS
         )
 
-    def _bears(self, mu: float) -> bool:
+    def bears(self, mu: float) -> bool:
+        """Whether friction `mu` holds the clutch under its torque and its axial load."""
         there = sector(self.q, self.start, COARSE, mu, driven=False)
         force = self.q.F_ax / (self.q.z * self.q.L)
         try:
