@@ -22,9 +22,9 @@ from verify.shown import Field
 
 Array = NDArray[np.float64]
 
-LEVELS = (4, 6, 9)  # cells on the half-width of the fine zones
-STEPS = (2.0, 3.5, 5.0, 7.0, 10.0)  # of the ring along z, over mu P'/G
-FREE = (3.0, 5.0, 8.0, 15.0, 30.0, 50.0, 75.0, 100.0, 125.0)  # the same with the ring held
+LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
+STEPS = (2.5, 5.0, 8.0, 11.0)  # of the ring along z, over mu P'/G
+FREE = (3.0, 6.0, 15.0, 35.0, 60.0, 90.0, 125.0)  # the same with the ring held
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 

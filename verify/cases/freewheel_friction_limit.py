@@ -13,10 +13,10 @@ from verify.cases.freewheel_sweep import COARSE, Start
 
 Array = NDArray[np.float64]
 
-BELOW, ABOVE, BISECTIONS = 2e-4, 3e-4, 3  # of tan(psi/2): bracket of the onset under torque
+BELOW, ABOVE, BISECTIONS = 2e-4, 3e-4, 2  # of tan(psi/2): bracket of the onset under torque
 AXIAL_BELOW, AXIAL_ABOVE, AXIAL_BISECTIONS = 2e-3, 3e-3, 2  # of mu_req, with axial load
-SHARES = (1.01, 1.03, 1.08, 1.15, 1.3, 1.5, 2.0, 3.0)  # mu/tan(alpha) of the slip shares
-ANGLES = (0.25, 0.45, 0.65, 0.8, 0.9, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
+SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
+ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
 HELD = 0.5  # of N: more is left of it where places are alike and forces are not
 DRIVEN = (3.5, 8.0)  # of the ring along z, over mu P'/G: to where all slips
 SLIPS, STICKS = 0.0, 1.0
