@@ -1,0 +1,82 @@
+"""Clutches out of tolerance: what share of them slips, and which dimension does most."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.freewheel import criterion
+from analytic.freewheel.tolerance import Ensemble, draw, first_order, sensitivities
+from verify.cases.freewheel_clutch_inputs import ClutchInputs
+from verify.cases.freewheel_clutch_limits import under
+
+Array = NDArray[np.float64]
+
+DRAWS, SEED = 20_000, 2021
+PERCENTILES = (5.0, 50.0, 95.0)
+NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as inputs are called
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """An ensemble under load, and what was counted in it."""
+
+    drawn: Ensemble
+
+    @property
+    def safety(self) -> Array:
+        """mu/mu_req of the clutches that wedge and have a state."""
+        kept = np.isfinite(self.drawn.mu_req)
+        return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
+
+    def values(self) -> dict[str, float]:
+        """Percentiles and shares, SI."""
+        d, known = self.drawn, np.isfinite(self.drawn.mu_req)
+        n, wedged = d.wedging.size, ~criterion.self_releasing(alpha=d.alpha0, mu=d.mu)
+        held = np.count_nonzero(wedged & (d.mu_req <= d.mu))
+        found = {"P(slip)": 1 - held / n}
+        for name, x in (
+            ("alpha_0", d.alpha0), ("alpha", d.alpha[known]), ("safety", self.safety),
+        ):  # fmt: skip
+            if x.size:
+                found |= {f"{name}, {p:g} %": float(np.percentile(x, p)) for p in PERCENTILES}
+        lights = criterion.traffic_light(self.safety)[wedged[known]]
+        counted = {name: int((lights == name).sum()) for name in ("green", "yellow")}
+        # those without a wedge or a state, and those that release themselves, among them
+        counted["red"] = n - sum(counted.values())
+        return found | {f"share {name}": count / n for name, count in counted.items()}
+
+
+@lru_cache(maxsize=4)
+def scatter(q: ClutchInputs) -> Scatter | None:
+    """The ensemble of `q`; None where nothing scatters or the clutch bears nothing."""
+    if not q.deviations or under(q) is None:
+        return None
+    return Scatter(
+        draw(q.clutch, q.deviations, mu=q.mu, T=q.T, F_ax=q.F_ax, n=DRAWS, seed=SEED, kind=q.spread)
+    )
+
+
+@dataclass(frozen=True)
+class Slope:
+    """What a dimension does to alpha_0: by input's name, rad/m, and its share of the variance."""
+
+    name: str
+    slope: float
+    share: float
+
+
+def slopes(q: ClutchInputs) -> list[Slope]:
+    """Of X, r and R, in this order."""
+    by = sensitivities(q.cam)
+    sigma = {name: s for name, s in q.deviations.items() if name != "mu"}
+    shares = first_order(q.cam, sigma)[1] if sigma else {}
+    found = [Slope(NAMES.get(n, n), float(v), shares.get(n, 0.0)) for n, v in by.items()]
+    return sorted(found, key=lambda s: "XrR".index(s.name))
+
+
+def deviation(q: ClutchInputs) -> float:
+    """Standard deviation of alpha_0 [rad] to first order; 0 where nothing scatters."""
+    sigma = {name: s for name, s in q.deviations.items() if name != "mu"}
+    return first_order(q.cam, sigma)[0] if sigma else 0.0
