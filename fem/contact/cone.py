@@ -20,6 +20,7 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from fem.contact.complementarity import BACKWARD, FORWARD, OPEN, STICK, Complementarity
 from fem.plane.discretisation import Array, Indices
@@ -160,41 +161,52 @@ class Cone:
         )  # fmt: skip
 
     def linear(self, task: Task, at: State, states: NDArray[np.int8]) -> State:
-        """Where Newton's step leads."""
+        """Where Newton's step leads.
+
+        Multipliers are l = Q x: pressures with the friction of slipping nodes, then what sticks,
+        then friction across the direction of slip. The rows P' w are those of P' l = x.
+        """
         _, pressure, trial = self._trial(task.w_0, at)
-        closed = np.flatnonzero(states != OPEN)
-        state = states[self.rough]
-        stick, slip = np.flatnonzero(state == STICK), np.flatnonzero(state == SLIP)
+        slip = np.flatnonzero(states[self.rough] == SLIP)
         length = np.hypot(*trial[:, slip])
         d = trial[:, slip] / length
         share = (task.friction * pressure)[self.rough[slip]] / length
-        # multipliers l = Q x: pressures with the friction of slipping nodes, then what sticks, then
-        # friction across the direction of slip
-        x = np.concatenate([closed, self._t[stick], self._z[stick]])
-        count = x.size + slip.size
-        P = np.zeros((len(self.B), count))
-        P[x, np.arange(x.size)] = 1
-        across = x.size + np.arange(slip.size)
-        P[self._t[slip], across], P[self._z[slip], across] = -d[1], d[0]
-        Q = P.copy()
-        own = np.searchsorted(closed, self.rough[slip])
-        drag = task.friction[self.rough[slip]] * d
-        Q[self._t[slip], own], Q[self._z[slip], own] = drag
-        A = P.T @ self.B @ Q
+        P, Q = self._directions(states, d, task.friction)
+        rows = P.T @ self.B
+        A = (Q.T @ rows.T).T
+        own = np.asarray(P.multiply(P).T @ np.diag(self.B))
         # the friction turns towards what slips across, the more the less has slipped
+        across = len(A) - slip.size + np.arange(slip.size)
         A[across, across] += (1 - share) / (share * self._stiff[1][slip])
-        A = np.block([[A, P.T @ self.D], [self.D.T @ Q, -task.K]])
-        known = np.concatenate([-P.T @ task.w_0, -task.e])
-        scale = 1 / np.sqrt(np.diag(P.T @ self.B @ P))
+        A = np.block([[A, P.T @ self.D], [(Q.T @ self.D).T, -task.K]])
+        known = -np.concatenate([P.T @ task.w_0, task.e])
         least = BARE * self.own.max(initial=0.0) or 1.0
-        scale = np.concatenate([scale, 1 / np.sqrt(np.maximum(self.own, least))])
+        scale = 1 / np.sqrt(np.concatenate([own, np.maximum(self.own, least)]))
         try:
             found = scale * np.linalg.solve(scale[:, None] * A * scale, scale * known)
         except np.linalg.LinAlgError:
             raise ArithmeticError(
                 "the contact has no unique forces: supports or another pair fix the same nodes"
             ) from None
-        return State(Q @ found[:count], found[count:])
+        return State(Q @ found[: own.size], found[own.size :])
+
+    def _directions(
+        self, states: NDArray[np.int8], d: Array, friction: Array
+    ) -> tuple[csr_array, csr_array]:
+        """P and Q (n, unknowns) where slipping nodes have trials along `d` (2, slipping)."""
+        closed = np.flatnonzero(states != OPEN)
+        stick, slip = (np.flatnonzero(states[self.rough] == state) for state in (STICK, SLIP))
+        x = np.concatenate([closed, self._t[stick], self._z[stick]])
+        across = x.size + np.arange(slip.size)
+        tau = np.concatenate([self._t[slip], self._z[slip]])
+        shape = len(self.B), x.size + slip.size
+        entries = np.concatenate([np.ones(x.size), -d[1], d[0]])
+        rows = np.concatenate([x, tau])
+        columns = np.concatenate([np.arange(x.size), across, across])
+        P = csr_array((entries, (rows, columns)), shape)
+        dragged = np.tile(np.searchsorted(closed, self.rough[slip]), 2)
+        drag = (friction[self.rough[slip]] * d).ravel()
+        return P, (P + csr_array((drag, (tau, dragged)), shape)).tocsr()
 
     def stuck(self, w_0: Array, e: Array, plane: State) -> State:
         """A solution of the plane, with all nodes that touch sticking along z."""

@@ -124,6 +124,26 @@ def test_even_shares_in_one_direction_lead_where_one_step_does(steps):
     )
 
 
+def test_shares_of_a_step_are_steps_of_their_own():
+    problem = tower(Along(supports={"low.bottom": 0.0}), friction=0.6)
+
+    def at(share, after, steps=1):
+        return problem.solve(
+            forces={"up.top": (share * 1e-3, share * -8e-3)},
+            axial_forces={"up.top": share * 2e-3},
+            axial_displacements={"low.bottom": share * 0.1}, after=after, steps=steps,
+        )  # fmt: skip
+
+    one = at(1.0, at(0.5, None))
+    there = at(1.0, None, 2)
+    back = at(0.25, there, 3)
+    same = at(0.25, at(0.5, at(0.75, one)))
+    for found, expected in ((there, one), (back, same)):
+        a, b = found.touches[0], expected.touches[0]
+        np.testing.assert_allclose(a.traction_z, b.traction_z, atol=1e-9 * b.peak)
+        np.testing.assert_allclose(found.u_z, expected.u_z, atol=1e-9 * np.abs(one.u_z).max())
+
+
 def test_what_is_held_along_z_changes_in_proportion_to_the_thickness():
     mesh = join({"up": block(x=(0.2, 0.7), y=(0.5, 1.0), nx=6, ny=5),
                  "low": block(x=(0, 1), y=(0, 0.5), nx=11, ny=5)})  # fmt: skip
