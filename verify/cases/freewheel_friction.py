@@ -1,4 +1,4 @@
-"""Friction criterion of a freewheel under torque and axial load (Nagler, Lohrengel, Eqs. 1, 8-10)."""
+"""Friction criterion of a freewheel with axial load (Nagler, Lohrengel, Eqs. 1, 2, 8 to 10)."""
 
 from collections.abc import Sequence
 
@@ -95,8 +95,8 @@ FRICTION = Case(
         "synthetic, at the rig's largest torque",
         "finite elements have u_z(x, y) beside plane strain: long rollers, the axial load spread "
         "evenly on the ring's rim, rollers free along the axis, the star clamped on its shaft",
-        "the axial forces of a roller are a couple 2 r cos α F_a that tilts it: F_n moves by e along "
-        "the roller to either side. Neither the criterion nor elements that are alike along the "
+        "the axial forces of a roller are a couple 2 r cos α F_a that tilts it: F_n moves by e "
+        "along it to either side. Neither the criterion nor elements that are alike along the "
         "axis contain that: e and the peak are outputs of a linear line load, judged by nothing",
         "contacts keep their places and normals: displacements are small against the radii. Where "
         "friction is measured the roller is steered to stay where it is",

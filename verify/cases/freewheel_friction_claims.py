@@ -16,6 +16,7 @@ from verify.cases.freewheel_friction_limit import HELD
 from verify.cases.freewheel_torque_model import under_torque
 from verify.checks import Accepted, Approximation, Exact, Fact, Identity
 from verify.results import Row
+from verify.shown import Array
 
 ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
@@ -55,7 +56,7 @@ def of_contact(context: Context, where: int) -> tuple[float, float, str]:
     return OWN - abs(now), abs(now - before), f"off by {now:+.3%}, {OWN:.1%} accepted"
 
 
-def _off(context: Context, forces: np.ndarray) -> float:  # type: ignore[type-arg]
+def _off(context: Context, forces: Array) -> float:
     N, F_t, F_z = forces
     found = criterion.required_friction_of_contact(F_n=N, F_t=F_t, F_a=F_z)
     return float(found / required(context, loaded=True) - 1)
@@ -65,12 +66,10 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
     """Resultant over mu N where all slips, of all contacts and clutches."""
     arrays, mu = context.fem[-1].arrays, context.inputs.mu
     last = arrays["creep"][-1] / mu
-    found = [np.hypot(last[2:4], last[4:6])]
-    for row in arrays["angles"]:
-        if row[2] > 0:
-            found.append(np.hypot(row[3::2], row[4::2]))
+    slid = [row for row in arrays["angles"] if row[3] > 0]
+    found = [np.hypot(last[2:4], last[4:6]), *(np.hypot(row[3::2], row[4::2]) for row in slid)]
     off = np.abs(np.concatenate(found) - 1).max()
-    return CONE - float(off), 0.0, f"within {off:.2%} of μN, {CONE:.1%} accepted"
+    return CONE - float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
 
 
 def over_angles(context: Context) -> tuple[float, float]:
@@ -114,7 +113,7 @@ CHECKS = (
     Approximation(name="limit of the axial load (Eq. 9)", symbol="F_ax,lim", unit="N",
                   fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, demand=0.03,
                   demand_reason="it goes as √((μ/tan α)² − 1)", formal=2),
-    Approximation(name="creep of the ring that slips along the axis, F_t/F_z", symbol="R dφ/du_z",
+    Approximation(name="creep of the ring that slips along the axis, F_t/F_a", symbol="R dφ/du_z",
                   unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.03,
                   source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
                   demand_reason="it goes as 1/√((μ/tan α)² − 1)"),
@@ -126,11 +125,11 @@ CHECKS = (
              unit="1", margin=lambda context: of_contact(context, 0)),
     Accepted(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
              unit="1", margin=lambda context: of_contact(context, 1)),
-    Accepted(name="slipping contacts are on the friction cone", symbol="√(F_t² + F_z²)/(μN)",
-             unit="1", margin=on_the_cone),
-    PaperFact(name="wedge angles: held below tan α = μ, let out above", symbol="F_t/(μN)",
+    Accepted(name="slipping contacts are on the friction cone", symbol="F/(μF_n)", unit="1",
+             margin=on_the_cone),
+    PaperFact(name="wedge angles: held below tan α = μ, let out above", symbol="F_t/(μF_n)",
               unit="1", margin=over_angles),
-    Exact(name="balance of a roller along the axis", symbol="ΣF_z", unit="N", fem="balance",
+    Exact(name="balance of a roller along the axis", symbol="ΣF_a", unit="N", fem="balance",
           scale="F_t", bound=1e-9, bound_reason="the solver's balance of a body that only contact "
           "holds"),
 )  # fmt: skip

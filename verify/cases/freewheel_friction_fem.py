@@ -1,4 +1,4 @@
-"""Finite elements of a freewheel's friction: torque alone, with axial load, and to where it slips."""
+"""Finite elements of a freewheel's friction: torque alone, axial load, and beyond the limit."""
 
 import math
 
@@ -30,7 +30,7 @@ SOLVED = 1e-9  # of N, within which the solver balances a body that only contact
 
 def fem(q: FrictionInputs, level: int) -> FemResult:
     start = at_torque(q, level)
-    loaded, rest, held = under_load(q, start, level)
+    rest, held = under_load(q, start, level)
     alone, borne = Borne.by(rest), Borne.by(held)
     missed = abs(rest.torque * q.L / q.T - 1)
     values = {
@@ -40,7 +40,7 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     }  # fmt: skip
     u_it = {key: missed * abs(values[key]) for key in ("N", "mu_t", "mu_req")}
     u_it["mu_t"] /= 2  # tan² alpha is linear in the approaches, on which T grows faster
-    u_it |= {key: SOLVED * values["N"] for key in ("F_t", "F_a")}
+    u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
     there = sector(q, start, level, q.mu, driven=True)
     stuck = there.rest(rest.drags)
     path = to_the_limit(q, there, stuck)
@@ -51,27 +51,28 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     u_it["creep"] = abs(turned[-1] - turned[-2])
     arrays = {
         "tan": np.array([math.tan(rest.start.psi / 2), rest.torque * q.L]),
-        "alone": np.array([alone.N, alone.F_t]), "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
+        "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
         "creep": path,
     }  # fmt: skip
     if level == LEVELS[-1]:
         bound = Limit(q, start, rest.drags)
         arrays |= {
             "shares": bound.shares(), "onset": bound.of_torque(), "axial onset": bound.of_load(),
-            "angles": over_angles(q, start, rest.drags), "let out": let_out(q, there, stuck),
+            "angles": over_angles(q, start, rest.drags, float(alone.N.mean())),
+            "let out": let_out(q, there, stuck),
         }  # fmt: skip
     return FemResult(
         h=1 / level, values={k: float(v) for k, v in values.items()},
-        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(q, held),),
+        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(held),),
     )  # fmt: skip
 
 
-def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[Sector, State, State]:
+def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[State, State]:
     """The clutch with ample friction: at rest under torque, and with the axial load as well."""
     there = sector(q, start, cells, 1.0, driven=False)
     there = sector(q, start, cells, ample(q, there.place), driven=False)
     rest = there.rest(start.drags)
-    return there, rest, pulled(q, there, rest)
+    return rest, pulled(q, there, rest)
 
 
 def to_the_limit(q: FrictionInputs, there: Sector, stuck: State) -> Array:
@@ -112,8 +113,8 @@ def row(state: State, stuck: State, u: float) -> list[float]:
     ]  # fmt: skip
 
 
-def field(q: FrictionInputs, state: State) -> Field:
-    """The sector under both loads: u_z and the shear stress along z over the torque's pressure."""
+def field(state: State) -> Field:
+    """The sector under both loads: u_z and the shear stress along z."""
     solution = state.solution
     cells = solution.plane.cells()
     assert solution.along is not None

@@ -7,6 +7,7 @@ both approaches lose, dd_i + dd_o = -tan(alpha) R dphi, until none is left.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ def analytic(q: FrictionInputs) -> Values:
     F_t = q.T / q.cam.torque_on_race(F_t=1.0)
     mu_req = criterion.required_friction(alpha=alpha, T=q.T, F_ax=q.F_ax, R=q.R)
     e = tilt.offset(F_a=F_a, F_n=N, r=q.r, alpha=alpha)
-    values = {
+    values: dict[str, Any] = {
         "alpha": alpha, "N": N, "F_t": F_t, "F_a": F_a,
         "mu_t": criterion.required_friction(alpha=alpha, T=q.T, F_ax=0.0, R=q.R),
         "mu_req": mu_req, "safety": criterion.safety(mu=q.mu, mu_req=mu_req),

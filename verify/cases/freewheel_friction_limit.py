@@ -19,7 +19,6 @@ SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
 HELD = 0.5  # of N: more is left of it where places are alike and forces are not
 DRIVEN = (3.5, 8.0)  # of the ring along z, over mu P'/G: to where all slips
-SLIPS, STICKS = 0.0, 1.0
 
 
 class Limit:
@@ -79,48 +78,47 @@ class Limit:
         return np.array([(low + high) / 2, (high - low) / 2])
 
 
-def over_angles(q: FrictionInputs, start: Start, drags: tuple[float, float]) -> Array:
+def over_angles(q: FrictionInputs, start: Start, drags: tuple[float, float], N: float) -> Array:
     """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
 
-    tan(alpha)/mu, part of N that is left, F_t/(mu N) (0 where it is none), and after the ring has
-    been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring.
+    tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
+    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring.
     """
-    found, N = [], None
+    found = []
     for k in ANGLES:
-        psi = 2 * math.atan(k * q.mu)
-        d_i, d_o = start.d
+        psi, (d_i, d_o) = 2 * math.atan(k * q.mu), start.d
         X = (q.R - q.r + d_o) * math.cos(psi) - q.r + d_i
         try:
             InnerCam(R=q.R, r=q.r, X=X, z=q.z)
-            if X <= q.r_b:
-                continue
         except ValueError:
             continue
-        other = q.model_copy(update={"X": X})
-        row, N = _one_angle(other, start, drags, N)
-        found.append([k, *row])
+        if q.r_b < X:
+            other = q.model_copy(update={"X": X})
+            found.append([k, *_one_angle(other, start, drags, N)])
     return np.array(found)
 
 
 def _one_angle(
-    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float | None
-) -> tuple[list[float], float | None]:
+    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float
+) -> list[float]:
     place = Place.overlapping(q, *start.d)
     there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
     try:
         state = there.at(drags)
     except ArithmeticError:
-        return [0.0] * 6, N
+        return [0.0] * 6
     borne = Borne.by(state)
     mean = float(borne.N.mean())
-    N = N or mean
     if mean < HELD * N:
-        return [mean / N] + [0.0] * 5, N
+        return [mean / N] + [0.0] * 5
     alone, unit = borne.tangent / q.mu, q.mu * mean * 2 * (1 + q.nu) / q.E
-    for u in DRIVEN:
-        state = there.at(
-            drags, after=state.solution, axial_displacements={"ring.rim": u * unit}
-        )
+    try:
+        for u in DRIVEN:
+            state = there.at(
+                drags, after=state.solution, axial_displacements={"ring.rim": u * unit}
+            )
+    except ArithmeticError:
+        return [mean / N, alone] + [0.0] * 4
     b = Borne.by(state)
     t, z = b.F_t / (q.mu * b.N), np.abs(b.F_z) / (q.mu * b.N)
-    return [mean / N, alone, t[0], z[0], t[1], z[1]], N
+    return [mean / N, alone, t[0], z[0], t[1], z[1]]

@@ -64,7 +64,7 @@ def slipping(state: State) -> Array:
 
 
 def fem_along(*, driven: bool) -> "Along":
-    """The star is clamped along z as well; the ring's rim is loaded, or driven, and rollers free."""
+    """The star is clamped along z as well, the ring's rim loaded or driven, rollers are free."""
     from fem.contact.along import Along
 
     return Along(supports={"star.bore": 0.0} | ({"ring.rim": 0.0} if driven else {}))

@@ -17,12 +17,14 @@ from verify.tex import tex
 
 mm, µm = 1e-3, 1e-6
 QUARTER = np.linspace(0.0, np.pi / 2, 91)
+STARTED = 0.999  # of T: the ring has begun to slide
 GRID = np.linspace(0.0, 1.6, 81)[1:]  # of T, over which the limit is drawn
+WIDE, CIRCLE = 2.2, 1.7  # over r: half of the walls drawn, radius of the cone's circle
 ABOVE = 2.2  # of F_ax,lim or F_ax, up to where it is
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
-    tan, T, F_ax, R = tex(math.tan(v["alpha"])), tex(q.T), tex(q.F_ax), tex(q.R / mm)
+    tan, T, R = tex(math.tan(v["alpha"])), tex(q.T), tex(q.R / mm)
     sign, mu = (r"\le" if v["safety"] >= 1 else ">"), tex(q.mu)
     limit = ""
     if "F_lim" in v:
@@ -50,8 +52,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
                  numbers=limit, place="Eq. 9 solved"),
         Equation(tex=r"\frac{R\,\mathrm{d}\varphi}{\mathrm{d}u_z} = \frac{F_t}{F_a}",
                  numbers=rf"= {tex(v['creep'])}" if "creep" in v else "",
-                 place="slip beyond the limit is along the resultant: what slides along the axis "
-                 "also turns"),
+                 place="slip beyond the limit is along the resultant"),
         Equation(tex=r"e = r\cos^2\alpha\,\frac{F_a}{F_n}, \quad \frac{p_1}{p} = 1 + \frac{6e}{L}",
                  numbers=rf"e = {tex(v['e'] / µm, 4)}\ \mathrm{{µm}},\quad {tex(v['peak'], 5)}",
                  place="tilt of the roller; no part of the criterion, nor of these elements"),
@@ -62,48 +63,40 @@ def sketch(q: Any) -> Sketch:
     """Roller between flat and ring, and the friction of one contact in its cone."""
     state = loaded(clutch(q), q.T)
     psi, tan = float(state.psi), math.tan(float(state.alpha))
-    rho, r = (q.R - q.r) / q.r, 1.0
-    up = np.array([0.0, 1.0])
-    ray = np.array([math.sin(psi), math.cos(psi)])
-    centre = rho * ray
+    ray, along = np.array([math.sin(psi), math.cos(psi)]), np.array([math.cos(psi), -math.sin(psi)])
+    up, right = np.array([0.0, 1.0]), np.array([1.0, 0.0])
     turn = np.linspace(0.0, 2 * np.pi, 121)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
-    on = math.atan2(ray[1], ray[0]) + np.linspace(0.42, -0.42, 61)
-    bore, flat = q.R / q.r * np.column_stack([np.cos(on), np.sin(on)]), q.X / q.r
-    wide = max(2.4, 0.0)
-    top = centre + r * ray
-    low = np.array([centre[0], flat])
-    inward = np.array([1.0, 0.0])
-    across = np.array([math.cos(psi), -math.sin(psi)])
-    size = 2.6  # radius of the cone's circle
-    middle = np.array([centre[0] + wide + 5.6, centre[1]])
-    used = min(float(state.N) * tan * math.hypot(1, lever(q)) / (q.mu * float(state.N)), 1.6)
-    along, turned = math.atan2(lever(q), 1.0), size * used
-    tip = middle + turned * np.array([math.cos(along), math.sin(along)])
+    R = q.R / q.r
+    swept = psi + np.linspace(-WIDE, WIDE, 61) / R
+    bore = R * np.column_stack([np.sin(swept), np.cos(swept)]) - (R - 1) * ray
+    cone = np.array([WIDE + CIRCLE + 1.2, 0.0])
+    used = min(tan * math.hypot(1.0, lever(q)) / q.mu, 1.4)
+    tip = cone + CIRCLE * used * np.array([1.0, lever(q)]) / math.hypot(1.0, lever(q))
     shapes = (
-        Shape(style="body", points=centre + circle),
-        Shape(style="clamp", points=np.array([[centre[0] + wide, flat], [centre[0] - wide, flat]])),
+        Shape(style="body", points=circle),
+        Shape(style="clamp", points=np.array([[WIDE, -1.0], [-WIDE, -1.0]])),
         Shape(style="clamp", points=bore),
-        Shape(style="load", points=np.array([low - 1.5 * up, low]), label="F_n"),
-        Shape(style="load", points=np.array([low + 0.22 * up - 0.1 * inward,
-                                             low + 0.22 * up + 1.1 * inward]), label="F_t"),
-        Shape(style="load", points=np.array([top + 1.5 * ray, top]), label="F_n"),
-        Shape(style="load", points=np.array([top - 0.22 * ray - 0.1 * across,
-                                             top - 0.22 * ray + 1.1 * across]), label="F_t"),
-        Shape(style="text", points=(centre + [0.0, 0.0])[None], label="F_a ⊙"),
-        Shape(style="faint", points=middle + size * circle),
-        Shape(style="leader", points=np.array([middle + [0.4 * size, -1.25 * size],
-                                               middle + size * np.array([0.5, -0.866])]),
+        Shape(style="load", points=np.array([-2.2 * up, -up]), label="F_n"),
+        Shape(style="load", points=np.array([2.2 * ray, ray]), label="F_n"),
+        Shape(style="load", points=np.array([-0.85 * up - 1.5 * right, -0.85 * up]), label="F_t"),
+        Shape(style="load", points=np.array([0.85 * ray - 1.5 * along, 0.85 * ray]), label="F_t"),
+        Shape(style="text", points=np.zeros((1, 2)), label="F_a"),
+        Shape(style="faint", points=cone + CIRCLE * circle),
+        *(Shape(style="axis", points=cone + 1.2 * CIRCLE * np.array([-way, way]))
+          for way in (right, up)),
+        Shape(style="load", points=np.array([cone, tip])),
+        Shape(style="leader", points=np.array([cone + 1.45 * CIRCLE * (right + up) / 1.4142, tip]),
+              label="μ_req F_n"),
+        Shape(style="leader", points=np.array([cone + 1.4 * CIRCLE * (right - up) / 1.4142,
+                                               cone + CIRCLE * (right - up) / 1.4142]),
               label="μ F_n"),
-        Shape(style="axis", points=np.array([middle - [size, 0], middle + [1.3 * size, 0]])),
-        Shape(style="axis", points=np.array([middle - [0, size], middle + [0, 1.3 * size]])),
-        Shape(style="load", points=np.array([middle, tip]), label="μ_req F_n"),
-        Shape(style="text", points=(middle + [1.55 * size, 0.0])[None], label="F_t"),
-        Shape(style="text", points=(middle + [0.0, 1.5 * size])[None], label="F_a"),
+        Shape(style="text", points=(cone + 1.4 * CIRCLE * right)[None], label="F_t"),
+        Shape(style="text", points=(cone + 1.4 * CIRCLE * up)[None], label="F_a"),
     )  # fmt: skip
     return Sketch(
-        title="what star and ring do to a roller under torque, to scale; its axial forces F_a, at "
-        "the star and back at the ring, share the circle of friction μ F_n with F_t",
+        title="what star and ring do to a roller under torque, at its angle; its axial forces F_a, "
+        "at the star and back at the ring, share the circle of friction μ F_n with F_t",
         shapes=shapes,
     )
 
@@ -114,13 +107,13 @@ def figures(context: Context) -> Sequence[Figure]:
     last, q = context.fem[-1].arrays, context.inputs
     found = [_cone(q, last), _limit(context), _path(q, last), _let_out(q, last), _shares(last)]
     if len(last["angles"]):
-        found.append(_angles(q, last))
+        found.append(_angles(last))
     return tuple(found)
 
 
 def _cone(q: Any, last: Any) -> Curves:
     angles, creep = last["angles"], last["creep"] / q.mu
-    slid = angles[angles[:, 2] > 0] if len(angles) else np.zeros((0, 7))
+    slid = angles[angles[:, 3] > 0] if len(angles) else np.zeros((0, 7))
     N, F_t, F_z = last["loaded"]
     return Curves(
         title="Friction of a contact in its cone", x_label="F_t/(μ F_n)", y_label="F_a/(μ F_n)",
@@ -166,7 +159,7 @@ def _path(q: Any, last: Any) -> Curves:
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
     return Curves(
         title="Beyond the limit: the ring driven along the axis", x_label="u_z [µm]",
-        y_label="of F_ax,lim and T at rest",
+        y_label="over that at the limit, and at rest",
         curves=(
             Curve(name="F_a/F_n, ring held", x=out[:, 0] / µm,
                   y=np.abs(out[:, 4:6]).mean(axis=1) / full),
@@ -183,14 +176,13 @@ def _path(q: Any, last: Any) -> Curves:
 
 def _let_out(q: Any, last: Any) -> Curves:
     u, T = slipped(q)
-    whole, out = u[0], last["let out"]
-    start = np.interp(0.999, out[::-1, 7], out[::-1, 0])  # before that the parts only deform
+    out = last["let out"]
+    start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return Curves(
         title="Torque that is left where the ring is held and slides along the axis",
         x_label="axial slip [µm]", y_label="T over that at rest",
         curves=(
-            Curve(name="Coulomb's law and the state at each N", x=(whole - (whole - u))[::-1] / µm,
-                  y=T[::-1] if T[0] > T[-1] else T),
+            Curve(name="Coulomb's law and the state at each F_n", x=u[::-1] / µm, y=T[::-1]),
             Curve(name="FE", x=(out[:, 0] - start).clip(0) / µm, y=out[:, 7], style="dots"),
         ),
         note="Finite elements keep the angle of the start, which the formula lets fall.",
@@ -214,7 +206,7 @@ def _shares(last: Any) -> Curves:
     )  # fmt: skip
 
 
-def _angles(q: Any, last: Any) -> Curves:
+def _angles(last: Any) -> Curves:
     k, left, ratio = last["angles"].T[:3]
     stays, unit = left > HELD, np.array([0.0, 1.0])
     return Curves(
@@ -246,7 +238,9 @@ def tables(context: Context) -> Sequence[Table]:
         "slips: all of both contacts, the roller is let out of the wedge",
     ))  # fmt: skip
     holds = "rests" if v["F_lim"] >= q.F_ax else "slips along the axis"
-    rows.append((f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; F_ax,lim = {v['F_lim']:.5g} N"))
+    rows.append(
+        (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; the limit is {v['F_lim']:.5g} N")
+    )
     creep, out = last["creep"], last["let out"]
     rows.append((
         "ring driven along the axis, torque held",
