@@ -27,6 +27,7 @@ check: .venv/.ready
 bench: .venv/.ready
 	$(BIN)/python -m benchmarks.plane
 	$(BIN)/python -m benchmarks.contact
+	$(BIN)/python -m benchmarks.freewheel
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.strips
 	$(BIN)/python -m benchmarks.half_space
 

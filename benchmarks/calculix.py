@@ -43,6 +43,13 @@ def version() -> str:
     return " ".join(re.findall(r"Version\s+(\S+)", said.stdout)) or "unknown"
 
 
+def start() -> float:
+    """Seconds of a process that only tells its version."""
+    begun = time.perf_counter()
+    version()
+    return time.perf_counter() - begun
+
+
 def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
     """Run calculix on `deck`; RuntimeError with its own words where it fails, or over the `limit`.
 
@@ -111,10 +118,24 @@ def write_body(
     places: Array | None = None,
 ) -> None:
     """Nodes at `places` (2, nodes) or where the mesh has them, elements, material, supports."""
-    dofs, number, cells = deck_unknowns(solution), numbers(solution), deck_cells(solution)
-    held = solution.conditions
+    write_mesh(deck, solution, kind=kind, material=material, places=places)
+    number, held = numbers(solution), solution.conditions
     axis = np.argmax(np.abs(held.direction), axis=0)
     fixed = np.array([number[held.dofs[0]], axis + 1, axis + 1])[:, number[held.dofs[0]] > 0]
+    deck.write("*BOUNDARY\n")
+    np.savetxt(deck, np.unique(fixed.T, axis=0), fmt="%d", delimiter=",")
+
+
+def write_mesh(
+    deck: TextIO,
+    solution: PlaneSolution,
+    *,
+    kind: str,
+    material: Elastic,
+    places: Array | None = None,
+) -> None:
+    """Nodes at `places` (2, nodes) or where the mesh has them, elements, material."""
+    dofs, number, cells = deck_unknowns(solution), numbers(solution), deck_cells(solution)
     x = solution.basis.doflocs[:, dofs[0]] if places is None else places
     # calculix reads 20 characters of a number and drops the rest, exponent and all
     deck.write("*NODE, NSET=ALL\n")
@@ -123,8 +144,7 @@ def write_body(
     numbered = np.vstack([np.arange(1, cells.shape[1] + 1), cells])
     np.savetxt(deck, numbered.T, fmt="%d", delimiter=",")
     deck.write(f"*MATERIAL, NAME=M\n*ELASTIC\n{material.E!r},{material.nu!r}\n")
-    deck.write(f"*SOLID SECTION, ELSET=BODY, MATERIAL=M\n{solution.thickness!r}\n*BOUNDARY\n")
-    np.savetxt(deck, np.unique(fixed.T, axis=0), fmt="%d", delimiter=",")
+    deck.write(f"*SOLID SECTION, ELSET=BODY, MATERIAL=M\n{solution.thickness!r}\n")
 
 
 def write_loads(deck: TextIO, solution: PlaneSolution, f: Array) -> None:

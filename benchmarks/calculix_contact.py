@@ -78,7 +78,7 @@ def write_deck(
         ):
             assert trace is not None, "calculix has no obstacles without a mesh"
             deck.write(f"*SURFACE, NAME={name}\n")
-            deck.writelines(f"{cell},S{side}\n" for cell, side in _sides(plane, trace))
+            deck.writelines(f"{cell},S{side}\n" for cell, side in sides(plane, trace))
         deck.write("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n")
         deck.write(f"{slope!r}\n*CONTACT PAIR, INTERACTION=I, TYPE={ask.pairing}\nSLAVE,MASTER\n")
         deck.write(f"{ask.controls}\n" if ask.controls else "")
@@ -125,7 +125,7 @@ def lowered(plane: PlaneSolution, ask: Settings) -> Array:
     return down
 
 
-def _sides(plane: PlaneSolution, trace: Trace) -> list[tuple[int, int]]:
+def sides(plane: PlaneSolution, trace: Trace) -> list[tuple[int, int]]:
     """Element and side, both from 1, of each facet."""
     cells = calculix.deck_cells(plane)
     corners = cells[: len(cells) // 2, trace.cells]

@@ -13,11 +13,7 @@ with. Numbers and plot go to benchmarks/out.
 """
 
 import json
-import os
 import platform
-import resource
-import subprocess
-import sys
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -28,6 +24,7 @@ from typing import Any
 from benchmarks import calculix, hertz
 from benchmarks.calculix_contact import Answer, Settings, run_deck, write_deck
 from benchmarks.plot_contact import draw
+from benchmarks.processes import run_module
 
 OUT = Path(__file__).parent / "out"
 RUNS = 7
@@ -59,16 +56,7 @@ LADDER = (  # cells of both fine zones, refinement: 1e3 to 3e5 unknowns
 
 def ours(cells: tuple[int, int], refine: int, *more: str) -> dict[str, Any]:
     """One run of the project's solver in a new process with one thread."""
-    words = [sys.executable, "-m", "benchmarks.ours_contact", *map(str, (*cells, refine)), *more]
-    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
-    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    said = subprocess.run(  # noqa: S603
-        words, env=os.environ | threads, capture_output=True, text=True, check=True
-    )
-    wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    answer: dict[str, Any] = json.loads(said.stdout)
-    return answer | {"process": wall, "process cpu": cpu}
+    return run_module("benchmarks.ours_contact", *cells, refine, *more)
 
 
 class Peer:

@@ -7,12 +7,7 @@ No ratio is printed before displacement and energy agree. Numbers and plot go to
 """
 
 import json
-import os
 import platform
-import resource
-import subprocess
-import sys
-import time
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -21,6 +16,7 @@ import numpy as np
 
 from benchmarks import calculix
 from benchmarks.plot import draw
+from benchmarks.processes import run_module
 from benchmarks.ring import RIM, RIM_MOVES, ring_mesh, solve_ring
 
 OUT = Path(__file__).parent / "out"
@@ -31,25 +27,7 @@ AGREE = 1e-4  # calculix prints six digits; its quadrilaterals have eight nodes,
 
 def ours(kind: str, around: int, deck: Path | None = None) -> dict[str, Any]:
     """One run of the project's solver in a new process with one thread."""
-    words = [
-        sys.executable,
-        "-m",
-        "benchmarks.ours",
-        kind,
-        str(around),
-        *([str(deck)] if deck else []),
-    ]
-    threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
-    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    said = subprocess.run(  # noqa: S603
-        words, env=os.environ | threads, capture_output=True, text=True, check=True
-    )
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    process = {
-        "process": time.perf_counter() - start,
-        "process cpu": after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
-    }
-    return json.loads(said.stdout) | process
+    return run_module("benchmarks.ours", kind, around, *([] if deck is None else [deck]))
 
 
 def check(kind: str, around: int, deck: Path) -> None:

@@ -1,0 +1,60 @@
+"""The benchmark's pitch of a freewheel in a process of its own, timed by stage.
+
+python -m benchmarks.ours_freewheel CELLS [rest]    prints JSON; with rest the roller is steered
+"""
+
+import json
+import sys
+import time
+from itertools import pairwise
+from typing import Any
+
+from benchmarks import sector
+from benchmarks.ours import timed
+from benchmarks.ours_contact import SET_UP
+from verify.cases.freewheel_fem import Sector
+
+PARTS = ("set-up", "first", "fields")  # in processor seconds
+
+
+def solved(cells: int) -> dict[str, Any]:
+    """From the mesh to forces, half-widths, pressures, displacements and stresses."""
+    mesh = sector.pitch(cells)
+    stages: dict[str, float] = {}
+    start, clock = time.perf_counter(), [time.process_time()]
+    with timed(stages, SET_UP):
+        problem = sector.posed(mesh)
+        clock.append(time.process_time())
+        solution = sector.turned(problem)
+        clock.append(time.process_time())
+        found = sector.found(solution)
+        solution.plane.cells()
+    clock.append(time.process_time())
+    seconds = time.perf_counter() - start
+    stages["the rest"] = seconds - sum(stages.values())
+    times = dict(zip(PARTS, (after - before for before, after in pairwise(clock)), strict=True))
+    return {
+        "unknowns": int(problem.bodies.basis.N), "stages": stages, "found": found,
+        "times": times | {"seconds": seconds, "cpu": clock[-1] - clock[0]},
+    }  # fmt: skip
+
+
+def steered(cells: int) -> dict[str, Any]:
+    """Seconds of finding by how much star and ring must be turned, meshing and set-up included.
+
+    The first mesh of a process loads what draws it.
+    """
+    sector.pitch(cells)
+    start, begun = time.perf_counter(), time.process_time()
+    Sector(sector.PLACE, sector.WIDTHS, cells, mu=sector.MU).rest()
+    seconds, cpu = time.perf_counter() - start, time.process_time() - begun
+    return {"times": {"seconds": seconds, "cpu": cpu}}
+
+
+def main() -> None:
+    cells, *rest = sys.argv[1:]
+    print(json.dumps(steered(int(cells)) if rest else solved(int(cells))))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,95 @@
+"""The benchmark's pitch of a roller freewheel: star, roller and ring with friction at both races.
+
+The roller overlaps both races; star and ring are turned into the wedge until it lies where the mesh
+has it. Everything is judged by forces, torque, half-widths, pressures and the roller's centre
+against a mesh six times as fine.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem.mesh import Mesh2D
+
+from fem.contact.problem import ContactProblem
+from fem.contact.solution import ContactSolution
+from verify.cases.freewheel_fem import Place, fem_mesh, fem_problem
+from verify.cases.freewheel_inputs import StarInputs
+
+Array = NDArray[np.float64]
+Point = tuple[float, float]
+
+CLUTCH = StarInputs()
+OVERLAP = 20e-6  # m, of each contact: 51 N m on ten millimetres
+PLACE = Place.overlapping(CLUTCH, OVERLAP, OVERLAP)
+CENTRE = (PLACE.x, PLACE.y)
+WIDTHS = (0.1235e-3, 0.1341e-3)  # m, half-widths as they come out
+TURNED = (1.2536e-6, 0.6598e-6)  # m, of the surfaces of star and ring: the roller rolls nowhere
+TILT, ROTATION = TURNED[0] / CLUTCH.X, TURNED[1] / CLUTCH.R  # rad, clockwise
+CELLS = 6  # in 1.5 half-widths
+FINE = 6 * CELLS  # of the reference
+MU = 0.15
+JUDGED = {  # what each number is called in tables
+    "T": "torque", "N_i": "N on the star", "N_o": "N on the ring", "F_i": "F_t on the star",
+    "F_o": "F_t on the ring", "a_i": "a at the star", "a_o": "a at the ring",
+    "p_i": "peak at the star", "p_o": "peak at the ring", "centre": "roller's centre",
+}  # fmt: skip
+
+
+def pitch(cells: int = CELLS) -> Mesh2D:
+    """Star, roller and ring with that many cells on each half of the fine zones."""
+    return fem_mesh(PLACE, WIDTHS, cells)
+
+
+def posed(mesh: Mesh2D) -> ContactProblem:
+    return fem_problem(PLACE, mesh, MU)
+
+
+def turned(problem: ContactProblem) -> ContactSolution:
+    """The bore and the rim's mean turned into the wedge."""
+    moved: Any = {
+        "ring.rim": {"r": -ROTATION},
+        "star.bore": {"x": lambda x: TILT * x[1], "y": lambda x: -TILT * x[0]},
+    }
+    return problem.solve(displacements=moved)
+
+
+def found(solution: ContactSolution) -> dict[str, float]:
+    """What is judged, of this project's solution."""
+    inner, outer = solution.touches
+    return values(
+        torque=-solution.plane.mean_reaction("ring.rim")["r"],
+        forces=(inner.force, outer.force),
+        centre=solution.plane.displacement_at(CENTRE),
+        widths=(inner.half_width(), outer.half_width()),
+        peaks=(inner.peak, outer.peak),
+    )
+
+
+def values(
+    *, torque: float, forces: tuple[Point, Point], centre: Point, widths: Point, peaks: Point
+) -> dict[str, float]:
+    """What is judged, of one pitch: forces (x, y) on star and ring, the centre's displacement."""
+    (x, y), (x_o, y_o) = forces
+    psi = math.atan2(CENTRE[0] + centre[0], CENTRE[1] + centre[1])
+    c, s = math.cos(TILT), math.sin(TILT)
+    c_o, s_o = math.cos(psi), math.sin(psi)
+    return {
+        "T": CLUTCH.z * CLUTCH.L * torque,
+        "N_i": -s * x - c * y, "F_i": -c * x + s * y,
+        "N_o": s_o * x_o + c_o * y_o, "F_o": s_o * y_o - c_o * x_o,
+        "a_i": widths[0], "a_o": widths[1], "p_i": peaks[0], "p_o": peaks[1],
+        "u_x": centre[0], "u_y": centre[1],
+    }  # fmt: skip
+
+
+def errors(one: dict[str, float], other: dict[str, float]) -> dict[str, float]:
+    """Relative differences of all that is judged; the centre's in parts of both overlaps."""
+    apart = math.hypot(one["u_x"] - other["u_x"], one["u_y"] - other["u_y"])
+    same = {name: one[name] / other[name] - 1 for name in JUDGED if name != "centre"}
+    return same | {"centre": apart / (2 * OVERLAP)}
+
+
+def worst(found: dict[str, float]) -> float:
+    return max(map(abs, found.values()))
