@@ -67,20 +67,17 @@ def sketch(q: Any) -> Sketch:
     up, right = np.array([0.0, 1.0]), np.array([1.0, 0.0])
     turn = np.linspace(0.0, 2 * np.pi, 121)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
-    R = q.R / q.r
-    swept = psi + np.linspace(-WIDE, WIDE, 61) / R
-    bore = R * np.column_stack([np.sin(swept), np.cos(swept)]) - (R - 1) * ray
     cone = np.array([WIDE + CIRCLE + 1.2, 0.0])
     used = min(tan * math.hypot(1.0, lever(q)) / q.mu, 1.4)
     tip = cone + CIRCLE * used * np.array([1.0, lever(q)]) / math.hypot(1.0, lever(q))
     shapes = (
         Shape(style="body", points=circle),
         Shape(style="clamp", points=np.array([[WIDE, -1.0], [-WIDE, -1.0]])),
-        Shape(style="clamp", points=bore),
+        Shape(style="clamp", points=ray + WIDE * np.array([-along, along])),
         Shape(style="load", points=np.array([-2.2 * up, -up]), label="F_n"),
         Shape(style="load", points=np.array([2.2 * ray, ray]), label="F_n"),
-        Shape(style="load", points=np.array([-0.85 * up - 1.5 * right, -0.85 * up]), label="F_t"),
-        Shape(style="load", points=np.array([0.85 * ray - 1.5 * along, 0.85 * ray]), label="F_t"),
+        Shape(style="load", points=np.array([-0.7 * up - 1.7 * right, -0.7 * up]), label="F_t"),
+        Shape(style="load", points=np.array([0.7 * ray - 1.7 * along, 0.7 * ray]), label="F_t"),
         Shape(style="text", points=np.zeros((1, 2)), label="F_a"),
         Shape(style="faint", points=cone + CIRCLE * circle),
         *(Shape(style="axis", points=cone + 1.2 * CIRCLE * np.array([-way, way]))
@@ -95,8 +92,8 @@ def sketch(q: Any) -> Sketch:
         Shape(style="text", points=(cone + 1.4 * CIRCLE * up)[None], label="F_a"),
     )  # fmt: skip
     return Sketch(
-        title="what star and ring do to a roller under torque, at its angle; its axial forces F_a, "
-        "at the star and back at the ring, share the circle of friction μ F_n with F_t",
+        title="what star and ring do to a roller under torque, its ring drawn straight; its axial "
+        "forces F_a, at the star and back at the ring, share the circle of friction μ F_n with F_t",
         shapes=shapes,
     )
 
