@@ -16,7 +16,7 @@ def bars(b: Bars) -> Markup:
     values = [value for _, value, _ in b.items]
     low, high = min(0.0, *values), max(0.0, *values)
     height = TOP + ROW * len(values) + BELOW
-    room = max(RIGHT, *(LETTER * len(words) + 10 for _, _, words in b.items))
+    room = max(RIGHT, *(LETTER * len(words) + 18 for _, _, words in b.items))
     axes = Axes(
         (LEFT, TOP, WIDTH - room, height - BELOW), (low, high if high > low else low + 1.0),
         (float(len(values)), 0.0),

@@ -38,6 +38,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             if report.count(status)
         ],
         "warnings": [prose(text) for text in warnings(report.cases)],
+        "findings": [prose(text) for case in report.cases for text in case.findings],
         "values": [value_cells(v) for case in report.cases if own for v in case.values],
         "verdicts": [asdict(v) for v in verdicts(report)] if report.rows else [],
         "overview": standalone(signature.overview(report.cases, places)),

@@ -1,5 +1,7 @@
 """Plot of the states in a plane: zones named where they lie, limits drawn over them, a point."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from markupsafe import Markup
 from numpy.typing import NDArray
@@ -14,19 +16,21 @@ LETTER = 7.0  # about the width of a letter of a zone's name
 TALL = 15.0  # room that a name needs
 EDGE = 6.0
 
+Box = tuple[float, float, float, float]  # left, top, right, bottom
+
 
 def zones(z: Zones) -> Markup:
     """Zones from below; a name stands where its zone leaves it most room, or in the note's key."""
     x = np.asarray(z.x, dtype=float)
     axes = Axes((52, 28, 390, 262), (float(x[0]), float(x[-1])), (0.0, z.y_top))
-    floor = np.zeros(x.size)
+    floor, taken, names = np.zeros(x.size), _taken(axes, z), []
     for zone in z.zones:
         top = np.clip(np.nan_to_num(np.asarray(zone.top, dtype=float)), floor, z.y_top)
         if np.any(top > floor):
             axes.ribbon(x, floor, top, zone.tone)
             edge = (top > 0) & (top < z.y_top)
             _edges(axes, x, top, edge)
-            axes.body += _name(axes, zone, x, floor, top)
+            names += _name(axes, zone, x, floor, top, taken)
         floor = top
     axes.grid(svg.ticks(*axes.y), svg.plain)
     axes.base(svg.ticks(*axes.x, 6), svg.plain)
@@ -37,6 +41,7 @@ def zones(z: Zones) -> Markup:
         if np.count_nonzero(seen) > 1:
             axes.curve(u[seen], v[seen], style(curve))
     rows = key(axes, z.curves) if z.curves else 0
+    axes.body += names
     if z.point is not None:
         axes.body += _mark(axes, *z.point)
     return svg.drawing(WIDTH, HEIGHT + LINE * rows + 4, axes.body, z.title, "chart zones")
@@ -50,8 +55,23 @@ def _edges(axes: Axes, x: Array, top: Array, inside: NDArray[np.bool_]) -> None:
         axes.curve(x[part], top[part], "edge")
 
 
-def _name(axes: Axes, zone: Zone, x: Array, floor: Array, top: Array) -> list[Markup]:
-    """The zone's name in its roomiest place; none where no place is large enough."""
+def _taken(axes: Axes, z: Zones) -> list[Box]:
+    """Where no zone's name should stand: upright lines, and the point with its name."""
+    found = [
+        (axes.X(float(c.x[0])) - 4, 0.0, axes.X(float(c.x[0])) + 4, HEIGHT)
+        for c in z.curves if np.ptp(c.x) == 0
+    ]  # fmt: skip
+    if z.point is not None:
+        u, v, right = _place(axes, *z.point[:2])
+        wide = LETTER * len(z.point[2]) + 18
+        found.append((u - (wide if right else 8), v - 22, u + (8 if right else wide), v + 8))
+    return found
+
+
+def _name(
+    axes: Axes, zone: Zone, x: Array, floor: Array, top: Array, taken: Sequence[Box]
+) -> list[Markup]:
+    """The zone's name in its roomiest free place; none where no place is large enough."""
     left = np.array([axes.X(v) for v in x])
     low = np.array([axes.Y(v) for v in floor])
     high = np.array([axes.Y(v) for v in top])
@@ -62,17 +82,29 @@ def _name(axes: Axes, zone: Zone, x: Array, floor: Array, top: Array) -> list[Ma
         if not np.any(over):
             continue
         bottom, ceiling = float(low[over].min()), float(high[over].max())
-        if bottom - ceiling > max(best, TALL):
-            best, place = bottom - ceiling, (float(middle), (bottom + ceiling) / 2 + 4)
+        y = (bottom + ceiling) / 2
+        box = float(middle) - half, y - TALL / 2, float(middle) + half, y + TALL / 2
+        free = not any(_meet(box, other) for other in taken)
+        if free and bottom - ceiling > max(best, TALL):
+            best, place = bottom - ceiling, (float(middle), y + 4)
     return [svg.text(*place, zone.name, "zone", "middle")] if place else []
 
 
 def _mark(axes: Axes, x: float, y: float, name: str) -> list[Markup]:
     """The point, at the edge of the plot where it lies beyond, and its name beside it."""
-    u = axes.X(min(max(x, axes.x[0]), axes.x[1]))
-    v = axes.Y(min(max(y, axes.y[0]), axes.y[1]))
-    right = u > (axes.box[0] + axes.box[2]) / 2
+    u, v, right = _place(axes, x, y)
     return [
         svg.circle(u, v, 5.0, "mark"),
         svg.text(u + (-10 if right else 10), v - 7, name, "named", "end" if right else "start"),
     ]
+
+
+def _place(axes: Axes, x: float, y: float) -> tuple[float, float, bool]:
+    """Where a point is in the image, within the plot, and whether that is in its right half."""
+    u = axes.X(min(max(x, axes.x[0]), axes.x[1]))
+    v = axes.Y(min(max(y, axes.y[0]), axes.y[1]))
+    return u, v, u > (axes.box[0] + axes.box[2]) / 2
+
+
+def _meet(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]

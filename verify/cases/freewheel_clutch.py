@@ -55,8 +55,8 @@ OUTPUTS = (
     output("share red", "red", "%", "of the clutches within tolerance"),
     *(
         output(f"{key}, {p} %", f"{symbol},{p}%", unit, f"{p} % of the clutches lie below")
-        for key, symbol, unit in (("alpha_0", "α_0", "deg"), ("alpha", "α", "deg"),
-                                  ("safety", "(μ/μ_req)", "1"))
+        for key, symbol, unit in (("alpha_0", "α_0", "deg"), ("alpha", "α_T", "deg"),
+                                  ("safety", "μ/μ_req", "1"))
         for p in (5, 50, 95)
     ),
 )  # fmt: skip

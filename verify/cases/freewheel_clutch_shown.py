@@ -9,6 +9,7 @@ from analytic.freewheel import criterion, state
 from analytic.freewheel.state import State
 from verify.case import Context, Values
 from verify.cases import freewheel_torque_shown
+from verify.cases.freewheel_clutch_fem import GRID, off
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import as_axial_load_grows, as_torque_grows, end, under
 from verify.cases.freewheel_clutch_scatter import DRAWS, scatter, slopes
@@ -62,7 +63,9 @@ def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     if under(q) is None:
         return ()
-    found: list[Figure] = [lights(q), angles(q), ways(q)]
+    found: list[Figure] = [lights(q), angles(q), ways(q, context)]
+    if context.fem:
+        found.append(flats(q, context))
     if (ensemble := scatter(q)) is not None:
         found += [
             cumulated("Clamping angle of the clutches made", "α_0 [°]",
@@ -98,7 +101,7 @@ def lights(q: ClutchInputs) -> Zones:
         for k, limit in enumerate(as_torque_grows(q)[:3])
         if limit.key != "slip" and limit.at <= T[-1]
     ]  # fmt: skip
-    lifted = [x for x in as_axial_load_grows(q) if x.key != "slip" and x.at / 1e3 <= top]
+    lifted = [x for x in as_axial_load_grows(q) if x.key != "slip" and x.at / 1e3 < 0.98 * top]
     curves += [
         Curve(name=f"{limit.words}, at this torque", x=T[[0, -1]],
               y=np.full(2, limit.at / 1e3), style="dashes", colour=4)
@@ -138,13 +141,38 @@ def angles(q: ClutchInputs) -> Curves:
             Curve(name="this clutch", x=np.array([q.T]), style="dots", colour=5,
                   y=np.interp([q.T], T, now.alpha * DEGREE)),
         ),
-        y_bottom=0.0, y_top=2.2 * max(tan, float(now.alpha.max()) * DEGREE),
+        y_bottom=0.0, y_top=1.7 * max(tan, float(now.alpha.max()) * DEGREE),
         note="It holds where the friction asked for lies below μ.",
     )  # fmt: skip
 
 
-def ways(q: ClutchInputs) -> Curves:
+def flats(q: ClutchInputs, context: Context) -> Curves:
+    """Both angles over the distance of the flats, a few µm to either side."""
+    far = 2 * off(q)
+    X = np.linspace(-far, far, 41)
+    moved = [q.moved(dX) for dX in X]
+    low, own, high = context.fem[-1].arrays["moved"] * DEGREE
+    return Curves(
+        title="What a few µm of X do", x_label="X off by [µm]", y_label="α [°]",
+        curves=(
+            Curve(name="α under T", x=X * 1e6,
+                  y=np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
+            Curve(name="α_0", x=X * 1e6, style="dashes", colour=4,
+                  y=np.array([float(c.cam.alpha0) for c in moved]) * DEGREE),
+            Curve(name="FE under T", x=np.array([-off(q), 0.0, off(q)]) * 1e6, colour=1,
+                  y=np.array([low, own, high]), style="dots"),
+        ),
+        y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
+        note="Load makes up for a part of it: the angle under torque turns less than α_0.",
+    )  # fmt: skip
+
+
+def ways(q: ClutchInputs, context: Context) -> Curves:
     T, now = _states(q)
+    measured = () if not context.fem else (
+        Curve(name="FE, ∫dU/T", x=GRID * q.T, y=context.fem[-1].arrays["profile, phi"] * DEGREE,
+              style="dots", colour=1),
+    )  # fmt: skip
     return Curves(
         title="Torsion", x_label="T [N m]", y_label="φ [°]",
         curves=(
@@ -152,6 +180,7 @@ def ways(q: ClutchInputs) -> Curves:
             Curve(name="Eq. 7 as printed, s/R + s/X", x=T, y=now.phi_printed * DEGREE,
                   style="dashes", colour=2),
             Curve(name="2s/R", x=T, y=now.phi_small * DEGREE, style="dashes", colour=4),
+            *measured,
         ),
         note=f"At T the rollers have moved by s = {float(under(q).s) * 1e6:.4g} µm."  # type: ignore[union-attr]
     )  # fmt: skip

@@ -143,8 +143,6 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
         )
     if v.get("e/L", 0.0) > (q.e_lim or LIFT_OFF):
         found.append(f"e/L = {v['e/L']:.3g} is beyond {q.e_lim or LIFT_OFF:.3g}: the rollers tilt")
-    if "P(slip)" in v and v["P(slip)"] > 0.01 and v["safety"] >= 1:
-        found.append(f"it holds as drawn, but {_share(v['P(slip)'])} of those made slip")
     return found
 
 
