@@ -1,0 +1,183 @@
+"""Finite elements of a freewheel along the rig's load paths, from rest to rest with their history.
+
+Load cases 1 and 2 keep the torque: the roller stays in its place, and where friction lets it creep
+out the ring turns on. Axial loads count at the torque that is asked for. In load case 3 rollers
+roll on by more than their contacts are wide; each torque has a place and a mesh of its own, where
+both loads come on together.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.case import FemResult
+from verify.cases.freewheel_fem import Place, Sector, State
+from verify.cases.freewheel_friction_fem import field
+from verify.cases.freewheel_friction_model import Borne, ample, creeping, sector, slipping
+from verify.cases.freewheel_friction_model import at_torque as start_at
+from verify.cases.freewheel_paths_inputs import PathInputs
+from verify.cases.freewheel_sweep import Start
+
+Array = NDArray[np.float64]
+
+LEVELS = (3, 4, 5)  # cells on the half-width of the fine zones
+SHARES = (1.0, 0.3)  # sines of load case 3
+RAMP = (0.3, 0.6, 0.95)  # of the limit of the axial load, load case 1
+GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the extremes of load case 2
+QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how long
+SOLVED = 1e-6  # of mu_req
+OTHERS = (0.6, 0.9)  # and further ones, of the figure alone
+BELOW, ABOVE, BISECTIONS = 0.97, 1.03, 4  # bracket of the limit
+
+
+@dataclass(frozen=True)
+class Held:
+    """The clutch under its torque, and a unit [N/m] of one roller: what friction leaves for F_z."""
+
+    q: PathInputs
+    there: Sector
+    rest: State
+
+    @classmethod
+    def at(cls, q: PathInputs, start: Start, cells: int, mu: float) -> "Held":
+        there = sector(q, start, cells, mu, driven=False)
+        return cls(q, there, there.rest(start.drags))
+
+    @property
+    def unit(self) -> float:
+        """F_z [N/m] with which F_t makes mu N, by the places of rollers and the torque."""
+        q, tan = self.q, math.tan(self.rest.start.psi / 2)
+        return self.rest.torque / (q.z * q.R) * math.sqrt((q.mu / tan) ** 2 - 1)
+
+    @property
+    def whole(self) -> float:
+        """The unit as a load [N] on the whole clutch at the torque that is asked for."""
+        return self.unit * self.q.z * self.q.L * self.q.T / (self.rest.torque * self.q.L)
+
+    def to(self, share: float, state: State) -> State:
+        """On from `state` to an axial load; ArithmeticError or ValueError where it slips."""
+        return creeping(self.there, state, axial_forces={"ring.rim": share * self.unit})
+
+    def together(self, share: float) -> State:
+        """From no load to both."""
+        force = {"ring.rim": share * self.unit}
+        return self.to(share, self.there.at(self.rest.drags, axial_forces=force))
+
+
+def fem(q: PathInputs, level: int) -> FemResult:
+    held = Held.at(q, start_at(q, level), level, q.mu)
+    ramp, values, u_it = on_ramp(held)
+    growing, of_cycles, u_cycles = on_growing(held)
+    values |= of_cycles
+    u_it |= u_cycles
+    values |= in_phase(q, level)
+    u_it |= dict.fromkeys(values.keys() - u_it.keys(), SOLVED)
+    values["F_3"], u_it["F_3"] = amplitude(held, level)
+    arrays = {
+        "ramp": rows(held, RAMP, ramp), "growing": rows(held, GROWING, growing),
+        "cycles": np.array([walk(held, share) for share in (QUIET, LOUD)]),
+        "own": np.array([math.tan(held.rest.start.psi / 2), held.rest.torque * q.L, held.whole]),
+    }  # fmt: skip
+    if level == LEVELS[-1]:
+        coarse = Held.at(q, start_at(q, LEVELS[0]), LEVELS[0], q.mu)
+        arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
+    return FemResult(
+        h=1 / level, values={k: float(v) for k, v in values.items()},
+        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays,
+        fields=(field(q, growing[-1]),),
+    )  # fmt: skip
+
+
+def on_ramp(held: Held) -> tuple[list[State], dict[str, float], dict[str, float]]:
+    """Load case 1: states at `RAMP` and the load at which it slips."""
+    states = follow(held, RAMP)
+    value, half = bracket(lambda k: held.to(k, states[-1]))
+    return states, {"F_1": value * held.whole}, {"F_1": half * held.whole}
+
+
+def on_growing(held: Held) -> tuple[list[State], dict[str, float], dict[str, float]]:
+    """Load case 2: states at `GROWING` and the amplitude at which it slips."""
+    states = follow(held, GROWING)
+    value, half = bracket(lambda k: held.to(k, states[-1]))
+    return states, {"F_2": value * held.whole}, {"F_2": half * held.whole}
+
+
+def in_phase(q: PathInputs, cells: int) -> dict[str, float]:
+    """Load case 3: required friction at `SHARES`."""
+    values = {}
+    for share in SHARES:
+        there = q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax})
+        start = start_at(there, cells)
+        mu = ample(there, Place.overlapping(there, *start.d))
+        own = Held.at(there, start, cells, mu)
+        force = {"ring.rim": there.F_ax * own.rest.torque / (q.z * there.T)}
+        state = own.there.at(own.rest.drags, axial_forces=force)
+        values[f"mu_req at {share:g}"] = Borne.by(state).required.mean()
+    return values
+
+
+def amplitude(held: Held, cells: int) -> tuple[float, float]:
+    """Load case 3: the amplitude [N] at which it slips, and its half bracket."""
+    q = held.q
+    if q.T_critical != q.T:
+        critical = q.model_copy(update={"T": q.T_critical})
+        held = Held.at(critical, start_at(critical, cells), cells, q.mu)
+    value, half = bracket(held.together)
+    return value * held.whole, half * held.whole
+
+
+def follow(held: Held, shares: Sequence[float]) -> list[State]:
+    states, state = [], held.rest
+    for share in shares:
+        state = held.to(share, state)
+        states.append(state)
+    return states
+
+
+def bracket(state: Callable[[float], State]) -> tuple[float, float]:
+    """Load over the unit at which no rest is found any more, and half the bracket; nan without."""
+    low, high = BELOW, ABOVE
+    if _held(state, high):
+        return math.nan, 0.0
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _held(state, middle) else (low, middle)
+    if low == BELOW and not _held(state, low):
+        return math.nan, 0.0
+    return (low + high) / 2, (high - low) / 2
+
+
+def _held(state: Callable[[float], State], share: float) -> bool:
+    try:
+        state(share)
+    except (ArithmeticError, ValueError):  # bodies slide on; or no forces at all balance the loads
+        return False
+    return True
+
+
+def walk(held: Held, share: float) -> Array:
+    """How far (CYCLES,) [m] the ring's bore turns on in each cycle of one axial amplitude."""
+    state, drags = held.rest, [held.rest.drags[1]]
+    for _ in range(CYCLES):
+        state = held.to(-share, held.to(share, state))
+        drags.append(state.drags[1])
+    return np.diff(drags)
+
+
+def rows(held: Held, shares: Sequence[float], states: Sequence[State]) -> Array:
+    """Of each state (m, 9): share, F_t/N and F_z/N of star and ring, N and T over those at rest,
+
+    the part of N that slips, u_z [m] of the ring over that of the star's bore.
+    """  # noqa: D205
+    N, found = Borne.by(held.rest).N.mean(), []
+    for share, state in zip(shares, states, strict=True):
+        b, along = Borne.by(state), state.solution.along
+        assert along is not None
+        found.append([
+            share, *(b.F_t / b.N), *(b.F_z / b.N), b.N.mean() / N,
+            state.torque / held.rest.torque, slipping(state).mean(), np.abs(along.u).max(),
+        ])  # fmt: skip
+    return np.array(found)
