@@ -114,22 +114,22 @@ def choose(found: list[tuple[Settings, Answer, Errors]], enough: float) -> Setti
 def ours(cells: int, *more: str) -> dict[str, Any]:
     """One run of the project's solver in a new process with one thread."""
     run = run_module("benchmarks.ours_freewheel", cells, *more)
-    return run | run["times"]
+    return {**run, **run["times"]}
 
 
 def compare(peer: Peer, how: Settings) -> dict[str, Any]:
     """Runs of both in turn: medians of seconds and of ratios."""
-    here, there, errors = [], [], {}
+    here, there = [], []
     for _ in range(RUNS):
         here.append(ours(sector.CELLS))
-        answer, errors = peer.ask(how)
-        there.append(answer)
+        there.append(peer.ask(how)[0])
     pairs = list(zip(here, there, strict=True))
     row: dict[str, Any] = {key: median(run[key] for run in here) for key in TIMES}
     row |= {
         "settings": str(how), "runs": RUNS, "unknowns": peer.unknowns,
         "ours": here[0]["found"], "theirs": there[0].found,
-        "ours errors": sector.errors(here[0]["found"], peer.reference), "theirs errors": errors,
+        "ours errors": sector.errors(here[0]["found"], peer.reference),
+        "theirs errors": sector.errors(there[0].found, peer.reference),
         "apart": sector.errors(there[0].found, here[0]["found"]),
         "calculix": median(b.run.wall for b in there),
         "calculix cpu": median(b.run.cpu for b in there), "iterations": there[0].iterations,
@@ -154,11 +154,11 @@ def compare(peer: Peer, how: Settings) -> dict[str, Any]:
 
 def table(reference: dict[str, float], row: dict[str, Any]) -> None:
     """Both sides' errors, number by number, and how far they are apart."""
-    print(f"    {'':18s} {'reference':>12s} {'ours':>9s} {'calculix':>9s} {'apart':>9s}")
+    print(f"    {'':20s} {'reference':>12s} {'ours':>9s} {'calculix':>9s} {'apart':>9s}")
     for name, words in sector.JUDGED.items():
         value = "" if name == "centre" else f"{reference[name]:.6g}"
         three = " ".join(f"{row[k][name]:+9.1e}" for k in ("ours errors", "theirs errors", "apart"))
-        print(f"    {words:18s} {value:>12s} {three}")
+        print(f"    {words:20s} {value:>12s} {three}")
 
 
 def climb(how: Settings | None, reference: dict[str, float]) -> list[dict[str, Any]]:

@@ -31,9 +31,10 @@ CELLS = 6  # in 1.5 half-widths
 FINE = 6 * CELLS  # of the reference
 MU = 0.15
 JUDGED = {  # what each number is called in tables
-    "T": "torque", "N_i": "N on the star", "N_o": "N on the ring", "F_i": "F_t on the star",
-    "F_o": "F_t on the ring", "a_i": "a at the star", "a_o": "a at the ring",
-    "p_i": "peak at the star", "p_o": "peak at the ring", "centre": "roller's centre",
+    "T": "torque [N m]", "N_i": "N, star [N/m]", "N_o": "N, ring [N/m]",
+    "F_i": "F_t, star [N/m]", "F_o": "F_t, ring [N/m]", "a_i": "half-width, star [m]",
+    "a_o": "half-width, ring [m]", "p_i": "peak, star [Pa]", "p_o": "peak, ring [Pa]",
+    "centre": "roller's centre",
 }  # fmt: skip
 
 
