@@ -10,7 +10,7 @@ from fem.contact.along_interface import AlongInterface
 from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies
 from fem.contact.complementarity import OPEN, Rest
-from fem.contact.cone import Cone, Residual, State
+from fem.contact.cone import EXACT, Cone, State
 from fem.contact.cone_descent import RUNAWAY, Descent, SlidingError
 from fem.contact.cone_reach import missing
 from fem.contact.interface import Interface, Surfaces
@@ -18,7 +18,6 @@ from fem.plane.discretisation import Array, Indices
 from fem.plane.material import Assumption
 
 Before = tuple[Rest, AlongStep]
-NOTHING = Residual(0.0, 0.0, 0.0)
 
 
 class AlongProblem:
@@ -57,32 +56,37 @@ class AlongProblem:
         slips = np.zeros(w_z.size) if before is None else before[1].slips
         slips = slips + self._closing(interface, w_z, slips, before, closing)
         w_z = w_z - slips
-        none = before is None or not np.any(before[1].traction)
-        if none and not (np.any(w_z) or np.any(e_z)):
-            zero, shift = np.zeros(w_z.size), np.zeros(e_z.size)
-            return in_plane(), AlongStep(
-                interface=interface, pull=pull, traction=zero, shift=shift, w=zero,
-                slips_before=slips, residual=NOTHING,
-            )  # fmt: skip
         cone = interface.cone
         loads, pulls = np.concatenate([w, w_z]), np.concatenate([e, e_z])
-        self._refuse(missing(cone, pulls), e.size)
-        try:
+        none = before is None or not np.any(before[1].traction)
+        if none and not (np.any(w_z) or np.any(e_z)):
+            rest = in_plane()
+            at = _joined(rest, np.zeros(w_z.size), np.zeros(e_z.size))
+            residual, _, moved = cone.judged(loads, pulls, at)
+        else:
+            self._refuse(missing(cone, pulls), e.size)
             starts = self._starts(cone, loads, pulls, before, in_plane)
-            at = Descent(cone, loads, pulls).solve(starts)
-        except SlidingError as slide:
-            raise ArithmeticError(
-                f"{self._who(slide.missed, e.size)}, and slides or rolls on: friction along the "
-                "surface and along z together is exhausted"
-            ) from None
-        residual, states, moved = cone.checked(loads, pulls, at)
-        rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
+            at = self._found(Descent(cone, loads, pulls), starts)
+            residual, states, moved = cone.judged(loads, pulls, at)
+            if not residual.largest <= EXACT:
+                raise ArithmeticError(f"the contact misses its laws by {residual}")
+            rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
         step = AlongStep(
             interface=interface, pull=pull, traction=at.multipliers[w.size :],
             shift=at.motion[e.size :], w=moved[w.size :], slips_before=slips, residual=residual,
         )  # fmt: skip
         self._check_small(plane, rest, step)
         return rest, step
+
+    def _found(self, descent: Descent, starts: list[State]) -> State:
+        try:
+            return descent.solve(starts)
+        except SlidingError as slide:
+            motions = slide.missed.size - self.bodies.shifts.shape[1]
+            raise ArithmeticError(
+                f"{self._who(slide.missed, motions)}, and slides or rolls on: friction along the "
+                "surface and along z together is exhausted"
+            ) from None
 
     def _interface(self, plane: Interface) -> AlongInterface:
         if self._of[0] is not plane:
@@ -117,11 +121,7 @@ class AlongProblem:
         else:
             starts.append(cone.stuck(w, e, State(rest.multipliers, rest.motion)))
         if before is not None:
-            rest, along = before
-            starts.append(State(
-                np.concatenate([rest.multipliers, along.traction]),
-                np.concatenate([rest.motion, along.shift]),
-            ))  # fmt: skip
+            starts.append(_joined(before[0], before[1].traction, before[1].shift))
         if failed is not None and not starts:
             raise failed
         return starts
@@ -156,3 +156,7 @@ class AlongProblem:
                 f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g} where surfaces "
                 f"deform by {size:.3g}: under these loads it slides away"
             )
+
+
+def _joined(rest: Rest, traction: Array, shift: Array) -> State:
+    return State(np.concatenate([rest.multipliers, traction]), np.concatenate([rest.motion, shift]))

@@ -115,7 +115,7 @@ class Descent:
 
     def _newton(self, at: State, spring: float, friction: Array, most: int = MAX_STEPS) -> State:
         """The solution with springs that hold the motions where they are."""
-        K = spring * self.cone.own.max(initial=0.0) * np.eye(at.motion.size)
+        K = self.cone.springs(spring)
         task = Task(w_0=self.w_0, e=self.e + K @ at.motion, K=K, friction=friction)
         error, states = self.cone.error(task, at)
         errors = [error]
