@@ -12,6 +12,10 @@ Strains and rotations are small. Bodies that start apart are first moved togethe
 there on surfaces slide by little against their radii. Pressures of nearly incompressible bodies
 (nu above 0.48) alternate from node to node, as displacements of any one degree have it; their
 resultants and half-widths do not suffer.
+
+With `along=Along(supports={"block.bottom": 0.0})` bodies in plane strain move along the third axis
+too, by u_z(x, y) under `axial_forces={"disc.top": 1e4}`, and friction has one cone for both
+directions.
 """
 
 from collections.abc import Hashable, Mapping, Sequence

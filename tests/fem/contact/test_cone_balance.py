@@ -105,6 +105,24 @@ def test_the_cone_finds_the_same_contact_from_random_starts(seed):
     np.testing.assert_allclose(found.multipliers, at.multipliers, atol=1e-7 * peak)
 
 
+@pytest.mark.parametrize("gap", [1e-4, 2e-3])
+def test_what_starts_apart_is_pulled_as_what_touches(gap):
+    R, P, found = 10e-3, 8e5, []
+    for below in (0.0, gap):
+        problem = ContactProblem(
+            half_disc(R=R, zone=2.8e-4, refine=1), materials=Elastic(E=210e9, nu=0.3),
+            assumption="plane strain", supports={"middle": "x"}, along=Along(),
+            obstacles={"flat": Obstacle(Flat((0.0, -below)))},
+            contacts=[Pair(slave="surface", master="flat", friction=0.3,
+                           slave_shape=Circle((0, R), R))],
+        )  # fmt: skip
+        load = {"middle": (0.0, -P)}
+        found.append(problem.solve(forces=load, axial_forces={"middle": 0.2 * P}))
+    near, far = (s.touches[0] for s in found)
+    assert far.force_z == pytest.approx(0.2 * P, rel=EXACT)
+    np.testing.assert_allclose(far.traction_z, near.traction_z, atol=1e-9 * near.peak)
+
+
 def test_slip_along_z_counts_from_where_a_gap_closes():
     # half-way down the gap closes, and from there on the slave is dragged the other half
     def step(steps):
