@@ -34,6 +34,18 @@ def warnings(q: FrictionInputs, v: Values) -> Sequence[str]:
     return found
 
 
+def findings(_q: FrictionInputs, v: Values) -> Sequence[str]:
+    if "F_lim" not in v:
+        return ("slips under the torque alone: friction is less than the wedge asks for",)
+    holds = v["safety"] >= 1
+    beyond = (
+        f"beyond F_ax = {v['F_lim']:.4g} N it slips along the axis and turns by "
+        f"{v['creep']:.3g} times that, or lets the rollers out within {v['u_out'] * 1e3:.2g} mm"
+    )
+    said = "holds" if holds else "slips"
+    return (f"{said}: μ/μ_req = {v['safety']:.4g}, {criterion.traffic_light(v['safety'])}", beyond)
+
+
 def too_large(q: FrictionInputs) -> str:
     v = analytic(q)
     low, _ = both_contacts(q, v)
@@ -104,6 +116,7 @@ FRICTION = Case(
         "one coefficient of friction, no rate, no oil; the couples of all rollers cancel on star "
         "and ring",
     ),
+    findings=findings,
     warnings=warnings,
     too_large=too_large,
     equations=freewheel_friction_shown.equations,

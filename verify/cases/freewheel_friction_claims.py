@@ -8,19 +8,19 @@ from verify.cases.freewheel_friction_formulas import (
     both_contacts,
     limit_creep,
     limit_load,
+    normal_force,
     one_contact,
     two_tangents,
     whole_load,
 )
 from verify.cases.freewheel_friction_limit import HELD
-from verify.cases.freewheel_torque_model import under_torque
 from verify.checks import Accepted, Approximation, Exact, Fact, Identity
 from verify.results import Row
 from verify.shown import Array
 
 ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
-ANGLE = "two bodies that enclose the star say alpha"
+ANGLE = "two bodies that enclose the star say alpha, 0.1 % for friction along surfaces"
 TILTED = f"{ANGLE}, surfaces tilt under N"
 STATICS = 1e-6  # of a value: what forces in balance may miss
 BALANCED = "forces in balance, on any mesh"
@@ -98,7 +98,7 @@ CHECKS = (
     Identity(name="axial force of a roller, F_ax/z", symbol="F_a", unit="N", fem="F_a",
              analytic="F_a", scale="F_t", demand=STATICS, demand_reason=BALANCED),
     Approximation(name="normal force under torque", symbol="F_n", unit="N", fem="N", analytic="N",
-                  interval=lambda q, _v: under_torque(q).force(), source=TILTED, formal=2),
+                  interval=normal_force, source=TILTED, formal=2),
     Approximation(name="required friction, torque alone (Eqs. 1, 2)", symbol="μ_req", unit="1",
                   fem="mu_t", analytic="mu_t", interval=both_contacts, source=ANGLE, formal=2),
     Approximation(name="required friction (Eqs. 8, 9)", symbol="μ_req", unit="1", fem="mu_req",

@@ -1,6 +1,7 @@
 """Finite elements of a freewheel's friction: torque alone, axial load, and beyond the limit."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +24,10 @@ from verify.shown import Field
 Array = NDArray[np.float64]
 
 LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
-STEPS = (2.5, 5.0, 8.0, 11.0)  # of the ring along z, over mu P'/G
-FREE = (3.0, 6.0, 15.0, 35.0, 60.0, 90.0, 125.0)  # the same with the ring held
+FIRST = 0.3  # mu P'/G, the first step of the ring along z; it says how far all would yield
+STEPS = (1.0, 2.0, 3.0, 4.0)  # of the ring along z, over what parts yield at the limit
+FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
+EDGES = 1e-4  # of a value, as the ends of contacts lie between two nodes
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 
@@ -38,17 +41,20 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
         "F_a": borne.F_z[0] * q.L, "balance": borne.F_z.sum() * q.L,
         "mu_t": alone.tangent, "mu_req": borne.required.mean(),
     }  # fmt: skip
-    u_it = {key: missed * abs(values[key]) for key in ("N", "mu_t", "mu_req")}
-    u_it["mu_t"] /= 2  # tan² alpha is linear in the approaches, on which T grows faster
+    # tan² alpha is linear in the approaches, on which T grows faster
+    u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_t", "mu_req")}
+    u_it["N"] = (EDGES + missed) * values["N"]
     u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
     there = sector(q, start, level, q.mu, driven=True)
     stuck = there.rest(rest.drags)
-    path = to_the_limit(q, there, stuck)
+    unit = yielding(q, there, stuck)
+    path = driven(there, stuck, [u * unit for u in STEPS])
     # F_z/F_t of the ring times T/R: at the torque that is asked for
     force, turned = -path[:, 5] / path[:, 3] * q.T / q.R, np.diff(path[:, 1]) / np.diff(path[:, 0])
     values |= {"F_lim": force[-1], "creep": turned[-1]}
-    u_it["F_lim"] = abs(force[-1] - force[-2]) + missed * force[-1]
-    u_it["creep"] = abs(turned[-1] - turned[-2])
+    steep = 1 / (1 - (alone.tangent / q.mu) ** 2)  # d ln(F_lim)/d ln(tan alpha)
+    u_it["F_lim"] = abs(force[-1] - force[-2]) + steep * (EDGES + missed) * force[-1]
+    u_it["creep"] = abs(turned[-1] - turned[-2]) + steep * EDGES * turned[-1]
     arrays = {
         "tan": np.array([math.tan(rest.start.psi / 2), rest.torque * q.L]),
         "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
@@ -58,8 +64,8 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
         bound = Limit(q, start, rest.drags)
         arrays |= {
             "shares": bound.shares(), "onset": bound.of_torque(), "axial onset": bound.of_load(),
-            "angles": over_angles(q, start, rest.drags, float(alone.N.mean())),
-            "let out": let_out(q, there, stuck),
+            "angles": over_angles(q, start, rest.drags, float(alone.N.mean()), unit),
+            "let out": let_out(there, stuck, [u * unit for u in FREE]),
         }  # fmt: skip
     return FemResult(
         h=1 / level, values={k: float(v) for k, v in values.items()},
@@ -75,33 +81,38 @@ def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[State, Stat
     return rest, pulled(q, there, rest)
 
 
-def to_the_limit(q: FrictionInputs, there: Sector, stuck: State) -> Array:
+def yielding(q: FrictionInputs, there: Sector, stuck: State) -> float:
+    """How far [m] the ring would yield along z up to the limit if nothing slipped."""
+    borne = Borne.by(stuck)
+    N = borne.N.mean()
+    u = FIRST * q.mu * N * 2 * (1 + q.nu) / q.E
+    first = there.at(stuck.drags, after=stuck.solution, axial_displacements={"ring.rim": u})
+    limit = N * math.sqrt(q.mu**2 - borne.tangent**2)
+    return float(u * limit / Borne.by(first).F_z[0])
+
+
+def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:
     """The path of the ring driven along z while N stays, until all slips and the ring creeps.
 
     It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
     contacts, N of the ring and T over those at rest.
     """
-    N = Borne.by(stuck).N
-    unit = q.mu * N.mean() * 2 * (1 + q.nu) / q.E
     path, state = [row(stuck, stuck, 0.0)], stuck
-    for u in STEPS:
-        state = creeping(there, state, axial_displacements={"ring.rim": u * unit})
-        path.append(row(state, stuck, u * unit))
+    for u in way:
+        state = creeping(there, state, axial_displacements={"ring.rim": u})
+        path.append(row(state, stuck, u))
     return np.array(path)
 
 
-def let_out(q: FrictionInputs, there: Sector, stuck: State) -> Array:
+def let_out(there: Sector, stuck: State, way: Sequence[float]) -> Array:
     """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
-    unit = q.mu * Borne.by(stuck).N.mean() * 2 * (1 + q.nu) / q.E
     path, state = [row(stuck, stuck, 0.0)], stuck
-    for u in FREE:
+    for u in way:
         try:
-            state = there.at(
-                stuck.drags, after=state.solution, axial_displacements={"ring.rim": u * unit}
-            )
+            state = there.at(stuck.drags, after=state.solution, axial_displacements={"ring.rim": u})
         except ArithmeticError:  # the last of N is gone
             break
-        path.append(row(state, stuck, u * unit))
+        path.append(row(state, stuck, u))
     return np.array(path)
 
 

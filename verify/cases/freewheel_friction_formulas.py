@@ -20,6 +20,7 @@ from verify.cases.freewheel_torque_model import Interval, clutch, times, under_t
 
 Array = NDArray[np.float64]
 
+REST = 1e-3  # of F_t/N: half of what is accepted of it
 GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
 
 
@@ -68,11 +69,20 @@ def lever(q: FrictionInputs) -> float:
 
 def one_contact(q: FrictionInputs, _values: Values) -> Interval:
     """Of F_t/N where both contacts count by themselves."""
-    return under_torque(q).slope(tilted=True)
+    return _wider(under_torque(q).slope(tilted=True))
 
 
 def both_contacts(q: FrictionInputs, _values: Values) -> Interval:
-    return under_torque(q).slope()
+    return _wider(under_torque(q).slope())
+
+
+def normal_force(q: FrictionInputs, _values: Values) -> Interval:
+    return _wider(under_torque(q).force())
+
+
+def _wider(interval: Interval) -> Interval:
+    """With what friction along the surfaces does to them, for which there is no bound."""
+    return interval[0] - REST, interval[1] + REST
 
 
 def whole_load(q: FrictionInputs, _values: Values) -> Interval:

@@ -18,7 +18,7 @@ AXIAL_BELOW, AXIAL_ABOVE, AXIAL_BISECTIONS = 2e-3, 3e-3, 2  # of mu_req, with ax
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
 HELD = 0.5  # of N: more is left of it where places are alike and forces are not
-DRIVEN = (3.5, 8.0)  # of the ring along z, over mu P'/G: to where all slips
+DRIVEN = (1.5, 3.0)  # of the ring along z, over what parts yield: to where all slips
 
 
 class Limit:
@@ -78,12 +78,17 @@ class Limit:
         return np.array([(low + high) / 2, (high - low) / 2])
 
 
-def over_angles(q: FrictionInputs, start: Start, drags: tuple[float, float], N: float) -> Array:
+def over_angles(
+    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float, unit: float
+) -> Array:
     """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
 
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
-    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring.
+    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring. At its
+    own angle the clutch yields by `unit` [m] along z to where it slips.
     """
+    own = math.tan(Place.overlapping(q, *start.d).psi / 2) / q.mu
+    most = unit / math.sqrt(1 - own**2)  # under all of mu N
     found = []
     for k in ANGLES:
         psi, (d_i, d_o) = 2 * math.atan(k * q.mu), start.d
@@ -94,12 +99,12 @@ def over_angles(q: FrictionInputs, start: Start, drags: tuple[float, float], N: 
             continue
         if q.r_b < X:
             other = q.model_copy(update={"X": X})
-            found.append([k, *_one_angle(other, start, drags, N)])
+            found.append([k, *_one_angle(other, start, drags, N, most)])
     return np.array(found)
 
 
 def _one_angle(
-    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float
+    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float, most: float
 ) -> list[float]:
     place = Place.overlapping(q, *start.d)
     there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
@@ -111,11 +116,11 @@ def _one_angle(
     mean = float(borne.N.mean())
     if mean < HELD * N:
         return [mean / N] + [0.0] * 5
-    alone, unit = borne.tangent / q.mu, q.mu * mean * 2 * (1 + q.nu) / q.E
+    alone = borne.tangent / q.mu
     try:
         for u in DRIVEN:
             state = there.at(
-                drags, after=state.solution, axial_displacements={"ring.rim": u * unit}
+                drags, after=state.solution, axial_displacements={"ring.rim": u * most}
             )
     except ArithmeticError:
         return [mean / N, alone] + [0.0] * 4
