@@ -10,7 +10,7 @@ from fem.contact.along_interface import AlongInterface
 from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies
 from fem.contact.complementarity import OPEN, Rest
-from fem.contact.cone import EXACT, Cone, State
+from fem.contact.cone import EXACT, State
 from fem.contact.cone_descent import RUNAWAY, Descent, SlidingError
 from fem.contact.cone_reach import missing
 from fem.contact.interface import Interface, Surfaces
@@ -56,20 +56,19 @@ class AlongProblem:
         slips = np.zeros(w_z.size) if before is None else before[1].slips
         slips = slips + self._closing(interface, w_z, slips, before, closing)
         w_z = w_z - slips
-        cone = interface.cone
-        loads, pulls = np.concatenate([w, w_z]), np.concatenate([e, e_z])
-        none = before is None or not np.any(before[1].traction)
-        if none and not (np.any(w_z) or np.any(e_z)):
+        descent = Descent(interface.cone, np.concatenate([w, w_z]), np.concatenate([e, e_z]))
+        idle = before is None or not np.any(before[1].traction)
+        if idle and not (np.any(w_z) or np.any(e_z)):
             rest = in_plane()
             at = _joined(rest, np.zeros(w_z.size), np.zeros(e_z.size))
-            residual, _, moved = cone.judged(loads, pulls, at)
+            residual, _, moved = interface.cone.judged(descent.w_0, descent.e, at)
         else:
-            self._refuse(missing(cone, pulls), e.size)
-            starts = self._starts(cone, loads, pulls, before, in_plane)
-            at = self._found(Descent(cone, loads, pulls), starts)
-            residual, states, moved = cone.judged(loads, pulls, at)
+            at = self._found(descent, e.size, before, in_plane)
+            residual, states, moved = interface.cone.judged(descent.w_0, descent.e, at)
             if not residual.largest <= EXACT:
-                raise ArithmeticError(f"the contact misses its laws by {residual}")
+                raise ArithmeticError(
+                    f"the contact misses its laws by more than {EXACT:g}: {residual}"
+                )
             rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
         step = AlongStep(
             interface=interface, pull=pull, traction=at.multipliers[w.size :],
@@ -78,11 +77,15 @@ class AlongProblem:
         self._check_small(plane, rest, step)
         return rest, step
 
-    def _found(self, descent: Descent, starts: list[State]) -> State:
+    def _found(
+        self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
+    ) -> State:
+        """The solution of the cone; ArithmeticError or ValueError where bodies slide."""
+        self._refuse(missing(descent.cone, descent.e), motions)
+        starts = self._starts(descent, before, in_plane)
         try:
             return descent.solve(starts)
         except SlidingError as slide:
-            motions = slide.missed.size - self.bodies.shifts.shape[1]
             raise ArithmeticError(
                 f"{self._who(slide.missed, motions)}, and slides or rolls on: friction along the "
                 "surface and along z together is exhausted"
@@ -111,15 +114,17 @@ class AlongProblem:
 
     @staticmethod
     def _starts(
-        cone: Cone, w: Array, e: Array, before: Before | None, in_plane: Callable[[], Rest]
+        descent: Descent, before: Before | None, in_plane: Callable[[], Rest]
     ) -> list[State]:
+        """What sticks along z in the plane's rest, and the step before."""
         starts, failed = [], None
         try:
             rest = in_plane()
         except ArithmeticError as error:
             failed = error
         else:
-            starts.append(cone.stuck(w, e, State(rest.multipliers, rest.motion)))
+            plane = State(rest.multipliers, rest.motion)
+            starts.append(descent.cone.stuck(descent.w_0, descent.e, plane))
         if before is not None:
             starts.append(_joined(before[0], before[1].traction, before[1].shift))
         if failed is not None and not starts:

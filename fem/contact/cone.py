@@ -69,6 +69,12 @@ class Residual:
     complementarity: float
     equilibrium: float
 
+    def __str__(self) -> str:
+        return (
+            f"Coulomb's law by {self.coulomb:.1e}, complementarity by {self.complementarity:.1e}, "
+            f"equilibrium by {self.equilibrium:.1e}"
+        )
+
     @property
     def largest(self) -> float:
         """The largest of the three."""

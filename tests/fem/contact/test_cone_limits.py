@@ -66,6 +66,15 @@ def test_a_block_holds_what_is_within_the_cone_and_no_more(low, angle):
             pulled(problem, pressed, angle, share)
 
 
+@pytest.mark.parametrize("angle", [30.0, 60.0, 90.0])
+def test_what_hardly_holds_slides_far_and_is_refused(angle):
+    # friction that has turned into the pull all over: it rests after 200 times what it deforms
+    problem = on_flat()
+    pressed = problem.solve(forces={"up.top": (0.0, -P)})
+    with pytest.raises(ArithmeticError, match=r"it slides (or rolls )?away"):
+        pulled(problem, pressed, angle, 1 - 1e-7)
+
+
 @pytest.mark.parametrize("angle", ANGLES)
 def test_a_block_that_is_moved_slides_at_mu_times_the_pressure(angle):
     problem = on_flat(top="moved")

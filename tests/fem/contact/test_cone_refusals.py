@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from fem.contact.along import Along
+from fem.contact.cone import State
+from fem.contact.cone_descent import Descent
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Flat
@@ -89,3 +91,19 @@ def test_loads_along_z_need_a_problem_along_z():
 def test_without_pressure_nothing_holds_along_z():
     with pytest.raises(ValueError, match="body 'up' can move along z, and the loads do move it"):
         pair().solve(axial_forces={"up.top": 1e-5})
+
+
+def test_a_solution_that_misses_its_laws_is_no_solution(monkeypatch):
+    problem = pair()
+    load = {"forces": {"up.top": (0.0, -1e-3)}, "axial_forces": {"up.top": 1e-4}}
+    good = problem.solve(**load)
+    assert good.along.residual.largest < 1e-11
+    solve = Descent.solve
+
+    def astray(self, starts):
+        at = solve(self, starts)
+        return State(at.multipliers * (1 + 1e-8), at.motion)
+
+    monkeypatch.setattr(Descent, "solve", astray)
+    with pytest.raises(ArithmeticError, match="misses its laws"):
+        problem.solve(**load)
