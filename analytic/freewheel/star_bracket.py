@@ -1,15 +1,16 @@
-r"""Expected interval of a clamped star's approach, from two bodies that can be solved.
+r"""Expected interval of a clamped star's approach, from three bodies that can be solved.
 
-Too stiff is a layer of the height h = X - r_b, bonded to a rigid base, under loads a flat's length
-apart: the star's material lies inside the layer, its clamp, the bore, falls away from the base.
-The layer's surface gives way to a wave of the number q by 2 K(q h)/(E' q) times its pressure,
+A layer of the height h = X - r_b, bonded to a rigid base, under loads a flat's length apart, holds
+the star's material inside, and its clamp falls away from the base: for stars of thin wall it is too
+stiff. Its surface gives way to a wave of the number q by 2 K(q h)/(E' q) times its pressure,
 
 .. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
           \qquad \kappa = 3 - 4\nu .
 
-Too soft is the disc through the corners, of the radius X/cos(pi/z), clamped on the same bore: it
-is deeper than the star under any contact and its surface curves away from the load. The same disc
-of radius X lies inside the star and gives way more than the star does under the middle of a flat.
+The disc through the corners, of the radius X/cos(pi/z) or R where the ring is nearer, clamped on
+the same bore, is deeper than the star under any contact: for stars of thin wall it is too soft.
+The disc of radius X lies inside the star. Few corners or thick walls put the three in another
+order; the star is expected between the least and the largest.
 
 References
 ----------
@@ -35,7 +36,11 @@ def expected_approach(clutch: Clutch, P: ArrayLike) -> tuple[Array, Array]:
     P = positive(P, "load per length", "N/m")
     a, _ = clutch.half_widths(P)
     half, _ = compliance(clutch).half_roller.approach(P, a)
-    return half + _layer(clutch).approach(P, a)[0], half + _disc(clutch).approach(P, a)[0]
+    flat = clutch.cam.flat
+    corner = np.minimum(flat / np.cos(np.pi / clutch.cam.count), clutch.cam.race)
+    bodies = _layer(clutch), _disc(clutch, flat), _disc(clutch, corner)
+    found = np.array([half + body.approach(P, a)[0] for body in bodies])
+    return found.min(axis=0), found.max(axis=0)
 
 
 def layer_constant(*, pitch: float, kappa: float) -> float:
@@ -61,8 +66,7 @@ def _layer(clutch: Clutch) -> Body:
     return Body(E=E, l=height, k=np.asarray(k))
 
 
-def _disc(clutch: Clutch) -> Body:
-    cam, (E, nu) = clutch.cam, clutch.inner.plane
-    rim = np.asarray(cam.flat / np.cos(np.pi / cam.count))
-    k = series.star_constant(ratio=rim / np.asarray(clutch.r_b), n=cam.count, nu=nu)
+def _disc(clutch: Clutch, rim: Array) -> Body:
+    E, nu = clutch.inner.plane
+    k = series.star_constant(ratio=rim / np.asarray(clutch.r_b), n=clutch.cam.count, nu=nu)
     return Body(E=E, l=rim, k=k)

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 ZONE = 1.5  # half-widths of even cells about each contact
 CORE = 0.05  # of the radius: where the roller's rotation is read
-STILL, MOST = 1e-7, 8  # of both approaches: what the roller may move; steps
+STILL, MOST = 1e-5, 8  # of both approaches: what the roller may move; steps
 
 
 @dataclass(frozen=True)

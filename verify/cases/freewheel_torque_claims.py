@@ -8,6 +8,7 @@ import numpy as np
 from verify.case import Context, Values
 from verify.cases.freewheel_inputs import StarInputs
 from verify.cases.freewheel_torque_model import (
+    ROUNDED,
     STRAIGHT,
     Expected,
     Interval,
@@ -17,8 +18,15 @@ from verify.cases.freewheel_torque_model import (
 )
 from verify.checks import Accepted, Approximation, Exact, Limit
 
-BRACKET = "two bodies that enclose the star, (a/r)² of Hertz"
+BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² of Hertz"
 SHARP = "acceptance of the subject"
+WIDEST = 8e-3  # interval that leaves a row of one's own sharp enough
+
+
+def known(q: StarInputs, interval: Interval) -> Interval | None:
+    """The interval, but for one's own star that its neighbours enclose too widely to judge by."""
+    wide = interval[1] - interval[0] > WIDEST
+    return None if wide and q != StarInputs() else interval
 
 
 def at_torque(
@@ -28,7 +36,7 @@ def at_torque(
     told: dict[str, Any] = {"analytic": key, "fem": key, "source": BRACKET} | more
     return Approximation(
         name=name, symbol=symbol, unit=unit, formal=2,
-        interval=lambda q, _v: interval(under_torque(q)), **told,
+        interval=lambda q, _v: known(q, interval(under_torque(q))), **told,
     )  # fmt: skip
 
 
@@ -39,18 +47,18 @@ def at_force(
     told: dict[str, Any] = {"analytic": key, "fem": key, "source": BRACKET} | more
     return Approximation(
         name=f"{name}, at N = T/(z R tan α_0)", symbol=symbol, unit=unit, formal=2,
-        interval=lambda q, _v: interval(under_force(q)), **told,
+        interval=lambda q, _v: known(q, interval(under_force(q))), **told,
     )  # fmt: skip
 
 
-def printed_torsion(q: StarInputs, _values: Values) -> Interval:
+def printed_torsion(q: StarInputs, _values: Values) -> Interval | None:
     """A star's flat taken for a circle of radius X: (R + X)/(2 X) times exact rolling."""
-    return times(under_torque(q).torsion(), (q.R + q.X) / (2 * q.X), STRAIGHT)
+    return known(q, times(under_torque(q).torsion(), (q.R + q.X) / (2 * q.X), STRAIGHT))
 
 
-def printed_torque(q: StarInputs, _values: Values) -> Interval:
+def printed_torque(q: StarInputs, _values: Values) -> Interval | None:
     """The normal force's lever left out: X/R of the torque."""
-    return times(under_force(q).slope(tilted=True), q.X / q.R)
+    return known(q, times(under_force(q).slope(tilted=True), q.X / q.R))
 
 
 def no_load(context: Context) -> tuple[list[float], list[float], list[float]]:
@@ -63,7 +71,7 @@ def no_load(context: Context) -> tuple[list[float], list[float], list[float]]:
     for r in context.fem[-2:]:
         d_i, d_o = r.arrays["loads"][3:5]
         found.append((r.arrays["shares"].mean(axis=0) / tan) ** 2 * (1 + (d_o - d_i) / (q.R + q.X)))
-    overlap, u = d_i + d_o, np.maximum(np.abs(found[1] - found[0]), 1e-7)
+    overlap, u = d_i + d_o, np.maximum(np.abs(found[1] - found[0]), ROUNDED)
     return (overlap / overlap[-1]).tolist(), (found[1] - 1).tolist(), u.tolist()
 
 
@@ -89,7 +97,7 @@ CHECKS = (
               Expected.slope, demand=0.002, demand_reason=SHARP),
     at_torque("way of the rollers (Eq. 6)", "s(T)", "µm", "s", Expected.way),
     at_torque("torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", "φ(T)", "deg", "phi",
-              Expected.torsion, source=f"{BRACKET}, tangential deformation up to 1.3 tan²α"),
+              Expected.torsion, source=f"{BRACKET}, tangential deformation of 0.5 to 1.2 tan²α"),
     Approximation(name="torsion, Eq. 7 as printed, against ∫dU/T", symbol="φ(T)", unit="deg",
                   analytic="phi printed", fem="phi", interval=printed_torsion, formal=2,
                   source="rolling on a flat instead of on a circle: (R + X)/(2X)", demand=0.03,
@@ -111,7 +119,7 @@ CHECKS = (
     Approximation(name="normal force at a given angle", symbol="F_n(ψ)", unit="N",
                   analytic="N at angle", fem="N at angle", formal=2, source=BRACKET, demand=0.02,
                   demand_reason=SHARP,
-                  interval=lambda q, _v: under_force(q).force_at_angle()),
+                  interval=lambda q, _v: known(q, under_force(q).force_at_angle())),
     Limit(name="F_t/F_n becomes tan α_0 without load (Eq. 4, corrected)", symbol="α_0", unit="1",
           points=no_load, exponent=1.0),
     accepted("F_t/F_n on the star against tan(ψ/2)", "F_t/F_n", "star's F_t/N", 2e-3,

@@ -1,11 +1,12 @@
 """Formulas of a roller freewheel under torque (Nagler, Lohrengel, Eqs. 2 to 7), and their errors.
 
 What is expected of them comes from bodies that enclose the star and from sizes. The star's approach
-lies between that of a layer, too stiff, and of the disc through its corners, too soft
-(`analytic.freewheel.star_bracket`); everything else follows from the approaches. Round bodies that
-Hertz takes for parabolas on half planes err by some (a/r)². Surfaces tilt under N as far as a
-half plane does at the depth of its wall. Tangential forces deform the contacts, too, and turn the
-ring further by tan² alpha, times the tangential compliance over the normal one, which is about 1.
+lies among those of a layer and of two discs (`analytic.freewheel.star_bracket`), and the torque
+winds the star up on its bore, which lowers the flat under the roller; everything else follows from
+the approaches. Round bodies that Hertz takes for parabolas on half planes err by some (a/r)².
+Surfaces tilt under N as far as a half plane does at the depth of its wall. Tangential forces deform
+the contacts, too, and turn the ring further by tan² alpha, times the tangential compliance over the
+normal one, which is about 1.
 """
 
 import math
@@ -25,8 +26,11 @@ from verify.cases.freewheel_inputs import StarInputs
 
 GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
 CURVED = 4.0  # bound of what Hertz neglects of pressures, over (a/r)²; between flats it is 3/16
-ROUND = 1.0  # and of approaches, whose logarithm hardly feels it
-SIDEWAYS = 1.3  # bound of the tangential over the normal compliance
+LEAST = 7e-3  # and no less is asked of them
+ROUNDED = 5e-6  # of a value: splines and meshes; little load asks for no less
+SMALLEST = 2e-3  # nor of approaches
+TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring: corners stand beyond it, some without shear
+SIDEWAYS = 0.5, 1.2  # bounds of the tangential over the normal compliance
 STRAIGHT = 0.01  # of phi: what the printed angle's ratio changes by along its arc
 STEEPER = 1.15  # d ln(N)/d ln(approach) at most
 
@@ -75,10 +79,14 @@ class Expected:
     def __init__(self, q: StarInputs, state: State) -> None:
         self.q, self.state = q, state
         self.P = float(state.N) / q.L
-        self.hertz = CURVED * (max(float(state.a_i), float(state.a_o)) / q.r) ** 2
+        wide = max(float(state.a_i), float(state.a_o)) / q.r
+        self.hertz = max(CURVED * wide**2, LEAST)
+        # a roller's loads stand psi off its diameter, and the roller is half of an approach
+        c = max(wide**2 / 2 + float(state.psi) ** 2 / 16, SMALLEST)
+        d_i, d_o = float(state.d_i), float(state.d_o)
         low, high = (float(d) for d in expected_approach(clutch(q), self.P))
-        d_i, d_o, c = float(state.d_i), float(state.d_o), ROUND / CURVED * self.hertz
-        self.d_i = low * (1 - c), high * (1 + c)
+        wound = winding(q, float(state.T)) * float(q.cam.centre(d_i=d_i, d_o=d_o)[0])
+        self.d_i = low * (1 - c) + TIGHT * wound, high * (1 + c) + LOOSE * wound
         self.d_o = d_o * (1 - c), d_o * (1 + c)
         self.size = d_i + d_o
         wall = min(q.X - q.r_b, q.R_a - q.R)
@@ -113,9 +121,9 @@ class Expected:
 
     def torsion(self) -> Interval:
         """Of phi, which goes as the way of the rollers and is added to by tangential forces."""
-        low, high = self.way()
-        more = SIDEWAYS * math.tan(float(self.state.alpha)) ** 2
-        return (1 + low) / (1 + more) - 1, high
+        (low, high), square = self.way(), math.tan(float(self.state.alpha)) ** 2
+        less, more = (share * square for share in SIDEWAYS)
+        return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def force_at_angle(self) -> Interval:
         """Of N at an angle, which says what both approaches are together."""
@@ -125,7 +133,13 @@ class Expected:
     def _of(self, value: Callable[..., float]) -> Interval:
         own = value(d_i=float(self.state.d_i), d_o=float(self.state.d_o))
         corners = [value(d_i=d_i, d_o=d_o) for d_i, d_o in product(self.d_i, self.d_o)]
-        return own / max(corners) - 1, own / min(corners) - 1
+        return own / max(corners) - 1 - ROUNDED, own / min(corners) - 1 + ROUNDED
+
+
+def winding(q: StarInputs, T: float) -> float:
+    """Angle [rad] by which a hollow shaft from the star's bore to its flats is wound up."""
+    G = q.E / (2 * (1 + q.nu))
+    return T / q.L / (4 * math.pi * G) * (1 / q.r_b**2 - 1 / q.X**2)
 
 
 def under_torque(q: StarInputs) -> Expected:

@@ -213,7 +213,7 @@ def pictures(q: Any) -> Sequence[Picture]:
                 caption="One pitch in the heaviest state of the sweep, von Mises' stress",
                 displacement=""),
         Picture(field="sector", data="log_mises", symbol="lg(σ_v/MPa)", unit="1", factor=1.0,
-                caption="The roller between both races: the forces run from contact to contact; below "
-                "10 MPa in one colour",
+                caption="The roller between both races: the forces run from contact to contact; "
+                "below 10 MPa in one colour",
                 displacement="", window=(x - w, y - w, x + w, y + w)),
     )  # fmt: skip
