@@ -107,3 +107,25 @@ class Contradiction(PrintedClaim):
             context.case, Kind.FACT, verdict, analytic=v, scale=abs(entry.value * f),
             partner=partner, published=self._beside(),
         )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Adopted(PrintedClaim):
+    """A printed number that is taken as it stands: NOTE, for the reason `why`.
+
+    Beside it is the value of `analytic`, where there is one.
+    """
+
+    kind = Kind.FACT
+
+    analytic: str = ""
+    why: str
+
+    def judged(self, context: Context) -> Row:
+        v = context.analytic[self.analytic] if self.analytic else None
+        entry = published(self.reference)
+        r = entry.value * units.factor(entry.unit)
+        return self._row(
+            context.case, Kind.FACT, judge.Verdict(Status.NOTE, self.why), analytic=v,
+            partner=Partner(by=f"printed {entry.printed}", value=r), published=self._beside(),
+        )  # fmt: skip

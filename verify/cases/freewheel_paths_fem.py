@@ -69,40 +69,26 @@ class Held:
 
 def fem(q: PathInputs, level: int) -> FemResult:
     held = Held.at(q, start_at(q, level), level, q.mu)
-    ramp, values, u_it = on_ramp(held)
-    growing, of_cycles, u_cycles = on_growing(held)
-    values |= of_cycles
-    u_it |= u_cycles
-    values |= in_phase(q, level)
-    u_it |= dict.fromkeys(values.keys() - u_it.keys(), SOLVED)
-    values["F_3"], u_it["F_3"] = amplitude(held, level)
+    ramp, growing = follow(held, RAMP), follow(held, GROWING)
+    values = in_phase(q, level)
+    u_it = dict.fromkeys(values, SOLVED)
+    values["F_1"], u_it["F_1"] = bracket(held, lambda k: held.to(k, ramp[-1]))
     arrays = {
         "ramp": rows(held, RAMP, ramp), "growing": rows(held, GROWING, growing),
-        "cycles": np.array([walk(held, share) for share in (QUIET, LOUD)]),
         "own": np.array([math.tan(held.rest.start.psi / 2), held.rest.torque * q.L, held.whole]),
     }  # fmt: skip
+    if level != LEVELS[0]:
+        arrays["cycles"] = np.array([walk(held, share) for share in (QUIET, LOUD)])
     if level == LEVELS[-1]:
+        last = held if q.T_critical == q.T else critical(q, level)
+        arrays["slips"] = np.array([
+            bracket(held, lambda k: held.to(k, growing[-1])), bracket(last, last.together),
+        ])  # fmt: skip
         coarse = Held.at(q, start_at(q, LEVELS[0]), LEVELS[0], q.mu)
         arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
     return FemResult(
-        h=1 / level, values={k: float(v) for k, v in values.items()},
-        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays,
-        fields=(field(q, growing[-1]),),
-    )  # fmt: skip
-
-
-def on_ramp(held: Held) -> tuple[list[State], dict[str, float], dict[str, float]]:
-    """Load case 1: states at `RAMP` and the load at which it slips."""
-    states = follow(held, RAMP)
-    value, half = bracket(lambda k: held.to(k, states[-1]))
-    return states, {"F_1": value * held.whole}, {"F_1": half * held.whole}
-
-
-def on_growing(held: Held) -> tuple[list[State], dict[str, float], dict[str, float]]:
-    """Load case 2: states at `GROWING` and the amplitude at which it slips."""
-    states = follow(held, GROWING)
-    value, half = bracket(lambda k: held.to(k, states[-1]))
-    return states, {"F_2": value * held.whole}, {"F_2": half * held.whole}
+        h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(growing[-1]),)
+    )
 
 
 def in_phase(q: PathInputs, cells: int) -> dict[str, float]:
@@ -115,18 +101,14 @@ def in_phase(q: PathInputs, cells: int) -> dict[str, float]:
         own = Held.at(there, start, cells, mu)
         force = {"ring.rim": there.F_ax * own.rest.torque / (q.z * there.T)}
         state = own.there.at(own.rest.drags, axial_forces=force)
-        values[f"mu_req at {share:g}"] = Borne.by(state).required.mean()
+        values[f"mu_req at {share:g}"] = float(Borne.by(state).required.mean())
     return values
 
 
-def amplitude(held: Held, cells: int) -> tuple[float, float]:
-    """Load case 3: the amplitude [N] at which it slips, and its half bracket."""
-    q = held.q
-    if q.T_critical != q.T:
-        critical = q.model_copy(update={"T": q.T_critical})
-        held = Held.at(critical, start_at(critical, cells), cells, q.mu)
-    value, half = bracket(held.together)
-    return value * held.whole, half * held.whole
+def critical(q: PathInputs, cells: int) -> Held:
+    """The clutch at the torque of load case 3 at which the least amplitude slips."""
+    there = q.model_copy(update={"T": q.T_critical})
+    return Held.at(there, start_at(there, cells), cells, q.mu)
 
 
 def follow(held: Held, shares: Sequence[float]) -> list[State]:
@@ -137,8 +119,8 @@ def follow(held: Held, shares: Sequence[float]) -> list[State]:
     return states
 
 
-def bracket(state: Callable[[float], State]) -> tuple[float, float]:
-    """Load over the unit at which no rest is found any more, and half the bracket; nan without."""
+def bracket(held: Held, state: Callable[[float], State]) -> tuple[float, float]:
+    """Axial load [N] at which no rest is found any more, and half the bracket; nan without."""
     low, high = BELOW, ABOVE
     if _held(state, high):
         return math.nan, 0.0
@@ -147,7 +129,7 @@ def bracket(state: Callable[[float], State]) -> tuple[float, float]:
         low, high = (middle, high) if _held(state, middle) else (low, middle)
     if low == BELOW and not _held(state, low):
         return math.nan, 0.0
-    return (low + high) / 2, (high - low) / 2
+    return (low + high) / 2 * held.whole, (high - low) / 2 * held.whole
 
 
 def _held(state: Callable[[float], State], share: float) -> bool:
@@ -168,10 +150,11 @@ def walk(held: Held, share: float) -> Array:
 
 
 def rows(held: Held, shares: Sequence[float], states: Sequence[State]) -> Array:
-    """Of each state (m, 9): share, F_t/N and F_z/N of star and ring, N and T over those at rest,
+    """Of each state (m, 9) its share and what it bears.
 
-    the part of N that slips, u_z [m] of the ring over that of the star's bore.
-    """  # noqa: D205
+    F_t/N and F_z/N of star and ring, N and T over those at rest, the part of N that slips, and the
+    largest u_z [m].
+    """
     N, found = Borne.by(held.rest).N.mean(), []
     for share, state in zip(shares, states, strict=True):
         b, along = Borne.by(state), state.solution.along

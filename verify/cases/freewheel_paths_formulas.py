@@ -6,13 +6,14 @@ frequency at which the ring by itself swings on the wedged rollers.
 
 import math
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
 from analytic.freewheel import criterion
 from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
-from analytic.freewheel.state import State, loaded
+from analytic.freewheel.state import loaded
 from verify.case import Values
 from verify.cases.freewheel_paths_inputs import PathInputs
 from verify.cases.freewheel_torque_model import Expected, Interval, clutch
@@ -70,9 +71,9 @@ def analytic(q: PathInputs) -> Values:
             f"T_m + T = {q.T_peak:g} N m is more than these formulas know: contacts wider than "
             "half the rollers' radius, or rollers past the flats' corners"
         )
-    values = {
+    values: dict[str, Any] = {
         "alpha": state.alpha, "N": state.N, "mu_t": np.tan(state.alpha), "phi": top.phi,
-        "coulomb": 1.0, **inertia(q, state),
+        "coulomb": 1.0, **inertia(q),
     }  # fmt: skip
     for share in SHARES:
         values[f"mu_req at {share:g}"] = required(q, share)
@@ -85,7 +86,7 @@ def analytic(q: PathInputs) -> Values:
     return {key: float(v) for key, v in values.items() if np.isfinite(v)}
 
 
-def inertia(q: PathInputs, state: State) -> dict[str, float]:
+def inertia(q: PathInputs) -> dict[str, float]:
     """Stiffness [N m/rad], f_0 [Hz], (f/f_0)² and the inertia [kg m²] at which this is 1 %."""
     phi = loaded(clutch(q), q.T * np.array([1 - STEP, 1 + STEP])).phi
     stiffness = 2 * STEP * q.T / (phi[1] - phi[0])

@@ -1,0 +1,184 @@
+"""The rig's load paths: inputs, states, and that every fault turns a row red."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.freewheel import criterion, load_path
+from verify.cases import freewheel_paths_fem
+from verify.cases.freewheel_friction_model import Borne
+from verify.cases.freewheel_paths import PATHS, findings, too_large, warnings
+from verify.cases.freewheel_paths_formulas import analytic, courses
+from verify.cases.freewheel_paths_inputs import PathInputs
+from verify.results import Status
+from verify.run import Job, judge_case
+
+FIRST, SECOND, THIRD = (
+    "axial load at slip, torque first (load case 1)",
+    "axial amplitude at slip, steady torque (load case 2)",
+    "axial amplitude at slip, both in phase (load case 3)",
+)
+IN_PHASE = "required friction, load case 3, at 0.3 of the amplitudes (Eqs. 8, 9)"
+EXTREMES = "required friction at the extremes of load case 2, at its own angle (Eqs. 8, 9)"
+WALKS = "a large alternating load makes the ring walk: ratcheting below slip"
+
+pytestmark = pytest.mark.xdist_group("freewheel-paths")
+
+
+def names(rows):
+    return {row.quantity for row in rows}
+
+
+@pytest.fixture
+def broken(monkeypatch):
+    def break_(owner, name, fault):
+        monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
+        courses.cache_clear()
+
+    yield break_
+    monkeypatch.undo()
+    courses.cache_clear()
+
+
+# Paths and their courses.
+def test_all_three_paths_slip_at_the_load_that_eq_9_gives():
+    q = PathInputs()
+    v = analytic(q)
+    steady = q.rise + v["F_lim"] / q.F_ax * (q.duration - q.rise)
+    assert v["slip 1"] == pytest.approx(steady, abs=3e-4)
+    for case in (2, 3):
+        along = courses(q)[case]
+        at = np.searchsorted(along.t, along.slips_at)
+        assert abs(along.mu_req[at]) > q.mu > abs(along.mu_req[at - 1])
+
+
+def test_an_alternating_load_slips_no_sooner_than_a_steady_one_of_the_same_growth():
+    v = analytic(PathInputs())
+    assert v["slip 2"] >= v["slip 1"]
+
+
+def test_a_path_that_ends_below_the_limit_holds_and_is_green():
+    q = PathInputs(F_ax=900.0)
+    v = analytic(q)
+    assert not any(key.startswith("slip") for key in v)
+    assert all("holds to the end" in words and "green" in words for words in findings(q, v)[:3])
+
+
+def test_about_a_mean_torque_the_trough_asks_for_most():
+    q = PathInputs(T=10.0, T_m=16.0, F_ax=300.0)
+    last = courses(q)[3]
+    assert q.T_critical == pytest.approx(last.T[np.nanargmax(last.mu_req)], rel=1e-3)
+    assert not too_large(q)
+
+
+def test_inertia_is_a_thousandth_of_the_loads_at_30_hz_and_warned_of_near_the_eigenfrequency():
+    q = PathInputs()
+    assert analytic(q)["sway"] < 1e-3
+    assert not [w for w in warnings(q, analytic(q)) if "inertia" in w]
+    fast = PathInputs(f=500.0)
+    assert "inertia adds some" in " ".join(warnings(fast, analytic(fast)))
+
+
+# Inputs.
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"rise": 0.6}, "rise < duration, got rise = 0.6 s, duration = 0.5 s"),
+        ({"f": 1e4}, "at most 1000 cycles, got f duration = 5000"),
+        ({"F_ax": 0.0}, "greater than"),
+        ({"T_m": -1.0}, "greater than or equal"),
+        ({"T": 1e6}, "more than these formulas know"),
+    ],
+)
+def test_what_is_no_path_is_refused(change, words):
+    with pytest.raises(ValueError, match=words):
+        analytic(PathInputs(**change))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"T_m": 10.0}, "axial load while its torque is next to zero"),
+        ({"T_m": 26.0}, "axial load while its torque is next to zero"),
+        ({"mu": 0.05}, "tan α = 0.0674 is not below μ = 0.05"),
+        ({"F_ax": 1e5}, "asks for friction of"),
+        ({"T": 150.0, "mu": 0.5}, "displacements are not small"),
+    ],
+)
+def test_paths_that_finite_elements_cannot_follow_are_told(change, words):
+    q = PathInputs(**change)
+    assert words in too_large(q)
+    assert PATHS.equations(q, analytic(q))
+
+
+# States.
+def test_friction_of_the_way_there_leaves_the_roller_s_balance_alone():
+    q = PathInputs()
+    held = freewheel_paths_fem.Held.at(q, freewheel_paths_fem.start_at(q, 3), 3, q.mu)
+    there = held.to(-0.8, held.to(0.8, held.rest))
+    b = Borne.by(there)
+    assert b.F_z.sum() == pytest.approx(0.0, abs=1e-8 * b.N[0])
+    assert np.hypot(b.F_t, b.F_z).max() < q.mu * b.N.min() * (1 + 1e-9)
+    assert b.tangent == pytest.approx(math.tan(held.rest.start.psi / 2), rel=2e-4)
+
+
+# Judging.
+def test_no_row_is_red_on_the_case_s_inputs(judged, red):
+    assert not red(judged(PATHS))
+
+
+def test_the_classes_are_adopted_and_no_row_calls_them_verified(judged):
+    rows = [row for row in judged(PATHS).rows if row.quantity.startswith("class ")]
+    assert [row.status for row in rows] == [Status.NOTE, Status.NOTE]
+    assert all("rule adopted" in row.reason for row in rows)
+
+
+READINGS = [
+    pytest.param(criterion, "largest_axial_load", lambda f: lambda **k: 8 * f(**k), FIRST,
+                 id="F_ax of one roller"),
+    pytest.param(criterion, "largest_axial_load", lambda f: lambda **k: f(
+        **k | {"R": 11.39565e-3}), SECOND, id="the flat's distance for the lever"),
+    pytest.param(criterion, "largest_axial_load", lambda f: lambda **k: f(
+        **k | {"alpha": 2 * k["alpha"] / 2 + 0.0012}), THIRD, id="alpha 0.07 degrees larger"),
+    pytest.param(criterion, "required_friction_of_ratio", lambda f: lambda **k: f(
+        **k | {"ratio": 8 * np.asarray(k["ratio"])}), IN_PHASE, id="mu_req by F_ax of each roller"),
+    pytest.param(criterion, "required_friction_of_ratio", lambda _: lambda *, alpha, ratio, R:
+        np.tan(alpha) * (1 + np.abs(ratio) * R), EXTREMES, id="forces added without angles"),
+    pytest.param(load_path.AlternatingAxial, "axial_load", lambda f: lambda self, t:
+        f(self, t) / 2, "time of slip, load case 2", id="a range for an amplitude"),
+    pytest.param(load_path.BothAlternating, "ratio", lambda f: lambda self, t:
+        np.sqrt(f(self, t)), "time of slip, load case 3", id="F_ax/T read wrongly"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("owner", "name", "fault", "row"), READINGS)
+def test_another_reading_or_a_wrong_formula_turns_a_row_red(
+    owner, name, fault, row, broken, judged, red
+):
+    judged(PATHS)
+    broken(owner, name, fault)
+    assert row in names(red(judged(PATHS)))
+
+
+def changed(result, **arrays):
+    return replace(result, arrays={**result.arrays, **arrays})
+
+
+@pytest.mark.parametrize(
+    ("row", "fault"),
+    [
+        (EXTREMES, lambda a: {"growing": a["growing"] * [1, 1.003, 1.003, 1, 1, 1, 1, 1, 1]}),
+        (WALKS, lambda a: {"cycles": a["cycles"][::-1]} if "cycles" in a else {}),
+        (SECOND, lambda a: {"slips": a.get("slips", 1.0) * np.array([[0.98, 1], [1, 1]])}),
+        ("torque is kept up to the limit",
+         lambda a: {"ramp": a["ramp"] * [1, 1, 1, 1, 1, 1, 0.99, 1, 1]}),
+    ],
+)  # fmt: skip
+def test_finite_elements_that_say_otherwise_turn_a_row_red(row, fault, red):
+    from tests.conftest import solved
+
+    q = PathInputs()
+    levels = [changed(r, **fault(r.arrays)) for r in solved(PATHS, q)]
+    assert row in names(red(judge_case(Job(PATHS, q), levels)))

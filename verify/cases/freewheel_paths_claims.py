@@ -1,0 +1,176 @@
+"""The claims about a freewheel on the rig's load paths: loads at slip, and what comes before."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.freewheel import criterion
+from verify.case import Context
+from verify.cases.freewheel_paths_formulas import (
+    SHARES,
+    course,
+    courses,
+    expected,
+    friction_of,
+    of_limit,
+)
+from verify.checks import Accepted, Approximation, Fact
+from verify.printed import Adopted
+
+Margin = tuple[float, float, str]
+
+OWN, KEPT, ALIKE = (
+    2e-3,
+    5e-3,
+    1e-2,
+)  # what is accepted of mu_req, of the torque, of the amplitude at slip
+SETTLES, GOES_ON = 0.75, 0.9  # of the walk in the cycle before
+ANGLE = "two bodies that enclose the star say alpha, surfaces tilt under N"
+RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
+
+
+def _required(context: Context, at: int, name: str) -> tuple[NDArray[np.float64], ...]:
+    """mu_req of finite elements and Eq. 9 at their own angle and loads, states of a path."""
+    arrays, q = context.fem[at].arrays, context.inputs
+    (tan, T, limit), table = arrays["own"], arrays[name]
+    found = criterion.required_friction_of_contact(
+        F_n=1.0, F_t=table[:, 1:3], F_a=table[:, 3:5]
+    ).mean(axis=1)
+    F_ax = np.abs(table[:, 0]) * limit * T / q.T
+    return found, criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R)
+
+
+def own(context: Context, name: str) -> Margin:
+    """Both contacts' resultant over N against Eq. 9 at the extremes of a path."""
+    before, now = (
+        float(np.abs(found / needed - 1).max())
+        for found, needed in (_required(context, at, name) for at in (-2, -1))
+    )
+    return OWN - now, abs(now - before), f"off by at most {now:.2e}, {OWN:.1%} accepted"
+
+
+def torque(context: Context) -> Margin:
+    """Torque of all states up to the limit over that at rest."""
+    before, now = (
+        max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
+        for r in context.fem[-2:]
+    )
+    return KEPT - now, abs(now - before), f"changes by at most {now:.2%}, {KEPT:.1%} accepted"
+
+
+def at_slip(context: Context, case: int) -> Margin:
+    """Amplitude at which finite elements slip against Eq. 9, from the finest mesh alone."""
+    F, half = slips(context, case)
+    needed = context.analytic["F_lim 3" if case == 3 else "F_lim"]
+    words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {ALIKE:.0%} accepted"
+    return ALIKE - abs(needed / F - 1), half / F, words
+
+
+def slips(context: Context, case: int) -> tuple[float, float]:
+    """Axial load [N] at which finite elements slip, and how sure that is."""
+    last = context.fem[-1]
+    if case == 1:
+        return last.values["F_1"], last.u_it["F_1"]
+    F, half = last.arrays["slips"][case - 2]
+    return float(F), float(half)
+
+
+def settles(context: Context) -> Margin:
+    """A small alternating load turns the ring on less and less."""
+    before, now = (
+        float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
+    )
+    first, last = 1e9 * context.fem[-1].arrays["cycles"][0][[0, -1]]
+    words = (
+        f"at 0.4 of the limit the bore turns on by {first:.3g} nm in the first cycle, {last:.2g} nm "
+        f"in the last of four, {now:.2f} of that before"
+    )
+    return SETTLES - now, abs(now - before), words
+
+
+def walks(context: Context) -> Margin:
+    """A large one turns it on in every cycle, long before it slips."""
+    before, now = (
+        float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
+    )
+    ends = [1e9 * r.arrays["cycles"][1][-1] for r in context.fem[-2:]]
+    rate, spread = ends[-1], abs(ends[1] - ends[0])
+    words = (
+        f"at 0.8 of the limit the bore turns on by {rate:.0f} nm in every cycle (meshes differ by "
+        f"{spread:.0f} nm), the last {now:.3f} of that before"
+    )
+    return now - GOES_ON, abs(now - before), words
+
+
+def falls(context: Context) -> tuple[float, float]:
+    """In phase about zero mu_req is largest where the torque is."""
+    key, low = (f"mu_req at {share:g}" for share in SHARES)
+    before, now = (r.values[key] / r.values[low] - 1 for r in context.fem[-2:])
+    return now, abs(now - before)
+
+
+def in_time(context: Context, case: int) -> Margin:
+    """When the path reaches what finite elements bear, against the formula's time of slip."""
+    q = context.inputs
+    T = q.T_critical if case == 3 else q.T
+    F, half = slips(context, case)
+    early, late = (course(q, case, friction_of(q, T, F + d)).slips_at for d in (-half, half))
+    own = courses(q)[case].slips_at
+    if not math.isfinite(own):
+        return 1.0, 0.0, "the path ends before it slips"
+    off = max(early - own, late - own, key=abs)
+    words = f"{own:.4f} s, finite elements {off:+.4f} s, a cycle accepted"
+    return 1 / q.f - abs(off), late - early, words
+
+
+def in_phase(share: float) -> Approximation:
+    key = f"mu_req at {share:g}"
+    return Approximation(
+        name=f"required friction, load case 3, at {share:g} of the amplitudes (Eqs. 8, 9)",
+        symbol="μ_req", unit="1", fem=key, analytic=key, source=ANGLE, formal=2,
+        interval=lambda q, _v: expected(q, q.T_m + share * q.T).slope(tilted=True),
+    )  # fmt: skip
+
+
+def accepted(name: str, symbol: str, margin) -> Accepted:  # type: ignore[no-untyped-def]
+    return Accepted(name=name, symbol=symbol, unit="1", margin=margin)
+
+
+CHECKS = (
+    Approximation(name="axial load at slip, torque first (load case 1)", symbol="F_ax", unit="N",
+                  fem="F_1", analytic="F_lim", source=ANGLE, formal=2, demand=0.03,
+                  demand_reason="it goes as √((μ/tan α)² − 1)",
+                  interval=lambda q, _v: of_limit(q, q.T)),
+    accepted("axial amplitude at slip, steady torque (load case 2)", "F_ax",
+             lambda c: at_slip(c, 2)),
+    accepted("axial amplitude at slip, both in phase (load case 3)", "F_ax",
+             lambda c: at_slip(c, 3)),
+    *(in_phase(share) for share in SHARES),
+    Fact(name="load case 3: required friction is largest at the largest torque", symbol="μ_req",
+         unit="1", margin=falls),
+    accepted("required friction along load case 1, at its own angle (Eqs. 8, 9)", "μ_req",
+             lambda c: own(c, "ramp")),
+    accepted("required friction at the extremes of load case 2, at its own angle (Eqs. 8, 9)",
+             "μ_req", lambda c: own(c, "growing")),
+    *(accepted(f"time of slip, load case {case}", "t", lambda c, case=case: in_time(c, case))
+      for case in (1, 2, 3)),
+    accepted("torque is kept up to the limit", "T", torque),
+    accepted("a small alternating load settles: shakedown", "RΔφ", settles),
+    accepted("a large alternating load makes the ring walk: ratcheting below slip", "RΔφ", walks),
+    Adopted(name="class red below", symbol="μ/μ_req", unit="1", analytic="coulomb",
+            reference="nagler2021:friction-ratio-red-yellow",
+            why=f"{RULE}; by Coulomb it slips below 1 (erratum traffic-light-wording)"),
+    Adopted(name="class green from", symbol="μ/μ_req", unit="1", analytic="coulomb",
+            reference="nagler2021:friction-ratio-yellow-green",
+            why=f"{RULE}; it is Coulomb's limit, with the equal sign (erratum eq-10-strictness)"),
+    Adopted(name="torsion that the rig allows", symbol="φ", unit="deg", analytic="phi",
+            reference="nagler2021:rig-torsion-angle",
+            why="range of the rig, beside the torsion under the largest torque"),
+    Adopted(name="axial displacement that the rig allows", symbol="u_z", unit="mm",
+            reference="nagler2021:rig-axial-displacement",
+            why="range of the rig: before slip the clutch gives way by some µm, the rest is slip"),
+    Adopted(name="test runs of each clutch", symbol="n", unit="1",
+            reference="nagler2021:test-runs-per-clutch",
+            why="their settings (Table 1) are not in the text: three paths stand for the kinds"),
+)  # fmt: skip
