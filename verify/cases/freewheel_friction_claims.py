@@ -39,7 +39,7 @@ def onset(context: Context) -> tuple[float, float, str]:
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][0]
     off = share * tan / required(context, loaded=False) - 1
-    return ONSET - abs(off), 2 * half, f"slip starts at μ_req {off:+.3%}, {ONSET:.1%} accepted"
+    return ONSET - abs(off), 2 * half, f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
 
 
 def axial_onset(context: Context) -> tuple[float, float, str]:
@@ -47,7 +47,11 @@ def axial_onset(context: Context) -> tuple[float, float, str]:
     share, half = context.fem[-1].arrays["axial onset"]
     (tan, T), q = context.fem[-1].arrays["tan"], context.inputs
     off = share * tan * np.hypot(1.0, q.F_ax * q.R / T) / required(context, loaded=True) - 1
-    return CONE - abs(off), half, f"slip starts at μ_req {off:+.2%}, {CONE:.1%} accepted"
+    return CONE - abs(off), half, f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
+
+
+def _of_required(off: float) -> str:
+    return "no μ near μ_req" if np.isnan(off) else f"μ_req {off:+.3%}"
 
 
 def of_contact(context: Context, where: int) -> tuple[float, float, str]:

@@ -13,7 +13,7 @@ from verify.cases.freewheel_sweep import COARSE, Start
 
 Array = NDArray[np.float64]
 
-BELOW, ABOVE, BISECTIONS = 2e-4, 3e-4, 2  # of tan(psi/2): bracket of the onset under torque
+BELOW, ABOVE, BISECTIONS = 1e-3, 1.4e-3, 4  # of tan(psi/2): bracket of the onset under torque
 AXIAL_BELOW, AXIAL_ABOVE, AXIAL_BISECTIONS = 2e-3, 3e-3, 2  # of mu_req, with axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep

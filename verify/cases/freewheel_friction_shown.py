@@ -188,7 +188,7 @@ def _let_out(q: Any, last: Any) -> Curves:
 
 def _shares(last: Any) -> Curves:
     k, star, ring = last["shares"]
-    share, _ = last["onset"]
+    share = last["onset"][0] if math.isfinite(last["onset"][0]) else 1.0
     return Curves(
         title="Part of a contact that slips under torque alone", x_label="tan α/μ",
         y_label="of F_n, on nodes that slip",
@@ -230,10 +230,11 @@ def tables(context: Context) -> Sequence[Table]:
          f"rests; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} of the ring")
         for i in (k.size - 1, 0)
     ]  # fmt: skip
-    rows.append((
-        f"torque alone, μ below {last['onset'][0]:.5f} tan α",
-        "slips: all of both contacts, the roller is let out of the wedge",
-    ))  # fmt: skip
+    if math.isfinite(last["onset"][0]):
+        rows.append((
+            f"torque alone, μ below {last['onset'][0]:.5f} tan α",
+            "slips: all of both contacts, the roller is let out of the wedge",
+        ))  # fmt: skip
     holds = "rests" if v["F_lim"] >= q.F_ax else "slips along the axis"
     rows.append(
         (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; the limit is {v['F_lim']:.5g} N")
