@@ -1,6 +1,7 @@
 """Inputs of a roller freewheel of either kind, with its loads, materials and tolerances."""
 
 import math
+import re
 from dataclasses import replace
 from typing import Literal
 
@@ -15,6 +16,12 @@ Kind = Literal["inner cam", "outer cam"]
 Spread = Literal["normal", "uniform"]
 
 DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # of a part within its tolerance
+
+
+def in_terms_of_inputs(rule: str) -> str:
+    """A rule of the formulas with the inputs' names, and their lengths in mm."""
+    named = re.sub(r"\b(R_s|X_o)\b", lambda m: m[1][0], rule)
+    return re.sub(r"=(\S+) m\b", lambda m: f" = {float(m[1]) * 1e3:.7g} mm", named)
 
 
 class ClutchInputs(Inputs):
@@ -83,7 +90,10 @@ class ClutchInputs(Inputs):
 
     @model_validator(mode="after")
     def _fits(self) -> "ClutchInputs":
-        _ = self.clutch
+        try:
+            _ = self.clutch
+        except ValueError as error:
+            raise ValueError(in_terms_of_inputs(str(error))) from error
         for name in ("X", "r", "R"):
             if not getattr(self, f"{name}_tol") < 0.1 * abs(getattr(self, name)):
                 raise ValueError(

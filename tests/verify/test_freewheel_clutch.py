@@ -1,0 +1,314 @@
+"""The engineer's freewheel: words that follow from numbers, limits where they are said to be."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.freewheel import criterion, state
+from tests.conftest import solved
+from verify.cases import freewheel_clutch_claims, freewheel_clutch_fem, freewheel_clutch_model
+from verify.cases.freewheel_clutch import CLUTCH, too_large
+from verify.cases.freewheel_clutch_inputs import ClutchInputs
+from verify.cases.freewheel_clutch_limits import (
+    as_axial_load_grows,
+    as_torque_grows,
+    friction_holds,
+    least_torque,
+    uneven,
+)
+from verify.cases.freewheel_clutch_model import analytic, light
+from verify.cases.freewheel_clutch_scatter import DRAWS, scatter, slopes
+from verify.cases.freewheel_clutch_shown import lights
+from verify.cli import run
+from verify.inputs import InputError, build
+from verify.results import Status
+from verify.run import Job, judge_case
+from verify.template import template
+
+CUP = {"kind": "outer cam", "R": 10e-3, "r": 2e-3, "X": 13.8832168e-3, "R_a": 17.5e-3, "r_b": 0.0}
+SHARP = {"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0}
+
+pytestmark = pytest.mark.xdist_group("freewheel-clutch")
+
+
+def own(**changes):
+    return ClutchInputs(**changes)
+
+
+def said(**changes):
+    q = own(**changes)
+    with np.errstate(over="raise", divide="raise", invalid="raise"):
+        return CLUTCH.findings(q, analytic(q))
+
+
+def required(q, *, T=None, F_ax=None):
+    T, F_ax = T or q.T, q.F_ax if F_ax is None else F_ax
+    alpha = state.loaded(q.clutch, T).alpha
+    return float(criterion.required_friction(alpha=alpha, T=T, F_ax=F_ax, R=q.cam.race))
+
+
+# What is said first.
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({}, "green: μ/μ_req = 1.109: by Coulomb's law it holds"),
+        ({"mu": 0.065}, "yellow: μ/μ_req = 0.9013: by Coulomb's law it slips"),
+        ({"F_ax": 3000.0}, "red: μ/μ_req = 0.552: by Coulomb's law it slips"),
+        ({"T": -3.0}, "free: the torque turns against the locking direction"),
+        ({"T": 0.0}, "red: without torque nothing presses the rollers: F_ax = 600 N"),
+        ({"T": 0.0, "F_ax": 0.0}, "green: at rest"),
+        ({"mu": 0.06}, "red: tan α_0 = 0.06116 exceeds μ = 0.06: the clutch releases itself"),
+        ({"T": 1e6}, "red: no state bears T = 1e+06 N m: contacts as wide as the rollers'"),
+        (CUP, "green: μ/μ_req = 1.464"),
+        (CUP | {"T": 40.0}, "red: no state bears T = 40 N m: the rollers go through"),
+        (CUP | {"mu": 0.06}, "red: tan α_0 = 0.06993 exceeds μ = 0.06"),
+    ],
+)
+def test_the_verdict_comes_first(changes, words):
+    assert said(**changes)[0].startswith(words)
+
+
+def test_a_cup_whose_loaded_angle_alone_would_hold_is_red():
+    q = own(**CUP | {"mu": 0.06})
+    v = analytic(q)
+    assert v["safety"] > 1
+    assert light(q, v) == "red"
+
+
+def test_the_first_limit_of_each_load_is_named_with_its_margin():
+    found = said()
+    assert "as the torque grows: first friction gives way (110.5 N m, 4.25 T)" in found[1]
+    assert "as the axial load grows: first friction gives way (1008 N, 1.68 F_ax)" in found[3]
+    assert "first the inner contacts reach p_lim (29.21 N m" in said(**CUP)[1]
+    assert "the tilting couple moves the contact forces by (e/L)_lim" in said(e_lim=0.01)[3]
+
+
+def test_limits_already_passed_are_told_and_not_said_to_come():
+    found = said(T=130.0, F_ax=0.0)
+    assert any(f.startswith("already beyond a limit of the torque: the inner") for f in found)
+    assert not any("first the inner" in f for f in found)
+
+
+def test_a_clutch_that_slips_is_told_where_it_would_hold():
+    assert "friction would bear F_ax = 1100 N from 29.35 to 102.7 N m" in said(F_ax=1100.0)
+    assert "friction would bear F_ax = 3000 N at no torque" in said(F_ax=3000.0)
+
+
+# Limits are where they are said to be.
+@pytest.mark.parametrize("changes", [{}, {"F_ax": 1000.0}, CUP, CUP | {"F_ax": 2500.0}])
+def test_friction_is_just_enough_at_the_ends_of_the_range(changes):
+    q = own(**changes)
+    ((low, high),) = friction_holds(q)
+    for T, inwards in ((low, 1), (high, -1)):
+        if 0 < T < math.inf:
+            assert required(q, T=T) == pytest.approx(q.mu, rel=1e-6)
+            assert required(q, T=T * (1 + 0.01 * inwards)) < q.mu
+    assert least_torque(q) == low
+
+
+def test_without_axial_load_any_torque_up_to_the_release_holds():
+    q = own(F_ax=0.0)
+    ((low, high),) = friction_holds(q)
+    assert low == 0
+    assert math.tan(float(state.loaded(q.clutch, high).alpha)) == pytest.approx(q.mu, rel=1e-6)
+
+
+def test_the_limit_of_the_axial_load_is_where_friction_is_just_enough():
+    q = own()
+    (F,) = (limit.at for limit in as_axial_load_grows(q) if limit.key == "slip")
+    assert required(q, F_ax=F) == pytest.approx(q.mu, rel=1e-12)
+
+
+@pytest.mark.parametrize("p_lim", [2.2e9, 4e9])  # linear line load, and lifted off at one end
+def test_the_axial_load_at_which_the_ends_reach_p_lim_makes_that_pressure(p_lim):
+    q = own(p_lim=p_lim)
+    (F,) = (limit.at for limit in as_axial_load_grows(q) if limit.key == "pressure")
+    assert analytic(own(p_lim=p_lim, F_ax=F))["p_end"] == pytest.approx(p_lim, rel=1e-9)
+
+
+def test_pressure_beyond_the_limit_without_any_tilt_leaves_no_axial_load():
+    assert uneven(0.99) == 0
+    assert uneven(math.sqrt(2)) == pytest.approx(1 / 6)
+
+
+def test_limits_come_in_order():
+    for found in (as_torque_grows(own()), as_axial_load_grows(own())):
+        assert [x.at for x in found] == sorted(x.at for x in found)
+
+
+def test_the_zones_of_the_figure_end_where_the_criterion_says():
+    q = own()
+    figure = lights(q)
+    k = int(np.argmin(np.abs(figure.x - q.T)))
+    for zone, share in zip(figure.zones[:2], (1.0, 0.8), strict=True):
+        at = required(q, T=float(figure.x[k]), F_ax=float(zone.top[k]) * 1e3)
+        assert q.mu / at == pytest.approx(share, rel=1e-9)
+
+
+# Tolerances.
+def test_the_scatter_is_the_same_every_time_and_that_of_first_order():
+    first = scatter(own()).drawn.alpha0
+    scatter.cache_clear()
+    again = scatter(own()).drawn.alpha0
+    assert np.array_equal(first, again)
+    assert np.std(again) == pytest.approx(analytic(own())["s(alpha_0)"], rel=0.03)
+
+
+def test_sensitivities_are_differences_of_the_angle():
+    q, h = own(), 1e-9
+    for slope in slopes(q):
+        ends = [float(own(**{slope.name: getattr(q, slope.name) + s * h}).cam.alpha0)
+                for s in (-1, 1)]  # fmt: skip
+        assert (ends[1] - ends[0]) / (2 * h) == pytest.approx(slope.slope, rel=1e-5)
+    assert sum(s.share for s in slopes(q)) == pytest.approx(1)
+
+
+def test_the_share_that_slips_is_that_of_friction_alone_where_only_it_scatters():
+    """P(mu < mu_req) of a normal mu, by its distribution function."""
+    q = own(**SHARP | {"s_mu": 0.008})
+    z = (analytic(q)["mu_req"] - q.mu) / q.s_mu
+    expected = 0.5 * math.erfc(-z / math.sqrt(2))
+    sigma = math.sqrt(expected * (1 - expected) / DRAWS)
+    assert analytic(q)["P(slip)"] == pytest.approx(expected, abs=4 * sigma)
+
+
+def test_shares_of_the_classes_add_up_and_red_ones_release_themselves_too():
+    v = analytic(own(mu=0.06))
+    assert sum(v[f"share {c}"] for c in ("green", "yellow", "red")) == pytest.approx(1)
+    assert v["share red"] > 0.5  # tan α_0 = 0.0612
+    cup = analytic(own(**CUP | {"mu": 0.06, "s_mu": 0.0}))
+    assert cup["P(slip)"] == 1
+
+
+def test_uniform_parts_scatter_more_than_normal_ones_within_the_same_limits():
+    normal, uniform = (analytic(own(spread=s))["s(alpha_0)"] for s in ("normal", "uniform"))
+    assert uniform / normal == pytest.approx(math.sqrt(3))
+
+
+def test_exact_parts_have_no_scatter():
+    v = analytic(own(**SHARP))
+    assert "P(slip)" not in v
+    assert not any("clutches" in found for found in said(**SHARP))
+
+
+# Inputs.
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"r": "17 mm"}, "roller too large: r must be below R, got r = 17 mm, R = 16.5 mm"),
+        ({"X": "11.6 mm"}, "no wedge: the roller cannot touch flat and ring unless X + 2 r < R"),
+        ({"X": "-3 mm"}, "X + r must be positive, got X = -3 mm"),
+        ({"r_b": "12 mm"}, "inner part needs r_b below its flat or shaft"),
+        ({"R_a": "16 mm"}, "outer part needs R_a above its bore"),
+        ({"z": 30}, "rollers touch each other"),
+        ({"X": "8 mm"}, "roller beyond the corner of its flat"),
+        ({"r_b": "0 mm"}, "a star is clamped on its bore"),
+        ({"kind": "sprag"}, "needs one of inner cam, outer cam"),
+        ({"kind": "outer cam"}, "flat cuts the shaft: X must be above R, got X = 11.39565 mm"),
+        ({"X_tol": "2 mm"}, "X_tol must be below X/10"),
+        ({"s_mu": 0.05}, "s_mu must be below μ/2"),
+        ({"e_lim": 0.6}, "must be less than 0.5"),
+        ({"F_ax": "-1 N"}, "must be at least 0 N"),
+    ],
+)
+def test_what_makes_no_clutch_is_refused_in_one_line(changes, words):
+    raw = {"R": "16.5 mm", "r": "2.5 mm", "X": "11.39565 mm", "R_a": "21 mm", "r_b": "7.5 mm",
+           "z": 8, "L": "10 mm", "T": "26 N m", "F_ax": "600 N", "mu": 0.08, "E": "206 GPa",
+           "nu": 0.3}  # fmt: skip
+    with pytest.raises(InputError) as refused:
+        build(ClutchInputs, raw | changes, "my.toml")
+    assert words in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        (CUP, "inner cams alone"),
+        ({"T": -1.0}, "a torque that locks"),
+        ({"E_r": 310e9}, "one material"),
+        ({"T": 1e3}, "displacements are not small"),
+        ({"T": 9e3}, "contacts wider than half"),
+        ({"X": 9e-3, "z": 3, "mu": 1.0}, "beyond friction"),
+    ],
+)
+def test_what_elements_cannot_do_is_said_in_one_line(changes, words):
+    assert words in too_large(own(**changes))
+
+
+def test_check_prints_the_verdict_before_the_numbers_and_puts_it_into_json(tmp_path, capsys):
+    path = tmp_path / "clutch.toml"
+    path.write_text(template(CLUTCH))
+    assert run(["check", str(path)]) == 0
+    assert capsys.readouterr().out.splitlines()[1].startswith("  green: μ/μ_req = 1.109")
+    assert run(["check", "--json", str(path)]) == 0
+    assert json.loads(capsys.readouterr().out)["findings"][0].startswith("green")
+
+
+# Elements.
+def levels():
+    return solved(CLUTCH, own())
+
+
+def red(values=None):
+    result = judge_case(Job(CLUTCH, own(), values=values), levels())
+    return {row.quantity for row in result.rows if row.status is Status.FAIL}
+
+
+def test_elements_agree():
+    assert red() == set()
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong", "row"),
+    [
+        ("alpha", lambda v: 1.005 * v["alpha"], "clamping angle"),
+        ("alpha", lambda v: v["alpha_0"], "clamping angle"),
+        ("N", lambda v: v["F_t"] / math.tan(v["alpha_0"]), "normal force"),
+        ("phi", lambda v: v["phi printed"], "torsion"),
+        ("dalpha/dX", lambda v: v["dalpha_0/dX"], "turn of the loaded angle"),
+    ],
+)
+def test_a_wrong_formula_turns_its_row_red(key, wrong, row):
+    v = dict(analytic(own()))
+    found = red(values=v | {key: wrong(v)})
+    assert any(name.startswith(row) for name in found)
+
+
+def test_the_reading_of_radii_as_diameters_or_of_plane_stress_turns_rows_red():
+    stress = analytic(own(E=206e9 * (1 - 0.3**2)))  # E' of plane stress is E
+    assert any(name.startswith("clamping angle") for name in red(values=stress))
+    assert any(name.startswith("normal force") for name in red(values=analytic(own(T=52.0))))
+
+
+def test_the_reading_of_the_axial_load_as_one_roller_s_turns_the_fact_red():
+    """mu_req of F_ax on each roller holds for F_ax on the whole clutch, 1 % below it too."""
+    q = own()
+    needed = required(q, F_ax=q.z * q.F_ax) / required(q)
+    bears = levels()[-1].result.arrays["around"]
+    assert list(bears) == [0.0, 1.0]
+    assert 0.99 * needed > freewheel_clutch_fem.AROUND[1]
+
+
+def test_friction_that_is_not_needed_or_not_enough_turns_the_facts_red():
+    finest = levels()[-1].result
+    for around, fact in (([1.0, 1.0], "below"), ([0.0, 0.0], "above")):
+        wrong = replace(finest, arrays=finest.arrays | {"around": np.array(around)})
+        given = (*levels()[:-1], replace(levels()[-1], result=wrong))
+        rows = judge_case(Job(CLUTCH, own()), given).rows
+        failed = [row.quantity for row in rows if row.status is Status.FAIL]
+        assert len(failed) == 1
+        assert f"1 % {fact}" in failed[0]
+
+
+def test_the_interval_of_the_turn_holds_the_formula_and_not_the_unloaded_one():
+    low, high = freewheel_clutch_claims.turn(own())
+    assert low < 0 < high
+    v = analytic(own())
+    assert not low <= v["dalpha_0/dX"] / v["dalpha/dX"] - 1 <= high
+    assert freewheel_clutch_model.turn(own()) == pytest.approx(
+        freewheel_clutch_claims.turned(own(), 1.0, 1.0), rel=1e-7
+    )
