@@ -28,7 +28,8 @@ GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
 CURVED = 4.0  # bound of what Hertz neglects of pressures, over (a/r)²; between flats it is 3/16
 LEAST = 7e-3  # and no less is asked of them
 ROUNDED = 5e-6  # of a value: splines and meshes; little load asks for no less
-SMALLEST = 2e-3  # nor of approaches
+SMALLEST = 2e-3  # nor of approaches that others follow from
+ASKED = 4e-3  # nor of approaches themselves
 TIGHT, LOOSE = 0.8, 1.2  # of the winding of a ring: corners stand beyond it, some without shear
 SIDEWAYS = 0.5, 1.2  # bounds of the tangential over the normal compliance
 STRAIGHT = 0.01  # of phi: what the printed angle's ratio changes by along its arc
@@ -96,7 +97,7 @@ class Expected:
     def approach(self, which: str) -> Interval:
         own = float(getattr(self.state, which))
         low, high = getattr(self, which)
-        return own / high - 1, own / low - 1
+        return min(own / high - 1, -ASKED), max(own / low - 1, ASKED)
 
     def contact(self) -> Interval:
         """Of half-widths and pressures."""
