@@ -16,10 +16,17 @@ from numpy.typing import NDArray
 from verify.case import FemResult
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_friction_fem import field
-from verify.cases.freewheel_friction_model import Borne, ample, creeping, sector, slipping
+from verify.cases.freewheel_friction_model import (
+    HARDER,
+    Borne,
+    ample,
+    creeping,
+    sector,
+    slipping,
+)
 from verify.cases.freewheel_friction_model import at_torque as start_at
 from verify.cases.freewheel_paths_inputs import PathInputs
-from verify.cases.freewheel_sweep import Start
+from verify.cases.freewheel_sweep import Start, after
 
 Array = NDArray[np.float64]
 
@@ -29,6 +36,7 @@ RAMP = (0.3, 0.6, 0.95)  # of the limit of the axial load, load case 1
 GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the extremes of load case 2
 QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how long
 SOLVED = 1e-6  # of mu_req
+CORRECTIONS = 2  # of a place under another torque
 OTHERS = (0.6, 0.9)  # and further ones, of the figure alone
 BELOW, ABOVE, BISECTIONS = 0.97, 1.03, 4  # bracket of the limit
 
@@ -68,9 +76,10 @@ class Held:
 
 
 def fem(q: PathInputs, level: int) -> FemResult:
-    held = Held.at(q, start_at(q, level), level, q.mu)
+    start = start_at(q, level)
+    held = Held.at(q, start, level, q.mu)
     ramp, growing = follow(held, RAMP), follow(held, GROWING)
-    values = in_phase(q, level)
+    values = in_phase(q, start, level)
     u_it = dict.fromkeys(values, SOLVED)
     values["F_1"], u_it["F_1"] = bracket(held, lambda k: held.to(k, ramp[-1]))
     arrays = {
@@ -80,7 +89,7 @@ def fem(q: PathInputs, level: int) -> FemResult:
     if level != LEVELS[0]:
         arrays["cycles"] = np.array([walk(held, share) for share in (QUIET, LOUD)])
     if level == LEVELS[-1]:
-        last = held if q.T_critical == q.T else critical(q, level)
+        last = held if q.T_critical == q.T else critical(q, start, level)
         arrays["slips"] = np.array([
             bracket(held, lambda k: held.to(k, growing[-1])), bracket(last, last.together),
         ])  # fmt: skip
@@ -91,12 +100,12 @@ def fem(q: PathInputs, level: int) -> FemResult:
     )
 
 
-def in_phase(q: PathInputs, cells: int) -> dict[str, float]:
+def in_phase(q: PathInputs, near: Start, cells: int) -> dict[str, float]:
     """Load case 3: required friction at `SHARES`."""
     values = {}
     for share in SHARES:
         there = q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax})
-        start = start_at(there, cells)
+        start = under(there, near, q, cells)
         mu = ample(there, Place.overlapping(there, *start.d))
         own = Held.at(there, start, cells, mu)
         force = {"ring.rim": there.F_ax * own.rest.torque / (q.z * there.T)}
@@ -105,10 +114,21 @@ def in_phase(q: PathInputs, cells: int) -> dict[str, float]:
     return values
 
 
-def critical(q: PathInputs, cells: int) -> Held:
+def critical(q: PathInputs, near: Start, cells: int) -> Held:
     """The clutch at the torque of load case 3 at which the least amplitude slips."""
     there = q.model_copy(update={"T": q.T_critical})
-    return Held.at(there, start_at(there, cells), cells, q.mu)
+    return Held.at(there, under(there, near, q, cells), cells, q.mu)
+
+
+def under(there: PathInputs, near: Start, q: PathInputs, cells: int) -> Start:
+    """Where the clutch lies under the torque of `there`, from where it lies under that of `q`."""
+    if there.T == q.T:
+        return near
+    now = near.scaled((there.T / q.T) ** HARDER)
+    for _ in range(CORRECTIONS):
+        state = now.state(there, cells)
+        now = after(state).scaled((there.T / (state.torque * there.L)) ** HARDER)
+    return now
 
 
 def follow(held: Held, shares: Sequence[float]) -> list[State]:
