@@ -17,6 +17,7 @@ from verify.cases.contact_slip import SLIP
 from verify.cases.contact_sphere import SPHERE
 from verify.cases.freewheel_clutch import CLUTCH as FREEWHEEL
 from verify.cases.freewheel_friction import FRICTION
+from verify.cases.freewheel_paths import PATHS
 from verify.cases.freewheel_torque import TORQUE
 from verify.cases.polyhedral_clutch import CLUTCH
 from verify.cases.polyhedral_locking import LOCKING
@@ -40,7 +41,7 @@ from verify.cases.spring_width import WIDTH
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
-    TORQUE, FRICTION, FREEWHEEL,
+    TORQUE, FRICTION, PATHS, FREEWHEEL,
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
