@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from analytic.freewheel import criterion
 from verify.case import Case, Output, Values
-from verify.cases import freewheel_friction_shown
+from verify.cases import freewheel_friction_shown, freewheel_torque
 from verify.cases.freewheel_friction_claims import CHECKS
 from verify.cases.freewheel_friction_fem import LEVELS, fem
 from verify.cases.freewheel_friction_formulas import analytic, both_contacts
@@ -50,7 +50,7 @@ def too_large(q: FrictionInputs) -> str:
     v = analytic(q)
     low, _ = both_contacts(q, v)
     if v["mu_t"] * (1 + CLOSE) / (1 + low) < q.mu:
-        return ""
+        return freewheel_torque.too_large(q)
     return (
         f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} by {CLOSE:.0%} or more: the torque "
         "alone lets the rollers out, or nearly so; check it without --fem"

@@ -93,21 +93,18 @@ def over_angles(
     for k in ANGLES:
         psi, (d_i, d_o) = 2 * math.atan(k * q.mu), start.d
         X = (q.R - q.r + d_o) * math.cos(psi) - q.r + d_i
+        other = q.model_copy(update={"X": X})
         try:
             InnerCam(R=q.R, r=q.r, X=X, z=q.z)
-        except ValueError:
+            place = Place.overlapping(other, d_i, d_o)
+            there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
+        except ValueError:  # no such clutch, or none that can be meshed
             continue
-        if q.r_b < X:
-            other = q.model_copy(update={"X": X})
-            found.append([k, *_one_angle(other, start, drags, N, most)])
+        found.append([k, *_one_angle(there, drags, N, most)])
     return np.array(found)
 
 
-def _one_angle(
-    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float, most: float
-) -> list[float]:
-    place = Place.overlapping(q, *start.d)
-    there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
+def _one_angle(there: Sector, drags: tuple[float, float], N: float, most: float) -> list[float]:
     try:
         state = there.at(drags)
     except ArithmeticError:
@@ -116,7 +113,8 @@ def _one_angle(
     mean = float(borne.N.mean())
     if mean < HELD * N:
         return [mean / N] + [0.0] * 5
-    alone = borne.tangent / q.mu
+    mu = there.problem.surfaces.pairs[0].friction
+    alone = borne.tangent / mu
     try:
         for u in DRIVEN:
             state = there.at(
@@ -125,5 +123,5 @@ def _one_angle(
     except ArithmeticError:
         return [mean / N, alone] + [0.0] * 4
     b = Borne.by(state)
-    t, z = b.F_t / (q.mu * b.N), np.abs(b.F_z) / (q.mu * b.N)
+    t, z = b.F_t / (mu * b.N), np.abs(b.F_z) / (mu * b.N)
     return [mean / N, alone, t[0], z[0], t[1], z[1]]
