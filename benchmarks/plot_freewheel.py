@@ -6,11 +6,13 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from benchmarks import sector
 
 mpl.rcParams["svg.hashsalt"] = "freewheel"
 THEIRS, OURS = "#b5482a", "#1f4e79"
+SIZES = (5_000, 10_000, 20_000, 50_000)
 CURVES = (  # name, key of a row, colour, marker
     ("calculix, end to end", "calculix", THEIRS, "s"),
     ("this project, end to end", "cpu", OURS, "o"),
@@ -46,7 +48,9 @@ def draw(result: dict[str, Any], *files: Path) -> None:
             right.loglog(*points.T, color=colour, marker=marker, lw=1.6, ms=5, label=name)
     right.set(title="what the seconds buy", xlabel="processor seconds")
     right.set(ylabel="largest relative error")
-    right.legend(frameon=False, fontsize=8, loc="upper right")
+    right.legend(frameon=False, fontsize=8, loc="lower right")
+    left.set_xticks(SIZES, [f"{n:,}" for n in SIZES])
+    left.xaxis.set_minor_formatter(NullFormatter())
     for axes in (left, right):
         axes.grid(visible=True, which="major", color="#dddddd", lw=0.6)
         axes.spines[["top", "right"]].set_visible(False)
