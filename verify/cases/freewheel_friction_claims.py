@@ -1,5 +1,7 @@
 """The claims about a freewheel's friction: what it asks for, where slip starts, what slips then."""
 
+from typing import Any
+
 import numpy as np
 
 from analytic.freewheel import criterion
@@ -22,6 +24,7 @@ ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
 ANGLE = "two bodies that enclose the star say alpha, 0.1 % for friction along surfaces"
 TILTED = f"{ANGLE}, surfaces tilt under N"
+HEAVY: Any = {"demand": 0.03, "demand_reason": "surfaces tilt by more, the heavier the load"}
 STATICS = 1e-6  # of a value: what forces in balance may miss
 BALANCED = "forces in balance, on any mesh"
 
@@ -102,23 +105,23 @@ CHECKS = (
     Identity(name="axial force of a roller, F_ax/z", symbol="F_a", unit="N", fem="F_a",
              analytic="F_a", scale="F_t", demand=STATICS, demand_reason=BALANCED),
     Approximation(name="normal force under torque", symbol="F_n", unit="N", fem="N", analytic="N",
-                  interval=normal_force, source=TILTED, formal=2),
+                  interval=normal_force, source=TILTED, formal=2, **HEAVY),
     Approximation(name="required friction, torque alone (Eqs. 1, 2)", symbol="μ_req", unit="1",
                   fem="mu_t", analytic="mu_t", interval=both_contacts, source=ANGLE, formal=2),
     Approximation(name="required friction (Eqs. 8, 9)", symbol="μ_req", unit="1", fem="mu_req",
-                  analytic="mu_req", interval=one_contact, source=TILTED, formal=2),
+                  analytic="mu_req", interval=one_contact, source=TILTED, formal=2, **HEAVY),
     Approximation(name="required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)",
                   symbol="μ_req", unit="1", fem="mu_req", analytic="Eq. 8 printed",
                   interval=whole_load, source=f"{TILTED}; z times a roller's axial force",
-                  formal=2),
+                  formal=2, **HEAVY),
     Approximation(name="tan α, Eq. 8 as printed", symbol="tan α", unit="1", fem="mu_t",
                   analytic="mu_req", interval=two_tangents,
                   source=f"{ANGLE}; √(1 + (F_ax R/T)²) of it is no tangent", formal=2),
     Approximation(name="limit of the axial load (Eq. 9)", symbol="F_ax,lim", unit="N",
-                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, demand=0.03,
+                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, demand=0.05,
                   demand_reason="it goes as √((μ/tan α)² − 1)", formal=2),
     Approximation(name="creep of the ring that slips along the axis, F_t/F_a", symbol="R dφ/du_z",
-                  unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.03,
+                  unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.05,
                   source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
                   demand_reason="it goes as 1/√((μ/tan α)² − 1)"),
     Accepted(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",

@@ -21,6 +21,7 @@ from verify.cases.freewheel_torque_model import Interval, clutch, times, under_t
 Array = NDArray[np.float64]
 
 REST = 1e-3  # of F_t/N: half of what is accepted of it
+WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it says nothing
 GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
 
 
@@ -97,7 +98,7 @@ def two_tangents(q: FrictionInputs, _values: Values) -> Interval:
 
 
 def limit_load(q: FrictionInputs, values: Values) -> Interval | None:
-    """Of F_ax at the limit, from the slope's: none where that alone lets the roller out."""
+    """Of F_ax at the limit, from the slope's: none where that alone nearly lets the roller out."""
     return _through(q, values, lambda tan: math.sqrt((q.mu / tan) ** 2 - 1))
 
 
@@ -112,4 +113,4 @@ def _through(q: FrictionInputs, values: Values, of) -> Interval | None:  # type:
     if max(ends) >= q.mu:
         return None
     found = [of(own) / of(tan) - 1 for tan in ends]
-    return min(found), max(found)
+    return (min(found), max(found)) if max(found) - min(found) < WIDEST else None
