@@ -29,7 +29,7 @@ def findings(q: PathInputs, v: Values) -> Sequence[str]:
     if "F_lim" in v:
         found.append(
             f"under T = {q.T:g} N m it bears F_ax = {v['F_lim']:.4g} N; alternating loads beyond "
-            f"some {SETTLES:g} of that may make the ring walk before it slips"
+            f"some {SETTLES:g} of that may make the ring walk before it slips (with --fem)"
         )
     return found
 

@@ -21,8 +21,9 @@ NAMES = {
     2: "load case 2: steady torque, alternating axial load",
     3: "load case 3: both alternate in phase",
 }
-HIGH = 1.15  # of the largest that is drawn
-CALM = 0.6  # of mu, up to which nothing is cut from the classes
+HIGH = 1.15  # of the largest value, up to which is drawn
+NEAR = 0.9  # of tan(alpha_0), from where on the friction cone is drawn
+CUT = 4.0  # of mu, beyond which the required friction is not drawn
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
@@ -36,8 +37,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
         ),
         Equation(
             tex=r"F_{ax}(t) = F_{ax}\,\frac{t - t_T}{t_{end} - t_T}\,\sin 2\pi f (t - t_T)",
-            place="load case 2; without the sine load case 1; from t = 0 load case 3, with "
-            "T = T_m + T sin 2πft",
+            place="load case 2; load case 1 has no sine",
         ),
         Equation(
             tex=r"f_0 = \frac{1}{2\pi}\sqrt{\frac{\mathrm{d}T/\mathrm{d}\varphi}{J}}, \quad "
@@ -99,8 +99,9 @@ def classes(context: Context, case: int) -> Zones:
     """mu_req over time in the bands of the classes."""
     course, q = courses(context.inputs)[case], context.inputs
     finite = course.mu_req[np.isfinite(course.mu_req)]
-    top = HIGH * max(min(float(finite.max()), 4 * q.mu), q.mu / RED)
-    flat = np.ones(2)
+    top = HIGH * max(min(float(finite.max()), CUT * q.mu), q.mu / RED)
+    across = np.linspace(0, q.duration, 101)
+    flat = np.ones(across.size)
     curves = [
         Curve(name="μ_req" if first else "", x=t, y=np.minimum(y, 0.999 * top))
         for first, t, y in _pieces(course)
@@ -109,7 +110,7 @@ def classes(context: Context, case: int) -> Zones:
     point = (slip, q.mu, f"slips at {slip:.3f} s") if np.isfinite(slip) else None
     return Zones(
         title=f"Required friction, {NAMES[case]}", x_label="t [s]", y_label="μ_req", y_top=top,
-        x=course.t[[0, -1]],
+        x=across,
         zones=(
             Zone(name="green: holds, μ ≥ μ_req", top=q.mu * flat, tone="good"),
             Zone(name="yellow", top=q.mu / RED * flat, tone="fair"),
@@ -135,33 +136,41 @@ def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
 def plane(context: Context) -> Curves:
     """Ways of the three paths in the plane of (F_t, F_z)/N."""
     q, last = context.inputs, context.fem[-1].arrays
-    turn = np.linspace(-np.pi / 2, np.pi / 2, 181)
+    widest = np.arccos(NEAR * np.tan(float(q.cam.alpha0)) / q.mu)
+    turn = np.linspace(-widest, widest, 181)
     curves = [
         Curve(name=f"friction cone, μ = {q.mu:g}", x=q.mu * np.cos(turn), y=q.mu * np.sin(turn),
               style="dashes", colour=3),
     ]  # fmt: skip
-    shapes = {1: ("line", 0), 2: ("line", 2), 3: ("line", 1)}
-    for case in (2, 1, 3):
-        course = courses(q)[case]
-        path = np.isfinite(course.mu_req) & (course.T > 1e-3 * q.T) & (course.t <= course.slips_at)
-        tan = np.tan(course.alpha[path])
-        style, colour = shapes[case]
-        curves.append(Curve(
-            name=f"load case {case}", x=tan, y=tan * course.F_ax[path] * q.R / course.T[path],
-            style=style, colour=colour,
-        ))  # fmt: skip
-    for name, colour, told in (("ramp", 0, "FE, load case 1"), ("growing", 2, "FE, extremes of 2")):
+    for case, colour in ((2, 2), (1, 0), (3, 1)):
+        curves += _ways(courses(q)[case], q.R, f"load case {case}", colour)
+    for name, colour, told in (("growing", 2, "FE, extremes of 2"), ("ramp", 0, "FE, load case 1")):
         table = last[name]
         curves.append(Curve(
-            name=told, x=table[:, 1:3].mean(axis=1), y=table[:, 3],
-            style="dots", colour=colour,
+            name=told, x=table[:, 1:3].mean(axis=1), y=table[:, 3], style="dots", colour=colour,
         ))  # fmt: skip
     return Curves(
         title="Tangential and axial force over the normal force, up to slip", x_label="F_t/F_n",
-        y_label="F_a/F_n", curves=tuple(curves), y_bottom=None,
+        y_label="F_a/F_n", curves=tuple(curves), y_bottom=-q.mu,
         note="Under a steady torque F_t/F_n = tan α stays and the axial load leads to the cone "
         "along a vertical line; in phase F_t/F_n swings between tan α_0 and tan α(T).",
     )  # fmt: skip
+
+
+def _ways(course: Course, R: float, name: str, colour: int) -> list[Curve]:
+    """One path up to slip, a curve for each time in which it is locked."""
+    found: list[Curve] = []
+    for _, t, mu_req in _pieces(course):
+        held = t <= course.slips_at
+        at = np.searchsorted(course.t, t[held])
+        if at.size < 2 or not np.all(np.isfinite(mu_req[held])):
+            continue
+        tan, loaded = np.tan(course.alpha[at]), course.T[at] > 0
+        found.append(Curve(
+            name="" if found else name, x=tan[loaded],
+            y=tan[loaded] * course.F_ax[at][loaded] * R / course.T[at][loaded], colour=colour,
+        ))  # fmt: skip
+    return found
 
 
 def creeping(context: Context) -> Curves:
@@ -179,7 +188,7 @@ def creeping(context: Context) -> Curves:
         title="The ring walks under an alternating axial load, finite elements",
         x_label="cycle", y_label="R Δφ in one cycle [nm]", curves=tuple(curves),
         x_names=tuple((k, f"{k:g}") for k in range(1, own.shape[1] + 1)),
-        note="Torque and N stay. Below some two thirds of the limit the micro-slip settles; above, "
+        note="Torque and N stay. Up to 0.6 of the limit the micro-slip settles; at 0.8 of it "
         "no part of the contacts sticks all the time and the ring turns on in every cycle though "
         "μ > μ_req all the time. Half a cycle in one step: in four steps it is a fifth less.",
     )  # fmt: skip
@@ -190,9 +199,9 @@ def walked(context: Context) -> Curves:
     last = context.fem[-1].arrays
     return Curves(
         title="Micro-slip at the extremes before gross slip, finite elements",
-        x_label="|F_ax|/F_ax,lim", y_label="share of F_n that slips",
+        x_label="|F_ax|/F_lim", y_label="share of F_n that slips",
         curves=(
-            Curve(name="load case 1", x=last["ramp"][:, 0], y=last["ramp"][:, 7], style="dots"),
+            Curve(name="load case 1", x=last["ramp"][:, 0], y=last["ramp"][:, 7]),
             Curve(name="extremes of load case 2", x=np.abs(last["growing"][:, 0]),
                   y=last["growing"][:, 7], style="dots", colour=2),
         ),
