@@ -3,12 +3,13 @@
 from verify.case import Case, Output
 from verify.cases import freewheel_torque, freewheel_torque_shown
 from verify.cases.freewheel_clutch_claims import CHECKS
-from verify.cases.freewheel_clutch_fem import LEVELS, fem, star
+from verify.cases.freewheel_clutch_fem import fem, star
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import under
 from verify.cases.freewheel_clutch_model import analytic
 from verify.cases.freewheel_clutch_shown import equations, figures, sketch
 from verify.cases.freewheel_clutch_words import findings, warnings
+from verify.cases.freewheel_torque_fem import LEVELS
 
 
 def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False) -> Output:

@@ -1,5 +1,6 @@
 """The claims about one's own clutch: angle, force and torsion at its load, slip, a few µm of X."""
 
+from collections.abc import Callable
 from functools import lru_cache
 from itertools import product
 
@@ -10,8 +11,13 @@ from analytic.freewheel.compliance import compliance
 from verify.case import Context, Values
 from verify.cases.freewheel_clutch_fem import off, star
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
-from verify.cases.freewheel_torque_claims import BRACKET, SHARP
-from verify.cases.freewheel_torque_model import Expected, Interval, under_torque
+from verify.cases.freewheel_torque_claims import BRACKET, SHARP, known
+from verify.cases.freewheel_torque_model import (
+    SMALLEST,
+    Expected,
+    Interval,
+    under_torque,
+)
 from verify.checks import Approximation, Fact
 
 FAR = 5.0  # the normal force is searched within this factor of the formula's
@@ -24,12 +30,12 @@ def expected(q: ClutchInputs) -> Expected:
 @lru_cache(maxsize=8)
 def turn(q: ClutchInputs) -> Interval:
     """Of dalpha/dX at the torque, with approaches anywhere within their bounds."""
-    known = expected(q)
-    own = float(known.state.d_i), float(known.state.d_o)
+    enclosed = expected(q)
+    own = float(enclosed.state.d_i), float(enclosed.state.d_o)
     factors = [[end / d for end in ends]
-               for d, ends in zip(own, (known.d_i, known.d_o), strict=True)]  # fmt: skip
+               for d, ends in zip(own, (enclosed.d_i, enclosed.d_o), strict=True)]  # fmt: skip
     ratio = [turned(q, 1.0, 1.0) / turned(q, *pair) - 1 for pair in product(*factors)]
-    return min(ratio), max(ratio)
+    return min(*ratio, -SMALLEST), max(*ratio, SMALLEST)
 
 
 def turned(q: ClutchInputs, f_i: float, f_o: float) -> float:
@@ -62,23 +68,29 @@ def bears(context: Context) -> tuple[float, float]:
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 
-def torsion(q: ClutchInputs, _values: Values) -> Interval:
-    return expected(q).torsion()
+def within(of: Callable[[ClutchInputs], Interval]) -> Callable[..., Interval | None]:
+    """An interval as a claim takes it; none where it is too wide to judge by."""
+
+    def interval(q: ClutchInputs, _values: Values) -> Interval | None:
+        return known(star(q), of(q))
+
+    return interval
 
 
 CHECKS = (
     Approximation(name="clamping angle under torque (Eqs. 4, 5)", symbol="α(T)", unit="deg",
                   analytic="alpha", fem="alpha", formal=2, source=BRACKET, demand=0.002,
-                  demand_reason=SHARP, interval=lambda q, _v: expected(q).angle()),
+                  demand_reason=SHARP, interval=within(lambda q: expected(q).angle())),
     Approximation(name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)", unit="N",
                   analytic="N", fem="N", formal=2, source=BRACKET,
-                  interval=lambda q, _v: expected(q).force()),
+                  interval=within(lambda q: expected(q).force())),
     Approximation(name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", symbol="φ",
-                  unit="deg", analytic="phi", fem="phi", formal=2, interval=torsion,
+                  unit="deg", analytic="phi", fem="phi", formal=2,
+                  interval=within(lambda q: expected(q).torsion()),
                   source=f"{BRACKET}, tangential deformation up to 1.3 tan²α"),
     Approximation(name="turn of the loaded angle by X", symbol="dα(T)/dX", unit="deg/mm",
                   analytic="dalpha/dX", fem="dalpha/dX", formal=2, source=BRACKET,
-                  interval=lambda q, _v: turn(q)),
+                  interval=within(turn)),
     Fact(name="friction 1 % above μ_req bears torque and axial load (Eqs. 8, 9)", symbol="μ_req",
          unit="1", margin=bears),
     Fact(name="friction 1 % below μ_req does not (Eqs. 8, 9)", symbol="μ_req", unit="1",

@@ -13,11 +13,10 @@ from verify.cases.freewheel_friction_limit import Limit
 from verify.cases.freewheel_friction_model import HARDER
 from verify.cases.freewheel_inputs import StarInputs
 from verify.cases.freewheel_sweep import Start, Sweep, after
-from verify.cases.freewheel_torque_fem import SPLINE, field
+from verify.cases.freewheel_torque_fem import LEVELS, SPLINE, field
 
 Array = NDArray[np.float64]
 
-LEVELS = (4, 6, 9)  # cells on the half-width of the fine zones
 OFF = 5e-6  # of X [m]: how far flats are moved to either side, where wedges allow for it
 LEFT = 1e-5  # of dalpha/dX: what the last step to the torque may miss
 TURNED = 0.05  # of the angle: more would be no small change

@@ -35,7 +35,7 @@ class Scatter:
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
         n, wedged = d.wedging.size, ~criterion.self_releasing(alpha=d.alpha0, mu=d.mu)
         held = np.count_nonzero(wedged & (d.mu_req <= d.mu))
-        found = {"P(slip)": 1 - held / n}
+        found: dict[str, float] = {"P(slip)": 1 - held / n}
         for name, x in (
             ("alpha_0", d.alpha0), ("alpha", d.alpha[known]), ("safety", self.safety),
         ):  # fmt: skip
@@ -44,8 +44,8 @@ class Scatter:
         lights = criterion.traffic_light(self.safety)[wedged[known]]
         counted = {name: int((lights == name).sum()) for name in ("green", "yellow")}
         # those without a wedge or a state, and those that release themselves, among them
-        counted["red"] = n - sum(counted.values())
-        return found | {f"share {name}": count / n for name, count in counted.items()}
+        counted["red"] = int(n) - sum(counted.values())
+        return found | {f"share {name}": float(count / n) for name, count in counted.items()}
 
 
 @lru_cache(maxsize=4)
