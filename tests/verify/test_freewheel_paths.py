@@ -2,18 +2,20 @@
 
 import math
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 
-from analytic.freewheel import criterion, load_path
+from analytic.freewheel import criterion
+from verify.cache import default_folder
 from verify.cases import freewheel_paths_fem
 from verify.cases.freewheel_friction_model import Borne
 from verify.cases.freewheel_paths import PATHS, findings, too_large, warnings
 from verify.cases.freewheel_paths_formulas import analytic, courses
 from verify.cases.freewheel_paths_inputs import PathInputs
 from verify.results import Status
-from verify.run import Job, judge_case
+from verify.run import Job, judge_case, solve_level
 
 FIRST, SECOND, THIRD = (
     "axial load at slip, torque first (load case 1)",
@@ -104,7 +106,7 @@ def test_what_is_no_path_is_refused(change, words):
         ({"T_m": 26.0}, "axial load while its torque is next to zero"),
         ({"mu": 0.05}, "tan α = 0.0674 is not below μ = 0.05"),
         ({"F_ax": 1e5}, "asks for friction of"),
-        ({"T": 150.0, "mu": 0.5}, "displacements are not small"),
+        ({"T": 250.0, "mu": 0.5}, "displacements are not small"),
     ],
 )
 def test_paths_that_finite_elements_cannot_follow_are_told(change, words):
@@ -146,10 +148,6 @@ READINGS = [
         **k | {"ratio": 8 * np.asarray(k["ratio"])}), IN_PHASE, id="mu_req by F_ax of each roller"),
     pytest.param(criterion, "required_friction_of_ratio", lambda _: lambda *, alpha, ratio, R:
         np.tan(alpha) * (1 + np.abs(ratio) * R), EXTREMES, id="forces added without angles"),
-    pytest.param(load_path.AlternatingAxial, "axial_load", lambda f: lambda self, t:
-        f(self, t) / 2, "time of slip, load case 2", id="a range for an amplitude"),
-    pytest.param(load_path.BothAlternating, "ratio", lambda f: lambda self, t:
-        np.sqrt(f(self, t)), "time of slip, load case 3", id="F_ax/T read wrongly"),
 ]  # fmt: skip
 
 
@@ -162,8 +160,14 @@ def test_another_reading_or_a_wrong_formula_turns_a_row_red(
     assert row in names(red(judged(PATHS)))
 
 
-def changed(result, **arrays):
-    return replace(result, arrays={**result.arrays, **arrays})
+@cache
+def solved():
+    return [solve_level(PATHS, PathInputs(), level, default_folder()) for level in PATHS.levels]
+
+
+def changed(level, fault):
+    result = level.result
+    return replace(level, result=replace(result, arrays={**result.arrays, **fault(result.arrays)}))
 
 
 @pytest.mark.parametrize(
@@ -171,14 +175,12 @@ def changed(result, **arrays):
     [
         (EXTREMES, lambda a: {"growing": a["growing"] * [1, 1.003, 1.003, 1, 1, 1, 1, 1, 1]}),
         (WALKS, lambda a: {"cycles": a["cycles"][::-1]} if "cycles" in a else {}),
-        (SECOND, lambda a: {"slips": a.get("slips", 1.0) * np.array([[0.98, 1], [1, 1]])}),
+        (SECOND, lambda a: {"slips": a["slips"] * [[0.98], [1]]} if "slips" in a else {}),
         ("torque is kept up to the limit",
          lambda a: {"ramp": a["ramp"] * [1, 1, 1, 1, 1, 1, 0.99, 1, 1]}),
     ],
 )  # fmt: skip
 def test_finite_elements_that_say_otherwise_turn_a_row_red(row, fault, red):
-    from tests.conftest import solved
-
     q = PathInputs()
-    levels = [changed(r, **fault(r.arrays)) for r in solved(PATHS, q)]
+    levels = [changed(level, fault) for level in solved()]
     assert row in names(red(judge_case(Job(PATHS, q), levels)))
