@@ -14,6 +14,7 @@ from verify.cases.freewheel_torque_shown import sketch
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
 LIGHTEST = 0.05  # of the largest torque, down to which load case 3 is solved
+SWINGS = 0.25  # of the loads, beyond which inertia is no small addition
 WORN = 2.0  # mu_req up to which finite elements are asked
 SETTLES = 0.6  # of the limit: alternating loads below settled, of the synthetic clutch
 
@@ -41,14 +42,15 @@ def warnings(q: PathInputs, v: Values) -> Sequence[str]:
             f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} (Eq. 1): the torque alone lets the "
             "rollers out, no axial load needed"
         )
-    if 0 < q.T_m < q.T:
+    if 0 < q.T_m <= q.T:
         found.append(
-            "load case 3: the torque passes through zero under axial load, where no friction holds"
+            "load case 3: the torque comes to zero under axial load, where no friction holds"
         )
     if v["sway"] > SWAY:
+        more = f"adds some {v['sway']:.1%} to the loads" if v["sway"] < SWINGS else "rules"
         found.append(
             f"f = {q.f:g} Hz is {math.sqrt(v['sway']):.2g} of the ring's f_0 = {v['f_0']:.4g} Hz: "
-            f"inertia adds some {v['sway']:.1%} to the loads, which are taken as slow"
+            f"inertia {more}, the paths are taken as slow"
         )
     return found
 

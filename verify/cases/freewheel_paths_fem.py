@@ -38,7 +38,8 @@ QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how 
 SOLVED = 1e-6  # of mu_req
 CORRECTIONS = 2  # of a place under another torque
 OTHERS = (0.6, 0.9)  # and further ones, of the figure alone
-BELOW, ABOVE, BISECTIONS = 0.97, 1.03, 4  # bracket of the limit
+WINDOWS = (0.985, 1.005), (0.9, 0.985)  # of the unit, in which the limit is looked for
+BISECTIONS = 4
 
 
 @dataclass(frozen=True)
@@ -141,15 +142,16 @@ def follow(held: Held, shares: Sequence[float]) -> list[State]:
 
 def bracket(held: Held, state: Callable[[float], State]) -> tuple[float, float]:
     """Axial load [N] at which no rest is found any more, and half the bracket; nan without."""
-    low, high = BELOW, ABOVE
-    if _held(state, high):
-        return math.nan, 0.0
-    for _ in range(BISECTIONS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if _held(state, middle) else (low, middle)
-    if low == BELOW and not _held(state, low):
-        return math.nan, 0.0
-    return (low + high) / 2 * held.whole, (high - low) / 2 * held.whole
+    for below, high in WINDOWS:
+        if _held(state, high):
+            break
+        low = below
+        for _ in range(BISECTIONS):
+            middle = (low + high) / 2
+            low, high = (middle, high) if _held(state, middle) else (low, middle)
+        if low > below or _held(state, low):
+            return (low + high) / 2 * held.whole, (high - low) / 2 * held.whole
+    return math.nan, 0.0
 
 
 def _held(state: Callable[[float], State], share: float) -> bool:
