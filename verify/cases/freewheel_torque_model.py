@@ -87,16 +87,18 @@ class Expected:
         d_i, d_o = float(state.d_i), float(state.d_o)
         low, high = (float(d) for d in expected_approach(clutch(q), self.P))
         wound = winding(q, float(state.T)) * float(q.cam.centre(d_i=d_i, d_o=d_o)[0])
-        self.d_i = low * (1 - c) + TIGHT * wound, high * (1 + c) + LOOSE * wound
+        low, high = low * (1 - c), high * (1 + c)
+        # a formula that leaves its own bounds is asked as if it stood on them
+        self.own = {"d_i": min(max(d_i, low), high), "d_o": d_o}
+        self.d_i = low + TIGHT * wound, high + LOOSE * wound
         self.d_o = d_o * (1 - c), d_o * (1 + c)
-        self.size = d_i + d_o
+        self.size = sum(self.own.values())
         wall = min(q.X - q.r_b, q.R_a - q.R)
         angle = 2 * self.P * (1 - q.nu**2) / (math.pi * q.E * wall)
         self.tilt = angle / math.tan(float(state.alpha))
 
     def approach(self, which: str) -> Interval:
-        own = float(getattr(self.state, which))
-        low, high = getattr(self, which)
+        own, (low, high) = self.own[which], getattr(self, which)
         return min(own / high - 1, -ASKED), max(own / low - 1, ASKED)
 
     def contact(self) -> Interval:
@@ -132,7 +134,7 @@ class Expected:
         return low**STEEPER - 1, high**STEEPER - 1
 
     def _of(self, value: Callable[..., float]) -> Interval:
-        own = value(d_i=float(self.state.d_i), d_o=float(self.state.d_o))
+        own = value(**self.own)
         corners = [value(d_i=d_i, d_o=d_o) for d_i, d_o in product(self.d_i, self.d_o)]
         return own / max(corners) - 1 - ROUNDED, own / min(corners) - 1 + ROUNDED
 
