@@ -1,8 +1,8 @@
-"""Finite elements of one pitch of a roller freewheel: star, roller and ring as they lie at psi.
+"""Finite elements of one pitch of a roller freewheel: cam, roller and race as they lie at psi.
 
-The roller lies in its place with both contacts overlapping, free but for them. The star is clamped
-in its bore, the ring's mean rotation held; its moment is the torque. Where the roller comes to rest
-says psi and both approaches.
+The roller lies in its place with both contacts overlapping, free but for them. A star is clamped in
+its bore, the ring's mean rotation held; of a cup the rim's mean rotation, and that of the shaft's
+bore. The race's moment is the torque. Where the roller comes to rest says psi and both approaches.
 """
 
 import math
@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.cases.freewheel_inputs import StarInputs
+from verify.cases.freewheel_bodies import BODIES, Bodies, OneClutch
 
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
     from fem.contact.along import Along
+    from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.solution import ContactSolution
 
@@ -33,7 +34,7 @@ STILL, MOST = 1e-5, 8  # of both approaches: what the roller may move; steps
 class Place:
     """Where the roller's centre is: `x`, `y` [m] along the flat and along its normal."""
 
-    q: StarInputs
+    q: OneClutch
     x: float
     y: float
 
@@ -44,19 +45,27 @@ class Place:
 
     @property
     def d_i(self) -> float:
-        """Approach [m] of roller and star."""
-        return self.q.X + self.q.r - self.y
+        """Approach [m] of roller and inner part."""
+        return self._approaches[0]
 
     @property
     def d_o(self) -> float:
-        """Approach [m] of roller and ring."""
-        return math.hypot(self.x, self.y) - (self.q.R - self.q.r)
+        """Approach [m] of roller and outer part."""
+        return self._approaches[1]
+
+    @property
+    def _approaches(self) -> tuple[float, float]:
+        q = self.q
+        to_flat = q.sense * (q.flat + q.sense * q.r - self.y)
+        to_race = q.sense * (math.hypot(self.x, self.y) - (q.race - q.sense * q.r))
+        return (to_flat, to_race) if q.sense > 0 else (to_race, to_flat)
 
     @classmethod
-    def overlapping(cls, q: StarInputs, d_i: float, d_o: float) -> "Place":
+    def overlapping(cls, q: OneClutch, d_i: float, d_o: float) -> "Place":
         """The place in which the contacts overlap by these."""
-        y = q.X + q.r - d_i
-        return cls(q, math.sqrt((q.R - q.r + d_o) ** 2 - y**2), y)
+        to_flat, to_race = (d_i, d_o) if q.sense > 0 else (d_o, d_i)
+        y = q.flat + q.sense * q.r - q.sense * to_flat
+        return cls(q, math.sqrt((q.race - q.sense * q.r + q.sense * to_race) ** 2 - y**2), y)
 
 
 class Sector:
@@ -72,9 +81,10 @@ class Sector:
     def rest(self, drags: tuple[float, float] = (0.0, 0.0)) -> "State":
         """The state in which the roller's centre neither leaves its place nor turns.
 
-        `drags` [m], how far the surfaces of star and ring are turned into the wedge, are improved
-        until it does not. In small displacements forces act where the mesh has them: a roller that
-        creeps out, or turns, until friction holds it, would bear them beside its contacts.
+        `drags` [m], how far the surfaces of inner and outer part are turned into the wedge, are
+        improved until it does not. In small displacements forces act where the mesh has them: a
+        roller that creeps out, or turns, until friction holds it, would bear them beside its
+        contacts.
         """
         for _ in range(MOST):
             state = self.at(drags)
@@ -85,15 +95,18 @@ class Sector:
         raise ArithmeticError(f"the roller moves by {out:.1e} m after {MOST} steps")
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":
-        """The state with the surfaces of star and ring turned into the wedge by `drags` [m].
+        """The state with the surfaces of inner and outer part turned into the wedge by `drags` [m].
 
         `more` goes to the solver: what happens along z, and steps.
         """
-        q, angle = self.place.q, drags[0] / self.place.q.X
-        moved: Any = {
-            "ring.rim": {"r": -drags[1] / q.R},
-            "star.bore": {"x": lambda x: angle * x[1], "y": lambda x: -angle * x[0]},
-        }
+        q, names = self.place.q, BODIES[self.place.q.sense]
+        cam, race = drags if q.sense > 0 else drags[::-1]
+        angle = q.sense * cam / q.flat
+        turned: Any = (
+            {"x": lambda x: angle * x[1], "y": lambda x: -angle * x[0]} if q.sense > 0
+            else {"r": -angle}
+        )  # fmt: skip
+        moved = {names.race_held: {"r": -q.sense * race / q.race}, names.cam_held: turned}
         return State(self.place, drags, self.problem.solve(displacements=moved, **more))
 
 
@@ -107,8 +120,8 @@ class State:
 
     @cached_property
     def motion(self) -> tuple[float, float]:
-        """How far [m] the roller's centre creeps into the wedge and how far its rim turns."""
-        r, half = self.start.q.r, self.start.psi / 2
+        """How far [m] the roller's centre creeps into the wedge, and its rim turns there."""
+        r, half, sense = self.start.q.r, self.start.psi / 2, self.start.q.sense
         u = np.array(self.solution.plane.displacement_at((self.start.x, self.start.y)))
         near = CORE * r
         x = np.array([[self.start.x], [self.start.y]]) + near * np.array(
@@ -116,11 +129,12 @@ class State:
         )
         right, left, up, down = self.solution.plane.at(x).u.T
         turn = (right[1] - left[1] - up[0] + down[0]) / (4 * near)
-        return float(u @ (math.cos(half), -math.sin(half))), float(r * turn)
+        out = float(u @ (math.cos(half), -math.sin(half)))
+        return sense * out, float(sense * r * turn)
 
     @cached_property
     def place(self) -> Place:
-        """Where the roller's centre is, seen from the star as it is turned."""
+        """Where the roller's centre is, seen from the cam as it is turned."""
         u = self.solution.plane.displacement_at((self.start.x, self.start.y))
         x, y = self.start.x + u[0], self.start.y + u[1]
         c, s = math.cos(self.tilt), math.sin(self.tilt)
@@ -128,27 +142,34 @@ class State:
 
     @property
     def tilt(self) -> float:
-        """How far the star is turned, clockwise [rad]."""
-        return self.drags[0] / self.start.q.X
+        """How far the cam is turned, clockwise [rad]."""
+        return self.start.q.sense * self.drags[self._flat] / self.start.q.flat
 
     @property
     def torque(self) -> float:
-        return -self.start.q.z * self.solution.plane.mean_reaction("ring.rim")["r"]
+        q = self.start.q
+        held = BODIES[q.sense].race_held
+        return -q.sense * q.z * self.solution.plane.mean_reaction(held)["r"]
 
     @property
-    def on_star(self) -> tuple[float, float]:
-        """Force on the star along its flat's normal inwards, and along it out of the wedge."""
-        x, y = self.solution.touches[0].force
+    def on_flat(self) -> tuple[float, float]:
+        """Force on the cam into its flat, and along it out of the wedge."""
+        x, y = self.start.q.sense * np.array(self.solution.touches[self._flat].force)
         c, s = math.cos(self.tilt), math.sin(self.tilt)
         return -s * x - c * y, -c * x + s * y
 
     @property
-    def on_ring(self) -> tuple[float, float]:
-        """Force on the ring along the ray through the roller's centre, and across out of the wedge."""
-        x, y = self.solution.touches[1].force
+    def on_race(self) -> tuple[float, float]:
+        """Force on the race along the ray through the roller, and across out of the wedge."""
+        x, y = self.start.q.sense * np.array(self.solution.touches[1 - self._flat].force)
         psi = self.place.psi + self.tilt
         c, s = math.cos(psi), math.sin(psi)
         return s * x + c * y, s * y - c * x
+
+    @property
+    def _flat(self) -> int:
+        """Which contact is the flat's: the inner one of a star."""
+        return 0 if self.start.q.sense > 0 else 1
 
     @property
     def widths(self) -> tuple[float, float]:
@@ -164,43 +185,54 @@ class State:
 
 
 def fem_mesh(place: Place, widths: tuple[float, float], cells: int) -> "Mesh2D":
-    from meshes.freewheel.sector import inner_cam_sector
+    from meshes.freewheel.sector import inner_cam_sector, outer_cam_sector
 
     q = place.q
-    return inner_cam_sector(
-        R=q.R, R_a=q.R_a, X=q.X, r_b=q.r_b, r=q.r, z=q.z, centre=(place.x, place.y),
-        zones=(ZONE * widths[0], ZONE * widths[1]), cells=cells,
-    )  # fmt: skip
+    zones = ZONE * widths[0], ZONE * widths[1]
+    more: Any = {"R_a": q.R_a, "r_b": q.r_b, "r": q.r, "z": q.z, "centre": (place.x, place.y)}
+    if q.sense > 0:
+        return inner_cam_sector(R=q.race, X=q.flat, zones=zones, cells=cells, **more)
+    return outer_cam_sector(R_s=q.race, X_o=q.flat, zones=zones, cells=cells, **more)
 
 
 def fem_problem(
     place: Place, mesh: "Mesh2D", mu: float, along: "Along | None" = None
 ) -> "ContactProblem":
-    from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
-    from fem.contact.shapes import Circle, Flat
     from fem.plane.material import Elastic
     from fem.plane.means import Mean
     from fem.plane.ties import Tie
 
-    q, pitch = place.q, 2 * math.pi / place.q.z
-    rim = Circle((place.x, place.y), q.r)
-    meet: Any = {"normal": "master", "friction": mu, "slave_shape": rim, "press_fit": True}
+    q, names = place.q, BODIES[place.q.sense]
+    means = {names.race_held: Mean({"r": 0.0})}
+    if q.sense < 0:
+        means[names.cam_held] = Mean({"r": 0.0})
     return ContactProblem(
         mesh,
         materials=Elastic(E=q.E, nu=q.nu),
         assumption="plane strain",
-        supports={"star.bore": "xy"},
-        contacts=[
-            Pair(slave="roller.inner", master="star.flat",
-                 master_shape=Flat((0.0, q.X), (0.0, 1.0)), **meet),
-            Pair(slave="roller.outer", master="ring.bore",
-                 master_shape=Circle((0.0, 0.0), q.R, hollow=True), **meet),
-        ],
+        supports={names.cam_held: "xy"} if q.sense > 0 else {},
+        contacts=fem_pairs(place, names, mu)[:: q.sense],
         ties=[
-            Tie(leader=f"{body}.right", follower=f"{body}.left", angle=pitch)
-            for body in ("star", "ring")
+            Tie(leader=f"{body}.right", follower=f"{body}.left", angle=2 * math.pi / q.z)
+            for body in (names.cam, names.race)
         ],
-        means={"ring.rim": Mean({"r": 0.0})},
+        means=means,
         along=along,
-    )  # fmt: skip
+    )
+
+
+def fem_pairs(place: Place, names: Bodies, mu: float) -> list["Pair"]:
+    """The contacts on the flat and on the race."""
+    from fem.contact.pairs import Pair
+    from fem.contact.shapes import Circle, Flat
+
+    q, rim = place.q, Circle((place.x, place.y), place.q.r)
+    meet: Any = {"normal": "master", "friction": mu, "slave_shape": rim, "press_fit": True}
+    on_flat, on_race = ("roller.inner", "roller.outer")[:: q.sense]
+    flat = Flat((0.0, q.flat), (0.0, float(q.sense)))
+    race = Circle((0.0, 0.0), q.race, hollow=q.sense > 0)
+    return [
+        Pair(slave=on_flat, master=names.flat, master_shape=flat, **meet),
+        Pair(slave=on_race, master=names.bore, master_shape=race, **meet),
+    ]

@@ -45,10 +45,25 @@ class StarInputs(Inputs):
                 )
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
-                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers hold "
-                f"below some {math.degrees(LARGEST_ANGLE):g}°: X is too small for R and r"
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers "
+                f"hold below some {math.degrees(LARGEST_ANGLE):g}°: X is too small for R and r"
             )
         return self
+
+    @property
+    def sense(self) -> int:
+        """+1: load widens the angle."""
+        return 1
+
+    @property
+    def race(self) -> float:
+        """Radius [m] of the round race."""
+        return self.R
+
+    @property
+    def flat(self) -> float:
+        """Distance [m] of the flats from the axis."""
+        return self.X
 
     @property
     def cam(self) -> InnerCam:

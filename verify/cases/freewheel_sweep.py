@@ -28,7 +28,7 @@ FIRST = 16.0  # overlap over N/(L E'), about
 GIVEN = 10.0  # N_0/(L E'): approaches at an angle that is given
 SPLIT = 0.33  # and the star's part of it
 GAUSS = 24  # points of each stretch of an integral over ln T
-QUANTITIES = ("T", "N", "N ring", "F_t", "F_t ring", "d_i", "d_o", "a_i", "a_o", "p_i", "p_o", "U")
+QUANTITIES = ("T", "N", "N race", "F_t", "F_t race", "d_i", "d_o", "a_i", "a_o", "p_i", "p_o", "U")
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ def starts(q: StarInputs) -> tuple[Start, ...]:
     now = Start(d, (math.sqrt(q.r * d[0] / 2), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
     for _ in range(MOST):
         state = now.state(q, COARSE)
-        share = P / state.on_star[0]
+        share = P / state.on_flat[0]
         now = after(state).scaled(share**0.95)  # approaches grow a little slower than forces
         if abs(share - 1) < NEAR:
             break
@@ -156,11 +156,11 @@ class Sweep:
 
 def read(q: StarInputs, state: State) -> dict[str, float]:
     """Torque [N m], energy [J] of the clutch; forces [N] on one roller, lengths, pressures."""
-    (N, F_t), (N_ring, F_ring) = state.on_star, state.on_ring
+    (N, F_t), (N_race, F_race) = state.on_flat, state.on_race
     (a_i, a_o), (p_i, p_o) = state.widths, state.peaks
     return {
-        "T": state.torque * q.L, "N": N * q.L, "N ring": N_ring * q.L, "F_t": F_t * q.L,
-        "F_t ring": F_ring * q.L, "d_i": state.place.d_i, "d_o": state.place.d_o,
+        "T": state.torque * q.L, "N": N * q.L, "N race": N_race * q.L, "F_t": F_t * q.L,
+        "F_t race": F_race * q.L, "d_i": state.place.d_i, "d_o": state.place.d_o,
         "a_i": a_i, "a_o": a_o, "p_i": p_i, "p_o": p_o,
         "U": state.solution.strain_energy * q.L * q.z,
     }  # fmt: skip

@@ -26,7 +26,7 @@ def fem(q: StarInputs, level: int) -> FemResult:
     values = {
         "alpha": place.psi / 2,
         "N": sweep.at("N", T),
-        "F_t/N": (ratio(sweep, T, "") + ratio(sweep, T, " ring")) / 2,
+        "F_t/N": (ratio(sweep, T, "") + ratio(sweep, T, " race")) / 2,
         "s": arc(q, np.array([place.psi]), np.array([place.d_o]))[0],
         "phi": sweep.torsion_by_energy(np.array([T]))[0],
         "N at angle": at_angle(sweep, given_angle(q)),
@@ -70,7 +70,7 @@ def rigid_angle(q: StarInputs) -> float:
 
 
 def ratio(sweep: Sweep, T: float, where: str) -> float:
-    """F_t/N at the star, or at the ring."""
+    """F_t/N at the flat, or at the race."""
     return sweep.at(f"F_t{where}", T) / sweep.at(f"N{where}", T)
 
 
@@ -83,7 +83,7 @@ def statics(q: StarInputs, sweep: Sweep) -> dict[str, float]:
     """What forces in balance leave between torque, normal and tangential forces, all relative."""
     T, place = q.T, sweep.place(q.T)
     tan = math.tan(place.psi / 2)
-    N, F_t, on_ring = sweep.at("N", T), sweep.at("F_t", T), sweep.at("F_t ring", T)
+    N, F_t, on_ring = sweep.at("N", T), sweep.at("F_t", T), sweep.at("F_t race", T)
     on_star = q.z * (N * place.x - F_t * q.X)
     rolling, energy = (f(np.array([T]))[0]
                        for f in (sweep.torsion_by_rolling, sweep.torsion_by_energy))  # fmt: skip
@@ -91,12 +91,12 @@ def statics(q: StarInputs, sweep: Sweep) -> dict[str, float]:
     size = np.hypot(*sweep.last.solution.touches[0].force)
     return {
         "star's F_t/N": ratio(sweep, T, "") / tan - 1,
-        "ring's F_t/N": ratio(sweep, T, " ring") / tan - 1,
+        "ring's F_t/N": ratio(sweep, T, " race") / tan - 1,
         "T on the race": q.z * q.R * on_ring / T - 1,
         "T on the star": on_star / T - 1,
         "rolling": rolling / energy - 1,
         "forces": float(np.hypot(*force)) / float(size),
-        "unlike N": sweep.at("N ring", T) / N - 1,
+        "unlike N": sweep.at("N race", T) / N - 1,
         "unlike F_t": on_ring / F_t - 1,
     }
 
@@ -104,7 +104,7 @@ def statics(q: StarInputs, sweep: Sweep) -> dict[str, float]:
 def shares(sweep: Sweep) -> Array:
     """F_t/N (2, m) of the states, at the star and at the ring."""
     s = sweep.at_states
-    return np.array([s["F_t"] / s["N"], s["F_t ring"] / s["N ring"]])
+    return np.array([s["F_t"] / s["N"], s["F_t race"] / s["N race"]])
 
 
 def across(state: State, contact: int) -> Array:
