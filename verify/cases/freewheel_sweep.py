@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from verify.cases.freewheel_bodies import OneClutch
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_inputs import StarInputs
 
@@ -48,7 +49,7 @@ class Start:
             (share * self.drags[0], share * self.drags[1]),
         )
 
-    def state(self, q: StarInputs, cells: int) -> State:
+    def state(self, q: OneClutch, cells: int) -> State:
         """The state that overlaps like this."""
         place = Place.overlapping(q, *self.d)
         sector = Sector(place, self.widths, cells, mu=STICKS * math.tan(place.psi / 2))
@@ -62,13 +63,13 @@ def after(state: State) -> Start:
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
 
 
-def rigid_force(q: StarInputs) -> float:
+def rigid_force(q: OneClutch) -> float:
     """N_0 = T/(z R tan(alpha_0)) [N]: what a rigid clutch would press with."""
-    cos = (q.X + q.r) / (q.R - q.r)
-    return q.T / (q.z * q.R) * math.sqrt((1 + cos) / (1 - cos))
+    cos = (q.flat + q.sense * q.r) / (q.race - q.sense * q.r)
+    return q.T / (q.z * q.race) * math.sqrt((1 + cos) / (1 - cos))
 
 
-def given_angle(q: StarInputs) -> float:
+def given_angle(q: OneClutch) -> float:
     """An angle psi [rad] that N_0 does not reach: both approaches `GIVEN` N_0/(L E') together."""
     d = GIVEN * rigid_force(q) / q.L * (1 - q.nu**2) / q.E
     return Place.overlapping(q, d / 2, d / 2).psi
@@ -98,11 +99,18 @@ def starts(q: StarInputs) -> tuple[Start, ...]:
 
 
 class Sweep:
-    """States of the sector on meshes of `cells`, and splines between them."""
+    """States of the sector on meshes of `cells`, and splines between them.
+
+    What `along` names grows from state to state: integrals run over its logarithm.
+    """
+
+    along = "T"
 
     def __init__(self, q: StarInputs, cells: int) -> None:
+        self._take(q, [start.state(q, cells) for start in reversed(starts(q))])
+
+    def _take(self, q: OneClutch, states: list[State]) -> None:
         self.q = q
-        states = [start.state(q, cells) for start in reversed(starts(q))]
         self.last = states[-1]
         self.at_states = {name: np.array([read(q, s)[name] for s in states]) for name in QUANTITIES}
         self.psi = np.array([s.place.psi for s in states])
@@ -124,25 +132,35 @@ class Sweep:
 
     def torsion_by_energy(self, T: Array) -> Array:
         """Torsion [rad] as the integral of dU/T, with a power law below the first state."""
-        U = self.over("U")
-        return self._integral(lambda t: np.exp(U(t) - t) * U(t, 1), T)
+        U = self.over("U", self.along)
+        return self._integral(lambda t: np.exp(U(t) - self.log_torque(t)) * U(t, 1), T)
 
     def torsion_by_rolling(self, T: Array) -> Array:
         """Torsion [rad] as the integral of (dd_i + dd_o)/(R tan(alpha)): exact rolling."""
-        d_i, d_o = self.over("d_i"), self.over("d_o")
+        d_i, d_o, q = self.over("d_i", self.along), self.over("d_o", self.along), self.q
 
         def slope(t: Array) -> Array:
             inner, outer = np.exp(d_i(t)), np.exp(d_o(t))
-            y, rho = self.q.X + self.q.r - inner, self.q.R - self.q.r + outer
+            to_flat, to_race = (inner, outer) if q.sense > 0 else (outer, inner)
+            y = q.flat + q.sense * q.r - q.sense * to_flat
+            rho = q.race - q.sense * q.r + q.sense * to_race
             tangent = np.sqrt((rho - y) / (rho + y))
-            return np.asarray((inner * d_i(t, 1) + outer * d_o(t, 1)) / (self.q.R * tangent))
+            return np.asarray((inner * d_i(t, 1) + outer * d_o(t, 1)) / (q.race * tangent))
 
         return self._integral(slope, T)
 
+    def log_torque(self, t: Array) -> Array:
+        """Logarithm of the torque where that of what the states run along is `t`."""
+        return t
+
+    def log_along(self, T: Array) -> Array:
+        """And the other way round."""
+        return np.asarray(np.log(T))
+
     def _integral(self, slope: Callable[[Array], Array], T: Array) -> Array:
-        """Of a slope over ln T, which grows by a power of T, from no torque on."""
-        first = float(np.log(self.at_states["T"][0]))
-        ends = np.concatenate([[first], np.log(np.atleast_1d(T))])
+        """Up to torques, of a slope over logarithms that begins with a power."""
+        first = float(np.log(self.at_states[self.along][0]))
+        ends = np.concatenate([[first], self.log_along(np.atleast_1d(T))])
         x, w = np.polynomial.legendre.leggauss(GAUSS)
         parts = []
         for low, high in pairwise(ends):
@@ -154,7 +172,7 @@ class Sweep:
         return np.asarray(tail + np.cumsum(parts))
 
 
-def read(q: StarInputs, state: State) -> dict[str, float]:
+def read(q: OneClutch, state: State) -> dict[str, float]:
     """Torque [N m], energy [J] of the clutch; forces [N] on one roller, lengths, pressures."""
     (N, F_t), (N_race, F_race) = state.on_flat, state.on_race
     (a_i, a_o), (p_i, p_o) = state.widths, state.peaks

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from verify.case import FemResult
+from verify.cases.freewheel_bodies import OneClutch
 from verify.cases.freewheel_fem import State
 from verify.cases.freewheel_inputs import StarInputs
 from verify.cases.freewheel_sweep import Sweep, given_angle, rigid_force
@@ -55,18 +56,19 @@ def fem(q: StarInputs, level: int) -> FemResult:
 
 def at_angle(sweep: Sweep, psi: float) -> float:
     """Normal force [N] with the roller's centre at the angle `psi` [rad]."""
-    low, high = sweep.psi[[0, -1]]
+    low, high = np.sort(sweep.psi[[0, -1]])
     if not low <= psi <= high:
         raise ArithmeticError(f"the angle {psi:.4g} rad lies beyond the states' {high:.4g} rad")
-    opened = math.cos(rigid_angle(sweep.q)) - np.cos(sweep.psi)  # nearly a power of N
-    wanted = math.cos(rigid_angle(sweep.q)) - math.cos(psi)
+    sense, rigid = sweep.q.sense, math.cos(rigid_angle(sweep.q))
+    opened, wanted = sense * (rigid - np.cos(sweep.psi)), sense * (rigid - math.cos(psi))
+    # nearly a power of N
     spline = CubicSpline(np.log(opened), np.log(sweep.at_states["N"]))
     return float(np.exp(spline(math.log(wanted))))
 
 
-def rigid_angle(q: StarInputs) -> float:
+def rigid_angle(q: OneClutch) -> float:
     """The angle psi [rad] without load."""
-    return math.acos((q.X + q.r) / (q.R - q.r))
+    return math.acos((q.flat + q.sense * q.r) / (q.race - q.sense * q.r))
 
 
 def ratio(sweep: Sweep, T: float, where: str) -> float:
@@ -74,30 +76,31 @@ def ratio(sweep: Sweep, T: float, where: str) -> float:
     return sweep.at(f"F_t{where}", T) / sweep.at(f"N{where}", T)
 
 
-def arc(q: StarInputs, psi: Array, d_o: Array) -> Array:
-    """Way s [m] of the roller's centre about the axis, as seen from the star."""
-    return np.asarray((q.R - q.r + d_o) * (psi - rigid_angle(q)))
+def arc(q: OneClutch, psi: Array, to_race: Array) -> Array:
+    """Way s [m] of the roller's centre about the axis, as seen from the cam."""
+    rho = q.race - q.sense * q.r + q.sense * to_race
+    return np.asarray(rho * (psi - rigid_angle(q)) * q.sense)
 
 
-def statics(q: StarInputs, sweep: Sweep) -> dict[str, float]:
+def statics(q: OneClutch, sweep: Sweep) -> dict[str, float]:
     """What forces in balance leave between torque, normal and tangential forces, all relative."""
     T, place = q.T, sweep.place(q.T)
     tan = math.tan(place.psi / 2)
-    N, F_t, on_ring = sweep.at("N", T), sweep.at("F_t", T), sweep.at("F_t race", T)
-    on_star = q.z * (N * place.x - F_t * q.X)
+    N, F_t, on_race = sweep.at("N", T), sweep.at("F_t", T), sweep.at("F_t race", T)
+    on_cam = q.z * (N * place.x - F_t * q.flat)
     rolling, energy = (f(np.array([T]))[0]
                        for f in (sweep.torsion_by_rolling, sweep.torsion_by_energy))  # fmt: skip
     force = np.add(*(np.array(t.force) for t in sweep.last.solution.touches))
     size = np.hypot(*sweep.last.solution.touches[0].force)
     return {
-        "star's F_t/N": ratio(sweep, T, "") / tan - 1,
-        "ring's F_t/N": ratio(sweep, T, " race") / tan - 1,
-        "T on the race": q.z * q.R * on_ring / T - 1,
-        "T on the star": on_star / T - 1,
+        "flat's F_t/N": ratio(sweep, T, "") / tan - 1,
+        "race's F_t/N": ratio(sweep, T, " race") / tan - 1,
+        "T on the race": q.z * q.race * on_race / T - 1,
+        "T on the cam": on_cam / T - 1,
         "rolling": rolling / energy - 1,
         "forces": float(np.hypot(*force)) / float(size),
         "unlike N": sweep.at("N race", T) / N - 1,
-        "unlike F_t": on_ring / F_t - 1,
+        "unlike F_t": on_race / F_t - 1,
     }
 
 
