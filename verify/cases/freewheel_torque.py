@@ -11,6 +11,7 @@ from verify.cases.freewheel_torque_model import analytic
 
 WIDE = 0.12  # a/r up to which these finite elements, small in displacements, are asked
 HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
+BENT = 0.1  # of the ring's wall: by how much more it bends, its forces move along it
 BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's corner
 FRICTION = 0.1  # what oiled steel hardly exceeds
 
@@ -38,6 +39,13 @@ def too_large(q: StarInputs) -> str:
         return (
             f"contacts are {wide:.3g} r wide under T/(z R tan α_0), beyond {WIDE:g}: displacements "
             "are not small; check it without --fem"
+        )
+    wall = q.R_a - q.R
+    if v["d_o at N"] > BENT * wall:
+        return (
+            f"the ring gives way by {v['d_o at N'] * 1e6:.4g} µm under T/(z R tan α_0), more than "
+            f"{BENT:g} of its wall of {wall * 1e3:.4g} mm: displacements are not small; check it "
+            "without --fem"
         )
     d = BEYOND * v["d_i at N"], BEYOND * v["d_o at N"]
     x = float(q.cam.centre(d_i=d[0], d_o=d[1])[0])
