@@ -21,7 +21,7 @@ class CupInputs(Inputs):
     r: float = quantity("2 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
     X_o: float = quantity("13.910554 mm", "mm", "X_o", "distance of the cup's flats from the axis",
                           gt=1e-3, le=1e5)  # fmt: skip
-    R_a: float = quantity("25 mm", "mm", "R_a", "outer radius of the cup in its housing", gt=1e-3,
+    R_a: float = quantity("30 mm", "mm", "R_a", "outer radius of the cup in its housing", gt=1e-3,
                           le=1e5)  # fmt: skip
     r_b: float = quantity("4 mm", "mm", "r_b", "bore radius of the shaft, free", gt=1e-4, le=1e5)
     z: int = count(8, "z", "number of rollers", ge=3, le=100)

@@ -64,13 +64,15 @@ def printed_torque(q: StarInputs, _values: Values) -> Interval | None:
 def no_load(context: Context) -> tuple[list[float], list[float], list[float]]:
     """(F_t/N)² of finite elements over tan² alpha_0, less 1, contacts overlapping less and less.
 
-    Times R + X + d_o - d_i over R + X, tan² alpha is linear in d_i + d_o.
+    Times R + X + d_o - d_i over R + X (race and flat), tan² alpha is linear in d_i + d_o.
     """
     q, tan = context.inputs, np.tan(context.analytic["alpha_0"])
     found = []
     for r in context.fem[-2:]:
         d_i, d_o = r.arrays["loads"][3:5]
-        found.append((r.arrays["shares"].mean(axis=0) / tan) ** 2 * (1 + (d_o - d_i) / (q.R + q.X)))
+        found.append(
+            (r.arrays["shares"].mean(axis=0) / tan) ** 2 * (1 + (d_o - d_i) / (q.race + q.flat))
+        )
     overlap, u = d_i + d_o, np.maximum(np.abs(found[1] - found[0]), ROUNDED)
     return (overlap / overlap[-1]).tolist(), (found[1] - 1).tolist(), u.tolist()
 

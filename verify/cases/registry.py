@@ -16,6 +16,7 @@ from verify.cases.contact_roller_tilted import TILTED
 from verify.cases.contact_slip import SLIP
 from verify.cases.contact_sphere import SPHERE
 from verify.cases.freewheel_clutch import CLUTCH as FREEWHEEL
+from verify.cases.freewheel_cup import CUP
 from verify.cases.freewheel_friction import FRICTION
 from verify.cases.freewheel_paths import PATHS
 from verify.cases.freewheel_torque import TORQUE
@@ -41,7 +42,7 @@ from verify.cases.spring_width import WIDTH
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
-    TORQUE, FRICTION, PATHS, FREEWHEEL,
+    TORQUE, CUP, FRICTION, PATHS, FREEWHEEL,
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
