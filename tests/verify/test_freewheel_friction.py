@@ -167,7 +167,7 @@ def test_what_is_no_loaded_clutch_is_refused(change, words):
 
 
 def test_more_torque_than_hertz_knows_is_refused_in_a_line():
-    with pytest.raises(ValueError, match="is more than these formulas know"):
+    with pytest.raises(ValueError, match="wider than half the rollers"):
         analytic(FrictionInputs(T=1e6))
 
 

@@ -91,7 +91,7 @@ def test_inertia_is_a_thousandth_of_the_loads_at_30_hz_and_warned_of_near_the_ei
         ({"f": 1e4}, "at most 1000 cycles, got f duration = 5000"),
         ({"F_ax": 0.0}, "greater than"),
         ({"T_m": -1.0}, "greater than or equal"),
-        ({"T": 1e6}, "more than these formulas know"),
+        ({"T": 1e6}, "wider than half the rollers"),
     ],
 )
 def test_what_is_no_path_is_refused(change, words):

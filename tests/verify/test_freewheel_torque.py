@@ -130,7 +130,7 @@ def test_the_contact_pulls_the_roller_out_as_far_as_friction_pulls_it_in(state):
 
 def test_star_and_ring_turned_alike_turn_the_state_and_nothing_else(state):
     angle = 1e-4
-    both = state.drags[0] + angle * Q.X, state.drags[1] - angle * Q.R
+    both = state.drags[0] + angle * Q.X, state.drags[1] + angle * Q.R
     start = state.start
     sector = Sector(start, (95e-6, 103e-6), 3, mu=2 * math.tan(start.psi / 2))
     turned = sector.at(both)
@@ -319,7 +319,9 @@ BASE = {
         ({"L": "0 mm"}, "inputs.L"),
         ({"T": "0 N m"}, "inputs.T"),
         ({"T": "26 N"}, "inputs.T"),
-        ({"T": "1e6 N m"}, "is more than these formulas know"),
+        ({"T": "1e6 N m"}, "wider than half the rollers"),
+        ({"T": "4000 N m"}, "past the corners of their flats: 5.2"),
+        ({"R_a": "16.6 mm"}, "past the corners of their flats"),
         ({"E": "-1 GPa"}, "inputs.E"),
         ({"nu": 0.5}, "inputs.nu"),
         ({"mu": 0.1}, "mu"),
@@ -396,7 +398,7 @@ READINGS = [
     pytest.param(Cam, "alpha", scaled(2), NO_LOAD, id="psi for alpha, without load"),
     pytest.param(Cam, "distance", scaled(Q.R_a / Q.R), FORCE, id="R_a for R"),
     pytest.param(Cam, "distance", scaled(2), ANGLE, id="diameters for radii"),
-    pytest.param(Cam, "count", lambda _: property(lambda _self: np.asarray(1.0)), FORCE,
+    pytest.param(model, "loaded", lambda right: lambda whole, T: right(whole, Q.z * T), FORCE,
                  id="the torque of one roller"),
     pytest.param(Cam, "torque_on_race", lambda _: lambda self, *, F_t: (
         self.count * self.flat * F_t), T_AT_N, id="X for R"),

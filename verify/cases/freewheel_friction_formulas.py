@@ -16,7 +16,7 @@ from analytic.freewheel import criterion, tilt
 from analytic.freewheel.state import at_normal_force, loaded
 from verify.case import Values
 from verify.cases.freewheel_friction_inputs import FrictionInputs
-from verify.cases.freewheel_torque_model import Interval, clutch, times, under_torque
+from verify.cases.freewheel_torque_model import Interval, clutch, state_under, times, under_torque
 
 Array = NDArray[np.float64]
 
@@ -26,12 +26,7 @@ GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
 
 
 def analytic(q: FrictionInputs) -> Values:
-    state = loaded(clutch(q), q.T)
-    if not np.isfinite(state.N):
-        raise ValueError(
-            f"T = {q.T:g} N m is more than these formulas know: contacts wider than half the "
-            "rollers' radius, or rollers past the flats' corners"
-        )
+    state = state_under(q, q.T)
     alpha, N, F_a = state.alpha, state.N, q.F_ax / q.z
     F_t = q.T / q.cam.torque_on_race(F_t=1.0)
     mu_req = criterion.required_friction(alpha=alpha, T=q.T, F_ax=q.F_ax, R=q.R)

@@ -16,7 +16,7 @@ from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAltern
 from analytic.freewheel.state import loaded
 from verify.case import Values
 from verify.cases.freewheel_paths_inputs import PathInputs
-from verify.cases.freewheel_torque_model import Expected, Interval, clutch
+from verify.cases.freewheel_torque_model import Expected, Interval, clutch, state_under
 
 STEP = 1e-3  # of T, over which the stiffness is taken
 SWAY = 0.01  # of the loads: inertia that may be neglected
@@ -64,13 +64,7 @@ def limit(q: PathInputs, T: float) -> float:
 
 
 def analytic(q: PathInputs) -> Values:
-    whole = clutch(q)
-    state, top = loaded(whole, q.T), loaded(whole, q.T_peak)
-    if not (np.isfinite(state.N) and np.isfinite(top.N)):
-        raise ValueError(
-            f"T_m + T = {q.T_peak:g} N m is more than these formulas know: contacts wider than "
-            "half the rollers' radius, or rollers past the flats' corners"
-        )
+    top, state = state_under(q, q.T_peak), state_under(q, q.T)
     values: dict[str, Any] = {
         "alpha": state.alpha, "N": state.N, "mu_t": np.tan(state.alpha), "phi": top.phi,
         "coulomb": 1.0, **inertia(q),

@@ -51,16 +51,33 @@ def rigid_normal_force(q: StarInputs) -> float:
     return float(q.T / (q.z * q.R * np.tan(q.cam.alpha0)))
 
 
+def state_under(q: StarInputs, T: float) -> State:
+    """The state under the torque T [N m]; ValueError where the rollers are past their flats."""
+    state = loaded(clutch(q), T)
+    if not np.isfinite(state.N):
+        raise ValueError(
+            f"under T = {T:g} N m the contacts are wider than half the rollers' radius: these "
+            "formulas end there"
+        )
+    x, half = float(q.cam.centre(d_i=state.d_i, d_o=state.d_o)[0]), float(q.cam.corner)
+    if x >= half:
+        raise ValueError(
+            f"under T = {T:g} N m the rollers are past the corners of their flats: "
+            f"{x * 1e3:.4g} mm from the middle of flats that end at {half * 1e3:.4g} mm"
+        )
+    return state
+
+
 def analytic(q: StarInputs) -> Values:
     whole, N_0 = clutch(q), rigid_normal_force(q)
-    under, same = loaded(whole, q.T), at_normal_force(whole, N_0)
+    under, same = state_under(q, q.T), at_normal_force(whole, N_0)
     d = GIVEN * N_0 / q.L * (1 - q.nu**2) / q.E
     y = q.X + q.r - d / 2
     given = at_angle(whole, math.acos(y / (q.R - q.r + d / 2)))
-    if not np.all(np.isfinite([under.N, same.N, given.N])):
+    if not np.all(np.isfinite([same.N, given.N])):
         raise ValueError(
-            f"T = {q.T:g} N m is more than these formulas know: contacts wider than half the "
-            f"rollers' radius, or rollers past the flats' corners"
+            f"under N = T/(z R tan α_0) = {N_0:.4g} N, a rigid clutch's, the contacts are "
+            "wider than half the rollers' radius: these formulas end there"
         )
     values: dict[str, Any] = {
         "alpha_0": q.cam.alpha0, "alpha": under.alpha, "N": under.N, "F_t": under.F_t,
