@@ -31,7 +31,7 @@ COMPANION = ": convergence"
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
     Status.SKIP: "not run",
-    Status.NOTE: "a printed value shown wrong, with its ledger entry",
+    Status.NOTE: "a printed value shown wrong, with its ledger entry, or adopted as it stands",
     Status.CALIBRATED: "fitted: no evidence",
     Status.SHOWN: "compared; no stated uncertainty, or no expected error, to judge it by",
     Status.PASS: "within a tolerance that was derived",
