@@ -55,9 +55,9 @@ def sketch(q: Any) -> Sketch:
         Shape(style="axis", points=np.array([[0.0, q.r_b * unit * 0.9], [0.0, 1.08 * top]])),
         Shape(style="axis", points=np.vstack([0.6 * q.X * unit * out, 1.06 * top * out])),
         Shape(style="clamp", points=arc(q.r_b)),
-        Shape(style="load", points=np.vstack([at_star - [0, 0.2], at_star]), label="F_n"),
-        Shape(style="load", points=np.vstack([at_ring + 0.2 * out, at_ring])),
-        Shape(style="dimension", points=np.array([[-0.09, q.r_b * unit], [-0.09, q.X * unit]]),
+        Shape(style="load", points=np.vstack([at_star - [0, 0.12], at_star]), label="F_n"),
+        Shape(style="load", points=np.vstack([at_ring + 0.12 * out, at_ring])),
+        Shape(style="dimension", points=np.array([[-0.03, q.r_b * unit], [-0.03, q.X * unit]]),
               label="X − r_b"),
         Shape(style="leader", points=np.vstack([[0.62, 1.08], at_ring + 0.03 * out]),
               label=f"R = {q.R * 1e3:.4g} mm"),
@@ -94,7 +94,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
         Equation(
             tex=r"T = z R F_t = z\,(F_n x - F_t X), \quad F_t = F_n\tan\alpha",
             numbers=rf"{T} = {q.z}\cdot {tex(q.R)}\cdot {tex(v['F_t'], 5)}\ \mathrm{{N\,m}}",
-            place="Eqs. 2 and 3, corrected; x = (R - r + d_o) sin 2α",
+            place="Eqs. 2 and 3, corrected; x = (R − r + d_o) sin 2α",
         ),
         Equation(
             tex=r"s = (R - r + d_o)\,2(\alpha - \alpha_0)",
@@ -182,7 +182,7 @@ def _approaches(context: Context) -> Curves:
             Curve(name="rigid surfaces", x=np.array([0.0, v[0][-1]]), y=np.zeros(2)),
         ),
         note=f"Flat and bore tilt in proportion to the normal force; with z = {q.z} rollers on "
-        "thin walls more than on thick ones. The mean of both is tan(ψ/2) to 1e-8.",
+        "thin walls more than on thick ones. Both tilt by as much to either side: the mean is tan(ψ/2).",
     )  # fmt: skip
 
 
