@@ -71,6 +71,48 @@ def test_the_verdict_comes_first(changes, words):
     assert said(**changes)[0].startswith(words)
 
 
+def test_a_clutch_past_its_corners_is_red_though_friction_holds():
+    wide = {"mu": 1.0, "T": 4000.0}
+    v = analytic(own(**wide))
+    assert v["safety"] > 1
+    assert v["T corner"] < 4000
+    assert light(own(**wide), v) == "red"
+    assert said(**wide)[0].startswith("red: the rollers are past the flats' corners (T_c = 2717 N")
+    assert "friction alone would hold" in said(**wide)[0]
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"T": 140.0, "mu": 0.5}, "the inner contacts bear 42"),
+        ({"p_lim": 2.06e9}, "the rollers' ends bear 20"),
+        ({"e_lim": 0.005}, "the rollers tilt: e/L = 0.00"),
+    ],
+)
+def test_pressure_or_tilt_beyond_its_limit_is_not_green(changes, words):
+    q = own(**changes)
+    v = analytic(q)
+    assert v["safety"] > 1
+    assert light(q, v) == "overloaded"
+    assert said(**changes)[0].startswith("overloaded: μ/μ_req")
+    assert words in said(**changes)[0]
+    assert light(own(), analytic(own())) == "green"
+
+
+def test_the_map_is_green_where_the_class_is():
+    for changes in ({"mu": 0.5, "T": 140.0}, {"mu": 1.0, "T": 2600.0}, {"e_lim": 0.005}):
+        q = own(**changes)
+        figure = lights(q)
+        for k in (60, 110, 170, 230):
+            T, tops = float(figure.x[k]), [np.nan_to_num(zone.top[k]) for zone in figure.zones]
+            for F_ax in (0.05, 0.3, 0.6, 0.9):
+                kN = F_ax * figure.y_top
+                zone = figure.zones[next(n for n, top in enumerate(tops) if top >= kN)]
+                there = own(**changes | {"T": T, "F_ax": kN * 1e3})
+                expected = light(there, analytic(there))
+                assert expected in zone.name.replace("friction holds, ", "")
+
+
 def test_a_cup_whose_loaded_angle_alone_would_hold_is_red():
     q = own(**CUP | {"mu": 0.06})
     v = analytic(q)
@@ -143,7 +185,7 @@ def test_the_zones_of_the_figure_end_where_the_criterion_says():
     q = own()
     figure = lights(q)
     k = int(np.argmin(np.abs(figure.x - q.T)))
-    for zone, share in zip(figure.zones[:2], (1.0, 0.8), strict=True):
+    for zone, share in zip(figure.zones[1:3], (1.0, 0.8), strict=True):
         at = required(q, T=float(figure.x[k]), F_ax=float(zone.top[k]) * 1e3)
         assert q.mu / at == pytest.approx(share, rel=1e-9)
 

@@ -105,6 +105,25 @@ def as_torque_grows(q: ClutchInputs) -> list[Limit]:
     return sorted((limit for limit in found if math.isfinite(limit.at)), key=lambda x: x.at)
 
 
+def allowed_shift(q: ClutchInputs) -> float:
+    """e/L up to which the rollers do not tilt."""
+    return LIFT_OFF if q.e_lim is None else q.e_lim
+
+
+def largest_axial_load(q: ClutchInputs, T: Array) -> Array:
+    """F_ax [N] at which pressure at the rollers' ends, or tilt, meets its limit at T [N m]; nan
+    where no state bears T.
+    """
+    now = state.loaded(q.clutch, T)
+    share = np.full(T.shape, allowed_shift(q))
+    if q.p_lim is not None:
+        factors = q.p_lim / np.maximum(now.p_i, now.p_o)
+        share = np.minimum(share, [uneven(float(x)) for x in factors])
+    offset = tilt.offset(F_a=1.0, F_n=np.where(np.isfinite(now.N), now.N, 1.0), r=q.r,
+                         alpha=now.alpha)  # fmt: skip
+    return np.asarray(share * q.z * q.L / offset)
+
+
 def least_torque(q: ClutchInputs) -> float:
     """The torque [N m] above which friction bears the axial load; nan where it does nowhere near.
 
@@ -120,8 +139,8 @@ def as_axial_load_grows(q: ClutchInputs) -> list[Limit]:
         return []
     most = float(criterion.largest_axial_load(alpha=now.alpha, T=q.T, R=q.cam.race, mu=q.mu))
     found = [Limit("slip", 0.0 if math.isnan(most) else most)]
-    key, e_lim = ("tilt_lift", LIFT_OFF) if q.e_lim is None else ("tilt", q.e_lim)
-    found.append(Limit(key, e_lim * per_offset(q)))
+    key = "tilt_lift" if q.e_lim is None else "tilt"
+    found.append(Limit(key, allowed_shift(q) * per_offset(q)))
     if q.p_lim is not None:
         share = uneven(q.p_lim / float(max(now.p_i, now.p_o)))
         found.append(Limit("pressure", share * per_offset(q)))

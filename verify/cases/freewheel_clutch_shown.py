@@ -11,7 +11,14 @@ from verify.case import Context, Values
 from verify.cases import freewheel_torque_shown
 from verify.cases.freewheel_clutch_fem import GRID, off
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
-from verify.cases.freewheel_clutch_limits import as_axial_load_grows, as_torque_grows, end, under
+from verify.cases.freewheel_clutch_limits import (
+    as_axial_load_grows,
+    as_torque_grows,
+    end,
+    largest_axial_load,
+    of_torque_alone,
+    under,
+)
 from verify.cases.freewheel_clutch_scatter import DRAWS, scatter, slopes
 from verify.cases.freewheel_clutch_sketch import cup
 from verify.shown import Array, Bars, Curve, Curves, Equation, Figure, Sketch, Zone, Zones
@@ -110,16 +117,25 @@ def lights(q: ClutchInputs) -> Zones:
     free = "torque alone slips" if float(np.tan(q.cam.alpha0)) > q.mu else ""
     return Zones(
         title="Where the clutch holds" + (f": {free}" if free else ""), x_label="T [N m]",
-        y_label="F_ax [kN]", x=T, y_top=top,
-        zones=(
-            Zone(name="green: holds", top=F[criterion.GREEN], tone="good"),
-            Zone(name="yellow", top=F[criterion.RED], tone="fair"),
-            Zone(name="red: slips", top=np.full(T.size, top), tone="bad"),
-        ),
+        y_label="F_ax [kN]", x=T, y_top=top, zones=_zones(q, T, F, top),
         curves=tuple(curves), point=(q.T, q.F_ax / 1e3, "this clutch"),
-        note="Green where μ ≥ μ_req, which is Coulomb's law; yellow where μ ≥ 0.8 μ_req, the "
-        "paper's observation.",
+        note="Green where μ ≥ μ_req, which is Coulomb's law, within pressure and tilt; yellow "
+        "where μ ≥ 0.8 μ_req, the paper's observation.",
     )  # fmt: skip
+
+
+def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tuple[Zone, ...]:
+    """Classes over the torque, by the worst limit: F [kN] are those of friction."""
+    within = T <= float(of_torque_alone(q).corner)
+    holds, slips = (np.where(within, F[share], 0.0) for share in (criterion.GREEN, criterion.RED))
+    borne = np.fmin(holds, largest_axial_load(q, T) / 1e3)
+    return (
+        Zone(name="green: holds", top=borne, tone="good"),
+        Zone(name="friction holds, overloaded", top=holds, tone="fair"),
+        Zone(name="yellow", top=slips, tone="fair"),
+        Zone(name="red: slips", top=np.where(within, top, 0.0), tone="bad"),
+        Zone(name="red: past the corners", top=np.full(T.size, top), tone="bad"),
+    )
 
 
 def _states(q: ClutchInputs) -> tuple[Array, State]:

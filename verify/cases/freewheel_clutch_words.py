@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from verify.case import Values
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import (
-    LIFT_OFF,
     Limit,
+    allowed_shift,
     as_axial_load_grows,
     as_torque_grows,
     end,
@@ -15,7 +15,7 @@ from verify.cases.freewheel_clutch_limits import (
     of_torque_alone,
     under,
 )
-from verify.cases.freewheel_clutch_model import light
+from verify.cases.freewheel_clutch_model import light, past_corners
 from verify.cases.freewheel_clutch_scatter import DRAWS, slopes
 
 DEGREE = math.degrees(1.0)
@@ -48,10 +48,31 @@ def verdict(q: ClutchInputs, v: Values) -> str:
         return f"no state bears T = {q.T:.4g} N m: {Limit(last, end(q)).words} at {end(q):.4g} N m"
     needs = f"torque and axial load ask for {v['mu_req']:.4g}, friction is {q.mu:g}"
     ratio = f"μ/μ_req = {v['safety']:.4g}"
+    if past_corners(q, v):
+        alone = "friction alone would hold" if v["safety"] >= 1 else "friction would slip, too"
+        return f"the rollers are past the flats' corners (T_c = {v['T corner']:.4g} N m); {alone}, "\
+            f"{ratio}"  # fmt: skip
+    if light(q, v) == "overloaded":
+        return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
     if v["safety"] >= 1:
         return f"{ratio}: by Coulomb's law it holds ({needs})"
     seen = "; yellow is what the paper grants by observation" if light(q, v) == "yellow" else ""
     return f"{ratio}: by Coulomb's law it slips ({needs}){seen}"
+
+
+def beyond(q: ClutchInputs, v: Values) -> str:
+    """What of an overloaded clutch is beyond its limit."""
+    found = []
+    if q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim:
+        even = max(v["p_i"], v["p_o"])
+        part = "inner" if v["p_i"] >= v["p_o"] else "outer"
+        bear = f"the {part} contacts bear {_pascal(even)}" if even > q.p_lim else \
+            f"the rollers' ends bear {_pascal(v['p_end'])}" if "p_end" in v else \
+            "one end of the rollers bears everything"  # fmt: skip
+        found.append(f"contacts are overloaded: {bear}, p_lim is {_pascal(q.p_lim)}")
+    if v["e/L"] > allowed_shift(q):
+        found.append(f"the rollers tilt: e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}")
+    return " and ".join(found)
 
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:
@@ -141,8 +162,8 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
             f"{v['p_end'] / 1e6:.4g} MPa at the rollers' ends exceed p_lim = "
             f"{q.p_lim / 1e6:.4g} MPa: the surfaces yield"
         )
-    if v.get("e/L", 0.0) > (q.e_lim or LIFT_OFF):
-        found.append(f"e/L = {v['e/L']:.3g} is beyond {q.e_lim or LIFT_OFF:.3g}: the rollers tilt")
+    if v.get("e/L", 0.0) > allowed_shift(q):
+        found.append(f"e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
     return found
 
 
@@ -154,6 +175,10 @@ def _listed(limits: Sequence[Limit], now: float, unit: str, symbol: str) -> str:
         margin = f", {limit.at / now:.3g} {symbol}" if now > 0 else ""
         told.append(f"{'first ' if k == 0 else ''}{limit.words} ({at}{margin})")
     return ", then ".join(told)
+
+
+def _pascal(p: float) -> str:
+    return f"{p / 1e6:.4g} MPa" if p < 1e10 else f"{p / 1e9:.3g} GPa"
 
 
 def _newton(F: float) -> str:
