@@ -22,7 +22,7 @@ from verify.cases.freewheel_inputs import StarInputs
 Array = NDArray[np.float64]
 
 COARSE = 3  # cells on the half-width of the meshes that say where contacts lie
-SHARES = (0.012, 0.03, 0.075, 0.17, 0.33, 0.56, 0.82, 1.06)  # of the overlap under N_0
+SHARES = (0.012, 0.045, 0.15, 0.42, 0.82, 1.06)  # of the overlap under N_0
 STICKS = 2.0  # friction over tan(alpha): well above what the roller needs
 NEAR, MOST = 2e-3, 12  # how near N_0 the end of the sweep is, and in how many steps
 FIRST = 16.0  # overlap over N/(L E'), about

@@ -108,7 +108,7 @@ TORQUE = Case(
         "the star is clamped on its shaft, the ring free but for the torque, all of one steel",
         "finite elements: one pitch, small displacements about the place where the roller lies; "
         "the roller neither creeps nor turns there; friction twice what it needs",
-        "ways and energies between eight states by splines, below the first by a power",
+        "ways and energies between six states by splines, below the first by a power",
         "expected errors: the star lies among a layer and two discs, and the torque winds it up; "
         "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1.2 tan²α more",
     ),

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 LEVELS = (4, 7, 10)  # cells on the half-width of the fine zones
 GRID = np.linspace(0.1, 1.0, 10)  # of T, where profiles are compared
 ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where pressures are
-SPLINE = 1e-6  # of a value: what splines between the states may miss
+SPLINE = 5e-6  # of a value: what splines between the states may miss, twice that of phi
 
 
 def fem(q: StarInputs, level: int) -> FemResult:
@@ -49,7 +49,7 @@ def fem(q: StarInputs, level: int) -> FemResult:
     }  # fmt: skip
     return FemResult(
         h=1 / level, values={k: float(v) for k, v in values.items()},
-        u_it={k: SPLINE * abs(float(v)) for k, v in values.items()},
+        u_it={k: SPLINE * abs(float(v)) * (2 if k == "phi" else 1) for k, v in values.items()},
         arrays=arrays, fields=(field(sweep.last),),
     )  # fmt: skip
 

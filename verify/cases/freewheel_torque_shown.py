@@ -182,7 +182,7 @@ def _approaches(context: Context) -> Curves:
             Curve(name="rigid surfaces", x=np.array([0.0, v[0][-1]]), y=np.zeros(2)),
         ),
         note=f"Flat and bore tilt in proportion to the normal force; with z = {q.z} rollers on "
-        "thin walls more than on thick ones. Both tilt by as much to either side: the mean is tan(ψ/2).",
+        "thin walls more than on thick ones. They tilt to either side: their mean is tan(ψ/2).",
     )  # fmt: skip
 
 
