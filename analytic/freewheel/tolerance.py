@@ -11,7 +11,7 @@ the upper sign for an inner cam. A clutch of an ensemble has equal rollers: that
 clutch differ and share its load unevenly is not contained.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
@@ -24,8 +24,10 @@ from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch
 from analytic.freewheel.geometry import InnerCam
 from analytic.freewheel.rules import require
+from analytic.freewheel.state import State
 
 Kind = Literal["normal", "uniform"]
+Outcome = Literal["holds", "slips", "no wedge", "past the corners", "no state"]
 
 
 def sensitivities(cam: Cam) -> dict[str, Array]:
@@ -59,22 +61,23 @@ def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Ensemble:
-    """Clutches drawn: arrays of those that wedge, and how many of all that are.
+    """Clutches drawn: arrays of those that wedge, and what becomes of each of all.
 
-    Angles in rad; alpha and mu_req under the load, nan where there is no state.
+    Angles in rad; alpha and mu_req under the load, nan where there is no state. `outcomes` are
+    `Outcome`s, "no state" where an outer cam's rollers go through or contacts are too wide.
     """
 
     drawn: dict[str, Array]
     wedging: NDArray[np.bool_]
+    outcomes: NDArray[np.str_]
     alpha0: Array
     alpha: Array
     mu_req: Array
     mu: Array
 
-    @property
-    def slipping(self) -> float:
-        """Share of all clutches that do not hold: no wedge, no state, or mu_req above mu."""
-        return float(1 - np.count_nonzero(self.mu_req <= self.mu) / self.wedging.size)
+    def share(self, outcome: Outcome) -> float:
+        """Of all clutches drawn."""
+        return float(np.count_nonzero(self.outcomes == outcome) / self.outcomes.size)
 
 
 def draw(
@@ -97,14 +100,16 @@ def draw(
     means = {name: float(np.asarray(getattr(clutch.cam, name))) for name in names - {"mu"}}
     means["mu"] = mu
     drawn = _drawn(means, sigma, n, seed, kind)
-    wedging = _wedges(clutch.cam, drawn)
+    outcomes = _unloaded(clutch.cam, drawn)
+    wedging = outcomes == "holds"
     kept = {name: value[wedging] for name, value in drawn.items()}
     cam = replace(clutch.cam, **{name: kept[name] for name in names - {"mu"}})
     now = state.loaded(replace(clutch, cam=cam), T)
     asked = criterion.required_friction(alpha=now.alpha, T=T, F_ax=F_ax, R=cam.race)
+    outcomes[wedging] = _loaded(cam, now, asked, kept["mu"])
     return Ensemble(
-        drawn=drawn, wedging=wedging, alpha0=cam.alpha0, alpha=now.alpha, mu_req=asked,
-        mu=kept["mu"],
+        drawn=drawn, wedging=wedging, outcomes=outcomes, alpha0=cam.alpha0, alpha=now.alpha,
+        mu_req=asked, mu=kept["mu"],
     )  # fmt: skip
 
 
@@ -122,12 +127,28 @@ def _drawn(
     return found
 
 
-def _wedges(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.bool_]:
-    """Whether a clutch drawn has a wedge on its flats at all."""
+def _unloaded(cam: Cam, drawn: Mapping[str, Array]) -> NDArray[np.str_]:
+    """Outcomes of the clutches drawn before any load; "holds" where there is a wedge."""
     R, X, r = (drawn[name] for name in (*_names(cam), "r"))
     rho, y = R - cam.sense * r, X + cam.sense * r
     x = np.sqrt(np.maximum(rho**2 - y**2, 0.0))
-    return np.asarray((y < rho) & (x < X * np.tan(np.pi / cam.count)) & (drawn["mu"] > 0))
+    corner = X * np.tan(np.pi / cam.count)
+    return _first([(y >= rho, "no wedge"), (x >= corner, "past the corners"),
+                   (drawn["mu"] <= 0, "slips")])  # fmt: skip
+
+
+def _loaded(cam: Cam, now: State, asked: Array, mu: Array) -> NDArray[np.str_]:
+    """Outcomes under the load of the clutches that wedge."""
+    x, _ = cam.centre(d_i=now.d_i, d_o=now.d_o)
+    slips = (asked > mu) | criterion.self_releasing(alpha=cam.alpha0, mu=mu)
+    return _first([(np.isnan(asked), "no state"), (x > cam.corner, "past the corners"),
+                   (slips, "slips")])  # fmt: skip
+
+
+def _first(found: Sequence[tuple[NDArray[np.bool_], Outcome]]) -> NDArray[np.str_]:
+    """The first outcome that is met; "holds" where none is."""
+    text = np.dtype("<U16")  # of the longest outcome
+    return np.select([met for met, _ in found], [name for _, name in found], "holds").astype(text)
 
 
 def _names(cam: Cam) -> tuple[str, str]:

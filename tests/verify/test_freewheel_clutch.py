@@ -225,6 +225,27 @@ def test_shares_of_the_classes_add_up_and_red_ones_release_themselves_too():
     assert cup["P(slip)"] == 1
 
 
+def test_clutches_without_a_wedge_are_told_apart_from_those_that_slip():
+    tight = {"X": 11.499e-3, "F_ax": 0.0}
+    v, found = analytic(own(**tight)), said(**tight)
+    assert v["P(no wedge)"] > 0.3
+    assert v["P(slip)"] == 0
+    assert v["share red"] == pytest.approx(v["P(no wedge)"])
+    (told,) = (f for f in found if f.startswith("of 20,000"))
+    assert f"{100 * v['P(no wedge)']:.3g} % have no wedge, none slip" in told
+    assert "of those that wedge have α_0" in told
+    (warned,) = CLUTCH.warnings(own(**tight), v)
+    assert warned.startswith("tolerances reach R - 2 r - X = 1 µm: X_tol + 2 r_tol + R_tol = 14 µm")
+    assert not CLUTCH.warnings(own(), analytic(own()))
+    cup = own(**CUP | {"X": 13.998e-3, "T": 0.1, "F_ax": 0.0})
+    assert any("R + 2 r - X = 2 µm" in w for w in CLUTCH.warnings(cup, analytic(cup)))
+
+
+def test_cups_through_which_rollers_go_are_told():
+    through = CUP | {"T": 30.0, "X_tol": 5e-5}
+    assert "let the rollers through" in next(f for f in said(**through) if "20,000" in f)
+
+
 def test_uniform_parts_scatter_more_than_normal_ones_within_the_same_limits():
     normal, uniform = (analytic(own(spread=s))["s(alpha_0)"] for s in ("normal", "uniform"))
     assert uniform / normal == pytest.approx(math.sqrt(3))
@@ -250,7 +271,8 @@ def test_exact_parts_have_no_scatter():
         ({"r_b": "0 mm"}, "a star is clamped on its bore"),
         ({"kind": "sprag"}, "needs one of inner cam, outer cam"),
         ({"kind": "outer cam"}, "flat cuts the shaft: X must be above R, got X = 11.39565 mm"),
-        ({"X_tol": "2 mm"}, "X_tol must be below X/10"),
+        ({"X_tol": "0.3 mm"}, "X_tol must be below r/10, got X_tol = 300 µm, r = 2.5 mm"),
+        ({"R_tol": "0.3 mm"}, "R_tol must be below r/10"),
         ({"s_mu": 0.05}, "s_mu must be below μ/2"),
         ({"e_lim": 0.6}, "must be less than 0.5"),
         ({"F_ax": "-1 N"}, "must be at least 0 N"),

@@ -51,11 +51,16 @@ OUTPUTS = (
            judged=True),
     output("s(alpha_0)", "s(α_0)", "deg", "standard deviation of α_0 by the tolerances"),
     output("P(slip)", "P(slip)", "%", "clutches within tolerance that slip"),
+    output("P(no wedge)", "P(gap)", "%", "clutches within tolerance that have no wedge"),
+    output("P(no state)", "P(through)", "%", "clutches within tolerance that no state bears: "
+           "rollers go through, or contacts are too wide"),
+    output("P(corner)", "P(corner)", "%", "clutches within tolerance past the flats' corners"),
     output("share green", "green", "%", "of the clutches within tolerance"),
     output("share yellow", "yellow", "%", "of the clutches within tolerance"),
     output("share red", "red", "%", "of the clutches within tolerance"),
     *(
-        output(f"{key}, {p} %", f"{symbol},{p}%", unit, f"{p} % of the clutches lie below")
+        output(f"{key}, {p} %", f"{symbol},{p}%", unit,
+               f"{p} % of the clutches that wedge lie below")
         for key, symbol, unit in (("alpha_0", "α_0", "deg"), ("alpha", "α_T", "deg"),
                                   ("safety", "μ/μ_req", "1"))
         for p in (5, 50, 95)

@@ -94,12 +94,11 @@ class ClutchInputs(Inputs):
             _ = self.clutch
         except ValueError as error:
             raise ValueError(in_terms_of_inputs(str(error))) from error
-        for name in ("X", "r", "R"):
-            if not getattr(self, f"{name}_tol") < 0.1 * abs(getattr(self, name)):
+        for name in ("X_tol", "r_tol", "R_tol"):
+            if not getattr(self, name) < 0.1 * self.r:
                 raise ValueError(
-                    f"a tolerance is small: {name}_tol must be below {name}/10, got {name}_tol = "
-                    f"{getattr(self, f'{name}_tol') * 1e6:.6g} µm, "
-                    f"{name} = {getattr(self, name) * 1e3:.6g} mm"
+                    f"a tolerance is small: {name} must be below r/10, got {name} = "
+                    f"{getattr(self, name) * 1e6:.6g} µm, r = {self.r * 1e3:.6g} mm"
                 )
         if not self.s_mu < 0.5 * self.mu:
             raise ValueError(
@@ -117,6 +116,12 @@ class ClutchInputs(Inputs):
         if self.is_star:
             return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
         return OuterCam(R_s=self.R, r=self.r, X_o=self.X, z=self.z)
+
+    @property
+    def room(self) -> float:
+        """How far [m] parts are from having no wedge: R - 2 r - X, or R + 2 r - X of a cup."""
+        _, y = self.cam.centre(d_i=0.0, d_o=0.0)
+        return float(self.cam.distance(d_i=0.0, d_o=0.0) - y)
 
     def moved(self, dX: float) -> Clutch:
         """The clutch with its flats `dX` [m] further from the axis."""

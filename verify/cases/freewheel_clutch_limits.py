@@ -111,9 +111,7 @@ def allowed_shift(q: ClutchInputs) -> float:
 
 
 def largest_axial_load(q: ClutchInputs, T: Array) -> Array:
-    """F_ax [N] at which pressure at the rollers' ends, or tilt, meets its limit at T [N m]; nan
-    where no state bears T.
-    """
+    """F_ax [N] at which the rollers' ends reach p_lim, or tilt, at T [N m]; nan without a state."""
     now = state.loaded(q.clutch, T)
     share = np.full(T.shape, allowed_shift(q))
     if q.p_lim is not None:

@@ -15,6 +15,9 @@ Array = NDArray[np.float64]
 
 DRAWS, SEED = 20_000, 2021
 PERCENTILES = (5.0, 50.0, 95.0)
+COUNTED = {
+    "slip": "slips", "no wedge": "no wedge", "corner": "past the corners", "no state": "no state",
+}  # fmt: skip
 NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as inputs are called
 
 
@@ -31,21 +34,23 @@ class Scatter:
         return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
 
     def values(self) -> dict[str, float]:
-        """Percentiles and shares, SI."""
+        """Percentiles and shares, SI; shares of none are left out, but for those that slip."""
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
-        n, wedged = d.wedging.size, ~criterion.self_releasing(alpha=d.alpha0, mu=d.mu)
-        held = np.count_nonzero(wedged & (d.mu_req <= d.mu))
-        found: dict[str, float] = {"P(slip)": 1 - held / n}
+        found = {f"P({key})": d.share(outcome) for key, outcome in COUNTED.items()}
+        found = {key: share for key, share in found.items() if share > 0 or key == "P(slip)"}
         for name, x in (
             ("alpha_0", d.alpha0), ("alpha", d.alpha[known]), ("safety", self.safety),
         ):  # fmt: skip
             if x.size:
                 found |= {f"{name}, {p:g} %": float(np.percentile(x, p)) for p in PERCENTILES}
+        wedged = ~criterion.self_releasing(alpha=d.alpha0, mu=d.mu)
+        wedged &= d.outcomes[d.wedging] != "past the corners"
         lights = criterion.traffic_light(self.safety)[wedged[known]]
-        counted = {name: int((lights == name).sum()) for name in ("green", "yellow")}
-        # those without a wedge or a state, and those that release themselves, among them
-        counted["red"] = int(n) - sum(counted.values())
-        return found | {f"share {name}": float(count / n) for name, count in counted.items()}
+        shares = {name: float((lights == name).sum() / d.outcomes.size)
+                  for name in ("green", "yellow")}  # fmt: skip
+        # those without a wedge or a state, past the corners or releasing themselves among them
+        shares["red"] = 1 - sum(shares.values())
+        return found | {f"share {name}": share for name, share in shares.items()}
 
 
 @lru_cache(maxsize=4)

@@ -126,7 +126,7 @@ def lights(q: ClutchInputs) -> Zones:
 
 def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tuple[Zone, ...]:
     """Classes over the torque, by the worst limit: F [kN] are those of friction."""
-    within = T <= float(of_torque_alone(q).corner)
+    within = float(of_torque_alone(q).corner) >= T
     holds, slips = (np.where(within, F[share], 0.0) for share in (criterion.GREEN, criterion.RED))
     borne = np.fmin(holds, largest_axial_load(q, T) / 1e3)
     return (

@@ -50,8 +50,8 @@ def verdict(q: ClutchInputs, v: Values) -> str:
     ratio = f"μ/μ_req = {v['safety']:.4g}"
     if past_corners(q, v):
         alone = "friction alone would hold" if v["safety"] >= 1 else "friction would slip, too"
-        return f"the rollers are past the flats' corners (T_c = {v['T corner']:.4g} N m); {alone}, "\
-            f"{ratio}"  # fmt: skip
+        at = f"T_c = {v['T corner']:.4g} N m"
+        return f"the rollers are past the flats' corners ({at}); {alone}, {ratio}"
     if light(q, v) == "overloaded":
         return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
     if v["safety"] >= 1:
@@ -134,17 +134,22 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
         for name, t in (("X", q.X_tol), ("r", q.r_tol), ("R", q.R_tol)) if t > 0
     ] + ([f"μ {q.mu:g} ± {q.s_mu:g}"] if q.s_mu > 0 else [])  # fmt: skip
     shares = ", ".join(f"{_share(v[f'share {c}'])} {c}" for c in ("green", "yellow", "red"))
+    through = "let the rollers through" if not q.is_star else "have contacts too wide to tell"
+    lost = [
+        f"{_share(v[f'P({key})'])} {words}"
+        for key, words in (("no wedge", "have no wedge"), ("no state", through),
+                           ("corner", "have rollers past the flats' corners"))
+        if f"P({key})" in v
+    ]  # fmt: skip
     spread = ""
     if "alpha, 5 %" in v:
         spread = (
-            f"; 90 % have α_0 from {v['alpha_0, 5 %'] * DEGREE:.3f}° to "
+            f"; 90 % of those that wedge have α_0 from {v['alpha_0, 5 %'] * DEGREE:.3f}° to "
             f"{v['alpha_0, 95 %'] * DEGREE:.3f}° and μ/μ_req from {v['safety, 5 %']:.3g} to "
             f"{v['safety, 95 %']:.3g}"
         )
-    return [
-        f"of {DRAWS:,} clutches with {', '.join(given)}: {_share(v['P(slip)'])} slip ({shares})"
-        f"{spread}"
-    ]
+    told = ", ".join([*lost, f"{_share(v['P(slip)'])} slip"])
+    return [f"of {DRAWS:,} clutches with {', '.join(given)}: {told} (by friction {shares}){spread}"]
 
 
 def sensitive(q: ClutchInputs) -> list[str]:
@@ -156,7 +161,7 @@ def sensitive(q: ClutchInputs) -> list[str]:
 
 
 def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
-    found: list[str] = []
+    found = reached(q)
     if q.p_lim is not None and v.get("p_end", 0.0) > q.p_lim:
         found.append(
             f"{v['p_end'] / 1e6:.4g} MPa at the rollers' ends exceed p_lim = "
@@ -165,6 +170,18 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     if v.get("e/L", 0.0) > allowed_shift(q):
         found.append(f"e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
     return found
+
+
+def reached(q: ClutchInputs) -> list[str]:
+    """Whether tolerances use up what a wedge is made of."""
+    used, room = q.X_tol + 2 * q.r_tol + q.R_tol, q.room
+    if used < room:
+        return []
+    rule = "R - 2 r - X" if q.is_star else "R + 2 r - X"
+    return [
+        f"tolerances reach {rule} = {room * 1e6:.4g} µm: X_tol + 2 r_tol + R_tol = "
+        f"{used * 1e6:.4g} µm, parts within them may have no wedge"
+    ]
 
 
 def _listed(limits: Sequence[Limit], now: float, unit: str, symbol: str) -> str:

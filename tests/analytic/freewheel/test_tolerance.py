@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
-from analytic.freewheel import criterion, state, tolerance
+from analytic.freewheel import criterion, limits, state, tolerance
 
 SIGMA = {"star": {"X": 3e-6, "r": 1e-6, "R": 2e-6}, "cup": {"X_o": 3e-6, "r": 1e-6, "R_s": 2e-6}}
 LOAD = {"T": 10.0, "F_ax": 300.0, "mu": 0.08}
@@ -51,15 +52,39 @@ def test_clutches_without_deviation_are_all_the_nominal_one(star):
     now = state.loaded(star, 10.0)
     asked = criterion.required_friction(alpha=now.alpha, T=10.0, F_ax=300.0, R=star.cam.race)
     np.testing.assert_allclose(drawn.mu_req, asked, rtol=1e-12)
-    assert drawn.slipping == 0
+    assert drawn.share("holds") == 1
 
 
-def test_the_share_that_slips_counts_clutches_without_wedge(star):
+def test_clutches_without_wedge_are_counted_apart_from_those_that_slip(star):
     drawn = tolerance.draw(star, {"X": 5e-5}, n=4000, seed=3, **LOAD)
-    lost = np.count_nonzero(~drawn.wedging)
+    lost = np.count_nonzero(drawn.drawn["X"] >= star.cam.R - 2 * star.cam.r)
     assert lost > 0
-    slip = np.count_nonzero(drawn.mu_req > 0.08)
-    assert drawn.slipping == pytest.approx((lost + slip) / 4000, rel=1e-12)
+    assert drawn.share("no wedge") == lost / 4000
+    assert drawn.share("slips") == np.count_nonzero(drawn.mu_req > 0.08) / 4000
+    assert drawn.share("holds") == np.count_nonzero(drawn.mu_req <= 0.08) / 4000
+
+
+def test_rollers_of_a_cup_that_go_through_under_load_are_counted_apart(cup):
+    load = LOAD | {"T": 0.98 * float(limits.limits(cup, mu=0.08, p_lim=1e12).pop_through)}
+    drawn = tolerance.draw(cup, {"X_o": 3e-6}, n=4000, seed=3, **load)
+    through = np.count_nonzero(np.isnan(drawn.alpha))
+    assert 0 < through < 4000
+    assert drawn.share("no state") == through / 4000
+    assert drawn.share("no wedge") == 0
+
+
+def test_half_of_the_stars_at_their_corners_are_past_them(star):
+    """At the torque T_c, and without load at the X at which the flats end under the rollers."""
+    T = float(limits.limits(star, mu=2.0, p_lim=1e12).corner)
+    load = {"T": T, "F_ax": 0.0, "mu": 2.0}
+    under_load = tolerance.draw(star, {"X": 1e-7}, n=4000, seed=3, **load)
+    assert under_load.share("past the corners") == pytest.approx(0.5, abs=0.03)
+    assert under_load.share("holds") == pytest.approx(1 - under_load.share("past the corners"))
+    R, r, tan = 16.5e-3, 2.5e-3, np.tan(np.pi / 8)
+    X = brentq(lambda X: (R - r) ** 2 - (X + r) ** 2 - (X * tan) ** 2, 0.0, R)
+    short = replace(star, cam=replace(star.cam, X=X + 1e-12))
+    unloaded = tolerance.draw(short, {"X": 1e-7}, n=4000, seed=3, **load | {"T": 1e-6})
+    assert unloaded.share("past the corners") == pytest.approx(0.5, abs=0.03)
 
 
 def test_the_share_that_slips_is_that_of_the_friction_s_distribution(star):
@@ -68,7 +93,7 @@ def test_the_share_that_slips_is_that_of_the_friction_s_distribution(star):
     asked = float(criterion.required_friction(alpha=now.alpha, T=10.0, F_ax=300.0, R=16.5e-3))
     load = LOAD | {"mu": asked}
     drawn = tolerance.draw(star, {"mu": 0.005}, n=20000, seed=5, **load)
-    assert drawn.slipping == pytest.approx(0.5, abs=0.015)
+    assert drawn.share("slips") == pytest.approx(0.5, abs=0.015)
 
 
 def test_unknown_tolerances_and_kinds_are_refused(star):
