@@ -19,7 +19,7 @@ from verify.cases.freewheel_torque_fem import (
 )  # fmt: skip
 
 LEVELS = (4, 7, 10)  # cells on the half-width of the fine zones
-COURSE = 3e-5  # of a value: what splines between states miss where the torque bends over
+COURSE = 1e-4  # of a value: what splines between states miss where the torque bends over
 
 
 def fem(q: CupInputs, level: int) -> FemResult:

@@ -122,13 +122,13 @@ def _course(context: Context) -> State:
 def _over_the_summit(context: Context) -> Curves:
     T, N, *_ = context.fem[-1].arrays["loads"]
     states, q = _course(context), context.inputs
+    kept = states.N[q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)) < 1.25 * states.T.max()]
     return Curves(
         title="Torque over normal force: the summit", x_label="F_n [kN]", y_label="T [N m]",
         curves=(
             Curve(name="z R_s F_n tan α", x=states.N / 1e3, y=states.T),
-            Curve(name="angle kept at α_0", x=states.N / 1e3, style="dashes", colour=1,
-                  y=np.minimum(q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)),
-                               1.3 * states.T.max())),
+            Curve(name="angle kept at α_0", x=kept / 1e3, style="dashes", colour=1,
+                  y=q.z * q.R_s * kept * math.tan(float(q.cam.alpha0))),
             Curve(name="FE", x=N / 1e3, y=T, style="dots"),
         ),
         note="Overlaps are given to finite elements, so that they pass the summit: beyond it more "

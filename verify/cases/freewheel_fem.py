@@ -154,14 +154,14 @@ class State:
     @property
     def on_flat(self) -> tuple[float, float]:
         """Force on the cam into its flat, and along it out of the wedge."""
-        x, y = self.start.q.sense * np.array(self.solution.touches[self._flat].force)
+        x, y = (self.start.q.sense * f for f in self.solution.touches[self._flat].force)
         c, s = math.cos(self.tilt), math.sin(self.tilt)
         return -s * x - c * y, -c * x + s * y
 
     @property
     def on_race(self) -> tuple[float, float]:
         """Force on the race along the ray through the roller, and across out of the wedge."""
-        x, y = self.start.q.sense * np.array(self.solution.touches[1 - self._flat].force)
+        x, y = (self.start.q.sense * f for f in self.solution.touches[1 - self._flat].force)
         psi = self.place.psi + self.tilt
         c, s = math.cos(psi), math.sin(psi)
         return s * x + c * y, s * y - c * x
