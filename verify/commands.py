@@ -82,6 +82,8 @@ def run_check(
     (result,) = solve([job], jobs, use_cache, quiet=as_json)
     command = f"freewheel check {'--fem ' if use_fem else ''}{shlex.quote(path.name)}"
     result = replace(result, name=name, command=command)
+    if not use_fem:
+        result = refused(result, case, inputs)
     if as_json:
         print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
     else:
@@ -91,6 +93,16 @@ def run_check(
         page = _write(report, out, use_cache)
         print(f"report: {page}", file=sys.stderr if as_json else sys.stdout)
     return 1 if any(row.status in BAD for row in result.rows) else 0
+
+
+def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
+    """The result with the reason, if any, why finite elements cannot judge its values."""
+    with np.errstate(all="ignore"):
+        reason = case.too_large(inputs).partition("; check ")[0]
+    if not reason:
+        return result
+    values = tuple(replace(value, judged=False) for value in result.values)
+    return replace(result, refused=reason, values=values)
 
 
 def writable(out: Path) -> None:

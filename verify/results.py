@@ -133,6 +133,7 @@ class Row:
 class CaseResult:
     """Everything that one case produced; `name` is that of the user's parameters, if any.
 
+    `refused` says why finite elements do not take these inputs, where they were not asked to.
     `findings` say in words what follows from the formulas, the verdict first.
     `errors` are the tracebacks of what went wrong inside the case.
     """
@@ -156,6 +157,7 @@ class CaseResult:
     pictures: tuple[Picture, ...] = ()
     name: str = ""
     findings: tuple[str, ...] = ()
+    refused: str = ""
     seconds: float = 0.0
     cached: bool = False
     command: str = ""

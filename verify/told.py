@@ -40,6 +40,8 @@ def print_check(result: CaseResult, *, use_fem: bool) -> None:
         print(f"  {line}")
     if use_fem:
         _print_rows(result.rows)
+    elif result.refused:
+        print(f"(no check --fem here: {result.refused})")
     else:
         print("(check --fem judges what is marked * with finite elements)")
     for warning in result.warnings:

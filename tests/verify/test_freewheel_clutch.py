@@ -312,6 +312,27 @@ def test_check_prints_the_verdict_before_the_numbers_and_puts_it_into_json(tmp_p
     assert json.loads(capsys.readouterr().out)["findings"][0].startswith("green")
 
 
+@pytest.mark.parametrize(
+    ("was", "now", "reason"),
+    [
+        ('T = "26 N m"', 'T = "-26 N m"', "finite elements need a torque that locks"),
+        ('# E_r = "310 GPa"', 'E_r = "310 GPa"', "finite elements take one material for all"),
+        ("", "", ""),
+    ],
+)
+def test_finite_elements_are_not_offered_where_they_refuse(was, now, reason, tmp_path, capsys):
+    path = tmp_path / "clutch.toml"
+    path.write_text(template(CLUTCH).replace(was, now, 1))
+    assert run(["check", str(path), "--out", str(tmp_path / "out")]) == 0
+    said, page = capsys.readouterr().out, (tmp_path / "out" / "report.html").read_text()
+    offers = "judges what is marked *" in said, "sets finite elements beside" in page
+    assert offers == ((False, False) if reason else (True, True))
+    assert ("(Eq. 5) *" in said) == (not reason)
+    assert f"(no check --fem here: {reason}" in said or not reason
+    assert reason in page
+    assert "without --fem" not in said
+
+
 # Elements.
 def levels():
     return solved(CLUTCH, own())

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.freewheel import criterion
-from analytic.freewheel.tolerance import Ensemble, draw, first_order, sensitivities
+from analytic.freewheel.tolerance import Ensemble, Outcome, draw, first_order, sensitivities
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import under
 
@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 DRAWS, SEED = 20_000, 2021
 PERCENTILES = (5.0, 50.0, 95.0)
-COUNTED = {
+COUNTED: dict[str, Outcome] = {
     "slip": "slips", "no wedge": "no wedge", "corner": "past the corners", "no state": "no state",
 }  # fmt: skip
 NAMES = {"R_s": "R", "X_o": "X"}  # of an outer cam's fields, as inputs are called
