@@ -1,4 +1,8 @@
-"""Plot of several curves on the same axes, each named in a key below."""
+"""Plot of several curves on the same axes, each named in a key below.
+
+Colours stand for the same with a pattern of their own, of strokes and of marks: a print in black
+and white, and an eye that tells no hues, keep curves apart.
+"""
 
 import numpy as np
 from markupsafe import Markup
@@ -8,13 +12,13 @@ from reports.plots import HEIGHT, WIDTH, Axes
 from verify.shown import Curve, Curves
 
 LINE = 18.0  # height of a line of the key
-SWATCH = 22.0
+SWATCH = 30.0
 LETTER = 6.2  # about the width of a letter of the key
 KEY = 316.0  # where the key starts
 
 
 def curves(c: Curves) -> Markup:
-    """Lines, dashes and dots in the colours of their group; curves cut at the top say so."""
+    """Lines, dashes and marks in the colours of their group; what runs off is cut."""
     x = [np.asarray(k.x, dtype=float) for k in c.curves]
     y = [np.asarray(k.y, dtype=float) for k in c.curves]
     low, high = min(min(v.min() for v in y), 0.0), max(v.max() for v in y)
@@ -35,7 +39,7 @@ def curves(c: Curves) -> Markup:
     for curve, u, v in zip(c.curves, x, y, strict=True):
         seen = (axes.y[0] <= v) & (v <= axes.y[1])
         if curve.style == "dots":
-            axes.dots(u[seen], v[seen], f"s{curve.colour}", 2.4)
+            axes.dots(u[seen], v[seen], f"dot s{curve.colour}", 2.4, curve.colour)
         else:
             axes.curve(u[seen], v[seen], style(curve))
     rows = key(axes, c.curves)
@@ -56,7 +60,8 @@ def key(axes: Axes, named: tuple[Curve, ...]) -> int:
             left, row = 12.0, row + 1
         y = KEY + LINE * row
         if curve.style == "dots":
-            axes.body.append(svg.circle(left + SWATCH / 2, y - 4, 2.6, f"s{curve.colour}"))
+            mark = left + SWATCH / 2, y - 4.0
+            axes.body.append(svg.marker(*mark, 2.6, f"dot s{curve.colour}", curve.colour))
         else:
             axes.body.append(svg.line(left, y - 4, left + SWATCH, y - 4, style(curve)))
         axes.body.append(svg.text(left + SWATCH + 6, y, curve.name, "tick"))
@@ -65,5 +70,5 @@ def key(axes: Axes, named: tuple[Curve, ...]) -> int:
 
 
 def style(curve: Curve) -> str:
-    """CSS classes of a curve."""
-    return f"fit s{curve.colour}{' dashes' if curve.style == 'dashes' else ''}"
+    """CSS classes of a curve: its colour, and the pattern that goes with it."""
+    return f"fit s{curve.colour} {'dashes' if curve.style == 'dashes' else 'strokes'}"

@@ -70,9 +70,11 @@ class Axes:
         down = [(self.X(a), self.Y(b)) for a, b in zip(x, low, strict=True)]
         self.body.append(svg.polyline(up + down[::-1], css, closed=True))
 
-    def dots(self, x: Array, y: Array, css: str, r: float = 2.6) -> None:
-        """Points."""
-        self.body += [svg.circle(self.X(a), self.Y(b), r, css) for a, b in zip(x, y, strict=True)]
+    def dots(self, x: Array, y: Array, css: str, r: float = 2.6, shape: int = 0) -> None:
+        """Points, as dots or another of the shapes of marks."""
+        self.body += [
+            svg.marker(self.X(a), self.Y(b), r, css, shape) for a, b in zip(x, y, strict=True)
+        ]
 
 
 def profile(p: Profile) -> Markup:

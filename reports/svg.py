@@ -56,6 +56,29 @@ def circle(x: float, y: float, r: float, css: str) -> Markup:
     return Markup('<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{:g}"/>').format(css, x, y, r)
 
 
+def marker(x: float, y: float, r: float, css: str, shape: int) -> Markup:
+    """A mark with about the area of a dot of radius r: dot, square, two triangles, rhombus, star.
+
+    Any `shape` from 0 on; after the last one they begin again.
+    """
+    shape %= 1 + len(_MARKS)
+    if shape == 0:
+        return circle(x, y, r, css)
+    return polyline([(x + r * a, y + r * b) for a, b in _MARKS[shape - 1]], css, closed=True)
+
+
+_MARKS: tuple[tuple[tuple[float, float], ...], ...] = (
+    ((-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)),
+    ((0.0, -1.4), (1.3, 0.9), (-1.3, 0.9)),
+    ((0.0, -1.45), (1.2, 0.0), (0.0, 1.45), (-1.2, 0.0)),
+    ((0.0, 1.4), (1.3, -0.9), (-1.3, -0.9)),
+    tuple(
+        (1.75 * k * math.sin(i * math.pi / 4), -1.75 * k * math.cos(i * math.pi / 4))
+        for i, k in enumerate((1.0, 0.4) * 4)
+    ),
+)
+
+
 def rectangle(x: float, y: float, width: float, height: float, css: str) -> Markup:
     """A filled rectangle."""
     return Markup('<rect class="{}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>').format(

@@ -1,11 +1,14 @@
 """Plots of several curves, and rows whose reference is another method than finite elements."""
 
+import re
+
 import numpy as np
 import pytest
 
 from reports import formats
 from reports.curves import curves
 from reports.rows import HEADER, cells
+from reports.standalone import HERE
 from verify.derivation.steps import derive
 from verify.results import Status
 from verify.shown import Curve, Curves
@@ -28,16 +31,44 @@ def plot(**changes):
 def test_curves_have_their_styles_and_names_and_one_without_a_name_has_none():
     drawn = plot()
     assert drawn.count(">strips<") == drawn.count(">half-space<") == 1
-    assert drawn.count('class="fit s0"') == 2  # the curve and its swatch
+    assert drawn.count('class="fit s0 strokes"') == 2  # the curve and its swatch
     assert drawn.count('class="fit s2 dashes"') == 1
-    assert drawn.count('<circle class="s4"') == X.size + 1
+    assert drawn.count('class="dot s4"') == X.size + 1
     assert "<title>" not in drawn
     assert 'aria-label="T"' in drawn
 
 
+@pytest.mark.parametrize("style", ["line", "dashes"])
+def test_every_colour_has_its_own_pattern_of_strokes(style):
+    drawn = plot(curves=tuple(Curve(name="a", x=X, y=X, style=style, colour=k) for k in range(6)))
+    css = (HERE / "figures.css").read_text("utf-8")
+    rules = dict(re.findall(r"\.chart \.([\w.]+) \{ stroke-dasharray: ([^;]+);", css))
+    classes = re.findall(r'class="fit (s\d) (\w+)"', drawn)
+    patterns = {rules.get(f"{kind}.{colour}", "plain") for colour, kind in classes}
+    assert len(patterns) == 6
+
+
+def test_every_colour_has_its_own_mark_and_shows_it_in_the_key():
+    drawn = plot(curves=tuple(Curve(name="a", x=X, y=X, style="dots", colour=k) for k in range(6)))
+    shapes = {
+        k: {_shape(tag) for tag in re.findall(rf'<(?:path|circle) class="dot s{k}"[^>]*>', drawn)}
+        for k in range(6)
+    }
+    assert all(len(found) <= 2 for found in shapes.values())  # the key's is a little larger
+    assert len({min(found) for found in shapes.values()}) == 6
+
+
+def _shape(tag):
+    """A mark's path from its first point on, to a tenth as drawn."""
+    if tag.startswith("<circle"):
+        return "circle"
+    points = np.array([p.split(",") for p in re.search(r'd="M([^z]*)z', tag)[1].split("L")], float)
+    return str(np.round((points - points.mean(axis=0)) / 2.5).astype(int).tolist())
+
+
 def test_what_runs_off_is_cut_at_the_top_and_at_the_bottom():
-    assert plot(y_top=3.0).count('<circle class="s4"') == 2 + 1  # 2 and 3 of 2 to 6
-    assert plot(y_bottom=4.0).count('<circle class="s4"') == 3 + 1
+    assert plot(y_top=3.0).count('class="dot s4"') == 2 + 1  # 2 and 3 of 2 to 6
+    assert plot(y_bottom=4.0).count('class="dot s4"') == 3 + 1
 
 
 def test_axes_start_at_zero_unless_values_are_negative_or_told_otherwise():

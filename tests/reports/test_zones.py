@@ -67,7 +67,7 @@ def test_a_point_is_named_within_the_picture(x):
 def test_curves_are_cut_at_the_plot_and_named_in_the_key():
     far = Curve(name="limit", x=X, y=2 * X)
     page = drawn(HOLDS, SLIPS, curves=(far,))
-    (path,) = re.findall(r'<path class="fit s0" d="M([^"]*)"', page)[:1]
+    (path,) = re.findall(r'<path class="fit s0 strokes" d="M([^"]*)"', page)[:1]
     assert min(float(p.split(",")[1]) for p in path.split("L")) >= 28
     assert ">limit<" in page
 
