@@ -53,7 +53,15 @@ def hand_over(text: str, out: Path | None) -> None:
 def template(case: Case) -> str:
     """A parameter file that builds to the paper's inputs."""
     head = HEAD.format(id=case.id, title=case.title, paper=case.paper)
-    return head + aligned(commented(case.inputs))
+    return head + aligned(commented(case.inputs)) + _instead(case.inputs)
+
+
+def _instead(model: type[Inputs]) -> str:
+    """The other set of inputs, if any, each behind a #."""
+    what, values = model.instead
+    if not what:
+        return ""
+    return f"\n# Or {what}\n" + "".join(f"# {name} = {text}\n" for name, text in values.items())
 
 
 def commented(model: type[Inputs]) -> list[tuple[str, str]]:

@@ -10,6 +10,7 @@ import pytest
 from analytic.freewheel import criterion, state
 from tests.conftest import solved
 from verify.cases import freewheel_clutch_claims, freewheel_clutch_fem, freewheel_clutch_model
+from verify.cases import freewheel_clutch_remedies as remedies
 from verify.cases.freewheel_clutch import CLUTCH, too_large
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import (
@@ -61,7 +62,7 @@ def required(q, *, T=None, F_ax=None):
         ({"T": 0.0}, "red: without torque nothing presses the rollers: F_ax = 600 N"),
         ({"T": 0.0, "F_ax": 0.0}, "green: at rest"),
         ({"mu": 0.06}, "red: tan α_0 = 0.06116 exceeds μ = 0.06: the clutch releases itself"),
-        ({"T": 1e6}, "red: no state bears T = 1e+06 N m: contacts as wide as the rollers'"),
+        ({"T": 1e6}, "red: no state bears T = 1000 kN m: contacts as wide as the rollers'"),
         (CUP, "green: μ/μ_req = 1.464"),
         (CUP | {"T": 40.0}, "red: no state bears T = 40 N m: the rollers go through"),
         (CUP | {"mu": 0.06}, "red: tan α_0 = 0.06993 exceeds μ = 0.06"),
@@ -125,7 +126,109 @@ def test_the_first_limit_of_each_load_is_named_with_its_margin():
     assert "as the torque grows: first friction gives way (110.5 N m, 4.25 T)" in found[1]
     assert "as the axial load grows: first friction gives way (1008 N, 1.68 F_ax)" in found[3]
     assert "first the inner contacts reach p_lim (29.21 N m" in said(**CUP)[1]
-    assert "the tilting couple moves the contact forces by (e/L)_lim" in said(e_lim=0.01)[3]
+    tilting = said(e_lim=0.01)[3]
+    assert "first the tilting couple moves the contact forces by (e/L)_lim" in tilting
+    assert "as wide" not in said(mu=1.0)[1]
+
+
+def test_limits_far_behind_the_first_are_not_told():
+    assert "then" not in said()[3]  # 15.66 kN, where friction gives way at 1008 N
+
+
+# What to change.
+@pytest.mark.parametrize("changes", [{"mu": 0.06}, {"mu": 0.065}, CUP | {"mu": 0.055, "T": 5.0}])
+@pytest.mark.parametrize("goal", remedies.GOALS)
+def test_the_flats_advised_hold_as_they_are_said_to(changes, goal):
+    q = own(**changes)
+    X = q.X + remedies.moved_to(q, goal)
+    v = analytic(own(**changes | {"X": X}))
+    assert v["mu_0"] <= q.mu
+    assert v["safety"] >= goal * (1 - 1e-12)
+    less = analytic(own(**changes | {"X": X - 1e-6}))
+    assert less["safety"] < goal or less["mu_0"] > q.mu
+    assert any(f"X = {X * 1e3:.7g} mm" in f for f in said(**changes))
+
+
+@pytest.mark.parametrize("changes", [{"mu": 0.065}, CUP | {"mu": 0.06}])
+def test_the_friction_advised_is_just_enough(changes):
+    q = own(**changes)
+    for goal in remedies.GOALS:
+        mu = remedies.friction_for(q, goal)
+        v = analytic(own(**changes | {"mu": mu * (1 + 1e-9)}))
+        assert v["safety"] >= goal
+        assert v["mu_0"] <= mu * (1 + 1e-9)
+        assert any(f"μ = {mu:.4g}" in f for f in said(**changes))
+
+
+@pytest.mark.parametrize("changes", [{}, CUP])
+def test_flats_nearer_by_what_is_to_spare_just_hold(changes):
+    q = own(**changes)
+    spare = remedies.to_spare(q)
+    for off, holds in ((-1e-7, True), (1e-7, False)):
+        v = analytic(own(**changes | {"X": q.X - spare - off}))
+        assert (v["safety"] >= 1 and v["mu_0"] <= q.mu) == holds
+    assert any(f"with X smaller by {spare * 1e6:.3g} µm" in f for f in said(**changes))
+
+
+def test_a_micrometre_changes_the_ratio_as_it_is_said_to():
+    q, h = own(), 1e-8
+    for name, share in remedies.per_micrometre(q).items():
+        low, high = (analytic(own(**{name: getattr(q, name) + s * h}))["safety"] for s in (-1, 1))
+        assert (high - low) / (high + low) * 1e-6 / h == pytest.approx(share, rel=1e-4)
+
+
+def test_a_torque_that_no_state_bears_is_borne_by_what_is_advised():
+    cup = CUP | {"T": 40.0}
+    found = dict(remedies.bearing(own(**cup)))
+    assert set(found) == {"R_a", "L", "X"}
+    for name, value in found.items():
+        worse = value + (1e-6 if name == "X" else -1e-5)
+        assert "alpha" in analytic(own(**cup | {name: value * (1 + 1e-9 * (name != "X"))}))
+        assert "alpha" not in analytic(own(**cup | {name: worse}))
+        assert f"{name} = {value * 1e3:.5g}"[:10] in said(**cup)[1]
+    assert "R_a is that of the housing that stiffens a drawn cup" in said(**cup)[1]
+
+
+def test_the_template_s_outer_cam_is_a_clutch(tmp_path, capsys):
+    text = template(CLUTCH)
+    assert "with the housing that a drawn cup is pressed into" in text
+    head, other = text.split("\n# Or an outer cam")
+    lines = [line.removeprefix("# ") for line in other.splitlines()[1:]]
+    names = {line.partition(" =")[0] for line in lines}
+    kept = [x for x in head.splitlines() if x.removeprefix("# ").partition(" =")[0] not in names]
+    path = tmp_path / "cup.toml"
+    path.write_text("\n".join(kept + lines))
+    assert run(["check", str(path)]) == 0
+    assert "green: " in capsys.readouterr().out
+
+
+def test_the_map_of_an_outer_cam_says_where_it_ends():
+    assert any(c.name.startswith("the map ends: the rollers go") for c in lights(own(**CUP)).curves)
+    assert not any(c.name.startswith("the map ends") for c in lights(own()).curves)
+    assert [zone.name for zone in lights(own()).zones if "yellow" in zone.name] == [
+        "yellow: slips by Coulomb"
+    ]
+
+
+# How it is told.
+def test_without_axial_load_friction_holds_up_to_a_torque():
+    assert "without axial load friction holds up to 113.3 N m" in said(T=200.0, F_ax=0.0)
+    assert "without axial load friction holds up to 113.3 N m" in said(T=0.0, F_ax=0.0)[0]
+
+
+def test_limits_that_torque_alone_exceeds_are_not_those_of_the_axial_load():
+    assert not any("(0 N" in f or "at 0 N" in f for f in said(T=140.0, mu=0.5))
+
+
+def test_limits_passed_are_told_the_worst_first():
+    passed = [f for f in said(T=4000.0, mu=1.0) if f.startswith("already")]
+    assert ["corners" in f for f in passed] == [True, False, False]
+
+
+def test_large_torques_and_pressures_are_told_in_larger_units():
+    assert "17.72 kN m" in said(T=3e4)[0]
+    beyond = own(T=4000.0, mu=1.0)
+    assert CLUTCH.warnings(beyond, analytic(beyond))[0].startswith("15.3 GPa")
 
 
 def test_limits_already_passed_are_told_and_not_said_to_come():

@@ -2,8 +2,9 @@
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import model_validator
 
@@ -27,6 +28,12 @@ def in_terms_of_inputs(rule: str) -> str:
 class ClutchInputs(Inputs):
     """z rollers between flats and a circular race, under a torque and an axial load."""
 
+    instead: ClassVar[tuple[str, Mapping[str, str]]] = (
+        "an outer cam: in place of the lines of these names above",
+        {"kind": '"outer cam"', "R": '"10 mm"', "r": '"2 mm"', "X": '"13.88322 mm"',
+         "R_a": '"17.5 mm"', "r_b": '"0 mm"', "L": '"10 mm"', "T": '"20 N m"'},
+    )  # fmt: skip
+
     kind: Kind = word(
         "inner cam",
         "inner cam: flats on a star, in a ring of bore R; outer cam: flats in a cup, on a shaft R",
@@ -36,7 +43,8 @@ class ClutchInputs(Inputs):
     r: float = quantity("2.5 mm", "mm", "r", "radius of the rollers", gt=0.01, le=1e5)
     X: float = quantity("11.39565 mm", "mm", "X", "distance of the flats from the axis", ge=-1e5,
                         le=1e5)  # fmt: skip
-    R_a: float = quantity("21 mm", "mm", "R_a", "outer radius of the outer part", gt=0.1, le=1e5)
+    R_a: float = quantity("21 mm", "mm", "R_a", "outer radius of the outer part, with the "
+                          "housing that a drawn cup is pressed into", gt=0.1, le=1e5)  # fmt: skip
     r_b: float = quantity("7.5 mm", "mm", "r_b", "bore radius of the inner part; 0 for a solid "
                           "shaft of an outer cam", ge=0, le=1e5)  # fmt: skip
     z: int = count(8, "z", "number of rollers", ge=3, le=100)

@@ -32,6 +32,10 @@ WORDS = {
 }
 
 
+SEVERITY = ("pop_through", "corner", "hertz", "slip", "pressure_inner", "pressure_outer",
+            "pressure", "tilt_lift", "tilt")  # fmt: skip
+
+
 @dataclass(frozen=True)
 class Limit:
     """A limit of the torque [N m] or the axial load [N]: its key in `WORDS` and its value."""

@@ -12,6 +12,7 @@ from verify.cases import freewheel_torque_shown
 from verify.cases.freewheel_clutch_fem import GRID, off
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import (
+    WORDS,
     as_axial_load_grows,
     as_torque_grows,
     end,
@@ -27,6 +28,7 @@ from verify.tex import tex
 DEGREE = math.degrees(1.0)
 POINTS = 241
 WIDE, HIGH = 2.0, 2.2  # of T, F_ax: how far figures reach at least
+AT_END = 1e-6  # of the torque: how near the last one of a figure is to the last that has a state
 DRAWN = np.linspace(0.1, 99.9, 200)  # per cent of the clutches
 
 
@@ -108,6 +110,10 @@ def lights(q: ClutchInputs) -> Zones:
         for k, limit in enumerate(as_torque_grows(q)[:3])
         if limit.key != "slip" and limit.at <= T[-1]
     ]  # fmt: skip
+    through = float(of_torque_alone(q).pop_through)
+    if through < (1 + AT_END) * T[-1]:
+        curves.append(Curve(name=f"the map ends: {WORDS['pop_through']}", x=np.full(2, T[-1]),
+                            y=np.array([0.0, top]), style="dashes", colour=3))  # fmt: skip
     lifted = [x for x in as_axial_load_grows(q) if x.key != "slip" and x.at / 1e3 < 0.98 * top]
     curves += [
         Curve(name=f"{limit.words}, at this torque", x=T[[0, -1]],
@@ -120,7 +126,7 @@ def lights(q: ClutchInputs) -> Zones:
         y_label="F_ax [kN]", x=T, y_top=top, zones=_zones(q, T, F, top),
         curves=tuple(curves), point=(q.T, q.F_ax / 1e3, "this clutch"),
         note="Green where μ ≥ μ_req, which is Coulomb's law, within pressure and tilt; yellow "
-        "where μ ≥ 0.8 μ_req, the paper's observation.",
+        "where μ ≥ 0.8 μ_req: it slips by Coulomb's law, in the paper's tests at times.",
     )  # fmt: skip
 
 
@@ -132,7 +138,7 @@ def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tupl
     return (
         Zone(name="green: holds", top=borne, tone="good"),
         Zone(name="friction holds, overloaded", top=holds, tone="fair"),
-        Zone(name="yellow", top=slips, tone="fair"),
+        Zone(name="yellow: slips by Coulomb", top=slips, tone="fair"),
         Zone(name="red: slips", top=np.where(within, top, 0.0), tone="bad"),
         Zone(name="red: past the corners", top=np.full(T.size, top), tone="bad"),
     )
