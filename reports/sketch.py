@@ -79,6 +79,15 @@ def _dimension(points: Points, label: str) -> Markup:
     return parts + svg.text(x, y, label, "sym", "middle")
 
 
+def _angle(points: Points, label: str) -> Markup:
+    """An arc with arrow heads at both ends."""
+    parts = svg.polyline(points, "dim")
+    for tip, before in ((0, 1), (-1, -2)):
+        (x, y), (x0, y0) = points[tip], points[before]
+        parts += svg.arrow_head(x, y, x - x0, y - y0, "dim-head", 6)
+    return parts + _beside(points, label)
+
+
 def _leader(points: Points, label: str) -> Markup:
     (x0, y0), (x1, y1) = points[0], points[-1]
     parts = svg.line(x0, y0, x1, y1, "dim") + svg.arrow_head(
@@ -124,5 +133,6 @@ DRAW: dict[str, Callable[[Points, str], Markup]] = {
     "load": _load,
     "dimension": _dimension,
     "leader": _leader,
+    "angle": _angle,
     "text": _words,
 }

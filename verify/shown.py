@@ -226,8 +226,8 @@ class Shape:
     Styles: "body" (closed outline, filled), "modelled" (closed: what finite elements take of
     it), "hole" (closed, cut out), "line" (centre line of something thin), "axis", "faint",
     "clamp" (hatched on the left of its direction), "load" (an arrow to its last point),
-    "dimension" (arrows at both ends, `label` between them), "leader" (from the label to its last
-    point) and "text" (`label` at its only point).
+    "dimension" (arrows at both ends, `label` between them), "angle" (an arc with both
+    arrows), "leader" (from the label to its last point) and "text" (`label` at its only point).
     """
 
     style: str

@@ -8,71 +8,24 @@ import numpy as np
 
 from analytic.freewheel.state import State, loaded
 from verify.case import Context, Values
+from verify.cases.freewheel_star_sketch import sketch
 from verify.cases.freewheel_torque_fem import ACROSS, GRID
 from verify.cases.freewheel_torque_model import clutch
 from verify.profiles import along
 from verify.shown import (
-    Array,
     Curve,
     Curves,
     Equation,
     Figure,
     Picture,
     Profile,
-    Shape,
-    Sketch,
 )
 from verify.tex import tex
 
+__all__ = ["equations", "figures", "pictures", "sketch"]
+
 FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn
 DEGREE = math.degrees(1.0)
-
-
-def sketch(q: Any) -> Sketch:
-    """One pitch to scale: star, roller, ring, the angle psi between flat and roller."""
-    cam, half = q.cam, math.pi / q.z
-    x, y = (float(v) for v in cam.centre(d_i=0.0, d_o=0.0))
-    psi = 2 * float(cam.alpha0)
-    unit = 1 / q.R
-    turn = np.linspace(-half, half, 61)
-
-    def arc(r: float, at: float = 0.0) -> Array:
-        return np.asarray(r * unit * np.column_stack([np.sin(turn + at), np.cos(turn + at)]))
-
-    corner = min(q.X / math.cos(half), q.R)
-    right = corner * unit * np.array([math.sin(half), math.cos(half)])
-    star = np.vstack([arc(q.r_b), right, right * [-1, 1]])
-    ring = np.vstack([arc(q.R, psi), arc(q.R_a, psi)[::-1]])
-    around = np.linspace(0, 2 * np.pi, 91)
-    centre = unit * np.array([x, y])
-    roller = centre + q.r * unit * np.column_stack([np.cos(around), np.sin(around)])
-    out = np.array([math.sin(psi), math.cos(psi)])
-    at_star, at_ring = centre - [0, q.r * unit], centre + q.r * unit * out
-    top = q.R_a * unit
-    shapes = (
-        Shape(style="modelled", points=star), Shape(style="modelled", points=ring),
-        Shape(style="body", points=roller),
-        Shape(style="axis", points=np.array([[0.0, q.r_b * unit * 0.9], [0.0, 1.08 * top]])),
-        Shape(style="axis", points=np.vstack([0.6 * q.X * unit * out, 1.06 * top * out])),
-        Shape(style="clamp", points=arc(q.r_b)),
-        Shape(style="load", points=np.vstack([at_star - [0, 0.12], at_star]), label="F_n"),
-        Shape(style="load", points=np.vstack([at_ring + 0.12 * out, at_ring])),
-        Shape(style="dimension", points=np.array([[-0.03, q.r_b * unit], [-0.03, q.X * unit]]),
-              label="X − r_b"),
-        Shape(style="leader", points=np.vstack([[0.62, 1.08], at_ring + 0.03 * out]),
-              label=f"R = {q.R * 1e3:.4g} mm"),
-        Shape(style="leader", points=np.vstack([[0.66, 0.86], centre]),
-              label=f"r = {q.r * 1e3:.4g} mm"),
-        Shape(style="leader", points=np.array([[-0.3, 0.88], [-0.2, q.X * unit]]),
-              label=f"X = {q.X * 1e3:.7g} mm"),
-        Shape(style="text", points=np.array([[0.3, 1.15 * top]]),
-              label=f"ψ = 2α_0 = {psi * DEGREE:.4g}°"),
-    )  # fmt: skip
-    return Sketch(
-        title=f"one of {q.z} pitches, to scale: the ring turned clockwise draws the roller into "
-        "the gap that narrows to the right; both cuts of star and ring move alike",
-        shapes=shapes,
-    )
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
@@ -169,7 +122,7 @@ def _torsion(context: Context, states: State) -> Curves:
 
 
 def _approaches(context: Context) -> Curves:
-    q, v = context.inputs, context.fem[-1].arrays["loads"]
+    v = context.fem[-1].arrays["loads"]
     star, ring = context.fem[-1].arrays["shares"]
     tan = np.tan(v[2] / 2)
     return Curves(
@@ -181,8 +134,8 @@ def _approaches(context: Context) -> Curves:
                   colour=2),
             Curve(name="rigid surfaces", x=np.array([0.0, v[0][-1]]), y=np.zeros(2)),
         ),
-        note=f"Flat and bore tilt in proportion to the normal force; with z = {q.z} rollers on "
-        "thin walls more than on thick ones. They tilt to either side: their mean is tan(ψ/2).",
+        note="It grows with the normal force: surfaces tilt, and in small displacements forces act "
+        "where the mesh has them. To either side by as much: the mean is tan(ψ/2).",
     )  # fmt: skip
 
 
