@@ -34,13 +34,38 @@ def expected_approach(clutch: Clutch, P: ArrayLike) -> tuple[Array, Array]:
     if not isinstance(clutch.cam, InnerCam):
         raise ValueError("the interval is that of a star: the clutch needs an inner cam")
     P = positive(P, "load per length", "N/m")
+    flat, corner = _rims(clutch)
+    found = np.array([
+        _approach(clutch, body, P)
+        for body in (_layer(clutch), _disc(clutch, flat), _disc(clutch, corner))
+    ])  # fmt: skip
+    return found.min(axis=0), found.max(axis=0)
+
+
+def between_discs(clutch: Clutch, P: ArrayLike) -> Array:
+    """Approach d_i [length] of a disc through the contact, drawn between those of the two discs.
+
+    What `compliance` should say of a star, to second order in the corners' height: for judging it.
+    """
+    P = positive(P, "load per length", "N/m")
+    flat, corner = _rims(clutch)
+    x, _ = clutch.cam.centre(d_i=0.0, d_o=0.0)
+    low, high = (_approach(clutch, _disc(clutch, rim), P) for rim in (flat, corner))
+    share = (np.hypot(flat, x) - flat) / (corner - flat)
+    return np.asarray(low + share * (high - low))
+
+
+def _rims(clutch: Clutch) -> tuple[Array, Array]:
+    """Radii [length] of the discs through the flats and through the corners."""
+    flat = clutch.cam.flat
+    return flat, np.minimum(flat / np.cos(np.pi / clutch.cam.count), clutch.cam.race)
+
+
+def _approach(clutch: Clutch, body: Body, P: Array) -> Array:
+    """Of half a roller and a star [length]."""
     a, _ = clutch.half_widths(P)
     half, _ = compliance(clutch).half_roller.approach(P, a)
-    flat = clutch.cam.flat
-    corner = np.minimum(flat / np.cos(np.pi / clutch.cam.count), clutch.cam.race)
-    bodies = _layer(clutch), _disc(clutch, flat), _disc(clutch, corner)
-    found = np.array([half + body.approach(P, a)[0] for body in bodies])
-    return found.min(axis=0), found.max(axis=0)
+    return np.asarray(half + body.approach(P, a)[0])
 
 
 def layer_constant(*, pitch: float, kappa: float) -> float:

@@ -79,7 +79,8 @@ TORQUE = Case(
     outputs=(
         output("alpha_0", "α_0", "deg", "clamping angle without load (Eq. 4, corrected)"),
         output("alpha", "α(T)", "deg", "clamping angle under torque (Eq. 5, corrected)"),
-        output("F_t/N", "tan α", "1", "friction that holds the rollers under torque alone"),
+        output("F_t/N", "tan α", "1", "friction that holds the rollers under torque alone",
+               judged=False),
         output("N", "F_n", "N", "normal force at either contact of a roller"),
         output("F_t", "F_t", "N", "tangential force at either contact (Eq. 3, corrected)",
                judged=False),
@@ -110,7 +111,7 @@ TORQUE = Case(
         "the roller neither creeps nor turns there; friction twice what it needs",
         "ways and energies between six states by splines, below the first by a power",
         "expected errors: the star lies among a layer and two discs, and the torque winds it up; "
-        "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1.2 tan²α more",
+        "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1 tan²α more",
     ),
     warnings=warnings,
     too_large=too_large,
