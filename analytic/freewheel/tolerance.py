@@ -7,8 +7,8 @@ From cos psi = y/rho, with 2 rho sin psi below,
     \frac{\partial\alpha_0}{\partial r} = \mp\frac{1 + \cos\psi}{2\rho\sin\psi}, \quad
     \frac{\partial\alpha_0}{\partial R} = \frac{\cos\psi}{2\rho\sin\psi},
 
-the upper sign for an inner cam. A clutch of an ensemble has equal rollers: that rollers of one
-clutch differ and share its load unevenly is not contained.
+the upper sign for an inner cam. A clutch of an ensemble has rollers that are all alike: that
+rollers and flats of one clutch differ and share its load unevenly is not contained.
 """
 
 from collections.abc import Mapping, Sequence
@@ -93,7 +93,8 @@ def draw(
 ) -> Ensemble:
     """Draw n clutches about `clutch` with standard deviations `sigma` and load them.
 
-    `sigma` by name: R, r, X (R_s, r, X_o) [length], mu. "uniform" means the same deviations.
+    `sigma` by name: R, r, X (R_s, r, X_o) [length], mu. `kind` is that of the dimensions,
+    "uniform" with the same deviations; mu is normal always: nobody sorts it out at its tails.
     """
     names = {*_names(clutch.cam), "r", "mu"}
     _known(sigma, names)
@@ -122,7 +123,8 @@ def _drawn(
     found = {}
     for name in sorted(means):  # so that a seed means the same draw always
         deviation = float(not_negative(sigma.get(name, 0.0), f"deviation of {name}", ""))
-        unit = rng.normal(size=n) if kind == "normal" else rng.uniform(-1, 1, n) * np.sqrt(3)
+        normal = kind == "normal" or name == "mu"
+        unit = rng.normal(size=n) if normal else rng.uniform(-1, 1, n) * np.sqrt(3)
         found[name] = means[name] + deviation * unit
     return found
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from scipy.stats import norm
 
 from analytic.freewheel import criterion, limits, state, tolerance
 
@@ -94,6 +95,16 @@ def test_the_share_that_slips_is_that_of_the_friction_s_distribution(star):
     load = LOAD | {"mu": asked}
     drawn = tolerance.draw(star, {"mu": 0.005}, n=20000, seed=5, **load)
     assert drawn.share("slips") == pytest.approx(0.5, abs=0.015)
+
+
+@pytest.mark.parametrize("kind", ["normal", "uniform"])
+def test_friction_keeps_the_tails_of_a_normal_one_whatever_dimensions_do(star, kind):
+    """P(mu < mean - 2 s): 2.28 % of a normal one, none of a uniform one."""
+    drawn = tolerance.draw(star, {"X": 3e-6, "mu": 0.004}, n=20000, seed=5, kind=kind, **LOAD)
+    share = np.mean(drawn.drawn["mu"] < LOAD["mu"] - 2 * 0.004)
+    assert share == pytest.approx(norm.cdf(-2), abs=4 * np.sqrt(norm.cdf(-2) / 20000))
+    inside = np.abs(drawn.drawn["X"] - star.cam.X) <= 3e-6 * np.sqrt(3)
+    assert bool(inside.all()) == (kind == "uniform")
 
 
 def test_unknown_tolerances_and_kinds_are_refused(star):
