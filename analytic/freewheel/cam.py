@@ -121,10 +121,12 @@ class Cam(ABC):
         rho, (x, _) = self.distance(d_i=0.0, d_o=0.0), self.centre(d_i=0.0, d_o=0.0)
         pitch = rho * np.sin(np.pi / self.count)
         require(
-            pitch > self.roller, "rollers touch each other: r must be below rho sin(pi/z)",
-            r=self.roller, limit=pitch,
+            pitch > self.roller,
+            "rollers touch each other: r must be below half the distance of two rollers' centres",
+            r=self.roller, half=pitch,
         )  # fmt: skip
         require(
-            x < self.corner, "roller beyond the corner of its flat: x must be below X tan(pi/z)",
-            x=x, limit=self.corner,
+            x < self.corner,
+            "roller beyond the corner of its flat: it stands at x, half a flat is X tan(pi/z)",
+            x=x, half=self.corner,
         )  # fmt: skip

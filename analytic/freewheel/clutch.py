@@ -55,11 +55,12 @@ class Clutch:
         solid, hollow = (
             (self.cam.flat, self.cam.race) if star else (self.cam.race, self._corner_distance)
         )
-        require(r_b < solid, "inner part needs r_b below its flat or shaft", r_b=r_b, limit=solid)
+        inner, outer = ("flats X", "bore R") if star else ("shaft R_s", "flats' corners")
+        require(r_b < solid, f"inner part needs r_b below its {inner}", r_b=r_b, limit=solid)
         require(
             (r_b > 0) | (not star), "a star is clamped on its bore: r_b must be positive", r_b=r_b
         )
-        require(R_a > hollow, "outer part needs R_a above its bore", R_a=R_a, limit=hollow)
+        require(R_a > hollow, f"outer part needs R_a above its {outer}", R_a=R_a, limit=hollow)
         if self.star not in get_args(Star):
             raise ValueError(f"star is one of {', '.join(get_args(Star))}, got {self.star!r}")
 

@@ -23,6 +23,7 @@ from verify.cases.freewheel_clutch_limits import (
 from verify.cases.freewheel_clutch_model import analytic, light
 from verify.cases.freewheel_clutch_scatter import DRAWS, scatter, slopes
 from verify.cases.freewheel_clutch_shown import lights
+from verify.cases.freewheel_inputs import StarInputs
 from verify.cli import run
 from verify.inputs import InputError, build
 from verify.results import Status
@@ -367,9 +368,30 @@ def test_exact_parts_have_no_scatter():
         ({"r": "17 mm"}, "roller too large: r must be below R, got r = 17 mm, R = 16.5 mm"),
         ({"X": "11.6 mm"}, "no wedge: the roller cannot touch flat and ring unless X + 2 r < R"),
         ({"X": "-3 mm"}, "X + r must be positive, got X = -3 mm"),
-        ({"r_b": "12 mm"}, "inner part needs r_b below its flat or shaft"),
+        (
+            {"r_b": "12 mm"},
+            "inner part needs r_b below its flats X, got r_b = 12 mm, limit = 11.39565 mm",
+        ),
+        ({"R_a": "16.5001 mm"}, "R_a - R = 0.1 µm, tolerance ±5 µm"),
+        ({"r_b": "11.39 mm"}, "X - r_b = 5.65 µm, tolerance ±5 µm"),
+        (
+            {
+                "kind": "outer cam",
+                "R": "10 mm",
+                "r": "2 mm",
+                "X": "13.88322 mm",
+                "R_a": "15.03 mm",
+                "r_b": "0 mm",
+                "X_tol": "10 µm",
+            },
+            "R_a - X/cos(π/z) = 2.911 µm, tolerance ±10.82 µm",
+        ),
+        (
+            {"kind": "outer cam", "R": "10 mm", "r": "2 mm", "X": "13.88322 mm", "R_a": "15 mm"},
+            "outer part needs R_a above its flats' corners, got R_a = 15 mm, limit = 15.02709 mm",
+        ),
         ({"R_a": "16 mm"}, "outer part needs R_a above its bore"),
-        ({"z": 30}, "rollers touch each other"),
+        ({"z": 30}, "half the distance of two rollers' centres, got r = 2.5 mm, half = 1.46"),
         ({"X": "8 mm"}, "roller beyond the corner of its flat"),
         ({"r_b": "0 mm"}, "a star is clamped on its bore"),
         ({"kind": "sprag"}, "needs one of inner cam, outer cam"),
@@ -384,11 +406,22 @@ def test_exact_parts_have_no_scatter():
 def test_what_makes_no_clutch_is_refused_in_one_line(changes, words):
     raw = {"R": "16.5 mm", "r": "2.5 mm", "X": "11.39565 mm", "R_a": "21 mm", "r_b": "7.5 mm",
            "z": 8, "L": "10 mm", "T": "26 N m", "F_ax": "600 N", "mu": 0.08, "E": "206 GPa",
-           "nu": 0.3}  # fmt: skip
+           "nu": 0.3, "X_tol": "5 µm", "R_tol": "5 µm"}  # fmt: skip
     with pytest.raises(InputError) as refused:
         build(ClutchInputs, raw | changes, "my.toml")
     assert words in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_rules_of_a_star_are_told_in_millimetres():
+    with pytest.raises(ValueError, match=r"got X = 11\.6 mm, r = 2\.5 mm, R = 16\.5 mm"):
+        StarInputs(X=11.6e-3)
+
+
+def test_a_modulus_without_its_poisson_s_ratio_is_warned_of():
+    for changes, warned in (({"E_r": 310e9}, True), ({"E_r": 310e9, "nu_r": 0.27}, False)):
+        found = CLUTCH.warnings(own(**changes), analytic(own(**changes)))
+        assert ("E_r is given without ν_r: ν = 0.3 is used for it" in found) == warned
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from pydantic import model_validator
 from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch, Material
 from analytic.freewheel.geometry import InnerCam, OuterCam
+from verify.cases.freewheel_inputs import in_millimetres
 from verify.inputs import Inputs, count, quantity, word
 
 Kind = Literal["inner cam", "outer cam"]
@@ -22,7 +23,7 @@ DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # of a part within its to
 def in_terms_of_inputs(rule: str) -> str:
     """A rule of the formulas with the inputs' names, and their lengths in mm."""
     named = re.sub(r"\b(R_s|X_o)\b", lambda m: m[1][0], rule)
-    return re.sub(r"=(\S+) m\b", lambda m: f" = {float(m[1]) * 1e3:.7g} mm", named)
+    return in_millimetres(named)
 
 
 class ClutchInputs(Inputs):
@@ -57,7 +58,8 @@ class ClutchInputs(Inputs):
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0.1, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     E_r: float | None = quantity(
-        None, "GPa", "E_r", "Young's modulus of the rollers, where another", omitted=None, gt=0.1,
+        None, "GPa", "E_r", "Young's modulus of the rollers, where another; without ν_r "
+        "their ν is ν", omitted=None, gt=0.1,
         le=1e5, example="310 GPa",
     )  # fmt: skip
     nu_r: float | None = quantity(
@@ -65,7 +67,8 @@ class ClutchInputs(Inputs):
         le=0.45, example="0.27",
     )  # fmt: skip
     E_i: float | None = quantity(
-        None, "GPa", "E_i", "Young's modulus of the inner part, where another", omitted=None,
+        None, "GPa", "E_i", "Young's modulus of the inner part, where another; without ν_i "
+        "their ν is ν", omitted=None,
         gt=0.1, le=1e5, example="206 GPa",
     )  # fmt: skip
     nu_i: float | None = quantity(
@@ -73,7 +76,8 @@ class ClutchInputs(Inputs):
         le=0.45, example="0.3",
     )  # fmt: skip
     E_o: float | None = quantity(
-        None, "GPa", "E_o", "Young's modulus of the outer part, where another", omitted=None,
+        None, "GPa", "E_o", "Young's modulus of the outer part, where another; without ν_o "
+        "their ν is ν", omitted=None,
         gt=0.1, le=1e5, example="206 GPa",
     )  # fmt: skip
     nu_o: float | None = quantity(
@@ -108,11 +112,28 @@ class ClutchInputs(Inputs):
                     f"a tolerance is small: {name} must be below r/10, got {name} = "
                     f"{getattr(self, name) * 1e6:.6g} µm, r = {self.r * 1e3:.6g} mm"
                 )
+        for wall, thick, t in self._walls():
+            if not thick > 2 * t:
+                raise ValueError(
+                    f"a wall is thicker than twice its tolerance: {wall} = {thick * 1e6:.4g} µm, "
+                    f"tolerance ±{t * 1e6:.4g} µm"
+                )
         if not self.s_mu < 0.5 * self.mu:
             raise ValueError(
                 f"μ stays positive: s_mu must be below μ/2, got {self.s_mu:g} with μ = {self.mu:g}"
             )
         return self
+
+    def _walls(self) -> tuple[tuple[str, float, float], ...]:
+        """Least walls [m] of both parts with the tolerance of their surface."""
+        if self.is_star:
+            return ("X - r_b", self.X - self.r_b, self.X_tol), ("R_a - R", self.R_a - self.R,
+                                                                self.R_tol)  # fmt: skip
+        far = 1 / math.cos(math.pi / self.z)
+        return (
+            ("R - r_b", self.R - self.r_b, self.R_tol),
+            ("R_a - X/cos(π/z)", self.R_a - far * self.X, far * self.X_tol),
+        )
 
     @property
     def is_star(self) -> bool:

@@ -99,7 +99,7 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
 
 
 def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
-    found = reached(q)
+    found = reached(q) + kept(q)
     if q.p_lim is not None and v.get("p_end", 0.0) > q.p_lim:
         found.append(
             f"{pascal(v['p_end'])} at the rollers' ends exceed p_lim = {pascal(q.p_lim)}: the "
@@ -108,6 +108,15 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     if v.get("e/L", 0.0) > allowed_shift(q):
         found.append(f"e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
     return found
+
+
+def kept(q: ClutchInputs) -> list[str]:
+    """Parts whose modulus is another one, and whose Poisson's ratio is not said to be."""
+    return [
+        f"E_{part} is given without ν_{part}: ν = {q.nu:g} is used for it"
+        for part in "rio"
+        if getattr(q, f"E_{part}") not in (None, q.E) and getattr(q, f"nu_{part}") is None
+    ]
 
 
 def reached(q: ClutchInputs) -> list[str]:

@@ -5,6 +5,7 @@ so that none can be guessed.
 """
 
 import math
+import re
 
 from pydantic import model_validator
 
@@ -13,6 +14,11 @@ from verify.inputs import Inputs, count, quantity
 
 THINNEST = 0.02  # wall of the ring over its bore's radius
 LARGEST_ANGLE = math.radians(15)
+
+
+def in_millimetres(rule: str) -> str:
+    """A rule of the formulas with its lengths in mm."""
+    return re.sub(r"=(\S+) m\b", lambda m: f" = {float(m[1]) * 1e3:.7g} mm", rule)
 
 
 class StarInputs(Inputs):
@@ -43,6 +49,10 @@ class StarInputs(Inputs):
                     f"{rule}: {low} < {high}, got {low} = {inner * 1e3:g} mm, "
                     f"{high} = {outer * 1e3:g} mm"
                 )
+        try:
+            _ = self.cam
+        except ValueError as error:
+            raise ValueError(in_millimetres(str(error))) from error
         if self.cam.alpha0 > LARGEST_ANGLE:
             raise ValueError(
                 f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers "
