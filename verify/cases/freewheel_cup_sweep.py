@@ -5,10 +5,11 @@ overlap at which the rollers go through. The normal force grows all the way, the
 """
 
 import math
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, minimize_scalar
 
 from verify.cases.freewheel_cup_inputs import CupInputs
@@ -88,13 +89,22 @@ class CupSweep(Sweep):
 
     def __init__(self, q: CupInputs, cells: int) -> None:
         self._take(q, [start.state(q, cells) for start in starts(q)])
-        self._T = self.over("T", "N")
+
+    @cached_property
+    def _square(self) -> CubicSpline:
+        """(T/N)² over the root of N: it falls nearly as the approaches grow, without a bend."""
+        N = self.at_states["N"]
+        return CubicSpline(np.sqrt(N), (self.at_states["T"] / N) ** 2)
+
+    def _T(self, t: Array | float) -> Array:
+        """Logarithm of the torque over that of the normal force."""
+        return np.asarray(t + np.log(self._square(np.exp(np.asarray(t) / 2))) / 2)
 
     def at(self, name: str, value: float, by: str = "T") -> float:
         """As for a star; where T has a value before its summit."""
-        if by != "T":
-            return super().at(name, value, by)
-        return super().at(name, math.exp(self._force(value)), "N")
+        if by == "T":
+            return self.at(name, math.exp(self._force(value)), "N")
+        return math.exp(self._T(math.log(value))) if name == "T" else super().at(name, value, by)
 
     @property
     def summit(self) -> tuple[float, float]:
@@ -105,12 +115,15 @@ class CupSweep(Sweep):
             raise ArithmeticError("the torque has no summit among the states")
         ends = np.log(N[[top - 1, top + 1]])
         found = minimize_scalar(
-            lambda t: -self._T(t), bounds=tuple(ends), method="bounded", options={"xatol": 1e-7}
+            lambda t: -float(self._T(t)),
+            bounds=tuple(ends),
+            method="bounded",
+            options={"xatol": 1e-7},
         )
         return math.exp(found.x), math.exp(-found.fun)
 
     def log_torque(self, t: Array) -> Array:
-        return np.asarray(self._T(t))
+        return self._T(t)
 
     def log_along(self, T: Array) -> Array:
         return np.array([self._force(float(t)) for t in T])
@@ -121,4 +134,4 @@ class CupSweep(Sweep):
         low, high = self.at_states["T"][[0, top]]
         if not low <= T <= high:
             raise ArithmeticError(f"T = {T:.4g} lies beyond the states from {low:.4g} on")
-        return float(brentq(lambda t: self._T(t) - math.log(T), N[0], N[top], xtol=1e-13))
+        return float(brentq(lambda t: float(self._T(t)) - math.log(T), N[0], N[top], xtol=1e-13))
