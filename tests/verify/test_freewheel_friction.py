@@ -16,6 +16,8 @@ from verify.cases.freewheel_friction import FRICTION, analytic, too_large
 from verify.cases.freewheel_friction_formulas import slipped
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_friction_limit import Limit
+from verify.cases.freewheel_sweep import Sweep
+from verify.cases.freewheel_torque_fem import ratio
 from verify.results import Status
 from verify.run import Job, judge_case, solve_level
 
@@ -71,6 +73,16 @@ def test_a_clutch_whose_friction_is_too_low_slips_and_does_not_fail(start):
     limit = Limit(FrictionInputs(), start, start.drags)
     assert limit.slipping(0.9 * limit.tan).tolist() == [1.0, 1.0]
     assert limit.slipping(2.0 * limit.tan).max() < 0.5
+
+
+def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
+    q = FrictionInputs()
+    rest, _ = freewheel_friction_fem.under_load(q, start, 4)
+    sweep, T, borne = Sweep(q, 4), rest.torque * q.L, model.Borne.by(rest)
+    shares = [ratio(sweep, T, where) for where in ("", " race")]
+    assert pytest.approx(np.mean(shares), rel=1e-4) == borne.tangent
+    assert pytest.approx(sweep.at("N", T), rel=1e-4) == borne.N.mean() * q.L
+    assert borne.tangent == pytest.approx(math.tan(rest.place.psi / 2), rel=2e-6)
 
 
 def test_a_pull_within_the_cone_leaves_torque_and_normal_force(start):

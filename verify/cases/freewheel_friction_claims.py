@@ -22,16 +22,20 @@ from verify.shown import Array
 
 ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
-ANGLE = "two bodies that enclose the star say alpha, 0.1 % for friction along surfaces"
+ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
 TILTED = f"{ANGLE}, surfaces tilt under N"
 HEAVY: Any = {"demand": 0.03, "demand_reason": "surfaces tilt by more, the heavier the load"}
 STATICS = 1e-6  # of a value: what forces in balance may miss
 BALANCED = "forces in balance, on any mesh"
 
 
-def required(context: Context, *, loaded: bool) -> float:
-    """Eq. 9 at the angle and the torque that finite elements have."""
-    tan, T = context.fem[-1].arrays["tan"]
+def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
+    """Eq. 9 at the angle and the torque that finite elements have.
+
+    The mesh's own angle is that of its normals, on which the solver's friction acts.
+    """
+    turned, T, meshed = context.fem[-1].arrays["tan"]
+    tan = meshed if of_mesh else turned
     q = context.inputs
     F_ax = q.F_ax if loaded else 0.0
     return float(criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R))
@@ -40,16 +44,17 @@ def required(context: Context, *, loaded: bool) -> float:
 def onset(context: Context) -> tuple[float, float, str]:
     """All of both contacts slips where friction is tan(alpha)."""
     share, half = context.fem[-1].arrays["onset"]
-    tan = context.fem[-1].arrays["tan"][0]
-    off = share * tan / required(context, loaded=False) - 1
+    tan = context.fem[-1].arrays["tan"][2]
+    off = share * tan / required(context, loaded=False, of_mesh=True) - 1
     return ONSET - abs(off), 2 * half, f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
 
 
 def axial_onset(context: Context) -> tuple[float, float, str]:
     """The axial load finds no rest where friction is below mu_req."""
     share, half = context.fem[-1].arrays["axial onset"]
-    (tan, T), q = context.fem[-1].arrays["tan"], context.inputs
-    off = share * tan * np.hypot(1.0, q.F_ax * q.R / T) / required(context, loaded=True) - 1
+    (_, T, tan), q = context.fem[-1].arrays["tan"], context.inputs
+    needed = required(context, loaded=True, of_mesh=True)
+    off = share * tan * np.hypot(1.0, q.F_ax * q.R / T) / needed - 1
     return CONE - abs(off), half, f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
 
 

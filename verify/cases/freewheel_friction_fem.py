@@ -15,6 +15,7 @@ from verify.cases.freewheel_friction_model import (
     ample,
     at_torque,
     creeping,
+    lever_left,
     pulled,
     sector,
 )
@@ -37,7 +38,7 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     alone, borne = Borne.by(rest), Borne.by(held)
     missed = abs(rest.torque * q.L / q.T - 1)
     values = {
-        "F_t": alone.F_t[1] / rest.torque * q.T, "N": alone.N.mean() * q.L,
+        "F_t": Borne.on_mesh(rest).F_t[1] / rest.torque * q.T, "N": alone.N.mean() * q.L,
         "F_a": borne.F_z[0] * q.L, "balance": borne.F_z.sum() * q.L,
         "mu_t": alone.tangent, "mu_req": borne.required.mean(),
     }  # fmt: skip
@@ -49,14 +50,18 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     stuck = there.rest(rest.drags)
     unit = yielding(q, there, stuck)
     path = driven(there, stuck, [u * unit for u in STEPS])
-    # F_z/F_t of the ring times T/R: at the torque that is asked for
-    force, turned = -path[:, 5] / path[:, 3] * q.T / q.R, np.diff(path[:, 1]) / np.diff(path[:, 0])
+    # slip is where the mesh has its normals: from its angle to that of the torque that is asked for
+    own = lever_left(q.mu, stuck.place) / lever_left(q.mu, stuck.start)
+    force = -own * path[:, 5] / path[:, 3] * q.T / q.R
+    turned = np.diff(path[:, 1]) / np.diff(path[:, 0]) / own
     values |= {"F_lim": force[-1], "creep": turned[-1]}
     steep = 1 / (1 - (alone.tangent / q.mu) ** 2)  # d ln(F_lim)/d ln(tan alpha)
     u_it["F_lim"] = abs(force[-1] - force[-2]) + steep * (EDGES + missed) * force[-1]
     u_it["creep"] = abs(turned[-1] - turned[-2]) + steep * EDGES * turned[-1]
     arrays = {
-        "tan": np.array([math.tan(rest.start.psi / 2), rest.torque * q.L]),
+        "tan": np.array([
+            math.tan(rest.place.psi / 2), rest.torque * q.L, math.tan(rest.start.psi / 2),
+        ]),
         "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
         "creep": path,
     }  # fmt: skip
@@ -83,19 +88,19 @@ def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[State, Stat
 
 def yielding(q: FrictionInputs, there: Sector, stuck: State) -> float:
     """How far [m] the ring would yield along z up to the limit if nothing slipped."""
-    borne = Borne.by(stuck)
+    borne = Borne.on_mesh(stuck)
     N = borne.N.mean()
     u = FIRST * q.mu * N * 2 * (1 + q.nu) / q.E
     first = there.at(stuck.drags, after=stuck.solution, axial_displacements={"ring.rim": u})
     limit = N * math.sqrt(q.mu**2 - borne.tangent**2)
-    return float(u * limit / Borne.by(first).F_z[0])
+    return float(u * limit / Borne.on_mesh(first).F_z[0])
 
 
 def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:
     """The path of the ring driven along z while N stays, until all slips and the ring creeps.
 
     It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
-    contacts, N of the ring and T over those at rest.
+    contacts by the mesh's normals, N of the ring and T over those at rest.
     """
     path, state = [row(stuck, stuck, 0.0)], stuck
     for u in way:
@@ -117,9 +122,9 @@ def let_out(there: Sector, stuck: State, way: Sequence[float]) -> Array:
 
 
 def row(state: State, stuck: State, u: float) -> list[float]:
-    b, drag = Borne.by(state), state.drags[1] - stuck.drags[1]
+    b, drag = Borne.on_mesh(state), state.drags[1] - stuck.drags[1]
     return [
-        u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.by(stuck).N[1],
+        u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.on_mesh(stuck).N[1],
         state.torque / stuck.torque,
     ]  # fmt: skip
 

@@ -20,7 +20,6 @@ from verify.cases.freewheel_torque_model import Interval, clutch, state_under, t
 
 Array = NDArray[np.float64]
 
-REST = 1e-3  # of F_t/N: half of what is accepted of it
 WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it says nothing
 GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
 
@@ -65,20 +64,28 @@ def lever(q: FrictionInputs) -> float:
 
 def one_contact(q: FrictionInputs, _values: Values) -> Interval:
     """Of F_t/N where both contacts count by themselves."""
-    return _wider(under_torque(q).slope(tilted=True))
+    return _wider(q, under_torque(q).slope(tilted=True))
 
 
 def both_contacts(q: FrictionInputs, _values: Values) -> Interval:
-    return _wider(under_torque(q).slope())
+    return _wider(q, under_torque(q).slope())
 
 
 def normal_force(q: FrictionInputs, _values: Values) -> Interval:
-    return _wider(under_torque(q).force())
+    return _wider(q, under_torque(q).force())
 
 
-def _wider(interval: Interval) -> Interval:
-    """With what friction along the surfaces does to them, for which there is no bound."""
-    return interval[0] - REST, interval[1] + REST
+def _wider(q: FrictionInputs, interval: Interval) -> Interval:
+    """With what friction along the surfaces does to the angle.
+
+    A tangential force moves nothing across itself where a body is its own mirror image. Contacts
+    on flats are off their middle by psi, some 2 tan(alpha), F_t is tan(alpha) of N, and the bodies'
+    shape makes less than half of an approach: by size, approaches change by tan² alpha of
+    themselves at most. From alpha_0 on tan² alpha is linear in them.
+    """
+    tan, least = (math.tan(float(a)) for a in (under_torque(q).state.alpha, q.cam.alpha0))
+    rest = (tan**2 - least**2) / 2
+    return interval[0] - rest, interval[1] + rest
 
 
 def whole_load(q: FrictionInputs, _values: Values) -> Interval:

@@ -22,7 +22,10 @@ DRIVEN = (1.5, 3.0)  # of the ring along z, over what parts yield: to where all 
 
 
 class Limit:
-    """The clutch in its place under its torque, with other friction."""
+    """The clutch in its place under its torque, with other friction.
+
+    Slip is where Coulomb's law says so on the normals of the mesh: `tan` is of the mesh's angle.
+    """
 
     def __init__(self, q: FrictionInputs, start: Start, drags: tuple[float, float]) -> None:
         self.q, self.start, self.drags = q, start, drags
@@ -85,7 +88,8 @@ def over_angles(
 
     tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
     ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring. At its
-    own angle the clutch yields by `unit` [m] along z to where it slips.
+    own angle the clutch yields by `unit` [m] along z to where it slips. Angles and forces are those
+    of the meshes, on whose normals slip is decided.
     """
     own = math.tan(Place.overlapping(q, *start.d).psi / 2) / q.mu
     most = unit / math.sqrt(1 - own**2)  # under all of mu N
@@ -109,7 +113,7 @@ def _one_angle(there: Sector, drags: tuple[float, float], N: float, most: float)
         state = there.at(drags)
     except ArithmeticError:
         return [0.0] * 6
-    borne = Borne.by(state)
+    borne = Borne.on_mesh(state)
     mean = float(borne.N.mean())
     if mean < HELD * N:
         return [mean / N] + [0.0] * 5
@@ -122,6 +126,6 @@ def _one_angle(there: Sector, drags: tuple[float, float], N: float, most: float)
             )
     except ArithmeticError:
         return [mean / N, alone] + [0.0] * 4
-    b = Borne.by(state)
+    b = Borne.on_mesh(state)
     t, z = b.F_t / (mu * b.N), np.abs(b.F_z) / (mu * b.N)
     return [mean / N, alone, t[0], z[0], t[1], z[1]]

@@ -27,7 +27,7 @@ STILL = 1e-6  # of both approaches: what the roller may move while the ring cree
 class Borne:
     """What the contacts of one roller bear per length [N/m]: `N`, `F_t`, `F_z` (2,), star and ring.
 
-    Normals are those of the contacts, F_t is positive into the wedge, F_z as it acts on the races.
+    F_t is positive into the wedge, F_z as it acts on the races.
     """
 
     N: Array
@@ -36,6 +36,13 @@ class Borne:
 
     @classmethod
     def by(cls, state: State) -> "Borne":
+        """Along the flat as it is turned, and the ray through the roller: where formulas stand."""
+        N, F_t = np.array([state.on_flat, state.on_race]).T
+        return cls(N, F_t, F_z=np.array([touch.force_z for touch in state.solution.touches]))
+
+    @classmethod
+    def on_mesh(cls, state: State) -> "Borne":
+        """By the normals of the mesh, on which Coulomb's law acts and moments balance."""
         star, ring = state.solution.touches
         return cls(
             N=np.array([star.normal_force, ring.normal_force]),
@@ -52,6 +59,15 @@ class Borne:
     def required(self) -> Array:
         """Resultant of the friction over N (2,)."""
         return np.asarray(np.hypot(self.F_t, self.F_z) / self.N)
+
+
+def lever_left(mu: float, place: Place) -> float:
+    """F_z/F_t that friction leaves for the axis at the angle of a place.
+
+    The solver's cone stands on the normals of the mesh, thus at the angle where a state starts. The
+    torque belongs to the one at which it rests, with the star as it is turned.
+    """
+    return math.sqrt((mu / math.tan(place.psi / 2)) ** 2 - 1)
 
 
 def slipping(state: State) -> Array:

@@ -34,11 +34,11 @@ RULE = "rule adopted, not derived: an average over the runs of clutch A in load 
 def _required(context: Context, at: int, name: str) -> tuple[NDArray[np.float64], ...]:
     """mu_req of finite elements and Eq. 9 at their own angle and loads, states of a path."""
     arrays, q = context.fem[at].arrays, context.inputs
-    (tan, T, limit), table = arrays["own"], arrays[name]
+    (tan, T, unit), table = arrays["own"], arrays[name]
     found = criterion.required_friction_of_contact(
         F_n=1.0, F_t=table[:, 1:3], F_a=table[:, 3:5]
     ).mean(axis=1)
-    F_ax = np.abs(table[:, 0]) * limit * T / q.T
+    F_ax = np.abs(table[:, 0]) * unit
     return found, criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R)
 
 

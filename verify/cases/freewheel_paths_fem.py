@@ -21,6 +21,7 @@ from verify.cases.freewheel_friction_model import (
     Borne,
     ample,
     creeping,
+    lever_left,
     sector,
     slipping,
 )
@@ -57,14 +58,14 @@ class Held:
 
     @property
     def unit(self) -> float:
-        """F_z [N/m] with which F_t makes mu N, by the places of rollers and the torque."""
-        q, tan = self.q, math.tan(self.rest.start.psi / 2)
-        return self.rest.torque / (q.z * q.R) * math.sqrt((q.mu / tan) ** 2 - 1)
+        """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
+        q = self.q
+        return self.rest.torque / (q.z * q.R) * lever_left(q.mu, self.rest.start)
 
     @property
     def whole(self) -> float:
-        """The unit as a load [N] on the whole clutch at the torque that is asked for."""
-        return self.unit * self.q.z * self.q.L * self.q.T / (self.rest.torque * self.q.L)
+        """What it stands for [N]: on the whole clutch, at the torque asked for and its angle."""
+        return self.q.T / self.q.R * lever_left(self.q.mu, self.rest.place)
 
     def to(self, share: float, state: State) -> State:
         """On from `state` to an axial load; ArithmeticError or ValueError where it slips."""
@@ -85,7 +86,9 @@ def fem(q: PathInputs, level: int) -> FemResult:
     values["F_1"], u_it["F_1"] = bracket(held, lambda k: held.to(k, ramp[-1]))
     arrays = {
         "ramp": rows(held, RAMP, ramp), "growing": rows(held, GROWING, growing),
-        "own": np.array([math.tan(held.rest.start.psi / 2), held.rest.torque * q.L, held.whole]),
+        "own": np.array([
+            math.tan(held.rest.place.psi / 2), held.rest.torque * q.L, held.unit * q.z * q.L,
+        ]),
     }  # fmt: skip
     if level != LEVELS[0]:
         arrays["cycles"] = np.array([walk(held, share) for share in (QUIET, LOUD)])
