@@ -97,6 +97,8 @@ class Case:
     quick: bool = True
     # what follows for the one who asks, in words, the verdict first
     findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
+    # the same for programs, as JSON beside the values
+    summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}
     warnings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     equations: Callable[[Any, Values], Sequence[Equation]] = lambda _inputs, _values: ()
     tables: Callable[[Context], Sequence[Table]] = lambda _context: ()

@@ -85,7 +85,7 @@ def run_check(
     if not use_fem:
         result = refused(result, case, inputs)
     if as_json:
-        print(json.dumps(_check_json(name, case, result, values, use_fem), ensure_ascii=False))
+        print(json.dumps(_check_json(case, inputs, result, values, use_fem), ensure_ascii=False))
     else:
         print_check(result, use_fem=use_fem)
     if out is not None:
@@ -169,13 +169,14 @@ def make_report(
 
 
 def _check_json(
-    name: str, case: Case, result: CaseResult, values: Any, use_fem: bool
+    case: Case, inputs: Inputs, result: CaseResult, values: Any, use_fem: bool
 ) -> dict[str, Any]:
     from reports.records import row_record
 
     return {
-        "name": name,
+        "name": result.name,
         "case": case.id,
+        **case.summary(inputs, values),
         "inputs": {i.name: {"value": i.value, "unit": i.unit} for i in result.inputs},
         "values": [
             {"key": o.key, "symbol": o.symbol, "what": o.what, "unit": o.unit,

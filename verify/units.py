@@ -53,6 +53,7 @@ DIMENSIONS = {
 TAKEN = {
     "mm": "mm, m, in, ft or mil", "MPa": "MPa, Pa, bar, psi or ksi", "N": "N, lbf or kgf",
     "GPa": "GPa, MPa, psi or ksi", "deg": "deg or rad", "r/min": "r/min, rad/s or Hz",
+    "N m": "N m, N mm, kN m, lbf in or lbf ft",
 }  # fmt: skip
 
 _WORD = "[A-Za-zµμ°%]"

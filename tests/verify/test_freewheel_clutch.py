@@ -9,6 +9,7 @@ import pytest
 
 from analytic.freewheel import criterion, state
 from tests.conftest import solved
+from verify import units
 from verify.cases import freewheel_clutch_claims, freewheel_clutch_fem, freewheel_clutch_model
 from verify.cases import freewheel_clutch_remedies as remedies
 from verify.cases.freewheel_clutch import CLUTCH, too_large
@@ -445,7 +446,10 @@ def test_check_prints_the_verdict_before_the_numbers_and_puts_it_into_json(tmp_p
     assert run(["check", str(path)]) == 0
     assert capsys.readouterr().out.splitlines()[1].startswith("  green: μ/μ_req = 1.109")
     assert run(["check", "--json", str(path)]) == 0
-    assert json.loads(capsys.readouterr().out)["findings"][0].startswith("green")
+    told = json.loads(capsys.readouterr().out)
+    assert told["findings"][0].startswith("green")
+    assert (told["verdict"], told["name"]) == ("green", "my freewheel-clutch")
+    assert told["limits"]
 
 
 @pytest.mark.parametrize(
@@ -467,6 +471,43 @@ def test_finite_elements_are_not_offered_where_they_refuse(was, now, reason, tmp
     assert f"(no check --fem here: {reason}" in said or not reason
     assert reason in page
     assert "without --fem" not in said
+
+
+@pytest.mark.parametrize(
+    ("changes", "verdict", "passed"),
+    [
+        ({}, "green", set()),
+        ({"F_ax": 1100.0}, "yellow", {"slip"}),
+        ({"T": 4000.0, "mu": 1.0}, "red",
+         {"pressure_inner", "pressure_outer", "corner", "pressure"}),
+        ({"T": 1e6}, "red", {"pressure_inner", "pressure_outer", "corner", "hertz"}),
+        ({"T": -3.0}, "free", set()),
+    ],
+)  # fmt: skip
+def test_programs_read_the_verdict_the_ratio_and_the_limits(changes, verdict, passed):
+    q = own(**changes)
+    v = analytic(q)
+    told = json.loads(json.dumps(CLUTCH.summary(q, v)))
+    assert told["verdict"] == verdict
+    assert told["ratio"] == v.get("safety")
+    assert {x["key"] for x in told["limits"] if x["passed"]} == passed
+    if not changes:
+        (slip, *_), unit = (x for x in told["limits"] if x["key"] == "slip"), "N m"
+        assert (slip["of"], slip["unit"]) == ("T", unit)
+        assert slip["at"] == pytest.approx(v["T slip"])
+
+
+def test_what_a_clutch_that_slips_would_carry_is_said_to_be_that():
+    assert "if it held" in said(mu=0.065)[-1]
+    assert "if it held" in said(T=4000.0, mu=1.0)[-1]
+    assert not any("if it held" in f for f in [*said(), *said(T=1e6), *said(T=-1.0)])
+
+
+def test_an_unknown_unit_of_torque_is_answered_with_those_that_are_known():
+    with pytest.raises(ValueError, match="a torque takes N m, N mm, kN m, lbf in or lbf ft"):
+        units.parse("5 Nmm", "N m")
+    for text, torque in (("1 lbf in", 0.1129848), ("1 lbf ft", 1.355818), ("1 kN m", 1e3)):
+        assert units.parse(text, "N m") == pytest.approx(torque, rel=1e-6)
 
 
 # Elements.

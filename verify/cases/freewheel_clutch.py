@@ -8,6 +8,7 @@ from verify.cases.freewheel_clutch_inputs import ClutchInputs
 from verify.cases.freewheel_clutch_limits import under
 from verify.cases.freewheel_clutch_model import analytic
 from verify.cases.freewheel_clutch_shown import equations, figures, sketch
+from verify.cases.freewheel_clutch_summary import summary
 from verify.cases.freewheel_clutch_words import findings, warnings
 from verify.cases.freewheel_torque_fem import LEVELS
 
@@ -117,6 +118,7 @@ CLUTCH = Case(
         "cams of one material",
     ),
     findings=findings,
+    summary=summary,
     warnings=warnings,
     too_large=too_large,
     equations=equations,

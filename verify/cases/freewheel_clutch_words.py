@@ -21,7 +21,10 @@ def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
         found += torque(q, v)
         if not past_corners(q, v):
             found += axial(q, v) + tilted(q, v)
-    return found + scattered(q, v) + sensitive(q, v)
+    found += scattered(q, v) + sensitive(q, v)
+    if under(q) is not None and light(q, v) in ("red", "yellow"):
+        found.append("forces, pressures, way and torsion below are those it would have if it held")
+    return found
 
 
 def verdict(q: ClutchInputs, v: Values) -> str:
