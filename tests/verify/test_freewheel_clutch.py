@@ -503,6 +503,15 @@ def test_what_a_clutch_that_slips_would_carry_is_said_to_be_that():
     assert not any("if it held" in f for f in [*said(), *said(T=1e6), *said(T=-1.0)])
 
 
+def test_the_report_gives_the_values_once_and_says_of_what_percentiles_are(tmp_path, capsys):
+    path = tmp_path / "clutch.toml"
+    path.write_text(template(CLUTCH))
+    assert run(["check", str(path), "--out", str(tmp_path / "out")]) == 0
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert page.count("normal force of one contact") == 1
+    assert "clamping angle without load below which 5 % of the clutches" in capsys.readouterr().out
+
+
 def test_an_unknown_unit_of_torque_is_answered_with_those_that_are_known():
     with pytest.raises(ValueError, match="a torque takes N m, N mm, kN m, lbf in or lbf ft"):
         units.parse("5 Nmm", "N m")

@@ -56,14 +56,17 @@ OUTPUTS = (
     output("P(no state)", "P(through)", "%", "clutches within tolerance that no state bears: "
            "rollers go through, or contacts are too wide"),
     output("P(corner)", "P(corner)", "%", "clutches within tolerance past the flats' corners"),
-    output("share green", "green", "%", "of the clutches within tolerance"),
-    output("share yellow", "yellow", "%", "of the clutches within tolerance"),
-    output("share red", "red", "%", "of the clutches within tolerance"),
+    output("share green", "green", "%", "clutches within tolerance that are green by friction"),
+    output("share yellow", "yellow", "%", "clutches within tolerance that are yellow by friction"),
+    output("share red", "red", "%", "clutches within tolerance that are red by friction"),
     *(
         output(f"{key}, {p} %", f"{symbol},{p}%", unit,
-               f"{p} % of the clutches that wedge lie below")
-        for key, symbol, unit in (("alpha_0", "α_0", "deg"), ("alpha", "α_T", "deg"),
-                                  ("safety", "μ/μ_req", "1"))
+               f"{what} below which {p} % of the clutches that wedge lie")
+        for key, symbol, unit, what in (
+            ("alpha_0", "α_0", "deg", "clamping angle without load"),
+            ("alpha", "α_T", "deg", "clamping angle under torque"),
+            ("safety", "μ/μ_req", "1", "available over required friction"),
+        )
         for p in (5, 50, 95)
     ),
 )  # fmt: skip
