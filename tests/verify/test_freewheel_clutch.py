@@ -337,6 +337,7 @@ def test_clutches_without_a_wedge_are_told_apart_from_those_that_slip():
     assert v["P(slip)"] == 0
     assert v["share red"] == pytest.approx(v["P(no wedge)"])
     (told,) = (f for f in found if f.startswith("of 20,000"))
+    assert told.startswith("of 20,000 clutches of like rollers with ±5 µm on X")
     assert f"{100 * v['P(no wedge)']:.3g} % have no wedge, none slip" in told
     assert "of those that wedge have α_0" in told
     (warned,) = CLUTCH.warnings(own(**tight), v)
@@ -354,6 +355,12 @@ def test_cups_through_which_rollers_go_are_told():
 def test_uniform_parts_scatter_more_than_normal_ones_within_the_same_limits():
     normal, uniform = (analytic(own(spread=s))["s(alpha_0)"] for s in ("normal", "uniform"))
     assert uniform / normal == pytest.approx(math.sqrt(3))
+
+
+def test_the_tails_of_friction_stay_where_parts_are_uniform():
+    """Parts then scatter more: no fewer clutches slip than of normal ones."""
+    normal, uniform = (analytic(own(spread=s))["P(slip)"] for s in ("normal", "uniform"))
+    assert uniform > normal
 
 
 def test_exact_parts_have_no_scatter():

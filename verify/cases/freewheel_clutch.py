@@ -51,7 +51,7 @@ OUTPUTS = (
     output("dalpha/dX", "dα(T)/dX", "deg/mm", "turn of α under torque by X, over ±5 µm",
            judged=True),
     output("s(alpha_0)", "s(α_0)", "deg", "standard deviation of α_0 by the tolerances"),
-    output("P(slip)", "P(slip)", "%", "clutches within tolerance that slip"),
+    output("P(slip)", "P(slip)", "%", "clutches of like rollers that slip"),
     output("P(no wedge)", "P(gap)", "%", "clutches within tolerance that have no wedge"),
     output("P(no state)", "P(through)", "%", "clutches within tolerance that no state bears: "
            "rollers go through, or contacts are too wide"),
@@ -105,7 +105,7 @@ CLUTCH = Case(
         "T and F_ax act on the whole clutch: F_a = F_ax/z on a roller, F_t = T/(zR)",
         "R, r are radii and X the distance of a flat from the axis",
         "± are limits within which parts lie: three standard deviations of a normal distribution, "
-        "or all of a uniform one; s_μ is a standard deviation",
+        "or all of a uniform one; s_μ is a standard deviation of a normal one always",
         "rollers are long: plane strain",
     ),
     assumptions=(
@@ -115,6 +115,9 @@ CLUTCH = Case(
         "clutch whose tan α_0 exceeds μ is red whatever its ratio",
         "all rollers of a clutch are alike and share the load; a torque that falls back, wear, "
         "crowns, centrifugal forces and springs are left out",
+        "P(slip) counts such clutches: where r and X differ from roller to roller, clutches whose "
+        "first roller slips are half as many again to twice as many (of this synthetic clutch), "
+        "those whose rollers together cannot bear the load about as many",
         "each limit is met alone: F_ax stays as T grows, and the reverse; what the couple of the "
         "axial forces does to pressure is a linear line load",
         "a star is clamped in its bore, a shaft and every rim are free; finite elements know inner "

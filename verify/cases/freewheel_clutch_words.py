@@ -98,7 +98,10 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
             f"{v['safety, 95 %']:.3g}"
         )
     told = ", ".join([*lost, f"{share(v['P(slip)'])} slip"])
-    return [f"of {DRAWS:,} clutches with {', '.join(given)}: {told} (by friction {shares}){spread}"]
+    return [
+        f"of {DRAWS:,} clutches of like rollers with {', '.join(given)}: {told} (by friction "
+        f"{shares}){spread}"
+    ]
 
 
 def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
