@@ -1,6 +1,7 @@
 """A drawn field in its frame: the bitmap, the outline before loading, colour bar and labels."""
 
 import base64
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
@@ -18,6 +19,7 @@ from verify.shown import Picture
 NOTHING = Markup("")
 WIDTH = 400.0
 BAR = 180.0  # length of the colour bar
+FEW = 2.0  # decades, fewer of which are parted
 
 
 @dataclass(frozen=True)
@@ -120,10 +122,21 @@ def _colour_bar(picture: Picture, drawn: Drawn, y: float) -> list[Markup]:
         ),
         svg.text(BAR + 10, y + 9, f"{picture.symbol} [{picture.unit}]"),
     ]
-    for value in svg.ticks(drawn.low, drawn.high, 4):
+    for value, words in _named(picture, drawn):
         x = BAR * (value - drawn.low) / ((drawn.high - drawn.low) or 1.0)
         parts += [
             Markup('<path d="M{:.1f},{:.1f}v4" class="outline"/>').format(x, y + 9),
-            svg.text(x, y + 25, svg.plain(value), "", "start" if x < 8 else "middle"),
+            svg.text(x, y + 25, words, "", "start" if x < 8 else "middle"),
         ]
     return parts
+
+
+def _named(picture: Picture, drawn: Drawn) -> list[tuple[float, str]]:
+    """Places along the bar with their numbers: round ones, of decades 1, 2 and 5 where few fit."""
+    low, high = drawn.low, drawn.high
+    if not picture.decades:
+        return [(v, svg.plain(v)) for v in svg.ticks(low, high, 4)]
+    whole = range(math.floor(low), math.ceil(high) + 1)
+    digits = (1.0,) if high - low >= FEW else (1.0, 2.0, 5.0)
+    places = [(math.log10(d) + e, svg.plain(d * 10.0**e)) for e in whole for d in digits]
+    return [(v, words) for v, words in places if low - 1e-9 <= v <= high + 1e-9]

@@ -72,7 +72,14 @@ class Drawn:
 def key(field: Field, picture: Picture) -> str:
     """Hexadecimal name of one picture, by everything that decides how it looks."""
     digest = hashlib.sha256(_code().encode())
-    spec = {**vars(picture), "caption": "", "symbol": "", "unit": "", "field": ""}  # the page's
+    spec = {
+        **vars(picture),
+        "caption": "",
+        "symbol": "",
+        "unit": "",
+        "field": "",
+        "decades": False,
+    }  # the page's
     digest.update(json.dumps(spec, sort_keys=True).encode())
     arrays: Mapping[str, Any] = {
         "points": field.points, "cells": field.cells,

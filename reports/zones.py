@@ -15,6 +15,7 @@ LINE = 18.0  # height of a line of the key
 LETTER = 7.0  # about the width of a letter of a zone's name
 TALL = 15.0  # room that a name needs
 EDGE = 6.0
+FAR = 1_000_000  # more than any curve's points
 
 Box = tuple[float, float, float, float]  # left, top, right, bottom
 
@@ -43,7 +44,7 @@ def zones(z: Zones) -> Markup:
     rows = key(axes, z.curves) if z.curves else 0
     axes.body += names
     if z.point is not None:
-        axes.body += _mark(axes, *z.point)
+        axes.body += _mark(axes, z)
     return svg.drawing(WIDTH, HEIGHT + LINE * rows + 4, axes.body, z.title, "chart zones")
 
 
@@ -62,9 +63,8 @@ def _taken(axes: Axes, z: Zones) -> list[Box]:
         for c in z.curves if np.ptp(c.x) == 0
     ]  # fmt: skip
     if z.point is not None:
-        u, v, right = _place(axes, *z.point[:2])
-        wide = LETTER * len(z.point[2]) + 18
-        found.append((u - (wide if right else 8), v - 22, u + (8 if right else wide), v + 8))
+        u, v = _place(axes, *z.point[:2])
+        found += [(u - 8, v - 8, u + 8, v + 8), _beside(axes, z)[0]]
     return found
 
 
@@ -90,20 +90,53 @@ def _name(
     return [svg.text(*place, zone.name, "zone", "middle")] if place else []
 
 
-def _mark(axes: Axes, x: float, y: float, name: str) -> list[Markup]:
+def _mark(axes: Axes, z: Zones) -> list[Markup]:
     """The point, at the edge of the plot where it lies beyond, and its name beside it."""
-    u, v, right = _place(axes, x, y)
+    assert z.point is not None
+    (left, _, right, bottom), anchor = _beside(axes, z)
+    x = left if anchor == "start" else right
     return [
-        svg.circle(u, v, 5.0, "mark"),
-        svg.text(u + (-10 if right else 10), v - 7, name, "named", "end" if right else "start"),
+        svg.circle(*_place(axes, *z.point[:2]), 5.0, "mark"),
+        svg.text(x, bottom - 4, z.point[2], "named", anchor),
     ]
 
 
-def _place(axes: Axes, x: float, y: float) -> tuple[float, float, bool]:
-    """Where a point is in the image, within the plot, and whether that is in its right half."""
-    u = axes.X(min(max(x, axes.x[0]), axes.x[1]))
-    v = axes.Y(min(max(y, axes.y[0]), axes.y[1]))
-    return u, v, u > (axes.box[0] + axes.box[2]) / 2
+def _beside(axes: Axes, z: Zones) -> tuple[Box, str]:
+    """Box of the point's name and its anchor: where least of the curves runs through it."""
+    assert z.point is not None
+    u, v = _place(axes, *z.point[:2])
+    wide, centre = LETTER * len(z.point[2]), (axes.box[0] + axes.box[2]) / 2
+    boxes: list[tuple[int, Box, str]] = []
+    for up in (True, False):
+        low = v - 3 if up else v + TALL + 7
+        for end in (u > centre, u <= centre):
+            left = u - 10 - wide if end else u + 10
+            box = left, low - TALL, left + wide, low
+            out = left < axes.box[0] or left + wide > axes.box[2] or box[1] < axes.box[1]
+            worse = FAR if out else _crossing(axes, z, box)
+            boxes.append((worse, box, "end" if end else "start"))
+    return min(boxes, key=lambda b: b[0])[1:]
+
+
+def _crossing(axes: Axes, z: Zones, box: Box) -> int:
+    """How many points of the curves, drawn densely, lie in a box."""
+    count = 0
+    for curve in z.curves:
+        t = np.linspace(0, len(curve.x) - 1, 20 * len(curve.x))
+        at = np.arange(len(curve.x))
+        x, y = np.interp(t, at, curve.x), np.interp(t, at, curve.y)
+        count += sum(
+            box[0] < axes.X(a) < box[2] and box[1] < axes.Y(b) < box[3]
+            for a, b in zip(x, y, strict=True)
+        )
+    return count
+
+
+def _place(axes: Axes, x: float, y: float) -> tuple[float, float]:
+    """Where a point is in the image, within the plot."""
+    return (
+        axes.X(min(max(x, axes.x[0]), axes.x[1])), axes.Y(min(max(y, axes.y[0]), axes.y[1])),
+    )  # fmt: skip
 
 
 def _meet(a: Box, b: Box) -> bool:

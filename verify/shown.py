@@ -31,7 +31,8 @@ class Picture:
     at the plane x = 0. `width` sweeps a line into a ribbon that can be turned [the points' unit].
     `share` is how large the largest displacement is drawn over the body's size, where the usual
     share would hide the shape. `window` (left, bottom, right, top) shows a part of the undeformed
-    body, displacements less their mean there.
+    body, displacements less their mean there. Of `decades` the data are powers of ten, which the
+    colour bar names in `unit`.
     """
 
     field: str
@@ -46,6 +47,7 @@ class Picture:
     width: float | None = None
     window: tuple[float, float, float, float] | None = None
     share: float | None = None
+    decades: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -156,18 +156,19 @@ def _path(q: Any, last: Any) -> Curves:
     turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
     return Curves(
         title="Beyond the limit: the ring driven along the axis", x_label="u_z [µm]",
-        y_label="over that at the limit, and at rest",
+        y_label="F_a/F_n over its limit, T over T at rest",
         curves=(
             Curve(name="F_a/F_n, ring held", x=out[:, 0] / µm,
                   y=np.abs(out[:, 4:6]).mean(axis=1) / full),
-            Curve(name="the same, torque held", x=creep[:, 0] / µm,
-                  y=np.abs(creep[:, 4:6]).mean(axis=1) / full, style="dots"),
             Curve(name="T, ring held", x=out[:, 0] / µm, y=out[:, 7], colour=1),
-            Curve(name="T, torque held", x=creep[:, 0] / µm, y=creep[:, 7], style="dots", colour=1),
+            Curve(name="F_a/F_n, torque held", x=creep[::2, 0] / µm,
+                  y=np.abs(creep[::2, 4:6]).mean(axis=1) / full, style="dots"),
+            Curve(name="T, torque held", x=creep[1::2, 0] / µm, y=creep[1::2, 7], style="dots",
+                  colour=1),
         ),
         note="A drive that keeps the torque up turns the ring on: by "
         f"{turned / µm:.3g} µm of its bore where it has slid {out[-1, 0] / µm:.3g} µm. "
-        "Held, the ring lets the rollers out.",
+        "Held, the ring lets the rollers out. Marks of both, which stay at 1, alternate.",
     )  # fmt: skip
 
 
@@ -177,7 +178,7 @@ def _let_out(q: Any, last: Any) -> Curves:
     start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
     return Curves(
         title="Torque that is left where the ring is held and slides along the axis",
-        x_label="axial slip [µm]", y_label="T over that at rest",
+        x_label="axial slip [µm]", y_label="T/T(at rest)",
         curves=(
             Curve(name="Coulomb's law and the state at each F_n", x=u[::-1] / µm, y=T[::-1]),
             Curve(name="FE", x=(out[:, 0] - start).clip(0) / µm, y=out[:, 7], style="dots"),
@@ -191,7 +192,7 @@ def _shares(last: Any) -> Curves:
     share = last["onset"][0] if math.isfinite(last["onset"][0]) else 1.0
     return Curves(
         title="Part of a contact that slips under torque alone", x_label="tan α/μ",
-        y_label="of F_n, on nodes that slip",
+        y_label="share of F_n on slipping nodes",
         curves=(
             Curve(name="FE, star", x=1 / k, y=star, style="dots"),
             Curve(name="FE, ring", x=1 / k, y=ring, style="dots", colour=1),
@@ -257,7 +258,8 @@ def pictures(_q: Any) -> Sequence[Picture]:
         Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=µm, displacement="",
                 caption="Displacement along the axis under torque and axial load: the ring is "
                 "pulled out, the rollers stay between, the star is clamped on its shaft"),
-        Picture(field="sector", data="log_shear_z", symbol="lg(τ_z/MPa)", unit="1", factor=1.0,
-                displacement="", caption="Shear stress along the axis, as a power of ten of MPa: "
+        Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
+                decades=True,
+                displacement="", caption="Shear stress along the axis: "
                 "it enters through both contacts"),
     )  # fmt: skip

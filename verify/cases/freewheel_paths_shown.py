@@ -142,8 +142,8 @@ def plane(context: Context) -> Curves:
         Curve(name=f"friction cone, μ = {q.mu:g}", x=q.mu * np.cos(turn), y=q.mu * np.sin(turn),
               style="dashes", colour=3),
     ]  # fmt: skip
-    for case, colour in ((2, 2), (1, 0), (3, 1)):
-        curves += _ways(courses(q)[case], q.R, f"load case {case}", colour)
+    for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
+        curves += _ways(courses(q)[case], q.R, f"load case {case}", colour, drawn)
     for name, colour, told in (("growing", 2, "FE, extremes of 2"), ("ramp", 0, "FE, load case 1")):
         table = last[name]
         curves.append(Curve(
@@ -153,11 +153,12 @@ def plane(context: Context) -> Curves:
         title="Tangential and axial force over the normal force, up to slip", x_label="F_t/F_n",
         y_label="F_a/F_n", curves=tuple(curves), y_bottom=-q.mu,
         note="Under a steady torque F_t/F_n = tan α stays and the axial load leads to the cone "
-        "along a vertical line; in phase F_t/F_n swings between tan α_0 and tan α(T).",
+        "along a vertical line, load case 1 on the upper half of load case 2; in phase "
+        "F_t/F_n swings between tan α_0 and tan α(T).",
     )  # fmt: skip
 
 
-def _ways(course: Course, R: float, name: str, colour: int) -> list[Curve]:
+def _ways(course: Course, R: float, name: str, colour: int, drawn: str) -> list[Curve]:
     """One path up to slip, a curve for each time in which it is locked."""
     found: list[Curve] = []
     for _, t, mu_req in _pieces(course):
@@ -169,6 +170,7 @@ def _ways(course: Course, R: float, name: str, colour: int) -> list[Curve]:
         found.append(Curve(
             name="" if found else name, x=tan[loaded],
             y=tan[loaded] * course.F_ax[at][loaded] * R / course.T[at][loaded], colour=colour,
+            style=drawn,
         ))  # fmt: skip
     return found
 
@@ -215,7 +217,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     return (
         Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
                 caption="Axial displacement at the last extreme of load case 2", displacement=""),
-        Picture(field="sector", data="log_shear_z", symbol="lg(τ_z/MPa)", unit="1", factor=1.0,
+        Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
+                decades=True,
                 caption="The axial load goes through both contacts of the roller",
                 displacement="", window=(x - w, y - w, x + w, y + w)),
     )  # fmt: skip

@@ -165,7 +165,8 @@ def pictures(q: Any) -> Sequence[Picture]:
         Picture(field="sector", data="von_mises", symbol="σ_v", unit="MPa", factor=1e6,
                 caption="One pitch in the heaviest state of the sweep, von Mises' stress",
                 displacement=""),
-        Picture(field="sector", data="log_mises", symbol="lg(σ_v/MPa)", unit="1", factor=1.0,
+        Picture(field="sector", data="log_mises", symbol="σ_v", unit="MPa", factor=1.0,
+                decades=True,
                 caption="The roller between both races: the forces run from contact to contact; "
                 "below 10 MPa in one colour",
                 displacement="", window=(x - w, y - w, x + w, y + w)),

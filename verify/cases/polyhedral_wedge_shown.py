@@ -157,7 +157,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     x, y = q.R * math.sin(q.half), q.R * math.cos(q.half)
     w = 3.0 * q.a
     return (
-        Picture(field="roller", data="log_shear", symbol="lg(τ_max/p_0)", unit="1", factor=1.0,
+        Picture(field="roller", data="log_shear", symbol="τ_max/p_0", unit="1", factor=1.0,
+                decades=True,
                 caption="Largest shear stress in the roller, as a power of ten of p_0: it runs "
                 "from contact to contact", displacement="", mirror=("y",)),
         Picture(field="roller", data="shear", symbol="τ_max/p_0", unit="1", factor=1.0,
