@@ -92,7 +92,8 @@ def test_a_pull_within_the_cone_leaves_torque_and_normal_force(start):
     before, after = model.Borne.by(rest), model.Borne.by(model.pulled(q, there, rest))
     assert pytest.approx(before.N, rel=1e-4) == after.N
     assert after.F_t == pytest.approx(before.F_t, rel=1e-4)
-    assert after.F_z * q.L * q.z == pytest.approx([q.F_ax, -q.F_ax], rel=1e-9)
+    pull = q.F_ax * rest.torque / (q.z * q.T)
+    assert after.F_z == pytest.approx([pull, -pull], rel=1e-9)
 
 
 def test_a_pull_beyond_the_cone_finds_no_rest(start):

@@ -30,21 +30,21 @@ BALANCED = "forces in balance, on any mesh"
 
 
 def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
-    """Eq. 9 at the angle and the torque that finite elements have.
+    """Eq. 9 at the angle that finite elements have; their loads are in the ratio of the inputs.
 
     The mesh's own angle is that of its normals, on which the solver's friction acts.
     """
-    turned, T, meshed = context.fem[-1].arrays["tan"]
+    turned, meshed = context.fem[-1].arrays["tan"]
     tan = meshed if of_mesh else turned
     q = context.inputs
     F_ax = q.F_ax if loaded else 0.0
-    return float(criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R))
+    return float(criterion.required_friction(alpha=np.arctan(tan), T=q.T, F_ax=F_ax, R=q.R))
 
 
 def onset(context: Context) -> tuple[float, float, str]:
     """All of both contacts slips where friction is tan(alpha)."""
     share, half = context.fem[-1].arrays["onset"]
-    tan = context.fem[-1].arrays["tan"][2]
+    tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
     return ONSET - abs(off), 2 * half, f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
 
@@ -52,9 +52,9 @@ def onset(context: Context) -> tuple[float, float, str]:
 def axial_onset(context: Context) -> tuple[float, float, str]:
     """The axial load finds no rest where friction is below mu_req."""
     share, half = context.fem[-1].arrays["axial onset"]
-    (_, T, tan), q = context.fem[-1].arrays["tan"], context.inputs
+    tan, q = context.fem[-1].arrays["tan"][1], context.inputs
     needed = required(context, loaded=True, of_mesh=True)
-    off = share * tan * np.hypot(1.0, q.F_ax * q.R / T) / needed - 1
+    off = share * tan * np.hypot(1.0, q.F_ax * q.R / q.T) / needed - 1
     return CONE - abs(off), half, f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
 
 

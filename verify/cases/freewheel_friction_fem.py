@@ -37,14 +37,14 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     rest, held = under_load(q, start, level)
     alone, borne = Borne.by(rest), Borne.by(held)
     missed = abs(rest.torque * q.L / q.T - 1)
+    per_torque = q.T / rest.torque  # of forces, at an angle that hardly changes
     values = {
-        "F_t": Borne.on_mesh(rest).F_t[1] / rest.torque * q.T, "N": alone.N.mean() * q.L,
-        "F_a": borne.F_z[0] * q.L, "balance": borne.F_z.sum() * q.L,
+        "F_t": Borne.on_mesh(rest).F_t[1] * per_torque, "N": alone.N.mean() * per_torque,
+        "F_a": borne.F_z[0] * per_torque, "balance": borne.F_z.sum() * q.L,
         "mu_t": alone.tangent, "mu_req": borne.required.mean(),
     }  # fmt: skip
     # tan² alpha is linear in the approaches, on which T grows faster
-    u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_t", "mu_req")}
-    u_it["N"] = (EDGES + missed) * values["N"]
+    u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_t", "mu_req", "N")}
     u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
     there = sector(q, start, level, q.mu, driven=True)
     stuck = there.rest(rest.drags)
@@ -59,9 +59,7 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     u_it["F_lim"] = abs(force[-1] - force[-2]) + steep * (EDGES + missed) * force[-1]
     u_it["creep"] = abs(turned[-1] - turned[-2]) + steep * EDGES * turned[-1]
     arrays = {
-        "tan": np.array([
-            math.tan(rest.place.psi / 2), rest.torque * q.L, math.tan(rest.start.psi / 2),
-        ]),
+        "tan": np.array([math.tan(at.psi / 2) for at in (rest.place, rest.start)]),
         "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
         "creep": path,
     }  # fmt: skip

@@ -121,8 +121,8 @@ def at_torque(q: FrictionInputs, cells: int) -> Start:
 
 
 def pulled(q: FrictionInputs, there: Sector, rest: State) -> State:
-    """The clutch at rest, then loaded by F_ax on the ring's rim."""
-    force = {"ring.rim": q.F_ax / (q.z * q.L)}
+    """The clutch at rest, then loaded on the ring's rim by F_ax/T of the torque that it has."""
+    force = {"ring.rim": q.F_ax / q.T * rest.torque / q.z}
     return there.at(rest.drags, axial_forces=force, after=rest.solution)
 
 
