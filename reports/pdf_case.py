@@ -17,15 +17,22 @@ MARKS = {"theory": "|", "FEA": "□", "test": "◇"}  # as the graphic of a row 
 
 
 def case_data(
-    case: CaseResult, frames: Sequence[Frame], anchors: Mapping[str, str], sheets: Sequence[str]
+    case: CaseResult,
+    frames: Sequence[Frame],
+    anchors: Mapping[str, str],
+    sheets: Sequence[str],
+    paper: str,
 ) -> Data:
-    """Everything of a case; `sheets` name the workbook's sheet of each of its tables."""
+    """Everything of a case of a `paper`, as its first author and year.
+
+    `sheets` name the workbook's sheet of each of the case's tables.
+    """
     group = lines(case.rows)
     return {
         "id": case.id,
         "name": case.name,
         "title": runs(case.title),
-        "kicker": f"{case.id} · {case.paper}, {case.place}",
+        "kicker": f"{case.id} · {paper}, {case.place}",
         "lead": prose(case.lead),
         "counts": [[status.value, count] for status, count in present(case.rows)],
         "findings": [prose(f) for f in case.findings],
@@ -78,7 +85,7 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
 
 
 def _input(entry: InputValue) -> list[list[Run]]:
-    what: list[Run] = [entry.what]
+    what = prose(entry.what)
     if entry.source:
         what += [" ", ["place", *prose(entry.source)]]
     return [
@@ -96,7 +103,7 @@ def value_cells(value: FormulaValue) -> list[list[Run]]:
 
 
 def _unit(unit: str) -> list[Run]:
-    return [unit] if unit != "1" else []
+    return prose(unit) if unit != "1" else []
 
 
 def _figures(case: CaseResult, frames: Sequence[Frame]) -> list[Data]:

@@ -16,7 +16,7 @@ from reports.pdf_tables import Data, prose, quantity
 from reports.richtext import runs
 from reports.sheets import Sheets
 from reports.standalone import HERE, standalone
-from reports.verdicts import verdicts
+from reports.verdicts import first_author, verdicts
 from verify.results import PaperCell, PaperTable, Report, Row, Status
 
 
@@ -24,6 +24,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
     """All that templates/report.typ prints; a user's own report has no ledgers."""
     places, sheets = anchors(report.rows), Sheets(report)
     own = bool(report.name)
+    short = {p["key"]: first_author(p["authors"], p["year"]) for p in report.papers}
     return {
         "title": title(report),
         "kicker": "Check of one’s own parameters" if own else "Verification report",
@@ -44,7 +45,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "overview": standalone(signature.overview(report.cases, places)),
         "key": standalone(_key(report)),
         "cases": [
-            case_data(case, frames.get(case.id, ()), places, sheets.of_case[i])
+            case_data(case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper])
             for i, case in enumerate(report.cases)
         ],
         "ledgers": None if own else _ledgers(report, places),

@@ -18,6 +18,7 @@ from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.design.inputs import CASE as DESIGN
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
+from verify.published.ledger import cited
 from verify.results import CaseResult, Report, Status
 from verify.run import Job
 from verify.solving import solve
@@ -36,7 +37,7 @@ def run_list() -> int:
             unit = meta(field)["unit"]
             text = name if unit == "1" else f"{name} [{unit}]"
             (needed if meta(field)["omitted"] == REQUIRED else optional).append(text)
-        print(f"{case.id:20} {case.title} ({case.paper}, {case.place})")
+        print(f"{case.id:20} {case.title} ({cited(case.paper)}, {case.place})")
         print(f"{'':20} inputs: {', '.join(needed)}")
         if optional:
             print(f"{'':20} optional: {', '.join(optional)}")

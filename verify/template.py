@@ -12,7 +12,7 @@ from verify import units
 from verify.case import Case
 from verify.cases.registry import find
 from verify.inputs import REQUIRED, InputError, Inputs, bounds_of, choices, meta
-from verify.published.ledger import published
+from verify.published.ledger import cited, published
 
 HEAD = """\
 # Parameters of the freewheel case {id}: {title}.
@@ -52,7 +52,7 @@ def hand_over(text: str, out: Path | None) -> None:
 
 def template(case: Case) -> str:
     """A parameter file that builds to the paper's inputs."""
-    head = HEAD.format(id=case.id, title=case.title, paper=case.paper)
+    head = HEAD.format(id=case.id, title=case.title, paper=cited(case.paper))
     return head + aligned(commented(case.inputs)) + _instead(case.inputs)
 
 

@@ -20,12 +20,24 @@ SETTLES = 0.6  # of the limit: alternating loads below settled, of the synthetic
 
 
 def findings(q: PathInputs, v: Values) -> Sequence[str]:
-    found = []
-    for case, course in courses(q).items():
-        slip = course.slips_at
-        held = f"slips at {slip:.4g} s" if math.isfinite(slip) else "holds to the end"
+    paths = courses(q)
+    slips = [case for case, course in paths.items() if math.isfinite(course.slips_at)]
+    named = ", ".join(map(str, slips))
+    found = [
+        f"slips in load case{'s' * (len(slips) > 1)} {named} of {len(paths)}"
+        if slips
+        else f"holds to the end of all {len(paths)} load cases"
+    ]
+    for case, course in paths.items():
+        slip, least = course.slips_at, f"{q.mu / course.peak:.3g}, {course.light}"
         found.append(
-            f"{shown.NAMES[case]}: {held}; least μ/μ_req {q.mu / course.peak:.3g}, {course.light}"
+            f"{shown.NAMES[case]}: "
+            + (
+                f"slips at {slip:.4g} s; loaded on to the path's end as if it held, least "
+                f"μ/μ_req {least}"
+                if math.isfinite(slip)
+                else f"holds to the end, least μ/μ_req {least}"
+            )
         )
     if "F_lim" in v:
         found.append(

@@ -9,12 +9,11 @@ from analytic.freewheel import criterion
 from verify.case import Context
 from verify.cases.freewheel_paths_formulas import (
     SHARES,
-    course,
     courses,
     expected,
-    friction_of,
     of_limit,
 )
+from verify.cases.freewheel_paths_times import time_of_slip
 from verify.checks import Accepted, Approximation, Fact
 from verify.printed import Adopted
 
@@ -48,7 +47,7 @@ def own(context: Context, name: str) -> Margin:
         float(np.abs(found / needed - 1).max())
         for found, needed in (_required(context, at, name) for at in (-2, -1))
     )
-    return OWN - now, abs(now - before), f"off by at most {now:.2e}, {OWN:.1%} accepted"
+    return OWN - now, abs(now - before), f"off by at most {now:.2%}, {OWN:.1%} accepted"
 
 
 def torque(context: Context) -> Margin:
@@ -112,17 +111,25 @@ def falls(context: Context) -> tuple[float, float]:
 
 
 def in_time(context: Context, case: int) -> Margin:
-    """When the path reaches what finite elements bear, against the formula's time of slip."""
-    q = context.inputs
-    T = q.T_critical if case == 3 else q.T
+    """The formula's time of slip within those at which the path is `ALIKE` beside what FE bear.
+
+    A course names the first of its times beyond slip: half a step of it is unknown.
+    """
+    q, along = context.inputs, courses(context.inputs)[case]
     F, half = slips(context, case)
-    early, late = (course(q, case, friction_of(q, T, F + d)).slips_at for d in (-half, half))
-    own = courses(q)[case].slips_at
+    step = float(along.t[1] - along.t[0])
+    own = along.slips_at - step / 2
     if not math.isfinite(own):
         return 1.0, 0.0, "the path ends before it slips"
-    off = max(early - own, late - own, key=abs)
-    words = f"{own:.4f} s, finite elements {off:+.4f} s, a cycle accepted"
-    return 1 / q.f - abs(off), late - early, words
+    early, below, found, above, late = (
+        time_of_slip(q, case, F + d, context.fem[-1].values)
+        for d in (-ALIKE * F, -half, 0.0, half, ALIKE * F)
+    )
+    words = (
+        f"{own:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
+        f"{ALIKE:.0%} of their load"
+    )
+    return min(own - early, late - own), above - below + step / 2, words
 
 
 def in_phase(share: float) -> Approximation:

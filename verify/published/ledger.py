@@ -39,6 +39,11 @@ class Paper(Entry):
     equations: tuple[Equation, ...]
     errata: tuple[Erratum, ...]
 
+    @property
+    def cited(self) -> str:
+        """The first author's name and the year."""
+        return f"{self.authors.split(',')[0].split()[-1]} {self.year or ''}".strip()
+
     @model_validator(mode="after")
     def _ids_are_unique_and_equations_complete(self) -> Self:
         for name, entries in (("value", self.values), ("erratum", self.errata)):
@@ -72,6 +77,11 @@ def papers() -> tuple[Paper, ...]:
         Paper.model_validate(tomllib.loads((HERE / f"{key}.toml").read_text("utf-8")))
         for key in NUMBERED_EQUATIONS
     )
+
+
+def cited(key: str) -> str:
+    """First author and year of the paper with this key; KeyError where there is none."""
+    return {paper.key: paper.cited for paper in papers()}[key]
 
 
 @cache
