@@ -61,7 +61,7 @@ def _instead(model: type[Inputs]) -> str:
     what, values = model.instead
     if not what:
         return ""
-    return f"\n# Or {what}\n" + "".join(f"# {name} = {text}\n" for name, text in values.items())
+    return f"\n# Or {what}\n" + "".join(f"#   {name} = {text}\n" for name, text in values.items())
 
 
 def commented(model: type[Inputs]) -> list[tuple[str, str]]:

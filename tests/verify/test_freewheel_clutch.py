@@ -191,11 +191,20 @@ def test_a_torque_that_no_state_bears_is_borne_by_what_is_advised():
     assert "R_a is that of the housing that stiffens a drawn cup" in said(**cup)[1]
 
 
+@pytest.mark.parametrize("exact", [{}, SHARP])
+def test_a_wedge_of_a_hundredth_of_a_micrometre_is_spoken_of(exact):
+    assert any(f.startswith("α_0 turns") and "μ/μ_req" in f for f in said(X=11.49999e-3, **exact))
+
+
+def test_a_torque_far_beyond_is_not_met_with_rollers_of_kilometres():
+    assert said(T=1e9)[1] == "no R_a, X or L near these bears the torque: the clutch is too small"
+
+
 def test_the_template_s_outer_cam_is_a_clutch(tmp_path, capsys):
     text = template(CLUTCH)
     assert "with the housing that a drawn cup is pressed into" in text
     head, other = text.split("\n# Or an outer cam")
-    lines = [line.removeprefix("# ") for line in other.splitlines()[1:]]
+    lines = [line.removeprefix("#   ") for line in other.splitlines()[1:]]
     names = {line.partition(" =")[0] for line in lines}
     kept = [x for x in head.splitlines() if x.removeprefix("# ").partition(" =")[0] not in names]
     path = tmp_path / "cup.toml"

@@ -25,7 +25,7 @@ def inputs_of(text):
 def lines_of(case):
     """Commented out or not, name, value and comment of every input's line."""
     body = template(case).partition("[inputs]\n")[2]
-    return [LINE.fullmatch(line).groups() for line in body.splitlines()]
+    return [LINE.fullmatch(line).groups() for line in body.partition("\n# Or ")[0].splitlines()]
 
 
 @EACH

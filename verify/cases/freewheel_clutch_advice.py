@@ -59,6 +59,8 @@ def stiffer(q: ClutchInputs) -> str:
     found = [f"{name} = {value * 1e3:.5g} mm" if name != "X"
              else f"X = {value * 1e3:.7g} mm ({(value - q.X) * 1e6:+.3g} µm)"
              for name, value in bearing(q)]  # fmt: skip
+    if not found:
+        return "no R_a, X or L near these bears the torque: the clutch is too small"
     housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
     return f"the torque is just borne with {', or '.join(found)}, or more rollers{housing}"
 

@@ -15,9 +15,10 @@ from verify.cases.freewheel_clutch_limits import end, under
 Array = NDArray[np.float64]
 
 GOALS = (1.0, 1.1)  # of mu/mu_req: what holds by Coulomb's law, and with a tenth to spare
-FINE = 1e-8  # [m]: for a derivative
+FINE, NARROW = 1e-8, 0.1  # for a derivative [m], at most this of what a wedge has
 FARTHEST, POINTS = 0.999, 400  # of the way to no wedge; places along it
 STIFFEST, HALVINGS = 4.0, 30  # times R_a, beyond which a housing does no more
+LONGEST = 10.0  # times L that are advised at most
 
 
 def shifted(q: ClutchInputs, name: str, by: Array) -> Clutch:
@@ -86,12 +87,15 @@ def per_micrometre(q: ClutchInputs) -> dict[str, float]:
     now = under(q)
     if now is None:
         return {}
-    found = {}
+    found, step = {}, min(FINE, NARROW * q.room)
     for name in ("X", "r", "R"):
-        clutch = shifted(q, name, FINE * np.array([-1.0, 1.0]))
+        try:
+            clutch = shifted(q, name, step * np.array([-1.0, 1.0]))
+        except ValueError:  # at a flat's corner, or rollers that touch
+            return {}
         alpha = state.loaded(clutch, q.T).alpha
         low, high = criterion.required_friction(alpha=alpha, T=q.T, F_ax=q.F_ax, R=clutch.cam.race)
-        found[name] = float((low - high) / (low + high)) * 1e-6 / FINE
+        found[name] = float((low - high) / (low + high)) * 1e-6 / step
     return found
 
 
@@ -100,7 +104,7 @@ def bearing(q: ClutchInputs) -> list[tuple[str, float]]:
 
     All torques grow with L; R_a is that of the part with its housing.
     """
-    found = [("L", q.L * q.T / end(q))]
+    found = [("L", q.L * q.T / end(q))] if LONGEST * end(q) > q.T else []
     for name, worst in (("R_a", q.R_a * STIFFEST), ("X", q.X - q.room)):
         if (value := _towards(q, name, worst)) is not None:
             found.append((name, value))
