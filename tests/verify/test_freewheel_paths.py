@@ -7,13 +7,14 @@ from functools import cache
 import numpy as np
 import pytest
 
-from analytic.freewheel import criterion
+from analytic.freewheel import course, criterion, load_path
 from verify.cache import default_folder
 from verify.cases import freewheel_paths_fem
 from verify.cases.freewheel_friction_model import Borne
 from verify.cases.freewheel_paths import PATHS, findings, too_large, warnings
 from verify.cases.freewheel_paths_formulas import analytic, courses
 from verify.cases.freewheel_paths_inputs import PathInputs
+from verify.cases.freewheel_paths_times import time_of_slip
 from verify.results import Status
 from verify.run import Job, judge_case, solve_level
 
@@ -158,6 +159,57 @@ def test_another_reading_or_a_wrong_formula_turns_a_row_red(
     judged(PATHS)
     broken(owner, name, fault)
     assert row in names(red(judged(PATHS)))
+
+
+WRONG_PATHS = [
+    pytest.param(load_path.BothAlternating, "ratio", lambda f: lambda self, t: 0.9 * f(self, t),
+                 (3,), id="a ratio of 0.9"),
+    pytest.param(load_path.AxialRamp, "axial_load", lambda f: lambda self, t: f(self, t) / 2,
+                 (1,), id="a ramp to half the load"),
+    pytest.param(load_path.AlternatingAxial, "axial_load", lambda f: lambda self, t: f(
+        replace(self, frequency=2 * self.frequency), t), (2,), id="doubled frequency, load case 2"),
+    pytest.param(load_path.BothAlternating, "_turn", lambda f: lambda self, t: 2 * f(self, t),
+                 (3,), id="doubled frequency, load case 3"),
+    pytest.param(load_path, "_growth", lambda f: lambda *args: f(*args) ** 2, (1, 2, 3),
+                 id="growth with the square of time"),
+    pytest.param(course.Course, "slips_at", lambda f: property(
+        lambda self: f.fget(self) + 0.003), (1, 2, 3), id="named three milliseconds late"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("owner", "name", "fault", "cases"), WRONG_PATHS)
+def test_a_wrong_path_turns_its_time_of_slip_red(owner, name, fault, cases, broken, judged, red):
+    judged(PATHS)
+    broken(owner, name, fault)
+    wrong = names(red(judged(PATHS)))
+    assert {f"time of slip, load case {case}" for case in cases} <= wrong
+
+
+# When a path reaches a load.
+@pytest.mark.parametrize("at", [0.35, 0.8])
+def test_a_path_reaches_a_load_no_sooner_than_it_grows_to_it(at):
+    """A ramp at F = at F_ax; a sine not before, and within half a swing, at its definition."""
+    q = PathInputs()
+    ramp, sine = (time_of_slip(q, case, at * q.F_ax, {}) for case in (1, 2))
+    assert ramp == pytest.approx(q.rise + at * (q.duration - q.rise), rel=1e-12)
+    assert ramp <= sine <= ramp + 0.5 / q.f
+    turn = 2 * math.pi * 30 * (sine - 0.1)
+    assert 3000 * (sine - 0.1) / 0.4 * abs(math.sin(turn)) == pytest.approx(3000 * at, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("F", "t"),
+    [(1050.0, 0.175), (1150.0, 0.2)],  # grown after 5.25 cycles, and after 5.75: it overruns
+)
+def test_of_one_angle_load_case_3_slips_as_its_amplitude_has_grown_and_it_locks(F, t):
+    q = PathInputs()
+    alike = {f"mu_req at {s:g}": math.hypot(1, q.R * q.F_ax / q.T) for s in (1.0, 0.3)}
+    assert time_of_slip(q, 3, F, alike) == pytest.approx(t, abs=1e-9)
+
+
+def test_a_path_that_never_reaches_the_load_has_no_time_of_slip():
+    q, alike = PathInputs(), {"mu_req at 1": 2.0, "mu_req at 0.3": 2.0}
+    assert all(time_of_slip(q, case, 1.1 * q.F_ax, alike) == math.inf for case in (1, 2, 3))
 
 
 @cache

@@ -110,9 +110,3 @@ def of_limit(q: PathInputs, T: float) -> Interval | None:
 
 def _lever(q: PathInputs, tan: float) -> float:
     return math.sqrt((q.mu / tan) ** 2 - 1)
-
-
-def friction_of(q: PathInputs, T: float, F_ax: float) -> float:
-    """The friction with which slip starts at these loads."""
-    alpha = loaded(clutch(q), T).alpha
-    return float(criterion.required_friction(alpha=alpha, T=T, F_ax=F_ax, R=q.R))
