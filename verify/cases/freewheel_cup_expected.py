@@ -87,7 +87,9 @@ class CupExpected:
         wide, psi = max(float(state.a_i), float(state.a_o)) / q.r, float(state.psi)
         self.hertz = max(CURVED * wide**2, LEAST)
         c = max(wide**2 / 2 + psi**2 / 16, SMALLEST)
-        low, high = cup_bracket(q, P)
+        low, middle, high = cup_bracket(q, P)
+        # not the formula's own d_o: what is expected must not move with what is judged
+        self.own = {"d_i": d_i, "d_o": middle}
         x = float(q.cam.centre(d_i=d_i, d_o=d_o)[0])
         wound = winding(q, float(state.T), q.X_o, q.R_a) * x
         self.d_i = d_i * (1 - c), d_i * (1 + c)
@@ -105,9 +107,13 @@ class CupExpected:
             for i, o, t in product(self.d_i, self.d_o, (-self.tilt, self.tilt))
         )
 
+    @property
+    def middle(self) -> Factors:
+        """Factors of the approaches of the ring that is expected to stand for the cup."""
+        return 1.0, self.own["d_o"] / float(self.state.d_o), 1.0
+
     def approach(self, which: str) -> Interval:
-        own = float(getattr(self.state, which))
-        low, high = getattr(self, which)
+        own, (low, high) = self.own[which], getattr(self, which)
         return min(own / high - 1, -ASKED), max(own / low - 1, ASKED)
 
     def contact(self) -> Interval:
@@ -117,7 +123,8 @@ class CupExpected:
     @cached_property
     def _at_torque(self) -> tuple[dict[str, float], list[dict[str, float]]]:
         T = float(self.state.T)
-        return Course(self.q).at(T), [Course(self.q, f).at(T) for f in self.corners]
+        middle = Course(self.q, self.middle).at(T)
+        return middle, [Course(self.q, f).at(T) for f in self.corners]
 
     def under_torque(self, key: str) -> Interval:
         """Of N, alpha or s at this torque."""
@@ -144,18 +151,20 @@ class CupExpected:
         """Of T at this normal force."""
         cam, corners = self.q.cam, self.corners
         d_i, d_o = float(self.state.d_i), float(self.state.d_o)
-        own = math.tan(float(self.state.alpha))
+        _, middle, _ = self.middle
+        own = math.tan(float(cam.alpha(d_i=d_i, d_o=middle * d_o)))
         found = [t * math.tan(float(cam.alpha(d_i=i * d_i, d_o=o * d_o))) for i, o, t in corners]
         return _interval(own, found)
 
     def summit(self) -> Interval:
         """Of the largest torque."""
-        return _interval(Course(self.q).summit, [Course(self.q, f).summit for f in self.corners])
+        own = Course(self.q, self.middle).summit
+        return _interval(own, [Course(self.q, f).summit for f in self.corners])
 
     def force_at_angle(self, psi: float) -> Interval:
         """Of N at an angle: where the approaches leave it."""
         return _interval(
-            self._force(psi, (1, 1, 1)), [self._force(psi, f) for f in self.corners]
+            self._force(psi, self.middle), [self._force(psi, f) for f in self.corners]
         )  # fmt: skip
 
     def _force(self, psi: float, factors: Factors) -> float:
@@ -168,18 +177,28 @@ def _interval(own: float, others: list[float]) -> Interval:
     return own / max(others) - 1 - ROUNDED, own / min(others) - 1 + ROUNDED
 
 
-def cup_bracket(q: CupInputs, P: float) -> Interval:
-    """Least and largest approach [m] of roller and cup under P = N/L [N/m]."""
+def cup_bracket(q: CupInputs, P: float) -> tuple[float, float, float]:
+    """Least, expected and largest approach [m] of roller and cup under P = N/L [N/m].
+
+    Expected is that of the ring whose bore encloses as much as the flats do, drawn between those of
+    the rings with the bores X_o and X_o/cos(pi/z).
+    """
+    flats, corners = (_as_ring(q, P, bore, 0.0) for bore in (q.X_o, q.corner))
+    half = math.pi / q.z
+    share = (q.X_o * math.sqrt(math.tan(half) / half) - q.X_o) / (q.corner - q.X_o)
+    column = 1 - float(clutch(q).outer.plane[1])
+    return flats, flats + share * (corners - flats), _as_ring(q, P, q.corner, column)
+
+
+def _as_ring(q: CupInputs, P: float, bore: float, column: float) -> float:
+    """Approach [m] of roller and a ring, its constant k raised by `column`."""
     whole = clutch(q)
     E, nu = whole.outer.plane
     _, a = whole.half_widths(P)
     half, _ = compliance(whole).half_roller.approach(np.asarray(P), a)
-    found = []
-    for bore, column in ((q.X_o, 0.0), (q.corner, 1 - float(nu))):
-        k = series.race_constant(ratio=q.R_a / bore, n=q.z, nu=nu, loaded="bore") + column
-        body = Body(E=E, l=np.asarray(bore), k=k, c=series.curvature_term(nu=nu, loaded="bore"))
-        found.append(float(half + body.approach(np.asarray(P), a)[0]))
-    return found[0], found[1]
+    k = series.race_constant(ratio=q.R_a / bore, n=q.z, nu=nu, loaded="bore") + column
+    body = Body(E=E, l=np.asarray(bore), k=k, c=series.curvature_term(nu=nu, loaded="bore"))
+    return float(half + body.approach(np.asarray(P), a)[0])
 
 
 def winding(q: CupInputs, T: float, r_1: float, r_2: float) -> float:
