@@ -242,8 +242,8 @@ READINGS = [
                  FORCE, id="T = z X F_t, Eq. 3 as printed"),
     pytest.param(Cam, "torque_on_race", lambda _: lambda self, *, F_t: self.race * F_t, FORCE,
                  id="T of one roller"),
-    pytest.param(freewheel_friction_formulas, "loaded", lambda right: lambda clutch, T: right(
-        clutch, T / 2), ALONE, id="angle of half the torque"),
+    pytest.param(freewheel_friction_formulas, "state_under", lambda right: lambda q, T: right(
+        q, T / 2), ALONE, id="angle of half the torque"),
 ]  # fmt: skip
 
 
