@@ -162,7 +162,8 @@ def pictures(q: Any) -> Sequence[Picture]:
     x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
     w = 1.35 * q.r
     return (
-        Picture(field="sector", data="von_mises", symbol="σ_v", unit="MPa", factor=1e6,
+        Picture(field="sector", data="log_mises", symbol="σ_v", unit="MPa", factor=1.0,
+                decades=True,
                 caption="One pitch in the heaviest state of the sweep, von Mises' stress",
                 displacement=""),
         Picture(field="sector", data="log_mises", symbol="σ_v", unit="MPa", factor=1.0,
