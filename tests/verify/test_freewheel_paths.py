@@ -14,7 +14,8 @@ from verify.cases.freewheel_friction_model import Borne
 from verify.cases.freewheel_paths import PATHS, findings, too_large, warnings
 from verify.cases.freewheel_paths_formulas import analytic, courses
 from verify.cases.freewheel_paths_inputs import PathInputs
-from verify.cases.freewheel_paths_times import time_of_slip
+from verify.cases.freewheel_paths_times import tan_of, time_of_slip
+from verify.cases.freewheel_torque_model import state_under
 from verify.results import Status
 from verify.run import Job, judge_case, solve_level
 
@@ -66,7 +67,7 @@ def test_a_path_that_ends_below_the_limit_holds_and_is_green():
     q = PathInputs(F_ax=900.0)
     v = analytic(q)
     assert not any(key.startswith("slip") for key in v)
-    assert all("holds to the end" in words and "green" in words for words in findings(q, v)[:3])
+    assert all("holds to the end" in words and "green" in words for words in findings(q, v)[1:4])
 
 
 def test_about_a_mean_torque_the_trough_asks_for_most():
@@ -205,6 +206,13 @@ def test_of_one_angle_load_case_3_slips_as_its_amplitude_has_grown_and_it_locks(
     q = PathInputs()
     alike = {f"mu_req at {s:g}": math.hypot(1, q.R * q.F_ax / q.T) for s in (1.0, 0.3)}
     assert time_of_slip(q, 3, F, alike) == pytest.approx(t, abs=1e-9)
+
+
+@pytest.mark.parametrize("share", [0.3, 0.5, 0.7, 0.9, 1.0])
+def test_between_two_torques_the_angle_is_next_to_a_line(share):
+    q = PathInputs()
+    tan = math.tan(state_under(q, share * q.T).alpha)
+    assert tan_of(q, analytic(q))(share * q.T) == pytest.approx(tan, rel=2e-3)
 
 
 def test_a_path_that_never_reaches_the_load_has_no_time_of_slip():
