@@ -87,7 +87,7 @@ CHECKS = (
     Approximation(name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", symbol="φ",
                   unit="deg", analytic="phi", fem="phi", formal=2,
                   interval=within(lambda q: expected(q).torsion()),
-                  source=f"{BRACKET}, tangential deformation up to 1.3 tan²α"),
+                  source=f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"),
     Approximation(name="turn of the loaded angle by X", symbol="dα(T)/dX", unit="deg/mm",
                   analytic="dalpha/dX", fem="dalpha/dX", formal=2, source=BRACKET,
                   interval=within(turn)),

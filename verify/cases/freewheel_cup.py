@@ -117,7 +117,7 @@ CUP = Case(
         "ways and energies between the states by splines over the normal force",
         "the cup's formula takes it for a ring with a bore of the flats' area; expected errors: "
         "the cup lies between rings with the bores X_o and X_o/cos(π/z), a column under the flat; "
-        "Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1.2 tan²α more",
+        "Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
     ),
     warnings=warnings,
     too_large=too_large,

@@ -83,7 +83,7 @@ CHECKS = (
         lambda q: under_torque(q).under_torque("s"), COARSE),
     row("torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)", "φ(T)", "deg", "phi",
         lambda q: under_torque(q).torsion(), COARSE,
-        source=f"{BRACKET}, tangential deformation of 0.5 to 1.2 tan²α"),
+        source=f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"),
     row("torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "φ(T)", "deg", "phi printed",
         printed_torsion, COARSE, fem="phi",
         source="rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"),
