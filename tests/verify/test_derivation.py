@@ -62,7 +62,10 @@ def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
 
 # Slip zones grow node by node, and the rim of a contact cell by cell: no order. Forces in balance
 # are the same on every mesh.
-STEPPED = ("contact-slip", "contact-roller-tilted", "contact-roller-crowns", "polyhedral-wedge")
+STEPPED = (
+    "contact-slip", "contact-roller-tilted", "contact-roller-crowns", "polyhedral-wedge",
+    "freewheel-friction", "freewheel-paths", "freewheel-clutch",
+)  # fmt: skip
 
 
 @EACH

@@ -1,7 +1,7 @@
 """One's own roller freewheel: whether it holds, what ends its work, what tolerances do."""
 
 from verify.case import Case, Output
-from verify.cases import freewheel_torque, freewheel_torque_shown
+from verify.cases import freewheel_torque
 from verify.cases.freewheel_clutch_claims import CHECKS
 from verify.cases.freewheel_clutch_fem import fem, star
 from verify.cases.freewheel_clutch_inputs import ClutchInputs
@@ -130,5 +130,4 @@ CLUTCH = Case(
     equations=equations,
     sketch=sketch,
     figures=figures,
-    pictures=freewheel_torque_shown.pictures,
 )

@@ -24,6 +24,7 @@ NAMES = {
 HIGH = 1.15  # of the largest value, up to which is drawn
 NEAR = 0.9  # of tan(alpha_0), from where on the friction cone is drawn
 CUT = 4.0  # of mu, beyond which the required friction is not drawn
+DRAWN = 8  # steps of a path's times that a curve is drawn over: 30 points a cycle
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
@@ -60,9 +61,10 @@ def tables(context: Context) -> Sequence[Table]:
     rows = []
     for case, course in courses(context.inputs).items():
         slip = course.slips_at
+        peak = short(course.peak) if np.isfinite(course.peak) else None
         rows.append((
-            NAMES[case], course.peak if np.isfinite(course.peak) else None, course.when,
-            course.mu / course.peak, course.light, slip if np.isfinite(slip) else "holds",
+            NAMES[case], peak, short(course.when), short(course.mu / course.peak), course.light,
+            short(slip) if np.isfinite(slip) else "holds",
         ))  # fmt: skip
     return (
         Table(
@@ -72,6 +74,11 @@ def tables(context: Context) -> Sequence[Table]:
             note="Classes of Sec. 7: a rule adopted. By Coulomb it slips where μ/μ_req passes 1.",
         ),
     )  # fmt: skip
+
+
+def short(value: float) -> float:
+    """The number that six digits say."""
+    return float(f"{value:.6g}")
 
 
 def figures(context: Context) -> Sequence[Figure]:
@@ -88,9 +95,10 @@ def loads(context: Context, case: int) -> Curves:
         title=f"Loads, {NAMES[case]}", x_label="t [s]", y_label="share of T, F_ax at the end",
         y_bottom=None,
         curves=(
-            Curve(name=f"T/({q.T_peak if case == 3 else q.T:.4g} N m)", x=course.t,
-                  y=course.T / (q.T_peak if case == 3 else q.T)),
-            Curve(name=f"F_ax/({q.F_ax:.4g} N)", x=course.t, y=course.F_ax / q.F_ax, colour=2),
+            Curve(name=f"T/({q.T_peak if case == 3 else q.T:.4g} N m)", x=course.t[::DRAWN],
+                  y=course.T[::DRAWN] / (q.T_peak if case == 3 else q.T)),
+            Curve(name=f"F_ax/({q.F_ax:.4g} N)", x=course.t[::DRAWN],
+                  y=course.F_ax[::DRAWN] / q.F_ax, colour=2),
         ),
     )  # fmt: skip
 
@@ -127,9 +135,9 @@ def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
     known = ~np.isnan(course.mu_req)
     starts = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(int)))
     return [
-        (k == 0, course.t[a:b], course.mu_req[a:b])
+        (k == 0, course.t[a:b:DRAWN], course.mu_req[a:b:DRAWN])
         for k, (a, b) in enumerate(starts.reshape(-1, 2))
-        if b - a > 1
+        if b - a > DRAWN
     ]
 
 
