@@ -8,9 +8,11 @@ import numpy as np
 
 from analytic.freewheel.state import State, at_normal_force, loaded
 from verify.case import Context, Values
+from verify.cases import freewheel_over_torque as over
 from verify.cases.freewheel_cup_model import clutch
+from verify.cases.freewheel_over_torque import DEGREE, FINE
 from verify.cases.freewheel_torque_fem import ACROSS, GRID
-from verify.cases.freewheel_torque_shown import DEGREE, FINE, pictures
+from verify.cases.freewheel_torque_shown import pictures
 from verify.profiles import along
 from verify.shown import Array, Curve, Curves, Equation, Figure, Profile, Shape, Sketch
 from verify.tex import tex
@@ -18,6 +20,8 @@ from verify.tex import tex
 __all__ = ["equations", "figures", "pictures", "sketch"]
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
+
+ROLLED = "The angle grows faster than the torque: towards the summit the clutch gives way."
 
 
 def sketch(q: Any) -> Sketch:
@@ -109,8 +113,10 @@ def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     states, marks = loaded(clutch(q), FINE * q.T), loaded(clutch(q), GRID * q.T)
     return (
-        _over_the_summit(context), _angles(context), _angle(context, states, marks),
-        _torsion(context, states), _way(context, states, marks), _bisector(context),
+        _over_the_summit(context), _angles(context),
+        over.angle(context, states, marks, ends=" and falls."),
+        over.torsion(context, states, printed="s/R_s + s/X_o", note=ROLLED),
+        over.way(context, states, marks), _bisector(context),
         _pressure(context, "cup"), _pressure(context, "shaft"),
     )  # fmt: skip
 
@@ -147,44 +153,6 @@ def _angles(context: Context) -> Curves:
             Curve(name="FE", x=N / 1e3, y=psi / 2 * DEGREE, style="dots"),
         ),
         note="At α = 0 the roller stands between the flat's middle and the shaft and goes through.",
-    )  # fmt: skip
-
-
-def _angle(context: Context, states: State, marks: State) -> Profile:
-    values, u = along(context, "profile, alpha", formal=2, scale=1.0)
-    q = context.inputs
-    return Profile(
-        title="Clamping angle over torque", x_label="T [N m]", y_label="α [°]",
-        x=FINE * q.T, y=states.alpha * DEGREE, x_fem=GRID * q.T, y_fem=values * DEGREE,
-        y_ref=marks.alpha * DEGREE, u=u * DEGREE, scale=context.analytic["alpha"] * DEGREE,
-        scale_name="α(T)", neglects=True,
-        note=f"It begins at α_0 = {context.analytic['alpha_0'] * DEGREE:.4g}° and falls.",
-    )  # fmt: skip
-
-
-def _way(context: Context, states: State, marks: State) -> Profile:
-    values, u = along(context, "profile, s", formal=2, scale=1.0)
-    q = context.inputs
-    return Profile(
-        title="Way of the roller's centre (Eq. 6)", x_label="T [N m]", y_label="s [µm]",
-        x=FINE * q.T, y=states.s * 1e6, x_fem=GRID * q.T, y_fem=values * 1e6, y_ref=marks.s * 1e6,
-        u=u * 1e6, scale=context.analytic["s"] * 1e6, scale_name="s(T)", neglects=True,
-    )  # fmt: skip
-
-
-def _torsion(context: Context, states: State) -> Curves:
-    q = context.inputs
-    return Curves(
-        title="Torsion over torque: Eq. 7 as printed and exact rolling", x_label="T [N m]",
-        y_label="φ [°]",
-        curves=(
-            Curve(name="exact rolling", x=FINE * q.T, y=states.phi * DEGREE),
-            Curve(name="Eq. 7 as printed, s/R_s + s/X_o", x=FINE * q.T,
-                  y=states.phi_printed * DEGREE, style="dashes", colour=1),
-            Curve(name="FE, ∫dU/T", x=GRID * q.T,
-                  y=context.fem[-1].arrays["profile, phi"] * DEGREE, style="dots"),
-        ),
-        note="The angle grows faster than the torque: towards the summit the clutch gives way.",
     )  # fmt: skip
 
 

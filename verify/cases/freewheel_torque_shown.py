@@ -1,6 +1,5 @@
 """What the report shows of a roller freewheel under torque."""
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -8,6 +7,8 @@ import numpy as np
 
 from analytic.freewheel.state import State, loaded
 from verify.case import Context, Values
+from verify.cases import freewheel_over_torque as over
+from verify.cases.freewheel_over_torque import DEGREE, FINE
 from verify.cases.freewheel_star_sketch import sketch
 from verify.cases.freewheel_torque_fem import ACROSS, GRID
 from verify.cases.freewheel_torque_model import clutch
@@ -24,8 +25,11 @@ from verify.tex import tex
 
 __all__ = ["equations", "figures", "pictures", "sketch"]
 
-FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn
-DEGREE = math.degrees(1.0)
+
+ROLLED = (
+    "Finite elements know nothing of rolling here: the angle is what the energy of all "
+    "states asks for. The printed form takes the flat for a circle of radius X."
+)
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
@@ -77,47 +81,10 @@ def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     states, marks = _states(q), loaded(clutch(q), GRID * q.T)
     return (
-        _angle(context, states, marks), _torsion(context, states), _way(context, states, marks),
+        over.angle(context, states, marks, ends="."),
+        over.torsion(context, states, printed="s/R + s/X", note=ROLLED),
+        over.way(context, states, marks),
         _approaches(context), _pressures(context), _contacts(context),
-    )  # fmt: skip
-
-
-def _angle(context: Context, states: State, marks: State) -> Profile:
-    values, u = along(context, "profile, alpha", formal=2, scale=1.0)
-    q = context.inputs
-    return Profile(
-        title="Clamping angle over torque", x_label="T [N m]", y_label="α [°]",
-        x=FINE * q.T, y=states.alpha * DEGREE, x_fem=GRID * q.T, y_fem=values * DEGREE,
-        y_ref=marks.alpha * DEGREE, u=u * DEGREE, scale=context.analytic["alpha"] * DEGREE,
-        scale_name="α(T)", neglects=True,
-        note=f"It begins at α_0 = {context.analytic['alpha_0'] * DEGREE:.4g}°.",
-    )  # fmt: skip
-
-
-def _way(context: Context, states: State, marks: State) -> Profile:
-    values, u = along(context, "profile, s", formal=2, scale=1.0)
-    q = context.inputs
-    return Profile(
-        title="Way of the roller's centre (Eq. 6)", x_label="T [N m]", y_label="s [µm]",
-        x=FINE * q.T, y=states.s * 1e6, x_fem=GRID * q.T, y_fem=values * 1e6, y_ref=marks.s * 1e6,
-        u=u * 1e6, scale=context.analytic["s"] * 1e6, scale_name="s(T)", neglects=True,
-    )  # fmt: skip
-
-
-def _torsion(context: Context, states: State) -> Curves:
-    q = context.inputs
-    return Curves(
-        title="Torsion over torque: Eq. 7 as printed and exact rolling", x_label="T [N m]",
-        y_label="φ [°]",
-        curves=(
-            Curve(name="exact rolling", x=FINE * q.T, y=states.phi * DEGREE),
-            Curve(name="Eq. 7 as printed, s/R + s/X", x=FINE * q.T,
-                  y=states.phi_printed * DEGREE, style="dashes", colour=1),
-            Curve(name="FE, ∫dU/T", x=GRID * q.T,
-                  y=context.fem[-1].arrays["profile, phi"] * DEGREE, style="dots"),
-        ),
-        note="Finite elements know nothing of rolling here: the angle is what the energy of all "
-        "states asks for. The printed form takes the flat for a circle of radius X.",
     )  # fmt: skip
 
 
