@@ -1,0 +1,1 @@
+"""Logarithmic sprag clutches."""

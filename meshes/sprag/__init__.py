@@ -1,0 +1,1 @@
+"""Cyclic sectors of sprag clutches."""
