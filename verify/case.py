@@ -73,6 +73,24 @@ class Output:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Dynamic:
+    """What a case computes only where `check --dynamic` asks: a course in time, compiled first.
+
+    `run(inputs, values)` takes the formulas' values and gives further ones in SI units; it imports
+    what is compiled inside its body. The other functions take the inputs and all values together.
+    `run`, or any of them, raises ArithmeticError or ValueError in one line where there is no
+    answer.
+    """
+
+    run: Callable[[Any, Values], Values]
+    outputs: tuple[Output, ...]
+    what: str = "the motion in time"
+    findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
+    summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}
+    figures: Callable[[Any, Values], Sequence[Figure]] = lambda _inputs, _values: ()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Case:
     """One subject of one paper.
 
@@ -106,3 +124,4 @@ class Case:
     sketch: Callable[[Any], Sketch | None] = lambda _inputs: None
     figures: Callable[[Context], Sequence[Figure]] = lambda _context: ()
     pictures: Callable[[Any], Sequence[Picture]] = lambda _inputs: ()
+    dynamic: Dynamic | None = None

@@ -1,10 +1,11 @@
 """What a report shows of a case beside its rows: inputs, formulas, figures, sketch."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 from verify import units
-from verify.case import Case, Context
+from verify.case import Case, Context, Output, Values
 from verify.inputs import Inputs, meta
 from verify.published.ledger import published
 from verify.shown import FormulaValue, InputValue
@@ -16,7 +17,7 @@ def described(case: Case, context: Context) -> dict[str, Any]:
     return {
         "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
         "lead": case.lead, "assumptions": case.assumptions, "readings": case.readings,
-        "inputs": _inputs(q, is_paper=context.is_paper), "values": formula_values(case, values),
+        "inputs": _inputs(q, is_paper=context.is_paper), "values": shown_values(case.outputs, values),
         "equations": tuple(case.equations(q, values)), "warnings": tuple(case.warnings(q, values)),
         "findings": tuple(case.findings(q, values)),
         "tables": tuple(case.tables(context)), "sketch": case.sketch(q),
@@ -25,14 +26,14 @@ def described(case: Case, context: Context) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def formula_values(case: Case, values: Any) -> tuple[FormulaValue, ...]:
-    """The outputs of the analytic side that these inputs have, in display units."""
+def shown_values(outputs: Sequence[Output], values: Values) -> tuple[FormulaValue, ...]:
+    """The outputs that these inputs have, in display units."""
     return tuple(
         FormulaValue(
             symbol=out.symbol, what=out.what, value=values[out.key] / units.factor(out.unit),
             unit=out.unit, judged=out.judged,
         )
-        for out in case.outputs if out.key in values
+        for out in outputs if out.key in values
     )  # fmt: skip
 
 

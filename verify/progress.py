@@ -1,6 +1,7 @@
 """How far a run is: a bar on a terminal, a line now and then where there is none."""
 
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -70,6 +71,22 @@ def duration(seconds: float) -> str:
         return f"{max(round(seconds), 1)} s"
     minutes = round(seconds / 60)
     return f"{minutes} min" if minutes < 60 else f"{minutes // 60} h {minutes % 60} min"
+
+
+@contextmanager
+def told_if_slow(message: str, *, quiet: bool, after: float = FIRST) -> Iterator[None]:
+    """Print `message` on stderr where the body takes more than `after` seconds, and how many."""
+    start = time.monotonic()
+    timer = threading.Timer(after, lambda: print(message, file=sys.stderr, flush=True))
+    timer.daemon = True
+    if not quiet:
+        timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+    if not quiet and (seconds := time.monotonic() - start) > after:
+        print(f"done after {seconds:.1f} s", file=sys.stderr, flush=True)
 
 
 @contextmanager
