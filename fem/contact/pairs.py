@@ -5,7 +5,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from fem.contact.shapes import Circle, Flat
+from fem.contact.shapes import Circle, Flat, Shape
 
 MOTIONS = "xyr"
 Normal = Literal["between", "master"]
@@ -52,8 +52,8 @@ class Pair:
     slave: str
     master: str
     friction: float = 0.0
-    slave_shape: Flat | Circle | None = None
-    master_shape: Flat | Circle | None = None
+    slave_shape: Shape | None = None
+    master_shape: Shape | None = None
     interference: float = 0.0
     press_fit: bool = False
     normal: Normal = "between"

@@ -8,6 +8,8 @@ import numpy as np
 
 from fem.plane.discretisation import Array
 
+NEWTON, ROUND_OFF = 20, 1e-15  # steps to a spiral's nearest point, and its angle [rad]
+
 
 class Shape(Protocol):
     """A smooth curve that bounds a body, with its outward side."""
@@ -121,6 +123,53 @@ class Circle:
     def normal(self, x: Array) -> Array:
         d = x - _column(self.centre, x)
         return (-1.0 if self.hollow else 1.0) * d / np.hypot(*d)
+
+
+@dataclass(frozen=True)
+class Spiral:
+    """The turn of rho = `radius` exp(`growth` (angle - `start`)) nearest to `start`, about `pole`.
+
+    Angles [rad] count anticlockwise from +x; the body is on the pole's side.
+    """
+
+    pole: tuple[float, float]
+    radius: float
+    start: float
+    growth: float
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.radius) and self.radius > 0):
+            raise ValueError(f"a spiral's radius must be positive, got {self.radius:g}")
+        if not all(map(math.isfinite, (*self.pole, self.start, self.growth))):
+            raise ValueError(f"a spiral's pole, start and growth must be finite, got {self}")
+
+    def project(self, x: Array) -> Array:
+        d = x - _column(self.pole, x)
+        away, towards, g = np.hypot(*d), np.arctan2(d[1], d[0]), self.growth
+        ahead = (towards - self.start + math.pi) % (2 * math.pi) - math.pi
+        turn = np.zeros(away.shape)  # from the direction of x to that of the nearest point
+        for _ in range(NEWTON):
+            rho = self.radius * np.exp(g * (ahead + turn))
+            c, s = away * np.cos(turn), away * np.sin(turn)
+            step = (g * c - s - g * rho) / (g * s + c + g**2 * rho)
+            turn += step
+            if not np.any(np.abs(step) > ROUND_OFF):
+                break
+        rho = self.radius * np.exp(g * (ahead + turn))
+        return _column(self.pole, x) + rho * np.array([np.cos(towards + turn),
+                                                       np.sin(towards + turn)])  # fmt: skip
+
+    @property
+    def curvature(self) -> float:
+        return 1 / (self.radius * math.hypot(1, self.growth))
+
+    def moved(self, motion: Motion) -> "Spiral":
+        return replace(self, pole=motion.of(self.pole), start=self.start + motion.angle)
+
+    def normal(self, x: Array) -> Array:
+        d = x - _column(self.pole, x)
+        n = d - self.growth * np.array([-d[1], d[0]])
+        return n / np.hypot(*n)
 
 
 def _column(point: tuple[float, float], x: Array) -> Array:

@@ -1,0 +1,75 @@
+"""The mesh of a sprag: a column of even cells about both contacts, bent between its outlines."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Block, Point
+from meshes.contact.fan import Zone
+from meshes.freewheel.bent import bent, flat_mesh
+from meshes.freewheel.strip import Side, Strip
+from meshes.sprag.profile import Array, Placed
+
+BODY = "sprag"
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Lengths along an outline from its contact to the left and to the right flank."""
+
+    left: float
+    right: float
+
+    @property
+    def least(self) -> float:
+        return min(self.left, self.right)
+
+    def stretched(self, share: Array) -> Array:
+        """Lengths from the contact at shares -1 to 1 of the half column, even about it."""
+        end = np.where(share < 0, self.left, self.right)
+        return self.least * share + (end - self.least) * share**3
+
+
+def reaches(at: Placed) -> tuple[Reach, Reach]:
+    """Of the spiral and of the arc."""
+    sprag = at.sprag
+    low, high = (abs(sprag.spiral_length(at.theta, end)) for end in sprag.below)
+    left, right = (abs(end - at.phi) * sprag.r_e for end in sprag.above)
+    return Reach(low, high), Reach(left, right)
+
+
+def column_mesh(at: Placed, zones: tuple[Zone, Zone], *, order: int, straight: bool) -> Mesh2D:
+    """The sprag `at` its place, fine about the inner and the outer contact.
+
+    Boundaries "inner", "outer", and the flanks "left" and "right"; body "sprag".
+    """
+    half, height = at.sprag.b / 2, float(np.hypot(*np.subtract(at.outer, at.inner)))
+    inner, outer = reaches(at)
+    # both halves end on y = 0 in the same even cells
+    blocks = [
+        *_half("inner", inner, zones[0], half, height / 2, up=-1),
+        *_half("outer", outer, zones[1], half, height / 2, up=1),
+    ]
+    mesh = flat_mesh(tuple(blocks), order)
+    x, y = mesh.doflocs
+    low = at.sprag.along_spiral(at.theta, inner.stretched(x / half))
+    high = at.sprag.along_arc(at.phi, outer.stretched(x / half))
+    share = 1 / 2 + y / height
+    places = at.placed((1 - share) * low + share * high)
+    names = {name: name for name in ("inner", "outer", "left", "right")}
+    return bent(mesh, places, names, straight=straight)
+
+
+def _half(
+    name: str, reach: Reach, zone: Zone, half: float, height: float, *, up: int
+) -> list[Block]:
+    """The straight half column that the contact on `name` tops at y = `up` times `height`."""
+    fine = Zone(zone.width * half / reach.least, zone.cells, zone.refine)
+    left, right = (Side(((name, half),), flank) for flank in ("left", "right"))
+
+    def placed(point: Point) -> Point:
+        return point[0], up * (point[1] + height)
+
+    strip = Strip(left, right, height, "", BODY, fine)
+    return [block.placed(placed) for block in strip.blocks()]

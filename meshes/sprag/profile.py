@@ -1,0 +1,181 @@
+"""The outline of a sprag: spiral below, arc above, two straight flanks, and where races touch it.
+
+Its own frame has the spiral's pole at the origin and the top of the arc on +y. Directions of the
+spiral count anticlockwise from -y, those of the arc clockwise from +y.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from meshes.contact.blocks import Point
+
+Array = NDArray[np.float64]
+
+STEEPEST = math.radians(75)  # from the column's line, where spiral and arc may end
+
+
+@dataclass(frozen=True)
+class Sprag:
+    """A column between the spiral rho = `rho_0` exp(`m` (theta - `theta_0`)) and the arc `r_e`.
+
+    Both are about the pole [one unit of length]; the line through the spiral's point at `theta_0`
+    [rad] and the top of the arc is the middle of the column, which is `b` wide.
+    """
+
+    rho_0: float
+    theta_0: float
+    m: float
+    r_e: float
+    b: float
+
+    def __post_init__(self) -> None:
+        for name, value in (("rho_0", self.rho_0), ("r_e", self.r_e), ("b", self.b)):
+            if not 0 < value < math.inf:
+                raise ValueError(f"a sprag needs {name} > 0, got {name}={value:g} m")
+        if not (0 < self.m < 1 and abs(self.theta_0) < math.pi / 4):
+            raise ValueError(
+                "a sprag's spiral needs 0 < m < 1 and theta_0 within 45 degrees, got "
+                f"m={self.m:g}, theta_0={self.theta_0:g} rad"
+            )
+        for end, place in (("spiral", self._ends_below), ("arc", self._ends_above)):
+            if place is None:
+                raise ValueError(
+                    f"a sprag of the width b={self.b:g} m is wider than its {end} reaches within "
+                    f"{math.degrees(STEEPEST):g} degrees of its middle"
+                )
+
+    @property
+    def below(self) -> tuple[float, float]:
+        """Directions [rad] in which the left and the right flank end the spiral."""
+        assert self._ends_below is not None
+        return self._ends_below
+
+    @property
+    def above(self) -> tuple[float, float]:
+        """Directions [rad] in which the left and the right flank end the arc."""
+        assert self._ends_above is not None
+        return self._ends_above
+
+    def radius(self, theta: float) -> float:
+        """Of the spiral in the direction `theta` [rad]."""
+        return self.rho_0 * math.exp(self.m * (theta - self.theta_0))
+
+    def along_spiral(self, start: float, s: Array) -> Array:
+        """Points (2, ...) of the spiral at lengths `s` (...) from the direction `start` on."""
+        reach = math.sqrt(1 + self.m**2)
+        grown = np.log1p(self.m * s / (reach * self.radius(start))) / self.m
+        rho = self.radius(start) * np.exp(self.m * grown)
+        return np.asarray(rho * np.array([np.sin(start + grown), -np.cos(start + grown)]))
+
+    def spiral_length(self, start: float, end: float) -> float:
+        """From the direction `start` to `end`, signed."""
+        grown = self.radius(end) - self.radius(start)
+        return grown * math.sqrt(1 + self.m**2) / self.m
+
+    def along_arc(self, start: float, s: Array) -> Array:
+        """Points (2, ...) of the arc at lengths `s` (...) from the direction `start` on."""
+        angle = start + s / self.r_e
+        return np.asarray(self.r_e * np.array([np.sin(angle), np.cos(angle)]))
+
+    @cached_property
+    def _middle(self) -> tuple[float, float]:
+        """Direction of the column, clockwise from +y, and how far the pole lies right of it."""
+        x, y = self.rho_0 * math.sin(self.theta_0), -self.rho_0 * math.cos(self.theta_0)
+        lean = math.atan2(-x, self.r_e - y)
+        return lean, y * math.sin(lean) - x * math.cos(lean)
+
+    @cached_property
+    def _ends_below(self) -> tuple[float, float] | None:
+        lean, beside = self._middle
+
+        def across(theta: float) -> float:
+            return beside + self.radius(theta) * math.sin(theta + lean)
+
+        return self._ends(across, -lean)
+
+    @cached_property
+    def _ends_above(self) -> tuple[float, float] | None:
+        lean, beside = self._middle
+
+        def across(phi: float) -> float:
+            return beside + self.r_e * math.sin(phi - lean)
+
+        return self._ends(across, lean)
+
+    def _ends(self, across: Callable[[float], float], middle: float) -> tuple[float, float] | None:
+        """Where `across` meets half the width on both sides of `middle`, or None."""
+        low, high = middle - STEEPEST, middle + STEEPEST
+        half = self.b / 2
+        if not across(low) < -half < half < across(high):
+            return None
+        left, right = (
+            brentq(lambda angle, side=side: across(angle) - side, low, high, xtol=1e-14)
+            for side in (-half, half)
+        )
+        return left, right
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A sprag with its pole at `pole`, turned clockwise by `turn` [rad], about the axis (0, 0)."""
+
+    sprag: Sprag
+    pole: Point
+    turn: float
+
+    @cached_property
+    def theta(self) -> float:
+        """Direction in which the spiral's normal runs through the axis [rad].
+
+        ValueError where that is beyond the flanks.
+        """
+        sprag = self.sprag
+        left, right = sprag.below
+
+        def off(theta: float) -> float:
+            """Component of the point along the tangent."""
+            c, s = math.cos(theta - self.turn), math.sin(theta - self.turn)
+            x, y = self.pole
+            return x * (sprag.m * s + c) + y * (s - sprag.m * c) + sprag.m * sprag.radius(theta)
+
+        if not off(left) < 0 < off(right):
+            raise ValueError(
+                f"the sprag turned by {math.degrees(self.turn):.4g} degrees touches the inner race "
+                "beyond a flank: make it wider or turn it less"
+            )
+        return brentq(off, left, right, xtol=1e-15)
+
+    @cached_property
+    def phi(self) -> float:
+        """Direction in which the arc's normal runs through the axis [rad]."""
+        left, right = self.sprag.above
+        phi = math.atan2(*self.pole) - self.turn
+        if not left < phi < right:
+            raise ValueError(
+                f"the sprag turned by {math.degrees(self.turn):.4g} degrees touches the outer race "
+                "beyond a flank: make it wider or turn it less"
+            )
+        return phi
+
+    @property
+    def inner(self) -> Point:
+        """The spiral's point whose normal runs through the axis."""
+        x, y = self.placed(self.sprag.along_spiral(self.theta, np.zeros(())))
+        return float(x), float(y)
+
+    @property
+    def outer(self) -> Point:
+        """The arc's point whose normal runs through the axis."""
+        x, y = self.placed(self.sprag.along_arc(self.phi, np.zeros(())))
+        return float(x), float(y)
+
+    def placed(self, x: Array) -> Array:
+        """Where points (2, ...) of the sprag's own frame are."""
+        c, s = math.cos(self.turn), math.sin(self.turn)
+        return np.array([c * x[0] + s * x[1] + self.pole[0], c * x[1] - s * x[0] + self.pole[1]])

@@ -1,0 +1,65 @@
+"""One pitch of a sprag clutch: inner race, a sprag and the outer race about the axis (0, 0)."""
+
+import math
+
+from skfem.mesh import Mesh2D
+
+from meshes.contact.blocks import Point
+from meshes.contact.fan import Zone
+from meshes.freewheel.races import RoundRace
+from meshes.join import join
+from meshes.sprag.column import column_mesh, reaches
+from meshes.sprag.limits import check_beside, check_place, check_radii, check_zone
+from meshes.sprag.profile import Placed, Sprag
+
+
+def sprag_sector(
+    *,
+    R_id: float,
+    R_i: float,
+    R_e: float,
+    R_ed: float,
+    z: int,
+    sprag: Sprag,
+    pole: Point,
+    turn: float,
+    zones: tuple[float, float],
+    cells: int = 6,
+    refine: int = 1,
+    order: int = 2,
+    straight: bool = False,
+) -> Mesh2D:
+    """The races `R_id`..`R_i` and `R_e`..`R_ed`, and one of `z` sprags between them.
+
+    The sprag's pole lies at `pole`, above the axis, and it is turned clockwise by `turn` [rad];
+    sprag and races may overlap or leave a gap.
+
+    The `zones` [the radii's unit of length] are half-widths of the fine zones, of the inner contact
+    and of the outer: on `refine` 1 `cells` even cells lie on each half on both bodies, and grow
+    outside; 2 halves them all, and so on. Bodies "inner", "sprag" and "outer". Boundaries
+    "inner.bore", "inner.rim", "outer.bore", "outer.rim", and the cuts "left" and "right" of both
+    races; "sprag.inner", the spiral, "sprag.outer", the arc, and its flanks "sprag.left" and
+    "sprag.right". Each race is centred on its contact; its "right" is the cut at larger x, whose
+    nodes, turned anticlockwise by 2 pi/z, are those of "left". `order` 1 or 2; `straight` cells
+    keep straight edges.
+
+    Raises ValueError, in metres, where the bodies cannot be, and where a fine zone is too wide.
+    """
+    check_radii((R_id, R_i, R_e, R_ed), z)
+    at, pitch = Placed(sprag, pole, turn), 2 * math.pi / z
+    check_place(at, R_i, R_e)
+    check_beside(at, pitch)
+    inner = RoundRace(R_i, R_id, pitch, math.atan2(*at.inner), ("rim", "bore", "inner"))
+    outer = RoundRace(R_e, R_ed, pitch, math.atan2(*at.outer), ("bore", "rim", "outer"))
+    for where, race, reach, zone in zip(
+        ("inner", "outer"), (inner, outer), reaches(at), zones, strict=True
+    ):
+        check_zone(where, race, reach.least, zone)
+    low, high = fine = Zone(zones[0], cells, refine), Zone(zones[1], cells, refine)
+    return join(
+        {
+            "inner": inner.mesh(low, order=order, straight=straight),
+            "sprag": column_mesh(at, fine, order=order, straight=straight),
+            "outer": outer.mesh(high, order=order, straight=straight),
+        }
+    )
