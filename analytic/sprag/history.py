@@ -1,0 +1,147 @@
+"""What an engagement was: forces, sliding, works, energies, peaks and verdict."""
+
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from analytic.contact.checks import Array
+from analytic.sprag.motion import Motion, Torque
+from analytic.sprag.table import Table
+
+STATES = 12  # four angles, their speeds, four works
+LATE = 0.25  # part of the time, at the end, that the verdict looks at
+
+Verdict = Literal["locks", "slips", "over the end", "disengages"]
+
+
+class Phase(IntEnum):
+    """How a contact moves."""
+
+    APART = 0
+    STICK = 1
+    SLIP = 2
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Engagement:
+    """History of an engagement, sampled every `dt`; `states` (steps, 12), `told` (steps, 9)."""
+
+    table: Table
+    motion: Motion
+    torque: Torque
+    D_V: float  # m/s
+    dt: float  # s
+    over: bool  # past the end of the profile
+    states: Array
+    told: Array
+
+    @property
+    def t(self) -> Array:
+        """Times [s], (steps,)."""
+        return self.dt * np.arange(len(self.states))
+
+    @property
+    def N(self) -> Array:
+        """Normal force [N] of one contact, (steps,)."""
+        return self.told[:, 0]
+
+    @property
+    def T_i(self) -> Array:
+        """Friction force [N] of one sprag at the inner race, (steps,)."""
+        return self.told[:, 1]
+
+    @property
+    def T_e(self) -> Array:
+        """Friction force [N] of one sprag at the outer race, (steps,)."""
+        return self.told[:, 2]
+
+    @property
+    def v_i(self) -> Array:
+        """Sliding speed [m/s] of the inner race against the sprag, (steps,)."""
+        return self.told[:, 3]
+
+    @property
+    def v_e(self) -> Array:
+        """Sliding speed [m/s] of the sprag against the outer race, (steps,)."""
+        return self.told[:, 4]
+
+    @property
+    def alpha(self) -> Array:
+        """Rotation [rad] of a sprag, (steps,)."""
+        return self.states[:, 3]
+
+    @property
+    def theta_i(self) -> Array:
+        """Angle [rad] of the inner race, (steps,)."""
+        return self.states[:, 0]
+
+    @property
+    def theta_e(self) -> Array:
+        """Angle [rad] of the outer race, (steps,)."""
+        return self.states[:, 1]
+
+    @property
+    def phases(self) -> NDArray[np.int8]:
+        """`Phase` of the inner and the outer contact, (steps, 2)."""
+        return self.told[:, 7:9].astype(np.int8)
+
+    @cached_property
+    def peak(self) -> tuple[float, float]:
+        """Time [s] and height [N] of the largest N, on the parabola through three samples."""
+        return _summit(self.t, self.N, int(np.argmax(self.N)))
+
+    @property
+    def N_max(self) -> float:
+        """Largest normal force [N]."""
+        return self.peak[1]
+
+    @cached_property
+    def first_peak(self) -> tuple[float, float]:
+        """Time [s] and height [N] of the first summit of N above half of the largest."""
+        N = self.N
+        tops = (N[1:-1] >= N[:-2]) & (N[1:-1] > N[2:]) & (N[1:-1] > self.N_max / 2)
+        return _summit(self.t, N, int(np.argmax(tops)) + 1) if tops.any() else self.peak
+
+    @cached_property
+    def N_static(self) -> float:
+        """N [N] at rest under the last torque; nan where the profile ends before."""
+        C, end = float(self.torque.values[-1]), self.table.end
+        if C <= 0 or self.table.static_torque(end) < C:
+            return 0.0 if C <= 0 else float("nan")
+        alpha = brentq(lambda a: float(self.table.static_torque(a)) - C, 0.0, end, xtol=1e-15)
+        return float(self.table.at(alpha)["N"])
+
+    @property
+    def peak_factor(self) -> float:
+        """N_max over its value at rest."""
+        return self.N_max / self.N_static
+
+    @property
+    def verdict(self) -> Verdict:
+        """How it ended.
+
+        "slips": a contact slides for most of the last quarter; "disengages": the contacts are
+        apart for most of it; "over the end": the sprag has left its profile.
+        """
+        if self.over:
+            return "over the end"
+        late = self.phases[-max(1, int(LATE * len(self.states))) :]
+        if np.mean(late[:, 0] == Phase.APART) > 0.5:
+            return "disengages"
+        return "slips" if np.mean((late == Phase.SLIP).any(axis=1)) > 0.5 else "locks"
+
+
+def _summit(t: Array, y: Array, k: int) -> tuple[float, float]:
+    if not 0 < k < len(y) - 1:
+        return float(t[k]), float(y[k])
+    left, mid, right = (float(x) for x in y[k - 1 : k + 2])
+    bend = left - 2 * mid + right
+    if bend == 0:
+        return float(t[k]), mid
+    ahead = (left - right) / (2 * bend)
+    return float(t[k] + ahead * (t[1] - t[0])), mid - (left - right) * ahead / 4

@@ -1,0 +1,105 @@
+r"""Force and geometry of one sprag tabulated over its rotation alpha.
+
+The closure gives everything explicitly over N; an engagement asks for it over alpha, four times a
+step. The table has equal intervals of alpha from the first contact (alpha = 0, N = 0) to its end
+and holds value and slope of each column, cubic between (Hermite): continuous with its slope.
+
+The columns are those that the equations of motion need,
+
+    N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha,
+
+W the elastic energy of one sprag in the motion's own measure. It is U = \int N dH but for the
+terms that Eqs. 14-16 leave out (N_e = N_i, no radial motion of the centroid).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.interpolate import CubicHermiteSpline, CubicSpline, PchipInterpolator
+
+from analytic.contact.checks import Array
+
+COLUMNS = ("N", "OA", "OB", "OC_g", "b_i", "b_e", "h", "W")
+INTERVALS = 2000
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Table:
+    """`values` and `slopes` d/dalpha, each (columns, intervals + 1), every `step` [rad]."""
+
+    n_s: int
+    step: float
+    values: Array
+    slopes: Array
+
+    @property
+    def end(self) -> float:
+        """Alpha [rad] beyond which nothing is told: the end of the profile."""
+        return self.step * (self.values.shape[1] - 1)
+
+    @cached_property
+    def _curve(self) -> CubicHermiteSpline:
+        knots = self.step * np.arange(self.values.shape[1])
+        return CubicHermiteSpline(knots, self.values.T, self.slopes.T)
+
+    def at(self, alpha: ArrayLike) -> dict[str, Array]:
+        """Columns at `alpha` [rad], nan beyond the end; the first contact below 0."""
+        alpha = np.asarray(alpha, dtype=np.float64)
+        inside = np.clip(alpha, 0.0, self.end)
+        found = np.where((alpha > self.end)[..., None], np.nan, self._curve(inside))
+        return dict(zip(COLUMNS, np.moveaxis(found, -1, 0), strict=True))
+
+    def static_ratio(self, alpha: ArrayLike) -> Array:
+        r"""T_i/N with which Eq. 14 is at rest without the blades: tan(nu), but for N_e = N_i.
+
+        .. math:: \frac{T_i}{N} = \frac{h\,OB}{OA\, b_e + OB\, b_i}
+        """
+        g = self.at(alpha)
+        return np.asarray(g["h"] * g["OB"] / (g["OA"] * g["b_e"] + g["OB"] * g["b_i"]))
+
+    def static_torque(self, alpha: ArrayLike) -> Array:
+        """Torque [N m] of the clutch at rest at `alpha`."""
+        g = self.at(alpha)
+        return np.asarray(self.n_s * g["N"] * self.static_ratio(alpha) * g["OA"])
+
+
+def table(
+    *,
+    n_s: int,
+    alpha: ArrayLike,
+    N: ArrayLike,
+    OA: ArrayLike,
+    OB: ArrayLike,
+    OC_g: ArrayLike,
+    beta: ArrayLike,
+    gamma: ArrayLike,
+    intervals: int = INTERVALS,
+) -> Table:
+    """Table of the closure's states, which begin at N = 0 and rise; angles in rad, SI.
+
+    ValueError where a growing force does not turn the sprag further.
+    """
+    alpha, N, OA, OB, OC_g, beta, gamma = (
+        np.asarray(x, dtype=np.float64) for x in (alpha, N, OA, OB, OC_g, beta, gamma)
+    )
+    if N[0] != 0 or np.any(np.diff(N) <= 0) or np.any(np.diff(alpha) <= 0):
+        raise ValueError("states of a table must begin at N = 0 N and rise in N and alpha [rad]")
+    h = OC_g * (np.sin(beta + gamma) - np.sin(gamma))
+    b_i, b_e = OC_g * np.cos(beta + gamma) - OA, OB - OC_g * np.cos(gamma)
+    turned = alpha - alpha[0]
+    knots = np.linspace(0.0, turned[-1], intervals + 1)
+    force = PchipInterpolator(turned, N)  # an overshoot of a spline could be a force that pulls
+    curves = [force, *(CubicSpline(turned, x) for x in (OA, OB, OC_g, b_i, b_e, h))]
+    values = [curve(knots) for curve in curves]
+    slopes = [curve(knots, 1) for curve in curves]
+    power = values[0] * values[-1]
+    rate = slopes[0] * values[-1] + values[0] * slopes[-1]
+    work = CubicHermiteSpline(knots, power, rate).antiderivative()(knots)
+    return Table(
+        n_s=n_s,
+        step=float(knots[1]),
+        values=np.ascontiguousarray([*values, work]),
+        slopes=np.ascontiguousarray([*slopes, power]),
+    )
