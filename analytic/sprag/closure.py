@@ -1,0 +1,149 @@
+r"""Sprag wedged under load: from the normal force to every length and angle (Eqs. 6 to 11).
+
+The paper finds the normal force from the rotation by iteration. The other way round nothing is
+iterated: N gives the yields, these the triangle, and that the rotation. Forces act at A and B
+(Eq. 9, with the growth of the outer race that its third line lacks),
+
+.. math::
+    OA &= R_i - \delta_{BI} - \delta_{HI}/2, \qquad
+    OB = R_e + \delta_{BE} + \delta_{HE}/2 + \delta_{ce}, \\
+    OC_e &= R_e - r_e + \delta_{BE} + \delta_{HE} + \delta_g/2 + \delta_{ce},
+
+while the unstrained spiral meets the normal through O at
+
+.. math:: OA_s = R_i - \delta_{BI} - \delta_{HI} - \delta_g/2.
+
+The triangle of OA_s and OC_e gives beta, eta and rho, and so the rotation against OB,
+
+.. math:: \alpha_B = \theta - \theta_0 - (\eta - \eta_0), \qquad
+          \theta - \theta_0 = \ln(\rho/\rho_0)/m.
+
+With OA_s and OC_e the forces do on the races' turn just the work that the yields take
+(`course`); with OA in place of OA_s (`printed`) they do not. A free sprag bears force along AB
+alone: T_i = N tan(nu), T_e = N_e tan(omega), N_e = N cos(omega)/cos(nu). The yields of both sides
+are those under N, as in the paper; N_e is larger by half of nu² - omega².
+
+alpha is the rotation against the centroid's own azimuth, alpha_b + gamma - gamma_0, positive where
+it locks. SI; shapes broadcast; nan where there is no state.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, finite, not_negative
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.compliance import Yields
+from analytic.sprag.geometry import strut, triangle
+from analytic.sprag.search import first_reach
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Wedged:
+    """State of each sprag [N, N m, m, rad]; `turned` is theta - theta_0, `T` of the clutch."""
+
+    N: Array
+    N_e: Array
+    T_i: Array
+    T_e: Array
+    T: Array
+    yields: Yields
+    OA: Array
+    OA_s: Array
+    OB: Array
+    OC_e: Array
+    rho: Array
+    beta: Array
+    eta: Array
+    nu: Array
+    omega: Array
+    turned: Array
+    alpha_b: Array
+    alpha: Array
+    gamma: Array
+    OC_g: Array
+
+    @property
+    def b_i(self) -> Array:
+        """Lever [m] of T_i about the centroid (Eq. 15)."""
+        return np.asarray(self.OC_g * np.cos(self.beta + self.gamma) - self.OA)
+
+    @property
+    def b_e(self) -> Array:
+        """Lever [m] of T_e about the centroid (Eq. 15)."""
+        return np.asarray(self.OB - self.OC_g * np.cos(self.gamma))
+
+    @property
+    def h_i(self) -> Array:
+        """Lever [m] of N about the centroid (Eq. 15, where it is printed h)."""
+        return np.asarray(self.OC_g * np.sin(self.beta + self.gamma))
+
+    @property
+    def h_e(self) -> Array:
+        """Lever [m] of N_e about the centroid (Eq. 15)."""
+        return np.asarray(self.OC_g * np.sin(self.gamma))
+
+    @property
+    def rolling(self) -> Array:
+        r"""Turn of the inner race per alpha_b, outer race at rest, both contacts rolling.
+
+        .. math:: \frac{OB - OC_e}{OB} + \frac{OC_e\cos\beta - OA}{OA}
+        """
+        return np.asarray(self.OC_e * (np.cos(self.beta) / self.OA - 1 / self.OB))
+
+
+def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
+    """State under the normal force N [N] of each sprag on the inner race."""
+    N = np.asarray(N, dtype=np.float64)
+    not_negative(np.where(np.isnan(N), 0.0, N), "normal force", "N")
+    sprag, yields = clutch.sprag, clutch.compliance.yields(N)
+    OA_s = np.asarray(np.asarray(sprag.R_i) - yields.inner)
+    OA = np.asarray(np.asarray(sprag.R_i) - yields.race_i - yields.contact_i / 2)
+    return closed(clutch, N, yields, OA_s=OA_s, OA=OA)
+
+
+def closed(clutch: Clutch, N: Array, yields: Yields, *, OA_s: Array, OA: Array) -> Wedged:
+    """State whose spiral meets the inner race at OA_s and bears its forces at OA [m]."""
+    sprag = clutch.sprag
+    OB = np.asarray(np.asarray(sprag.R_e) + yields.race_e + yields.contact_e / 2 + yields.d_ce)
+    OC_e = np.asarray(sprag.OC_e + yields.outer + yields.d_ce)
+    found = triangle(OA=OA_s, OC_e=OC_e, m=sprag.m)
+    nu, omega = strut(OA=OA, OB=OB, beta=found.beta)
+    N = np.where(np.isfinite(nu), N, np.nan)
+    turned = np.asarray(np.log(found.rho / sprag.rho_0) / sprag.m)
+    alpha_b = np.asarray(turned - (found.eta - sprag.eta_0))
+    gamma, OC_g = _centroid(clutch, OC_e, alpha_b)
+    gamma_0, _ = _centroid(clutch, sprag.OC_e, np.zeros(()))
+    N_e = np.asarray(N * np.cos(omega) / np.cos(nu))
+    T_i = np.asarray(N * np.tan(nu))
+    return Wedged(
+        N=N, N_e=N_e, T_i=T_i, T_e=np.asarray(N_e * np.tan(omega)),
+        T=np.asarray(clutch.n_s * T_i * OA), yields=yields, OA=OA, OA_s=OA_s, OB=OB, OC_e=OC_e,
+        rho=found.rho, beta=found.beta, eta=found.eta, nu=nu, omega=omega, turned=turned,
+        alpha_b=alpha_b, alpha=np.asarray(alpha_b + gamma - gamma_0), gamma=gamma, OC_g=OC_g,
+    )  # fmt: skip
+
+
+def at_torque(clutch: Clutch, T: ArrayLike) -> Wedged:
+    """State under the torque T [N m] of the clutch, the first on the way from no load."""
+    T = not_negative(T, "torque", "N m")
+    sprag = clutch.sprag
+    start = np.asarray(T / (clutch.n_s * np.asarray(sprag.R_i) * np.tan(sprag.nu_0)))
+    return wedged(clutch, first_reach(lambda N: wedged(clutch, N).T, T, start=start))
+
+
+def at_rotation(clutch: Clutch, alpha: ArrayLike) -> Wedged:
+    """State at the rotation alpha [rad]; no load up to that of first contact at speed."""
+    alpha = finite(alpha, "rotation alpha", "rad")
+    alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
+    start = np.where(alpha > wedged(clutch, 0.0).alpha, 1.0, 0.0)
+    return wedged(clutch, first_reach(lambda N: wedged(clutch, N).alpha, alpha, start=start))
+
+
+def _centroid(clutch: Clutch, OC_e: Array, alpha_b: Array) -> tuple[Array, Array]:
+    """Angle gamma [rad] from OB to the centroid, away from A, and its distance from O [m]."""
+    c_x, c_y = clutch.centroid
+    x = c_x * np.cos(alpha_b) + c_y * np.sin(alpha_b)
+    y = OC_e - c_x * np.sin(alpha_b) + c_y * np.cos(alpha_b)
+    return np.asarray(np.arctan2(-x, y)), np.asarray(np.hypot(x, y))

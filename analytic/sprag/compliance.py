@@ -1,0 +1,76 @@
+r"""What yields under the normal force of one sprag: contacts, races, sprag (Eqs. 2 to 8).
+
+Five yields make H, the way on which a normal force works, half of the sprag's on either side:
+
+.. math::
+    H = \underbrace{\delta_{BI} + \delta_{HI} + \tfrac12\delta_g}_{\text{inner}}
+      + \underbrace{\delta_{BE} + \delta_{HE} + \tfrac12\delta_g}_{\text{outer}}
+
+The outer race's growth delta_ce under rotation is there without load and no part of H.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, not_negative
+from analytic.sprag.laws import Law
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Yields:
+    """Yields [m] under one normal force: delta_HI, HE of contacts, BI, BE of races, delta_g, ce."""
+
+    contact_i: Array
+    contact_e: Array
+    race_i: Array
+    race_e: Array
+    sprag: Array
+    d_ce: Array
+
+    @property
+    def inner(self) -> Array:
+        """All that yields on the inner side, from the sprag's middle on."""
+        return np.asarray(self.race_i + self.contact_i + self.sprag / 2)
+
+    @property
+    def outer(self) -> Array:
+        """All that yields on the outer side, without the growth by rotation."""
+        return np.asarray(self.race_e + self.contact_e + self.sprag / 2)
+
+    @property
+    def H(self) -> Array:
+        """Sum of the five yields under load."""
+        return np.asarray(self.inner + self.outer)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Compliance:
+    """Laws of both contacts, N to approach; races and sprag [m/N]; growth d_ce [m]."""
+
+    contact_i: Law
+    contact_e: Law
+    race_i: ArrayLike
+    race_e: ArrayLike
+    sprag: ArrayLike
+    d_ce: ArrayLike = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("race_i", "race_e", "sprag"):
+            not_negative(getattr(self, name), f"compliance of {name}", "m/N")
+        not_negative(self.d_ce, "growth d_ce", "m")
+
+    def yields(self, N: ArrayLike) -> Yields:
+        """Yields under the normal force N [N], nan where N is or where a law of a contact ends."""
+        N = np.asarray(N, dtype=np.float64)
+        return Yields(
+            contact_i=self.contact_i(N), contact_e=self.contact_e(N),
+            race_i=np.asarray(N * self.race_i), race_e=np.asarray(N * self.race_e),
+            sprag=np.asarray(N * self.sprag), d_ce=np.asarray(self.d_ce, dtype=np.float64),
+        )  # fmt: skip
+
+    def rigid_races(self) -> Self:
+        """The same with races that do not yield as rings (Liu's model)."""
+        return replace(self, race_i=0.0, race_e=0.0)

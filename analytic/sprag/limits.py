@@ -1,0 +1,66 @@
+"""What ends a sprag clutch's grip: friction, the end of the spiral; pressures on the way.
+
+A limit that is never met is told as infinite, one that is past without load as 0.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.checks import Array, positive
+from analytic.freewheel.criterion import friction
+from analytic.sprag.closure import Wedged, wedged
+from analytic.sprag.clutch import Clutch
+from analytic.sprag.parts import Parts
+from analytic.sprag.search import first_reach
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Limits:
+    """Torques [N m] at which nu reaches arctan(mu) and at which A reaches the spiral's end."""
+
+    slip: Array
+    end_of_cam: Array
+
+    @property
+    def torque(self) -> Array:
+        """The lesser of both."""
+        return np.asarray(np.minimum(self.slip, self.end_of_cam))
+
+
+def limits(clutch: Clutch, *, mu: ArrayLike, theta_max: ArrayLike) -> Limits:
+    """Limits with the coefficient of friction mu and theta_max [rad] of spiral past first contact.
+
+    The inner contact slips first: nu is larger than omega.
+    """
+    mu, theta_max = friction(mu), positive(theta_max, "angle theta_max of the spiral", "rad")
+    return Limits(
+        slip=_torque(clutch, lambda now: np.asarray(np.tan(now.nu)), mu),
+        end_of_cam=_torque(clutch, lambda now: now.turned, theta_max),
+    )
+
+
+def _torque(clutch: Clutch, quantity: Callable[[Wedged], Array], limit: Array) -> Array:
+    """Torque [N m] at which `quantity` of the state first reaches its limit."""
+    past = quantity(wedged(clutch, 0.0)) > limit
+    N = first_reach(lambda N: quantity(wedged(clutch, N)), limit, start=np.where(past, 0.0, 1.0))
+    return np.asarray(np.where(np.isnan(N), np.inf, wedged(clutch, N).T))
+
+
+def slips(state: Wedged, *, mu: ArrayLike) -> NDArray[np.bool_]:
+    """Whether the inner contact slides, tan(nu) > mu."""
+    return np.asarray(np.tan(state.nu) > friction(mu))
+
+
+def pressures(parts: Parts, state: Wedged) -> tuple[Array, Array]:
+    """Hertz's peak pressures p_i, p_o [Pa] of an even load, with the spiral's radius at A.
+
+    Each contact under its own normal force; crowns load the middle more.
+    """
+    l, r_i = np.asarray(parts.l), state.rho * np.hypot(1, parts.sprag.m)  # noqa: E741
+    inner = 1 / (1 / r_i + 1 / np.asarray(parts.sprag.R_i))
+    p_i = np.sqrt(state.N / l * parts.E_star / (np.pi * inner))
+    p_o = np.sqrt(state.N_e / l * parts.E_star / (np.pi * parts.R_contact_e))
+    return np.asarray(p_i), np.asarray(p_o)

@@ -1,0 +1,54 @@
+r"""Start of an engagement: the blade spring presses the sprag, the inner race does not drag yet.
+
+With T_i = 0 the tangential balance of Eq. 14 gives
+
+.. math:: T_e = -N_0\,\frac{\sin(\beta+\gamma) - \sin\gamma}{\cos\gamma}
+
+and the moment, in which the centroid's place cancels but for gamma,
+
+.. math:: N_0 = \frac{K_r(\alpha_{max} - \alpha)}{(h_i - h_e)
+          + b_e\,\dfrac{\sin(\beta+\gamma)-\sin\gamma}{\cos\gamma}}
+          = \frac{K_r(\alpha_{max} - \alpha)\cos\gamma}{OB\,[\sin(\beta+\gamma) - \sin\gamma]}.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.checks import Array, positive
+from analytic.freewheel.rules import require
+from analytic.sprag.closure import Wedged, wedged
+from analytic.sprag.clutch import Clutch
+
+ROUNDS = 50
+
+
+def spring_equilibrium(
+    clutch: Clutch, *, K_r: ArrayLike, alpha_max: ArrayLike
+) -> tuple[Wedged, Array]:
+    """State under N_0 and the force T_e [N] of the outer race, K_r [N m/rad], alpha_max [rad].
+
+    Of the state N and the geometry hold, not its forces of a wedged strut. ValueError where the
+    spring is slack already at first contact.
+    """
+    K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)
+    first = wedged(clutch, 0.0)
+    require(
+        alpha_max > first.alpha, "the spring must press at first contact: alpha_max above alpha",
+        "rad", alpha_max=alpha_max, alpha=first.alpha,
+    )  # fmt: skip
+    now = first
+    for _ in range(ROUNDS):  # alpha under N_0 is a few thousandths of alpha_max
+        N = K_r * (alpha_max - now.alpha) / (now.OB * drag(now))
+        settled = np.all(np.abs(N - now.N) <= 1e-14 * N)
+        now = wedged(clutch, np.maximum(N, 0.0))
+        if settled:
+            return now, np.asarray(-now.N * drag(now))
+    raise ArithmeticError(
+        f"the spring's equilibrium did not settle in {ROUNDS} rounds: K_r={K_r} N m/rad is too "
+        "stiff against the sprag's contacts"
+    )
+
+
+def drag(now: Wedged) -> Array:
+    """(sin(beta + gamma) - sin(gamma))/cos(gamma), -T_e/N_0."""
+    return np.asarray((np.sin(now.beta + now.gamma) - np.sin(now.gamma)) / np.cos(now.gamma))
