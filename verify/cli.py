@@ -88,6 +88,7 @@ def check(
     /,
     *,
     fem: bool = False,
+    dynamic: bool = False,
     json: bool = False,
     out: Path | None = None,
     jobs: Jobs = 0,
@@ -101,6 +102,9 @@ def check(
         Parameter file (TOML): case = "ring-lame" and a table [inputs], a unit on every value.
     fem
         Run the finite elements too and judge the formulas on these parameters.
+    dynamic
+        Run the motion in time too, of a case that has one; compiled the first time, which takes
+        some seconds.
     json
         Print JSON instead of text.
     out
@@ -112,7 +116,9 @@ def check(
     """
     from verify.commands import run_check
 
-    return run_check(file, use_fem=fem, as_json=json, jobs=jobs, use_cache=cache, out=out)
+    return run_check(
+        file, use_fem=fem, use_dynamic=dynamic, as_json=json, jobs=jobs, use_cache=cache, out=out
+    )
 
 
 @app.command

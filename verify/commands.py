@@ -9,14 +9,15 @@ import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from verify import cache, environment, units
+from verify import cache, environment
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
+from verify.check_record import check_record
 from verify.design.inputs import CASE as DESIGN
+from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
 from verify.results import CaseResult, Report, Status
@@ -70,26 +71,49 @@ def run_verify(
 
 
 def run_check(
-    path: Path, *, use_fem: bool, as_json: bool, jobs: int, use_cache: bool, out: Path | None
+    path: Path,
+    *,
+    use_fem: bool,
+    use_dynamic: bool,
+    as_json: bool,
+    jobs: int,
+    use_cache: bool,
+    out: Path | None,
 ) -> int:
-    """Formulas, warnings and, if asked for, finite elements and a report on a user's parameters."""
+    """Formulas, warnings and what else is asked for on a user's parameters.
+
+    That is finite elements, the dynamic part, a report.
+    """
     name, case, inputs, values = load(path)
+    if use_dynamic:
+        asked_for(case, str(path))
     if use_fem and (reason := case.too_large(inputs)):
         raise InputError(f"{path}: inputs: {reason}")
     if out is not None:
         writable(out)
     start = time.perf_counter()
+    dynamic = None
+    if use_dynamic:
+        dynamic = run_dynamic(
+            case, inputs, values, where=str(path), drawn=out is not None, quiet=as_json
+        )
     job = Job(case, inputs, use_fem=use_fem, values=values, drawn=out is not None)
     (result,) = solve([job], jobs, use_cache, quiet=as_json)
-    command = f"freewheel check {'--fem ' if use_fem else ''}{shlex.quote(path.name)}"
-    result = replace(result, name=name, command=command)
+    flags = "--fem " * use_fem + "--dynamic " * use_dynamic
+    result = replace(result, name=name, command=f"freewheel check {flags}{shlex.quote(path.name)}")
     if not use_fem:
         result = refused(result, case, inputs)
+    if dynamic is not None and result.refused:
+        dynamic = dynamic.unjudged()
     if as_json:
-        print(json.dumps(_check_json(case, inputs, result, values, use_fem), ensure_ascii=False))
+        rows = result.rows if use_fem else ()
+        record = check_record(case, inputs, values, result, rows, dynamic)
+        print(json.dumps(record, ensure_ascii=False))
     else:
-        print_check(result, use_fem=use_fem)
+        offered = case.dynamic.what if case.dynamic else ""
+        print_check(result, use_fem=use_fem, dynamic=dynamic, offered=offered)
     if out is not None:
+        result = result if dynamic is None else with_dynamic(result, dynamic)
         report = make_report([result], [case], time.perf_counter() - start, name)
         page = _write(report, out, use_cache)
         print(f"report: {page}", file=sys.stderr if as_json else sys.stdout)
@@ -167,24 +191,3 @@ def make_report(
         name=name,
         **ledgers(results, cases),
     )
-
-
-def _check_json(
-    case: Case, inputs: Inputs, result: CaseResult, values: Any, use_fem: bool
-) -> dict[str, Any]:
-    from reports.records import row_record
-
-    return {
-        "name": result.name,
-        "case": case.id,
-        **case.summary(inputs, values),
-        "inputs": {i.name: {"value": i.value, "unit": i.unit} for i in result.inputs},
-        "values": [
-            {"key": o.key, "symbol": o.symbol, "what": o.what, "unit": o.unit,
-             "value": values[o.key] / units.factor(o.unit)}
-            for o in case.outputs if o.key in values
-        ],
-        "findings": list(result.findings),
-        "warnings": list(result.warnings),
-        "rows": [row_record(row) for row in result.rows] if use_fem else [],
-    }  # fmt: skip

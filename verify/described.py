@@ -17,7 +17,8 @@ def described(case: Case, context: Context) -> dict[str, Any]:
     return {
         "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
         "lead": case.lead, "assumptions": case.assumptions, "readings": case.readings,
-        "inputs": _inputs(q, is_paper=context.is_paper), "values": shown_values(case.outputs, values),
+        "inputs": _inputs(q, is_paper=context.is_paper),
+        "values": shown_values(case.outputs, values),
         "equations": tuple(case.equations(q, values)), "warnings": tuple(case.warnings(q, values)),
         "findings": tuple(case.findings(q, values)),
         "tables": tuple(case.tables(context)), "sketch": case.sketch(q),

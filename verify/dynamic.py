@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.case import Case, Dynamic, Values
+from verify.case import Case, Dynamic, Output, Values
 from verify.described import shown_values
 from verify.inputs import InputError, Inputs
 from verify.progress import told_if_slow
@@ -17,14 +17,23 @@ from verify.shown import Figure, FormulaValue
 
 @dataclass(frozen=True, kw_only=True)
 class DynamicResult:
-    """What ran: `raw` in SI units by key, `values` as printed, and what follows from them."""
+    """What ran: `raw` in SI units by key, of which `outputs` are shown, and what follows."""
 
     what: str
     raw: Values
-    values: tuple[FormulaValue, ...]
+    outputs: tuple[Output, ...]
     findings: tuple[str, ...]
     summary: Mapping[str, Any]
     figures: tuple[Figure, ...]
+
+    @property
+    def values(self) -> tuple[FormulaValue, ...]:
+        """The outputs in display units."""
+        return shown_values(self.outputs, self.raw)
+
+    def unjudged(self) -> "DynamicResult":
+        """The same where finite elements judge none of its outputs."""
+        return replace(self, outputs=tuple(replace(o, judged=False) for o in self.outputs))
 
 
 def run_dynamic(
@@ -71,7 +80,7 @@ def _ran(part: Dynamic, inputs: Inputs, values: Values, *, drawn: bool) -> Dynam
     return DynamicResult(
         what=part.what,
         raw=raw,
-        values=shown_values(part.outputs, raw),
+        outputs=part.outputs,
         findings=tuple(part.findings(inputs, together)),
         summary=part.summary(inputs, together),
         figures=tuple(part.figures(inputs, together)) if drawn else (),

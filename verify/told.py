@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from verify.dynamic import DynamicResult
 from verify.results import CaseResult, Kind, Report, Row, Status
 from verify.shown import FormulaValue
 
@@ -25,12 +26,18 @@ def print_verdicts(report: Report) -> None:
     print(f"{len(report.rows)} rows")
 
 
-def print_check(result: CaseResult, *, use_fem: bool) -> None:
-    """What was found in words, inputs, formula values, the judged rows in short, warnings last."""
+def print_check(
+    result: CaseResult, *, use_fem: bool, dynamic: DynamicResult | None = None, offered: str = ""
+) -> None:
+    """What was found in words, inputs, formula values, the judged rows in short, warnings last.
+
+    `offered` is what `--dynamic` would add where it was not asked for.
+    """
     print(f"{result.name}: {result.title} ({result.id})")
-    for found in result.findings:
+    findings = result.findings + (dynamic.findings if dynamic else ())
+    for found in findings:
         print(f"  {found}")
-    if result.findings:
+    if findings:
         print("inputs")
     for line in aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
                           for i in result.inputs]):  # fmt: skip
@@ -38,6 +45,12 @@ def print_check(result: CaseResult, *, use_fem: bool) -> None:
     print("formulas")
     for line in aligned([_value(v) for v in result.values]):
         print(f"  {line}")
+    if dynamic:
+        print(dynamic.what)
+        for line in aligned([_value(v) for v in dynamic.values]):
+            print(f"  {line}")
+    elif offered:
+        print(f"(check --dynamic adds {offered})")
     if use_fem:
         _print_rows(result.rows)
     elif result.refused:

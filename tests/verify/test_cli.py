@@ -12,7 +12,7 @@ from analytic.ring import lame
 from verify.cases.registry import CASES
 from verify.cli import run
 
-HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba")
+HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba", "llvmlite")
 SPRING = """\
 case = "spring-accordion"
 name = "twelve segments"

@@ -1,0 +1,241 @@
+"""`check --dynamic` on a small made-up case: a ring that swings, with what may go wrong in it."""
+
+import json
+import subprocess
+import sys
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from verify import commands, progress, units
+from verify.case import Dynamic, Output
+from verify.cases import registry
+from verify.cases.ring import LAME
+from verify.cli import run
+from verify.shown import Curve, Curves
+
+RING = """\
+case = "ring-lame"
+[inputs]
+r_i = "60 mm"
+r_o = "90 mm"
+p_i = "100 MPa"
+E = "210 GPa"
+nu = 0.3
+"""
+
+
+def swing(inputs, values):
+    """A peak twice the static displacement, as a step load has it without damping."""
+    return {"peak": 2 * values["bore displacement, plane stress"], "time": 3e-3}
+
+
+def swung(_inputs, values):
+    t = np.linspace(0.0, values["time"], 9)
+    line = Curve(name="swing", x=t * 1e3, y=1e6 * values["peak"] * t / t[-1])
+    return (Curves(title="A ring swings", x_label="ms", y_label="µm", curves=(line,)),)
+
+
+SWINGS = Dynamic(
+    run=swing,
+    what="the swing",
+    outputs=(
+        Output(key="peak", symbol="u_max", unit="µm", what="largest displacement", judged=False),
+        Output(key="time", symbol="t", unit="s", what="time of the peak", judged=False),
+    ),
+    findings=lambda q, v: (
+        f"swings to {v['peak'] / v['bore displacement, plane stress']:g} times",
+    ),
+    summary=lambda q, v: {"verdict": "swings", "factor": v["peak"] / v["time"] * q.r_i},
+    figures=swung,
+)
+
+
+@pytest.fixture
+def ring(tmp_path):
+    path = tmp_path / "ring.toml"
+    path.write_text(RING)
+    return path
+
+
+@pytest.fixture
+def swings(monkeypatch):
+    """Give the ring's case a dynamic part."""
+
+    def give(part=SWINGS, **more):
+        case = replace(LAME, dynamic=part, findings=lambda q, v: ("holds",), **more)
+        monkeypatch.setattr(commands, "find", lambda _id: case)
+        return case
+
+    return give
+
+
+def raising(error):
+    def fails(*_):
+        raise error
+
+    return fails
+
+
+def refused(arguments, capsys):
+    """The one line that a command ends with."""
+    assert run(list(map(str, arguments))) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.count("\n") == 1
+    return said.err
+
+
+def test_its_findings_and_values_stand_after_the_static_ones(ring, swings, capsys):
+    swings()
+    assert run(["check", "--dynamic", str(ring)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1:4] == ["  holds", "  swings to 2 times", "inputs"]
+    at = lines.index("the swing")
+    assert lines.index("formulas") < at
+    # r_i/E (2.6 + nu) p by hand is 82.857 µm at the bore
+    assert lines[at + 1].split() == ["u_max", "165.714", "µm", "largest", "displacement"]
+    assert lines[at + 2].split()[:3] == ["t", "0.003", "s"]
+    assert lines[at + 3] == "(check --fem judges what is marked * with finite elements)"
+
+
+def test_without_being_asked_it_is_offered_and_does_not_run(ring, swings, capsys):
+    swings(replace(SWINGS, run=raising(AssertionError("ran"))))
+    assert run(["check", str(ring)]) == 0
+    out = capsys.readouterr().out
+    assert out.count("(check --dynamic adds the swing)") == 1
+    assert "swings to" not in out
+
+
+def test_a_case_without_one_offers_none_and_refuses_it_in_one_line(ring, tmp_path, capsys):
+    assert run(["check", str(ring)]) == 0
+    assert "--dynamic" not in capsys.readouterr().out
+    said = refused(["check", "--dynamic", ring, "--out", tmp_path / "out"], capsys)
+    assert said.endswith("ring.toml: case ring-lame has no dynamic part: leave out --dynamic\n")
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    "error",
+    [ArithmeticError("dt is 1e-05 s,\ntoo long for D_V"), ValueError("dt is 1e-05 s, too long for "
+     "D_V"), ZeroDivisionError("dt is 1e-05 s, too long for D_V")],
+    ids=lambda e: type(e).__name__,
+)  # fmt: skip
+@pytest.mark.parametrize("part", ["run", "findings", "summary", "figures"])
+def test_what_has_no_answer_ends_with_one_line_and_status_two(
+    part, error, ring, tmp_path, swings, capsys
+):
+    swings(replace(SWINGS, **{part: raising(error)}))
+    said = refused(["check", "--dynamic", ring, "--out", tmp_path / "out"], capsys)
+    assert "ring.toml: the swing: dt is 1e-05 s, too long for D_V" in said
+
+
+def test_a_value_that_is_not_finite_is_refused_by_name(ring, swings, capsys):
+    swings(replace(SWINGS, run=lambda q, v: {"peak": float("nan"), "time": 1.0}))
+    assert "the swing: peak is not finite" in refused(["check", "--dynamic", ring], capsys)
+
+
+def test_a_fault_of_the_program_in_it_is_no_traceback_either(
+    ring, swings, capsys, monkeypatch, tmp_path
+):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    swings(replace(SWINGS, run=raising(KeyError("N"))))
+    assert "this is a fault of the program" in refused(["check", "--dynamic", ring], capsys)
+
+
+def test_json_has_it_under_its_own_key(ring, swings, capsys):
+    swings()
+    assert run(["check", "--json", "--dynamic", str(ring)]) == 0
+    found = json.loads(capsys.readouterr().out)
+    static, dynamic = found["findings"], found["dynamic"]
+    assert static == ["holds"]
+    assert dynamic["findings"] == ["swings to 2 times"]
+    assert (dynamic["what"], dynamic["verdict"]) == ("the swing", "swings")
+    assert [v["key"] for v in dynamic["values"]] == ["peak", "time"]
+    assert dynamic["values"][0]["value"] == pytest.approx(2 * 60e3 / 210e3 * 290, rel=1e-12)
+    assert "peak" not in {v["key"] for v in found["values"]}
+    assert run(["check", "--json", str(ring)]) == 0
+    assert json.loads(capsys.readouterr().out)["dynamic"] is None
+
+
+def test_a_report_has_its_figures_values_and_findings(ring, swings, tmp_path):
+    swings()
+    out = tmp_path / "out"
+    assert run(["check", "--dynamic", str(ring), "--out", str(out)]) == 0
+    page = (out / "report.html").read_text("utf-8")
+    for words in ("A ring swings", "largest displacement", "swings to 2 times"):
+        assert words in page
+    assert "freewheel check --dynamic ring.toml" in page
+    assert run(["check", str(ring), "--out", str(out)]) == 0
+    assert "A ring swings" not in (out / "report.html").read_text("utf-8")
+
+
+def test_figures_are_drawn_for_a_report_alone(ring, swings, capsys):
+    swings(replace(SWINGS, figures=raising(ValueError("drawn"))))
+    assert run(["check", "--dynamic", str(ring)]) == 0
+
+
+def test_finite_elements_and_the_dynamic_part_go_together(ring, swings, capsys):
+    swings()
+    assert run(["check", "--fem", "--dynamic", str(ring)]) == 0
+    out = capsys.readouterr().out
+    assert out.index("the swing\n") < out.index("formulas against finite elements\n")
+
+
+def test_nothing_of_it_is_marked_as_judged_where_finite_elements_refuse(ring, swings, capsys):
+    marked = tuple(replace(o, judged=True) for o in SWINGS.outputs)
+    swings(replace(SWINGS, outputs=marked))
+    assert run(["check", "--dynamic", str(ring)]) == 0
+    assert "largest displacement *" in capsys.readouterr().out
+    swings(replace(SWINGS, outputs=marked), too_large=lambda q: "too many cells")
+    assert run(["check", "--dynamic", str(ring)]) == 0
+    assert "*" not in capsys.readouterr().out
+
+
+def test_a_slow_one_is_told_of_while_it_runs(capsys):
+    with progress.told_if_slow("compiles", quiet=False, after=0.02):
+        time.sleep(0.2)
+        print("over", file=sys.stderr)
+    first, second, third = capsys.readouterr().err.splitlines()
+    assert (first, second) == ("compiles", "over")
+    assert third.startswith("done after 0.")
+
+
+def test_a_fast_one_or_a_quiet_one_is_not_told_of(capsys):
+    with progress.told_if_slow("compiles", quiet=False, after=0.2):
+        pass
+    with progress.told_if_slow("compiles", quiet=True, after=0.02):
+        time.sleep(0.1)
+    time.sleep(0.3)
+    assert capsys.readouterr().err == ""
+
+
+def test_outputs_of_every_dynamic_part_have_known_units_and_keys_of_their_own():
+    for case in registry.CASES:
+        if case.dynamic is not None:
+            assert all(units.factor(output.unit) for output in case.dynamic.outputs)
+            ours = [output.key for output in case.dynamic.outputs]
+            assert len(ours) == len(set(ours))
+            assert not set(ours) & {output.key for output in case.outputs}
+
+
+def test_cases_with_one_compile_nothing_before_they_are_asked_to(tmp_path):
+    ids = [case.id for case in registry.CASES if case.dynamic is not None]
+    script = (
+        "import sys\nfrom verify.cli import run\n"
+        f"for case in {ids!r}:\n"
+        f"    path = {str(tmp_path)!r} + '/' + case\n"
+        "    assert run(['init', case, '--out', path]) == run(['check', path]) == 0\n"
+        "print([m for m in ('numba', 'llvmlite') if m in sys.modules], file=sys.stderr)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=120
+    )
+    assert done.stderr.splitlines()[-1] == "[]"
+
+
+def test_help_says_what_it_is_for(capsys):
+    assert run(["check", "--help"]) == 0
+    assert "--dynamic" in capsys.readouterr().out
