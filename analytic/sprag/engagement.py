@@ -36,17 +36,12 @@ from typing import Any, NamedTuple, TypeVar, cast
 import numpy as np
 from numba import njit
 
-from analytic.contact.checks import Array, positive
-from analytic.sprag.history import STATES, Engagement, Phase
-from analytic.sprag.motion import Motion, Speeds, Torque
-from analytic.sprag.rest import at_rest
-from analytic.sprag.table import Table
+from analytic.contact.checks import Array
+from analytic.sprag.history import Phase
 
 APART, STICK, SLIP = (int(phase) for phase in Phase)
-RELAXED = 2.0  # tau in steps: Runge-Kutta is stable above 0.36
+TOLD = 9  # N, T_i, T_e, v_i, v_e, whether the contacts could stick, their phases
 DONE, OVER, MISSED, NOT_FINITE = range(4)
-WIDER = 2.0  # band over the change in a step, where the band is chosen here
-TRIALS = 12
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -57,7 +52,7 @@ def compiled(function: F) -> F:
 
 
 class Law(NamedTuple):
-    """Constants of the motion as the compiled code takes them."""
+    """Constants of the motion, the band, the time in which a residual sliding dies, the table."""
 
     n_s: float
     m_g: float
@@ -74,131 +69,186 @@ class Law(NamedTuple):
     D_V: float
     tau: float
     step: float
+    values: Array
+    slopes: Array
+
+
+class Place(NamedTuple):
+    """Columns of the table at one rotation, and the slopes d/dalpha that sliding needs."""
+
+    N: float
+    OA: float
+    OB: float
+    OC_g: float
+    b_i: float
+    b_e: float
+    h: float
+    slope_a: float
+    slope_b: float
+    slope_bi: float
+    slope_be: float
+
+
+class Contacts(NamedTuple):
+    """Both contacts' sliding v, its rate d - a T under the forces T, and the forces' bounds."""
+
+    v_i: float
+    v_e: float
+    d_i: float
+    d_e: float
+    a_ii: float
+    a_ie: float
+    a_ee: float
+    most_i: float
+    most_e: float
 
 
 @compiled
-def _column(values: Array, slopes: Array, c: int, k: int, u: float, step: float) -> float:
-    """Column c between the knots k and k + 1, at the part u of the interval."""
-    a, b = values[c, k], values[c, k + 1]
-    da, db = step * slopes[c, k], step * slopes[c, k + 1]
-    return float(a + u * (da + u * (3 * (b - a) - 2 * da - db + u * (2 * (a - b) + da + db))))
+def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
+    """Column c and its slope at the part u of the interval from the knot k on."""
+    a, b = law.values[c, k], law.values[c, k + 1]
+    da, db = law.step * law.slopes[c, k], law.step * law.slopes[c, k + 1]
+    square, cube = 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db
+    value = a + u * (da + u * (square + u * cube))
+    return value, (da + u * (2 * square + 3 * u * cube)) / law.step
 
 
 @compiled
-def _slope(values: Array, slopes: Array, c: int, k: int, u: float, step: float) -> float:
-    a, b = values[c, k], values[c, k + 1]
-    da, db = step * slopes[c, k], step * slopes[c, k + 1]
-    return float(
-        (da + u * (2 * (3 * (b - a) - 2 * da - db) + 3 * u * (2 * (a - b) + da + db))) / step
+def place(law: Law, alpha: float) -> Place:
+    """Where the sprag is; at first contact for alpha <= 0, where nothing changes."""
+    at = max(alpha, 0.0) / law.step
+    k = min(int(at), law.values.shape[1] - 2)
+    u = min(at - k, 1.0)
+    N, _ = column(law, 0, k, u)
+    OA, slope_a = column(law, 1, k, u)
+    OB, slope_b = column(law, 2, k, u)
+    OC_g, _ = column(law, 3, k, u)
+    b_i, slope_bi = column(law, 4, k, u)
+    b_e, slope_be = column(law, 5, k, u)
+    h, _ = column(law, 6, k, u)
+    if alpha <= 0.0:
+        slope_a, slope_b, slope_bi, slope_be = 0.0, 0.0, 0.0, 0.0
+    return Place(N, OA, OB, OC_g, b_i, b_e, h, slope_a, slope_b, slope_bi, slope_be)
+
+
+@compiled
+def free_rates(y: Array, C: float, law: Law, g: Place) -> tuple[float, float, float, float]:
+    """Accelerations of theta_i, theta_e, phi and of alpha - phi without friction."""
+    damping = law.C_rl * (y[4] - y[5])
+    moment = law.K_r * (law.alpha_max - y[3]) - g.h * g.N
+    return (
+        (C - damping) / law.I_bi,
+        (damping - law.k_out * y[1]) / law.I_be,
+        -g.h * g.N / (law.m_g * g.OC_g * g.OC_g),
+        moment / law.I_g,
     )
 
 
 @compiled
-def _clip(x: float, bound: float) -> float:
+def contacts(y: Array, law: Law, g: Place, free: tuple[float, float, float, float]) -> Contacts:
+    """Sliding, and how friction changes it through the inverse masses a that the contacts feel."""
+    inner, outer, phi, turn = y[4], y[5], y[6], y[7]
+    v_i = g.OA * (inner - phi) - g.b_i * turn
+    v_e = g.OB * (phi - outer) - g.b_e * turn
+    J = law.m_g * g.OC_g * g.OC_g
+    c_i, c_e = g.OA + g.b_i, g.OB - g.b_e
+    d_i = g.OA * free[0] - c_i * free[2] - g.b_i * free[3]
+    d_e = c_e * free[2] - g.b_e * free[3] - g.OB * free[1]
+    span = law.mu_s - law.mu_c
+    return Contacts(
+        v_i=v_i,
+        v_e=v_e,
+        d_i=d_i + turn * (g.slope_a * (inner - phi) - g.slope_bi * turn),
+        d_e=d_e + turn * (g.slope_b * (phi - outer) - g.slope_be * turn),
+        a_ii=law.n_s * g.OA * g.OA / law.I_bi + c_i * c_i / J + g.b_i * g.b_i / law.I_g,
+        a_ie=g.b_i * g.b_e / law.I_g - c_i * c_e / J,
+        a_ee=law.n_s * g.OB * g.OB / law.I_be + c_e * c_e / J + g.b_e * g.b_e / law.I_g,
+        most_i=g.N * (law.mu_c + span * np.exp(-law.gamma_b * abs(v_i))),
+        most_e=g.N * (law.mu_c + span * np.exp(-law.gamma_b * abs(v_e))),
+    )
+
+
+@compiled
+def clip(x: float, bound: float) -> float:
+    """`x` between -bound and bound."""
     return min(max(x, -bound), bound)
 
 
 @compiled
-def _friction(
-    a_ii: float, a_ie: float, a_ee: float, d_i: float, d_e: float, most_i: float, most_e: float
-) -> tuple[float, float]:
+def both(c: Contacts, d_i: float, d_e: float) -> tuple[float, float]:
     """Forces that make d - a T vanish, or come nearest to it within their bounds.
 
-    The least of T a T/2 - d T in the box: inside, or the best of the best points of its edges.
+    The least of T a T/2 - d T in the box: inside it, or the best point of its four edges.
     """
-    det = a_ii * a_ee - a_ie * a_ie
-    T_i, T_e = (a_ee * d_i - a_ie * d_e) / det, (a_ii * d_e - a_ie * d_i) / det
-    if abs(T_i) <= most_i and abs(T_e) <= most_e:
+    det = c.a_ii * c.a_ee - c.a_ie * c.a_ie
+    T_i, T_e = (c.a_ee * d_i - c.a_ie * d_e) / det, (c.a_ii * d_e - c.a_ie * d_i) / det
+    if abs(T_i) <= c.most_i and abs(T_e) <= c.most_e:
         return T_i, T_e
-    best, best_i, best_e = np.inf, 0.0, 0.0
+    least = np.inf
     for edge in range(4):
         sign = 1.0 if edge % 2 == 0 else -1.0
         if edge < 2:
-            x = sign * most_i
-            y = _clip((d_e - a_ie * x) / a_ee, most_e)
+            x = sign * c.most_i
+            y = clip((d_e - c.a_ie * x) / c.a_ee, c.most_e)
         else:
-            y = sign * most_e
-            x = _clip((d_i - a_ie * y) / a_ii, most_i)
-        value = x * (a_ii * x / 2 + a_ie * y - d_i) + y * (a_ee * y / 2 - d_e)
-        if value < best:
-            best, best_i, best_e = value, x, y
-    return best_i, best_e
+            y = sign * c.most_e
+            x = clip((d_i - c.a_ie * y) / c.a_ii, c.most_i)
+        value = x * (c.a_ii * x / 2 + c.a_ie * y - d_i) + y * (c.a_ee * y / 2 - d_e)
+        if value < least:
+            least, T_i, T_e = value, x, y
+    return T_i, T_e
 
 
 @compiled
-def _rates(
-    y: Array, C: float, law: Law, values: Array, slopes: Array, dy: Array, told: Array
-) -> None:
-    """Rates `dy` of the state and works `y`; `told`: N, T_i, T_e, v_i, v_e, holds and phases."""
-    alpha = y[3]
-    place = max(alpha, 0.0) / law.step
-    k = min(int(place), values.shape[1] - 2)
-    u = min(place - k, 1.0)
-    N = _column(values, slopes, 0, k, u, law.step)
-    OA = _column(values, slopes, 1, k, u, law.step)
-    OB = _column(values, slopes, 2, k, u, law.step)
-    OC_g = _column(values, slopes, 3, k, u, law.step)
-    b_i = _column(values, slopes, 4, k, u, law.step)
-    b_e = _column(values, slopes, 5, k, u, law.step)
-    h = _column(values, slopes, 6, k, u, law.step)
-    inner, outer, phi, turn = y[4], y[5], y[6], y[7]
-    v_i = OA * (inner - phi) - b_i * turn
-    v_e = OB * (phi - outer) - b_e * turn
-    J = law.m_g * OC_g * OC_g
-    damping = law.C_rl * (inner - outer)
-    blades = law.K_r * (law.alpha_max - alpha)
-    free_i, free_e = (C - damping) / law.I_bi, (damping - law.k_out * y[1]) / law.I_be
-    free_phi, free_spin = -h * N / J, (blades - h * N) / law.I_g
-    c_i, c_e = OA + b_i, OB - b_e  # arms about O of the forces' parts across OC_g
-    a_ii = law.n_s * OA * OA / law.I_bi + c_i * c_i / J + b_i * b_i / law.I_g
-    a_ee = law.n_s * OB * OB / law.I_be + c_e * c_e / J + b_e * b_e / law.I_g
-    a_ie = b_i * b_e / law.I_g - c_i * c_e / J
-    d_i = OA * free_i - c_i * free_phi - b_i * free_spin
-    d_e = c_e * free_phi - b_e * free_spin - OB * free_e
-    if alpha > 0.0:
-        d_i += turn * (
-            _slope(values, slopes, 1, k, u, law.step) * (inner - phi)
-            - _slope(values, slopes, 4, k, u, law.step) * turn
-        )
-        d_e += turn * (
-            _slope(values, slopes, 2, k, u, law.step) * (phi - outer)
-            - _slope(values, slopes, 5, k, u, law.step) * turn
-        )
-    span = law.mu_s - law.mu_c
-    most_i = N * (law.mu_c + span * np.exp(-law.gamma_b * abs(v_i)))
-    most_e = N * (law.mu_c + span * np.exp(-law.gamma_b * abs(v_e)))
-    near_i, near_e = abs(v_i) < law.D_V, abs(v_e) < law.D_V
+def friction(c: Contacts, law: Law) -> tuple[float, float]:
+    """T_i, T_e (Eq. 12)."""
+    near_i, near_e = abs(c.v_i) < law.D_V, abs(c.v_e) < law.D_V
+    d_i, d_e = c.d_i + c.v_i / law.tau, c.d_e + c.v_e / law.tau
     if near_i and near_e:
-        T_i, T_e = _friction(
-            a_ii, a_ie, a_ee, d_i + v_i / law.tau, d_e + v_e / law.tau, most_i, most_e
-        )
-    elif near_i:
-        T_e = most_e * np.sign(v_e)
-        T_i = _clip((d_i + v_i / law.tau - a_ie * T_e) / a_ii, most_i)
-    elif near_e:
-        T_i = most_i * np.sign(v_i)
-        T_e = _clip((d_e + v_e / law.tau - a_ie * T_i) / a_ee, most_e)
-    else:
-        T_i, T_e = most_i * np.sign(v_i), most_e * np.sign(v_e)
-    dphi = free_phi + (c_i * T_i - c_e * T_e) / J
-    dy[0], dy[1], dy[2], dy[3] = inner, outer, phi, turn
-    dy[4] = free_i - law.n_s * OA * T_i / law.I_bi
-    dy[5] = free_e + law.n_s * OB * T_e / law.I_be
-    dy[6] = dphi
-    dy[7] = dphi + free_spin + (b_i * T_i + b_e * T_e) / law.I_g
-    dy[8] = C * inner
-    dy[9] = law.n_s * blades * (turn - phi)
-    dy[10] = damping * (inner - outer)
-    dy[11] = law.n_s * (T_i * v_i + T_e * v_e)
-    told[0], told[1], told[2], told[3], told[4] = N, T_i, T_e, v_i, v_e
-    told[5] = abs((d_i - a_ie * T_e) / a_ii) <= law.mu_s * N
-    told[6] = abs((d_e - a_ie * T_i) / a_ee) <= law.mu_s * N
-    told[7] = APART if N <= 0 else STICK if near_i and abs(T_i) < most_i else SLIP
-    told[8] = APART if N <= 0 else STICK if near_e and abs(T_e) < most_e else SLIP
+        return both(c, d_i, d_e)
+    T_i, T_e = c.most_i * np.sign(c.v_i), c.most_e * np.sign(c.v_e)
+    if near_i:
+        T_i = clip((d_i - c.a_ie * T_e) / c.a_ii, c.most_i)
+    if near_e:
+        T_e = clip((d_e - c.a_ie * T_i) / c.a_ee, c.most_e)
+    return T_i, T_e
 
 
 @compiled
-def _torque(t: float, times: Array, torques: Array) -> float:
+def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
+    """How a contact moves."""
+    if N <= 0.0:
+        return APART
+    return STICK if abs(v) < D_V and abs(T) < most else SLIP
+
+
+@compiled
+def rates(y: Array, C: float, law: Law, dy: Array, told: Array) -> None:
+    """Rates `dy` of angles, speeds and works `y` under the torque C, and what is `told` of them."""
+    g = place(law, y[3])
+    free = free_rates(y, C, law, g)
+    c = contacts(y, law, g, free)
+    T_i, T_e = friction(c, law)
+    dphi = ((g.OA + g.b_i) * T_i - (g.OB - g.b_e) * T_e) / (law.m_g * g.OC_g * g.OC_g) + free[2]
+    dy[:4] = y[4:8]
+    dy[4] = free[0] - law.n_s * g.OA * T_i / law.I_bi
+    dy[5] = free[1] + law.n_s * g.OB * T_e / law.I_be
+    dy[6] = dphi
+    dy[7] = dphi + free[3] + (g.b_i * T_i + g.b_e * T_e) / law.I_g
+    dy[8] = C * y[4]
+    dy[9] = law.n_s * law.K_r * (law.alpha_max - y[3]) * (y[7] - y[6])
+    dy[10] = law.C_rl * (y[4] - y[5]) ** 2
+    dy[11] = law.n_s * (T_i * c.v_i + T_e * c.v_e)
+    told[0], told[1], told[2], told[3], told[4] = g.N, T_i, T_e, c.v_i, c.v_e
+    told[5] = abs(c.d_i - c.a_ie * T_e) <= c.a_ii * law.mu_s * g.N
+    told[6] = abs(c.d_e - c.a_ie * T_i) <= c.a_ee * law.mu_s * g.N
+    told[7] = phase(g.N, c.v_i, T_i, c.most_i, law.D_V)
+    told[8] = phase(g.N, c.v_e, T_e, c.most_e, law.D_V)
+
+
+@compiled
+def torque_at(t: float, times: Array, torques: Array) -> float:
+    """Torque at t, straight between the times."""
     k = np.searchsorted(times, t)
     if k == 0:
         return float(torques[0])
@@ -209,13 +259,23 @@ def _torque(t: float, times: Array, torques: Array) -> float:
 
 
 @compiled
-def _run(
+def missed(before: Array, now: Array, D_V: float) -> int:
+    """The contact, 0 or 1, that passed the band unseen where it could have stuck; else -1."""
+    for contact in range(2):
+        v, w = before[3 + contact], now[3 + contact]
+        if v * w < 0 and min(abs(v), abs(w)) >= D_V and now[5 + contact] > 0:
+            return contact
+    return -1
+
+
+@compiled
+def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
-    values: Array, slopes: Array, states: Array, told: Array,
+    states: Array, told: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """States and what is told of them at each step; how it ended, where, at which contact."""
-    stages, at, aside = np.empty((4, len(y))), np.empty(len(y)), np.empty(told.shape[1])
-    end = law.step * (values.shape[1] - 1)
+    """Fills `states` and `told` step by step; how it ended, at which step, which contact."""
+    stages, at, aside = np.empty((4, len(y))), np.empty(len(y)), np.empty(TOLD)
+    end = law.step * (law.values.shape[1] - 1)
     for n in range(len(states)):
         t = n * dt
         states[n] = y
@@ -223,97 +283,15 @@ def _run(
             return NOT_FINITE, n, 0
         if y[3] > end:
             return OVER, n, 0
-        _rates(y, _torque(t, times, torques), law, values, slopes, stages[0], told[n])
-        for contact in range(2 if guard and n > 0 else 0):
-            before, after = told[n - 1, 3 + contact], told[n, 3 + contact]
-            crossed = before * after < 0 and min(abs(before), abs(after)) >= law.D_V
-            if crossed and told[n, 5 + contact] > 0:
-                return MISSED, n, contact
+        rates(y, torque_at(t, times, torques), law, stages[0], told[n])
+        contact = missed(told[n - 1], told[n], law.D_V) if guard and n > 0 else -1
+        if contact >= 0:
+            return MISSED, n, contact
         for stage in range(1, 4):
             part = dt if stage == 3 else dt / 2
             for j in range(len(y)):
                 at[j] = y[j] + part * stages[stage - 1, j]
-            _rates(at, _torque(t + part, times, torques), law, values, slopes, stages[stage], aside)
+            rates(at, torque_at(t + part, times, torques), law, stages[stage], aside)
         for j in range(len(y)):
             y[j] += dt / 6 * (stages[0, j] + 2 * (stages[1, j] + stages[2, j]) + stages[3, j])
     return DONE, len(states), 0
-
-
-def engage(
-    table: Table,
-    motion: Motion,
-    torque: Torque,
-    *,
-    duration: float,
-    dt: float = 1e-5,
-    D_V: float | None = None,
-    speeds: Speeds | None = None,
-    guard: bool = True,
-) -> Engagement:
-    """Engagement over `duration` [s] in steps of `dt` [s], from rest under the blades alone.
-
-    `D_V` [m/s] is the half-width of the band in which a contact may stick; None: twice the largest
-    change of sliding in a step that the engagement itself has. ArithmeticError where the band is
-    too narrow, ValueError for what makes no sense.
-    """
-    duration, dt = (
-        float(positive(x, what, "s")) for x, what in ((duration, "duration"), (dt, "dt"))
-    )
-    start = at_rest(table, motion, speeds or Speeds())
-    if D_V is not None:
-        return _engage(
-            table, motion, torque, start, duration, dt, float(positive(D_V, "D_V", "m/s")), guard
-        )
-    band = WIDER * dt * max(abs(float(v)) for v in torque.values) / motion.I_bi * table.values[1, 0]
-    for _ in range(TRIALS):
-        try:
-            return _engage(table, motion, torque, start, duration, dt, max(band, 1e-12), True)
-        except BandTooNarrow as narrow:
-            band = WIDER * narrow.change
-    raise ArithmeticError(
-        f"no band of sliding speeds holds the contacts with dt={dt} s, the last was {band} m/s"
-    )
-
-
-class BandTooNarrow(ArithmeticError):
-    """A contact that could have stuck passed the whole band in one step."""
-
-    def __init__(self, *, contact: str, t: float, change: float, dt: float, D_V: float) -> None:
-        self.change = change
-        super().__init__(
-            f"the band of sticking is too narrow: at t={t:.6g} s the {contact} contact's sliding "
-            f"speed changes by {change:.4g} m/s in one step ({change / dt:.4g} m/s² x dt={dt:g} s) "
-            f"and passes D_V={D_V:g} m/s unseen, and the sprag would slide on for ever; take "
-            f"D_V above {change:.2g} m/s or dt below {dt * D_V / change:.2g} s"
-        )
-
-
-def _engage(
-    table: Table, motion: Motion, torque: Torque, start: Array,
-    duration: float, dt: float, D_V: float, guard: bool,
-) -> Engagement:  # fmt: skip
-    law = Law(
-        n_s=float(table.n_s), m_g=motion.m_g, I_g=motion.I_g, I_bi=motion.I_bi, I_be=motion.I_be,
-        K_r=motion.K_r, alpha_max=motion.alpha_max, C_rl=motion.C_rl, k_out=motion.k_out,
-        mu_s=motion.mu_s, mu_c=motion.mu_c, gamma_b=motion.gamma_b, D_V=D_V, tau=RELAXED * dt,
-        step=table.step,
-    )  # fmt: skip
-    steps = round(duration / dt) + 1
-    states, told = np.zeros((steps, STATES)), np.zeros((steps, 9))
-    ended, n, contact = _run(
-        np.concatenate([start, np.zeros(STATES - len(start))]), dt, law, guard, torque.times,
-        torque.values, table.values, table.slopes, states, told,
-    )  # fmt: skip
-    if ended == MISSED:
-        change = abs(float(told[n, 3 + contact] - told[n - 1, 3 + contact]))
-        raise BandTooNarrow(
-            contact=("inner", "outer")[contact], t=n * dt, change=change, dt=dt, D_V=D_V
-        )
-    if ended == NOT_FINITE:
-        raise ArithmeticError(
-            f"the motion is no longer finite at t={n * dt:.6g} s: dt={dt:g} s is too long"
-        )
-    return Engagement(
-        table=table, motion=motion, torque=torque, D_V=D_V, dt=dt, over=ended == OVER,
-        states=states[:n], told=told[:n],
-    )  # fmt: skip

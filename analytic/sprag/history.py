@@ -43,47 +43,47 @@ class Engagement:
     @property
     def t(self) -> Array:
         """Times [s], (steps,)."""
-        return self.dt * np.arange(len(self.states))
+        return np.asarray(self.dt * np.arange(len(self.states)))
 
     @property
     def N(self) -> Array:
         """Normal force [N] of one contact, (steps,)."""
-        return self.told[:, 0]
+        return np.asarray(self.told[:, 0])
 
     @property
     def T_i(self) -> Array:
         """Friction force [N] of one sprag at the inner race, (steps,)."""
-        return self.told[:, 1]
+        return np.asarray(self.told[:, 1])
 
     @property
     def T_e(self) -> Array:
         """Friction force [N] of one sprag at the outer race, (steps,)."""
-        return self.told[:, 2]
+        return np.asarray(self.told[:, 2])
 
     @property
     def v_i(self) -> Array:
         """Sliding speed [m/s] of the inner race against the sprag, (steps,)."""
-        return self.told[:, 3]
+        return np.asarray(self.told[:, 3])
 
     @property
     def v_e(self) -> Array:
         """Sliding speed [m/s] of the sprag against the outer race, (steps,)."""
-        return self.told[:, 4]
+        return np.asarray(self.told[:, 4])
 
     @property
     def alpha(self) -> Array:
-        """Rotation [rad] of a sprag, (steps,)."""
-        return self.states[:, 3]
+        """Rotation [rad] of a sprag from its first contact, (steps,)."""
+        return np.asarray(self.states[:, 3])
 
     @property
     def theta_i(self) -> Array:
         """Angle [rad] of the inner race, (steps,)."""
-        return self.states[:, 0]
+        return np.asarray(self.states[:, 0])
 
     @property
     def theta_e(self) -> Array:
         """Angle [rad] of the outer race, (steps,)."""
-        return self.states[:, 1]
+        return np.asarray(self.states[:, 1])
 
     @property
     def phases(self) -> NDArray[np.int8]:

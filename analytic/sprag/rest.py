@@ -17,11 +17,12 @@ def at_rest(table: Table, motion: Motion, speeds: Speeds) -> Array:
 
     ValueError where the blades would turn the sprag to its end.
     """
+    slack = motion.alpha_max - table.origin
 
     def excess(alpha: float) -> float:
         g = table.at(alpha)
         moment = g["h"] * g["N"] * g["OB"] / (g["OB"] - g["b_e"])
-        return float(moment - motion.K_r * (motion.alpha_max - alpha))
+        return float(moment - motion.K_r * (slack - alpha))
 
     if excess(table.end) <= 0:
         raise ValueError(

@@ -19,17 +19,26 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import CubicHermiteSpline, CubicSpline, PchipInterpolator
 
-from analytic.contact.checks import Array
+from analytic.contact.checks import Array, positive
+from analytic.sprag.closure import wedged
+from analytic.sprag.clutch import Clutch
 
 COLUMNS = ("N", "OA", "OB", "OC_g", "b_i", "b_e", "h", "W")
 INTERVALS = 2000
+STATES = 4001  # of the closure, close together where the force is small
+FEWEST = 100
+BISECTIONS = 40
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Table:
-    """`values` and `slopes` d/dalpha, each (columns, intervals + 1), every `step` [rad]."""
+    """`values` and `slopes` d/dalpha, each (columns, intervals + 1), every `step` [rad].
+
+    alpha counts from the first contact, which at speed comes later than at rest, by `origin`.
+    """
 
     n_s: int
+    origin: float  # rotation [rad] of the first contact against that of the clutch at rest
     step: float
     values: Array
     slopes: Array
@@ -37,7 +46,7 @@ class Table:
     @property
     def end(self) -> float:
         """Alpha [rad] beyond which nothing is told: the end of the profile."""
-        return self.step * (self.values.shape[1] - 1)
+        return float(self.step * (self.values.shape[1] - 1))
 
     @cached_property
     def _curve(self) -> CubicHermiteSpline:
@@ -99,7 +108,35 @@ def table(
     work = CubicHermiteSpline(knots, power, rate).antiderivative()(knots)
     return Table(
         n_s=n_s,
+        origin=float(alpha[0]),
         step=float(knots[1]),
         values=np.ascontiguousarray([*values, work]),
         slopes=np.ascontiguousarray([*slopes, power]),
     )
+
+
+def tabulated(
+    clutch: Clutch, *, N_end: float, intervals: int = INTERVALS, theta_max: float = np.inf
+) -> Table:
+    """Table of a clutch up to the normal force `N_end` [N] or the spiral's end `theta_max` [rad].
+
+    ValueError where no force up to `N_end` has a state, or further force turns nothing.
+    """
+    N = float(positive(N_end, "normal force at the end", "N")) * np.linspace(0, 1, STATES) ** 2
+    states = wedged(clutch, N)
+    whole = np.isfinite(states.alpha) & (states.turned <= theta_max)
+    count = len(N) if whole.all() else int(np.argmin(whole))
+    if count < FEWEST:
+        raise ValueError(f"the sprag has no state under N between 0 and {N[FEWEST]:.4g} N")
+    if count < len(N):  # the end lies between two states: come near it, then tabulate to there
+        inside = N[count - 1]
+        gap = N[count] - inside
+        for _ in range(BISECTIONS):
+            gap /= 2
+            one = wedged(clutch, np.array(inside + gap))
+            inside += gap if np.isfinite(one.alpha) and one.turned <= theta_max else 0.0
+        states = wedged(clutch, inside * np.linspace(0, 1, STATES) ** 2)
+    return table(
+        n_s=clutch.n_s, alpha=states.alpha, N=states.N, OA=states.OA, OB=states.OB,
+        OC_g=states.OC_g, beta=states.beta, gamma=states.gamma, intervals=intervals,
+    )  # fmt: skip

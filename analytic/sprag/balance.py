@@ -1,0 +1,49 @@
+"""Where the work of an engagement goes: kinetic and elastic energy, damping, friction."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact.checks import Array
+from analytic.sprag.history import Engagement
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Balance:
+    """Energies and works [J] of the whole clutch since the start, each (steps,)."""
+
+    torque: Array  # put in by the torque
+    blades: Array  # put in by the blades, whose other end the equations of motion leave open
+    kinetic: Array
+    elastic: Array  # of contacts, races and sprags
+    support: Array  # of the spring behind the outer race
+    damping: Array
+    friction: Array
+
+    @property
+    def missing(self) -> Array:
+        """Work put in without what became of it; 0 but for the step in time."""
+        kept = self.kinetic + self.elastic + self.support
+        return np.asarray(self.torque + self.blades - self.damping - self.friction - kept)
+
+
+def balance(engagement: Engagement) -> Balance:
+    """Energies and works of an engagement."""
+    y, table, motion = engagement.states, engagement.table, engagement.motion
+    inner, outer, phi, turn = y[:, 4:8].T
+    g = table.at(engagement.alpha)
+    sprags = motion.m_g * (g["OC_g"] * phi) ** 2 + motion.I_g * (turn - phi) ** 2
+    races = motion.I_bi * inner**2 + motion.I_be * outer**2
+
+    def since_start(energy: Array) -> Array:
+        return np.asarray(energy - energy[0])
+
+    return Balance(
+        torque=y[:, 8],
+        blades=y[:, 9],
+        damping=y[:, 10],
+        friction=y[:, 11],
+        kinetic=since_start((races + table.n_s * sprags) / 2),
+        elastic=since_start(table.n_s * g["W"]),
+        support=since_start(motion.k_out * engagement.theta_e**2 / 2),
+    )

@@ -1,0 +1,98 @@
+"""Engagements: a clutch's table, its motion and a torque in; forces over time and a verdict out."""
+
+import numpy as np
+
+from analytic.contact.checks import Array, positive
+from analytic.sprag.engagement import MISSED, NOT_FINITE, OVER, TOLD, Law, run
+from analytic.sprag.history import STATES, Engagement
+from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.rest import at_rest
+from analytic.sprag.table import Table
+
+RELAXED = 2.0  # steps in which a residual sliding dies; Runge-Kutta is stable above 0.36
+WIDER = 2.0  # band over the change of sliding in one step, where the band is chosen here
+TRIALS = 20
+
+
+class NarrowBandError(ArithmeticError):
+    """A contact that could have stuck passed the whole band in one step."""
+
+    def __init__(self, *, contact: str, t: float, change: float, dt: float, D_V: float) -> None:
+        self.change = change
+        super().__init__(
+            f"the band of sticking is too narrow: at t={t:.6g} s the {contact} contact's sliding "
+            f"speed changes by {change:.4g} m/s in one step ({change / dt:.4g} m/s² x dt={dt:g} s) "
+            f"and passes D_V={D_V:g} m/s unseen, so that the sprag would slide on; take D_V above "
+            f"{change:.2g} m/s, or dt below {dt * D_V / change:.2g} s"
+        )
+
+
+def engage(
+    table: Table,
+    motion: Motion,
+    torque: Torque,
+    *,
+    duration: float,
+    dt: float = 1e-5,
+    D_V: float | None = None,
+    speeds: Speeds | None = None,
+    guard: bool = True,
+) -> Engagement:
+    """Engagement over `duration` [s] in steps of `dt` [s], from rest under the blades alone.
+
+    `D_V` [m/s] is the half-width of the band in which a contact may stick; None takes twice the
+    change that a step makes in the inner contact's sliding at rest, and twice the change at which
+    the guard stops, until it no longer does. NarrowBandError, an ArithmeticError, where the band
+    given is too narrow; without `guard` the wrong answer comes back. ValueError for what makes no
+    sense.
+    """
+    positive(duration, "duration", "s")
+    positive(dt, "dt", "s")
+    start = at_rest(table, motion, speeds or Speeds())
+    if D_V is not None:
+        positive(D_V, "D_V", "m/s")
+        return _engage(table, motion, torque, start, duration, dt, D_V, guard)
+    rest = float(np.abs(torque.values).max() / motion.I_bi * table.values[1, 0])
+    D_V = WIDER * dt * max(rest, 1.0)
+    for _ in range(TRIALS):
+        try:
+            return _engage(table, motion, torque, start, duration, dt, D_V, True)
+        except NarrowBandError as narrow:
+            D_V = max(WIDER * narrow.change, WIDER * D_V)
+    raise ArithmeticError(
+        f"no band of sticking was wide enough, D_V={D_V:g} m/s is not; take dt below {dt:g} s"
+    )
+
+
+def _engage(
+    table: Table,
+    motion: Motion,
+    torque: Torque,
+    start: Array,
+    duration: float,
+    dt: float,
+    D_V: float,
+    guard: bool,
+) -> Engagement:
+    law = Law(
+        n_s=float(table.n_s), m_g=motion.m_g, I_g=motion.I_g, I_bi=motion.I_bi, I_be=motion.I_be,
+        K_r=motion.K_r, alpha_max=motion.alpha_max - table.origin, C_rl=motion.C_rl,
+        k_out=motion.k_out, mu_s=motion.mu_s, mu_c=motion.mu_c, gamma_b=motion.gamma_b,
+        D_V=float(D_V), tau=RELAXED * dt, step=table.step, values=table.values,
+        slopes=table.slopes,
+    )  # fmt: skip
+    steps = round(duration / dt) + 1
+    states, told = np.zeros((steps, STATES)), np.zeros((steps, TOLD))
+    y = np.concatenate([start, np.zeros(STATES - len(start))])
+    ended, n, contact = run(y, dt, law, guard, torque.times, torque.values, states, told)
+    if ended == MISSED:
+        change = abs(float(told[n, 3 + contact] - told[n - 1, 3 + contact]))
+        raise NarrowBandError(
+            contact=("inner", "outer")[contact], t=n * dt, change=change, dt=dt, D_V=D_V
+        )
+    if ended == NOT_FINITE:
+        raise ArithmeticError(f"the motion diverges at t={n * dt:.6g} s: dt={dt:g} s is too long")
+    return Engagement(
+        table=table, motion=motion, torque=torque, D_V=D_V, dt=dt, over=ended == OVER,
+        states=states[:n], told=told[:n],
+    )  # fmt: skip
