@@ -84,14 +84,6 @@ class Wedged:
         """Lever [m] of N_e about the centroid (Eq. 15)."""
         return np.asarray(self.OC_g * np.sin(self.gamma))
 
-    @property
-    def rolling(self) -> Array:
-        r"""Turn of the inner race per alpha_b, outer race at rest, both contacts rolling.
-
-        .. math:: \frac{OB - OC_e}{OB} + \frac{OC_e\cos\beta - OA}{OA}
-        """
-        return np.asarray(self.OC_e * (np.cos(self.beta) / self.OA - 1 / self.OB))
-
 
 def wedged(clutch: Clutch, N: ArrayLike) -> Wedged:
     """State under the normal force N [N] of each sprag on the inner race."""

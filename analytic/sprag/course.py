@@ -1,14 +1,18 @@
 r"""Along the load path: turn of the races by rolling, elastic energy of a sprag.
 
 .. math::
-    \theta_i = \int \left[\frac{OB - OC_e}{OB} + \frac{OC_e\cos\beta - OA}{OA}\right] d\alpha_B,
-    \qquad U = \int N\,dH
+    \theta_i = \int OC_e\left[\frac{\cos\beta}{OA} - \frac{1}{OB}\right] d\alpha_B
+             + \int \frac{\sin\beta}{OA}\,dOC_e, \qquad U = \int N\,dH
 
-from no load to N; theta_i is the inner race's turn in its driving direction, outer race at rest.
-The forces' work on a rigid sprag that rolls is zero, so that, without approximation but that of
-the yields under N and not N_e on the outer side,
+from no load to N; theta_i is the inner race's turn in its driving direction, outer race at rest,
+both contacts rolling. The second integral is the sprag's way outwards, which is not quite along
+the normal at A; it is of the order of nu beta against the first.
 
-.. math:: T\,d\theta_i = n_s\,(N\,dH_i + N_e\,dH_e), \qquad N_e = N\,\frac{\cos\omega}{\cos\nu}.
+The forces' work on a rigid sprag is zero, so that
+
+.. math:: T\,d\theta_i = n_s\,(N\,dH_i + N_e\,dH_e), \qquad N_e = N\,\frac{\cos\omega}{\cos\nu},
+
+exactly; with N on both sides, as in U, it is so but for some (nu² - omega²)/4.
 """
 
 import numpy as np
@@ -18,14 +22,17 @@ from analytic.contact.checks import Array
 from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.clutch import Clutch
 
-POINTS = 24  # of Gauss' rule
+PANELS, POINTS = 32, 4  # of the path, and of Gauss' rule in each
 POWER = 5  # N goes as this power of the path, along which powers like N^0.9 are smooth
+AT, WEIGHTS = np.polynomial.legendre.leggauss(POINTS)
 
 
 def rolled(clutch: Clutch, N: ArrayLike) -> Array:
     """Turn theta_i [rad] of the inner race against the outer from no load to N [N]."""
     on_way = _way(clutch, N)
-    return _integral(on_way.rolling, on_way.alpha_b)
+    per_turn = on_way.OC_e * (np.cos(on_way.beta) / on_way.OA - 1 / on_way.OB)
+    per_way = np.asarray(np.sin(on_way.beta) / on_way.OA)
+    return _integral(per_turn, on_way.alpha_b) + _integral(per_way, on_way.OC_e)
 
 
 def energy(clutch: Clutch, N: ArrayLike) -> Array:
@@ -35,19 +42,16 @@ def energy(clutch: Clutch, N: ArrayLike) -> Array:
 
 
 def _way(clutch: Clutch, N: ArrayLike) -> Wedged:
-    """States at Gauss' points between no load and N, in the first dimension."""
+    """States at Gauss' points between no load and N: panels, points, shape of N."""
     N = np.asarray(N, dtype=np.float64)
-    x, _ = np.polynomial.legendre.leggauss(POINTS)
+    path = (np.arange(PANELS)[:, None] + (1 + AT) / 2) / PANELS
     dimensions = wedged(clutch, N).T.ndim
-    share = (((1 + x) / 2) ** POWER).reshape(-1, *[1] * dimensions)
-    return wedged(clutch, share * N)
+    return wedged(clutch, (path**POWER).reshape(PANELS, POINTS, *[1] * dimensions) * N)
 
 
 def _integral(y: Array, x: Array) -> Array:
-    """Integral of y dx over the first dimension, dx from the polynomial through all points."""
-    at, weights = np.polynomial.legendre.leggauss(POINTS)
-    values = np.polynomial.legendre.legvander(at, POINTS - 1)
-    slopes = np.polynomial.legendre.legval(at, np.polynomial.legendre.legder(np.eye(POINTS))).T
-    coefficients = (values * weights[:, None]).T * (np.arange(POINTS) + 0.5)[:, None]
-    dx = np.tensordot(slopes @ coefficients, x, axes=1)
-    return np.asarray(np.tensordot(weights, y * dx, axes=1))
+    """Integral of y dx along the way, dx of each panel from the polynomial through its points."""
+    legendre = np.polynomial.legendre
+    slopes = legendre.legval(AT, legendre.legder(np.eye(POINTS))).T
+    dx = slopes @ np.linalg.inv(legendre.legvander(AT, POINTS - 1))
+    return np.asarray(np.einsum("k,pk...,kj,pj...->...", WEIGHTS, y, dx, x, optimize=True))

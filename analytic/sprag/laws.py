@@ -4,7 +4,8 @@ r"""Laws of one contact: normal force N [N] to approach [m], 0 without load.
 - `plane_law`: Hertz's line contact in plane strain, of either body to a depth that is named;
 - `sliced_law`: slices with a crown, solved at a few loads. Under little load only the straight
   middle of a crown carries, and slices keep Palmgren's exponent 0.9: that is the law below the
-  least of the loads. In between a monotone cubic joins the logarithms. Beyond the last load: nan.
+  least of the loads, some nm deep. In between a monotone cubic joins the logarithms; where slices
+  begin to carry the law has kinks, which 61 loads miss by 0.15 % (41 slices). Beyond the last: nan.
 """
 
 from collections.abc import Callable
@@ -20,7 +21,7 @@ from analytic.contact.hertz_line_approach import approach_to_depth
 Law = Callable[[Array], Array]
 
 EXPONENT = 0.9
-LOADS = 25  # at which slices are solved
+LOADS = 61  # at which slices are solved
 RANGE = 1e-4  # least over largest of these loads
 
 

@@ -1,6 +1,7 @@
 """What ends a sprag clutch's grip: friction, the end of the spiral; pressures on the way.
 
-A limit that is never met is told as infinite, one that is past without load as 0.
+A limit that is not met on the way to the last state there is (sliced laws end at their largest
+load) is told as infinite, one that is past without load as 0.
 """
 
 from collections.abc import Callable
