@@ -12,6 +12,7 @@ from meshes.freewheel.strip import Side, Strip
 from meshes.sprag.profile import Array, Placed
 
 BODY = "sprag"
+ROUND_OFF = 1e-9  # of the half column's height: both halves meet exactly
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,8 @@ def _half(
     left, right = (Side(((name, half),), flank) for flank in ("left", "right"))
 
     def placed(point: Point) -> Point:
-        return point[0], up * (point[1] + height)
+        y = point[1] + height
+        return point[0], up * y if y > ROUND_OFF * height else 0.0
 
     strip = Strip(left, right, height, "", BODY, fine)
     return [block.placed(placed) for block in strip.blocks()]

@@ -8,12 +8,14 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from meshes.contact.blocks import Point
+if TYPE_CHECKING:
+    from meshes.contact.blocks import Point
 
 Array = NDArray[np.float64]
 
@@ -24,8 +26,9 @@ STEEPEST = math.radians(75)  # from the column's line, where spiral and arc may 
 class Sprag:
     """A column between the spiral rho = `rho_0` exp(`m` (theta - `theta_0`)) and the arc `r_e`.
 
-    Both are about the pole [one unit of length]; the line through the spiral's point at `theta_0`
-    [rad] and the top of the arc is the middle of the column, which is `b` wide.
+    The spiral is about the pole, the arc about `centre` [one unit of length], which is the pole
+    too unless the sprag is drawn as it is compressed. The line through the spiral's point at
+    `theta_0` [rad] and the top of the arc is the middle of the column, which is `b` wide.
     """
 
     rho_0: float
@@ -33,6 +36,7 @@ class Sprag:
     m: float
     r_e: float
     b: float
+    centre: "Point" = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         for name, value in (("rho_0", self.rho_0), ("r_e", self.r_e), ("b", self.b)):
@@ -81,32 +85,42 @@ class Sprag:
     def along_arc(self, start: float, s: Array) -> Array:
         """Points (2, ...) of the arc at lengths `s` (...) from the direction `start` on."""
         angle = start + s / self.r_e
-        return np.asarray(self.r_e * np.array([np.sin(angle), np.cos(angle)]))
+        x, y = self.centre
+        return np.array([x + self.r_e * np.sin(angle), y + self.r_e * np.cos(angle)])
 
     @cached_property
-    def _middle(self) -> tuple[float, float]:
-        """Direction of the column, clockwise from +y, and how far the pole lies right of it."""
-        x, y = self.rho_0 * math.sin(self.theta_0), -self.rho_0 * math.cos(self.theta_0)
-        lean = math.atan2(-x, self.r_e - y)
-        return lean, y * math.sin(lean) - x * math.cos(lean)
+    def middle(self) -> tuple["Point", "Point"]:
+        """Both ends of the column's middle line, the spiral's and the arc's."""
+        x, y = self.centre
+        low = self.rho_0 * math.sin(self.theta_0), -self.rho_0 * math.cos(self.theta_0)
+        return low, (x, y + self.r_e)
+
+    @property
+    def lean(self) -> float:
+        """Direction of the middle line, clockwise from +y [rad]."""
+        (x_0, y_0), (x_1, y_1) = self.middle
+        return math.atan2(x_1 - x_0, y_1 - y_0)
+
+    def _across(self, x: float, y: float) -> float:
+        """How far a point lies right of the middle line."""
+        (x_0, y_0), _ = self.middle
+        return (x - x_0) * math.cos(self.lean) - (y - y_0) * math.sin(self.lean)
 
     @cached_property
     def _ends_below(self) -> tuple[float, float] | None:
-        lean, beside = self._middle
-
         def across(theta: float) -> float:
-            return beside + self.radius(theta) * math.sin(theta + lean)
+            rho = self.radius(theta)
+            return self._across(rho * math.sin(theta), -rho * math.cos(theta))
 
-        return self._ends(across, -lean)
+        return self._ends(across, -self.lean)
 
     @cached_property
     def _ends_above(self) -> tuple[float, float] | None:
-        lean, beside = self._middle
-
         def across(phi: float) -> float:
-            return beside + self.r_e * math.sin(phi - lean)
+            x, y = self.centre
+            return self._across(x + self.r_e * math.sin(phi), y + self.r_e * math.cos(phi))
 
-        return self._ends(across, lean)
+        return self._ends(across, self.lean)
 
     def _ends(self, across: Callable[[float], float], middle: float) -> tuple[float, float] | None:
         """Where `across` meets half the width on both sides of `middle`, or None."""
@@ -126,7 +140,7 @@ class Placed:
     """A sprag with its pole at `pole`, turned clockwise by `turn` [rad], about the axis (0, 0)."""
 
     sprag: Sprag
-    pole: Point
+    pole: "Point"
     turn: float
 
     @cached_property
@@ -155,7 +169,8 @@ class Placed:
     def phi(self) -> float:
         """Direction in which the arc's normal runs through the axis [rad]."""
         left, right = self.sprag.above
-        phi = math.atan2(*self.pole) - self.turn
+        x, y = self.placed(np.array(self.sprag.centre))
+        phi = math.atan2(x, y) - self.turn
         if not left < phi < right:
             raise ValueError(
                 f"the sprag turned by {math.degrees(self.turn):.4g} degrees touches the outer race "
@@ -164,13 +179,13 @@ class Placed:
         return phi
 
     @property
-    def inner(self) -> Point:
+    def inner(self) -> "Point":
         """The spiral's point whose normal runs through the axis."""
         x, y = self.placed(self.sprag.along_spiral(self.theta, np.zeros(())))
         return float(x), float(y)
 
     @property
-    def outer(self) -> Point:
+    def outer(self) -> "Point":
         """The arc's point whose normal runs through the axis."""
         x, y = self.placed(self.sprag.along_arc(self.phi, np.zeros(())))
         return float(x), float(y)
