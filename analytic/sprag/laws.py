@@ -101,5 +101,5 @@ def _loaded(N: Array, approach: Law) -> Array:
     """`approach` where there is load, 0 where there is none, nan where N is nan."""
     known = np.isfinite(N)
     load = not_negative(np.where(known, N, 0.0), "normal force", "N")
-    found = np.where(load > 0, approach(np.where(load > 0, load, 1e-300)), 0.0)
+    found = np.where(load > 0, approach(np.where(load > 0, load, 1.0)), 0.0)
     return np.where(known, found, np.nan)

@@ -1,0 +1,129 @@
+"""Log-spiral sprag between two circles, against spirals drawn point by point."""
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from analytic.sprag.geometry import LogSprag, strut, triangle
+
+TABLE = {"R_i": 11.11, "R_e": 19.44, "r_i": 4.02}  # lengths in mm here
+
+
+def spiral(sprag, angle):
+    """Points of the inner flank at first contact, `angle` anticlockwise from A seen from C_e."""
+    pole = np.array([0.0, float(sprag.OC_e)])
+    first = np.array([np.sin(sprag.eta_0), -np.cos(sprag.eta_0)])
+    turned = np.array(
+        [
+            first[0] * np.cos(angle) - first[1] * np.sin(angle),
+            first[0] * np.sin(angle) + first[1] * np.cos(angle),
+        ]
+    )
+    return pole[:, None] + sprag.rho_0 * np.exp(sprag.m * angle) * turned
+
+
+def test_the_spiral_touches_the_inner_race_at_a_and_nowhere_goes_into_it():
+    sprag = LogSprag(m=0.0892, **TABLE)
+    found = minimize_scalar(
+        lambda at: np.hypot(*spiral(sprag, np.array([at])))[0],
+        bounds=(-0.5, 0.5), method="bounded", options={"xatol": 1e-10},
+    )  # fmt: skip
+    assert found.x == pytest.approx(0.0, abs=1e-6)
+    assert found.fun == pytest.approx(11.11, rel=1e-13)
+    x, y = spiral(sprag, np.array([found.x]))[:, 0]
+    assert np.arctan2(x, y) == pytest.approx(float(sprag.beta_0), abs=1e-6)
+
+
+def test_the_spiral_s_radius_of_curvature_at_first_contact_is_r_i():
+    """Three near points of the drawn flank; Table 1's 4.02 mm (erratum table-1-radii)."""
+    points = spiral(LogSprag(m=0.0892, **TABLE), np.array([-1e-3, 0.0, 1e-3]))
+    a, b, c = (np.hypot(*(points[:, i] - points[:, j])) for i, j in ((0, 1), (1, 2), (0, 2)))
+    (ux, uy), (vx, vy) = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
+    assert a * b * c / (2 * abs(ux * vy - uy * vx)) == pytest.approx(4.02, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("nu_0", "m"), [(2.5, 0.0707), (3.0, 0.0849), (3.5, 0.0993), (4.0, 0.1138)]
+)
+def test_wedge_angle_and_growth_of_the_spiral_belong_together(nu_0, m):
+    sprag = LogSprag.from_wedge_angle(nu_0=np.radians(nu_0), **TABLE)
+    assert float(sprag.m) == pytest.approx(m, abs=5e-5)
+    back = LogSprag(m=sprag.m, **TABLE)
+    assert float(np.degrees(back.nu_0)) == pytest.approx(nu_0, rel=1e-12)
+
+
+def test_angles_of_the_strut_are_those_of_drawn_vectors():
+    sprag = LogSprag(m=0.15, **TABLE)
+    A = 11.11 * np.array([np.sin(sprag.beta_0), np.cos(sprag.beta_0)])
+    B, C_e = np.array([0.0, 19.44]), np.array([0.0, float(sprag.OC_e)])
+
+    def angle(u, v):
+        return np.arccos(u @ v / np.linalg.norm(u) / np.linalg.norm(v))
+
+    assert angle(B - A, A) == pytest.approx(float(sprag.nu_0), rel=1e-9)
+    assert angle(B - A, B) == pytest.approx(float(sprag.omega_0), rel=1e-9)
+    assert angle(A - C_e, -C_e) == pytest.approx(float(sprag.eta_0), rel=1e-9)
+    assert np.hypot(*(A - C_e)) == pytest.approx(float(sprag.rho_0), rel=1e-12)
+    assert np.tan(angle(C_e - A, A)) == pytest.approx(0.15, rel=1e-9)
+
+
+def test_eq_10_s_eta_is_the_angle_at_the_pole_and_not_that_between_ab_and_ac_e():
+    """Erratum eq-10-eta: with m = 0.0892 the one is 3.75 deg, the other 1.95."""
+    sprag = LogSprag(m=0.0892, **TABLE)
+    A = 11.11 * np.array([np.sin(sprag.beta_0), np.cos(sprag.beta_0)])
+    to_B, to_pole = np.array([0.0, 19.44]) - A, np.array([0.0, float(sprag.OC_e)]) - A
+    named = np.arccos(to_B @ to_pole / np.linalg.norm(to_B) / np.linalg.norm(to_pole))
+    assert np.degrees(named) == pytest.approx(1.95, abs=0.01)
+    assert named == pytest.approx(float(np.arctan(0.0892) - sprag.nu_0), rel=1e-6)
+    assert np.degrees(float(sprag.eta_0)) == pytest.approx(3.75, abs=0.01)
+
+
+def test_eq_10_as_printed_gives_the_same_triangle():
+    """Arcsin and sine rule of the print; the explicit root keeps more digits."""
+    OA, OC_e, m = 11.0, 15.0, np.array([0.05, 0.1, 0.4])
+    found = triangle(OA=OA, OC_e=OC_e, m=m)
+    eta = np.arcsin(m * OA / (OC_e * np.sqrt(1 + m**2)))
+    beta = np.arctan(m) - eta
+    assert found.eta == pytest.approx(eta, rel=1e-12)
+    assert found.beta == pytest.approx(beta, rel=1e-11)
+    assert found.rho == pytest.approx(OA * np.sin(beta) / np.sin(eta), rel=1e-11)
+    nu, omega = strut(OA=OA, OB=19.0, beta=beta)
+    printed = -np.arctan(19 * np.sin(beta) / (OA - 19 * np.cos(beta)))
+    assert nu == pytest.approx(printed, rel=1e-12)
+    assert omega == pytest.approx(nu - beta)
+
+
+def test_without_growth_of_the_spiral_there_is_no_wedge():
+    nu = LogSprag(m=[1e-3, 1e-6], **TABLE).nu_0
+    assert nu[1] / nu[0] == pytest.approx(1e-3, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"m": 0.0}, "m must be positive"),
+        ({"m": -0.1}, "m must be positive"),
+        ({"m": np.inf}, "m must be positive and finite"),
+        ({"R_i": 20.0}, "R_i must be below R_e"),
+        ({"r_i": 9.0}, "pole C_e must lie inside the bore"),
+        ({"r_i": 0.0}, "r_i must be positive"),
+        ({"R_e": np.nan}, "R_e must be positive"),
+    ],
+)
+def test_what_cannot_wedge_is_refused_in_one_line(change, told):
+    with pytest.raises(ValueError, match=told) as refused:
+        LogSprag(**({"m": 0.09} | TABLE | change))
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("nu_0", "told"),
+    [(0.0, "nu_0 must be positive"), (2.0, "below pi/2"), (0.8, "no spiral has this wedge angle")],
+)
+def test_wedge_angles_that_no_spiral_has_are_refused(nu_0, told):
+    with pytest.raises(ValueError, match=told):
+        LogSprag.from_wedge_angle(nu_0=nu_0, **TABLE)
+
+
+def test_a_circle_that_holds_the_pole_meets_no_spiral():
+    assert np.isnan(triangle(OA=2.0, OC_e=1.0, m=0.1).rho)
