@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.cases.sprag_bodies import OneClutch, Place
+from verify.cases.sprag_bodies import Place
 
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
