@@ -48,7 +48,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def compiled(function: F) -> F:
     """`function` in machine code, exact in its order of operations, kept between runs."""
-    return cast(F, njit(cache=True, fastmath=False)(function))
+    try:
+        return cast(F, njit(cache=True, fastmath=False)(function))
+    except RuntimeError:  # no folder can be written: made anew in every run
+        return cast(F, njit(fastmath=False)(function))
 
 
 class Law(NamedTuple):
