@@ -75,6 +75,22 @@ def test_eq_14_s_statics_hold_with_the_lever_arms_of_eq_15(clutch):
     assert across == pytest.approx(along, rel=1e-10)
 
 
+def test_gamma_and_alpha_are_angles_of_the_triangle_of_centroid_pole_and_axis(clutch):
+    """Errata eq-10-gamma-missing, eq-10-initial-angle: the angle at C_g is theta_i + alpha."""
+    first, now = (wedged(clutch, load) for load in (0.0, N))
+    at_C_g = []
+    for state in (first, now):
+        pole = np.array([0.0 * state.OC_e, state.OC_e])
+        C_g = state.OC_g * np.array([-np.sin(state.gamma), np.cos(state.gamma)])
+        to_pole = pole - C_g
+        apart = np.hypot(*to_pole)
+        at_C_g.append(np.arccos(np.sum(-C_g * to_pole, axis=0) / (state.OC_g * apart)))
+        assert apart == pytest.approx(float(np.hypot(*clutch.centroid)), rel=1e-11)
+        sine = apart * np.sin(at_C_g[-1]) / state.OC_e
+        assert np.arcsin(sine) == pytest.approx(np.abs(state.gamma), rel=1e-11)
+    assert at_C_g[1] - at_C_g[0] == pytest.approx(now.alpha, rel=1e-9)
+
+
 def test_torque_and_rotation_lead_back_to_the_load(clutch, plane_clutch):
     for some in (clutch, plane_clutch):
         now = wedged(some, N)
