@@ -103,13 +103,15 @@ class Place:
 
     `shares` are what the races take of the overlaps of the inner and of the outer contact, the
     sprag taking the rest: bodies are drawn as they are compressed, so that forces act where they
-    do.
+    do. `bends` [m] are how much of the overlaps is drawn, as the curved surfaces are that far from
+    each other on the average over the pressure.
     """
 
     q: OneClutch
     alpha: float
     D: float
     shares: tuple[float, float] = (0.6, 0.8)
+    bends: tuple[float, float] = (0.0, 0.0)
 
     @classmethod
     def overlapping(cls, q: OneClutch, alpha: float) -> "Place":
@@ -160,15 +162,15 @@ class Place:
 
     @cached_property
     def fem_drawn(self) -> "Placed":
-        """The compressed sprag, whose ends have moved along their normals, in mere touch."""
+        """The compressed sprag, whose ends have moved along their normals."""
         from dataclasses import replace
 
         from meshes.sprag.profile import Placed
 
         at, (x_i, y_i) = self.fem_free, self.fem_free.inner
-        inwards = self.OA / math.hypot(x_i, y_i) - 1
+        inwards = (self.OA - self.bends[0]) / math.hypot(x_i, y_i) - 1
         pole = x_i * inwards, self.D + y_i * inwards
-        away = 0.0 - pole[0], self.D - (math.hypot(*at.outer) - self.OB) - pole[1]
+        away = -pole[0], self.OB + self.bends[1] - at.sprag.r_e - pole[1]
         c, s = math.cos(self.alpha), math.sin(self.alpha)
         centre = c * away[0] - s * away[1], s * away[0] + c * away[1]
         return Placed(replace(at.sprag, centre=centre), pole, self.alpha)

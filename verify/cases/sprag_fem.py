@@ -101,8 +101,12 @@ class State:
         """Where the sprag is, and what the races take of its overlaps."""
         moved = replace(self.start, D=self.start.D + self.motion[1])
         inner, outer = self.race_at_contact
-        d_i, d_o = moved.overlaps
-        return replace(moved, shares=(-inner / d_i, outer / d_o))
+        d_i, d_e = moved.overlaps
+        b_i, b_e = (
+            before + float(touch.mortar.points.gap @ _shares(touch))
+            for before, touch in zip(self.start.bends, self.solution.touches, strict=True)
+        )
+        return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     @property
     def torque(self) -> float:
@@ -177,18 +181,23 @@ class State:
         shapes = trace.displacement_shapes(points.t)
         u = self.solution.displacements[trace.dofs[:, :, points.master]]
         radial = (np.einsum("kn,ikn->in", shapes, u) * _outwards(points.y)).sum(axis=0)
-        load = touch.p * touch.weight
-        return float(radial @ load / load.sum())
+        return float(radial @ _shares(touch))
 
 
 def _outwards(x: Array) -> Array:
     return np.asarray(x / np.hypot(*x))
 
 
+def _shares(touch: "Touch") -> Array:
+    """Parts (n,) of the normal force at the integration points."""
+    load = touch.p * touch.weight
+    return np.asarray(load / load.sum())
+
+
 def _centre(touch: "Touch") -> tuple[float, float]:
-    load, y = touch.p * touch.weight, touch.mortar.points.y
-    x = y @ load / load.sum()
-    return float(np.hypot(*y) @ load / load.sum()), math.atan2(x[0], x[1])
+    share, y = _shares(touch), touch.mortar.points.y
+    x = y @ share
+    return float(np.hypot(*y) @ share), math.atan2(x[0], x[1])
 
 
 def fem_mesh(place: Place, widths: Sequence[float], cells: int) -> "Mesh2D":
@@ -232,10 +241,10 @@ def fem_pairs(place: Place, mu: float) -> list["Pair"]:
     s, start = at.sprag, at.sprag.theta_0 - at.turn - math.pi / 2
     meet: Any = {"normal": "master", "friction": mu, "press_fit": True}
     return [
-        Pair(slave="sprag.inner", master=RACES[0], interference=place.overlaps[0],
+        Pair(slave="sprag.inner", master=RACES[0], interference=place.overlaps[0] - place.bends[0],
              slave_shape=Spiral(at.pole, s.rho_0, start, s.m),
              master_shape=Circle((0.0, 0.0), place.OA), **meet),
-        Pair(slave="sprag.outer", master=RACES[1], interference=place.overlaps[1],
+        Pair(slave="sprag.outer", master=RACES[1], interference=place.overlaps[1] - place.bends[1],
              slave_shape=Circle((float(x), float(y)), s.r_e),
              master_shape=Circle((0.0, 0.0), place.OB, hollow=True), **meet),
     ]  # fmt: skip

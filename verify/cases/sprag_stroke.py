@@ -52,7 +52,7 @@ class Start:
         D = far.D + share * place.overlaps[1] - far.overlaps[1]
         root = math.sqrt(share)
         return Start(
-            replace(place, alpha=alpha, D=D),
+            replace(place, alpha=alpha, D=D, bends=tuple(share * bend for bend in place.bends)),
             (root * self.widths[0], root * self.widths[1]),
             (share * self.drags[0], share * self.drags[1]),
         )
@@ -69,9 +69,9 @@ class Start:
         for _ in range(MOST):
             state = start.state(COARSE)
             start, before = Start.after(state), start
-            moved = (start.place.D - before.place.D, start.place.OA - before.place.OA,
-                     start.place.OB - before.place.OB)  # fmt: skip
-            if max(map(abs, moved)) <= SETTLED * start.place.H:
+            now, last = start.place, before.place
+            moved = now.D - last.D, now.OA - last.OA, now.OB - last.OB
+            if max(map(abs, moved)) <= SETTLED * now.H:
                 return start, state
         raise ArithmeticError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
 
