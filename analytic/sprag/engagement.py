@@ -11,7 +11,7 @@ Speeds of sliding and equations of motion (driving positive, N from the table ov
     I_g(\ddot\alpha - \ddot\phi) &= b_i T_i + b_e T_e - h N + K_r(\alpha_{max} - \alpha).
 
 Friction inside the band |v| < D_V is the force that lets the sliding die away,
-:math:`\dot v = -v/\tau` with tau two steps, as far as N mu_d(v) allows. At v = 0 this is Eq. 12
+:math:`\dot v = -v/\tau` with tau below a step, as far as N mu_d(v) allows. At v = 0 this is Eq. 12
 with T_bis = mu_s N; taking mu_d(v) instead of mu_s over the whole band joins it to the sliding
 branch at the band's edge, and without the term v/tau (Leine's) a sprag would creep on for ever with
 the speed at which it was caught. Both forces follow from both conditions together.
@@ -108,7 +108,7 @@ class Contacts(NamedTuple):
 
 @compiled
 def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
-    """Column c and its slope at the part u of the interval from the knot k on."""
+    """Column c and its slope d/ds at the part u of the interval from the knot k on."""
     a, b = law.values[c, k], law.values[c, k + 1]
     da, db = law.step * law.slopes[c, k], law.step * law.slopes[c, k + 1]
     square, cube = 3 * (b - a) - 2 * da - db, 2 * (a - b) + da + db
@@ -119,7 +119,8 @@ def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
 @compiled
 def place(law: Law, alpha: float) -> Place:
     """Where the sprag is; at first contact for alpha <= 0, where nothing changes."""
-    at = max(alpha, 0.0) / law.step
+    s = np.sqrt(max(alpha, 0.0))
+    at = s / law.step
     k = min(int(at), law.values.shape[1] - 2)
     u = min(at - k, 1.0)
     N, _ = column(law, 0, k, u)
@@ -129,9 +130,11 @@ def place(law: Law, alpha: float) -> Place:
     b_i, slope_bi = column(law, 4, k, u)
     b_e, slope_be = column(law, 5, k, u)
     h, _ = column(law, 6, k, u)
-    if alpha <= 0.0:
-        slope_a, slope_b, slope_bi, slope_be = 0.0, 0.0, 0.0, 0.0
-    return Place(N, OA, OB, OC_g, b_i, b_e, h, slope_a, slope_b, slope_bi, slope_be)
+    turned = 1 / (2 * s) if s > 0.0 else 0.0  # ds/dalpha
+    return Place(
+        N, OA, OB, OC_g, b_i, b_e, h,
+        slope_a * turned, slope_b * turned, slope_bi * turned, slope_be * turned,
+    )  # fmt: skip
 
 
 @compiled
@@ -274,11 +277,14 @@ def missed(before: Array, now: Array, D_V: float) -> int:
 @compiled
 def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
-    states: Array, told: Array,
+    states: Array, told: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Fills `states` and `told` step by step; how it ended, at which step, which contact."""
-    stages, at, aside = np.empty((4, len(y))), np.empty(len(y)), np.empty(TOLD)
-    end = law.step * (law.values.shape[1] - 1)
+    """Fills `states` and `told` step by step; how it ended, at which step, which contact.
+
+    `seen` is what was told on both sides of a band that was missed.
+    """
+    stages, at = np.empty((4, len(y))), np.empty(len(y))
+    end = (law.step * (law.values.shape[1] - 1)) ** 2
     for n in range(len(states)):
         t = n * dt
         states[n] = y
@@ -289,12 +295,17 @@ def run(
         rates(y, torque_at(t, times, torques), law, stages[0], told[n])
         contact = missed(told[n - 1], told[n], law.D_V) if guard and n > 0 else -1
         if contact >= 0:
+            seen[:] = told[n - 1 : n + 1]
             return MISSED, n, contact
         for stage in range(1, 4):
             part = dt if stage == 3 else dt / 2
             for j in range(len(y)):
                 at[j] = y[j] + part * stages[stage - 1, j]
-            rates(at, torque_at(t + part, times, torques), law, stages[stage], aside)
+            rates(at, torque_at(t + part, times, torques), law, stages[stage], seen[1])
+            contact = missed(told[n], seen[1], law.D_V) if guard else -1
+            if contact >= 0:
+                seen[0] = told[n]
+                return MISSED, n, contact
         for j in range(len(y)):
             y[j] += dt / 6 * (stages[0, j] + 2 * (stages[1, j] + stages[2, j]) + stages[3, j])
     return DONE, len(states), 0

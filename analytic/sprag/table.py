@@ -1,8 +1,10 @@
 r"""Force and geometry of one sprag tabulated over its rotation alpha.
 
 The closure gives everything explicitly over N; an engagement asks for it over alpha, four times a
-step. The table has equal intervals of alpha from the first contact (alpha = 0, N = 0) to its end
-and holds value and slope of each column, cubic between (Hermite): continuous with its slope.
+step. The table has equal intervals of s = sqrt(alpha) from the first contact (alpha = 0, N = 0) to
+its end and holds value and slope d/ds of each column, cubic between (Hermite): continuous with its
+slope. An engagement begins under the blades' few newtons, at a ten-thousandth of its rotation, and
+whether the sprag slips there is settled there: equal intervals of alpha are too coarse for it.
 
 The columns are those that the equations of motion need,
 
@@ -32,7 +34,7 @@ BISECTIONS = 40
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Table:
-    """`values` and `slopes` d/dalpha, each (columns, intervals + 1), every `step` [rad].
+    """`values` and `slopes` d/ds, each (columns, intervals + 1), every `step` [rad^(1/2)] of s.
 
     alpha counts from the first contact, which at speed comes later than at rest, by `origin`.
     """
@@ -46,7 +48,7 @@ class Table:
     @property
     def end(self) -> float:
         """Alpha [rad] beyond which nothing is told: the end of the profile."""
-        return float(self.step * (self.values.shape[1] - 1))
+        return float(self.step * (self.values.shape[1] - 1)) ** 2
 
     @cached_property
     def _curve(self) -> CubicHermiteSpline:
@@ -57,7 +59,7 @@ class Table:
         """Columns at `alpha` [rad], nan beyond the end; the first contact below 0."""
         alpha = np.asarray(alpha, dtype=np.float64)
         inside = np.clip(alpha, 0.0, self.end)
-        found = np.where((alpha > self.end)[..., None], np.nan, self._curve(inside))
+        found = np.where((alpha > self.end)[..., None], np.nan, self._curve(np.sqrt(inside)))
         return dict(zip(COLUMNS, np.moveaxis(found, -1, 0), strict=True))
 
     def static_ratio(self, alpha: ArrayLike) -> Array:
@@ -97,15 +99,15 @@ def table(
         raise ValueError("states of a table must begin at N = 0 N and rise in N and alpha [rad]")
     h = OC_g * (np.sin(beta + gamma) - np.sin(gamma))
     b_i, b_e = OC_g * np.cos(beta + gamma) - OA, OB - OC_g * np.cos(gamma)
-    turned = alpha - alpha[0]
-    knots = np.linspace(0.0, turned[-1], intervals + 1)
-    force = PchipInterpolator(turned, N)  # an overshoot of a spline could be a force that pulls
-    curves = [force, *(CubicSpline(turned, x) for x in (OA, OB, OC_g, b_i, b_e, h))]
+    root = np.sqrt(alpha - alpha[0])
+    knots = np.linspace(0.0, root[-1], intervals + 1)
+    force = PchipInterpolator(root, N)  # an overshoot of a spline could be a force that pulls
+    curves = [force, *(CubicSpline(root, x) for x in (OA, OB, OC_g, b_i, b_e, h))]
     values = [curve(knots) for curve in curves]
     slopes = [curve(knots, 1) for curve in curves]
-    power = values[0] * values[-1]
-    rate = slopes[0] * values[-1] + values[0] * slopes[-1]
-    work = CubicHermiteSpline(knots, power, rate).antiderivative()(knots)
+    power = 2 * knots * values[0] * values[-1]  # N h dalpha/ds
+    rate = CubicSpline(knots, power)
+    work = rate.antiderivative()(knots)
     return Table(
         n_s=n_s,
         origin=float(alpha[0]),

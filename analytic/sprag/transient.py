@@ -9,7 +9,7 @@ from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.rest import at_rest
 from analytic.sprag.table import Table
 
-RELAXED = 2.0  # steps in which a residual sliding dies; Runge-Kutta is stable above 0.36
+RELAXED = 0.6  # steps in which a residual sliding dies; Runge-Kutta is stable above 0.36
 WIDER = 2.0  # band over the change of sliding in one step, where the band is chosen here
 TRIALS = 20
 
@@ -83,10 +83,11 @@ def _engage(
     )  # fmt: skip
     steps = round(duration / dt) + 1
     states, told = np.zeros((steps, STATES)), np.zeros((steps, TOLD))
+    seen = np.zeros((2, TOLD))
     y = np.concatenate([start, np.zeros(STATES - len(start))])
-    ended, n, contact = run(y, dt, law, guard, torque.times, torque.values, states, told)
+    ended, n, contact = run(y, dt, law, guard, torque.times, torque.values, states, told, seen)
     if ended == MISSED:
-        change = abs(float(told[n, 3 + contact] - told[n - 1, 3 + contact]))
+        change = float(abs(np.diff(seen[:, 3 + contact])[0]))
         raise NarrowBandError(
             contact=("inner", "outer")[contact], t=n * dt, change=change, dt=dt, D_V=D_V
         )

@@ -1,0 +1,261 @@
+r"""The engagement again, by other means: rolling as a constraint, its begin and end as events.
+
+Nothing here has a band of speeds or a step in time. Each contact rolls or slides; while it rolls
+its sliding is exactly zero, as the speeds q' are B(alpha) u with as few u as are free:
+
+.. math:: B^T M B\,\dot u = B^T (Q - M \dot B u), \qquad M\ddot q = Q + J^T T,
+
+M the masses of q = (theta_i, theta_e, phi, alpha) in the kinetic energy, Q springs, damping, torque
+and the elastic force, J the sliding per speed. The friction T that rolling asks for follows from
+the second equation; past mu_s N the contact begins to slide, at v = 0 it may roll again. At each
+such event that one of all combinations holds whose forces and accelerations agree. LSODA between.
+
+`engage` has the same physics in one compiled step (`transient`); the force over alpha is
+interpolated anew here.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq
+
+from analytic.contact.checks import Array
+from analytic.sprag.closure import Wedged
+from analytic.sprag.motion import Motion, Speeds, Torque
+
+ROLLS = 0  # else the sign of the sliding
+Mode = tuple[int, int]
+EVENTS = 20_000
+TOUCHING = 1e-9  # m/s: an event's own v
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Events:
+    """Times [s], states (q and q', 8 each), and at the steps the forces N, T_i, T_e [N]."""
+
+    t: Array
+    states: Array
+    N: Array
+    T_i: Array
+    T_e: Array
+    rolls: Array  # (steps, 2): whether inner and outer contact roll
+    peaks: Array  # (peaks, 2): time [s] and N [N] where the sprag turns back
+    over: bool  # past the end of the profile
+
+    @property
+    def N_max(self) -> float:
+        """Largest N [N]."""
+        return float(max(self.N.max(), self.peaks[:, 1].max(initial=0.0)))
+
+    @property
+    def asked(self) -> float:
+        """Largest |T|/N of both contacts: the friction without which one would slide."""
+        touching = self.N > 0
+        most = np.maximum(np.abs(self.T_i), np.abs(self.T_e))
+        return float((most[touching] / self.N[touching]).max())
+
+
+def rolling(mode: Mode) -> list[int]:
+    """Which contacts roll, 0 the inner one."""
+    return [k for k in (0, 1) if mode[k] == ROLLS]
+
+
+class Sprag:
+    """Force and levers over alpha from the closure's `states`, which begin at N = 0 and rise."""
+
+    def __init__(self, states: Wedged, n_s: int) -> None:
+        self.origin = float(states.alpha[0])
+        alpha = states.alpha - self.origin
+        self.n_s, self.end = n_s, float(alpha[-1])
+        columns = (states.N, states.OA, states.OB, states.OC_g, states.b_i, states.b_e,
+                   states.h_i - states.h_e)  # fmt: skip
+        self._curve = CubicSpline(alpha, np.transpose(columns))
+        self._slope = self._curve.derivative()
+
+    def at(self, alpha: float) -> tuple[Array, Array]:
+        """N, OA, OB, OC_g, b_i, b_e, h and their slopes; the first contact below 0."""
+        slope = self._slope(alpha) if alpha > 0 else np.zeros(7)
+        return self._curve(max(alpha, 0.0)), slope
+
+
+class System:
+    """Equations of motion in a mode; `unlimited` friction lets every contact roll for ever."""
+
+    def __init__(self, sprag: Sprag, motion: Motion, torque: Torque, *, unlimited: bool) -> None:
+        self.sprag, self.motion, self.torque, self.unlimited = sprag, motion, torque, unlimited
+        self.slack = motion.alpha_max - sprag.origin  # alpha counts from the first contact
+
+    def rest(self, speeds: Speeds) -> Array:
+        """Angles and speeds [rad, rad/s] where the blades alone press and T_i = 0, (8,)."""
+
+        def excess(alpha: float) -> float:
+            N, _, OB, _, _, b_e, h = self.sprag.at(alpha)[0]
+            return float(h * N * OB / (OB - b_e) - self.motion.K_r * (self.slack - alpha))
+
+        alpha = brentq(excess, 0.0, self.sprag.end, xtol=1e-16) if excess(0.0) < 0 else 0.0
+        N, _, OB, _, _, b_e, h = self.sprag.at(alpha)[0]
+        theta_e = -self.sprag.n_s * OB * h * N / (OB - b_e) / self.motion.k_out
+        return np.array([0, theta_e, 0, alpha, speeds.inner, speeds.outer, speeds.phi, 0])
+
+    def sliding(self, g: Array) -> Array:
+        """J: v_i and v_e per speed, (2, 4)."""
+        _, OA, OB, _, b_i, b_e, _ = g
+        return np.array([[OA, 0.0, -OA, -b_i], [0.0, -OB, OB, -b_e]])
+
+    def free(
+        self, J: Array, slope: Array, turn: float, mode: Mode
+    ) -> tuple[list[int], Array, Array]:
+        """The speeds that are free, B and dB/dt; rolling takes phi', then alpha'."""
+        bound = rolling(mode)
+        kept = ([0, 1, 2, 3], [0, 1, 3], [0, 1])[len(bound)]
+        lost = [k for k in range(4) if k not in kept]
+        B, dB = np.zeros((4, len(kept))), np.zeros((4, len(kept)))
+        B[kept, range(len(kept))] = 1.0
+        if bound:
+            J_dot = self.sliding(slope)[bound] * turn
+            inverse = np.linalg.inv(J[bound][:, lost])
+            B[lost] = -inverse @ J[bound][:, kept]
+            dB[lost] = -inverse @ (J_dot[:, kept] + J_dot[:, lost] @ B[lost])
+        return kept, B, dB
+
+    def accelerations(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, float]:
+        """q'', T, v and N."""
+        motion, n_s = self.motion, self.sprag.n_s
+        g, slope = self.sprag.at(y[3])
+        N, OC_g, h = g[0], g[3], g[6]
+        q_dot = y[4:]
+        J = self.sliding(g)
+        v = J @ q_dot
+        spin = n_s * motion.I_g * np.array([[1.0, -1.0], [-1.0, 1.0]])
+        M = np.diag([motion.I_bi, motion.I_be, n_s * motion.m_g * OC_g**2, 0.0])
+        M[2:, 2:] += spin
+        between = motion.C_rl * (q_dot[0] - q_dot[1])
+        blade = n_s * motion.K_r * (self.slack - y[3])
+        Q = np.array([
+            float(self.torque.at(t)) - between,
+            between - motion.k_out * y[1],
+            -blade,
+            blade - n_s * h * N,
+        ])  # fmt: skip
+        drop = motion.mu_s - motion.mu_c
+        mu = motion.mu_c + drop * np.exp(-motion.gamma_b * np.abs(v))
+        T = np.array(mode) * mu * N
+        loads = Q - n_s * J.T @ T  # friction takes from what drives the sliding
+        kept, B, dB = self.free(J, slope, q_dot[3], mode)
+        u = q_dot[kept]
+        u_dot = np.linalg.solve(B.T @ M @ B, B.T @ (loads - M @ dB @ u))
+        q_ddot = B @ u_dot + dB @ u
+        if bound := rolling(mode):
+            T[bound] = np.linalg.lstsq(n_s * J[bound].T, loads - M @ q_ddot, rcond=None)[0]
+        return q_ddot, T, v, float(N)
+
+    def mode(self, t: float, y: Array) -> Mode:
+        """The combination of rolling and sliding whose forces and accelerations agree."""
+        if self.unlimited:
+            return ROLLS, ROLLS
+        g, slope = self.sprag.at(y[3])
+        v = self.sliding(g) @ y[4:]
+        choices: list[tuple[int, ...]] = [
+            (ROLLS, 1, -1) if abs(x) < TOUCHING else (int(np.sign(x)),) for x in v
+        ]
+        J_dot = self.sliding(slope) * y[7]
+        doubts = []
+        for mode in ((i, e) for i in choices[0] for e in choices[1]):
+            q_ddot, T, _, N = self.accelerations(t, y, mode)
+            v_dot = self.sliding(g) @ q_ddot + J_dot @ y[4:]
+            excess = 0.0
+            for k in (0, 1):
+                if mode[k] == ROLLS:
+                    excess = max(excess, abs(T[k]) - self.motion.mu_s * N)
+                elif abs(v[k]) < TOUCHING:
+                    excess = max(excess, -mode[k] * v_dot[k])
+            if excess <= 0:
+                return mode
+            doubts.append((excess, mode))
+        return min(doubts)[1]
+
+    def grip(self, t: float, y: Array, mode: Mode, k: int) -> float:
+        """What is left of static friction [N] at contact k."""
+        _, T, _, N = self.accelerations(t, y, mode)
+        return float(self.motion.mu_s * N - abs(T[k]))
+
+    def slid(self, y: Array, mode: Mode, k: int) -> float:
+        """Speed of sliding [m/s] at contact k in the direction in which it began."""
+        return float(mode[k] * (self.sliding(self.sprag.at(y[3])[0]) @ y[4:])[k])
+
+    def ends(self, mode: Mode) -> list[Callable[[float, Array], float]]:
+        """Events: the end of the profile, a turning back of the sprag, and the mode's ends."""
+
+        def over(_: float, y: Array) -> float:
+            return float(self.sprag.end - y[3])
+
+        def turns(_: float, y: Array) -> float:
+            return float(y[7])
+
+        def contact(k: int) -> Callable[[float, Array], float]:
+            if mode[k] == ROLLS:
+                return lambda t, y: self.grip(t, y, mode, k)
+            return lambda _, y: self.slid(y, mode, k)
+
+        found = [over, turns, *(contact(k) for k in ((), (0, 1))[not self.unlimited])]
+        for event in found:
+            event.direction = -1  # type: ignore[attr-defined]
+            event.terminal = event is not turns  # type: ignore[attr-defined]
+        return found
+
+
+def engage_by_events(
+    states: Wedged,
+    n_s: int,
+    motion: Motion,
+    torque: Torque,
+    *,
+    duration: float,
+    speeds: Speeds | None = None,
+    unlimited: bool = False,
+    rtol: float = 1e-9,
+) -> Events:
+    """Engagement over `duration` [s] from rest under the blades, but for `speeds`.
+
+    `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` tells the
+    friction that this takes. ArithmeticError where the solver or the number of events fails.
+    """
+    system = System(Sprag(states, n_s), motion, torque, unlimited=unlimited)
+    t, y, parts, peaks = 0.0, system.rest(speeds or Speeds()), [], []
+    for _ in range(EVENTS):
+        mode = system.mode(t, y)
+        leg = solve_ivp(
+            lambda t, y, mode=mode: np.concatenate([y[4:], system.accelerations(t, y, mode)[0]]),
+            (t, duration), y, method="LSODA", rtol=rtol, atol=rtol * 1e-3,
+            events=system.ends(mode), max_step=1e-4,
+        )  # fmt: skip
+        if leg.status < 0:
+            raise ArithmeticError(f"LSODA fails at t={leg.t[-1]:.6g} s: {leg.message}")
+        parts.append((mode, leg.t, leg.y.T))
+        for when, what in zip(leg.t_events[1], leg.y_events[1], strict=True):
+            peaks.append((when, float(system.sprag.at(what[3])[0][0])))
+        t, y = leg.t[-1], leg.y[:, -1]
+        if leg.status == 0 or len(leg.t_events[0]):
+            return _told(system, parts, peaks, over=bool(len(leg.t_events[0])))
+    raise ArithmeticError(f"more than {EVENTS} events, up to t={t:.6g} s")
+
+
+def _told(
+    system: System,
+    parts: list[tuple[Mode, Array, Array]],
+    peaks: list[tuple[float, float]],
+    *,
+    over: bool,
+) -> Events:
+    rows = [
+        (t, y, *system.accelerations(t, y, mode)[1:4:2], mode)
+        for mode, ts, ys in parts for t, y in zip(ts, ys, strict=True)
+    ]  # fmt: skip
+    t, states, T, N, modes = (np.array(x) for x in zip(*rows, strict=True))
+    return Events(
+        t=t, states=states, N=N, T_i=T[:, 0], T_e=T[:, 1], rolls=modes == ROLLS,
+        peaks=np.array(peaks).reshape(-1, 2), over=over,
+    )  # fmt: skip
