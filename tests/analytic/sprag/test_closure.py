@@ -36,6 +36,15 @@ def test_the_turned_spiral_reaches_into_the_inner_race_by_all_that_yields_there(
         assert angle == pytest.approx(float(now.turned), abs=1e-5)
 
 
+def test_forces_act_where_eq_9_has_a_and_b(clutch):
+    now, y = wedged(clutch, N), clutch.compliance.yields(N)
+    inner, outer = now.OA, now.OB
+    assert inner == pytest.approx(11.11e-3 - y.race_i - y.contact_i / 2, rel=1e-14)
+    assert outer == pytest.approx(19.44e-3 + y.race_e + y.contact_e / 2, rel=1e-14)
+    whole = y.race_e + y.contact_e + y.sprag / 2
+    assert now.OC_e == pytest.approx(float(clutch.sprag.OC_e) + whole, rel=1e-14)
+
+
 def test_explicit_and_iterated_closure_agree(clutch):
     """Eq. 11 as an iteration: the load under which the drawn sprag yields as far as it overlaps."""
     for load in (500.0, 3407.0):

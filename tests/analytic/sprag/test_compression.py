@@ -29,6 +29,10 @@ def test_the_compliance_has_eqs_6_and_7(parts):
     assert pytest.approx(five, rel=1e-14) == found.H
 
 
+def test_two_bodies_of_one_steel_have_half_its_plane_strain_modulus(parts):
+    assert float(parts.E_star) == pytest.approx(206e9 / 0.91 / 2, rel=1e-14)
+
+
 def test_speed_makes_the_outer_race_grow_by_eq_8(parts):
     fast = Parts(**(vars_of(parts) | {"omega": 1000.0}))
     bore = rotating.radial_displacement(

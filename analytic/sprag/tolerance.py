@@ -1,0 +1,45 @@
+r"""How the wedge angle of a given sprag follows the dimensions around it.
+
+A spiral looks alike at every scale, so that the angles under which a given sprag first touches
+depend on R_i, R_e, its outer radius r_e and m alone, with OC_e = R_e - r_e; where on the spiral it
+touches changes, not how. With c = AB,
+
+.. math::
+    d\nu_0 &= \frac{R_e(R_e - R_i\cos\beta)}{c^2}\,d\beta
+             + \frac{\sin\beta}{c^2}\,(R_e\,dR_i - R_i\,dR_e), \\
+    d\beta &= \tan\eta\left(\frac{dR_e - dr_e}{OC_e} - \frac{dR_i}{R_i}\right)
+             + \left[1 - \frac{R_i}{OC_e\sqrt{1+m^2}\cos\eta}\right]\frac{dm}{1+m^2}.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact.checks import Array
+from analytic.sprag.geometry import LogSprag
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Sensitivities:
+    """Derivatives of nu_0 by R_i, R_e and r_e [rad/length] and by m [rad]."""
+
+    R_i: Array
+    R_e: Array
+    r_e: Array
+    m: Array
+
+
+def sensitivities(sprag: LogSprag) -> Sensitivities:
+    """Derivatives of the wedge angle nu_0, the other dimensions of sprag and races fixed."""
+    R_i, R_e, m = (np.asarray(x, dtype=np.float64) for x in (sprag.R_i, sprag.R_e, sprag.m))
+    beta, eta, OC_e = sprag.beta_0, sprag.eta_0, sprag.OC_e
+    c2 = R_i**2 + R_e**2 - 2 * R_i * R_e * np.cos(beta)
+    by_beta = R_e * (R_e - R_i * np.cos(beta)) / c2
+    across = np.sin(beta) / c2
+    spiral = (1 - R_i / (OC_e * np.hypot(1, m) * np.cos(eta))) / (1 + m**2)
+    return Sensitivities(
+        R_i=np.asarray(-by_beta * np.tan(eta) / R_i + across * R_e),
+        R_e=np.asarray(by_beta * np.tan(eta) / OC_e - across * R_i),
+        r_e=np.asarray(-by_beta * np.tan(eta) / OC_e),
+        m=np.asarray(by_beta * spiral),
+    )
