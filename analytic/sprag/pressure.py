@@ -1,0 +1,33 @@
+r"""Contact pressure along a sprag through an engagement, p(y, t).
+
+The slices are solved at a few loads, evenly over sqrt(N), and a monotone cubic over sqrt(N) is put
+through each slice's peak pressure: that of a slice which carries its part of the load whatever the
+load is straight, p ~ sqrt(N). Between two loads a slice that just begins to carry is off by up to
+7 % of the largest pressure, the largest pressure itself by 0.2 % (41 slices; 0.7 % with 21).
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.interpolate import PchipInterpolator
+
+from analytic.contact import slices
+from analytic.contact.checks import Array, not_negative
+
+LOADS = 41
+
+
+def along(
+    N: ArrayLike, gap: ArrayLike, *, length: float, R: float, E_star: float, loads: int = LOADS
+) -> Array:
+    """Peak pressure [Pa] of each slice under the normal forces `N` [N], (..., slices).
+
+    `gap` [m], (slices,), is the crown; `length` [m], relative radius R [m], contact modulus [Pa].
+    """
+    N, gap = not_negative(N, "normal force", "N"), np.asarray(gap, dtype=np.float64)
+    most = float(N.max())
+    if most == 0:
+        return np.zeros((*N.shape, len(gap)))
+    root = np.linspace(0.0, np.sqrt(most), loads)
+    pressed = slices.press(gap, length=length, R=R, E_star=E_star, load=root[1:] ** 2)
+    p = np.concatenate([np.zeros((1, len(gap))), pressed.peak_pressure])
+    return np.asarray(PchipInterpolator(root, p)(np.sqrt(N)))
