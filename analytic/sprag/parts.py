@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact import hertz_line
-from analytic.contact.checks import Array, not_negative, poisson, positive
+from analytic.contact.checks import Array, in_plane, not_negative, poisson, positive
 from analytic.freewheel.rules import require, rollers
 from analytic.ring import rotating
 from analytic.ring.smeared import race_deflection
@@ -82,20 +82,25 @@ class Parts:
 
     def compliance(self, *, contact_i: Law, contact_e: Law) -> Compliance:
         """Compliance of the clutch with these laws of its contacts."""
-        sprag, P = self.sprag, 1 / np.asarray(self.l)
+        sprag, (race_i, race_e) = self.sprag, self._races(np.asarray(self.E), self.nu)
         return Compliance(
-            contact_i=contact_i, contact_e=contact_e,
-            race_i=race_deflection(
-                P=P, n=self.n_s, r_i=self.R_id, r_o=sprag.R_i, E=self.E, nu=self.nu, loaded="rim"
-            ),
-            race_e=race_deflection(
-                P=P, n=self.n_s, r_i=sprag.R_e, r_o=self.R_ed, E=self.E, nu=self.nu, loaded="bore"
-            ),
+            contact_i=contact_i, contact_e=contact_e, race_i=race_i, race_e=race_e,
             sprag=sprag_compression(
                 N=1.0, R_i=sprag.R_i, R_e=sprag.R_e, b=self.b, l=self.l, E=self.E
             ),
             d_ce=self.d_ce,
         )  # fmt: skip
+
+    def _races(self, E: Array, nu: float) -> tuple[Array, Array]:
+        """Compliances [m/N] of both races as rings, with the constants of the plane (Eq. 6)."""
+        sprag, P = self.sprag, 1 / np.asarray(self.l)
+        inner = race_deflection(
+            P=P, n=self.n_s, r_i=self.R_id, r_o=sprag.R_i, E=E, nu=nu, loaded="rim"
+        )
+        outer = race_deflection(
+            P=P, n=self.n_s, r_i=sprag.R_e, r_o=self.R_ed, E=E, nu=nu, loaded="bore"
+        )
+        return inner, outer
 
     def palmgren(self) -> Compliance:
         """Compliance with Palmgren's law at both contacts."""
@@ -103,7 +108,12 @@ class Parts:
         return self.compliance(contact_i=law, contact_e=law)
 
     def plane(self) -> Compliance:
-        """Compliance with Hertz's line contacts: sprag to half its height, races to their walls."""
+        """Compliance of long bodies (plane strain) with Hertz's line contacts.
+
+        The sprag gives way from either contact to half its height, which holds its compression as
+        a bar already: Eq. 7 would count it twice. The races give way to the depth of their walls,
+        and as rings.
+        """
         sprag, half = self.sprag, (np.asarray(self.sprag.R_e) - np.asarray(self.sprag.R_i)) / 2
         inner = plane_law(
             l=self.l, r=sprag.r_i, R=sprag.R_i, E=self.E, nu=self.nu, depth_sprag=half,
@@ -113,4 +123,9 @@ class Parts:
             l=self.l, r=sprag.r_e, R=-np.asarray(sprag.R_e), E=self.E, nu=self.nu,
             depth_sprag=half, depth_race=np.asarray(self.R_ed) - np.asarray(sprag.R_e),
         )  # fmt: skip
-        return self.compliance(contact_i=inner, contact_e=outer)
+        E, nu = in_plane(self.E, self.nu, "plane strain")
+        race_i, race_e = self._races(E, float(nu))
+        return Compliance(
+            contact_i=inner, contact_e=outer, race_i=race_i, race_e=race_e, sprag=0.0,
+            d_ce=self.d_ce,
+        )  # fmt: skip

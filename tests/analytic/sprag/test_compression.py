@@ -43,6 +43,16 @@ def test_speed_makes_the_outer_race_grow_by_eq_8(parts):
     assert float(parts.palmgren().yields(1.0).d_ce) == 0.0
 
 
+def test_long_bodies_yield_in_plane_strain_and_their_dents_hold_the_bar(parts):
+    """Rings by Lamé in plane strain: Eq. 6 with E/(1 - nu²) and nu/(1 - nu); no Eq. 7."""
+    found, scale = parts.plane().yields(3407.0), 3407 * 12 / (2 * np.pi * 9e-3 * 206e9 / 0.91)
+    i = (11.11**2 + 7.21**2) / (11.11**2 - 7.21**2)
+    e = (26.23**2 + 19.44**2) / (26.23**2 - 19.44**2)
+    assert float(found.race_i) == pytest.approx(scale * (i - 3 / 7), rel=1e-12)
+    assert float(found.race_e) == pytest.approx(scale * (e + 3 / 7), rel=1e-12)
+    assert float(found.sprag) == 0.0
+
+
 def test_rigid_races_are_liu_s_model(parts):
     stiff, free = (c.yields(100.0) for c in (parts.palmgren().rigid_races(), parts.palmgren()))
     assert float(stiff.race_i + stiff.race_e) == 0.0
