@@ -11,7 +11,7 @@ from meshes.sprag.profile import Placed
 
 ASTRAY = 1 / 4  # of the gap between the races, that the sprag may overlap or leave to either
 FURTHEST = math.pi / 4  # that a sprag may be turned, and its pole lie beside +y [rad]
-ROOM = 2.0  # fine zones that fit between the contact and the flank
+ROOM = 4 / 3  # fine zones that fit between the contact and the flank
 ALONG = 41  # points of a flank that are compared with the next sprag's
 
 
@@ -66,5 +66,5 @@ def check_zone(where: str, race: RoundRace, room: float, zone: float) -> None:
     if not 0 < zone <= bound:
         raise ValueError(
             f"the {where} contact's fine zone needs 0 < zone <= about the wall, a quarter of the "
-            f"pitch and half the way to the flank, here {bound:g} m, got {zone:g} m"
+            f"pitch and three quarters of the way to the flank, here {bound:g} m, got {zone:g} m"
         )

@@ -13,9 +13,9 @@ from verify.cases.sprag_fem import Sector, State
 
 COARSE = 3  # cells on the half-width of the meshes that say where contacts lie
 SETTLED = 1e-4  # of both overlaps, what pole and contacts may still move by; steps
-STICKS = 2.0  # friction over tan(nu): well above what the sprag needs
-WIDE = 0.5  # half-width over sqrt(r d), about
-SOFT = 25.0  # all that yields over N/E', about
+STICKS = 5.0  # friction over tan(nu): well above what the sprag needs
+WIDE = 0.4  # half-width over sqrt(r d), about
+SOFT = 15.0  # all that yields over N/E', about
 NEAR, MOST = 1e-3, 20  # how near the force is met, and in how many steps
 
 
@@ -46,13 +46,13 @@ class Start:
     def turned(self, alpha: float) -> "Start":
         """About the same at another rotation [rad]."""
         q, place = self.place.q, self.place
-        share = Place.overlapping(q, alpha).H / place.H
-        # as the overlaps of both contacts share the whole
         far = Place.overlapping(q, alpha)
+        share, (b_i, b_e) = far.H / place.H, place.bends
+        # as the overlaps of both contacts share the whole
         D = far.D + share * place.overlaps[1] - far.overlaps[1]
         root = math.sqrt(share)
         return Start(
-            replace(place, alpha=alpha, D=D, bends=tuple(share * bend for bend in place.bends)),
+            replace(place, alpha=alpha, D=D, bends=(share * b_i, share * b_e)),
             (root * self.widths[0], root * self.widths[1]),
             (share * self.drags[0], share * self.drags[1]),
         )
