@@ -1,0 +1,199 @@
+"""The claims about an engagement: the steps against LSODA, energy, limits, and what it shows."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import slices
+from verify.case import Context
+from verify.cases.contact_roller_inputs import DESIGNS
+from verify.cases.sprag_engagement_fem import ORDER
+from verify.cases.sprag_engagement_model import gap, parts, wedge
+from verify.checks import Accepted, Approximation, Exact, Fact, Identity, Order
+from verify.results import Row
+
+BY = "Runge-Kutta steps, compiled"
+LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accepted
+ENERGY = 1e-5  # of the work: what the table's cubics may miss
+LOADS = 13  # over which the contacts' pressures are compared
+FITTED = "length, width, wedge angle and support are identified, not printed"
+UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Partnered(Identity):
+    """The steps against LSODA, whose values stand beside those of the finest level."""
+
+    by: str = BY
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(replace(context, analytic=context.fem[-1].values))
+
+
+def statics(_q: Any, v: Any) -> tuple[float, float]:
+    """At the same turn the steps have the same N, and a torque less by 0 to N_e/N_i - 1."""
+    return -v["unequal"], 0.0
+
+
+def energy(_q: Any, v: Any) -> tuple[float, float]:
+    """The same for a peak that the work done decides."""
+    return -v["passed on"] * v["unequal"], 0.0
+
+
+def spring(q: Any, v: Any) -> tuple[float, float]:
+    """The same, and the sprags' mass, which the races' spring leaves out, either way."""
+    low, _ = energy(q, v)
+    return low - v["inertia"], v["inertia"]
+
+
+def again(key: str) -> Any:
+    """Ratio of two such peaks: both are off alike."""
+
+    def interval(q: Any, v: Any) -> tuple[float, float]:
+        low, high = spring(q, v)
+        return low - high, high - low
+
+    return interval
+
+
+def either_way(times: float) -> Any:
+    def interval(_q: Any, v: Any) -> tuple[float, float]:
+        return -times * v["unequal"], times * v["unequal"]
+
+    return interval
+
+
+def along(context: Context) -> tuple[float, float, str]:
+    """N(t) of the steps against LSODA over the whole engagement."""
+    last = context.fem[-1]
+    d = last.arrays["LSODA beside"] - last.arrays["LSODA N"]
+    worst = float(np.abs(d).max() / last.values["N_max"])
+    mean = float(np.sqrt(np.trapezoid(d**2, last.arrays["LSODA t"])
+                         / np.trapezoid(last.arrays["LSODA N"] ** 2, last.arrays["LSODA t"])))  # fmt: skip
+    return LSODA - worst, 0.0, f"off by {worst:.1e} of N_max at most, {mean:.1e} in L2"
+
+
+def halving(context: Context) -> tuple[float, float, str]:
+    """What half of the time step changes."""
+    whole, half = (r.values["N_max"] for r in context.fem[:2])
+    change = abs(half / whole - 1)
+    return HALVING - change, 0.0, f"N_max changes by {change:.1e}"
+
+
+def errors(context: Context) -> tuple[list[float], list[float]]:
+    return list(ORDER), context.fem[-1].arrays["order"].tolist()
+
+
+def crowns(context: Context) -> tuple[float, float, str]:
+    """How much the paper's crowns change the largest force."""
+    none, *with_one = context.fem[-1].arrays["crowns"]
+    share = np.array(with_one) / none - 1
+    low, high = np.abs(share).min(), np.abs(share).max()
+    words = f"{low:.1%} to {high:.1%} less over {len(DESIGNS)} crowns"
+    return CROWN - float(high), HALVING, words
+
+
+def centroids(context: Context) -> tuple[float, float, str]:
+    """How much the centroid's place, which is not printed, changes the largest force."""
+    v = context.fem[-1]
+    worst = float(np.abs(v.arrays["centroids"] / v.values["N_max"] - 1).max())
+    return CENTROID - worst, 0.0, f"at the pole or beside it: {worst:.1e} of N_max"
+
+
+def sliced(context: Context) -> tuple[float, float, str]:
+    """What twice as many slices change."""
+    half, whole = (r.values["N_max sliced"] for r in context.fem[-2:])
+    change = abs(whole / half - 1)
+    return SLICES - change, 0.0, f"N_max changes by {change:.1e} from half of the slices on"
+
+
+def liu(context: Context) -> tuple[float, float, str]:
+    """How much larger the force is where the races do not yield as rings."""
+    v, w = context.fem[-1].values, wedge(context.inputs)
+    now = w.states.yields
+    share = float((now.race_i + now.race_e)[-1] / now.H[-1])
+    words = f"{v['rigid'] - 1:+.1%}: the races are {share:.0%} of what yields"
+    return v["rigid"] - 1, LSODA, words
+
+
+def first(context: Context) -> tuple[float, float]:
+    """First peak over the highest later one."""
+    v = context.fem[-1].values
+    return v["first peak"] / max(v["later peak"], 1e-300) - 1, LSODA
+
+
+def inner(context: Context) -> tuple[float, float]:
+    """Least ratio of the inner contact's largest pressure to the outer's, less one."""
+    q, v = context.inputs, context.analytic
+    whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
+    both = [
+        slices.press(gap(q), length=q.l, R=float(R), E_star=float(whole.E_star), load=N)
+        for R in (whole.R_contact_i, whole.R_contact_e)
+    ]
+    p_i, p_o = (found.peak_pressure.max(axis=-1) for found in both)
+    return float((p_i / p_o).min()) - 1, 1e-6
+
+
+def rolling(context: Context) -> tuple[float, float, str]:
+    """Contacts that always roll against friction that may let them slide."""
+    last = context.fem[-1]
+    off = float(last.values["N_max"] / last.arrays["rolling"][0] - 1)
+    words = f"N_max off by {off:.1e}; {last.values['slides']:.1%} of the time a contact slides"
+    return LSODA - abs(off), 0.0, words
+
+
+def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
+    return Partnered(name=f"{name}: steps and LSODA", symbol=symbol, unit=unit, fem=key,
+                     analytic=f"LSODA {key}", formal=4, residual="LSODA residual",
+                     demand=LSODA, demand_reason="acceptance of the subject", **more)  # fmt: skip
+
+
+CHECKS = (
+    partnered("largest force", "N_max", "N", "N_max", printed=("huang2018:time-step",)),
+    partnered("time of the largest force", "t_max", "ms", "t_max"),
+    partnered("largest force without yielding races (Liu)", "N_max", "N", "N_max rigid"),
+    partnered("largest force under 1.6 T", "N_max", "N", "N_max more",
+              printed=("huang2018:torque-40",)),
+    partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio"),
+    Accepted(name=f"N(t): steps and LSODA within {LSODA:.1%}", symbol="N", unit="1", margin=along),
+    Accepted(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max", unit="1",
+             margin=halving),
+    Order(name="order of N(t) in the time step", symbol="p", unit="1", errors=errors, order=4,
+          printed=("huang2018:runge-kutta-order",), demand=0.1,
+          demand_reason="from three steps"),
+    Exact(name="balance of energies, damping and friction booked", symbol="ΔE", unit="J",
+          fem="missing", scale="work", bound=ENERGY, bound_reason="cubics of the table"),
+    Exact(name="balance of energies without damping", symbol="ΔE", unit="J",
+          fem="missing undamped", scale="work", bound=ENERGY, bound_reason="cubics of the table"),
+    Approximation(name="first peak without damping, T θ = n_s ∫N dH", symbol="N_1", unit="N",
+                  fem="N_undamped", analytic="N_undamped", interval=energy, formal=4, by=BY,
+                  source=f"{UNEQUAL}; work passes it on"),
+    Approximation(name="force at rest after a slow rise", symbol="N", unit="N", fem="N",
+                  analytic="N", interval=statics, formal=4, by=BY, source=UNEQUAL),
+    Approximation(name="frequency of small oscillations, √(k/I)", symbol="f", unit="Hz", fem="f",
+                  analytic="f", interval=either_way(1), formal=2, by=BY,
+                  source=f"{UNEQUAL}; a root of slopes of T"),
+    Approximation(name="largest force, two races on a spring", symbol="N_max", unit="N",
+                  fem="N_max", analytic="N_max", interval=spring, formal=4, by=BY,
+                  source=f"{UNEQUAL}; sprags without mass"),
+    Approximation(name="ratio under 1.6 T and T, two races on a spring", symbol="r", unit="1",
+                  fem="ratio", analytic="ratio", interval=again("more"), formal=4, by=BY,
+                  source=f"{UNEQUAL}, at both torques"),
+    Approximation(name="friction that rolling asks for, tan ν", symbol="μ", unit="1", fem="asked",
+                  analytic="mu_asked", interval=either_way(2), formal=4, by=BY,
+                  source=f"{UNEQUAL}; either contact's share"),
+    Accepted(name=f"contacts that always roll (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
+             unit="1", margin=rolling),
+    Accepted(name="rigid races (Liu) make the force larger", symbol="N_max", unit="1", margin=liu,
+             fitted=FITTED),
+    Fact(name="the first peak is the largest", symbol="N_1/N_2", unit="1", margin=first),
+    Fact(name="inner contact's pressure above the outer's, at any force", symbol="p_i/p_o",
+         unit="1", margin=inner, fem_needed=False),
+    Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", symbol="N_max", unit="1",
+             margin=crowns, fitted=FITTED),
+    Accepted(name=f"slices: N_max within {SLICES:.1%} of that with half of them", symbol="N_max",
+             unit="1", margin=sliced),
+    Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max", symbol="N_max",
+             unit="1", margin=centroids),
+)  # fmt: skip
