@@ -30,6 +30,7 @@ from verify.cases.ring import LAME
 from verify.cases.ring_loads import INNER, OUTER
 from verify.cases.ring_loads_map import MAP
 from verify.cases.ring_rotation import ROTATION
+from verify.cases.sprag_clutch import CLUTCH as SPRAG
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_buckling import BUCKLING
 from verify.cases.spring_continuum import CONTINUUM
@@ -43,6 +44,7 @@ CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
     TORQUE, CUP, FRICTION, PATHS, FREEWHEEL,
+    SPRAG,
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,

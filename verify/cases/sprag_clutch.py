@@ -1,0 +1,113 @@
+"""One's own logarithmic sprag clutch: whether it holds, what ends its work, how hard it engages."""
+
+from verify.case import Case, Output
+from verify.cases.sprag_clutch_claims import CHECKS
+from verify.cases.sprag_clutch_dynamic import DYNAMIC
+from verify.cases.sprag_clutch_fem import LEVELS, fem
+from verify.cases.sprag_clutch_model import under
+from verify.cases.sprag_clutch_shown import equations, figures, sketch
+from verify.cases.sprag_clutch_values import analytic
+from verify.cases.sprag_clutch_words import findings, summary, warnings
+from verify.cases.sprag_inputs import ASSUMED, IDENTIFIED, EngagementInputs
+
+FINEST = 101  # slices and strips that the other side solves at many loads
+
+
+def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False) -> Output:
+    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
+
+
+OUTPUTS = (
+    output("nu_0", "ν_0", "deg", "wedge angle at the inner contact, without load"),
+    output("omega_0", "ω_0", "deg", "wedge angle at the outer contact, without load"),
+    output("m", "m", "1", "growth of the spiral"),
+    output("r_e", "r_e", "mm", "radius of the outer flank"),
+    output("OC_e", "OC_e", "mm", "distance of the spiral's pole from the axis"),
+    output("N_0", "N_0", "N", "force of the springs alone on each contact"),
+    output("N", "N", "N", "normal force of each inner contact", judged=True),
+    output("nu", "ν(T)", "deg", "wedge angle under torque, inner contact"),
+    output("omega", "ω(T)", "deg", "wedge angle under torque, outer contact"),
+    output("mu_req", "tan ν", "1", "friction that torque asks for", judged=True),
+    output("safety", "μ_s/tan ν", "1", "static friction over what torque asks for"),
+    output("alpha", "α(T)", "deg", "turn of the sprags against the outer contact", judged=True),
+    output("theta", "θ(T)", "deg", "turn of the races against each other, by rolling"),
+    output("stiffness", "dT/dθ", "N m/rad", "torsional stiffness under torque"),
+    output("T/theta", "T/θ", "N m/rad", "torque over turn"),
+    output("d_HI", "δ_HI", "µm", "approach of the inner contact, by slices"),
+    output("d_HE", "δ_HE", "µm", "approach of the outer contact, by slices"),
+    output("d_BI", "δ_BI", "µm", "yield of the inner race (Eq. 6)"),
+    output("d_BE", "δ_BE", "µm", "yield of the outer race (Eq. 6)"),
+    output("d_g", "δ_g", "µm", "compression of the sprag (Eq. 7)"),
+    output("H", "H", "µm", "their sum", judged=True),
+    output("d_ce", "δ_ce", "µm", "growth of the outer race by its speed (Eq. 8)"),
+    output("p_i mid", "p_i(0)", "MPa", "pressure at mid-length, inner race", judged=True),
+    output("p_o mid", "p_o(0)", "MPa", "pressure at mid-length, outer race", judged=True),
+    output("p_i", "p_i", "MPa", "largest pressure of the slices, inner race"),
+    output("p_o", "p_o", "MPa", "largest pressure of the slices, outer race"),
+    output("T slip", "T_μ", "N m", "torque at which friction gives way"),
+    output("T pressure_inner", "T_p,i", "N m", "torque at which the inner contacts reach p_lim"),
+    output("T pressure_outer", "T_p,o", "N m", "torque at which the outer contacts reach p_lim"),
+    output("T end", "T_α", "N m", "torque at which the sprags reach the end of their profile"),
+    output("T wide", "T_a", "N m", "torque at which contacts become too wide for the formulas"),
+    output("dnu_0/dR_i", "dν_0/dR_i", "deg/mm", "turn of the wedge angle by R_i"),
+    output("dnu_0/dR_e", "dν_0/dR_e", "deg/mm", "turn of the wedge angle by R_e"),
+    output("dalpha/dR_i", "dα_0/dR_i", "deg/mm", "turn of the unloaded sprags by R_i"),
+    output("dalpha/dR_e", "dα_0/dR_e", "deg/mm", "turn of the unloaded sprags by R_e"),
+    output("N Liu", "N_L", "N", "normal force with rigid races (Liu)"),
+    output("alpha Liu", "α_L", "deg", "turn of the sprags with rigid races (Liu)"),
+    output("theta Liu", "θ_L", "deg", "turn of the races against each other, rigid (Liu)"),
+    output("alpha printed", "α_9,10", "deg", "turn of the sprags, Eqs. 9 and 10 as printed"),
+)
+
+
+def too_large(q: EngagementInputs) -> str:
+    if under(q) is None:
+        return "no state bears this torque, nothing to compare; check it without --fem"
+    if q.slices > FINEST:
+        return f"{q.slices} slices are solved anew at each load, more than {FINEST} are slow; "\
+            "check it without --fem"  # fmt: skip
+    return ""
+
+
+CLUTCH = Case(
+    id="sprag-clutch",
+    title="Sprag clutch under torque and in engagement",
+    paper="huang2018",
+    place="Eqs. 1-16, Table 1, Sec. 4",
+    lead="Whether a logarithmic sprag clutch holds, and what ends its work first as the torque "
+    "grows: friction, pressure, the end of the profile. In time, how high the first peak of an "
+    "engagement is. The paper's figures hang on "
+    f"{len(IDENTIFIED)} inputs that it does not print and that are identified here "
+    f"({', '.join(IDENTIFIED)}), and {len(ASSUMED)} that are assumed: what rests on them is "
+    "calibrated, not evidence.",
+    inputs=EngagementInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=LEVELS,
+    checks=CHECKS,
+    outputs=OUTPUTS,
+    readings=(
+        "r_i of Table 1 is the spiral's radius of curvature at first contact",
+        "T acts on the whole clutch, N is the normal force of one sprag",
+        "z_m is in millimetres (no unit is printed), Q the load that the crown is made for",
+        "α_max is where the profile ends and the springs are slack",
+        "alternative numbers of slices are no refinement: without a crown no peak converges",
+    ),
+    assumptions=(
+        *(f"identified: {name}, {why}" for name, why in IDENTIFIED.items()),
+        "assumed: " + "; ".join(f"{name} ({why})" for name, why in ASSUMED.items()),
+        "all sprags are alike and share the load; races are smeared rings in plane stress, the "
+        "sprag is a bar, contacts are slices by Palmgren's law",
+        "the closure takes all that yields on the inner side to the unstrained spiral (Eqs. 9 and "
+        "10, corrected), so that the torque's work is the yields'",
+        "the pressures of the engagement are those of statics at its largest normal force",
+    ),
+    findings=findings,
+    summary=summary,
+    warnings=warnings,
+    too_large=too_large,
+    equations=equations,
+    sketch=sketch,
+    figures=figures,
+    dynamic=DYNAMIC,
+)  # fmt: skip

@@ -1,0 +1,250 @@
+"""The claims about one's own sprag clutch, and those about the numbers that the paper prints."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, ClassVar
+
+import numpy as np
+
+from verify import judge
+from verify.case import Context
+from verify.cases.contact_roller_accepted import Estimated
+from verify.cases.sprag_clutch_paper_fem import PRINTED
+from verify.cases.sprag_inputs import IDENTIFIED, EngagementInputs
+from verify.checks import Accepted, Fact, Identity
+from verify.claims import Claim
+from verify.printed import Adopted
+from verify.published.ledger import erratum
+from verify.results import Kind, Partner, Row, Status
+from verify.shown import Array
+
+SLICED = 0.02  # of a pressure by slices, and STRIPS of theirs: acceptance figures
+STRIPS = 0.003
+WIDER = 0.045  # demand of a row with that interval
+DRAWN = "points of the drawn sprag"
+BY_STRIPS = "strips"
+FROM_DRAWN = "cubic between the loads of the contacts' laws, as told in u_ref"
+PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
+FOUND_FIT = 0.02  # of what was fitted
+FITTED = "five inputs are identified: " + ", ".join(IDENTIFIED)
+
+Measured = Mapping[str, Array]
+
+
+def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
+    """Interval of slices over strips; none at one's own numbers, for which none was accepted."""
+    if q != EngagementInputs():
+        return None
+    return -SLICED - STRIPS, SLICED + STRIPS
+
+
+def measured(context: Context) -> Measured:
+    return context.fem[-1].arrays
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noted(Claim):
+    """A printed statement that the paper's own equations contradict: NOTE with its ledger entry.
+
+    `margin` says how surely; where it does not, the ledger is wrong and the row fails.
+    """
+
+    kind = Kind.FACT
+    paper_only: ClassVar[bool] = True
+
+    erratum: str
+    margin: Callable[[Context], tuple[float, float, str]]
+    fem_needed: bool = True
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        margin, U, words = self.margin(context)
+        verdict = judge.fact(margin, U)
+        if verdict.status is Status.PASS:
+            why = f"{words}; ledger {self.erratum}: {erratum(self.erratum).right}"
+            verdict = replace(verdict, status=Status.NOTE, reason=why)
+        else:
+            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise: {words}")
+        return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Predicted(Claim):
+    """A printed number beside what is predicted from inputs that were fitted elsewhere: SHOWN."""
+
+    kind = Kind.APPROXIMATION
+    paper_only: ClassVar[bool] = True
+
+    value: Callable[[Measured], float]
+    figure: float  # printed [SI]
+    words: str
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        v = self.value(measured(context))
+        said = f"{v / self.figure - 1:+.1%}: {self.words}"
+        verdict = judge.Verdict(Status.SHOWN, said, v - self.figure)
+        return [
+            self._row(
+                context.case, Kind.APPROXIMATION, verdict, fem=v, scale=self.figure,
+                partner=Partner(by="printed", value=self.figure), published=self._printed(context),
+            )
+        ]  # fmt: skip
+
+
+def fits(value: Callable[[Measured], float], printed: float, bound: float, words: str) -> Any:
+    """What is left of `bound` as a fitted quantity meets what it was fitted to."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        v = value(measured(context))
+        return bound - abs(v / printed - 1), 0.0, words.format(v)
+
+    return margin
+
+
+def degrees(found: Measured) -> float:
+    return math.degrees(float(found["fitted"][0]))
+
+
+def angle(context: Context) -> tuple[float, float, str]:
+    """How near the input's wedge angle is to the one that the optimum at 25 N m asks for."""
+    found = degrees(measured(context))
+    given = math.degrees(context.inputs.nu_0)
+    words = f"2980 MPa ask for {found:.3f}°, the input is {given:.4g}°"
+    return 0.03 - abs(given / found - 1), 1e-3, words
+
+
+def rectangle(q: EngagementInputs) -> tuple[float, float]:
+    """Width and length [m] of a rectangle between the races with the mass and inertia given."""
+    h = q.R_e - q.R_i
+    w = math.sqrt(12 * q.I_g / q.m_g - h**2)
+    return w, q.m_g / (q.density * h * w)
+
+
+def length(context: Context) -> tuple[float, float, str]:
+    w, l = rectangle(context.inputs)  # noqa: E741
+    words = f"a rectangle {w * 1e3:.3g} mm wide has l = {l * 1e3:.4g} mm"
+    return 0.01 - abs(context.inputs.l / l - 1), 0.002, words
+
+
+def width(context: Context) -> tuple[float, float, str]:
+    """How little the sprag's width means: N_max with the rectangle's instead."""
+    narrow = float(measured(context)["narrow"][0])
+    change = narrow / float(measured(context)["N_max"][0]) - 1
+    w, _ = rectangle(context.inputs)
+    words = f"a rectangle of that mass is {w * 1e3:.3g} mm wide: N_max {change:+.2%}"
+    return 0.005 - abs(change), 0.0, words
+
+
+def preload(context: Context) -> tuple[float, float]:
+    """The blades' force is less than a hundredth of the static one."""
+    return 0.01 - context.analytic["N_0"] / context.analytic["N"], 0.0
+
+
+def first_is_largest(context: Context) -> tuple[float, float]:
+    found = measured(context)
+    return float((found["first peak"] / found["N_max"]).min() - 1 + 1e-9), 0.0
+
+
+def deeper_is_lower(context: Context) -> tuple[float, float]:
+    """K_1 from 1 to 3 lowers the peak of the engagement (Fig. 13)."""
+    shallow, deep = measured(context)["Fig. 13"]
+    return float(1 - deep / shallow), 0.0
+
+
+def ends_carry(context: Context) -> tuple[float, float]:
+    """Without a crown the peak is above the pressure that the optimised crown has."""
+    flat, best = measured(context)["as given"][0]
+    return float(flat / best - 1), 0.0
+
+
+def grows(context: Context) -> tuple[float, float, str]:
+    """Every doubling of the slices raises the uncrowned peak, and each by more than the last."""
+    found = measured(context)
+    n, p = found["flat, counts"], found["flat, peaks"]
+    rise = [float(np.interp(2 * k, n, p) / np.interp(k, n, p) - 1) for k in (11, 20.5, 40.5, 80.5)]
+    slope = math.log(p[-1] / p[-2]) / math.log(n[-1] / n[-2])
+    words = (
+        f"{p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices, {p[-1] / 1e6:.0f} MPa with {n[-1]:.0f}, "
+        f"last slope {slope:.2f}"
+    )
+    return min(b - a for a, b in pairwise(rise)), 0.0, words
+
+
+def ratios(context: Context) -> tuple[float, float, str]:
+    """Ratio of forces that both printed pairs imply, beside this clutch's."""
+    found = measured(context)
+    own = float(found["N_max"][1] / found["N_max"][0])
+    flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))
+    words = f"{flat:.2f} without crown, {best:.2f} with the best ones; computed {own:.3f}"
+    return min(flat - own, own - best), 0.02, words
+
+
+CHECKS = (
+    Identity(name="normal force under torque", symbol="N(T)", unit="N", analytic="N", fem="N",
+             formal=2, by=DRAWN, residual="law", demand=1e-3, demand_reason=FROM_DRAWN),
+    Identity(name="friction that torque asks for, tan ν", symbol="μ_req", unit="1",
+             analytic="mu_req", fem="mu_req", formal=2, by=DRAWN, residual="law", demand=1e-3,
+             demand_reason=FROM_DRAWN),
+    Identity(name="turn of the sprags under torque", symbol="α(T)", unit="deg", analytic="alpha",
+             fem="alpha", formal=2, by=DRAWN, residual="law alpha"),
+    Identity(name="sum of the five yields", symbol="H", unit="µm", analytic="H", fem="H",
+             formal=2, by=DRAWN, residual="law alpha"),
+    *(
+        Estimated(name=f"{what} under half of N by slices, {race} race", symbol=f"p_{k}",
+                  unit="MPa", analytic=f"p_{k} {key}, half", fem=f"p_{k} {key}, half",
+                  by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
+                  demand_reason="acceptance figure of slices")
+        for k, race in (("i", "inner"), ("o", "outer"))
+        for key, what in (("mid", "pressure at mid-length"), ("peak", "largest pressure"))
+    ),
+    Fact(name="the blades press with less than 1 % of the static force", symbol="N_0/N", unit="1",
+         margin=preload, fem_needed=False, printed=("huang2018:table1-k-r",)),
+    Accepted(name="length of the sprags from m_g and I_g of Table 1", symbol="l", unit="mm",
+             margin=length, fem_needed=False, fitted=IDENTIFIED["l"],
+             printed=("huang2018:table1-m-g", "huang2018:table1-i-g")),
+    Accepted(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="mm",
+             margin=width, fitted=IDENTIFIED["b"]),
+    Accepted(name="wedge angle that the optimum at 25 N m asks for", symbol="ν_0", unit="deg",
+             margin=angle, fitted=IDENTIFIED["nu_0"]),
+    Accepted(name="25 N m, best crown, angle fitted", symbol="p_max", unit="MPa",
+             margin=fits(lambda f: float(f["pair 25"][1]), PRINTED[25.0][1], FOUND_FIT,
+                         "{:.4g} Pa; the angle is fitted to it"),
+             fitted=FITTED, printed=("huang2018:stress-25nm-optimised",)),
+    Accepted(name="25 N m, no crown, slices fitted", symbol="p_max", unit="MPa",
+             margin=fits(lambda f: float(f["pair 25"][0]), PRINTED[25.0][0], FOUND_FIT,
+                         "{:.4g} Pa; the number of slices is fitted to it"),
+             fitted=FITTED, printed=("huang2018:stress-25nm-unmodified",)),
+    Predicted(name="40 N m, best crown, predicted from 25 N m", symbol="p_max", unit="MPa",
+              value=lambda f: float(f["pair 40"][1]), figure=PRINTED[40.0][1],
+              words="predicted, not judged: the printed pairs contradict each other",
+              printed=("huang2018:stress-40nm-optimised",)),
+    Predicted(name="40 N m, no crown, predicted from 25 N m", symbol="p_max", unit="MPa",
+              value=lambda f: float(f["pair 40"][0]), figure=PRINTED[40.0][0],
+              words="predicted with the slices fitted at 25 N m, not judged",
+              printed=("huang2018:stress-40nm-unmodified",)),
+    Noted(name="both printed pairs have no common ratio of forces", symbol="N_40/N_25", unit="1",
+          erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
+          printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
+    Noted(name="the peak without a crown grows with the slices", symbol="p_max", unit="MPa",
+          erratum="huang2018:sec-4-2-unmodified-peak", margin=grows,
+          printed=("huang2018:stress-25nm-unmodified",)),
+    Fact(name="the first peak is the largest, 25 and 40 N m (Figs. 8, 13)", symbol="N_max",
+         unit="1", margin=first_is_largest),
+    Fact(name="without a crown the ends carry the largest pressure (Fig. 16)", symbol="p_max",
+         unit="1", margin=ends_carry),
+    Fact(name="K_1 from 1 to 3 lowers the peak (Fig. 13)", symbol="p_max", unit="1",
+         margin=deeper_is_lower, printed=("huang2018:fig13a-k1", "huang2018:fig13b-k1")),
+    Adopted(name="I_1 of Table 1", symbol="I_1", unit="kg m^2", reference="huang2018:table1-i-1",
+            why="in no equation and not explained: not used"),
+    Adopted(name="C_f of Table 1", symbol="C_f", unit="N m", reference="huang2018:table1-c-f",
+            why="in no equation and not explained: not used"),
+)  # fmt: skip

@@ -1,0 +1,113 @@
+"""A sprag drawn point by point between its races, without any triangle: the other way to a state.
+
+The spiral is points; where it touches is the point nearest to the axis, on the parabola through
+three. What yields is put together anew: rings under smeared forces, a bar, slices at each load.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.optimize import brentq
+
+from analytic.contact import slices
+from verify.cases.sprag_clutch_model import crown
+from verify.cases.sprag_inputs import SpragInputs
+from verify.shown import Array
+
+AROUND = 0.6  # rad of spiral to either side of where it may touch
+FAR = 6.0  # rad, more than any sprag turns
+
+
+@dataclass(frozen=True)
+class Touching:
+    """A sprag that two forces hold: its turn, angles [rad], the clutch's torque [N m]."""
+
+    N: float
+    alpha: float
+    turned: float
+    nu: float
+    T: float
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """The sprag of a clutch as `points` per radian of spiral."""
+
+    q: SpragInputs
+    points: int
+
+    @cached_property
+    def start(self) -> float:
+        """Angle [rad] of the pole's ray to the first contact from the ray to the axis."""
+        return float(brentq(lambda psi: self._near(psi, 0.0, self._OC)[0] - self.q.R_i, -0.6, 0.6,
+                            xtol=1e-15))  # fmt: skip
+
+    @property
+    def _OC(self) -> float:
+        return float(self.q.sprag.OC_e)
+
+    def _near(self, psi: float, alpha: float, OC: float) -> tuple[float, float, float]:
+        """Distance [m] from the axis to the spiral, azimuth and polar angle [rad] there."""
+        h = 1 / self.points
+        centre = round(alpha / h)
+        around = round(AROUND / h)
+        theta: Array = h * (centre + np.arange(-around, around + 1, dtype=np.float64))
+        x, y = self._at(theta, psi - alpha, OC)
+        far = np.hypot(x, y)
+        k = int(np.clip(np.argmin(far), 1, len(far) - 2))
+        left, low, right = far[k - 1 : k + 2]
+        ahead = h * (left - right) / (2 * (left - 2 * low + right))
+        at = theta[k] + ahead
+        x_k, y_k = self._at(np.array([at]), psi - alpha, OC)
+        return float(np.hypot(x_k, y_k)[0]), math.atan2(x_k[0], y_k[0]), float(at)
+
+    def _at(self, theta: Array, turn: float, OC: float) -> tuple[Array, Array]:
+        sprag = self.q.sprag
+        rho = np.asarray(sprag.rho_0 * np.exp(np.asarray(sprag.m) * theta))
+        return rho * np.sin(turn + theta), OC - rho * np.cos(turn + theta)
+
+    def yields(self, N: float) -> dict[str, float]:
+        """Yields [m] under the normal force N [N]."""
+        q = self.q
+        smeared = N * q.z / (2 * math.pi * q.l)  # times 1/r is a pressure
+        inner, outer = q.R_id / q.R_i, q.R_e / q.R_ed
+        gap, E_star = crown(q, q.slices), q.E / (2 * (1 - q.nu**2))
+        r_e = q.R_e - self._OC
+        found = {
+            "BI": smeared / q.E * ((1 + inner**2) / (1 - inner**2) - q.nu),
+            "BE": smeared / q.E * ((1 + outer**2) / (1 - outer**2) + q.nu),
+            "g": N * (q.R_e - q.R_i) / (q.E * q.b * q.l),
+        }
+        for name, r, R in (("HI", q.r_i, q.R_i), ("HE", r_e, -q.R_e)):
+            pressed = slices.press(gap, length=q.l, R=r * R / (r + R), E_star=E_star, load=N)
+            found[name] = float(pressed.approach)
+        return found
+
+    def under(self, N: float) -> Touching:
+        """The state under the normal force N [N]."""
+        q, d = self.q, self.yields(N)
+        grown = self._grown()
+        OC = self._OC + d["BE"] + d["HE"] + d["g"] / 2 + grown
+        meets = q.R_i - d["BI"] - d["HI"] - d["g"] / 2
+        first = self.start
+        alpha = float(brentq(lambda a: self._near(first, a, OC)[0] - meets, -FAR, FAR, xtol=1e-14))
+        _, beta, turned = self._near(first, alpha, OC)
+        OA, OB = q.R_i - d["BI"] - d["HI"] / 2, q.R_e + d["BE"] + d["HE"] / 2 + grown
+        A = OA * np.array([math.sin(beta), math.cos(beta)])
+        strut = np.array([0.0, OB]) - A
+        along, across = float(strut @ A) / OA, float(A[0] * strut[1] - A[1] * strut[0]) / OA
+        nu = math.atan2(across, along)
+        return Touching(N, alpha, turned, nu, q.z * N * math.tan(nu) * OA)
+
+    def _grown(self) -> float:
+        """Growth [m] of the outer race's bore by rotation: a hollow disc in plane stress."""
+        q = self.q
+        return float(q.R_e * q.density * q.n**2 / (4 * q.E)
+                     * ((3 + q.nu) * q.R_ed**2 + (1 - q.nu) * q.R_e**2))  # fmt: skip
+
+    def at_torque(self, T: float, near: float) -> Touching:
+        """The state under the torque T [N m], whose force is within a half of `near` [N]."""
+        N = brentq(lambda N: self.under(N).T - T, 0.5 * near, 1.5 * near, rtol=1e-13)
+        return self.under(float(N))

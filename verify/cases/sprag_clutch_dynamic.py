@@ -1,0 +1,148 @@
+"""One's own engagement in time: how high its first peak is, and whether it locks."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.sprag.balance import balance
+from analytic.sprag.history import Phase
+from verify.case import Dynamic, Output, Values
+from verify.cases.freewheel_clutch_numbers import newton, pascal
+from verify.cases.sprag_clutch_run_fem import Run, run_fem, slid
+from verify.cases.sprag_inputs import EngagementInputs
+from verify.shown import Curve, Curves, Figure
+
+DEGREE = math.degrees(1.0)
+DRAWN = 4000  # points of a curve
+WORDS = {
+    "locks": "the clutch locks",
+    "slips": "a contact slides on: the clutch does not lock",
+    "over the end": "the sprags roll over",
+    "disengages": "the contacts are apart at the end",
+}
+
+
+def run(q: EngagementInputs, _values: Values) -> Values:
+    found = run_fem(q)
+    e = found.engagement
+    inner, outer = found.peaks
+    ways, energies = slid(found), balance(e)
+    put_in = float(np.abs(energies.torque).max() + np.abs(energies.blades).max())
+    M = e.table.n_s * e.T_i * e.table.at(e.alpha)["OA"]
+    values = {
+        "N_max": e.N_max, "t_max": e.peak[0], "peak_factor": e.peak_factor,
+        "p_i max": inner, "p_o max": outer, "slid_i": ways[0], "slid_o": ways[1],
+        "friction": float(energies.friction[-1]), "damping": float(energies.damping[-1]),
+        "work": float(energies.torque[-1]), "missing": float(abs(energies.missing[-1])) / put_in,
+        "theta_max": float((e.theta_i - e.theta_e).max()), "M_max": float(np.nanmax(M)),
+        "D_V": e.D_V, "t_slip": float(e.dt * (e.phases == Phase.SLIP).any(axis=1).sum()),
+    }  # fmt: skip
+    return {key: value for key, value in values.items() if math.isfinite(value)}
+
+
+def output(key: str, symbol: str, unit: str, what: str) -> Output:
+    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=False)
+
+
+OUTPUTS = (
+    output("N_max", "N_max", "N", "largest normal force of a sprag"),
+    output("peak_factor", "N_max/N", "1", "peak factor: over the force at rest"),
+    output("t_max", "t_max", "ms", "time of that peak"),
+    output("M_max", "M_max", "N m", "largest torque that the sprags bear"),
+    output("theta_max", "θ_max", "deg", "largest turn of the races against each other"),
+    output("p_i max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
+    output("p_o max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
+    output("t_slip", "t_s", "ms", "time in which a contact slides"),
+    output("slid_i", "s_i", "µm", "way that the inner contacts slide"),
+    output("slid_o", "s_o", "µm", "way that the outer contacts slide"),
+    output("work", "W", "J", "work of the torque"),
+    output("friction", "W_μ", "J", "of it lost in sliding"),
+    output("damping", "W_c", "J", "of it lost in damping"),
+    output("missing", "ΔW/W", "1", "what the balance of energies misses"),
+    output("D_V", "D_V", "m/s", "band of sliding speeds in which contacts may stick"),
+)
+
+
+def told(found: Run) -> str:
+    """The verdict; where the formulas end and not the profile, that."""
+    e = found.engagement
+    if e.over and not found.end_of_profile:
+        return "the contacts become too wide for the formulas"
+    return WORDS[e.verdict]
+
+
+def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
+    found = run_fem(q)
+    e = found.engagement
+    factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
+    when = f" at {e.t[-1] * 1e3:.3g} ms" if e.over else ""
+    lines = [
+        f"in time: {told(found)}{when}; the normal force reaches {newton(v['N_max'])} at "
+        f"{v['t_max'] * 1e3:.3g} ms{factor}",
+        f"then the inner contacts bear {pascal(v['p_i max'])}, the outer ones "
+        f"{pascal(v['p_o max'])}",
+    ]
+    if q.p_lim is not None and max(v["p_i max"], v["p_o max"]) > q.p_lim:
+        lines.append(f"that exceeds p_lim = {pascal(q.p_lim)}: the contacts yield in the first "
+                     "peak")  # fmt: skip
+    if v["t_slip"] > 0:
+        lines.append(
+            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones "
+            f"{v['slid_i'] * 1e6:.3g} µm and the outer ones {v['slid_o'] * 1e6:.3g} µm: "
+            f"{v['friction']:.3g} J of {v['work']:.3g} J go into friction"
+        )
+    return lines
+
+
+def summary(q: EngagementInputs, v: Values) -> dict[str, Any]:
+    """JSON; the verdict of the motion, `peak_factor` None where there is no state at rest."""
+    return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
+
+
+def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
+    found = run_fem(q)
+    e = found.engagement
+    thin = slice(None, None, max(1, len(e.t) // DRAWN))
+    t = e.t[thin] * 1e3
+    static = [] if not math.isfinite(e.N_static) else [
+        Curve(name="at rest under T", x=t[[0, -1]], y=np.full(2, e.N_static / 1e3),
+              style="dashes", colour=4)
+    ]  # fmt: skip
+    force = Curves(
+        title="Normal force of a sprag", x_label="t [ms]", y_label="N [kN]", y_bottom=0.0,
+        curves=(Curve(name="engagement", x=t, y=e.N[thin] / 1e3), *static),
+        note=f"Largest {v['N_max'] / 1e3:.4g} kN at {v['t_max'] * 1e3:.4g} ms.",
+    )  # fmt: skip
+    loaded = e.N[thin] > 0.05 * e.N_max
+    asked = np.abs(e.T_i[thin][loaded]) / e.N[thin][loaded]
+    friction = Curves(
+        title="Friction that the inner contacts use", x_label="t [ms]", y_label="T_i/N",
+        curves=(
+            Curve(name="T_i/N, under more than 5 % of N_max", x=t[loaded], y=asked),
+            Curve(name="μ_s", x=t[[0, -1]], y=np.full(2, q.mu_s), style="dashes", colour=2),
+        ), y_bottom=0.0, note="Where it reaches μ_s the contact slides.",
+    )  # fmt: skip
+    return force, along(q, found), friction
+
+
+def along(q: EngagementInputs, found: Run) -> Curves:
+    """Pressures along the inner contacts on the way up to the largest force, and on both races."""
+    y = (np.arange(q.slices) + 0.5) / q.slices * q.l * 1e3 - q.l * 500
+    curves = []
+    for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):
+        N = share * found.engagement.N_max
+        inner, outer = found.one.pressed(N)
+        curves.append(Curve(name=f"inner, {share:g} N_max", x=y, y=inner.peak_pressure / 1e6,
+                            colour=k))  # fmt: skip
+    curves.append(Curve(name="outer, N_max", x=y, y=outer.peak_pressure / 1e6, colour=3,
+                        style="dashes"))  # fmt: skip
+    return Curves(title="Pressure along the sprags on the way up to the peak", x_label="y [mm]",
+                  y_label="p [MPa]", curves=tuple(curves), y_bottom=0.0)  # fmt: skip
+
+
+DYNAMIC = Dynamic(
+    run=run, outputs=OUTPUTS, what="the engagement", findings=findings, summary=summary,
+    figures=figures,
+)  # fmt: skip

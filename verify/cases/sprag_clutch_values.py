@@ -1,0 +1,29 @@
+"""All values of a sprag clutch: its sprags, its state under torque, its limits."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from analytic.sprag.start import spring_equilibrium
+from verify.cases.sprag_clutch_limits import as_torque_grows
+from verify.cases.sprag_clutch_model import analytic_state, built, slopes
+from verify.cases.sprag_inputs import EngagementInputs
+
+LAW = 2e-5  # of N, tan(nu): what the cubic between the loads of a contact's law may miss, standard
+LAW_ALPHA = 1e-3  # the same of the turn and the yields, 0.15 % of the contacts' at the most
+
+
+@lru_cache(maxsize=16)
+def analytic(q: EngagementInputs) -> dict[str, float]:
+    """SI values; those that the clutch does not have, or that are infinite, are left out."""
+    sprag, one = q.sprag, built(q)
+    start, _ = spring_equilibrium(one.clutch, K_r=q.K_r, alpha_max=q.alpha_max)
+    found = {
+        "nu_0": float(sprag.nu_0), "omega_0": float(sprag.omega_0), "m": float(np.asarray(sprag.m)),
+        "beta_0": float(sprag.beta_0), "eta_0": float(sprag.eta_0), "r_e": float(sprag.r_e),
+        "OC_e": float(sprag.OC_e), "mu_0": float(np.tan(sprag.nu_0)), "N_0": float(start.N),
+        "d_ce": float(np.max(one.parts.d_ce)), "law": LAW, "law alpha": LAW_ALPHA,
+    }  # fmt: skip
+    found |= {f"T {limit.key}": limit.at for limit in as_torque_grows(q)}
+    found |= slopes(q) | analytic_state(q)
+    return {key: value for key, value in found.items() if np.isfinite(value)}
