@@ -32,6 +32,7 @@ from verify.inputs import Inputs
 from verify.shown import Field
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
+COMPILED, COMPILER = "analytic.sprag.engagement", "numba"
 FORMAT = 1
 LARGEST = 2e9  # bytes
 ROOM = 0.2  # of it, made free at once
@@ -73,7 +74,7 @@ def key(case: Case, inputs: Inputs, level: int) -> str:
     """Hexadecimal name of one result."""
     canonical = json.dumps(inputs.model_dump(), sort_keys=True)
     parts = [str(FORMAT), case.id, canonical, str(level), source_of(case.fem)]
-    parts += [f"{name} {version(name)}" for name in LIBRARIES]
+    parts += [f"{name} {version(name)}" for name in libraries_of(case.fem)]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
@@ -132,6 +133,12 @@ def _unpack(data: dict[str, Any]) -> FemResult:
     return FemResult(
         h=head["h"], values=head["values"], u_it=head["u_it"], arrays=arrays, fields=fields
     )
+
+
+@cache
+def libraries_of(function: Any) -> tuple[str, ...]:
+    """Libraries whose version may change a result of a `fem` function."""
+    return (*LIBRARIES, COMPILER) if COMPILED in parts_of(function)[1] else LIBRARIES
 
 
 @cache

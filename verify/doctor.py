@@ -21,8 +21,13 @@ from verify.installed import installed, mismatches
 
 ROOT = Path(__file__).parent.parent
 OK, MISSING, OPTIONAL = "ok", "missing", "optional"
-SHOWN = ("numpy", "scipy", "scikit-fem", "gmsh", "pydantic", "pint", "cyclopts", "pyvista", "typst")
-SOLVING = ("numpy", "scipy", "skfem", "gmsh", "pydantic", "pint", "jinja2", "ziamath", "meshio")
+SHOWN = (
+    "numpy", "scipy", "scikit-fem", "gmsh", "numba", "pydantic", "pint", "cyclopts", "pyvista",
+    "typst",
+)  # fmt: skip
+SOLVING = (
+    "numpy", "scipy", "skfem", "gmsh", "numba", "pydantic", "pint", "jinja2", "ziamath", "meshio",
+)  # fmt: skip
 PROGRAMS = (("calculix", "ccx"), ("chromium", "chromium"))
 MODULES = ("tamaas", "ross-rotordynamics")  # second solvers
 TYPST = 'import typst\nassert typst.compile(b"Hello")'
