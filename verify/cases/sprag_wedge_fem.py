@@ -1,0 +1,93 @@
+"""Finite elements of a sprag clutch through its stroke: the sweep, read where formulas stand."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.case import FemResult
+from verify.cases.sprag_fem import Sector, State
+from verify.cases.sprag_inputs import WedgeInputs
+from verify.cases.sprag_wedge_sweep import Sweep, rigid_force
+from verify.shown import Field
+
+Array = NDArray[np.float64]
+
+LEVELS = (3, 6, 9)  # cells on half a fine zone, 2, 4, 6 of them on the half-width
+LOADS = {"a quarter of N_0": 0.25, "half N_0": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
+GRID = np.linspace(0.2, 1.8, 9)  # of N_0, where profiles are compared
+ONSET = 5e-4  # of tan(nu): to either side of the friction that just holds
+SLIPS = 2  # the state, at a quarter of N_0, whose friction is lowered
+SPLINE = 1e-5  # of a value: what splines between the states may miss
+AT_FORCE = ("tan nu", "tan omega", "T", "alpha", "H", "OC_e", "U", "mean i", "mean e", "race i",
+            "race e", "p_i", "p_e", "a_i", "a_e")  # fmt: skip
+
+
+def fem(q: WedgeInputs, level: int) -> FemResult:
+    sweep, N_0, T = Sweep(q, level), rigid_force(q), np.array([q.T])
+    values = {name: sweep.at(name, q.T, "T") for name in ("tan nu", "N", "alpha", "H")}
+    values |= {"theta": float(sweep.turn_by_energy(T)[0])}
+    for name, share in LOADS.items():
+        N = share * N_0
+        values |= {f"{key}, {name}": sweep.at(key, N) for key in AT_FORCE}
+        values[f"N_e/N_i, {name}"] = sweep.at("N_e", N) / N - 1
+        at = np.array([sweep.at("T", N)])
+        values[f"theta, {name}"] = float(sweep.turn_by_energy(at)[0])
+    values |= statics(sweep)
+    states, grid = sweep.at_states, GRID * N_0
+    arrays = {
+        "loads": np.array([states[k] for k in ("N", "T", "tan nu", "tan omega", "alpha", "H")]),
+        "profile, alpha": np.array([sweep.at("alpha", N) for N in grid]),
+        "profile, nu": np.arctan([sweep.at("tan nu", N) for N in grid]),
+        "profile, omega": np.arctan([sweep.at("tan omega", N) for N in grid]),
+    }
+    u_it = {key: SPLINE * abs(value) for key, value in values.items()}
+    return FemResult(
+        h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(sweep.states[-1]),)
+    )
+
+
+def statics(sweep: Sweep) -> dict[str, float]:
+    """What balances leave at the state near N_0, relative; the friction that just holds."""
+    k = len(sweep.states) - 2
+    state, at = sweep.states[k], {name: v[k] for name, v in sweep.at_states.items()}
+    force = np.add(*(np.array(touch.force) for touch in state.solution.touches))
+    size = np.hypot(*state.solution.touches[0].force)
+    holds, slides = onset(sweep)
+    return {
+        "column": at["T"] / (sweep.q.z * at["N"] * at["strut nu"] * at["OA"]) - 1,
+        "held": at["held"] / at["T"] - 1,
+        "forces": float(np.hypot(*force)) / float(size),
+        "work": float(sweep.work(at["N"])[0]) / at["U"] - 1,
+        "holds": holds, "slides": slides, "N at onset": sweep.at_states["N"][SLIPS],
+    }  # fmt: skip
+
+
+def onset(sweep: Sweep) -> tuple[float, float]:
+    """Coefficients of friction with which the sprag holds and slides out; nan where it does not."""
+    state = sweep.states[SLIPS]
+    tan = state.T[0] / state.N[0]
+    above, below = (1 + ONSET) * tan, (1 - ONSET) * tan
+    return (above if stays(state, above) else math.nan,
+            math.nan if stays(state, below) else below)  # fmt: skip
+
+
+def stays(state: State, mu: float) -> bool:
+    """Whether the sprag comes to rest with the friction `mu`."""
+    try:
+        Sector(state.start, state.widths, 4, mu=mu).rest(state.drags)
+    except ArithmeticError:
+        return False
+    return True
+
+
+def field(state: State) -> Field:
+    """The sector with displacements and von Mises' stress."""
+    cells = state.solution.plane.cells()
+    return Field(
+        name="sector", points=cells["points"], cells=cells["cells"].astype(np.int64),
+        point_data={"displacement": cells["displacement"]},
+        cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"],
+                   "log_mises": np.log10(np.maximum(cells["von_mises"] / 1e6, 10.0))},
+        units={"displacement": "m", "stress": "Pa", "von_mises": "Pa", "log_mises": "1"},
+    )  # fmt: skip
