@@ -28,7 +28,7 @@ from analytic.sprag.motion import Motion, Speeds, Torque
 
 ROLLS = 0  # else the sign of the sliding
 Mode = tuple[int, int]
-EVENTS = 20_000
+EVENTS = 5000
 TOUCHING = 1e-9  # m/s: an event's own v
 
 
@@ -152,15 +152,21 @@ class System:
             T[bound] = np.linalg.lstsq(n_s * J[bound].T, loads - M @ q_ddot, rcond=None)[0]
         return q_ddot, T, v, float(N)
 
-    def mode(self, t: float, y: Array) -> Mode:
-        """The combination of rolling and sliding whose forces and accelerations agree."""
+    def mode(self, t: float, y: Array, lost: dict[int, int]) -> Mode:
+        """The combination of rolling and sliding whose forces and accelerations agree.
+
+        Contacts that have just `lost` their grip slide, to the side given.
+        """
         if self.unlimited:
             return ROLLS, ROLLS
         g, slope = self.sprag.at(y[3])
         v = self.sliding(g) @ y[4:]
         choices: list[tuple[int, ...]] = [
-            (ROLLS, 1, -1) if abs(x) < TOUCHING else (int(np.sign(x)),) for x in v
-        ]
+            (lost[k],) if k in lost
+            else (ROLLS, 1, -1) if abs(v[k]) < TOUCHING
+            else (int(np.sign(v[k])),)
+            for k in (0, 1)
+        ]  # fmt: skip
         J_dot = self.sliding(slope) * y[7]
         doubts = []
         for mode in ((i, e) for i in choices[0] for e in choices[1]):
@@ -170,7 +176,7 @@ class System:
             for k in (0, 1):
                 if mode[k] == ROLLS:
                     excess = max(excess, abs(T[k]) - self.motion.mu_s * N)
-                elif abs(v[k]) < TOUCHING:
+                elif abs(v[k]) < TOUCHING and k not in lost:
                     excess = max(excess, -mode[k] * v_dot[k])
             if excess <= 0:
                 return mode
@@ -225,8 +231,9 @@ def engage_by_events(
     """
     system = System(Sprag(states, n_s), motion, torque, unlimited=unlimited)
     t, y, parts, peaks = 0.0, system.rest(speeds or Speeds()), [], []
+    lost: dict[int, int] = {}
     for _ in range(EVENTS):
-        mode = system.mode(t, y)
+        mode = system.mode(t, y, lost)
         leg = solve_ivp(
             lambda t, y, mode=mode: np.concatenate([y[4:], system.accelerations(t, y, mode)[0]]),
             (t, duration), y, method="LSODA", rtol=rtol, atol=rtol * 1e-3,
@@ -238,6 +245,9 @@ def engage_by_events(
         for when, what in zip(leg.t_events[1], leg.y_events[1], strict=True):
             peaks.append((when, float(system.sprag.at(what[3])[0][0])))
         t, y = leg.t[-1], leg.y[:, -1]
+        _, T, _, _ = system.accelerations(t, y, mode)
+        ended = [k for k in (0, 1) if len(leg.t_events) > 2 and len(leg.t_events[2 + k])]
+        lost = {k: int(np.sign(T[k])) for k in ended if mode[k] == ROLLS}
         if leg.status == 0 or len(leg.t_events[0]):
             return _told(system, parts, peaks, over=bool(len(leg.t_events[0])))
     raise ArithmeticError(f"more than {EVENTS} events, up to t={t:.6g} s")

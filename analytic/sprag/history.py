@@ -109,7 +109,7 @@ class Engagement:
 
     @cached_property
     def N_static(self) -> float:
-        """N [N] at rest under the last torque; nan where the profile ends before."""
+        """N [N] of the closure at rest under the last torque, blades apart; nan past the end."""
         C, end = float(self.torque.values[-1]), self.table.end
         if C <= 0 or self.table.static_torque(end) < C:
             return 0.0 if C <= 0 else float("nan")

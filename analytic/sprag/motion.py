@@ -1,6 +1,6 @@
 """What moves in an engagement: inertias, springs, damping, friction, torque, and the start."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,7 +21,7 @@ class Motion:
     I_bi: float
     I_be: float
     K_r: float  # N m/rad, per sprag
-    alpha_max: float  # rad, where the blades are slack
+    alpha_max: float  # rad, where the blades are slack; negative, they hold the sprags off
     C_rl: float  # N m s/rad
     k_out: float  # N m/rad
     mu_s: float
@@ -32,12 +32,14 @@ class Motion:
         for name, unit in (("m_g", "kg"), ("I_g", "kg m²"), ("I_bi", "kg m²"), ("I_be", "kg m²"),
                            ("k_out", "N m/rad"), ("mu_s", ""), ("mu_c", "")):  # fmt: skip
             positive(getattr(self, name), name, unit)
-        for name, unit in (("K_r", "N m/rad"), ("alpha_max", "rad"), ("C_rl", "N m s/rad"),
-                           ("gamma_b", "s/m")):  # fmt: skip
+        for name, unit in (("K_r", "N m/rad"), ("C_rl", "N m s/rad"), ("gamma_b", "s/m")):
             not_negative(getattr(self, name), name, unit)
+        finite(self.alpha_max, "alpha_max", "rad")
         if self.mu_c > self.mu_s:
-            raise ValueError(f"sliding friction must not exceed static friction, got {self.mu_c} "
-                             f"above {self.mu_s}")  # fmt: skip
+            raise ValueError(
+                f"friction falls with the speed: mu_c <= mu_s, got mu_c={self.mu_c}, "
+                f"mu_s={self.mu_s}"
+            )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -79,4 +81,4 @@ class Speeds:
 
     inner: float = 0.0
     outer: float = 0.0
-    phi: float = field(default=0.0)  # of the sprags' centroids about the clutch's axis
+    phi: float = 0.0  # of the sprags' centroids about the clutch's axis

@@ -1,11 +1,18 @@
 """The clutch of Huang 2018, Table 1, with what the paper leaves open set to round values."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from analytic.sprag.closure import wedged
 from analytic.sprag.clutch import Clutch
+from analytic.sprag.events import engage_by_events
 from analytic.sprag.geometry import LogSprag
+from analytic.sprag.motion import Motion, Torque
 from analytic.sprag.parts import Parts
+from analytic.sprag.table import tabulated
+from analytic.sprag.transient import engage
 
 
 @pytest.fixture
@@ -28,3 +35,45 @@ def clutch(parts):
 @pytest.fixture
 def plane_clutch(parts):
     return Clutch(sprag=parts.sprag, n_s=parts.n_s, compliance=parts.plane())
+
+
+@pytest.fixture
+def motion():
+    """Inertias, blades, damping of Table 1; k_out, friction and alpha_max assumed."""
+    return Motion(
+        m_g=1.8e-3, I_g=1.18e-8, I_bi=1.41e-3, I_be=1.41e-3, K_r=0.01, alpha_max=0.5, C_rl=0.1,
+        k_out=1e5, mu_s=0.12, mu_c=0.08, gamma_b=1.0,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def table(clutch):
+    return tabulated(clutch, N_end=20e3)
+
+
+@pytest.fixture
+def engaged(table, motion):
+    """An engagement under a torque [N m], with another motion where words say so."""
+
+    def run(torque, *, duration=0.01, dt=1e-5, D_V=None, speeds=None, guard=True, **other):
+        return engage(
+            table, replace(motion, **other),
+            torque if isinstance(torque, Torque) else Torque.step(torque),
+            duration=duration, dt=dt, D_V=D_V, speeds=speeds, guard=guard,
+        )  # fmt: skip
+
+    return run
+
+
+@pytest.fixture
+def by_events(clutch, motion):
+    """The same by events, to 40 kN."""
+
+    def run(torque, *, duration=0.009, speeds=None, unlimited=False, **other):
+        states = wedged(clutch, 40e3 * np.linspace(0, 1, 4001) ** 2)
+        return engage_by_events(
+            states, clutch.n_s, replace(motion, **other), Torque.step(torque),
+            duration=duration, speeds=speeds, unlimited=unlimited,
+        )  # fmt: skip
+
+    return run
