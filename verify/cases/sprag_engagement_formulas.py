@@ -24,7 +24,8 @@ from verify.shown import Array
 
 MORE = 1.6  # torque of the second engagement: 40 N m for the paper's 25
 SAMPLES = 1201  # over the time followed
-RTOL = 1e-9
+FINE = 20_001  # turns at which the spring is known
+RTOL = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,13 +45,15 @@ def torque_at(q: EngagementInputs, t: float) -> float:
 
 
 @lru_cache(maxsize=64)
-def swing(q: EngagementInputs, *, rigid: bool = False) -> Swing:
-    """Two races on the clutch as a spring: rolling, massless sprags."""
+def swing(q: EngagementInputs, *, rigid: bool = False, first: bool = False) -> Swing:
+    """Two races on the clutch as a spring: rolling, massless sprags; or only the `first` swing."""
     w = wedge(q, rigid=rigid)
-    resists, force, start = w.resistance(), w.force(), w.start
+    force, start = w.force(), w.start
+    fine = np.linspace(0, w.theta[-1], FINE)
+    resists = w.resistance()(fine)
 
     def spring(theta: float) -> float:
-        return float(resists(theta)) if theta > 0 else -float(w.blades[0])
+        return float(np.interp(theta, fine, resists))
 
     def rates(t: float, y: Array) -> list[float]:
         T = spring(y[0] - y[1]) + q.C_rl * (y[2] - y[3])
@@ -64,6 +67,7 @@ def swing(q: EngagementInputs, *, rigid: bool = False) -> Swing:
         return float(w.theta[-1] - (y[0] - y[1]))
 
     turns.direction = -1  # type: ignore[attr-defined]
+    turns.terminal = first  # type: ignore[attr-defined]
     over.terminal = True  # type: ignore[attr-defined]
     t = np.linspace(0, q.t_end, SAMPLES)
     found = solve_ivp(
@@ -144,7 +148,8 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
     first, found, force = w.states, swing(q), w.force()
     rest, peak = at_rest(w, q.T), undamped(w, q.T)
     N, N_max = float(force(rest)), found.peak[1]
-    more, rigid = swing(with_torque(q)).peak[1], swing(q, rigid=True).peak[1]
+    more = swing(with_torque(q), first=True).peak[1]
+    rigid = swing(q, rigid=True, first=True).peak[1]
     values = {
         "N_max": N_max, "t_max": found.peak[0], "factor": N_max / N, "N": N, "theta": rest,
         "alpha": float(np.interp(rest, w.theta, first.alpha)),

@@ -85,7 +85,7 @@ class Wedge:
 
     def table(self, intervals: int = INTERVALS) -> Table:
         """The same over the rotation."""
-        return tabulated(self.clutch, N_end=self.end, intervals=intervals)
+        return _table(self, intervals)
 
     @property
     def blades(self) -> Array:
@@ -107,6 +107,11 @@ class Wedge:
         """Turn [rad] at which the blades alone press the sprags on their races."""
         N, _ = spring_equilibrium(self.clutch, K_r=self.q.K_r, alpha_max=self.q.alpha_max)
         return float(np.interp(N.N, self.states.N, self.theta))
+
+
+@lru_cache(maxsize=KEPT)
+def _table(w: Wedge, intervals: int) -> Table:
+    return tabulated(w.clutch, N_end=w.end, intervals=intervals)
 
 
 @lru_cache(maxsize=KEPT)

@@ -1,0 +1,82 @@
+"""Friction of a sprag clutch: stick, slip, and the band in which steps can tell them apart."""
+
+from collections.abc import Sequence
+
+from verify.case import Case, Output, Values
+from verify.cases.sprag_friction_claims import CHECKS
+from verify.cases.sprag_friction_fem import LEVELS, fem
+from verify.cases.sprag_friction_formulas import analytic
+from verify.cases.sprag_inputs import EngagementInputs
+
+MOST_STEPS = 50_000  # of a level: several hundred engagements are run
+SURE = 1.1  # of the friction asked for
+
+
+def too_large(q: EngagementInputs) -> str:
+    if LEVELS[-1] * q.t_end / q.dt > MOST_STEPS:
+        return f"t_end/dt = {q.t_end / q.dt:.4g} is above {MOST_STEPS // LEVELS[-1]} steps"
+    v = analytic(q)
+    if "N_max more" not in v or "mu_b" not in v or v["over"]:
+        return "the sprags roll over: nothing is left to compare; check it without --fem"
+    if q.mu_c < SURE * v["asked"]:
+        return (
+            f"mu_c = {q.mu_c:g} is not above tan ν = {v['asked']:.4g} by {SURE - 1:.0%}: sprags "
+            "that slip at the start slip for ever; check it without --fem"
+        )
+    return ""
+
+
+def warnings(q: EngagementInputs, v: Values) -> Sequence[str]:
+    if "mu_b" not in v:
+        return ("the sprags roll over before they bear the torque",)
+    if q.mu_c < v["mu_b"] <= q.mu_s:
+        return (
+            f"μ_c = {q.mu_c:g} is below {v['mu_b']:.4g}, what the wedge asks for, μ_s = "
+            f"{q.mu_s:g} above: it locks only where it does not slip first",
+        )
+    return ()
+
+
+def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
+    if "mu_b" not in v:
+        return ("rolls over: the sprags turn past their profile",)
+    drag = (
+        f"overrunning, the races drag each other with {v['drag']:.3g} N m",
+    ) if "drag" in v else ()  # fmt: skip
+    if q.mu_s < v["mu_b"]:
+        return ("slips for ever: friction is less than the wedge asks for", *drag)
+    first = f"locks: μ_s is {v['mu_s/mu_b']:.3g} times what the wedge asks for"
+    return (first if q.mu_c >= v["mu_b"] else f"{first}, but μ_c less than that", *drag)
+
+
+def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = True) -> Output:
+    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
+
+
+FRICTION = Case(
+    id="sprag-friction",
+    title="Stick and slip of a sprag clutch",
+    paper="huang2018",
+    place="Eqs. 12-16",
+    lead="Sprags lock where friction exceeds the wedge's tangent and slide where it does not: in "
+    "the paper's steps, in closed form and by LSODA with events. A step that passes the whole "
+    "band of sticking gives wrong forces and no sign of it; a guard refuses it.",
+    inputs=EngagementInputs,
+    analytic=analytic,
+    fem=fem,
+    levels=LEVELS,
+    checks=CHECKS,
+    outputs=(
+        output("mu_b", "μ_b", "1", "friction from which on it locks, asked for at rest under T"),
+        output("tan", "tan ν", "1", "wedge angle there", judged=False),
+        output("mu_s/mu_b", "μ_s/μ_b", "1", "static friction over that", judged=False),
+        output("mu_c/mu_b", "μ_c/μ_b", "1", "friction of fast sliding over that", judged=False),
+        output("N slides", "N", "N", "force of sprags that slide for ever, μ = 0.9 tan ν_0"),
+        output("T slides", "T", "N m", "torque of the clutch then", judged=False),
+        output("N overruns", "N", "N", "normal force where the race overruns, with μ_s"),
+        output("drag", "T_o", "N m", "torque with which it drags then", judged=False),
+    ),
+    findings=findings,
+    warnings=warnings,
+    too_large=too_large,
+)  # fmt: skip

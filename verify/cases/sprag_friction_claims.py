@@ -1,0 +1,97 @@
+"""The claims about friction in a sprag clutch: where it locks, what slides bear, what is guarded."""
+
+from typing import Any
+
+import numpy as np
+
+from verify.case import Context
+from verify.cases.sprag_engagement_claims import BY, LSODA, Partnered
+from verify.cases.sprag_friction_fem import NARROW
+from verify.checks import Accepted, Approximation, Identity
+
+BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
+HALF = 0.5  # of the right force, which the narrow band does not reach
+WEAK = "springs a 25th as stiff, at the start of which sprags slip"
+UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
+
+
+def boundary(_q: Any, v: Any) -> tuple[float, float]:
+    """Either contact's share of a force that the steps have alike at both."""
+    return -2 * v["unequal"], 2 * v["unequal"]
+
+
+def at_tan(context: Context) -> tuple[float, float, str]:
+    """Friction from which on it locks, over tan(nu) at rest, at three torques."""
+    T, ratio, half = context.fem[-1].arrays["boundaries"].T
+    worst = float(np.abs(ratio - 1).max())
+    told = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
+    return BOUNDARY - worst, float(half.max()), told
+
+
+def refused(context: Context) -> tuple[float, float, str]:
+    """Whether the guard refuses the narrow band, for which the unguarded force is wrong."""
+    refuses, wrong, right = context.fem[-1].arrays["narrow"]
+    said = "refused" if refuses else "not refused"
+    return 2 * refuses - 1, 0.0, f"{said}; unguarded N_max {wrong:.4g} N for {right:.5g} N"
+
+
+def unguarded(context: Context) -> tuple[float, float, str]:
+    """How far below half of the right force the unguarded one stays."""
+    _, wrong, right = context.fem[-1].arrays["narrow"]
+    return HALF - wrong / right, GUARDED, f"{wrong / right:.0%} of the right force, silently"
+
+
+def never_wrong(context: Context) -> tuple[float, float, str]:
+    """Largest error of what the guard lets pass."""
+    passed = context.fem[-1].arrays["guard"]
+    passed = passed[passed[:, 3] == 0]
+    worst = float(np.abs(passed[:, 4]).max())
+    return GUARDED - worst, 0.0, f"{len(passed)} bands and steps let pass, off by {worst:.1e}"
+
+
+def never_idle(context: Context) -> tuple[float, float, str]:
+    """Least error of what the guard refuses, so that no right answer is."""
+    all_of_them = context.fem[-1].arrays["guard"]
+    stopped = all_of_them[all_of_them[:, 3] == 1]
+    least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
+    words = f"{len(stopped)} of {len(all_of_them)} refused, each off by {least:.0%} or more"
+    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none refused"
+
+
+def by_default(context: Context) -> tuple[float, float, str]:
+    """Bands that are chosen, against LSODA, over torques and frictions."""
+    _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
+    worst = float(np.abs(ours / theirs - 1).max())
+    return GUARDED - worst, 0.0, f"{len(ours)} engagements, none refused, off by {worst:.1e}"
+
+
+CHECKS = (
+    Approximation(name="friction from which on it locks, T/(n_s OA N)", symbol="μ_b", unit="1",
+                  fem="mu_b", analytic="mu_b", interval=boundary, by=BY,
+                  source=f"{UNEQUAL}; either contact's share"),
+    Accepted(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν", unit="1",
+             margin=at_tan),
+    Identity(name="normal force of sprags that slide, driven, μ = 0.9 tan ν_0", symbol="N",
+             unit="N", fem="N slides", analytic="N slides", by=BY, demand=0.02,
+             demand_reason="it swings on, without damping, as 1/(1 − μ/tan ν)"),
+    Identity(name="normal force where the race overruns", symbol="N", unit="N", by=BY,
+             fem="N overruns", analytic="N overruns"),
+    Partnered(name="largest force after slip at the start, weak springs: steps and LSODA",
+              symbol="N_max", unit="N", fem="N_max", analytic="LSODA N_max", formal=2,
+              residual="LSODA residual", demand=LSODA, demand_reason=WEAK),
+    Partnered(name="the same under 1.6 T", symbol="N_max", unit="N", fem="N_max more",
+              analytic="LSODA N_max more", formal=2, residual="LSODA residual", demand=LSODA,
+              demand_reason=WEAK),
+    Partnered(name="time at which slip ends: steps and LSODA", symbol="t", unit="ms",
+              fem="sticks", analytic="LSODA sticks", demand=0.02,
+              demand_reason="a band ends slip, LSODA an event"),
+    Accepted(name=f"chosen bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max", unit="1",
+             margin=by_default),
+    Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
+             unit="1", margin=refused),
+    Accepted(name="unguarded it gives less than half of the force", symbol="N_max", unit="1",
+             margin=unguarded),
+    Accepted(name=f"what the guard lets pass is right to {GUARDED:.1%}", symbol="N_max", unit="1",
+             margin=never_wrong),
+    Accepted(name="what the guard refuses is wrong", symbol="N_max", unit="1", margin=never_idle),
+)  # fmt: skip
