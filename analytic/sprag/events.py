@@ -66,12 +66,13 @@ def rolling(mode: Mode) -> list[int]:
 class Sprag:
     """Force and levers over alpha from the closure's `states`, which begin at N = 0 and rise."""
 
-    def __init__(self, states: Wedged, n_s: int) -> None:
+    def __init__(self, states: Wedged, n_s: int, *, balanced: bool) -> None:
         self.origin = float(states.alpha[0])
         alpha = states.alpha - self.origin
         self.n_s, self.end = n_s, float(alpha[-1])
+        outer = np.cos(states.omega) / np.cos(states.nu) if balanced else 1.0
         columns = (states.N, states.OA, states.OB, states.OC_g, states.b_i, states.b_e,
-                   states.h_i - states.h_e)  # fmt: skip
+                   states.h_i - outer * states.h_e)  # fmt: skip
         self._curve = CubicSpline(alpha, np.transpose(columns))
         self._slope = self._curve.derivative()
 
@@ -222,14 +223,16 @@ def engage_by_events(
     duration: float,
     speeds: Speeds | None = None,
     unlimited: bool = False,
+    balanced: bool = False,
     rtol: float = 1e-9,
 ) -> Events:
     """Engagement over `duration` [s] from rest under the blades, but for `speeds`.
 
     `unlimited` friction: the contacts always roll (Xu's and Liu's assumption); `asked` tells the
-    friction that this takes. ArithmeticError where the solver or the number of events fails.
+    friction that this takes. `balanced` as in `table`. ArithmeticError where the solver or the
+    number of events fails.
     """
-    system = System(Sprag(states, n_s), motion, torque, unlimited=unlimited)
+    system = System(Sprag(states, n_s, balanced=balanced), motion, torque, unlimited=unlimited)
     t, y, parts, peaks = 0.0, system.rest(speeds or Speeds()), [], []
     lost: dict[int, int] = {}
     for _ in range(EVENTS):

@@ -11,7 +11,10 @@ The columns are those that the equations of motion need,
     N, OA, OB, OC_g, b_i, b_e, h = h_i - h_e, and W = \int N h d\alpha,
 
 W the elastic energy of one sprag in the motion's own measure. It is U = \int N dH but for the
-terms that Eqs. 14-16 leave out (N_e = N_i, no radial motion of the centroid).
+terms that Eqs. 14-16 leave out. The paper gives one normal force, N_e = N_i = N. Then the forces
+do not balance across the tangent, the static force is 4e-4 above the strut's, and it changes by
+1.4e-3 as the centroid moves by 0.5 mm. With `balanced` it is N_e = N cos(omega)/cos(nu) and
+h = h_i - h_e N_e/N: the statics are exactly the strut's, wherever the centroid is.
 """
 
 from dataclasses import dataclass
@@ -86,6 +89,7 @@ def table(
     OC_g: ArrayLike,
     beta: ArrayLike,
     gamma: ArrayLike,
+    N_e_over_N: ArrayLike = 1.0,
     intervals: int = INTERVALS,
 ) -> Table:
     """Table of the closure's states, which begin at N = 0 and rise; angles in rad, SI.
@@ -97,7 +101,7 @@ def table(
     )
     if N[0] != 0 or np.any(np.diff(N) <= 0) or np.any(np.diff(alpha) <= 0):
         raise ValueError("states of a table must begin at N = 0 N and rise in N and alpha [rad]")
-    h = OC_g * (np.sin(beta + gamma) - np.sin(gamma))
+    h = OC_g * (np.sin(beta + gamma) - np.asarray(N_e_over_N) * np.sin(gamma))
     b_i, b_e = OC_g * np.cos(beta + gamma) - OA, OB - OC_g * np.cos(gamma)
     root = np.sqrt(alpha - alpha[0])
     knots = np.linspace(0.0, root[-1], intervals + 1)
@@ -118,7 +122,12 @@ def table(
 
 
 def tabulated(
-    clutch: Clutch, *, N_end: float, intervals: int = INTERVALS, theta_max: float = np.inf
+    clutch: Clutch,
+    *,
+    N_end: float,
+    intervals: int = INTERVALS,
+    theta_max: float = np.inf,
+    balanced: bool = False,
 ) -> Table:
     """Table of a clutch up to the normal force `N_end` [N] or the spiral's end `theta_max` [rad].
 
@@ -141,4 +150,5 @@ def tabulated(
     return table(
         n_s=clutch.n_s, alpha=states.alpha, N=states.N, OA=states.OA, OB=states.OB,
         OC_g=states.OC_g, beta=states.beta, gamma=states.gamma, intervals=intervals,
+        N_e_over_N=np.cos(states.omega) / np.cos(states.nu) if balanced else 1.0,
     )  # fmt: skip
