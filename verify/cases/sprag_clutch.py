@@ -1,16 +1,19 @@
 """One's own logarithmic sprag clutch: whether it holds, what ends its work, how hard it engages."""
 
+from collections.abc import Iterable
+
 from verify.case import Case, Output
 from verify.cases.sprag_clutch_claims import CHECKS
 from verify.cases.sprag_clutch_dynamic import DYNAMIC
 from verify.cases.sprag_clutch_fem import LEVELS, fem
-from verify.cases.sprag_clutch_model import under
+from verify.cases.sprag_clutch_model import built, under
 from verify.cases.sprag_clutch_shown import equations, figures, sketch
 from verify.cases.sprag_clutch_values import analytic
-from verify.cases.sprag_clutch_words import findings, summary, warnings
+from verify.cases.sprag_clutch_words import SHORT, findings, summary, warnings
 from verify.cases.sprag_inputs import ASSUMED, IDENTIFIED, EngagementInputs
+from verify.inputs import meta
 
-FINEST = 101  # slices and strips that the other side solves at many loads
+FINEST = 61  # slices that the other side solves anew at each of many loads
 
 
 def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False) -> Output:
@@ -48,7 +51,7 @@ OUTPUTS = (
     output("T pressure_inner", "T_p,i", "N m", "torque at which the inner contacts reach p_lim"),
     output("T pressure_outer", "T_p,o", "N m", "torque at which the outer contacts reach p_lim"),
     output("T end", "T_α", "N m", "torque at which the sprags reach the end of their profile"),
-    output("T wide", "T_a", "N m", "torque at which contacts become too wide for the formulas"),
+    output("T wide", "T_w", "N m", "torque at which contacts become too wide for the formulas"),
     output("dnu_0/dR_i", "dν_0/dR_i", "deg/mm", "turn of the wedge angle by R_i"),
     output("dnu_0/dR_e", "dν_0/dR_e", "deg/mm", "turn of the wedge angle by R_e"),
     output("dalpha/dR_i", "dα_0/dR_i", "deg/mm", "turn of the unloaded sprags by R_i"),
@@ -60,9 +63,18 @@ OUTPUTS = (
 )
 
 
+def named(inputs: Iterable[str]) -> str:
+    """Symbols of the inputs."""
+    fields = EngagementInputs.model_fields
+    return ", ".join(str(meta(fields[name])["symbol"] or name) for name in inputs)
+
+
 def too_large(q: EngagementInputs) -> str:
-    if under(q) is None:
-        return "no state bears this torque, nothing to compare; check it without --fem"
+    now = under(q)
+    if now is None or float(now.turned) > q.alpha_max:
+        return "no state within the profile bears this torque; check it without --fem"
+    if float(now.N) < SHORT * built(q).N_top:
+        return "N is below the least load that slices are solved for; check it without --fem"
     if q.slices > FINEST:
         return f"{q.slices} slices are solved anew at each load, more than {FINEST} are slow; "\
             "check it without --fem"  # fmt: skip
@@ -78,7 +90,7 @@ CLUTCH = Case(
     "grows: friction, pressure, the end of the profile. In time, how high the first peak of an "
     "engagement is. The paper's figures hang on "
     f"{len(IDENTIFIED)} inputs that it does not print and that are identified here "
-    f"({', '.join(IDENTIFIED)}), and {len(ASSUMED)} that are assumed: what rests on them is "
+    f"({named(IDENTIFIED)}), and {len(ASSUMED)} that are assumed: what rests on them is "
     "calibrated, not evidence.",
     inputs=EngagementInputs,
     analytic=analytic,
@@ -91,16 +103,17 @@ CLUTCH = Case(
         "T acts on the whole clutch, N is the normal force of one sprag",
         "z_m is in millimetres (no unit is printed), Q the load that the crown is made for",
         "α_max is where the profile ends and the springs are slack",
-        "alternative numbers of slices are no refinement: without a crown no peak converges",
     ),
     assumptions=(
-        *(f"identified: {name}, {why}" for name, why in IDENTIFIED.items()),
-        "assumed: " + "; ".join(f"{name} ({why})" for name, why in ASSUMED.items()),
+        *(f"identified: {named([name])}, {why}" for name, why in IDENTIFIED.items()),
+        "assumed: " + "; ".join(f"{named([name])} ({why})" for name, why in ASSUMED.items()),
         "all sprags are alike and share the load; races are smeared rings in plane stress, the "
         "sprag is a bar, contacts are slices by Palmgren's law",
         "the closure takes all that yields on the inner side to the unstrained spiral (Eqs. 9 and "
         "10, corrected), so that the torque's work is the yields'",
         "the pressures of the engagement are those of statics at its largest normal force",
+        "without a crown the largest pressure is that of the end slices: it has no limit as they "
+        "become more",
     ),
     findings=findings,
     summary=summary,

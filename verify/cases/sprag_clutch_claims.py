@@ -13,10 +13,9 @@ from verify.case import Context
 from verify.cases.contact_roller_accepted import Estimated
 from verify.cases.sprag_clutch_paper_fem import PRINTED
 from verify.cases.sprag_inputs import IDENTIFIED, EngagementInputs
-from verify.checks import Accepted, Fact, Identity
+from verify.checks import Accepted, Identity
 from verify.claims import Claim
 from verify.printed import Adopted
-from verify.published.ledger import erratum
 from verify.results import Kind, Partner, Row, Status
 from verify.shown import Array
 
@@ -28,7 +27,7 @@ BY_STRIPS = "strips"
 FROM_DRAWN = "cubic between the loads of the contacts' laws, as told in u_ref"
 PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
 FOUND_FIT = 0.02  # of what was fitted
-FITTED = "five inputs are identified: " + ", ".join(IDENTIFIED)
+FITTED = f"rests on {len(IDENTIFIED)} identified inputs"
 
 Measured = Mapping[str, Array]
 
@@ -45,6 +44,16 @@ def measured(context: Context) -> Measured:
 
 
 @dataclass(frozen=True, kw_only=True)
+class OfPaper(Accepted):
+    """A statement about the paper's clutch alone."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+@dataclass(frozen=True, kw_only=True)
 class Noted(Claim):
     """A printed statement that the paper's own equations contradict: NOTE with its ledger entry.
 
@@ -56,11 +65,6 @@ class Noted(Claim):
 
     erratum: str
     margin: Callable[[Context], tuple[float, float, str]]
-    fem_needed: bool = True
-
-    @property
-    def needs_fem(self) -> bool:
-        return self.fem_needed
 
     def rows(self, context: Context) -> list[Row]:
         if not context.is_paper:
@@ -68,58 +72,47 @@ class Noted(Claim):
         margin, U, words = self.margin(context)
         verdict = judge.fact(margin, U)
         if verdict.status is Status.PASS:
-            why = f"{words}; ledger {self.erratum}: {erratum(self.erratum).right}"
-            verdict = replace(verdict, status=Status.NOTE, reason=why)
+            said = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=said)
         else:
             verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise: {words}")
         return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Predicted(Claim):
-    """A printed number beside what is predicted from inputs that were fitted elsewhere: SHOWN."""
+class Beside(Claim):
+    """What is computed from identified inputs beside a `figure` [SI], printed or given as input.
+
+    CALIBRATED within `bound` where it was `fitted` to it; else a prediction, SHOWN.
+    """
 
     kind = Kind.APPROXIMATION
     paper_only: ClassVar[bool] = True
 
     value: Callable[[Measured], float]
-    figure: float  # printed [SI]
+    figure: float
+    figure_is: str = "printed"
     words: str
+    bound: float = math.inf
+    fitted: str = ""
 
     def rows(self, context: Context) -> list[Row]:
         if not context.is_paper:
             return []
         v = self.value(measured(context))
-        said = f"{v / self.figure - 1:+.1%}: {self.words}"
-        verdict = judge.Verdict(Status.SHOWN, said, v - self.figure)
+        error = v / self.figure - 1
+        said, status = f"{error:+.1%}: {self.words}", Status.SHOWN
+        if self.fitted:
+            status = Status.CALIBRATED if abs(error) < self.bound else Status.FAIL
+            said = f"{said}; {self.fitted}"
+        verdict = judge.Verdict(status, said, v - self.figure)
         return [
             self._row(
                 context.case, Kind.APPROXIMATION, verdict, fem=v, scale=self.figure,
-                partner=Partner(by="printed", value=self.figure), published=self._printed(context),
+                partner=Partner(by=self.figure_is, value=self.figure),
+                published=self._printed(context),
             )
         ]  # fmt: skip
-
-
-def fits(value: Callable[[Measured], float], printed: float, bound: float, words: str) -> Any:
-    """What is left of `bound` as a fitted quantity meets what it was fitted to."""
-
-    def margin(context: Context) -> tuple[float, float, str]:
-        v = value(measured(context))
-        return bound - abs(v / printed - 1), 0.0, words.format(v)
-
-    return margin
-
-
-def degrees(found: Measured) -> float:
-    return math.degrees(float(found["fitted"][0]))
-
-
-def angle(context: Context) -> tuple[float, float, str]:
-    """How near the input's wedge angle is to the one that the optimum at 25 N m asks for."""
-    found = degrees(measured(context))
-    given = math.degrees(context.inputs.nu_0)
-    words = f"2980 MPa ask for {found:.3f}°, the input is {given:.4g}°"
-    return 0.03 - abs(given / found - 1), 1e-3, words
 
 
 def rectangle(q: EngagementInputs) -> tuple[float, float]:
@@ -144,26 +137,34 @@ def width(context: Context) -> tuple[float, float, str]:
     return 0.005 - abs(change), 0.0, words
 
 
-def preload(context: Context) -> tuple[float, float]:
+def preload(context: Context) -> tuple[float, float, str]:
     """The blades' force is less than a hundredth of the static one."""
-    return 0.01 - context.analytic["N_0"] / context.analytic["N"], 0.0
+    share = context.analytic["N_0"] / context.analytic["N"]
+    return 0.01 - share, 0.0, f"{share:.2%} of N"
 
 
-def first_is_largest(context: Context) -> tuple[float, float]:
+def first_is_largest(context: Context) -> tuple[float, float, str]:
+    """The largest force is that of the first peak, over the next ones' by more than round-off."""
     found = measured(context)
-    return float((found["first peak"] / found["N_max"]).min() - 1 + 1e-9), 0.0
+    share = found["second peak"] / found["first peak"]
+    words = f"the second is {share[0]:.3f} of it at 25 N m, {share[1]:.3f} at 40 N m"
+    return float(1 - share.max()), 1e-3, words
 
 
-def deeper_is_lower(context: Context) -> tuple[float, float]:
+def deeper_is_lower(context: Context) -> tuple[float, float, str]:
     """K_1 from 1 to 3 lowers the peak of the engagement (Fig. 13)."""
-    shallow, deep = measured(context)["Fig. 13"]
-    return float(1 - deep / shallow), 0.0
+    shallow, deep = measured(context)["Fig. 13"] / 1e6
+    return float(1 - deep / shallow), 1e-3, f"{shallow:.0f} MPa, {deep:.0f} MPa"
 
 
-def ends_carry(context: Context) -> tuple[float, float]:
-    """Without a crown the peak is above the pressure that the optimised crown has."""
-    flat, best = measured(context)["as given"][0]
-    return float(flat / best - 1), 0.0
+def ends_carry(context: Context) -> tuple[float, float, str]:
+    """Without a crown the end slices bear more than the middle in the largest peak."""
+    end, middle = measured(context)["flat, ends"] / 1e6
+    return (
+        float(end / middle - 1),
+        1e-3,
+        f"{end:.0f} MPa at the ends, {middle:.0f} MPa at mid-length",
+    )
 
 
 def grows(context: Context) -> tuple[float, float, str]:
@@ -206,42 +207,42 @@ CHECKS = (
         for k, race in (("i", "inner"), ("o", "outer"))
         for key, what in (("mid", "pressure at mid-length"), ("peak", "largest pressure"))
     ),
-    Fact(name="the blades press with less than 1 % of the static force", symbol="N_0/N", unit="1",
-         margin=preload, fem_needed=False, printed=("huang2018:table1-k-r",)),
-    Accepted(name="length of the sprags from m_g and I_g of Table 1", symbol="l", unit="mm",
-             margin=length, fem_needed=False, fitted=IDENTIFIED["l"],
-             printed=("huang2018:table1-m-g", "huang2018:table1-i-g")),
-    Accepted(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="mm",
-             margin=width, fitted=IDENTIFIED["b"]),
-    Accepted(name="wedge angle that the optimum at 25 N m asks for", symbol="ν_0", unit="deg",
-             margin=angle, fitted=IDENTIFIED["nu_0"]),
-    Accepted(name="25 N m, best crown, angle fitted", symbol="p_max", unit="MPa",
-             margin=fits(lambda f: float(f["pair 25"][1]), PRINTED[25.0][1], FOUND_FIT,
-                         "{:.4g} Pa; the angle is fitted to it"),
-             fitted=FITTED, printed=("huang2018:stress-25nm-optimised",)),
-    Accepted(name="25 N m, no crown, slices fitted", symbol="p_max", unit="MPa",
-             margin=fits(lambda f: float(f["pair 25"][0]), PRINTED[25.0][0], FOUND_FIT,
-                         "{:.4g} Pa; the number of slices is fitted to it"),
-             fitted=FITTED, printed=("huang2018:stress-25nm-unmodified",)),
-    Predicted(name="40 N m, best crown, predicted from 25 N m", symbol="p_max", unit="MPa",
-              value=lambda f: float(f["pair 40"][1]), figure=PRINTED[40.0][1],
-              words="predicted, not judged: the printed pairs contradict each other",
-              printed=("huang2018:stress-40nm-optimised",)),
-    Predicted(name="40 N m, no crown, predicted from 25 N m", symbol="p_max", unit="MPa",
-              value=lambda f: float(f["pair 40"][0]), figure=PRINTED[40.0][0],
-              words="predicted with the slices fitted at 25 N m, not judged",
-              printed=("huang2018:stress-40nm-unmodified",)),
-    Noted(name="both printed pairs have no common ratio of forces", symbol="N_40/N_25", unit="1",
+    OfPaper(name="the blades press with less than 1 % of the static force", symbol="N_0/N", unit="1",
+         margin=preload, fem_needed=False),
+    OfPaper(name="length of the sprags from m_g and I_g of Table 1", symbol="l", unit="mm",
+             margin=length, fem_needed=False, fitted=FITTED),
+    OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="mm",
+             margin=width, fitted=FITTED),
+    Beside(name="wedge angle that the optimum at 25 N m asks for", symbol="ν_0", unit="deg",
+           value=lambda f: float(f["fitted"][0]), figure=EngagementInputs().nu_0,
+           figure_is="input", bound=0.03, words="against the input's angle", fitted=FITTED),
+    Beside(name="25 N m, best crown, angle fitted", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 25"][1]), figure=PRINTED[25.0][1], bound=FOUND_FIT,
+           words="the angle is fitted to it", fitted=FITTED,
+           printed=("huang2018:stress-25nm-optimised",)),
+    Beside(name="25 N m, no crown, slices fitted", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 25"][0]), figure=PRINTED[25.0][0], bound=FOUND_FIT,
+           words="the number of slices is fitted to it", fitted=FITTED,
+           printed=("huang2018:stress-25nm-unmodified",)),
+    Beside(name="40 N m, best crown, predicted from 25 N m", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 40"][1]), figure=PRINTED[40.0][1],
+           words="predicted, not judged: the printed pairs contradict each other",
+           printed=("huang2018:stress-40nm-optimised",)),
+    Beside(name="40 N m, no crown, predicted from 25 N m", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 40"][0]), figure=PRINTED[40.0][0],
+           words="predicted with the slices fitted at 25 N m, not judged",
+           printed=("huang2018:stress-40nm-unmodified",)),
+    Noted(name="both printed pairs have no common ratio of forces", symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
           printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
     Noted(name="the peak without a crown grows with the slices", symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-unmodified-peak", margin=grows,
           printed=("huang2018:stress-25nm-unmodified",)),
-    Fact(name="the first peak is the largest, 25 and 40 N m (Figs. 8, 13)", symbol="N_max",
+    OfPaper(name="the first peak is the largest, 25 and 40 N m (Figs. 8, 13)", symbol="N_max",
          unit="1", margin=first_is_largest),
-    Fact(name="without a crown the ends carry the largest pressure (Fig. 16)", symbol="p_max",
+    OfPaper(name="without a crown the ends carry the largest pressure (Fig. 16)", symbol="p_max",
          unit="1", margin=ends_carry),
-    Fact(name="K_1 from 1 to 3 lowers the peak (Fig. 13)", symbol="p_max", unit="1",
+    OfPaper(name="K_1 from 1 to 3 lowers the peak (Fig. 13)", symbol="p_max", unit="1",
          margin=deeper_is_lower, printed=("huang2018:fig13a-k1", "huang2018:fig13b-k1")),
     Adopted(name="I_1 of Table 1", symbol="I_1", unit="kg m^2", reference="huang2018:table1-i-1",
             why="in no equation and not explained: not used"),

@@ -91,7 +91,7 @@ def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
         lines.append(
             f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones "
             f"{v['slid_i'] * 1e6:.3g} µm and the outer ones {v['slid_o'] * 1e6:.3g} µm: "
-            f"{v['friction']:.3g} J of {v['work']:.3g} J go into friction"
+            f"{v['friction']:.3g} J go into friction"
         )
     return lines
 

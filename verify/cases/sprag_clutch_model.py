@@ -21,7 +21,7 @@ from verify.shown import Array
 
 WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz is asked
 FEW_FROM = 0
-MANY, FEW_LOADS, LOADS = 61, 31, 61  # slices from which on fewer loads make up a contact's law
+MANY, FEW_LOADS, LOADS = 61, 21, 61  # slices from which on fewer loads make up a contact's law
 HALF = 0.5  # of N, where the ends of a crown are free and strips have a highest pressure
 STEP = 1e-6  # of a load or length, for slopes
 

@@ -8,7 +8,9 @@ is predicted.
 import numpy as np
 from scipy.optimize import brentq
 
-from verify.cases.sprag_clutch_run_fem import run_fem
+from analytic.sprag.history import Engagement
+from verify.cases.sprag_clutch_model import mid
+from verify.cases.sprag_clutch_run_fem import Run, run_fem
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import Array
 
@@ -18,7 +20,7 @@ PRINTED = {25.0: (3500e6, 2980e6), 40.0: (4700e6, 3400e6)}  # without and with t
 FIG_13 = ((1.0, 0.4, 0.01e-3), (3.0, 0.4, 0.01e-3))
 COUNTS = (11, 15, 19, 21, 23, 25, 27, 31, 41, 81, 161)  # slices
 ANGLES = np.radians([2.9, 3.3])
-SHORT = 0.02  # s, past the first peaks
+SHORT = 0.03  # s, past the first peaks
 
 Crown = tuple[float, float, float]
 
@@ -36,6 +38,19 @@ def designed(crown: Crown | None, T: float, **more: float) -> EngagementInputs:
 def peak_fem(crown: Crown | None, T: float, **more: float) -> float:
     """Largest pressure [Pa] of the engagement, at the inner contact."""
     return run_fem(designed(crown, T, **more)).peaks[0]
+
+
+def second_peak(run: Engagement) -> float:
+    """The largest force [N] after the first trough."""
+    N = run.N[round(run.first_peak[0] / run.dt) :]
+    trough = int(np.argmax(np.diff(N) > 0))
+    return float(N[trough:].max())
+
+
+def ends(run: Run) -> Array:
+    """Pressures [Pa] of an end slice and at mid-length, inner contact, under the largest force."""
+    inner, _ = run.one.pressed(run.engagement.N_max)
+    return np.array([inner.peak_pressure[0], mid(inner)])
 
 
 def paper_fem() -> dict[str, Array]:
@@ -56,6 +71,8 @@ def paper_fem() -> dict[str, Array]:
         "N_max": np.array([run.N_max for run in runs]),
         "N_static": np.array([run.N_static for run in runs]),
         "first peak": np.array([run.first_peak[1] for run in runs]),
+        "second peak": np.array([second_peak(run) for run in runs]),
+        "flat, ends": ends(run_fem(designed(None, 25.0))),
         "Fig. 13": np.array([peak_fem(c, 25.0) for c in FIG_13]),
         "narrow": np.array([run_fem(designed(best, 25.0, b=3.05e-3)).engagement.N_max]),
     }  # fmt: skip

@@ -9,6 +9,7 @@ from analytic.sprag.history import Engagement
 from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.table import tabulated
 from verify.cases.sprag_clutch_model import Built, built, under
+from verify.cases.sprag_clutch_values import blades
 from verify.cases.sprag_inputs import EngagementInputs
 
 AHEAD, WIDER = 4.0, 3.0  # of the static force: how far a table reaches, how much farther the next
@@ -39,7 +40,8 @@ def run_fem(q: EngagementInputs) -> Run:
         m_g=q.m_g, I_g=q.I_g, I_bi=q.I_bi, I_be=q.I_be, K_r=q.K_r, alpha_max=q.alpha_max,
         C_rl=q.C_rl, k_out=q.k_out, mu_s=q.mu_s, mu_c=q.mu_c, gamma_b=q.gamma_b,
     )  # fmt: skip
-    N_end = INSIDE * one.N_top if now is None else min(AHEAD * float(now.N), INSIDE * one.N_top)
+    least = np.nanmax([blades(q), float(now.N) if now else one.N_top])
+    N_end = min(AHEAD * float(least), INSIDE * one.N_top)
     while True:
         table = tabulated(one.clutch, N_end=N_end, theta_max=q.alpha_max)
         found = engage(

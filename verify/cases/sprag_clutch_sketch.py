@@ -29,7 +29,7 @@ def sketch(q: SpragInputs) -> Sketch:
     tilt = math.atan2(along[0], along[1])
     shapes = (
         Shape(style="modelled", points=ring(q.R_id * unit, q.R_i * unit)),
-        Shape(style="modelled", points=ring(q.R_e * unit, unit)),
+        Shape(style="modelled", points=ring(q.R_e * unit, 1.0)),
         Shape(style="body", points=outline(q) * unit),
         Shape(style="axis", points=np.array([0.45 * q.R_i * unit * up, 1.08 * up])),
         Shape(style="axis", points=np.vstack([0.45 * q.R_i * unit * out, 1.08 * out])),

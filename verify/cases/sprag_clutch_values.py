@@ -3,8 +3,10 @@
 from functools import lru_cache
 
 import numpy as np
+from scipy.optimize import brentq
 
-from analytic.sprag.start import spring_equilibrium
+from analytic.sprag.closure import wedged
+from analytic.sprag.start import drag
 from verify.cases.sprag_clutch_limits import as_torque_grows
 from verify.cases.sprag_clutch_model import analytic_state, built, slopes
 from verify.cases.sprag_inputs import EngagementInputs
@@ -14,14 +16,27 @@ LAW_ALPHA = 1e-3  # the same of the turn and the yields, 0.15 % of the contacts'
 
 
 @lru_cache(maxsize=16)
+def blades(q: EngagementInputs) -> float:
+    """Force N_0 [N] of the springs alone; nan where they turn the sprags beyond all formulas."""
+    one = built(q)
+
+    def excess(N: float) -> float:
+        now = wedged(one.clutch, N)
+        return float(N * now.OB * drag(now) - q.K_r * (q.alpha_max - now.alpha))
+
+    if not excess(one.N_top) > 0:
+        return float("nan")
+    return float(brentq(excess, 0.0, one.N_top, rtol=1e-12)) if excess(0.0) < 0 else 0.0
+
+
+@lru_cache(maxsize=16)
 def analytic(q: EngagementInputs) -> dict[str, float]:
     """SI values; those that the clutch does not have, or that are infinite, are left out."""
     sprag, one = q.sprag, built(q)
-    start, _ = spring_equilibrium(one.clutch, K_r=q.K_r, alpha_max=q.alpha_max)
     found = {
         "nu_0": float(sprag.nu_0), "omega_0": float(sprag.omega_0), "m": float(np.asarray(sprag.m)),
         "beta_0": float(sprag.beta_0), "eta_0": float(sprag.eta_0), "r_e": float(sprag.r_e),
-        "OC_e": float(sprag.OC_e), "mu_0": float(np.tan(sprag.nu_0)), "N_0": float(start.N),
+        "OC_e": float(sprag.OC_e), "mu_0": float(np.tan(sprag.nu_0)), "N_0": blades(q),
         "d_ce": float(np.max(one.parts.d_ce)), "law": LAW, "law alpha": LAW_ALPHA,
     }  # fmt: skip
     found |= {f"T {limit.key}": limit.at for limit in as_torque_grows(q)}

@@ -14,6 +14,7 @@ DEGREE = math.degrees(1.0)
 UM = 1e-6
 STEEL = (195e9, 220e9)  # Pa, of which Palmgren's law is
 SHORT = 1e-4  # of the law's last load: below it slices are not solved
+HARD = 0.1  # of N, by which springs press
 LOOSE = 0.25  # rad, beyond which a sprag has turned a lot
 
 
@@ -22,6 +23,8 @@ def findings(q: SpragInputs, v: Values) -> Sequence[str]:
     found += first_limits(q)
     if "N" in v:
         found += [stiff(v), crowned(v), beside(v)]
+        if verdict(q, v) in ("slips", "rolls over"):
+            found.append("forces, turns and pressures below are those it would have if it held")
     return [*found, sensitive(v)]
 
 
@@ -104,6 +107,13 @@ def warnings(q: SpragInputs, v: Values) -> Sequence[str]:
         found.append(
             f"the sprags turn by {v['alpha'] * DEGREE:.3g}° under T: a part of their profile that "
             "few sprags have"
+        )
+    if v.get("N_0", math.inf) > HARD * v.get("N", math.inf):
+        found.append(
+            f"the springs alone press with {newton(v['N_0'])}, more than a tenth of what the "
+            "torque asks for"
+            if "N_0" in v
+            else "the springs turn the sprags to their end"
         )
     if q.l < q.b:
         found.append("sprags are shorter than wide: line contacts they hardly have")

@@ -13,9 +13,8 @@ from verify.cases.freewheel_inputs import in_millimetres
 from verify.inputs import Inputs, count, quantity
 
 IDENTIFIED = {
-    "l": "length of the sprags: with b = 3.05 mm it follows from m_g and I_g of Table 1, if their "
-    "section is a rectangle",
-    "b": "width of the sprags",
+    "l": "length of the sprags: 9.04 mm follow from m_g and I_g of Table 1 for a rectangle",
+    "b": "width of the sprags: that rectangle's is 3.05 mm, which changes forces by 0.3 %",
     "nu_0": "wedge angle: from the pressure printed for 25 N m with the optimised crown",
     "k_out": "stiffness of the outer race's support, printed as large",
     "Q": "load that the crown is made for: the static load at 25 N m",
@@ -96,7 +95,7 @@ class SpragInputs(WedgeInputs):
                            gt=0, lt=1)  # fmt: skip
     gamma_b: float = quantity("1 s/m", "s/m", "γ_b", "how fast friction falls with the sliding "
                               "speed (Eq. 13)", gt=0, le=1e6)  # fmt: skip
-    K_1: float = quantity(1, "1", "K_1", "curvature of the crown", omitted=1.0, gt=0, le=100,
+    K_1: float = quantity(1.0, "1", "K_1", "depth of the crown", omitted=1.0, gt=0, le=100,
                           claims="huang2018:fig12-best-k1")  # fmt: skip
     K_2: float = quantity(0.7, "1", "K_2", "crowned share of the length", omitted=0.7, gt=0, le=1,
                           claims="huang2018:fig12-best-k2")  # fmt: skip
@@ -104,7 +103,7 @@ class SpragInputs(WedgeInputs):
                           omitted=0.0, ge=0, le=10, claims="huang2018:fig12-best-zm")  # fmt: skip
     Q: float | None = quantity("3407 N", "N", "Q", "load that the crown is made for; left out, the "
                                "static load of a sprag", omitted=None, gt=0, le=1e9)  # fmt: skip
-    slices: int = count(41, "n", "slices along the sprag", ge=5, le=401)
+    slices: int = count(41, "", "slices along the sprag", ge=5, le=161)
     n: float = quantity("0 r/min", "r/min", "n", "speed of the outer race, which grows by it",
                         omitted=0.0, ge=0, le=1e6)  # fmt: skip
     density: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density of the outer race",
@@ -131,10 +130,12 @@ class EngagementInputs(SpragInputs):
                           claims="huang2018:table1-m-g")  # fmt: skip
     I_g: float = quantity("1.18e-8 kg m^2", "kg m^2", "I_g", "inertia of a sprag about its "
                           "centroid", gt=0, le=1e9, claims="huang2018:table1-i-g")  # fmt: skip
-    I_bi: float = quantity("1.41e-3 kg m^2", "kg m^2", "I_bi", "inertia of the inner race and what "
-                           "turns with it", gt=0, le=1e9, claims="huang2018:table1-i-bi")  # fmt: skip
-    I_be: float = quantity("1.41e-3 kg m^2", "kg m^2", "I_be", "inertia of the outer race and what "
-                           "turns with it", gt=0, le=1e9, claims="huang2018:table1-i-be")  # fmt: skip
+    I_bi: float = quantity("1.41e-3 kg m^2", "kg m^2", "I_bi", "inertia of the inner race, with "
+                           "all that turns with it", gt=0, le=1e9,
+                           claims="huang2018:table1-i-bi")  # fmt: skip
+    I_be: float = quantity("1.41e-3 kg m^2", "kg m^2", "I_be", "inertia of the outer race, with "
+                           "all that turns with it", gt=0, le=1e9,
+                           claims="huang2018:table1-i-be")  # fmt: skip
     K_r: float = quantity("0.01 N m/rad", "N m/rad", "K_r", "stiffness of the energising spring of "
                           "a sprag", gt=0, le=1e6, claims="huang2018:table1-k-r")  # fmt: skip
     C_rl: float = quantity("0.1 N m s/rad", "N m s/rad", "C_rl", "damping between the races", ge=0,
