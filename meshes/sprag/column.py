@@ -26,10 +26,21 @@ class Reach:
     def least(self) -> float:
         return min(self.left, self.right)
 
-    def stretched(self, share: Array) -> Array:
-        """Lengths from the contact at shares -1 to 1 of the half column, even about it."""
+    @property
+    def share(self) -> float:
+        """The shorter one over their mean."""
+        return 2 * self.least / (self.left + self.right)
+
+    def stretched(self, share: Array, depth: Array) -> Array:
+        """Lengths from the contact at shares -1 to 1 of the half column.
+
+        They are even about the contact, and from the `depth` 1 on all over.
+        """
         end = np.where(share < 0, self.left, self.right)
-        return self.least * share + (end - self.least) * share**3
+        near = self.least * share + (end - self.least) * share**3
+        far = ((1 + share) * self.right - (1 - share) * self.left) / 2
+        # of all powers this one leaves the widest angles
+        return near + np.minimum(depth, 1) ** 1.5 * (far - near)
 
 
 def reaches(at: Placed) -> tuple[Reach, Reach]:
@@ -54,8 +65,12 @@ def column_mesh(at: Placed, zones: tuple[Zone, Zone], *, order: int, straight: b
     ]
     mesh = flat_mesh(tuple(blocks), order)
     x, y = mesh.doflocs
-    low = at.sprag.along_spiral(at.theta, inner.stretched(x / half))
-    high = at.sprag.along_arc(at.phi, outer.stretched(x / half))
+    deep = min(half, height / 2)
+    s_i, s_e = (
+        reach.stretched(x / half, (height / 2 + up * y) / deep)
+        for reach, up in ((inner, 1), (outer, -1))
+    )
+    low, high = at.sprag.along_spiral(at.theta, s_i), at.sprag.along_arc(at.phi, s_e)
     share = 1 / 2 + y / height
     places = at.placed((1 - share) * low + share * high)
     names = {name: name for name in ("inner", "outer", "left", "right")}

@@ -7,11 +7,13 @@ from itertools import pairwise
 import numpy as np
 
 from meshes.freewheel.races import RoundRace
+from meshes.sprag.column import Reach
 from meshes.sprag.profile import Placed
 
 ASTRAY = 1 / 4  # of the gap between the races, that the sprag may overlap or leave to either
 FURTHEST = math.pi / 4  # that a sprag may be turned, and its pole lie beside +y [rad]
 ROOM = 4 / 3  # fine zones that fit between the contact and the flank
+NEAREST = 1 / 5  # of half the outline, that a contact may come to the flank
 ALONG = 41  # points of a flank that are compared with the next sprag's
 
 
@@ -56,6 +58,15 @@ def check_beside(at: Placed, pitch: float) -> None:
             f"sprags of the width b={sprag.b:g} m overlap each other: one takes "
             f"{math.degrees(width[widest]):.4g} degrees at the radius {radius[widest]:g} m, of "
             f"{math.degrees(pitch):.4g} for each"
+        )
+
+
+def check_flank(where: str, reach: Reach) -> None:
+    """ValueError where the contact comes to a flank, too near for cells between them."""
+    if not reach.share >= NEAREST:
+        raise ValueError(
+            f"the sprag touches the {where} race {reach.least:g} m from a flank: its contact needs "
+            f"{NEAREST * reach.least / reach.share:g} m, make it wider or turn it less"
         )
 
 

@@ -9,7 +9,7 @@ from meshes.contact.fan import Zone
 from meshes.freewheel.races import RoundRace
 from meshes.join import join
 from meshes.sprag.column import column_mesh, reaches
-from meshes.sprag.limits import check_beside, check_place, check_radii, check_zone
+from meshes.sprag.limits import check_beside, check_flank, check_place, check_radii, check_zone
 from meshes.sprag.profile import Placed, Sprag
 
 
@@ -54,6 +54,7 @@ def sprag_sector(
     for where, race, reach, zone in zip(
         ("inner", "outer"), (inner, outer), reaches(at), zones, strict=True
     ):
+        check_flank(where, reach)
         check_zone(where, race, reach.least, zone)
     low, high = fine = Zone(zones[0], cells, refine), Zone(zones[1], cells, refine)
     return join(

@@ -1,0 +1,110 @@
+"""The logarithmic spiral as the exact shape of a contact surface."""
+
+from math import atan, cos, hypot, inf, nan, pi, radians, sin
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from fem.contact.shapes import Circle, Motion, Spiral
+
+POLE, RADIUS, START, GROWTH = (0.3, -0.2), 2.0, radians(-80), 0.15
+
+
+@pytest.fixture
+def spiral():
+    return Spiral(POLE, RADIUS, START, GROWTH)
+
+
+def point(angle, off=0.0):
+    """Points (2, m) of the spiral at angles (m,), or `off` outwards along the normals."""
+    rho = RADIUS * np.exp(GROWTH * (angle - START))
+    normal = angle - atan(GROWTH)
+    x = rho * np.cos(angle) + off * np.cos(normal)
+    y = rho * np.sin(angle) + off * np.sin(normal)
+    return np.array([x, y]) + np.array(POLE)[:, None]
+
+
+ANGLES = START + np.linspace(-2.5, 2.5, 41)
+
+
+@pytest.mark.parametrize("off", [-0.5, -1e-3, 0.0, 1e-3, 0.5])
+def test_the_nearest_point_of_a_point_on_a_normal_is_its_foot(spiral, off):
+    feet = point(ANGLES)
+    np.testing.assert_allclose(spiral.project(point(ANGLES, off)), feet, rtol=0, atol=1e-14)
+
+
+def test_no_other_point_is_nearer(spiral):
+    x = np.array([[1.4], [-1.9]])
+    found = np.hypot(*(spiral.project(x) - x)).item()
+    best = minimize_scalar(
+        lambda angle: np.hypot(*(point(np.array([angle])) - x)).item(),
+        bounds=(START - 2, START + 2), method="bounded", options={"xatol": 1e-10},
+    )  # fmt: skip
+    assert found == pytest.approx(best.fun, rel=1e-12)
+
+
+def test_the_normal_leans_from_the_radius_by_the_arc_tangent_of_the_growth(spiral):
+    x = point(ANGLES)
+    d = x - np.array(POLE)[:, None]
+    n = spiral.normal(x)
+    assert (d[0] * n[1] - d[1] * n[0]) / (d * n).sum(axis=0) == pytest.approx(-GROWTH)
+    assert np.hypot(*n) == pytest.approx(1)
+
+
+def test_the_normal_is_square_to_the_curve_and_points_away_from_the_pole(spiral):
+    step = 1e-6
+    tangent = point(ANGLES + step) - point(ANGLES - step)
+    n = spiral.normal(point(ANGLES))
+    np.testing.assert_allclose((tangent * n).sum(axis=0) / np.hypot(*tangent), 0, atol=1e-9)
+    assert np.all(((point(ANGLES) - np.array(POLE)[:, None]) * n).sum(axis=0) > 0)
+
+
+def test_the_curvature_is_that_of_the_circle_through_three_near_points(spiral):
+    a, b, c = (point(np.array([START + k * 1e-3]))[:, 0] for k in (-1, 0, 1))
+    area = abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2
+    sides = np.prod([hypot(*(p - q)) for p, q in ((a, b), (b, c), (a, c))])
+    assert spiral.curvature == pytest.approx(4 * area / sides, rel=1e-5)
+
+
+def test_without_growth_it_is_a_circle():
+    x = np.array([[0.5, 3.0, -1.0], [-3.0, 0.1, 2.0]])
+    spiral, circle = Spiral(POLE, RADIUS, START, 0.0), Circle(POLE, RADIUS)
+    np.testing.assert_allclose(spiral.project(x), circle.project(x), atol=1e-14)
+    np.testing.assert_allclose(spiral.normal(x), circle.normal(x), atol=1e-14)
+    assert spiral.curvature == circle.curvature
+
+
+def test_a_moved_spiral_runs_through_the_moved_points(spiral):
+    motion = Motion((0.4, -0.1), 0.3, (1.0, 2.0))
+    x = point(ANGLES)
+    moved = x + motion.displacement(x)
+    np.testing.assert_allclose(spiral.moved(motion).project(moved), moved, atol=1e-14)
+    turned = np.array([[cos(0.3), -sin(0.3)], [sin(0.3), cos(0.3)]]) @ spiral.normal(x)
+    np.testing.assert_allclose(spiral.moved(motion).normal(moved), turned, atol=1e-14)
+
+
+def test_points_keep_the_shape_of_their_array(spiral):
+    x = np.stack([point(ANGLES), point(ANGLES, 0.1)], axis=1)
+    assert spiral.project(x).shape == spiral.normal(x).shape == (2, 2, 41)
+
+
+def test_half_a_turn_from_the_start_the_spiral_is_cut(spiral):
+    before, after = (point(np.array([START + pi + k]), 0.01) for k in (-1e-3, 1e-3))
+    assert np.hypot(*(spiral.project(before) - before)).item() == pytest.approx(0.01)
+    assert np.hypot(*(spiral.project(after) - after)).item() > 0.5
+
+
+@pytest.mark.parametrize(
+    ("changed", "rule"),
+    [
+        ({"radius": 0.0}, "radius must be positive"),
+        ({"radius": inf}, "radius must be positive"),
+        ({"growth": nan}, "finite"),
+        ({"pole": (nan, 0.0)}, "finite"),
+        ({"start": inf}, "finite"),
+    ],
+)
+def test_a_spiral_that_cannot_be_is_refused(changed, rule):
+    with pytest.raises(ValueError, match=rule):
+        Spiral(**{"pole": POLE, "radius": RADIUS, "start": START, "growth": GROWTH} | changed)
