@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from verify.case import Case, Output, Values
+from verify.cases import sprag_engagement_shown as shown
 from verify.cases.sprag_engagement_claims import CHECKS
 from verify.cases.sprag_engagement_fem import LEVELS, fem
 from verify.cases.sprag_engagement_formulas import analytic
@@ -84,6 +85,27 @@ ENGAGEMENT = Case(
         output("theta", "θ", "deg", "turn of the races against each other at rest", judged=False),
         output("alpha", "α", "deg", "rotation of the sprags at rest", judged=False),
     ),
+    readings=(
+        "driving is positive and locks at α > 0: the mirror image of Eq. 11, with the sign of the "
+        "springs that closes (ledger: eq-11-14-spring-sign)",
+        "forces of the races act at OA and OB of Eq. 9, not at half of them (eq-16-lever-arms)",
+        "C_be is the moment of the support, −k_out θ_e (eq-16-outer-spring)",
+        "N_be = N_bi in Eqs. 14 and 16; a strut in balance has N_e = N_i cos ω/cos ν",
+        "the torque comes as a step on a clutch at rest under its springs",
+    ),
+    assumptions=(
+        "length, width, wedge angle, support and the crown's load are identified, not printed; "
+        "friction, α_max and the centroid's place are assumed",
+        "N follows from the rotation as at rest, by the closure that balances work: what the paper "
+        "iterates is explicit in N here",
+        "all sprags are alike; races turn, but neither bend nor move; no oil",
+        "the centroid keeps the distance OC_g(α): its radial motion is left out, as in Eq. 14",
+        "a contact sticks within a band of speeds; the band follows from the time step",
+    ),
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=shown.figures,
+    pictures=shown.pictures,
     findings=findings,
     warnings=warnings,
     too_large=too_large,

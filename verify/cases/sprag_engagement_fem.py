@@ -10,17 +10,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from analytic.sprag.closure import wedged
 from analytic.sprag.balance import balance
+from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.pressure import along
 from analytic.sprag.table import INTERVALS
 from verify.case import FemResult
 from verify.cases.contact_roller_inputs import DESIGNS
 from verify.cases.sprag_engagement_formulas import analytic, with_torque
-from verify.cases.sprag_engagement_model import Wedge, motion, wedge
+from verify.cases.sprag_engagement_model import Wedge, gap, motion, parts, wedge
 from verify.cases.sprag_inputs import EngagementInputs
-from verify.shown import Array
+from verify.shown import Array, Field
 
 if TYPE_CHECKING:
     from analytic.sprag.events import Events
@@ -40,6 +41,7 @@ RTOL = 1e-8
 COARSER = 1500  # intervals of the table that says how far its own cubics are off
 LEAST = 1e-9  # of a value
 SHOWN = 601  # samples that are kept
+ACROSS, WIDE = 240, 2.0  # moments in pictures of pressure, and lengths that they take
 ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
 
 
@@ -59,11 +61,15 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
         "later peak": later_peak(main), "asked": asked(main), "D_V": main.D_V,
         "slides": float((main.phases == Phase.SLIP).any(axis=1).mean()),
     }  # fmt: skip
-    arrays = history(main, "") | history(free, "undamped ")
+    arrays = history(main, "") | history(free, "undamped ") | history(rigid, "rigid ")
+    fields: tuple[Field, ...] = ()
     if level == LEVELS[-1]:
+        fields = pressures_fem(q)
         values |= partners_fem(q)
         arrays |= compared_fem(q, main) | {"order": order_fem(q)} | designs_fem(q)
-    return FemResult(h=1 / level, values=values, u_it=tables_fem(q, main), arrays=arrays)
+    return FemResult(
+        h=1 / level, values=values, u_it=tables_fem(q, main), arrays=arrays, fields=fields
+    )
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
@@ -169,7 +175,12 @@ def history(found: "Engagement", name: str) -> dict[str, Array]:
 
 
 def partner_fem(
-    q: EngagementInputs, w: Wedge, duration: float, *, unlimited: bool = False, rtol: float = RTOL,
+    q: EngagementInputs,
+    w: Wedge,
+    duration: float,
+    *,
+    unlimited: bool = False,
+    rtol: float = RTOL,
     every: int = 1,
 ) -> "Events":
     """The same engagement by events and LSODA, the force from every so many of the states."""
@@ -244,3 +255,34 @@ def designs_fem(q: EngagementInputs) -> dict[str, Array]:
         moved = replace(w, clutch=replace(w.clutch, c_x=c[0], c_y=c[1]))
         elsewhere.append(engaged_fem(q, moved, q.dt).N_max)
     return {"crowns": np.array(found), "centroids": np.array(elsewhere)}
+
+
+def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
+    """Whose pressures are drawn: the crowns of Fig. 13 for the paper's clutch, else one's own."""
+    if q != EngagementInputs():
+        return {"": q}
+    return {
+        f"{part} ": q.model_copy(update={"K_1": K_1, "K_2": 0.4, "z_m": 10e-6})
+        for part, K_1 in (("a", 1.0), ("b", 3.0))
+    }
+
+
+def pressures_fem(q: EngagementInputs) -> tuple[Field, ...]:
+    """Pressure over time (sideways) and along the sprag, on both races."""
+    found = []
+    for name, p in drawn(q).items():
+        run = engaged_fem(p, wedge(p), p.dt)
+        every = max(len(run.t) // ACROSS, 1)
+        N, whole = run.N[::every], parts(p)
+        x = np.linspace(0.0, WIDE * p.l, len(N) + 1)
+        y = np.linspace(-p.l / 2, p.l / 2, p.slices + 1)
+        points = np.column_stack([a.ravel() for a in np.meshgrid(x, y, indexing="ij")])
+        i = np.arange(len(N))[:, None] * len(y) + np.arange(p.slices)
+        cells = np.stack([i, i + len(y), i + len(y) + 1, i + 1], axis=-1).reshape(-1, 4)
+        for race, R in (("inner", whole.R_contact_i), ("outer", whole.R_contact_e)):
+            pressure = along(N, gap(p), length=p.l, R=float(R), E_star=float(whole.E_star))
+            found.append(
+                Field(name=f"{name}{race}", points=points, cells=cells.astype(np.int64),
+                      cell_data={"pressure": pressure.ravel()}, units={"pressure": "Pa"})
+            )  # fmt: skip
+    return tuple(found)

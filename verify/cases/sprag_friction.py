@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from verify.case import Case, Output, Values
+from verify.cases import sprag_friction_shown as shown
 from verify.cases.sprag_friction_claims import CHECKS
 from verify.cases.sprag_friction_fem import LEVELS, fem
 from verify.cases.sprag_friction_formulas import analytic
@@ -76,6 +77,22 @@ FRICTION = Case(
         output("N overruns", "N", "N", "normal force where the race overruns, with μ_s"),
         output("drag", "T_o", "N m", "torque with which it drags then", judged=False),
     ),
+    readings=(
+        "T_bis = μ_s N: only so the branches of Eq. 12 join (ledger: eq-12-static-limit)",
+        "T_stick keeps both contacts rolling and lets what sliding is left die away; printed is "
+        "that it keeps pure rolling",
+        "ν is that at rest under T; the wedge asks for T_i/N, less than tan ν by what the springs "
+        "bear",
+    ),
+    assumptions=(
+        "μ_s, μ_c, γ_b and D_V are assumed: the paper prints none",
+        "length, width, wedge angle and support are identified, not printed",
+        "weak springs have a 25th of K_r: with the printed one no sprag slips at the start",
+        "no oil, no centrifugal force on the sprags; contacts keep their places",
+    ),
+    equations=shown.equations,
+    sketch=shown.sketch,
+    figures=shown.figures,
     findings=findings,
     warnings=warnings,
     too_large=too_large,

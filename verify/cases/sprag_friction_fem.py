@@ -10,7 +10,7 @@ import numpy as np
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
 from verify.case import FemResult
-from verify.cases.sprag_engagement_fem import engaged_fem, highest, held, partner_fem
+from verify.cases.sprag_engagement_fem import engaged_fem, held, highest, partner_fem
 from verify.cases.sprag_engagement_formulas import MORE, with_torque
 from verify.cases.sprag_engagement_model import motion, wedge
 from verify.cases.sprag_friction_formulas import BELOW, analytic, asked, weak
