@@ -54,7 +54,10 @@ class Sector:
             if max(abs(below), abs(above)) <= bound:
                 return state
             drags = drags[0] + below, drags[1] + above
-        raise ArithmeticError(f"the sprag moves by {max(abs(below), abs(above)):.1e} m on")
+        raise ArithmeticError(
+            f"the sprag moves on by {max(abs(below), abs(above)):.1e} m a step after {MOST} steps: "
+            "friction does not hold it"
+        )
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":
         """The state with the surfaces of both races turned anticlockwise by `drags` [m].
