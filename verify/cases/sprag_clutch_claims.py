@@ -207,8 +207,8 @@ CHECKS = (
         for k, race in (("i", "inner"), ("o", "outer"))
         for key, what in (("mid", "pressure at mid-length"), ("peak", "largest pressure"))
     ),
-    OfPaper(name="the blades press with less than 1 % of the static force", symbol="N_0/N", unit="1",
-         margin=preload, fem_needed=False),
+    OfPaper(name="the blades press with less than 1 % of the static force", symbol="N_0/N",
+            unit="1", margin=preload, fem_needed=False),
     OfPaper(name="length of the sprags from m_g and I_g of Table 1", symbol="l", unit="mm",
              margin=length, fem_needed=False, fitted=FITTED),
     OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="mm",
