@@ -18,8 +18,12 @@ the speed at which it was caught. Both forces follow from both conditions togeth
 
 A contact that comes to rest must be seen inside the band. In one step its sliding changes by
 |dv/dt| dt; where that crosses the whole band, friction changes sign step by step and its mean is
-anything: the sprag slides for ever, and nothing tells. Such a step, at a contact that could have
-stuck, is refused unless `guard` is off.
+anything: the sprag slides for ever, and nothing tells. dv/dt is here that of a light sprag under
+the friction of full sliding, d - a T, 1e4 to 1e6 m/s² and known only when it happens; that of the
+inner race at rest, OA C/I_bi, some 100 m/s², is enough for engagements from rest and by far too
+little where a race arrives with speed. So each step and each stage is looked at: a change of sign
+from outside the band to outside the band, at a contact that could have stuck, is refused unless
+`guard` is off.
 
 References
 ----------

@@ -52,6 +52,16 @@ def test_the_band_grows_where_it_was_too_narrow(engaged):
     assert arriving > 5 * resting
 
 
+def test_the_acceleration_from_rest_is_no_measure_for_a_race_that_arrives(engaged):
+    """Ten times OA C/I_bi dt: at 10 rad/s two thirds of the force would be lost."""
+    arriving = {"speeds": Speeds(inner=10.0), "duration": 0.02}
+    narrow = {"D_V": 10 * 5.0 / 1.41e-3 * 11.11e-3 * 1e-5, **arriving}
+    right = engaged(5.0, **arriving)
+    assert engaged(5.0, **narrow, guard=False).N_max < 0.4 * right.N_max
+    with pytest.raises(NarrowBandError):
+        engaged(5.0, **narrow)
+
+
 @pytest.mark.parametrize("dt", [2e-6, 1e-5, 2e-5])
 @pytest.mark.parametrize("D_V", [1e-4, 1e-3, 1e-2, 0.1])
 @pytest.mark.parametrize("mu", [0.06, 0.12, 0.3])
