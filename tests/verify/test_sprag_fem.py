@@ -1,5 +1,6 @@
 """The sector of a sprag clutch by finite elements: statics, rings, friction, and what bends."""
 
+from dataclasses import replace
 from math import atan2, cos, degrees, hypot, pi, radians, sin, tan
 
 import numpy as np
@@ -114,6 +115,17 @@ def test_the_sprag_neither_creeps_nor_turns(state):
     assert abs(outwards) < 5e-4 * H
     found, drawn = (np.array([p.OA, p.OB]) for p in (state.place, state.start))
     np.testing.assert_allclose(found, drawn, rtol=0, atol=1e-3 * H)
+
+
+def test_bodies_that_overlap_as_they_are_without_loads_bear_as_much_but_leave_a_moment(
+    start, state
+):
+    place = replace(start.place, shares=(0.0, 0.0), bends=start.place.overlaps)
+    plain = Sector(place, start.widths, 6, mu=0.3).rest(start.drags)
+    assert plain.N[0] == pytest.approx(state.N[0], rel=5e-4)
+    assert plain.energy == pytest.approx(state.energy, rel=5e-4)
+    # tangential forces act on surfaces that lie apart by the overlaps
+    assert plain.held / plain.torque - 1 == pytest.approx(-2.3e-3, abs=3e-4)
 
 
 def test_the_inner_contact_is_narrower_and_pressed_harder(state):
