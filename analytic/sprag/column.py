@@ -24,6 +24,7 @@ References
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,55 +64,95 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
     >>> abs(approach(disc, a=(0.01, 0.01), nu=0.3) - exact) < 1e-9
     True
     """
-    patches = positive(a, "half-width", "m")
+    positive(a, "half-width", "m")
     kappa = 3 - 4 * nu
     G = (kappa + 1) / 8  # of a body with E' = 1
     forces = _forces(outline)
     rest = _rest(outline, forces, degree)
     total = 0.0
-    for (z, F), other, half in zip(forces, forces[::-1], patches, strict=True):
+    for (z, F), other, half in zip(forces, forces[::-1], a, strict=True):
         there = np.array([z])
         u = sum(_displaced(there, g, kappa)[0] for g in (_flamant(there, other), rest(there)))
         local = 2 / np.pi * (np.log(2 / half) + 0.5) - 1 / (4 * np.pi * G)
-        total += local + float((u * np.conj(F)).real) / (2 * G)
+        total += float(local) + float((u * np.conj(F)).real) / (2 * G)
     return total
 
 
-def sprag_outline(sprag: LogSprag, *, b: float, turned: float, alpha_b: float) -> Outline | None:
-    """The sprag turned by alpha_b, theta - theta_0 = `turned` [rad]; None where a flank ends it.
+@dataclass(frozen=True, kw_only=True)
+class Column:
+    """A sprag cut by flanks b [length] apart, about the line through both contacts without load.
 
-    A column b [length] wide about the line through both contacts without load; the pole is 0.
+    ValueError where the flanks meet the spiral or the arc nowhere within 75 degrees.
     """
-    rho_0, m, eta_0, r_e = (float(x) for x in (sprag.rho_0, sprag.m, sprag.eta_0, sprag.r_e))
 
-    def spiral(theta: Array) -> Complex:
+    sprag: LogSprag
+    b: float
+
+    def __post_init__(self) -> None:
+        assert self._flanks
+
+    @property
+    def turned(self) -> float:
+        """Angle theta - theta_0 [rad] at which the inner contact is at a flank."""
+        (right, _), _ = self._flanks
+        return float(right - self.sprag.eta_0)
+
+    @property
+    def alpha_b(self) -> float:
+        """Rotation against OB [rad] at which the outer contact is at a flank."""
+        _, (_, left) = self._flanks
+        return -float(left)
+
+    def stands(self, *, turned: float, alpha_b: float) -> bool:
+        """Whether both contacts lie between the flanks."""
+        below, above = self._flanks
+        theta = float(self.sprag.eta_0) + turned
+        return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
+
+    def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
+        """With the contacts where they are at these angles [rad]; the pole is 0, the arc's top +y.
+
+        None where a contact lies beyond a flank.
+        """
+        if not self.stands(turned=turned, alpha_b=alpha_b):
+            return None
+        theta, phi = float(self.sprag.eta_0) + turned, -alpha_b
+        share = np.linspace(0, 1, POINTS + 1)[1:]
+        right, left = (
+            np.concatenate([
+                self._spiral(theta + share * (t - theta)),
+                self._spiral(t) + share * (self._arc(p) - self._spiral(t)),
+                self._arc(phi + share * (p - phi))[-2::-1],
+            ])
+            for t, p in zip(*self._flanks, strict=True)
+        )  # fmt: skip
+        A, B = self._spiral(np.array(theta)), self._arc(np.array(phi))
+        return Outline(A=complex(A), B=complex(B), left=left, right=right)
+
+    def _spiral(self, theta: Array) -> Complex:
+        """Anticlockwise from -y."""
+        rho_0, m, eta_0 = self.sprag.rho_0, np.asarray(self.sprag.m), self.sprag.eta_0
         return np.asarray(-1j * rho_0 * np.exp((m + 1j) * theta - m * eta_0))
 
-    def arc(phi: Array) -> Complex:
-        return np.asarray(1j * r_e * np.exp(-1j * phi))
+    def _arc(self, phi: Array) -> Complex:
+        """Clockwise from +y."""
+        return np.asarray(1j * np.asarray(self.sprag.r_e) * np.exp(-1j * phi))
 
-    low, top = complex(spiral(np.array(eta_0))), 1j * r_e
-    middle = (top - low) / abs(top - low)
-    lean = float(np.angle(-1j * middle))  # anticlockwise
-    below = _ends(lambda t: ((spiral(t) - low) / middle).imag, lean, b)
-    above = _ends(lambda t: ((arc(t) - low) / middle).imag, -lean, b)
-    theta, phi = eta_0 + turned, -alpha_b
-    if below is None or above is None or not (
-        below[1] < theta < below[0] and above[1] < phi < above[0]
-    ):  # fmt: skip
-        return None
-    share = np.linspace(0, 1, POINTS + 1)[1:]
-    right, left = (
-        np.concatenate([
-            spiral(theta + share * (t - theta)),
-            spiral(t) + share * (arc(p) - spiral(t)),
-            arc(phi + share * (p - phi))[-2::-1],
-        ])
-        for t, p in zip(below, above, strict=True)
-    )  # fmt: skip
-    return Outline(
-        A=complex(spiral(np.array(theta))), B=complex(arc(np.array(phi))), left=left, right=right
-    )
+    @cached_property
+    def _flanks(self) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+        """Angles of the spiral and of the arc where the right and the left flank end them."""
+        low = complex(self._spiral(np.asarray(self.sprag.eta_0)))
+        along = 1j * float(np.asarray(self.sprag.r_e)) - low
+        along /= abs(along)
+        lean = float(np.angle(-1j * along))  # anticlockwise
+        below = _ends(lambda t: ((self._spiral(t) - low) / along).imag, lean, self.b)
+        above = _ends(lambda t: ((self._arc(t) - low) / along).imag, -lean, self.b)
+        if below is None or above is None:
+            raise ValueError(
+                f"a sprag of the width b={self.b:g} m is wider than spiral or arc reach within "
+                f"{np.degrees(STEEPEST):g} degrees of its middle"
+            )
+        return below, above
 
 
 def _ends(
@@ -122,7 +163,7 @@ def _ends(
     if not leftwards(np.array(high)) < -b / 2 < b / 2 < leftwards(np.array(low)):
         return None
     right, left = (
-        np.array(brentq(lambda t, x=x: float(leftwards(np.array(t)) - x), low, high, xtol=1e-14))
+        np.array(brentq(lambda t, x=x: float(leftwards(np.array(t))) - x, low, high, xtol=1e-14))
         for x in (-b / 2, b / 2)
     )
     return right, left

@@ -33,6 +33,7 @@ from verify.cases.ring_rotation import ROTATION
 from verify.cases.sprag_clutch import CLUTCH as SPRAG
 from verify.cases.sprag_engagement import ENGAGEMENT
 from verify.cases.sprag_friction import FRICTION as STICK_SLIP
+from verify.cases.sprag_wedge import WEDGE as SPRAG_WEDGE
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_buckling import BUCKLING
 from verify.cases.spring_continuum import CONTINUUM
@@ -46,7 +47,7 @@ CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
     TORQUE, CUP, FRICTION, PATHS, FREEWHEEL,
-    SPRAG, ENGAGEMENT, STICK_SLIP,
+    SPRAG_WEDGE, ENGAGEMENT, STICK_SLIP, SPRAG,
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,

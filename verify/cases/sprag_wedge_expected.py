@@ -36,6 +36,7 @@ ROUGH = 2e-3  # acceptance of the subject for force ratios; meshes and second or
 SHARP = 1e-3  # what reciprocity leaves, of second order
 ELASTIC = 2e-3  # of yields, beside what is computed
 HERTZ, LEAST = 4.0, 7e-3  # bound of what Hertz neglects over (a/r)², and no less (1 % is accepted)
+ACCEPTED = 1e-2  # of half-widths, which end within a cell
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
 SLOPES = 5e-3  # of how much rotation goes with a yield of one side, over that of the other
 WIDEST = 0.03  # interval that leaves a row of one's own sharp enough
@@ -61,7 +62,7 @@ class Expected:
 
     @property
     def bent(self) -> float:
-        """psi [rad] of the column."""
+        """Angle psi [rad] by which the column's ends turn."""
         q, at = self.q, wedged(elastic(self.q), self.N)
         e = float(at.rho) * abs(float(at.turned))
         section = plane_modulus(q) * q.b**3 / 12
@@ -100,7 +101,13 @@ class Expected:
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def hertz(self) -> Interval:
+        """Of peak pressures."""
         size = max(HERTZ * self.wide, LEAST)
+        return -size, size
+
+    def width(self) -> Interval:
+        """Of half-widths."""
+        size = max(HERTZ * self.wide, ACCEPTED)
         return -size, size
 
     def plane(self) -> Interval:

@@ -12,30 +12,30 @@ The printed closure has Eq. 9's OA in the triangle of Eq. 10.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from analytic.contact import hertz_line
 from analytic.contact.checks import Array, in_plane
+from analytic.ring.fourier_ring import Wall
 from analytic.ring.loaded_race import LoadedRace
 from analytic.sprag import column, printed
 from analytic.sprag.closure import Wedged, at_torque, wedged
 from analytic.sprag.clutch import Clutch
+from analytic.sprag.column import Column
 from analytic.sprag.compliance import Compliance
 from analytic.sprag.course import energy, rolled
 from analytic.sprag.laws import Law
-from analytic.sprag.limits import pressures
+from analytic.sprag.limits import limits, pressures
 from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
 from verify.case import Values
 from verify.cases.sprag_inputs import WedgeInputs
 
 STROKE = {"a quarter of N_0": 0.25, "half N_0": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
-PATCH = np.cos(np.arange(1, 25) * np.pi / 25)  # of a half-width: Gauss' points of a semi-ellipse
-WEIGHT = 2 / 25 * np.sin(np.arange(1, 25) * np.pi / 25) ** 2
-OUTSIDE = "the sprag's flanks end before its contacts: make it wider"
+MOST_FRICTION = 0.99  # no limit here
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ def half_widths(q: WedgeInputs, N: Array) -> tuple[Array, Array]:
     """Hertz's half-widths [m] at both contacts under N [N]."""
     p = parts(q)
     a_i, a_e = (
-        hertz_line.half_width(P=np.maximum(N, 1e-300) / q.l, R=R, E_star=p.E_star)
+        hertz_line.half_width(P=np.where(N > 0, N, 1e-300) / q.l, R=R, E_star=p.E_star)
         for R in (p.R_contact_i, p.R_contact_e)
     )
     return a_i, a_e
@@ -86,7 +86,7 @@ def races(q: WedgeInputs) -> tuple[Race, Race]:
     return inner, _race(q, q.R_e, q.R_ed, "bore")
 
 
-def _race(q: WedgeInputs, r_i: float, r_o: float, loaded: str) -> Race:
+def _race(q: WedgeInputs, r_i: float, r_o: float, loaded: Wall) -> Race:
     a = 1e-3 * (r_i if loaded == "bore" else r_o)
     ring = LoadedRace(
         r_i=r_i, r_o=r_o, E=q.E, nu=q.nu, assumption="plane strain", loaded=loaded, n=q.z,
@@ -96,12 +96,28 @@ def _race(q: WedgeInputs, r_i: float, r_o: float, loaded: str) -> Race:
     return Race(abs(float(mean)), abs(middle), a)
 
 
-def column_constant(q: WedgeInputs, *, turned: float, alpha_b: float) -> float:
-    """A sprag's approach over P/E' but for the logarithms of both half-widths; in metres."""
-    outline = column.sprag_outline(q.sprag, b=q.b, turned=turned, alpha_b=alpha_b)
-    if outline is None:
-        raise ValueError(OUTSIDE)
-    return column.approach(outline, a=(1.0, 1.0), nu=q.nu)
+@lru_cache(maxsize=32)
+def sprag_column(q: WedgeInputs) -> Column | None:
+    """The sprag between its flanks; None where it is wider than it is round."""
+    try:
+        return Column(sprag=q.sprag, b=q.b)
+    except ValueError:
+        return None
+
+
+def column_constant(q: WedgeInputs, *, turned: float, alpha_b: float) -> float | None:
+    """A sprag's approach over P/E' but for the logarithms of both half-widths in metres.
+
+    None where it does not stand between its flanks.
+    """
+    whole = sprag_column(q)
+    outline = whole and whole.outline(turned=turned, alpha_b=alpha_b)
+    return column.approach(outline, a=(1.0, 1.0), nu=q.nu) if outline else None
+
+
+def disc_constant(q: WedgeInputs) -> float:
+    """The same of the disc between both races, which a sprag without flanks about is."""
+    return 2 / math.pi * (2 * math.log(2 * (q.R_e - q.R_i)) - 1)
 
 
 def elastic_compliance(q: WedgeInputs, constant: float) -> Compliance:
@@ -125,17 +141,12 @@ def elastic_compliance(q: WedgeInputs, constant: float) -> Compliance:
 
 @lru_cache(maxsize=32)
 def elastic(q: WedgeInputs) -> Clutch:
-    """The clutch whose yields are those of elastic bodies; ValueError where flanks end the sprag."""
-    first = Clutch(
-        sprag=q.sprag, n_s=q.z,
-        compliance=elastic_compliance(q, column_constant(q, turned=0.0, alpha_b=0.0)),
-    )  # fmt: skip
+    """The clutch whose parts yield as elastic bodies."""
+    constant = column_constant(q, turned=0.0, alpha_b=0.0) or disc_constant(q)
+    first = Clutch(sprag=q.sprag, n_s=q.z, compliance=elastic_compliance(q, constant))
     at = wedged(first, rigid_force(q))
-    turned, alpha_b = float(at.turned), float(at.alpha_b)
-    if not math.isfinite(alpha_b):
-        return first
-    constant = column_constant(q, turned=turned, alpha_b=alpha_b)
-    return Clutch(sprag=q.sprag, n_s=q.z, compliance=elastic_compliance(q, constant))
+    there = column_constant(q, turned=float(at.turned), alpha_b=float(at.alpha_b))
+    return replace(first, compliance=elastic_compliance(q, there)) if there else first
 
 
 @lru_cache(maxsize=32)
@@ -155,6 +166,15 @@ def printed_at_torque(clutch: Clutch, T: float) -> Wedged:
     return printed.wedged(clutch, N)
 
 
+def rolls_over_at(q: WedgeInputs) -> float:
+    """Torque [N m] at which a contact reaches a flank; infinite where none does."""
+    whole = sprag_column(q)
+    if whole is None:
+        return math.inf
+    turned = min(whole.turned, whole.alpha_b)  # alpha_b is theta - theta_0 but for 1 %
+    return float(limits(elastic(q), mu=MOST_FRICTION, theta_max=turned).end_of_cam)
+
+
 def analytic(q: WedgeInputs) -> Values:
     clutch, N_0 = elastic(q), rigid_force(q)
     under = at_torque(clutch, q.T)
@@ -164,11 +184,12 @@ def analytic(q: WedgeInputs) -> Values:
     a_i, a_e = half_widths(q, under.N)
     values: dict[str, object] = {
         "one": 1.0, "N_0": N_0, "m": q.sprag.m, "r_e": q.sprag.r_e, "nu_0": q.sprag.nu_0,
-        "omega_0": q.sprag.omega_0, "nu": under.nu, "omega": under.omega, "tan nu": np.tan(under.nu),
-        "N": under.N, "T_i": under.T_i, "alpha": under.alpha_b, "turned": under.turned,
+        "omega_0": q.sprag.omega_0, "nu": under.nu, "omega": under.omega,
+        "tan nu": np.tan(under.nu), "N": under.N, "T_i": under.T_i, "alpha": under.alpha_b,
+        "turned": under.turned,
         "H": under.yields.H, "theta": rolled(clutch, under.N), "p_i": p_i, "p_e": p_e, "a_i": a_i,
         "a_e": a_e, "U": energy(clutch, under.N),
-        "alpha plane": at_torque(plane(q), q.T).alpha_b,
+        "T_roll": rolls_over_at(q), "alpha plane": at_torque(plane(q), q.T).alpha_b,
         "alpha composite": at_torque(composite(q), q.T).alpha_b,
         "alpha printed": printed_at_torque(composite(q), q.T).alpha_b,
     }  # fmt: skip
@@ -199,4 +220,3 @@ def _at_force(q: WedgeInputs, N: float) -> Mapping[str, object]:
         "alpha printed": printed.wedged(clutch, N).alpha_b,
         "p_i": p_i, "p_e": p_e, "a_i": a_i, "a_e": a_e,
     }  # fmt: skip
-

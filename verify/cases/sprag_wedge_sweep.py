@@ -16,11 +16,11 @@ from scipy.interpolate import CubicSpline
 
 from verify.cases.sprag_fem import State
 from verify.cases.sprag_inputs import WedgeInputs
-from verify.cases.sprag_stroke import Start, at_force
+from verify.cases.sprag_stroke import COARSE, Start, at_force
 
 Array = NDArray[np.float64]
 
-SHARES = (0.02, 0.08, 0.25, 0.5, 1.0, 1.86)  # of N_0
+SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # of N_0
 GROWS = 0.965  # power of N with which rotations grow
 FINER = 8  # cells that say how wide contacts are
 GAUSS = 24  # points of each stretch of an integral over ln N
@@ -38,7 +38,8 @@ def starts_by_fem(q: WedgeInputs) -> tuple[Start, ...]:
     now = at_force(q, SHARES[-1] * rigid_force(q) / q.l)
     found = [now]
     for above, share in pairwise(reversed(SHARES)):
-        now, _ = now.turned(now.place.alpha * (share / above) ** GROWS).settled()
+        guess = now.turned(now.place.alpha * (share / above) ** GROWS)
+        now = Start.after(guess.state(COARSE))
         found.append(now)
     # coarse meshes have all contacts too narrow alike
     fine, coarse = now.state(FINER).widths, now.widths
