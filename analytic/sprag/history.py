@@ -92,7 +92,10 @@ class Engagement:
 
     @cached_property
     def peak(self) -> tuple[float, float]:
-        """Time [s] and height [N] of the largest N, on the parabola through three samples."""
+        """Time [s] and height [N] of the largest N, on the parabola through three samples.
+
+        Of an engagement over the end it is the last sample that the profile still bears.
+        """
         return _summit(self.t, self.N, int(np.argmax(self.N)))
 
     @property
