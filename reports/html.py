@@ -14,6 +14,7 @@ from markupsafe import Markup
 from reports import formats, plots, signature
 from reports.bars import bars
 from reports.curves import curves
+from reports.density import density
 from reports.equations import Glyphs
 from reports.error_map import error_map
 from reports.frames import Frame
@@ -23,7 +24,19 @@ from reports.sketch import sketch
 from reports.verdicts import first_author, verdicts
 from reports.zones import zones
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
-from verify.shown import Bars, Curves, Dots, Figure, Map, Profile, Refinement, Shapes, Table, Zones
+from verify.shown import (
+    Bars,
+    Curves,
+    Density,
+    Dots,
+    Figure,
+    Map,
+    Profile,
+    Refinement,
+    Shapes,
+    Table,
+    Zones,
+)
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
@@ -202,6 +215,8 @@ def plot(figure: Figure) -> Markup:
             return shapes(figure)
         case Zones():
             return zones(figure)
+        case Density():
+            return density(figure)
         case Bars():
             return bars(figure)
 

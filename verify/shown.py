@@ -209,6 +209,24 @@ class Zones:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Density:
+    """A quantity `z` (k, m) over a plane, in colours: columns at `x` (m,), rows at `y` (k,), even.
+
+    `range` is what the colours span, alike in figures that are compared; None: that of z.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    z_label: str
+    x: Array
+    y: Array
+    z: Array
+    range: tuple[float, float] | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Bars:
     """Contributions as bars from zero, one below the other: name, value, and words beside it."""
 
@@ -218,7 +236,7 @@ class Bars:
     note: str = ""
 
 
-Figure = Profile | Refinement | Dots | Curves | Map | Shapes | Zones | Bars
+Figure = Profile | Refinement | Dots | Curves | Map | Shapes | Zones | Density | Bars
 
 
 @dataclass(frozen=True, kw_only=True)
