@@ -25,6 +25,9 @@ little where a race arrives with speed. So each step and each stage is looked at
 from outside the band to outside the band, at a contact that could have stuck, is refused unless
 `guard` is off.
 
+All that is compiled stands in this one file: machine code that is kept is made anew when its own
+file changes, and would not notice a change in another.
+
 References
 ----------
 .. [1] C. Huang, Y. Zhao, M. Liu (2018), Eqs. 11-16.
