@@ -13,7 +13,7 @@ from meshes.sprag.profile import Placed
 ASTRAY = 1 / 4  # of the gap between the races, that the sprag may overlap or leave to either
 FURTHEST = math.pi / 4  # that a sprag may be turned, and its pole lie beside +y [rad]
 ROOM = 4 / 3  # fine zones that fit between the contact and the flank
-NEAREST = 1 / 5  # of half the outline, that a contact may come to the flank
+NEAREST = 1 / 4  # of half the outline, that a contact may come to the flank
 ALONG = 41  # points of a flank that are compared with the next sprag's
 
 

@@ -128,6 +128,13 @@ def test_bodies_that_overlap_as_they_are_without_loads_bear_as_much_but_leave_a_
     assert plain.held / plain.torque - 1 == pytest.approx(-2.3e-3, abs=3e-4)
 
 
+def test_forces_act_at_the_radii_of_the_compressed_races(state):
+    for i, (acts, free) in enumerate(zip((state.start.OA, state.start.OB), (Q.R_i, Q.R_e),
+                                         strict=True)):  # fmt: skip
+        assert acts == pytest.approx(free + state.race_at_contact[i], abs=1e-3 * state.start.H)
+        assert state.acts_at[i][0] == pytest.approx(acts, rel=1e-12)
+
+
 def test_the_inner_contact_is_narrower_and_pressed_harder(state):
     assert state.widths[0] < state.widths[1]
     assert state.peaks[0] > state.peaks[1]
