@@ -101,12 +101,12 @@ CLUTCH = Case(
     readings=(
         "r_i of Table 1 is the spiral's radius of curvature at first contact",
         "T acts on the whole clutch, N is the normal force of one sprag",
-        "z_m is in millimetres (no unit is printed), Q the load that the crown is made for",
-        "α_max is where the profile ends and the springs are slack",
+        "z_m is in millimetres: no unit is printed",
     ),
     assumptions=(
         *(f"identified: {named([name])}, {why}" for name, why in IDENTIFIED.items()),
         "assumed: " + "; ".join(f"{named([name])} ({why})" for name, why in ASSUMED.items()),
+        "α_max is both where the profile ends and where the springs are slack",
         "all sprags are alike and share the load; races are smeared rings in plane stress, the "
         "sprag is a bar, contacts are slices by Palmgren's law",
         "the closure takes all that yields on the inner side to the unstrained spiral (Eqs. 9 and "

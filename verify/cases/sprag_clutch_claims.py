@@ -108,7 +108,7 @@ class Beside(Claim):
         verdict = judge.Verdict(status, said, v - self.figure)
         return [
             self._row(
-                context.case, Kind.APPROXIMATION, verdict, fem=v, scale=self.figure,
+                context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=self.figure,
                 partner=Partner(by=self.figure_is, value=self.figure),
                 published=self._printed(context),
             )

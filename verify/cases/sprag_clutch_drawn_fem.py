@@ -44,9 +44,20 @@ class Drawn:
         return float(brentq(lambda psi: self._near(psi, 0.0, self._OC)[0] - self.q.R_i, -0.6, 0.6,
                             xtol=1e-15))  # fmt: skip
 
+    @cached_property
+    def growth(self) -> float:
+        """The spiral's m."""
+        return float(np.asarray(self.q.sprag.m))
+
     @property
     def _OC(self) -> float:
-        return float(self.q.sprag.OC_e)
+        """The pole [m] from the axis: r_i/sqrt(1 + m²) from A, arctan(m) off the normal there."""
+        off = math.atan(self.growth)
+        return math.hypot(self.q.R_i + self._rho_0 * math.cos(off), self._rho_0 * math.sin(off))
+
+    @property
+    def _rho_0(self) -> float:
+        return self.q.r_i / math.hypot(1, self.growth)
 
     def _near(self, psi: float, alpha: float, OC: float) -> tuple[float, float, float]:
         """Distance [m] from the axis to the spiral, azimuth and polar angle [rad] there."""
@@ -64,8 +75,7 @@ class Drawn:
         return float(np.hypot(x_k, y_k)[0]), math.atan2(x_k[0], y_k[0]), float(at)
 
     def _at(self, theta: Array, turn: float, OC: float) -> tuple[Array, Array]:
-        sprag = self.q.sprag
-        rho = np.asarray(sprag.rho_0 * np.exp(np.asarray(sprag.m) * theta))
+        rho = self._rho_0 * np.exp(self.growth * theta)
         return rho * np.sin(turn + theta), OC - rho * np.cos(turn + theta)
 
     def yields(self, N: float) -> dict[str, float]:
