@@ -19,6 +19,13 @@ def too_large(q: EngagementInputs) -> str:
     v = analytic(q)
     if "N_undamped" not in v or v["over"]:
         return "the sprags roll over: nothing is left to compare; check it without --fem"
+    if "N_max more" not in v or v["over more"]:
+        return "under 1.6 T, to which it is compared, the sprags roll over; check it without --fem"
+    if q.mu_s < v["start"]:
+        return (
+            f"the sprags slide at the start, where rolling asks for μ = {v['start']:.3g}: the "
+            "formulas are those of rolling; see sprag-friction"
+        )
     if q.mu_s < SURE * v["mu_asked"]:
         return (
             f"mu_s = {q.mu_s:g} is not above tan ν = {v['mu_asked']:.4g} by {SURE - 1:.0%}: the "
@@ -32,6 +39,12 @@ def warnings(q: EngagementInputs, v: Values) -> Sequence[str]:
     if "N_undamped" not in v or v["over"]:
         found.append(
             f"the profile ends at α_max = {q.alpha_max:.4g} rad before the torque's swing does"
+        )
+    if v["start"] > q.mu_s > v["mu_asked"]:
+        found.append(
+            f"the springs press so little that the sprags slide at the start (μ = {v['start']:.3g} "
+            f"is asked for{', above μ_c' if q.mu_c < v['mu_asked'] else ''}): the "
+            "forces here are those of rolling; see sprag-friction"
         )
     if q.mu_s < v["mu_asked"]:
         found.append(

@@ -40,6 +40,7 @@ FIRST = 1.3  # of the time of the first peak, which the partner is followed to
 RTOL = 1e-8
 COARSER = 1500  # intervals of the table that says how far its own cubics are off
 LEAST = 1e-9  # of a value
+CROSSED = 1e-6  # of a frequency: crossings are told on straight lines between samples
 SHOWN = 601  # samples that are kept
 ACROSS, WIDE = 240, 2.0  # moments in pictures of pressure, and lengths that they take
 ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
@@ -49,13 +50,13 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
     dt = q.dt / level
     main, rigid, more = (engaged_fem(*which, dt) for which in engagements(q))
     free = undamped_fem(q, dt)
-    tremor, N_0 = tremor_fem(q, level)
+    tremor = tremor_fem(q, level)
     sliced = q.model_copy(update={"slices": max(round(q.slices * level / LEVELS[-1]), 5)})
     values = {
         "N_max": main.N_max, "t_max": main.peak[0], "N_max rigid": rigid.N_max,
         "N_max more": more.N_max, "ratio": more.N_max / main.N_max,
         "rigid": rigid.N_max / main.N_max, "first peak": main.first_peak[1],
-        "N_undamped": free.first_peak[1], "N": settled_fem(q, level), "f": tremor, "N_0": N_0,
+        "N_undamped": free.first_peak[1], "N": settled_fem(q, level), "f": tremor,
         "missing": missing(main), "missing undamped": missing(free),
         "N_max sliced": engaged_fem(*engagements(sliced)[0], dt).N_max,
         "later peak": later_peak(main), "asked": asked(main), "D_V": main.D_V,
@@ -81,7 +82,8 @@ def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
     time = max(abs(other.peak[0] - main.peak[0]), parabola)
     keys = ("N_max", "N_max rigid", "N_max more", "ratio", "rigid", "N_undamped", "N", "f", "asked")
     beside = {"asked": "mu_asked", "N_max rigid": "N_max rigid", "N_max more": "N_max more"}
-    return {key: share * v[beside.get(key, key)] for key in keys} | {"t_max": time}
+    found = {key: share * v[beside.get(key, key)] for key in keys} | {"t_max": time}
+    return found | {"f": max(found["f"], CROSSED * v["f"])}
 
 
 def engagements(q: EngagementInputs) -> tuple[tuple[EngagementInputs, Wedge], ...]:
@@ -128,8 +130,8 @@ def settled_fem(q: EngagementInputs, level: int) -> float:
     return float(engaged_fem(q, wedge(q), 1 / (PACE * level * v["f"]), damped, course, **how).N[-1])
 
 
-def tremor_fem(q: EngagementInputs, level: int) -> tuple[float, float]:
-    """Frequency [Hz] of a small free oscillation about the state at rest, and N [N] there."""
+def tremor_fem(q: EngagementInputs, level: int) -> float:
+    """Frequency [Hz] of a small free oscillation about the state at rest."""
     period = 1 / analytic(q)["f"]
     dt = period / (PACE * level)
     ramp = SLOW * period
@@ -139,10 +141,10 @@ def tremor_fem(q: EngagementInputs, level: int) -> tuple[float, float]:
         D_V=None,
     )  # fmt: skip
     late = found.t > ramp + dt
-    N, t = found.N[late] - found.N_static, found.t[late]
+    N, t = found.N[late] - found.N[late].mean(), found.t[late]
     up = np.flatnonzero((N[:-1] < 0) & (N[1:] >= 0))
     crossings = t[up] - N[up] * dt / (N[up + 1] - N[up])
-    return float(1 / np.diff(crossings).mean()), found.N_static
+    return float(1 / np.diff(crossings).mean())
 
 
 def missing(found: "Engagement") -> float:
@@ -187,8 +189,8 @@ def partner_fem(
     from analytic.sprag.events import engage_by_events
 
     return engage_by_events(
-        wedged(w.clutch, w.states.N[::every]), q.z, motion(q), torque(q), duration=duration, speeds=Speeds(inner=q.w_i),
-        unlimited=unlimited, rtol=rtol,
+        wedged(w.clutch, w.states.N[::every]), q.z, motion(q), torque(q), duration=duration,
+        speeds=Speeds(inner=q.w_i), unlimited=unlimited, rtol=rtol,
     )  # fmt: skip
 
 
@@ -221,12 +223,12 @@ def highest(found: "Events") -> tuple[float, float]:
 
 
 def compared_fem(q: EngagementInputs, main: "Engagement") -> dict[str, Array]:
-    """N of the whole engagement by LSODA with contacts that always roll, and N of the steps then."""
+    """N of the whole engagement by LSODA, contacts that always roll, and of the steps then."""
     found = partner_fem(q, wedge(q), q.t_end, unlimited=True, rtol=100 * RTOL)
     every = max(len(found.t) // SHOWN, 1)
     t = found.t[::every]
     return {
-        "rolling": np.array([found.N_max]), "LSODA t": t, "LSODA N": found.N[::every], "asked": np.array([found.asked]),
+        "rolling": np.array([found.N_max]), "LSODA t": t, "LSODA N": found.N[::every],
         "LSODA beside": np.interp(t, main.t, main.N),
     }  # fmt: skip
 

@@ -18,7 +18,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from verify.cases.sprag_engagement_model import Wedge, crowned_for, wedge
+from analytic.sprag.events import ROLLS, Sprag, System
+from analytic.sprag.motion import Speeds, Torque
+from verify.cases.sprag_engagement_model import Wedge, crowned_for, motion, wedge
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import Array
 
@@ -44,10 +46,29 @@ def torque_at(q: EngagementInputs, t: float) -> float:
     return q.T * min(t / q.t_ramp, 1.0) if q.t_ramp > 0 else q.T
 
 
+def time_to_rest(q: EngagementInputs) -> float:
+    """Time [s] after which the torque has stopped a race that overruns, drag left out."""
+    if q.w_i >= 0:
+        return 0.0
+
+    def impulse(t: float) -> float:
+        return q.T * (t - q.t_ramp / 2 if t > q.t_ramp else t**2 / (2 * q.t_ramp))
+
+    if q.t_ramp > 0:
+        late = q.I_bi * -q.w_i / q.T + q.t_ramp
+        return float(brentq(lambda t: impulse(t) + q.I_bi * q.w_i, 0.0, 2 * late))
+    slowed = q.C_rl * -q.w_i / q.T
+    return q.I_bi * -q.w_i / q.T * (math.log1p(slowed) / slowed if slowed else 1.0)
+
+
 @lru_cache(maxsize=64)
 def swing(q: EngagementInputs, *, rigid: bool = False, first: bool = False) -> Swing:
-    """Two races on the clutch as a spring: rolling, massless sprags; or only the `first` swing."""
+    """Two races on the clutch as a spring: rolling, massless sprags; or only the `first` swing.
+
+    A race that overruns comes to rest first and engages from there.
+    """
     w = wedge(q, rigid=rigid)
+    rest = time_to_rest(q)
     force, start = w.force(), w.start
     fine = np.linspace(0, w.theta[-1], FINE)
     resists = w.resistance()(fine)
@@ -69,10 +90,10 @@ def swing(q: EngagementInputs, *, rigid: bool = False, first: bool = False) -> S
     turns.direction = -1  # type: ignore[attr-defined]
     turns.terminal = first  # type: ignore[attr-defined]
     over.terminal = True  # type: ignore[attr-defined]
-    t = np.linspace(0, q.t_end, SAMPLES)
+    t = np.linspace(min(rest, q.t_end * (1 - 1e-3)), q.t_end, SAMPLES)
     found = solve_ivp(
-        rates, (0, q.t_end), [start, 0.0, q.w_i, 0.0], method="LSODA", rtol=RTOL, atol=1e-12,
-        t_eval=t, events=(turns, over), max_step=q.t_end / 100,
+        rates, (t[0], q.t_end), [start, 0.0, max(q.w_i, 0.0), 0.0], method="LSODA", rtol=RTOL,
+        atol=1e-12, t_eval=t, events=(turns, over), max_step=q.t_end / 100,
     )  # fmt: skip
     if found.status < 0:
         raise ArithmeticError(f"two races on a spring: {found.message}")
@@ -130,6 +151,21 @@ def frequency(w: Wedge, T: float) -> float:
     return math.sqrt(k / (w.q.I_bi + sprags_inertia(w, rest))) / (2 * math.pi)
 
 
+def asked(w: Wedge, theta: float) -> float:
+    """T_i/N that the clutch asks for at the turn [rad]: tan(nu), less what the springs bear."""
+    N, OA = (np.interp(theta, w.theta, x) for x in (w.states.N, w.states.OA))
+    return float(w.resistance()(theta) / (w.q.z * OA * N))
+
+
+def asked_at_start(q: EngagementInputs) -> float:
+    """Largest |T|/N with which both contacts would begin to roll under the whole torque."""
+    system = System(
+        Sprag(wedge(q).states, q.z, balanced=False), motion(q), Torque.step(q.T), unlimited=True
+    )
+    _, T, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
+    return float(np.abs(T).max() / N)
+
+
 def passed_on(w: Wedge, T: float) -> float:
     """What a change of the torque, at every turn alike, changes the undamped peak's N by.
 
@@ -156,11 +192,12 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
         "k": float(w.resistance()(rest, 1)), "f": frequency(w, q.T),
         "N_undamped": float(force(peak)), "N_max more": more, "N_max rigid": rigid,
         "ratio": more / N_max, "rigid": rigid / N_max,
-        "mu_asked": float(np.tan(np.interp(N_max, first.N, first.nu))),
+        "mu_asked": asked(w, float(np.interp(N_max, first.N, w.theta))),
         "work": q.T * float(np.interp(N_max, first.N, w.theta)),
         "unequal": float(np.interp(N_max, first.N[1:], first.N_e[1:] / first.N[1:])) - 1,
         "passed on": passed_on(w, q.T), "inertia": sprags_inertia(w, rest) / q.I_bi,
-        "over": float(found.over),
+        "over": float(found.over), "over more": float(swing(with_torque(q), first=True).over),
+        "start": asked_at_start(q) if q.t_ramp == 0 else 0.0,
     }  # fmt: skip
     return {key: value for key, value in values.items() if math.isfinite(value)}
 

@@ -214,7 +214,7 @@ def moments(context: Context, name: str, q: EngagementInputs) -> Figure:
         title=f"Pressure at some moments{' (Fig. 13' + part + ')' if name else ''}",
         x_label="y [mm]", y_label="p [MPa]", curves=tuple(curves),
         note=f"{q.slices} slices, (K_1, K_2, z_m) = {crown}. At first the straight middle "
-        "carries, not the ends, as the paper has it.",
+        "carries; the paper says the ends.",
     )  # fmt: skip
 
 
@@ -244,7 +244,7 @@ def pictures(q: EngagementInputs) -> Sequence[Picture]:
     return tuple(
         Picture(field=f"{name}{race}", data="pressure", symbol="p", unit="MPa", factor=MPa,
                 displacement="",
-                caption=f"Pressure on the {race} race over {q.t_end / ms:g} ms (sideways) and along "
-                f"the sprag{f' (Fig. 13 {name.strip()}, K_1 = {p.K_1:g})' if name else ''}")
+                caption=f"Pressure on the {race} race over {q.t_end / ms:g} ms (sideways) and "
+                f"along the sprag{f' (Fig. 13 {name.strip()}, K_1 = {p.K_1:g})' if name else ''}")
         for name, p in drawn(q).items() for race in ("inner", "outer")
     )  # fmt: skip

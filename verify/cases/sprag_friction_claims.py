@@ -1,4 +1,4 @@
-"""The claims about friction in a sprag clutch: where it locks, what slides bear, what is guarded."""
+"""The claims about friction in a sprag clutch: where it locks, what slides, what is guarded."""
 
 from typing import Any
 

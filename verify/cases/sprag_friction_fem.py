@@ -119,7 +119,7 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
     for name, p in (("", weak(q)), (" more", weak(q, MORE))):
         found = partner_fem(p, wedge(p), until)
         values[f"LSODA N_max{name}"] = highest(found)[1]
-    slid = np.flatnonzero(~found.rolls[:, 0])
+    slid = np.flatnonzero(found.rolls[:, 0] == 0)
     rough_one = partner_fem(p, wedge(p), until, every=2, rtol=ROUGH)
     return values | {
         "LSODA sticks": float(found.t[slid[-1]]) if len(slid) else 0.0,
@@ -170,12 +170,12 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
     found = []
     for factor in (1.0, MORE):
         p = weak(q, factor)
-        w, how = wedge(p), {"duration": until}
-        right = engaged_fem(p, w, STEPS[-1] * q.dt, D_V=None, **how).N_max
+        w = wedge(p)
+        right = engaged_fem(p, w, STEPS[-1] * q.dt, D_V=None, duration=until).N_max
         for step in STEPS:
             for D_V in BANDS:
                 dt = step * q.dt
-                wrong = engaged_fem(p, w, dt, D_V=D_V, guard=False, **how).N_max
+                wrong = engaged_fem(p, w, dt, D_V=D_V, guard=False, duration=until).N_max
                 refused = refused_fem(p, dt, D_V, until)
                 found.append((factor, step, D_V, refused, wrong / right - 1))
     return {"guard": np.array(found, dtype=np.float64)}

@@ -17,6 +17,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from verify.cases.sprag_engagement_formulas import MORE, at_rest, swing, with_torque
+from verify.cases.sprag_engagement_formulas import asked as asked_at
 from verify.cases.sprag_engagement_model import Wedge, wedge
 from verify.cases.sprag_inputs import EngagementInputs
 
@@ -31,8 +32,7 @@ def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
     rest = at_rest(w, p.T)
     if math.isnan(rest):
         return math.nan, math.nan
-    N, OA, nu = (np.interp(rest, w.theta, x) for x in (w.states.N, w.states.OA, w.states.nu))
-    return float(p.T / (p.z * OA * N)), float(np.tan(nu))
+    return asked_at(w, rest), float(np.tan(np.interp(rest, w.theta, w.states.nu)))
 
 
 @dataclass(frozen=True)
@@ -47,15 +47,18 @@ class Sliding:
 def sliding(w: Wedge, mu: float) -> Sliding:
     """The state with friction `mu` at the contact that slides, negative where the race overruns.
 
-    The contact slides that otherwise would have to bear more than friction.
+    The contact slides that otherwise would have to bear more than friction. Where both would, for
+    |mu| below h/2 over OC_g, there is no such state, and N is nan.
     """
     q, now = w.q, w.states
     h = now.h_i - now.h_e
     inner, outer = np.full_like(h, mu), ((now.OA + now.b_i) * mu - h) / (now.OB - now.b_e)
     outside = bool(np.abs(outer[0]) > abs(mu))
     if outside:
-        outer = np.full_like(h, mu)
-        inner = ((now.OB - now.b_e) * mu + h) / (now.OA + now.b_i)
+        outer = np.full_like(h, np.copysign(mu, outer[0]))
+        inner = ((now.OB - now.b_e) * outer + h) / (now.OA + now.b_i)
+        if abs(inner[0]) > abs(mu):
+            return Sliding(math.nan, math.nan, outside)
     left = now.N * (h - now.b_i * inner - now.b_e * outer) - q.K_r * (q.alpha_max - now.alpha)
     if left[-1] <= 0:
         return Sliding(math.nan, math.nan, outside)
