@@ -12,6 +12,7 @@ touch, and Lamé's thin ring (plane stress) gives way by
 """
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,10 +33,12 @@ def race_deflection(
     E: ArrayLike,
     nu: float,
     loaded: Wall,
+    ends: Literal["plane stress", "plane strain"] = "plane stress",
 ) -> Array:
     """How far the loaded wall gives way [length] under n loads `P` = N/l per length, positive.
 
-    Of the outer race (Eq. 6, second formula) the bore is loaded, of the inner race the rim.
+    Of the outer race (Eq. 6, second formula) the bore is loaded, of the inner race the rim. Eq. 6
+    is of thin rings, plane stress.
 
     >>> wall = dict(r_i=1.0, r_o=2.0, E=1.0, nu=0.25)
     >>> u = race_deflection(P=2 * np.pi, n=1, loaded="bore", **wall)
@@ -50,7 +53,7 @@ def race_deflection(
     outer = loaded == "bore"
     u = lame.radial_displacement(
         r, r_i=r_i, r_o=r_o, p_i=p if outer else 0.0, p_o=0.0 if outer else p, E=E, nu=nu,
-        ends="plane stress",
+        ends=ends,
     )  # fmt: skip
     return u if outer else -u
 

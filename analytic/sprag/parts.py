@@ -1,12 +1,13 @@
 """Dimensions and material of a sprag clutch, from which its compliance is built (Eqs. 6 to 8)."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact import hertz_line
-from analytic.contact.checks import Array, in_plane, not_negative, poisson, positive
+from analytic.contact.checks import Array, not_negative, poisson, positive
 from analytic.freewheel.rules import require, rollers
 from analytic.ring import rotating
 from analytic.ring.smeared import race_deflection
@@ -82,7 +83,7 @@ class Parts:
 
     def compliance(self, *, contact_i: Law, contact_e: Law) -> Compliance:
         """Compliance of the clutch with these laws of its contacts."""
-        sprag, (race_i, race_e) = self.sprag, self._races(np.asarray(self.E), self.nu)
+        sprag, (race_i, race_e) = self.sprag, self._races("plane stress")
         return Compliance(
             contact_i=contact_i, contact_e=contact_e, race_i=race_i, race_e=race_e,
             sprag=sprag_compression(
@@ -91,15 +92,17 @@ class Parts:
             d_ce=self.d_ce,
         )  # fmt: skip
 
-    def _races(self, E: Array, nu: float) -> tuple[Array, Array]:
-        """Compliances [m/N] of both races as rings, with the constants of the plane (Eq. 6)."""
+    def _races(self, ends: Literal["plane stress", "plane strain"]) -> tuple[Array, Array]:
+        """Compliances [m/N] of both races as thin or long rings (Eq. 6)."""
         sprag, P = self.sprag, 1 / np.asarray(self.l)
         inner = race_deflection(
-            P=P, n=self.n_s, r_i=self.R_id, r_o=sprag.R_i, E=E, nu=nu, loaded="rim"
-        )
+            P=P, n=self.n_s, r_i=self.R_id, r_o=sprag.R_i, E=self.E, nu=self.nu, loaded="rim",
+            ends=ends,
+        )  # fmt: skip
         outer = race_deflection(
-            P=P, n=self.n_s, r_i=sprag.R_e, r_o=self.R_ed, E=E, nu=nu, loaded="bore"
-        )
+            P=P, n=self.n_s, r_i=sprag.R_e, r_o=self.R_ed, E=self.E, nu=self.nu, loaded="bore",
+            ends=ends,
+        )  # fmt: skip
         return inner, outer
 
     def palmgren(self) -> Compliance:
@@ -123,8 +126,7 @@ class Parts:
             l=self.l, r=sprag.r_e, R=-np.asarray(sprag.R_e), E=self.E, nu=self.nu,
             depth_sprag=half, depth_race=np.asarray(self.R_ed) - np.asarray(sprag.R_e),
         )  # fmt: skip
-        E, nu = in_plane(self.E, self.nu, "plane strain")
-        race_i, race_e = self._races(E, float(nu))
+        race_i, race_e = self._races("plane strain")
         return Compliance(
             contact_i=inner, contact_e=outer, race_i=race_i, race_e=race_e, sprag=0.0,
             d_ce=self.d_ce,

@@ -5,9 +5,9 @@ column whose contacts lie e beside its middle, on opposite sides, bends into an 
 
 .. math:: \psi = \frac{P e h/4}{E' b^3/12},
 
-by which its ends turn; the contacts move along by at most h/2 psi each, h = R_e - R_i, and the
-strut with them. Tangential forces turn the races further by tan² times a compliance somewhat below
-the normal one.
+by which its ends turn; the contacts move along by at most h/2 psi each, h = R_e - R_i, those of
+short columns by half more, and the strut with them. Tangential forces turn the races further by
+tan² times a compliance somewhat below the normal one.
 """
 
 import math
@@ -35,11 +35,12 @@ Interval = tuple[float, float]
 ROUGH = 2e-3  # acceptance of the subject for force ratios; meshes and second order
 SHARP = 1e-3  # what reciprocity leaves, of second order
 ELASTIC = 2e-3  # of yields, beside what is computed
-HERTZ, LEAST = 4.0, 7e-3  # bound of what Hertz neglects over (a/r)², and no less (1 % is accepted)
-ACCEPTED = 1e-2  # of half-widths, which end within a cell
+HERTZ, ACCEPTED = 4.0, 1e-2  # bound of what Hertz neglects over (a/r)², and no less
+BENDS = 1.5  # of psi, by which a strut turns at most
+RACES = 4e-3  # of what a race yields under its load
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
 SLOPES = 5e-3  # of how much rotation goes with a yield of one side, over that of the other
-WIDEST = 0.03  # interval that leaves a row of one's own sharp enough
+WIDEST = 1.5  # of the demand: an interval that leaves a row of one's own sharp enough
 
 
 @dataclass(frozen=True)
@@ -70,7 +71,7 @@ class Expected:
 
     def angle(self) -> Interval:
         """Of tan(nu) and tan(omega), which fall as the column bends."""
-        return -ROUGH, ROUGH + self.bent / math.tan(self.q.nu_0)
+        return -ROUGH, ROUGH + BENDS * self.bent / math.tan(self.q.nu_0)
 
     def torque(self) -> Interval:
         low, high = self.angle()
@@ -101,12 +102,7 @@ class Expected:
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def hertz(self) -> Interval:
-        """Of peak pressures."""
-        size = max(HERTZ * self.wide, LEAST)
-        return -size, size
-
-    def width(self) -> Interval:
-        """Of half-widths."""
+        """Of pressures and half-widths."""
         size = max(HERTZ * self.wide, ACCEPTED)
         return -size, size
 
@@ -127,7 +123,7 @@ class Expected:
         """Of Eq. 6 for what a race yields under its load."""
         race, a = races(self.q)[which == "e"], half_widths(self.q, np.asarray(self.N))
         under = float(race.under(a[which == "e"])) / race.mean * self.long_mean(which)
-        return times((-ROUGH, ROUGH), thin_mean(self.q, self.N, which) / under)
+        return times((-RACES, RACES), thin_mean(self.q, self.N, which) / under)
 
     def long_mean(self, which: str) -> float:
         """Of a long race [m], each under its own normal force."""

@@ -14,10 +14,11 @@ from verify.shown import Field
 Array = NDArray[np.float64]
 
 LEVELS = (6, 9, 12)  # cells on half a fine zone, of which contacts take 4, 6, 8
-LOADS = {"a quarter of N_0": 0.25, "half N_0": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
+LOADS = {"N_0/4": 0.25, "N_0/2": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
 GRID = np.linspace(0.2, 1.8, 9)  # of N_0, where profiles are compared
 ONSET = 5e-4  # of tan(nu): to either side of the friction that just holds
 SLIPS = 1  # the state, at a quarter of N_0, whose friction is lowered
+NOISE = 5e-5  # of T_i/N_i and the torque: from mesh to mesh contacts end elsewhere in a cell
 SPLINE, TAIL = 5e-6, 1e-4  # of a value: what splines miss, and what a power below the first state
 AT_FORCE = ("tan nu", "tan omega", "T", "alpha", "H", "OC_e", "U", "mean i", "mean e", "race i",
             "race e", "p_i", "p_e", "a_i", "a_e")  # fmt: skip
@@ -41,13 +42,19 @@ def fem(q: WedgeInputs, level: int) -> FemResult:
         "profile, nu": np.arctan([sweep.at("tan nu", N) for N in grid]),
         "profile, omega": np.arctan([sweep.at("tan omega", N) for N in grid]),
     }
-    u_it = {
-        key: (TAIL if key.startswith("theta") else SPLINE) * abs(value)
-        for key, value in values.items()
-    }
+    u_it = {key: doubt(key) * abs(value) for key, value in values.items()}
     return FemResult(
         h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(sweep.states[-1]),)
     )
+
+
+def doubt(key: str) -> float:
+    """Iteration uncertainty of a value, relative."""
+    if key.startswith("theta"):
+        return TAIL
+    if key.startswith("N_e/N_i"):
+        return 2 * NOISE  # it goes with the square of the angles
+    return NOISE if key.startswith(("tan", "T")) else SPLINE
 
 
 def statics(sweep: Sweep) -> dict[str, float]:

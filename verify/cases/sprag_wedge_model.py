@@ -34,7 +34,7 @@ from analytic.sprag.search import first_reach
 from verify.case import Values
 from verify.cases.sprag_inputs import WedgeInputs
 
-STROKE = {"a quarter of N_0": 0.25, "half N_0": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
+STROKE = {"N_0/4": 0.25, "N_0/2": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
 MOST_FRICTION = 0.99  # no limit here
 
 

@@ -49,21 +49,26 @@ def equations(q: WedgeInputs, v: Values) -> Sequence[Equation]:
     return (
         Equation(
             tex=r"OC_e^2 = OA_s^2 + \rho^2 + \frac{2\,OA_s\,\rho}{\sqrt{1 + m^2}}, \quad "
-            r"\eta = \arcsin\frac{m\,OA_s}{OC_e\sqrt{1 + m^2}}, \quad \beta = \arctan m - \eta",
+            r"\beta = \arctan m - \eta",
             numbers=rf"m = {tex(v['m'], 5)}, \quad r_e = {tex(v['r_e'] * 1e3, 5)}\ \mathrm{{mm}}",
             place="Eq. 10, with OA_s for OA",
+        ),
+        Equation(
+            tex=r"\sin\eta = \frac{m\,OA_s}{OC_e\sqrt{1 + m^2}}, \quad "
+            r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0)",
+            numbers=rf"\alpha = {alpha}°",
+            place="Eq. 10, with OA_s for OA; the logarithm of ρ/ρ_0 over m",
         ),
         Equation(
             tex=r"OA_s = R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}, \quad "
             r"OC_e = R_e - r_e + \delta_{BE} + \delta_{HE} + \frac{\delta_g}{2}",
             numbers=rf"R_i = {mm['R_i']}, \quad R_e = {mm['R_e']}\ \mathrm{{mm}}, \quad "
             rf"H = {H}\ \mathrm{{µm}}",
-            place="Eq. 9, corrected: the unstrained spiral ends where all of the inner side yields",
+            place="Eq. 9, corrected: all that yields on the inner side",
         ),
         Equation(
-            tex=r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0), \quad "
-            r"T = n_s N \tan\nu\;OA",
-            numbers=rf"\alpha = {alpha}°, \quad {tex(q.T)}\ \mathrm{{N\,m}} = {q.z}\cdot "
+            tex=r"T = n_s N \tan\nu\;OA",
+            numbers=rf"{tex(q.T)}\ \mathrm{{N\,m}} = {q.z}\cdot "
             rf"{tex(v['N'], 5)}\ \mathrm{{N}}\cdot\tan {nu}°\cdot OA",
             place="Eq. 10; two forces hold a sprag",
         ),
@@ -171,15 +176,20 @@ def _rotation(context: Context) -> Curves:
 
 def _force(context: Context, states: Wedged) -> Curves:
     q, loads = context.inputs, context.fem[-1].arrays["loads"]
-    rigid = states.N / (rigid_force(q) / q.T)
+    rigid = rigid_force(q) / q.T
+
+    def excess(N: Array, T: Array) -> Array:
+        return np.asarray(100 * (N / (rigid * T) - 1))
+
     return Curves(
-        title="Normal force over torque", x_label="T [N m]", y_label="N [N]",
+        title="Normal force over a rigid clutch's", x_label="T [N m]", y_label="N/N_0(T) − 1 [%]",
         curves=(
-            Curve(name="closure", x=states.T, y=states.N),
-            Curve(name="T/(n_s R_i tan ν_0)", x=rigid, y=states.N, style="dashes", colour=1),
-            Curve(name="FE", x=loads[1], y=loads[0], style="dots"),
+            Curve(name="closure", x=states.T, y=excess(states.N, states.T)),
+            Curve(name="FE", x=loads[1], y=excess(loads[0], loads[1]), style="dots"),
         ),
-        note="The wedge angle hardly changes: N is nearly in proportion to T.",
+        y_bottom=None,
+        note="N_0(T) = T/(n_s R_i tan ν_0). The wedge angle hardly changes: N goes with T "
+        "within 1 %.",
     )  # fmt: skip
 
 
@@ -192,11 +202,11 @@ def parts_of(q: WedgeInputs, N: Array) -> tuple[tuple[str, Array], ...]:
         for race, a in zip((inner, outer), half_widths(q, N), strict=True)
     ]
     return (
-        ("inner race, mean (Eq. 6, long)", yields.race_i),
-        ("inner race, dent at the sprag", dents[0]),
+        ("inner race, mean", yields.race_i),
+        ("inner race, dent", dents[0]),
         ("sprag", yields.contact_i + yields.contact_e - dents[0] - dents[1]),
-        ("outer race, dent at the sprag", dents[1]),
-        ("outer race, mean (Eq. 6, long)", yields.race_e),
+        ("outer race, dent", dents[1]),
+        ("outer race, mean", yields.race_e),
     )
 
 
@@ -226,8 +236,8 @@ def _shares(q: WedgeInputs) -> Bars:
         items=tuple(
             (name, float(part[0]) * 1e6, f"{float(part[0]) / whole:.0%}") for name, part in found
         ),
-        note="Eq. 6 has the means of both races; the dents and the sprag belong to the contacts' "
-        "laws.",
+        note="Eq. 6, for long races, has both means; the dents at the contacts and the sprag are "
+        "left to the contacts' law and to Eq. 7.",
     )  # fmt: skip
 
 

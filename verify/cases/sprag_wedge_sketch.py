@@ -9,7 +9,7 @@ from verify.cases.sprag_inputs import WedgeInputs
 from verify.cases.sprag_wedge_model import sprag_column
 from verify.shown import Array, Shape, Sketch
 
-SIDE = 0.55  # of the drawing's height: room for labels on either side
+SIDE = 0.42  # of the drawing's height: room for labels on either side
 
 
 def outline(q: WedgeInputs, *, turned: float, alpha_b: float, OC_e: float) -> Array:
