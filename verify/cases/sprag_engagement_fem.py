@@ -15,7 +15,7 @@ from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.pressure import along
-from analytic.sprag.table import INTERVALS
+from analytic.sprag.table import INTERVALS, tabulated
 from verify.case import FemResult
 from verify.cases.contact_roller_inputs import DESIGNS
 from verify.cases.sprag_engagement_formulas import analytic, with_torque
@@ -256,7 +256,21 @@ def designs_fem(q: EngagementInputs) -> dict[str, Array]:
         w = wedge(q)
         moved = replace(w, clutch=replace(w.clutch, c_x=c[0], c_y=c[1]))
         elsewhere.append(engaged_fem(q, moved, q.dt).N_max)
-    return {"crowns": np.array(found), "centroids": np.array(elsewhere)}
+    return {"crowns": np.array(found), "centroids": np.array(elsewhere)} | balanced_fem(q)
+
+
+def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
+    """Largest N [N], and first peak without damping, with N_e/N_i of a strut in place of 1."""
+    from analytic.sprag.transient import engage
+
+    w = wedge(q)
+    table = tabulated(w.clutch, N_end=w.end, balanced=True)
+    speeds = Speeds(inner=q.w_i)
+    damped = engage(table, motion(q), torque(q), duration=q.t_end, dt=q.dt, speeds=speeds)
+    free = engage(
+        table, held(q, C_rl=0.0), Torque.step(q.T), duration=2 * analytic(q)["t_max"], dt=q.dt
+    )  # fmt: skip
+    return {"balanced": np.array([damped.N_max, free.first_peak[1]])}
 
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:

@@ -12,6 +12,7 @@ from analytic.sprag.motion import Speeds, Torque
 from verify.case import FemResult
 from verify.cases.sprag_engagement_fem import engaged_fem, held, highest, partner_fem
 from verify.cases.sprag_engagement_formulas import MORE, with_torque
+from verify.cases.sprag_engagement_formulas import analytic as asked_engagement
 from verify.cases.sprag_engagement_model import motion, wedge
 from verify.cases.sprag_friction_formulas import BELOW, analytic, asked, weak
 from verify.cases.sprag_inputs import EngagementInputs
@@ -32,7 +33,7 @@ UNTIL = 1.3  # of the time of the first peak
 STUCK = 0.05  # of a step, within which the time of sticking is known
 NARROW = 1e-3  # m/s: the band of which the subject warns
 ROUGH = 1e-6  # of LSODA, where a thousandth is asked for
-SWEEP = ((0.4, 1.0), (1.0, 1.0), (MORE, 1.0), (MORE, 2.0))  # of T, and of mu_s
+SWEEP = ((0.4, 1.0), (MORE, 1.0), (MORE, 2.0))  # of T, and of mu_s
 BANDS = (1.0, 0.1, 0.01, 1e-3, 1e-4)  # m/s
 STEPS = (2.0, 1.0, 0.5, 0.2)  # of the time step, in the sweep of the guard
 
@@ -50,13 +51,16 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
         "mu_b": boundary, "N slides": slides, "N overruns": overruns,
         "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks_fem(more),
         "D_V": more.D_V,
-    }  # fmt: skip
+    } | amid_fem(q, dt, until)  # fmt: skip
     arrays: dict[str, Array] = {}
     if level == LEVELS[-1]:
         values |= partners_fem(q, until)
         arrays = (guarded_fem(q, until) | swept_fem(q, until) | boundaries_fem(q)
                   | map_fem(q) | narrow_fem(q))  # fmt: skip
-    u_it = {"mu_b": half, "N slides": wide, "N overruns": wide_over, "sticks": STUCK * dt}
+    u_it = {
+        "mu_b": half, "N slides": wide, "N overruns": wide_over, "slips": STUCK * dt,
+        "sticks": STUCK * dt,
+    }  # fmt: skip
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
 
 
@@ -113,6 +117,24 @@ def sticks_fem(found: "Engagement") -> float:
     return float(found.t[k] + found.dt * min(later, default=0.0))
 
 
+def between(q: EngagementInputs) -> float:
+    """Friction between what rest and what the peak asks for."""
+    return (asked(q)[0] + asked_engagement(q)["mu_asked"]) / 2
+
+
+def amid_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
+    """Largest N [N] and time [s] of the first slip with that friction.
+
+    The time is that at which T/N reaches it, on the straight line through the steps before.
+    """
+    amid = rough(q, between(q))
+    found = engaged_fem(amid, wedge(amid), dt, duration=until, D_V=None)
+    k = int(np.flatnonzero(found.phases[:, 0] == Phase.SLIP)[0])
+    before, last = found.T_i[k - 2 : k] / found.N[k - 2 : k]
+    ahead = (amid.mu_s - last) / (last - before)
+    return {"N_max amid": found.N_max, "slips": float(found.t[k - 1] + ahead * dt)}
+
+
 def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
     """LSODA with events on the engagements that slip at the start."""
     values: dict[str, float] = {}
@@ -120,6 +142,10 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
         found = partner_fem(p, wedge(p), until)
         values[f"LSODA N_max{name}"] = highest(found)[1]
     slid = np.flatnonzero(found.rolls[:, 0] == 0)
+    amid = rough(q, between(q))
+    slips = partner_fem(amid, wedge(amid), until)
+    at = np.flatnonzero(slips.rolls[:, 0] == 0)
+    values |= {"LSODA N_max amid": highest(slips)[1], "LSODA slips": float(slips.t[at[0]])}
     rough_one = partner_fem(p, wedge(p), until, every=2, rtol=ROUGH)
     return values | {
         "LSODA sticks": float(found.t[slid[-1]]) if len(slid) else 0.0,
