@@ -61,7 +61,7 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
     >>> turn = np.exp(1j * np.linspace(-1.5, 1.5, 99))
     >>> disc = Outline(A=-1j, B=1j, left=-turn.conj(), right=turn)
     >>> exact = 2 * (2 * np.log(4 / 0.01) - 1) / np.pi
-    >>> abs(approach(disc, a=(0.01, 0.01), nu=0.3) - exact) < 1e-9
+    >>> bool(abs(approach(disc, a=(0.01, 0.01), nu=0.3) - exact) < 1e-9)
     True
     """
     positive(a, "half-width", "m")
