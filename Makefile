@@ -30,6 +30,7 @@ bench: .venv/.ready
 	$(BIN)/python -m benchmarks.freewheel
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.strips
 	$(BIN)/python -m benchmarks.half_space
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.engagement
 
 # The table of verdicts in README.md, from the last run of `make verify`.
 readme: verify
