@@ -118,6 +118,13 @@ def test_words_of_the_formulas_agree_with_what_the_steps_do(change, verdict, sai
     assert bool(ENGAGEMENT.warnings(q, analytic(q))) == (verdict != "locks")
 
 
+def test_sprags_that_slide_at_the_start_are_warned_of_and_not_compared():
+    q = own(K_r=4e-4)
+    assert "slide at the start" in ENGAGEMENT.warnings(q, analytic(q))[0]
+    assert "slide at the start" in too_large(q)
+    assert (engaged(q).phases[:20, 0] == Phase.SLIP).any()
+
+
 def test_too_many_steps_are_refused_before_they_run():
     assert "steps" in too_large(own(dt=1e-7, t_end=0.06))
 

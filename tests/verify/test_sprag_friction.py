@@ -116,7 +116,7 @@ def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer():
         p = steps.rough(PAPER, mu)
         run = engaged(
             PAPER, moves=steps.held(p, C_rl=0.0, I_bi=1.0), course=steps.Torque.step(0.0),
-            duration=0.03, speeds=steps.Speeds(inner=speed),
+            duration=steps.SLIDES, speeds=steps.Speeds(inner=speed),
         )  # fmt: skip
         late = run.phases[len(run.t) // 2 :]
         assert (late[:, int(outside)] == Phase.SLIP).mean() > 0.9
@@ -165,6 +165,7 @@ TAN = "locks from μ = tan ν on, within 2%"
 DRIVEN = "normal force of sprags that slide, driven, μ = 0.9 tan ν_0"
 OVERRUN = "normal force where the race overruns"
 AFTER = "the same under 1.6 T"
+BEGINS = "time at which slip begins, μ between rest and peak: steps and LSODA"
 ENDS = "time at which slip ends: steps and LSODA"
 REFUSED = "D_V = 0.001 m/s is refused at 1.6 T with weak springs"
 HALF = "unguarded it gives less than half of the force"
@@ -211,7 +212,7 @@ def unguarded(right):
 STEPS = [
     pytest.param(engagement, "motion", moving(lambda m: replace(m, mu_s=m.mu_c)), AFTER,
                  id="T_bis of Coulomb's friction"),
-    pytest.param(engagement, "motion", moving(lambda m: replace(m, gamma_b=0.0)), ENDS,
+    pytest.param(engagement, "motion", moving(lambda m: replace(m, gamma_b=0.0)), AFTER,
                  id="friction that does not fall"),
     pytest.param(engagement, "motion", moving(lambda m: replace(m, mu_s=1.02 * m.mu_s)), OVERRUN,
                  id="friction 2 % too large"),
@@ -219,7 +220,10 @@ STEPS = [
                  id="springs of all sprags on one"),
     pytest.param(engagement, "motion", moving(lambda m: replace(m, alpha_max=m.alpha_max / 2)),
                  DRIVEN, id="springs half as far wound"),
+    pytest.param(steps, "between", moving(lambda mu: 1.002 * mu), BEGINS,
+                 id="slip at 0.2 % more friction"),
     pytest.param(steps, "engaged_fem", unguarded, AFTER, id="no guard and a narrow band"),
+    pytest.param(steps, "engaged_fem", unguarded, ENDS, id="slip without an end"),
 ]  # fmt: skip
 
 
