@@ -143,6 +143,12 @@ def preload(context: Context) -> tuple[float, float, str]:
     return 0.01 - share, 0.0, f"{share:.2%} of N"
 
 
+def at_rest(context: Context) -> tuple[float, float, str]:
+    """An engagement that damping brings to rest ends at the static force."""
+    off = float(measured(context)["damped"][0]) / context.analytic["N"] - 1
+    return 0.01 - abs(off), 0.0, f"{off:+.2%}, of which N_e = N_i makes the most"
+
+
 def first_is_largest(context: Context) -> tuple[float, float, str]:
     """The largest force is that of the first peak, over the next ones' by more than round-off."""
     found = measured(context)
@@ -209,6 +215,8 @@ CHECKS = (
     ),
     OfPaper(name="the blades press with less than 1 % of the static force", symbol="N_0/N",
             unit="1", margin=preload, fem_needed=False),
+    OfPaper(name="an engagement that is damped ends at the static force within 1 %", symbol="N",
+            unit="N", margin=at_rest),
     OfPaper(name="length of the sprags from m_g and I_g of Table 1", symbol="l", unit="mm",
              margin=length, fem_needed=False, fitted=FITTED),
     OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="mm",

@@ -12,12 +12,28 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.contact import slices
-from verify.cases.sprag_clutch_model import crown
 from verify.cases.sprag_inputs import SpragInputs
 from verify.shown import Array
 
 AROUND = 0.6  # rad of spiral to either side of where it may touch
 FAR = 6.0  # rad, more than any sprag turns
+
+
+def places(q: SpragInputs, n: int) -> Array:
+    """Middles [m] of n equal parts of a sprag, from mid-length."""
+    edges = np.linspace(-q.l / 2, q.l / 2, n + 1)
+    return np.asarray((edges[:-1] + edges[1:]) / 2)
+
+
+def crowned(q: SpragInputs, n: int) -> Array:
+    """Drop [m] of the crown there, Eq. 1 within its range; made for Q, or for the static load."""
+    if q.z_m == 0:
+        return np.zeros(n)
+    Q = q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))
+    A = 2 * q.K_1 * Q * (1 - q.nu**2) / (math.pi * q.l * q.E)
+    crowns = q.K_2 * q.l / 2
+    t = np.clip((np.abs(places(q, n)) - (q.l / 2 - crowns)) / crowns, 0.0, 1.0)
+    return np.asarray(-A * np.log(1 - (1 - math.exp(-q.z_m / A)) * t**2))
 
 
 @dataclass(frozen=True)
@@ -83,7 +99,7 @@ class Drawn:
         q = self.q
         smeared = N * q.z / (2 * math.pi * q.l)  # times 1/r is a pressure
         inner, outer = q.R_id / q.R_i, q.R_e / q.R_ed
-        gap, E_star = crown(q, q.slices), q.E / (2 * (1 - q.nu**2))
+        gap, E_star = crowned(q, q.slices), q.E / (2 * (1 - q.nu**2))
         r_e = q.R_e - self._OC
         found = {
             "BI": smeared / q.E * ((1 + inner**2) / (1 - inner**2) - q.nu),

@@ -1,16 +1,19 @@
 """What stands beside the formulas of a sprag clutch: strips, drawn sprags, compiled engagements."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from analytic.contact import strips
-from analytic.contact.crown import slice_centres
 from analytic.sprag.closure import wedged
 from verify.case import FemResult
-from verify.cases.sprag_clutch_drawn_fem import Drawn
-from verify.cases.sprag_clutch_model import HALF, built, crown, under
+from verify.cases.sprag_clutch_drawn_fem import Drawn, crowned, places
+from verify.cases.sprag_clutch_model import HALF, built, under
 from verify.cases.sprag_clutch_paper_fem import paper_fem
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import Array
+
+if TYPE_CHECKING:
+    from analytic.contact.strips import Strips
 
 LEVELS = (41, 81, 161)  # strips along a sprag
 POINTS = 2  # of the drawn spiral on a radian, over the strips' number
@@ -30,16 +33,18 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
         half = by_strips_fem(q, level, HALF * found.N, key)
         values |= {f"p_{name} mid, half": float(half.mid), f"p_{name} peak, half": float(half.peak)}
         arrays[f"strips, {name}"] = by_strips_fem(q, level, found.N, key).pressure
-    arrays["strips, y"] = slice_centres(length=q.l, slices=level)
+    arrays["strips, y"] = places(q, level)
     if level == LEVELS[-1] and q == EngagementInputs():
         arrays |= paper_fem()
     return FemResult(h=1 / level, values=values, u_it={"N": 1e-12 * found.N}, arrays=arrays)
 
 
-def by_strips_fem(q: EngagementInputs, n: int, N: float, contact: int) -> strips.Strips:
+def by_strips_fem(q: EngagementInputs, n: int, N: float, contact: int) -> "Strips":
     """The inner (0) or outer (1) contact by n strips under its own share of N [N]."""
+    from analytic.contact import strips
+
     one = built(q)
     now = wedged(one.clutch, N)
     load = N if contact == 0 else float(now.N_e)
-    return strips.press(crown(q, n), length=q.l, R=one.radii(now)[contact],
+    return strips.press(crowned(q, n), length=q.l, R=one.radii(now)[contact],
                         E_star=float(one.parts.E_star), load=load)  # fmt: skip
