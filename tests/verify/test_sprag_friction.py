@@ -123,6 +123,13 @@ def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer():
         assert (late[:, 1 - int(outside)] == Phase.STICK).mean() > 0.9
 
 
+def test_figures_have_no_gaps_that_an_axis_could_not_bear(judged):
+    for figure in judged(FRICTION).figures:
+        for curve in getattr(figure, "curves", ()):
+            assert np.isfinite(curve.x).all(), figure.title
+            assert np.isfinite(curve.y).all(), figure.title
+
+
 def test_friction_too_small_for_either_contact_has_no_sliding_state():
     assert math.isnan(formulas.sliding(wedge(PAPER), 1e-3).N)
 

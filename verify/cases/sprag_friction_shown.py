@@ -108,20 +108,27 @@ def law(q: EngagementInputs) -> Figure:
 def slides(context: Context) -> Figure:
     """N of sprags that slide, over friction; driven and overrunning."""
     q, w, v = context.inputs, wedge(context.inputs), context.analytic
-    share = np.concatenate([np.linspace(-3, -0.02, 40), np.linspace(0.02, 0.97, 60)])
-    N = np.array([sliding(w, float(s * v["tan_0"])).N for s in share])
-    curves = [Curve(name="closed form", x=share, y=N)]
+    curves = []
+    for words, share in (
+        ("driven", np.linspace(0.02, 0.97, 96)), ("overrunning", np.linspace(-3, -0.02, 96)),
+    ):  # fmt: skip
+        N = np.array([sliding(w, float(s * v["tan_0"])).N for s in share])
+        held = np.isfinite(N)
+        curves.append(
+            Curve(name=f"closed form, {words}", x=share[held], y=N[held], colour=len(curves))
+        )
     if context.fem:
         last = context.fem[-1].values
         curves.append(
-            Curve(name="Runge-Kutta steps", style="dots", colour=1,
+            Curve(name="Runge-Kutta steps", style="dots", colour=2,
                   x=np.array([0.9, -q.mu_s / v["tan_0"]]),
                   y=np.array([last["N slides"], last["N overruns"]]))
         )  # fmt: skip
     return Curves(
         title="Normal force of sprags that slide", x_label="μ/tan ν_0, negative where the race "
         "overruns", y_label="N [N]", curves=tuple(curves), y_top=float(2 * v["N slides"]),
-        note="The springs alone press; friction multiplies that by 1/(1 − μ/tan ν), or divides it.",
+        note="The springs alone press; friction multiplies that by 1/(1 − μ/tan ν), or divides it. "
+        "Between the curves neither contact holds.",
     )  # fmt: skip
 
 
