@@ -263,7 +263,7 @@ def test_every_row_finds_what_it_compares(judged):
 
 
 AT = ", at N_0"
-RATIO = "force ratio on the inner race against tan ν, at N_0/4"
+RATIO = "T_i/N_i becomes tan ν_0 without load (Eq. 10)"
 NU, OMEGA = (
     "T_i/N_i against the strut's tan ν (Eq. 10), at N_0/4",
     "T_e/N_e against the strut's tan ω (Eq. 10), at N_0/4",
