@@ -150,10 +150,23 @@ def source_of(function: Any) -> str:
 
 
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Code of a `fem` function and of the names of its module it uses, and modules it reaches."""
+    """Code of a `fem` function and of the names of its module it uses, and modules it reaches.
+
+    Where it reaches COMPILED, its results are the formulas' own and all formulas count.
+    """
+    used, start = _used(function, whole=False)
+    reached = _reached(start, whole=False)
+    if COMPILED in reached:
+        used, start = _used(function, whole=True)
+        reached = _reached(start, whole=True)
+    return used, sorted(reached)
+
+
+def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
+    """Code of the names that a function's module gives it, and the modules that these import."""
     module = inspect.getmodule(function)
     if module is None or module.__file__ is None:
-        return {}, []
+        return {}, set()
     tree = ast.parse(Path(module.__file__).read_text("utf-8"))
     own = {name: node for node in tree.body for name in _defined(node)}
     borrowed: dict[str, set[str]] = {}  # names that the module's own imports bind
@@ -161,7 +174,8 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
         if isinstance(node, ast.Import | ast.ImportFrom):
             for alias in node.names:
                 name = (alias.asname or alias.name).partition(".")[0]
-                found = (m for m in _imported(node, module.__name__) if not _is_formula(m))
+                found = _imported(node, module.__name__)
+                found = (m for m in found if whole or not _is_formula(m))
                 borrowed.setdefault(name, set()).update(found)
     used: dict[str, str] = {}
     start: set[str] = set()
@@ -174,7 +188,7 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
             used[name] = _plain(own[name])
             queue += [n.id for n in ast.walk(own[name]) if isinstance(n, ast.Name)]
             start.update(_imported(own[name], module.__name__))
-    return used, sorted(_reached(start))
+    return used, start
 
 
 def _defined(node: ast.stmt) -> list[str]:
@@ -185,13 +199,13 @@ def _defined(node: ast.stmt) -> list[str]:
     return [n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)]
 
 
-def _imported(node: ast.AST, importer: str) -> Iterator[str]:
+def _imported(node: ast.AST, importer: str, *, whole: bool = False) -> Iterator[str]:
     """Modules of analytic, fem, meshes and the cases that `node`, a part of `importer`, imports.
 
-    Without what a whole module imports of analytic at its top: the formulas of the other side.
+    But for `whole`, without what a module imports of analytic at its top: the other side's.
     """
     formulas = set(node.body) if isinstance(node, ast.Module) else set()
-    formulas = set() if importer.startswith("analytic.") else formulas
+    formulas = set() if whole or importer.startswith("analytic.") else formulas
     for item in ast.walk(node):
         names: list[str] = []
         if isinstance(item, ast.Import):
@@ -219,25 +233,25 @@ def _counts(name: str) -> bool:
     return find_spec(name) is not None
 
 
-def _reached(start: set[str]) -> set[str]:
+def _reached(start: set[str], *, whole: bool) -> set[str]:
     found: set[str] = set()
     queue = list(start)
     while queue:
         name = queue.pop()
         if name not in found:
             found.add(name)
-            queue += _read(name)[1]
+            queue += _read(name, whole=whole)[1]
     return found
 
 
 @cache
-def _read(module: str) -> tuple[str, tuple[str, ...]]:
+def _read(module: str, *, whole: bool = False) -> tuple[str, tuple[str, ...]]:
     """Hash of a module's code, and the modules that count among what it imports."""
     spec = find_spec(module)
     assert spec is not None
     assert spec.origin is not None
     tree = ast.parse(Path(spec.origin).read_text("utf-8"))
-    imported = tuple(_imported(tree, module))
+    imported = tuple(_imported(tree, module, whole=whole))
     return hashlib.sha256(_plain(tree).encode()).hexdigest(), imported
 
 
