@@ -18,8 +18,7 @@ from analytic.contact.checks import Array, positive
 from analytic.freewheel.rules import require
 from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.clutch import Clutch
-
-ROUNDS = 50
+from analytic.sprag.search import first_reach
 
 
 def spring_equilibrium(
@@ -28,7 +27,8 @@ def spring_equilibrium(
     """State under N_0 and the force T_e [N] of the outer race, K_r [N m/rad], alpha_max [rad].
 
     Of the state N and the geometry hold, not its forces of a wedged strut. ValueError where the
-    spring is slack already at first contact.
+    spring is slack already at first contact, ArithmeticError where the states end before one
+    bears it.
     """
     K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)
     first = wedged(clutch, 0.0)
@@ -36,17 +36,19 @@ def spring_equilibrium(
         alpha_max > first.alpha, "the spring must press at first contact: alpha_max above alpha",
         "rad", alpha_max=alpha_max, alpha=first.alpha,
     )  # fmt: skip
-    now = first
-    for _ in range(ROUNDS):  # alpha under N_0 is a few thousandths of alpha_max
-        N = K_r * (alpha_max - now.alpha) / (now.OB * drag(now))
-        settled = np.all(np.abs(N - now.N) <= 1e-14 * N)
-        now = wedged(clutch, np.maximum(N, 0.0))
-        if settled:
-            return now, np.asarray(-now.N * drag(now))
-    raise ArithmeticError(
-        f"the spring's equilibrium did not settle in {ROUNDS} rounds: K_r={K_r} N m/rad is too "
-        "stiff against the sprag's contacts"
-    )
+
+    def pressed(N: Array) -> Array:
+        now = wedged(clutch, N)
+        return np.asarray(N * now.OB * drag(now) + K_r * now.alpha)
+
+    stiff = K_r * (alpha_max - first.alpha) / (first.OB * drag(first))  # contacts that do not yield
+    N = first_reach(pressed, np.asarray(K_r * alpha_max), start=np.asarray(stiff))
+    if np.isnan(N).any():
+        raise ArithmeticError(
+            f"no load for which there is a state bears springs of K_r={K_r} N m/rad"
+        )
+    now = wedged(clutch, N)
+    return now, np.asarray(-now.N * drag(now))
 
 
 def drag(now: Wedged) -> Array:

@@ -1,12 +1,12 @@
 """All values of a sprag clutch: its sprags, its state under torque, its limits."""
 
+import math
 from functools import lru_cache
 
 import numpy as np
-from scipy.optimize import brentq
 
 from analytic.sprag.closure import wedged
-from analytic.sprag.start import drag
+from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag_clutch_limits import as_torque_grows
 from verify.cases.sprag_clutch_model import analytic_state, built, slopes
 from verify.cases.sprag_inputs import EngagementInputs
@@ -18,15 +18,14 @@ LAW_ALPHA = 1e-3  # the same of the turn and the yields, 0.15 % of the contacts'
 @lru_cache(maxsize=16)
 def blades(q: EngagementInputs) -> float:
     """Force N_0 [N] of the springs alone; nan where they turn the sprags beyond all formulas."""
-    one = built(q)
-
-    def excess(N: float) -> float:
-        now = wedged(one.clutch, N)
-        return float(N * now.OB * drag(now) - q.K_r * (q.alpha_max - now.alpha))
-
-    if not excess(one.N_top) > 0:
-        return float("nan")
-    return float(brentq(excess, 0.0, one.N_top, rtol=1e-12)) if excess(0.0) < 0 else 0.0
+    clutch = built(q).clutch
+    if not q.alpha_max > wedged(clutch, 0.0).alpha:
+        return 0.0
+    try:
+        now, _ = spring_equilibrium(clutch, K_r=q.K_r, alpha_max=q.alpha_max)
+    except ArithmeticError:
+        return math.nan
+    return float(now.N)
 
 
 @lru_cache(maxsize=16)

@@ -128,11 +128,17 @@ def wedge(q: EngagementInputs, *, rigid: bool = False) -> Wedge:
         inside = np.isfinite(states.alpha) & (states.alpha - states.alpha[0] <= q.alpha_max)
         if not inside.all():
             return _to_profile_end(q, found, N)
-        put_in = q.T * rolled(found, N) + q.I_bi * q.w_i**2 / 2
+        put_in = q.T * rolled(found, N) + q.I_bi * q.w_i**2 / 2 + _sprung(q, states.alpha)
         if q.z * energy(found, N) > SHARE * put_in:
             return _of(q, found, N, ends=False)
         N *= 2
     raise ValueError(f"no force bears the torque T = {q.T:g} N m")
+
+
+def _sprung(q: EngagementInputs, alpha: Array) -> float:
+    """What the blades do [J] on the way from the first of the rotations to the last."""
+    left = q.alpha_max - alpha
+    return float(q.z * q.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
 
 
 def _to_profile_end(q: EngagementInputs, found: Clutch, N: float) -> Wedge:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from analytic.sprag.start import spring_equilibrium
+from analytic.sprag.start import drag, spring_equilibrium
 
 SPRING = {"K_r": 0.01, "alpha_max": 0.5}
 
@@ -24,6 +24,20 @@ def test_a_slack_spring_is_refused(clutch):
         spring_equilibrium(clutch, K_r=0.0, alpha_max=0.5)
 
 
-def test_a_spring_stiffer_than_the_contacts_is_told(clutch):
-    with pytest.raises(ArithmeticError, match="did not settle"):
-        spring_equilibrium(clutch, K_r=1e5, alpha_max=0.5)
+@pytest.mark.parametrize("K_r", [1e-4, 1.0, 10.0, 100.0])
+def test_springs_of_any_stiffness_come_to_rest(clutch, K_r):
+    now, _ = spring_equilibrium(clutch, K_r=K_r, alpha_max=0.5)
+    assert float(now.N * now.OB * drag(now)) == pytest.approx(K_r * (0.5 - now.alpha), rel=1e-9)
+
+
+def test_springs_that_no_state_bears_are_told(clutch):
+    with pytest.raises(ArithmeticError, match="bears springs of K_r"):
+        spring_equilibrium(clutch, K_r=1e9, alpha_max=3.0)
+
+
+def test_many_springs_at_once(clutch):
+    stiff = np.array([0.01, 1.0])
+    now, T_e = spring_equilibrium(clutch, K_r=stiff, alpha_max=0.5)
+    alone = [float(spring_equilibrium(clutch, K_r=K_r, alpha_max=0.5)[0].N) for K_r in stiff]
+    assert now.N == pytest.approx(alone, rel=1e-12)
+    assert T_e.shape == (2,)
