@@ -15,8 +15,9 @@ from analytic.sprag.table import Table
 
 STATES = 12  # four angles, their speeds, four works
 LATE = 0.25  # part of the time, at the end, that the verdict looks at
+LAST, STILL = 0.1, 0.01  # part of it in which a force that rises by less has come to rest
 
-Verdict = Literal["locks", "slips", "over the end", "disengages"]
+Verdict = Literal["locks", "slips", "over the end", "disengages", "not followed"]
 
 
 class Phase(IntEnum):
@@ -121,18 +122,32 @@ class Engagement:
 
     @property
     def peak_factor(self) -> float:
-        """N_max over its value at rest."""
-        return self.N_max / self.N_static
+        """N_max over its value at rest; nan where the engagement was not followed to a peak."""
+        return self.N_max / self.N_static if self.followed else float("nan")
+
+    @property
+    def followed(self) -> bool:
+        """Whether the largest force is a peak or at rest: at the end it rises no more.
+
+        An engagement over the end has been followed as far as there is one.
+        """
+        N = self.N
+        if self.over or int(np.argmax(N)) < len(N) - 1:
+            return True
+        return float(N[-1] - N[int((1 - LAST) * (len(N) - 1))]) <= STILL * float(N[-1])
 
     @property
     def verdict(self) -> Verdict:
         """How it ended.
 
         "slips": a contact slides for most of the last quarter; "disengages": the contacts are
-        apart for most of it; "over the end": the sprag has left its profile.
+        apart for most of it; "over the end": the sprag has left its profile; "not followed": the
+        force still rises at the end.
         """
         if self.over:
             return "over the end"
+        if not self.followed:
+            return "not followed"
         late = self.phases[-max(1, int(LATE * len(self.states))) :]
         if np.mean(late[:, 0] == Phase.APART) > 0.5:
             return "disengages"

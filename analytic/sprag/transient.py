@@ -7,6 +7,8 @@ from analytic.sprag.engagement import MISSED, NOT_FINITE, OVER, TOLD, Law, run
 from analytic.sprag.history import STATES, Engagement
 from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.rest import at_rest
+from analytic.sprag.steps import MISSED as NO_ANSWER
+from analytic.sprag.steps import LongStepError, missing
 from analytic.sprag.table import Table
 
 RELAXED = 0.6  # steps in which a residual sliding dies; Runge-Kutta is stable above 0.36
@@ -43,8 +45,8 @@ def engage(
     `D_V` [m/s] is the half-width of the band in which a contact may stick; None takes twice the
     change that a step makes in the inner contact's sliding at rest, and twice the change at which
     the guard stops, until it no longer does. NarrowBandError, an ArithmeticError, where the band
-    given is too narrow; without `guard` the wrong answer comes back. ValueError for what makes no
-    sense.
+    given is too narrow, LongStepError where the energies miss more than a hundredth of the work
+    put in; without `guard` the wrong answer comes back. ValueError for what makes no sense.
     """
     positive(duration, "duration", "s")
     positive(dt, "dt", "s")
@@ -59,9 +61,8 @@ def engage(
             return _engage(table, motion, torque, start, duration, dt, D_V, True)
         except NarrowBandError as narrow:
             D_V = max(WIDER * narrow.change, WIDER * D_V)
-    raise ArithmeticError(
-        f"no band of sticking was wide enough, D_V={D_V:g} m/s is not; take dt below {dt:g} s"
-    )
+    what = f"no band of sticking was wide enough, D_V={D_V:g} m/s is not"
+    raise LongStepError(what=what, dt=dt, table=table, motion=motion)
 
 
 def _engage(
@@ -92,8 +93,13 @@ def _engage(
             contact=("inner", "outer")[contact], t=n * dt, change=change, dt=dt, D_V=D_V
         )
     if ended == NOT_FINITE:
-        raise ArithmeticError(f"the motion diverges at t={n * dt:.6g} s: dt={dt:g} s is too long")
-    return Engagement(
+        what = f"the motion diverges at t={n * dt:.6g} s"
+        raise LongStepError(what=what, dt=dt, table=table, motion=motion)
+    found = Engagement(
         table=table, motion=motion, torque=torque, D_V=D_V, dt=dt, over=ended == OVER,
         states=states[:n], told=told[:n],
     )  # fmt: skip
+    if guard and not (lost := missing(found)) <= NO_ANSWER:
+        what = f"the energies miss {lost:.2g} of the work put in"
+        raise LongStepError(what=what, dt=dt, table=table, motion=motion)
+    return found

@@ -1,5 +1,6 @@
 """Engagements against closed forms: energy, statics, frequency, friction's limit, order."""
 
+import math
 from dataclasses import replace
 from time import perf_counter
 
@@ -13,6 +14,7 @@ from analytic.sprag.closure import at_torque
 from analytic.sprag.course import energy, rolled
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
+from analytic.sprag.steps import missing
 from analytic.sprag.table import tabulated
 from analytic.sprag.transient import engage
 
@@ -137,6 +139,46 @@ def test_a_clutch_that_slips_carries_less_than_its_torque(engaged):
     assert run.verdict == "slips"
     assert run.N[-1] < 0.5 * run.N_static
     assert run.theta_i[-1] > 1.0
+
+
+def test_what_ends_before_its_peak_is_not_followed(engaged):
+    run = engaged(25.0, duration=0.002)
+    assert run.verdict == "not followed"
+    assert not run.followed
+    assert math.isnan(run.peak_factor)
+    assert engaged(25.0, duration=0.01).verdict == "locks"
+
+
+def test_a_force_that_creeps_up_to_its_value_at_rest_is_followed(engaged):
+    run = engaged(25.0, duration=0.06, C_rl=3.0)
+    assert int(np.argmax(run.N)) == len(run.N) - 1
+    assert run.verdict == "locks"
+    assert run.peak_factor == pytest.approx(1.0, abs=5e-3)
+    assert engaged(25.0, duration=0.06, C_rl=100.0).verdict == "not followed"
+
+
+@pytest.mark.parametrize(
+    "other",
+    [{"dt": 1e-3}, {"dt": 1e-3, "mu_s": 0.05, "mu_c": 0.04}, {"I_bi": 1e-7, "I_be": 1e-7},
+     {"k_out": 1e9}],
+    ids=str,
+)  # fmt: skip
+def test_a_step_that_is_too_long_is_refused_with_one_that_will_do(engaged, other):
+    with pytest.raises(ArithmeticError, match=r"dt=\S+ s is too long .*; take dt=") as error:
+        engaged(25.0, **{"duration": 0.06, **other})
+    assert "\n" not in str(error.value)
+    shorter = {**other, "dt": error.value.enough, "D_V": None}
+    run = engaged(25.0, duration=0.02, **shorter)
+    assert missing(run) < 1e-4
+    assert run.verdict == ("slips" if "mu_s" in other else "locks")
+
+
+def test_without_the_guard_a_step_that_is_too_long_gives_a_wrong_answer(engaged):
+    assert missing(engaged(25.0, duration=0.06, dt=1e-3, D_V=0.5, guard=False)) > 1
+
+
+def test_what_energies_miss_is_measured_by_the_speed_at_the_start_as_well(engaged):
+    assert missing(engaged(1e-3, duration=0.06, speeds=Speeds(inner=-100.0))) < 1e-4
 
 
 def test_past_the_profile_nothing_is_told(engaged, table):

@@ -1,0 +1,57 @@
+"""Whether the time steps of an engagement were short enough: its energies tell."""
+
+import math
+
+import numpy as np
+
+from analytic.sprag.balance import balance
+from analytic.sprag.history import Engagement
+from analytic.sprag.motion import Motion
+from analytic.sprag.table import Table
+
+MISSED = 1e-2  # of the work put in: beyond it an engagement is no answer
+RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta then misses below 1e-4
+
+
+class LongStepError(ArithmeticError):
+    """Energies miss more than a hundredth of the work put in."""
+
+    def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
+        fast = fastest(table, motion)
+        self.enough = _rounded(min(RADIAN / fast, dt / 2))
+        super().__init__(
+            f"{what}: dt={dt:g} s is too long for motions at {fast:.3g} rad/s; take "
+            f"dt={self.enough:g} s"
+        )
+
+
+def missing(engagement: Engagement) -> float:
+    """The most that energies miss, over the work put in and the speed at the start."""
+    energies, motion = balance(engagement), engagement.motion
+    inner, outer = engagement.states[0, 4:6]
+    start = (motion.I_bi * inner**2 + motion.I_be * outer**2) / 2
+    put_in = float(np.abs(energies.torque).max() + np.abs(energies.blades).max() + start)
+    most = float(np.abs(energies.missing).max())
+    return most / put_in if put_in > 0 else 0.0
+
+
+def fastest(table: Table, motion: Motion) -> float:
+    """Upper bound [rad/s] of the engagement's frequencies and rates of decay.
+
+    Races that roll on stiff sprags, the support, the damping, a sprag that slides alone.
+    """
+    _, OA, OB, OC_g, b_i, b_e, *_ = table.values[:, 1:]
+    alpha = (table.step * np.arange(table.values.shape[1])) ** 2
+    moment = table.values[0] * table.values[6]
+    slope = float(np.max(np.diff(moment) / np.diff(alpha)))
+    turn = b_i / OA + b_e / OB  # of the races against each other, per turn of a sprag
+    races = 1 / motion.I_bi + 1 / motion.I_be
+    rolling = table.n_s * slope / float(np.min(turn**2)) * races + motion.k_out / motion.I_be
+    own = slope * (1 / motion.I_g + 1 / (motion.m_g * float(np.min(OC_g**2))))
+    return max(math.sqrt(rolling), math.sqrt(own), motion.C_rl * races)
+
+
+def _rounded(x: float) -> float:
+    """Down to one digit."""
+    unit = 10.0 ** math.floor(math.log10(x))
+    return math.floor(x / unit * (1 + 1e-9)) * unit
