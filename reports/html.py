@@ -241,8 +241,9 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
     return env
 
 
-def printed(row: Row, kind: str) -> str:
-    return ", ".join(p.printed for p in row.published if p.kind == kind)
+def printed(row: Row, kind: str) -> Markup:
+    """What the papers print of one `kind`."""
+    return formats.prose(", ".join(p.printed for p in row.published if p.kind == kind))
 
 
 def _anchor(case: CaseResult) -> str:

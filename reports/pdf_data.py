@@ -12,7 +12,7 @@ from reports import signature
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, title, warnings
 from reports.pdf_case import case_data, maths, value_cells
-from reports.pdf_tables import Data, prose, quantity
+from reports.pdf_tables import Data, prose
 from reports.richtext import runs
 from reports.sheets import Sheets
 from reports.standalone import HERE, standalone
@@ -71,7 +71,7 @@ def _banner(report: Report, status: Status, places: Mapping[str, str]) -> Data:
         "head": f"{len(rows)} row{'s' * (len(rows) > 1)} {word}",
         "rows": [
             {"label": places[cause.rows[0].id], "case": cause.rows[0].case,
-             "quantity": quantity(cause.rows[0]), "more": len(cause.rows) - 1,
+             "quantity": prose(cause.rows[0].quantity), "more": len(cause.rows) - 1,
              "reason": prose(cause.reason)}
             for cause in causes(rows, status)
         ],
@@ -171,6 +171,6 @@ def _equation(e: Mapping[str, Any]) -> Data:
 def _number(v: Mapping[str, Any]) -> list[list[Any]]:
     unit = v["unit"] if v["unit"] != "1" else ""
     return [
-        prose(v["what"]), runs(v["printed"]), runs(unit), runs(v["place"]),
+        prose(v["what"]), prose(v["printed"]), prose(unit), runs(v["place"]),
         prose("; ".join(v["claimed"])),
     ]  # fmt: skip

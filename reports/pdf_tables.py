@@ -22,9 +22,9 @@ def prose(text: str) -> list[Run]:
 
 
 def quantity(row: Row) -> list[Run]:
-    """Name, symbol and unit of a row."""
-    unit: list[Run] = [" ", ["small", row.unit]] if row.unit != "1" else []
-    return [*prose(row.quantity), " ", *runs(formats.symbol(row.symbol)), *unit]
+    """Name of a row and, on a line of their own, its symbol and unit."""
+    unit: list[Run] = [" ", *prose(row.unit)] if row.unit != "1" else []
+    return [*prose(row.quantity), ["br"], ["small", *runs(formats.symbol(row.symbol)), *unit]]
 
 
 def budget(rows: Sequence[Row]) -> Data:
