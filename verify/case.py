@@ -79,7 +79,8 @@ class Dynamic:
     `run(inputs, values)` takes the formulas' values and gives further ones in SI units; it imports
     what is compiled inside its body. The other functions take the inputs and all values together.
     `run`, or any of them, raises ArithmeticError or ValueError in one line where there is no
-    answer.
+    answer. `overall` is the verdict of both parts together, and the findings that stand in the
+    place of the first one of the formulas.
     """
 
     run: Callable[[Any, Values], Values]
@@ -88,6 +89,7 @@ class Dynamic:
     findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}
     figures: Callable[[Any, Values], Sequence[Figure]] = lambda _inputs, _values: ()
+    overall: Callable[[Any, Values], tuple[str, Sequence[str]]] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -18,20 +18,31 @@ def check_record(
     rows: Sequence[Row],
     dynamic: DynamicResult | None,
 ) -> dict[str, Any]:
-    """Inputs and values in display units, the rows; `dynamic` is None where it did not run."""
+    """Inputs and values in display units, the rows; `dynamic` is None where it did not run.
+
+    The verdict, and the findings with it, are those of both parts together where there are.
+    """
     from reports.records import row_record  # only the command line knows reports
 
     return {
         "name": result.name,
         "case": case.id,
         **case.summary(inputs, values),
+        **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),
         "inputs": {i.name: {"value": i.value, "unit": i.unit} for i in result.inputs},
         "values": _values(case.outputs, values),
-        "findings": list(result.findings),
+        "findings": list(_findings(result, dynamic)),
         "warnings": list(result.warnings),
         "rows": [row_record(row) for row in rows],
         "dynamic": None if dynamic is None else _dynamic(dynamic),
     }
+
+
+def _findings(result: CaseResult, dynamic: DynamicResult | None) -> Sequence[str]:
+    """Those of the formulas, whose first the dynamic part may have replaced."""
+    if dynamic is None or not dynamic.first:
+        return result.findings
+    return dynamic.first + result.findings[1:]
 
 
 def _dynamic(found: DynamicResult) -> dict[str, Any]:

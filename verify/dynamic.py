@@ -25,6 +25,12 @@ class DynamicResult:
     findings: tuple[str, ...]
     summary: Mapping[str, Any]
     figures: tuple[Figure, ...]
+    verdict: str = ""  # of both parts together, where the case has one
+    first: tuple[str, ...] = ()  # findings in the place of the formulas' first
+
+    def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:
+        """All findings, `findings` those of the formulas."""
+        return (self.first + findings[1:] if self.first else findings) + self.findings
 
     @property
     def values(self) -> tuple[FormulaValue, ...]:
@@ -67,7 +73,7 @@ def with_dynamic(result: CaseResult, dynamic: DynamicResult) -> CaseResult:
     return replace(
         result,
         values=result.values + dynamic.values,
-        findings=result.findings + dynamic.findings,
+        findings=dynamic.after(result.findings),
         figures=result.figures + dynamic.figures,
     )
 
@@ -77,6 +83,7 @@ def _ran(part: Dynamic, inputs: Inputs, values: Values, *, drawn: bool) -> Dynam
     if wild := [key for key, value in raw.items() if not math.isfinite(value)]:
         raise ArithmeticError(f"{wild[0]} is not finite with these inputs")
     together = {**values, **raw}
+    verdict, first = part.overall(inputs, together) if part.overall else ("", ())
     return DynamicResult(
         what=part.what,
         raw=raw,
@@ -84,4 +91,6 @@ def _ran(part: Dynamic, inputs: Inputs, values: Values, *, drawn: bool) -> Dynam
         findings=tuple(part.findings(inputs, together)),
         summary=part.summary(inputs, together),
         figures=tuple(part.figures(inputs, together)) if drawn else (),
+        verdict=verdict,
+        first=tuple(first),
     )

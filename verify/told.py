@@ -34,7 +34,7 @@ def print_check(
     `offered` is what `--dynamic` would add where it was not asked for.
     """
     print(f"{result.name}: {result.title} ({result.id})")
-    findings = result.findings + (dynamic.findings if dynamic else ())
+    findings = dynamic.after(result.findings) if dynamic else result.findings
     for found in findings:
         print(f"  {found}")
     if findings:

@@ -172,6 +172,21 @@ def test_a_report_has_its_figures_values_and_findings(ring, swings, tmp_path):
     assert "A ring swings" not in (out / "report.html").read_text("utf-8")
 
 
+def test_the_verdict_of_both_parts_together_comes_first(ring, swings, capsys, tmp_path):
+    said = ("holds at rest, breaks as it swings", "at rest: holds")
+    swings(replace(SWINGS, overall=lambda q, v: ("breaks", said)))
+    assert run(["check", "--dynamic", str(ring), "--out", str(tmp_path / "out")]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1:5] == [*(f"  {words}" for words in said), "  swings to 2 times", "inputs"]
+    assert said[0] in (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert run(["check", "--json", "--dynamic", str(ring)]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["verdict"] == "breaks"
+    assert found["findings"] == list(said)
+    assert run(["check", "--json", str(ring)]) == 0
+    assert json.loads(capsys.readouterr().out)["findings"] == ["holds"]
+
+
 def test_figures_are_drawn_for_a_report_alone(ring, swings, capsys):
     swings(replace(SWINGS, figures=raising(ValueError("drawn"))))
     assert run(["check", "--dynamic", str(ring)]) == 0
