@@ -68,7 +68,7 @@ def steps_alone(monkeypatch):
         )
     monkeypatch.setattr(steps, "order_fem", lambda _q: {"order": right.arrays["order"]}["order"])
     monkeypatch.setattr(steps, "partners_fem", lambda _q: kept)
-    monkeypatch.setattr(steps, "pressures_fem", lambda _q: ())
+    monkeypatch.setattr(steps, "pressed_fem", lambda _q: {})
 
     def solve():
         levels = [solve_level(ENGAGEMENT, PAPER, level, None) for level in ENGAGEMENT.levels]

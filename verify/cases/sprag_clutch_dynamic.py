@@ -6,16 +6,19 @@ from typing import Any
 
 import numpy as np
 
+from analytic.sprag import pressure
 from analytic.sprag.balance import balance
+from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from verify.case import Dynamic, Output, Values
+from verify.cases import sprag_engagement_pressures as pressures
 from verify.cases.freewheel_clutch_numbers import newton, pascal
 from verify.cases.sprag_clutch_run_fem import Run, run_fem, slid
 from verify.cases.sprag_inputs import EngagementInputs
-from verify.shown import Curve, Curves, Figure
+from verify.shown import Curve, Curves, Density, Figure
 
 DEGREE = math.degrees(1.0)
-DRAWN = 4000  # points of a curve
+DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)
 WORDS = {
     "locks": "the clutch locks",
     "slips": "a contact slides on: the clutch does not lock",
@@ -124,12 +127,29 @@ def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
             Curve(name="μ_s", x=t[[0, -1]], y=np.full(2, q.mu_s), style="dashes", colour=2),
         ), y_bottom=0.0, note="Where it reaches μ_s the contact slides.",
     )  # fmt: skip
-    return force, along(q, found), friction
+    return force, along(q, found), *over_time(q, found), friction
+
+
+def over_time(q: EngagementInputs, found: Run) -> tuple[Density, ...]:
+    """p(y, t) on both races; the contacts' radii are those under the largest force."""
+    e, one = found.engagement, found.one
+    every = slice(None, None, max(1, len(e.t) // ACROSS))
+    planes = [
+        pressure.along(e.N[every], one.gap, length=q.l, R=R, E_star=float(one.parts.E_star))
+        for R in one.radii(wedged(one.clutch, e.N_max))
+    ]
+    top = max(float(p.max()) for p in planes)
+    return tuple(
+        pressures.over_time(
+            e.t[every], p, q, top, title=f"Pressure on the {race} race",
+            note="Both races have one range of colours.",
+        ) for p, race in zip(planes, ("inner", "outer"), strict=True)
+    )  # fmt: skip
 
 
 def along(q: EngagementInputs, found: Run) -> Curves:
     """Pressures along the inner contacts on the way up to the largest force, and on both races."""
-    y = (np.arange(q.slices) + 0.5) / q.slices * q.l * 1e3 - q.l * 500
+    y = pressures.centres(q) * 1e3
     curves = []
     for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):
         N = share * found.engagement.N_max

@@ -118,7 +118,6 @@ ENGAGEMENT = Case(
     equations=shown.equations,
     sketch=shown.sketch,
     figures=shown.figures,
-    pictures=shown.pictures,
     findings=findings,
     warnings=warnings,
     too_large=too_large,

@@ -14,14 +14,13 @@ from analytic.sprag.balance import balance
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
-from analytic.sprag.pressure import along
 from analytic.sprag.table import INTERVALS, tabulated
 from verify.case import FemResult
 from verify.cases.contact_roller_inputs import DESIGNS
 from verify.cases.sprag_engagement_formulas import analytic, with_torque
-from verify.cases.sprag_engagement_model import Wedge, gap, motion, parts, wedge
+from verify.cases.sprag_engagement_model import Wedge, motion, wedge
 from verify.cases.sprag_inputs import EngagementInputs
-from verify.shown import Array, Field
+from verify.shown import Array
 
 if TYPE_CHECKING:
     from analytic.sprag.events import Events
@@ -42,7 +41,7 @@ COARSER = 1500  # intervals of the table that says how far its own cubics are of
 LEAST = 1e-9  # of a value
 CROSSED = 1e-6  # of a frequency: crossings are told on straight lines between samples
 SHOWN = 601  # samples that are kept
-ACROSS, WIDE = 240, 2.0  # moments in pictures of pressure, and lengths that they take
+ACROSS = 240  # moments in figures of pressure
 ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
 
 
@@ -63,14 +62,11 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
         "slides": float((main.phases == Phase.SLIP).any(axis=1).mean()),
     }  # fmt: skip
     arrays = history(main, "") | history(free, "undamped ") | history(rigid, "rigid ")
-    fields: tuple[Field, ...] = ()
     if level == LEVELS[-1]:
-        fields = pressures_fem(q)
         values |= partners_fem(q)
         arrays |= compared_fem(q, main) | {"order": order_fem(q)} | designs_fem(q)
-    return FemResult(
-        h=1 / level, values=values, u_it=tables_fem(q, main), arrays=arrays, fields=fields
-    )
+        arrays |= pressed_fem(q)
+    return FemResult(h=1 / level, values=values, u_it=tables_fem(q, main), arrays=arrays)
 
 
 def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
@@ -283,22 +279,11 @@ def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
     }
 
 
-def pressures_fem(q: EngagementInputs) -> tuple[Field, ...]:
-    """Pressure over time (sideways) and along the sprag, on both races."""
-    found = []
+def pressed_fem(q: EngagementInputs) -> dict[str, Array]:
+    """N [N] at even times [s] for each design whose pressures are drawn."""
+    found = {}
     for name, p in drawn(q).items():
         run = engaged_fem(p, wedge(p), p.dt)
         every = max(len(run.t) // ACROSS, 1)
-        N, whole = run.N[::every], parts(p)
-        x = np.linspace(0.0, WIDE * p.l, len(N) + 1)
-        y = np.linspace(-p.l / 2, p.l / 2, p.slices + 1)
-        points = np.column_stack([a.ravel() for a in np.meshgrid(x, y, indexing="ij")])
-        i = np.arange(len(N))[:, None] * len(y) + np.arange(p.slices)
-        cells = np.stack([i, i + len(y), i + len(y) + 1, i + 1], axis=-1).reshape(-1, 4)
-        for race, R in (("inner", whole.R_contact_i), ("outer", whole.R_contact_e)):
-            pressure = along(N, gap(p), length=p.l, R=float(R), E_star=float(whole.E_star))
-            found.append(
-                Field(name=f"{name}{race}", points=points, cells=cells.astype(np.int64),
-                      cell_data={"pressure": pressure.ravel()}, units={"pressure": "Pa"})
-            )  # fmt: skip
-    return tuple(found)
+        found |= {f"{name}drawn N": run.N[::every], "drawn t": run.t[::every]}
+    return found

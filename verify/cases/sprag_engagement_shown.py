@@ -5,12 +5,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from analytic.contact import slices
 from verify.case import Context, Values
 from verify.cases.contact_roller_inputs import DESIGNS
-from verify.cases.sprag_engagement_fem import ORDER, drawn
+from verify.cases.sprag_engagement_fem import ORDER
 from verify.cases.sprag_engagement_formulas import swing
-from verify.cases.sprag_engagement_model import gap, parts
+from verify.cases.sprag_engagement_pressures import pressures
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import (
     Array,
@@ -19,14 +18,13 @@ from verify.shown import (
     Curves,
     Equation,
     Figure,
-    Picture,
     Refinement,
     Shape,
     Sketch,
 )
 from verify.tex import tex
 
-ms, kN, MPa, mm = 1e-3, 1e3, 1e6, 1e-3
+ms, kN, mm = 1e-3, 1e3, 1e-3
 FEW = 45  # dots of a curve
 SAID = {
     "elastic": "contacts, races and sprags", "kinetic": "in motion", "damping": "damped",
@@ -103,8 +101,7 @@ def figures(context: Context) -> Sequence[Figure]:
     if not context.converging:
         return ()
     found: list[Figure] = [forces(context), apart(context), energies(context), turns(context)]
-    for name, q in drawn(context.inputs).items():
-        found.append(moments(context, name, q))
+    found += pressures(context)
     if context.is_paper:
         found += [refined(context), crowns(context)]
     return found
@@ -188,36 +185,6 @@ def turns(context: Context) -> Figure:
     )  # fmt: skip
 
 
-def moments(context: Context, name: str, q: EngagementInputs) -> Figure:
-    """Pressure along the sprag on both races at the start, at the first peak and at the trough."""
-    last, whole = context.fem[-1].arrays, parts(q)
-    N = last["N"]
-    top = int(np.argmax(N[: len(N) // 2]))
-    trough = top + int(np.argmin(N[top : top + max(len(N) // 4, 2)]))
-    loads = np.array([0.02 * N[top], N[top], max(N[trough], 1e-3 * N[top])])
-    y = (np.arange(q.slices) + 0.5) / q.slices * q.l - q.l / 2
-    curves = []
-    for race, R, style in (
-        ("inner", whole.R_contact_i, "line"), ("outer", whole.R_contact_e, "dashes"),
-    ):  # fmt: skip
-        p = slices.press(
-            gap(q), length=q.l, R=float(R), E_star=float(whole.E_star), load=loads
-        ).peak_pressure
-        for colour, (words, one) in enumerate(
-            zip(("a 50th of the peak", "first peak", "first trough"), p, strict=True)
-        ):
-            curves.append(Curve(name=f"{words}, {race}", x=y / mm, y=one / MPa, style=style,
-                                colour=colour))  # fmt: skip
-    part = f", part {name.strip()}" if name else ""
-    crown = f"({q.K_1:g}, {q.K_2:g}, {q.z_m / mm:g} mm)"
-    return Curves(
-        title=f"Pressure at some moments{' (Fig. 13' + part + ')' if name else ''}",
-        x_label="y [mm]", y_label="p [MPa]", curves=tuple(curves),
-        note=f"{q.slices} slices, (K_1, K_2, z_m) = {crown}. At first the straight middle "
-        "carries; the paper says the ends.",
-    )  # fmt: skip
-
-
 def refined(context: Context) -> Figure:
     return Refinement(
         title="Error of N(t) over the time step", x_label="steps in 10 µs",
@@ -233,18 +200,8 @@ def crowns(context: Context) -> Figure:
         title="What a crown changes in the largest force", label="N_max over that without crown "
         "− 1 [%]",
         items=tuple(
-            (f"({K_1:g}, {K_2:g}, {z_m / mm:g} mm)", 100 * (N / none - 1), f"{N:.0f} N")
+            (f"({K_1:.3g}, {K_2:.3g}, {z_m / mm:.3g} mm)", 100 * (N / none - 1), f"{N:.0f} N")
             for (K_1, K_2, z_m), N in zip(DESIGNS, found, strict=True)
         ),
         note=f"(K_1, K_2, z_m); without a crown {none:.0f} N.",
-    )  # fmt: skip
-
-
-def pictures(q: EngagementInputs) -> Sequence[Picture]:
-    return tuple(
-        Picture(field=f"{name}{race}", data="pressure", symbol="p", unit="MPa", factor=MPa,
-                displacement="",
-                caption=f"Pressure on the {race} race over {q.t_end / ms:g} ms (sideways) and "
-                f"along the sprag{f' (Fig. 13 {name.strip()}, K_1 = {p.K_1:g})' if name else ''}")
-        for name, p in drawn(q).items() for race in ("inner", "outer")
     )  # fmt: skip

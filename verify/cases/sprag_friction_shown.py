@@ -101,7 +101,7 @@ def law(q: EngagementInputs) -> Figure:
             Curve(name="tan ν_0, what the wedge asks for", x=v, y=np.full_like(v, tan),
                   style="dashes", colour=1),
         ),
-        note="Above the dashes sprags that slide are caught, below they slide on.",
+        note="Above what the wedge asks for sprags that slide are caught, below they slide on.",
     )  # fmt: skip
 
 
