@@ -281,7 +281,7 @@ def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
 
 def pressed_fem(q: EngagementInputs) -> dict[str, Array]:
     """N [N] at even times [s] for each design whose pressures are drawn."""
-    found = {}
+    found: dict[str, Array] = {}
     for name, p in drawn(q).items():
         run = engaged_fem(p, wedge(p), p.dt)
         every = max(len(run.t) // ACROSS, 1)
