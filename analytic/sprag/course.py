@@ -41,6 +41,13 @@ def energy(clutch: Clutch, N: ArrayLike) -> Array:
     return _integral(on_way.N, on_way.yields.H)
 
 
+def work(clutch: Clutch, N: ArrayLike) -> Array:
+    """Work [J] of both forces of one sprag on all that yields, N_e dH_e for N dH_e in U."""
+    on_way = _way(clutch, N)
+    inner = _integral(on_way.N, on_way.yields.inner)
+    return np.asarray(inner + _integral(on_way.N_e, on_way.yields.outer))
+
+
 def _way(clutch: Clutch, N: ArrayLike) -> Wedged:
     """States at Gauss' points between no load and N: panels, points, shape of N."""
     N = np.asarray(N, dtype=np.float64)

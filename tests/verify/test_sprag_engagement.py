@@ -177,7 +177,9 @@ def test_the_right_steps_turn_no_row_red(steps_alone, red):
 
 LSODA = "largest force: steps and LSODA"
 RIGID = "largest force without yielding races (Liu): steps and LSODA"
-FREE = "first peak without damping, T θ = n_s ∫N dH"
+FREE = "first peak without damping, T θ = ∫T dθ by rolling"
+WORK = "work till that peak, T θ = n_s ∫(N dH_i + N_e dH_e)"
+CONJUGATE = "∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within 0.01%"
 REST = "force at rest after a slow rise"
 SMALL = "frequency of small oscillations, √(k/I)"
 SPRING = "largest force, two races on a spring"

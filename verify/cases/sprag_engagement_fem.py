@@ -14,7 +14,7 @@ from analytic.sprag.balance import balance
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Motion, Speeds, Torque
-from analytic.sprag.table import INTERVALS, tabulated
+from analytic.sprag.table import INTERVALS, Table, tabulated
 from verify.case import FemResult
 from verify.cases.contact_roller_inputs import DESIGNS
 from verify.cases.sprag_engagement_formulas import analytic, with_torque
@@ -51,7 +51,9 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
     free = undamped_fem(q, dt)
     tremor = tremor_fem(q, level)
     sliced = q.model_copy(update={"slices": max(round(q.slices * level / LEVELS[-1]), 5)})
+    strut = strut_fem(q, dt)
     values = {
+        "N_1 strut": strut.first_peak[1], "W_1 strut": put_in(strut),
         "N_max": main.N_max, "t_max": main.peak[0], "N_max rigid": rigid.N_max,
         "N_max more": more.N_max, "ratio": more.N_max / main.N_max,
         "rigid": rigid.N_max / main.N_max, "first peak": main.first_peak[1],
@@ -114,6 +116,27 @@ def undamped_fem(q: EngagementInputs, dt: float) -> "Engagement":
     return engaged_fem(
         q, wedge(q), dt, held(q, C_rl=0.0), Torque.step(q.T), speeds=None, D_V=None
     )  # fmt: skip
+
+
+def strut_fem(q: EngagementInputs, dt: float) -> "Engagement":
+    """The same, to behind its first peak, with N_e/N_i of a strut in place of 1."""
+    from analytic.sprag.transient import engage
+
+    until = 2 * analytic(q)["t_max"]
+    return engage(strut_table(q), held(q, C_rl=0.0), Torque.step(q.T), duration=until, dt=dt)
+
+
+def strut_table(q: EngagementInputs) -> Table:
+    w = wedge(q)
+    return tabulated(w.clutch, N_end=w.end, balanced=True)
+
+
+def put_in(found: "Engagement") -> float:
+    """Work [J] of torque and blades till the first peak, on the parabola through three samples."""
+    ahead = found.t / found.dt - found.first_peak[0] / found.dt
+    near = np.argsort(np.abs(ahead))[:3]
+    kept = balance(found)
+    return float(np.polyfit(ahead[near], (kept.torque + kept.blades)[near], 2)[-1])
 
 
 def settled_fem(q: EngagementInputs, level: int) -> float:
@@ -259,13 +282,11 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
     """Largest N [N], and first peak without damping, with N_e/N_i of a strut in place of 1."""
     from analytic.sprag.transient import engage
 
-    w = wedge(q)
-    table = tabulated(w.clutch, N_end=w.end, balanced=True)
     speeds = Speeds(inner=q.w_i)
-    damped = engage(table, motion(q), torque(q), duration=q.t_end, dt=q.dt, speeds=speeds)
-    free = engage(
-        table, held(q, C_rl=0.0), Torque.step(q.T), duration=2 * analytic(q)["t_max"], dt=q.dt
+    damped = engage(
+        strut_table(q), motion(q), torque(q), duration=q.t_end, dt=q.dt, speeds=speeds
     )  # fmt: skip
+    free = strut_fem(q, q.dt)
     return {"balanced": np.array([damped.N_max, free.first_peak[1]])}
 
 

@@ -15,11 +15,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import cumulative_trapezoid, solve_ivp
+from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
+from analytic.sprag.course import work
 from analytic.sprag.events import ROLLS, Sprag, System
 from analytic.sprag.motion import Speeds, Torque
+from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag_engagement_model import Wedge, crowned_for, motion, wedge
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import Array
@@ -131,6 +134,27 @@ def undamped(w: Wedge, T: float) -> float:
     return float(brentq(left, rest, w.theta[-1], xtol=1e-15))
 
 
+def stored(w: Wedge, N: float) -> float:
+    """Work [J] of the forces on all that yields, from the blades' start to N [N]; no rolling."""
+    q = w.q
+    first, _ = spring_equilibrium(w.clutch, K_r=q.K_r, alpha_max=q.alpha_max)
+    return q.z * float(work(w.clutch, N) - work(w.clutch, first.N))
+
+
+def by_turning(w: Wedge) -> float:
+    """Work of the torque over the turn by rolling, to the last state, over that on the yields."""
+    turned = CubicSpline(w.theta, w.states.T).integrate(0.0, w.theta[-1])
+    return float(turned) / (w.q.z * float(work(w.clutch, w.end)))
+
+
+def left_out(w: Wedge, N: float) -> float:
+    """Share of that work, to N [N], on the centroid's way outwards, which Eq. 14 leaves out."""
+    now = w.states
+    per_way = np.sin(now.beta + now.gamma) / now.OA - np.sin(now.gamma) / now.OB
+    on_way = cumulative_trapezoid(now.T * per_way, now.OC_g, initial=0.0)
+    return float(np.interp(N, now.N, on_way)) / stored(w, N)
+
+
 def sprags_inertia(w: Wedge, theta: float) -> float:
     """Inertia [kg m²] of the sprags on the inner race's turn, outer race held."""
     q, now = w.q, w.states
@@ -195,6 +219,7 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
         "mu_asked": asked(w, float(np.interp(N_max, first.N, w.theta))),
         "work": q.T * float(np.interp(N_max, first.N, w.theta)),
         "unequal": float(np.interp(N_max, first.N[1:], first.N_e[1:] / first.N[1:])) - 1,
+        "left out": left_out(w, float(force(peak))), "by turning": by_turning(w),
         "passed on": passed_on(w, q.T), "inertia": sprags_inertia(w, rest) / q.I_bi,
         "over": float(found.over), "over more": float(swing(with_torque(q), first=True).over),
         "start": asked_at_start(q) if q.t_ramp == 0 else 0.0,

@@ -45,7 +45,7 @@ def equations(q: EngagementInputs, v: Values) -> Sequence[Equation]:
     ]  # fmt: skip
     if "N_undamped" in v:
         found += [
-            Equation(tex=r"T\,\theta_1 = n_s\int_0^{N_1} N\,\mathrm{d}H",
+            Equation(tex=r"T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,\mathrm{d}\theta",
                      numbers=rf"N_1 = {tex(v['N_undamped'])}\ \mathrm{{N}}",
                      place="first peak without damping, outer race held"),
             Equation(tex=r"f = \frac{1}{2\pi}\sqrt{\frac{\mathrm{d}T/\mathrm{d}\theta}{I_{bi}}}",
