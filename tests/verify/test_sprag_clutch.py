@@ -22,8 +22,9 @@ from verify.cases.sprag_clutch import CLUTCH, too_large
 from verify.cases.sprag_clutch_claims import CHECKS, FITTED, rectangle
 from verify.cases.sprag_clutch_drawn_fem import Drawn
 from verify.cases.sprag_clutch_dynamic import DYNAMIC
+from verify.cases.sprag_clutch_dynamic_words import least_time
 from verify.cases.sprag_clutch_limits import as_torque_grows, verdict
-from verify.cases.sprag_clutch_model import built, crown, first_contact, under
+from verify.cases.sprag_clutch_model import built, first_contact, under
 from verify.cases.sprag_clutch_paper_fem import BEST, PRINTED, designed
 from verify.cases.sprag_clutch_run_fem import run_fem
 from verify.cases.sprag_clutch_values import analytic, blades
@@ -170,7 +171,7 @@ def test_springs_press_as_two_other_ways_say():
     assert blades(q) == pytest.approx(float(found.at(alpha)["N"]), rel=1e-4)
 
 
-def test_springs_too_stiff_for_their_equilibrium_by_iteration_have_a_force():
+def test_stiff_springs_have_a_force():
     assert blades(own(K_r=10.0)) > 1000
     warned = CLUTCH.warnings(own(K_r=10.0), analytic(own(K_r=10.0)))
     assert any("springs alone press" in words for words in warned)
@@ -234,6 +235,7 @@ def test_what_the_other_side_cannot_do_is_refused(changes):
         ({"r_i": "0.5 mm", "nu_0": "11 deg"}, "no spiral has this wedge angle"),
         ({"mu_c": 0.2}, "friction falls with the speed"),
         ({"dt": "1e-8 s", "t_end": "1 s"}, "between 10 and 2,000,000 steps"),
+        ({"t_ramp": "0.1 s"}, "the torque has risen before the end: t_ramp <= t_end, got"),
         ({"slices": 500}, "must be at most 161"),
         ({"nu_0": "20 deg"}, "must be at most 12 deg"),
     ],
@@ -288,7 +290,7 @@ def test_the_motion_has_a_verdict_in_words(changes, words):
     q, v = ran(**changes)
     assert DYNAMIC.findings(q, v)[0].startswith(f"in time: {words}")
     assert all(map(math.isfinite, v.values()))
-    assert len(DYNAMIC.figures(q, v)) == 3
+    assert len(DYNAMIC.figures(q, v)) == 5
 
 
 def test_a_band_too_narrow_is_refused_in_a_line(tmp_path, capsys):
@@ -300,6 +302,81 @@ def test_a_band_too_narrow_is_refused_in_a_line(tmp_path, capsys):
     assert run(["check", str(path), "--dynamic"]) == 2
     (line,) = capsys.readouterr().err.strip().splitlines()
     assert "the band of sticking is too narrow" in line
+
+
+def test_a_step_that_is_too_long_is_refused_in_a_line_with_one_that_will_do(tmp_path, capsys):
+    path = tmp_path / "my.toml"
+    path.write_text(template(CLUTCH).replace('dt = "1e-05 s"', 'dt = "0.001 s"'))
+    assert run(["check", str(path), "--dynamic"]) == 2
+    said = capsys.readouterr()
+    (line,) = said.err.strip().splitlines()
+    assert "dt=0.001 s is too long" in line
+    assert line.endswith("take dt=9e-06 s")
+    assert said.out == ""
+
+
+def test_energies_that_miss_half_a_percent_are_told():
+    q, v = ran(I_bi=1e-6, I_be=1e-6)
+    assert 1e-3 < v["missing"] < 1e-2
+    (careful,) = (x for x in DYNAMIC.findings(q, v) if x.startswith("careful"))
+    q, v = ran(I_bi=1e-6, I_be=1e-6, dt=float(careful.split()[-2]))
+    assert v["missing"] < 1e-4
+    assert not any(x.startswith("careful") for x in DYNAMIC.findings(q, v))
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"t_end": 2e-3}, {"I_bi": 1.0, "I_be": 1.0}, {"C_rl": 100.0}, {"t_end": 2e-3, "w_i": -50.0},
+     {"I_bi": 1.0, "k_out": 1e3, "C_rl": 10.0}, {"t_ramp": 0.06}, {"T": 0.1, "t_end": 1e-3}],
+    ids=str,
+)  # fmt: skip
+def test_what_ends_before_its_peak_is_told_and_how_long_it_takes(changes):
+    q, v = ran(**changes)
+    assert not {"peak_factor", "p_i max", "p_o max", "t_max"} & set(v)
+    verdict, lines = DYNAMIC.overall(q, v)
+    assert verdict == "not followed"
+    assert lines[0] == "holds at rest, the engagement is not followed to its peak"
+    (said,) = (x for x in DYNAMIC.findings(q, v) if x.startswith("in time: not followed"))
+    assert "take t_end of at least" in said
+    assert DYNAMIC.figures(q, v)
+    long = q.model_copy(update={"t_end": least_time(q, v)})
+    assert run_fem(long).engagement.verdict == "locks"
+
+
+@pytest.mark.parametrize(
+    ("changes", "verdict", "words"),
+    [
+        ({}, "holds", "holds at rest and in the first peak"),
+        ({"T": 72.0}, "rolls over", "holds at rest, rolls over in the first peak; longer"),
+        ({"T": 115.0}, "rolls over", "rolls over at rest, rolls over in the first peak"),
+        ({"T": 55.0}, "overloaded", "holds at rest, is overloaded in the first peak"),
+        ({"mu_s": 0.05, "mu_c": 0.04}, "slips", "slips at rest, slides on as the torque comes"),
+        ({"T": 72.0, "t_ramp": 0.05}, "overloaded", "holds at rest, is overloaded"),
+    ],
+)
+def test_the_worse_of_rest_and_motion_comes_first(changes, verdict, words, tmp_path, capsys):
+    q, v = ran(**changes)
+    found, lines = DYNAMIC.overall(q, v)
+    assert found == verdict
+    assert lines[0].startswith(words)
+    assert lines[1].startswith("at rest: ")
+
+
+def test_the_verdict_of_both_reaches_the_reader_and_programs(tmp_path, capsys):
+    path = tmp_path / "my.toml"
+    path.write_text(template(CLUTCH).replace('T = "25 N m"', 'T = "72 N m"'))
+    assert run(["check", str(path), "--dynamic"]) == 0
+    assert "holds at rest, rolls over" in capsys.readouterr().out.splitlines()[1]
+    assert run(["check", str(path), "--dynamic", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["verdict"] == "rolls over"
+
+
+def test_ways_that_are_round_off_are_none_and_long_ones_are_in_millimetres():
+    q, v = ran()
+    assert v["slid_i"] == v["slid_o"] == 0.0
+    q, v = ran(mu_s=0.05, mu_c=0.04)
+    (slid,) = (x for x in DYNAMIC.findings(q, v) if x.startswith("contacts slide"))
+    assert "the inner ones 127 mm and the outer ones 70" in slid
 
 
 def test_a_table_that_ends_before_the_peak_is_made_longer():
@@ -428,10 +505,10 @@ def test_the_torque_is_that_of_the_whole_clutch(faulty):
 
 
 def test_z_m_is_in_millimetres(faulty):
-    def in_micrometres(right, q, n):
-        return right(q.model_copy(update={"z_m": q.z_m / 1e3}), n)
+    def in_micrometres(right, q):
+        return right(q.model_copy(update={"z_m": q.z_m / 1e3}))
 
-    assert LARGEST in faulty(sprag_clutch_model, "crown", in_micrometres)
+    assert LARGEST in faulty(sprag_clutch_model, "gap", in_micrometres)
 
 
 # Faults.
@@ -504,6 +581,6 @@ def test_every_erratum_that_names_this_case_is_in_the_ledger():
 
 def test_slices_carry_what_the_crown_leaves_them():
     q = own()
-    pressed = slices.press(crown(q, 41), length=q.l, R=2.95e-3, E_star=113e9, load=100.0)
+    pressed = slices.press(built(q).gap, length=q.l, R=2.95e-3, E_star=113e9, load=100.0)
     assert not pressed.carries[0]
     assert pressed.carries[20]

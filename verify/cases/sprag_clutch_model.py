@@ -6,22 +6,21 @@ from functools import lru_cache
 import numpy as np
 
 from analytic.contact import slices
-from analytic.contact.crown import logarithmic, slice_centres
 from analytic.contact.sliced import SlicedContact
 from analytic.sprag import printed
 from analytic.sprag.closure import Wedged, at_torque, wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import rolled
 from analytic.sprag.geometry import strut, triangle
-from analytic.sprag.laws import sliced_law
+from analytic.sprag.laws import LOADS
 from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
+from verify.cases.sprag_engagement_model import clutch, gap, parts
 from verify.cases.sprag_inputs import SpragInputs
 from verify.shown import Array
 
 WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz is asked
-FEW_FROM = 0
-MANY, FEW_LOADS, LOADS = 61, 21, 61  # slices from which on fewer loads make up a contact's law
+MANY, FEW_LOADS = 61, 21  # slices from which on fewer loads make up a contact's law
 HALF = 0.5  # of N, where the ends of a crown are free and strips have a highest pressure
 STEP = 1e-6  # of a load or length, for slopes
 
@@ -59,30 +58,12 @@ class Built:
         return float(inner.peak_pressure.max()), float(outer.peak_pressure.max())
 
 
-def crown(q: SpragInputs, n: int) -> Array:
-    """Drop [m] of the crown at the centres of n slices; made for Q, or for the static load."""
-    if q.z_m == 0:
-        return np.zeros(n)
-    y = slice_centres(length=q.l, slices=n)
-    Q = q.Q or q.T / (q.z * q.R_i * np.tan(q.nu_0))
-    E_star = q.E / (2 * (1 - q.nu**2))
-    return logarithmic(y, K_1=q.K_1, K_2=q.K_2, z_m=q.z_m, load=Q, length=q.l, E_star=E_star)
-
-
 @lru_cache(maxsize=16)
 def built(q: SpragInputs) -> Built:
-    parts = Parts(sprag=q.sprag, n_s=q.z, l=q.l, b=q.b, R_id=q.R_id, R_ed=q.R_ed, E=q.E, nu=q.nu,
-                  rho=q.density, omega=q.n)  # fmt: skip
-    gap = crown(q, q.slices)
-    E_star, R = float(parts.E_star), float(parts.R_contact_i)
-    N_top = WIDE**2 * np.pi / 4 * q.l * R * E_star
-    laws = [
-        sliced_law(gap, l=q.l, R=float(R), E_star=E_star, N_max=1.01 * N_top,
-                   loads=LOADS if q.slices < MANY else FEW_LOADS)
-        for R in (parts.R_contact_i, parts.R_contact_e)
-    ]  # fmt: skip
-    compliance = parts.compliance(contact_i=laws[0], contact_e=laws[1])
-    return Built(parts, Clutch(sprag=q.sprag, n_s=q.z, compliance=compliance), gap, N_top)
+    whole = parts(q)
+    N_top = WIDE**2 * np.pi / 4 * q.l * float(whole.R_contact_i) * float(whole.E_star)
+    found = clutch(q, 1.01 * N_top, LOADS if q.slices < MANY else FEW_LOADS)
+    return Built(whole, found, gap(q), N_top)
 
 
 @lru_cache(maxsize=16)

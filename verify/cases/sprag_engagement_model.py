@@ -14,7 +14,7 @@ from analytic.contact import crown
 from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import energy, rolled
-from analytic.sprag.laws import sliced_law
+from analytic.sprag.laws import LOADS, sliced_law
 from analytic.sprag.motion import Motion
 from analytic.sprag.parts import Parts
 from analytic.sprag.start import spring_equilibrium
@@ -53,11 +53,11 @@ def gap(q: SpragInputs) -> Array:
     )  # fmt: skip
 
 
-def clutch(q: SpragInputs, N_end: float) -> Clutch:
-    """The clutch with contacts in slices, up to the load N_end [N]."""
+def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> Clutch:
+    """The clutch with contacts in slices, solved at some loads up to N_end [N]."""
     whole, E_star = parts(q), float(parts(q).E_star)
     inner, outer = (
-        sliced_law(gap(q), l=q.l, R=float(R), E_star=E_star, N_max=N_end)
+        sliced_law(gap(q), l=q.l, R=float(R), E_star=E_star, N_max=N_end, loads=loads)
         for R in (whole.R_contact_i, whole.R_contact_e)
     )
     return Clutch(
