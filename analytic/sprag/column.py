@@ -109,6 +109,18 @@ class Column:
         theta = float(self.sprag.eta_0) + turned
         return bool(below[1] < theta < below[0] and above[1] < -alpha_b < above[0])
 
+    def nearest(self, *, turned: float, alpha_b: float) -> tuple[float, float]:
+        """How near the inner and the outer contact are to a flank, over half of what lies between.
+
+        1 in the middle, 0 at a flank, below beyond; angles count for lengths.
+        """
+        at = float(self.sprag.eta_0) + turned, -alpha_b
+        inner, outer = (
+            2 * min(float(right) - angle, angle - float(left)) / float(right - left)
+            for (right, left), angle in zip(self._flanks, at, strict=True)
+        )
+        return inner, outer
+
     def outline(self, *, turned: float, alpha_b: float) -> Outline | None:
         """With the contacts where they are at these angles [rad]; the pole is 0, the arc's top +y.
 

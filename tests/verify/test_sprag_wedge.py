@@ -112,11 +112,11 @@ def test_elastic_yields_are_those_of_rings_under_single_loads_and_of_the_column(
     assert sum(float(p[0]) for p in parts.values()) == pytest.approx(v["H, N_0"], rel=1e-12)
     P = rigid_force(Q) / Q.l
     a_i, a_e = (float(a) for a in model.half_widths(Q, np.array(rigid_force(Q))))
-    for name, r_i, r_o, loaded, a in (("inner race", Q.R_id, Q.R_i, "rim", a_i),
-                                      ("outer race", Q.R_e, Q.R_ed, "bore", a_e)):  # fmt: skip
+    for name, r_i, r_o, loaded, a in (("inner", Q.R_id, Q.R_i, "rim", a_i),
+                                      ("outer", Q.R_e, Q.R_ed, "bore", a_e)):  # fmt: skip
         ring = model.LoadedRace(r_i=r_i, r_o=r_o, E=Q.E, nu=Q.nu, assumption="plane strain",
                                 loaded=loaded, n=Q.z, P=P, a=a)  # fmt: skip
-        both = float(parts[f"{name}, mean"][0] + parts[f"{name}, dent"][0])
+        both = float(parts[f"{name} mean"][0] + parts[f"{name} dent"][0])
         assert both == pytest.approx(abs(ring.displacement(ring.r, 0.0)), rel=2e-4)
 
 
@@ -275,7 +275,7 @@ YIELDS, TURN = (
 TORQUE, FORCE = f"torque n_s N tan(ν) OA{AT}", "normal force (Eq. 10), at T"
 ROLLS = f"turn of the races by rolling, against n_s ∫dU/T{AT}"
 PRINTED = f"rotation with Eqs. 9, 10 as printed and elastic yields{AT}"
-PLANE = f"all yields with half planes and Eq. 6, long{AT}"
+PLANE = f"rotation with half planes and Eq. 6, long{AT}"
 MEAN, THIN = (
     f"mean displacement of the outer race (Eq. 6, long){AT}",
     f"mean displacement of the inner race (Eq. 6 as printed, thin){AT}",

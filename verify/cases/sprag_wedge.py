@@ -63,10 +63,10 @@ WEDGE = Case(
         "the sprag is a column of the width b with rounded ends; l, b and ν_0 are identified, E "
         "and ν assumed, as the paper prints none of them",
         "finite elements: one pitch, both races free to breathe, bodies drawn as they are "
-        "compressed; friction twice what the sprag needs",
+        "compressed; friction five times what the sprag needs",
         "quantities between five states by splines over ln N, below the first by a power",
         "elastic yields: races under single loads (Fourier series), the sprag under two opposed "
-        "forces (complex potentials), its shape that at N_0",
+        "forces (complex potentials) where its contacts are",
         "expected errors: contacts beside the column's middle bend it; tangential forces turn the "
         "races by 0.4 to 1.2 tan²ν more; Hertz errs by (a/r)²",
     ),

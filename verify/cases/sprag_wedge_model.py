@@ -1,8 +1,8 @@
 """Formulas of a sprag clutch under torque: the closure, with yields of three kinds.
 
 - elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
-  column (`analytic.sprag.column`), all in plane strain. That of a column hardly depends on where
-  the contacts are; it is taken at N_0.
+  column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
+  bends and yields more: a parabola through what it has without load, at N_0/2 and at N_0.
 - plane: Hertz's line contacts to the walls' depth and to half the sprag's height, and Eq. 6 of long
   rings.
 - composite: Palmgren's law, Eqs. 6 and 7, as the paper has it.
@@ -11,7 +11,7 @@ The printed closure has Eq. 9's OA in the triangle of Eq. 10.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -120,15 +120,18 @@ def disc_constant(q: WedgeInputs) -> float:
     return 2 / math.pi * (2 * math.log(2 * (q.R_e - q.R_i)) - 1)
 
 
-def elastic_compliance(q: WedgeInputs, constant: float) -> Compliance:
-    """Races as rings under single loads: what exceeds their mean is the contacts' own."""
-    unit, split = 1 / (q.l * plane_modulus(q)), constant / 2
+def elastic_compliance(q: WedgeInputs, constant: Callable[[Array], Array]) -> Compliance:
+    """Races as rings under single loads: what exceeds their mean is the contacts' own.
+
+    `constant(N)` is the sprag's, as of `column_constant`; each contact has half of it.
+    """
+    unit = 1 / (q.l * plane_modulus(q))
     inner, outer = races(q)
 
     def law(race: Race, which: int) -> Law:
         def approach(N: Array) -> Array:
             a = half_widths(q, N)[which]
-            over = race.at(a) - race.mean + split - 2 / np.pi * np.log(a)
+            over = race.at(a) - race.mean + constant(N) / 2 - 2 / np.pi * np.log(a)
             return np.where(N > 0, N * unit * over, 0.0 * N)
 
         return approach
@@ -142,11 +145,22 @@ def elastic_compliance(q: WedgeInputs, constant: float) -> Compliance:
 @lru_cache(maxsize=32)
 def elastic(q: WedgeInputs) -> Clutch:
     """The clutch whose parts yield as elastic bodies."""
-    constant = column_constant(q, turned=0.0, alpha_b=0.0) or disc_constant(q)
-    first = Clutch(sprag=q.sprag, n_s=q.z, compliance=elastic_compliance(q, constant))
-    at = wedged(first, rigid_force(q))
-    there = column_constant(q, turned=float(at.turned), alpha_b=float(at.alpha_b))
-    return replace(first, compliance=elastic_compliance(q, there)) if there else first
+    still = column_constant(q, turned=0.0, alpha_b=0.0) or disc_constant(q)
+    compliance = elastic_compliance(q, lambda N: np.full_like(N, still))
+    clutch, N_0 = Clutch(sprag=q.sprag, n_s=q.z, compliance=compliance), rigid_force(q)
+    half, full = (
+        column_constant(q, turned=float(at.turned), alpha_b=float(at.alpha_b))
+        for at in (wedged(clutch, share * N_0) for share in (0.5, 1.0))
+    )
+    if half is None or full is None:
+        return clutch
+    first, second = 4 * half - full - 3 * still, 2 * (full + still) - 4 * half
+
+    def bending(N: Array) -> Array:
+        share = N / N_0
+        return np.asarray(still + first * share + second * share**2)
+
+    return replace(clutch, compliance=elastic_compliance(q, bending))
 
 
 @lru_cache(maxsize=32)
@@ -213,7 +227,6 @@ def _at_force(q: WedgeInputs, N: float) -> Mapping[str, object]:
         "mean i": unit * inner.mean * N, "mean e": unit * outer.mean * N_e,
         "thin i": by_paper.race_i, "thin e": by_paper.race_e,
         "race i": unit * inner.under(a_i) * N, "race e": unit * outer.under(a_e) * N_e,
-        "H plane": plane(q).compliance.yields(N).H,
         "alpha plane": wedged(plane(q), N).alpha_b,
         "H composite": by_paper.H,
         "alpha composite": wedged(composite(q), N).alpha_b,

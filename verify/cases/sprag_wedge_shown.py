@@ -37,59 +37,91 @@ from verify.tex import tex
 
 __all__ = ["equations", "figures", "pictures", "sketch"]
 
-FINE = np.linspace(0.005, 1.8, 90)  # of N_0, where curves are drawn
+FINE = np.linspace(0.005, 1.88, 94)  # of N_0, where curves are drawn
 DEGREE = math.degrees(1.0)
 DRAWN = (0.0, 0.5, 1.0, 1.8)  # of N_0
 
 
 def equations(q: WedgeInputs, v: Values) -> Sequence[Equation]:
-    mm = {name: tex(getattr(q, name) * 1e3, 5) for name in ("R_i", "R_e", "R_id", "R_ed")}
-    nu, omega = tex(v["nu"] * DEGREE, 5), tex(v["omega"] * DEGREE, 5)
-    H, alpha, theta = tex(v["H"] * 1e6, 4), tex(v["alpha"] * DEGREE, 4), tex(v["theta"] * DEGREE, 4)
+    return *_closure(q, v), *_statics(q, v), *_yielding(v)
+
+
+def _closure(q: WedgeInputs, v: Values) -> tuple[Equation, ...]:
     return (
         Equation(
-            tex=r"OC_e^2 = OA_s^2 + \rho^2 + \frac{2\,OA_s\,\rho}{\sqrt{1 + m^2}}, \quad "
-            r"\beta = \arctan m - \eta",
-            numbers=rf"m = {tex(v['m'], 5)}, \quad r_e = {tex(v['r_e'] * 1e3, 5)}\ \mathrm{{mm}}",
-            place="Eq. 10, with OA_s for OA",
-        ),
-        Equation(
-            tex=r"\sin\eta = \frac{m\,OA_s}{OC_e\sqrt{1 + m^2}}, \quad "
-            r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0)",
-            numbers=rf"\alpha = {alpha}°",
-            place="Eq. 10, with OA_s for OA; the logarithm of ρ/ρ_0 over m",
-        ),
-        Equation(
-            tex=r"OA_s = R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}, \quad "
-            r"OC_e = R_e - r_e + \delta_{BE} + \delta_{HE} + \frac{\delta_g}{2}",
-            numbers=rf"R_i = {mm['R_i']}, \quad R_e = {mm['R_e']}\ \mathrm{{mm}}, \quad "
-            rf"H = {H}\ \mathrm{{µm}}",
+            tex=r"OA_s = R_i - \delta_{BI} - \delta_{HI} - \frac{\delta_g}{2}",
+            numbers=rf"R_i = {tex(q.R_i * 1e3, 5)}\ \mathrm{{mm}}",
             place="Eq. 9, corrected: all that yields on the inner side",
         ),
         Equation(
+            tex=r"OC_e = R_e - r_e + \delta_{BE} + \delta_{HE} + \frac{\delta_g}{2}",
+            numbers=rf"r_e = {tex(v['r_e'] * 1e3, 5)}\ \mathrm{{mm}}",
+            place="Eq. 9",
+        ),
+        Equation(
+            tex=r"OC_e^2 = OA_s^2 + \rho^2 + \frac{2\,OA_s\,\rho}{\sqrt{1 + m^2}}",
+            numbers=rf"m = {tex(v['m'], 5)}",
+            place="Eq. 10, with the free spiral's OA_s for OA",
+        ),
+        Equation(
+            tex=r"\sin\eta = \frac{m\,OA_s}{OC_e\sqrt{1 + m^2}}, \quad \beta = \arctan m - \eta",
+            numbers=rf"\beta = {tex((v['nu'] - v['omega']) * DEGREE, 5)}°",
+            place="Eq. 10, with OA_s",
+        ),
+        Equation(
+            tex=r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0)",
+            numbers=rf"\alpha = {tex(v['alpha'] * DEGREE, 4)}°",
+            place="Eq. 10; the logarithm of ρ/ρ_0 over m",
+        ),
+    )
+
+
+def _statics(q: WedgeInputs, v: Values) -> tuple[Equation, ...]:
+    nu, omega = (tex(v[name] * DEGREE, 5) for name in ("nu", "omega"))
+    N = tex(v["N"], 5)
+    return (
+        Equation(
+            tex=r"\nu = \arctan\frac{OB\sin\beta}{OB\cos\beta - OA}, \quad \omega = \nu - \beta",
+            numbers=rf"\nu = {nu}°, \quad \omega = {omega}°",
+            place="Eq. 10",
+        ),
+        Equation(
             tex=r"T = n_s N \tan\nu\;OA",
-            numbers=rf"{tex(q.T)}\ \mathrm{{N\,m}} = {q.z}\cdot "
-            rf"{tex(v['N'], 5)}\ \mathrm{{N}}\cdot\tan {nu}°\cdot OA",
+            numbers=rf"{tex(q.T)}\ \mathrm{{N\,m}} = {q.z}\cdot {N}\ \mathrm{{N}}\cdot\tan {nu}°"
+            r"\cdot OA",
             place="Eq. 10; two forces hold a sprag",
         ),
         Equation(
-            tex=r"\nu = \arctan\frac{OB\sin\beta}{OB\cos\beta - OA}, \quad \omega = \nu - \beta, "
-            r"\quad N_e = N\,\frac{\cos\omega}{\cos\nu}",
-            numbers=rf"\nu = {nu}°, \quad \omega = {omega}°",
-            place="Eq. 10; the paper has both normal forces equal",
+            tex=r"N_e = N\,\frac{\cos\omega}{\cos\nu}",
+            numbers=rf"N_e = {tex(v['N'] * math.cos(v['omega']) / math.cos(v['nu']), 5)}"
+            r"\ \mathrm{N}",
+            place="the paper has both normal forces equal",
+        ),
+    )
+
+
+def _yielding(v: Values) -> tuple[Equation, ...]:
+    return (
+        Equation(
+            tex=r"H = \delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}",
+            numbers=rf"H = {tex(v['H'] * 1e6, 4)}\ \mathrm{{µm}}",
+            place="all that yields under a sprag",
         ),
         Equation(
-            tex=r"n_s N\,\mathrm{d}H = T\,\mathrm{d}\theta, \quad "
-            r"H = \delta_{BI} + \delta_{HI} + \delta_g + \delta_{HE} + \delta_{BE}",
-            numbers=rf"\theta = {theta}°",
-            place="work: it holds with OA_s, and not with the printed OA in Eq. 10",
+            tex=r"n_s N\,\mathrm{d}H = T\,\mathrm{d}\theta",
+            numbers=rf"\theta = {tex(v['theta'] * DEGREE, 4)}°",
+            place="work: it holds with OA_s, not with the printed OA in Eq. 10",
         ),
         Equation(
             tex=r"\bar\delta_B = \frac{n_s N}{2\pi l E'}\left[\frac{r_o^2 + r_i^2}{r_o^2 - r_i^2} "
-            r"\pm \nu'\right], \quad E' = \frac{E}{1 - \nu^2}, \quad \nu' = \frac{\nu}{1 - \nu}",
+            r"\pm \nu'\right]",
             numbers=rf"\bar\delta_{{BI}} = {tex(v['mean i, N_0'] * 1e6, 4)}, \quad "
             rf"\bar\delta_{{BE}} = {tex(v['mean e, N_0'] * 1e6, 4)}\ \mathrm{{µm}}",
             place="Eq. 6 for long races, under N_0: their mean",
+        ),
+        Equation(
+            tex=r"E' = \frac{E}{1 - \nu^2}, \quad \nu' = \frac{\nu}{1 - \nu}",
+            place="Eq. 6 as printed, for thin races, has E and ν",
         ),
     )  # fmt: skip
 
@@ -119,18 +151,19 @@ def _stroke(q: WedgeInputs) -> Shapes:
         B = np.array([0.0, float(at.OB)])
         body = outline(q, turned=float(at.turned), alpha_b=alpha, OC_e=OC_e)
         lines = (arc(float(at.OA), -half, half), arc(float(at.OB), -half, half), np.vstack([A, B]))
+        name = f"{share:g} N_0, α = {alpha * DEGREE:.3g}°" if share else "without load"
         panels.append(Panel(
-            name=f"{share:g} N_0, α = {alpha * DEGREE:.3g}°", dots=1e3 * np.vstack([A, B]),
+            name=name, dots=1e3 * np.vstack([A, B]),
             lines=tuple(1e3 * x for x in (*lines, body) if x.size),
         ))  # fmt: skip
     return Shapes(
         title="The sprag through its stroke",
         unit="mm",
         panels=tuple(panels),
-        dots_name="contacts, and the strut between them",
-        note="To scale: yields of some 10 µm turn the sprag by degrees, and the contacts move "
-        "along its flanks while the strut keeps its angle. A sprag without an outline has rolled "
-        "over its flanks.",
+        dots_name="contacts",
+        note="To scale, with the strut between both contacts: yields of some 10 µm turn the sprag "
+        "by degrees, its contacts move along its flanks and the strut keeps its angle. A sprag "
+        "without an outline has rolled over.",
     )
 
 
@@ -161,11 +194,11 @@ def _rotation(context: Context) -> Curves:
     return Curves(
         title="Rotation of the sprags over torque", x_label="T [N m]", y_label="α [°]",
         curves=(
-            curve("elastic yields", wedged(elastic(q), N), 0),
-            curve("the same, Eqs. 9, 10 as printed", printed.wedged(elastic(q), N), 0, "dashes"),
-            curve("Palmgren, Eqs. 6, 7", wedged(composite(q), N), 1),
-            curve("the same, Eqs. 9, 10 as printed", printed.wedged(composite(q), N), 1, "dashes"),
-            curve("the same with rigid races (Liu)", wedged(composite(q).rigid_races(), N), 2),
+            curve("elastic", wedged(elastic(q), N), 0),
+            curve("elastic, printed Eqs. 9, 10", printed.wedged(elastic(q), N), 0, "dashes"),
+            curve("Palmgren", wedged(composite(q), N), 1),
+            curve("Palmgren, printed Eqs. 9, 10", printed.wedged(composite(q), N), 1, "dashes"),
+            curve("Palmgren, rigid races (Liu)", wedged(composite(q).rigid_races(), N), 2),
             Curve(name="FE", x=loads[1], y=loads[4] * DEGREE, style="dots"),
         ),
         note="The printed closure turns the sprag too little for the same yields; Palmgren's law "
@@ -189,7 +222,7 @@ def _force(context: Context, states: Wedged) -> Curves:
         ),
         y_bottom=None,
         note="N_0(T) = T/(n_s R_i tan ν_0). The wedge angle hardly changes: N goes with T "
-        "within 1 %.",
+        "within 1 %; the column's bending adds to it.",
     )  # fmt: skip
 
 
@@ -202,11 +235,11 @@ def parts_of(q: WedgeInputs, N: Array) -> tuple[tuple[str, Array], ...]:
         for race, a in zip((inner, outer), half_widths(q, N), strict=True)
     ]
     return (
-        ("inner race, mean", yields.race_i),
-        ("inner race, dent", dents[0]),
+        ("inner mean", yields.race_i),
+        ("inner dent", dents[0]),
         ("sprag", yields.contact_i + yields.contact_e - dents[0] - dents[1]),
-        ("outer race, dent", dents[1]),
-        ("outer race, mean", yields.race_e),
+        ("outer dent", dents[1]),
+        ("outer mean", yields.race_e),
     )
 
 
@@ -224,7 +257,8 @@ def _yields(context: Context, states: Wedged) -> Curves:
         x_label="N [N]",
         y_label="H [µm]",
         curves=tuple(curves),
-        note="Races as rings under single loads, the sprag as a column between two forces.",
+        note="Races as rings under single loads, their mean and what they yield more under a "
+        "sprag; the sprag as a column between two forces.",
     )
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,9 @@ from scipy.interpolate import CubicSpline
 from verify.cases.sprag_fem import State
 from verify.cases.sprag_inputs import WedgeInputs
 from verify.cases.sprag_stroke import COARSE, Start, at_force
+
+if TYPE_CHECKING:
+    from fem.contact.solution import Touch
 
 Array = NDArray[np.float64]
 
@@ -102,10 +106,20 @@ class Sweep:
         return np.asarray(tail + np.cumsum(parts))
 
 
+def half_width(touch: "Touch") -> float:
+    """Half-width [m] of an elliptic pressure with the same mean distance from its centre.
+
+    That of the squares hangs twice as much on where the contact ends in a cell.
+    """
+    load = touch.p * touch.weight
+    return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())
+
+
 def read(q: WedgeInputs, state: State) -> dict[str, float]:
     """Torque [N m], forces [N] on one sprag, lengths, angles, pressures; energy [J] of a pitch."""
     (N, N_e), (T_i, T_e), (p_i, p_e) = state.N, state.T, state.peaks
-    (a_i, a_e), place, (nu, omega) = state.widths, state.place, state.angles
+    a_i, a_e = map(half_width, state.solution.touches)
+    place, (nu, omega) = state.place, state.angles
     (m_i, m_e), (c_i, c_e) = state.race_mean, state.race_at_contact
     return {
         "T": state.torque * q.l, "held": state.held * q.l, "N": N * q.l, "N_e": N_e * q.l,

@@ -17,6 +17,7 @@ WIDE = 0.12  # a/r up to which these finite elements, small in displacements, ar
 BENT = 0.1  # of a race's wall: by how much more it bends, its forces move along it
 MOST = 1.9  # of N_0, that the stroke of the finite elements goes to
 ZONES = 2.2  # half-widths that meshes need between a contact and a flank
+NEAREST = 0.29  # of half the outline: a quarter, and what the rotation is uncertain by
 TURNED = 0.6  # rad
 
 
@@ -99,7 +100,8 @@ def too_large(q: WedgeInputs) -> str:
         )
     room_i = (column.turned - turned) * float(at.rho) / ZONES
     room_e = (column.alpha_b - alpha_b) * float(q.sprag.r_e) / ZONES
-    if room_i < a_i or room_e < a_e or alpha_b > TURNED:
+    near = min(column.nearest(turned=turned, alpha_b=alpha_b))
+    if room_i < a_i or room_e < a_e or near < NEAREST or alpha_b > TURNED:
         return (
             f"under {N:.4g} N the sprags turn by {math.degrees(alpha_b):.3g}°, their contacts come "
             f"to the flanks{without}"
