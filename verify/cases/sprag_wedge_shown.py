@@ -275,16 +275,10 @@ def _shares(q: WedgeInputs) -> Bars:
     )  # fmt: skip
 
 
-def pictures(q: WedgeInputs) -> Sequence[Picture]:
-    middle, w = (q.R_i + q.R_e) / 2, 0.75 * (q.R_e - q.R_i)
+def pictures(_q: WedgeInputs) -> Sequence[Picture]:
     return (
         Picture(field="sector", data="log_mises", symbol="σ_v", unit="MPa", factor=1.0,
-                decades=True,
-                caption="One pitch in the heaviest state of the stroke, von Mises' stress",
-                displacement=""),
-        Picture(field="sector", data="log_mises", symbol="σ_v", unit="MPa", factor=1.0,
-                decades=True,
-                caption="The sprag between both races: the forces run along the strut, beside the "
-                "middle of the column; below 10 MPa in one colour",
-                displacement="", window=(-w, middle - w, w, middle + w)),
+                decades=True, displacement="",
+                caption="One pitch in the heaviest state of the stroke, von Mises' stress: forces "
+                "run along the strut, beside the middle of the column; below 10 MPa in one colour"),
     )  # fmt: skip
