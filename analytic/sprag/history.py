@@ -129,12 +129,23 @@ class Engagement:
     def followed(self) -> bool:
         """Whether the largest force is a peak or at rest: at the end it rises no more.
 
-        An engagement over the end has been followed as far as there is one.
+        An engagement over the end has been followed as far as there is one; one whose inner race
+        still overruns has not begun.
         """
         N = self.N
-        if self.over or int(np.argmax(N)) < len(N) - 1:
+        if self.over:
+            return True
+        if self.overruns:
+            return False
+        if int(np.argmax(N)) < len(N) - 1:
             return True
         return float(N[-1] - N[int((1 - LAST) * (len(N) - 1))]) <= STILL * float(N[-1])
+
+    @property
+    def overruns(self) -> bool:
+        """Whether the inner race slides against the driving direction for most of the end."""
+        late = slice(-max(1, int(LATE * len(self.states))), None)
+        return bool(np.mean((self.phases[late, 0] == Phase.SLIP) & (self.v_i[late] < 0)) > 0.5)
 
     @property
     def verdict(self) -> Verdict:
@@ -142,7 +153,7 @@ class Engagement:
 
         "slips": a contact slides for most of the last quarter; "disengages": the contacts are
         apart for most of it; "over the end": the sprag has left its profile; "not followed": the
-        force still rises at the end.
+        force still rises at the end, or the inner race overruns.
         """
         if self.over:
             return "over the end"

@@ -17,12 +17,16 @@ class LongStepError(ArithmeticError):
     """Energies miss more than a hundredth of the work put in."""
 
     def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
-        fast = fastest(table, motion)
-        self.enough = _rounded(min(RADIAN / fast, dt / 2))
+        self.enough = enough(table, motion, dt)
         super().__init__(
-            f"{what}: dt={dt:g} s is too long for motions at {fast:.3g} rad/s; take "
-            f"dt={self.enough:g} s"
+            f"{what}: dt={dt:g} s is too long for motions at {fastest(table, motion):.3g} rad/s; "
+            f"take dt={self.enough:g} s"
         )
+
+
+def enough(table: Table, motion: Motion, dt: float) -> float:
+    """A step [s] that will do where `dt` [s] was too long, of one digit."""
+    return _rounded(min(RADIAN / fastest(table, motion), dt / 2))
 
 
 def missing(engagement: Engagement) -> float:

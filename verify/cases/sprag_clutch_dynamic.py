@@ -10,38 +10,37 @@ from analytic.sprag import pressure
 from analytic.sprag.balance import balance
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
+from analytic.sprag.steps import missing
 from verify.case import Dynamic, Output, Values
 from verify.cases import sprag_engagement_pressures as pressures
-from verify.cases.freewheel_clutch_numbers import newton, pascal
+from verify.cases.sprag_clutch_dynamic_words import findings, overall
 from verify.cases.sprag_clutch_run_fem import Run, run_fem, slid
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import Curve, Curves, Density, Figure
 
 DEGREE = math.degrees(1.0)
 DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)
-WORDS = {
-    "locks": "the clutch locks",
-    "slips": "a contact slides on: the clutch does not lock",
-    "over the end": "the sprags roll over",
-    "disengages": "the contacts are apart at the end",
-}
+ATOM = 1e-10  # m, below which a way is round-off
 
 
 def run(q: EngagementInputs, _values: Values) -> Values:
     found = run_fem(q)
     e = found.engagement
-    inner, outer = found.peaks
     ways, energies = slid(found), balance(e)
-    put_in = float(np.abs(energies.torque).max() + np.abs(energies.blades).max())
     M = e.table.n_s * e.T_i * e.table.at(e.alpha)["OA"]
     values = {
-        "N_max": e.N_max, "t_max": e.peak[0], "peak_factor": e.peak_factor,
-        "p_i max": inner, "p_o max": outer, "slid_i": ways[0], "slid_o": ways[1],
+        "N_max": e.N_max, "slid_i": ways[0] if ways[0] > ATOM else 0.0,
+        "slid_o": ways[1] if ways[1] > ATOM else 0.0,
         "friction": float(energies.friction[-1]), "damping": float(energies.damping[-1]),
-        "work": float(energies.torque[-1]), "missing": float(abs(energies.missing[-1])) / put_in,
+        "work": float(energies.torque[-1]), "missing": missing(e),
         "theta_max": float((e.theta_i - e.theta_e).max()), "M_max": float(np.nanmax(M)),
         "D_V": e.D_V, "t_slip": float(e.dt * (e.phases == Phase.SLIP).any(axis=1).sum()),
     }  # fmt: skip
+    if e.followed:
+        values["p_i max"], values["p_o max"] = found.peaks
+        values["t_max"] = e.peak[0]
+    if e.verdict == "locks":
+        values["peak_factor"] = e.peak_factor
     return {key: value for key, value in values.items() if math.isfinite(value)}
 
 
@@ -58,8 +57,8 @@ OUTPUTS = (
     output("p_i max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
     output("p_o max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
     output("t_slip", "t_s", "ms", "time in which a contact slides"),
-    output("slid_i", "s_i", "µm", "way that the inner contacts slide"),
-    output("slid_o", "s_o", "µm", "way that the outer contacts slide"),
+    output("slid_i", "s_i", "mm", "way that the inner contacts slide"),
+    output("slid_o", "s_o", "mm", "way that the outer contacts slide"),
     output("work", "W", "J", "work of the torque"),
     output("friction", "W_μ", "J", "of it lost in sliding"),
     output("damping", "W_c", "J", "of it lost in damping"),
@@ -68,39 +67,8 @@ OUTPUTS = (
 )
 
 
-def told(found: Run) -> str:
-    """The verdict; where the formulas end and not the profile, that."""
-    e = found.engagement
-    if e.over and not found.end_of_profile:
-        return "the contacts become too wide for the formulas"
-    return WORDS[e.verdict]
-
-
-def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
-    found = run_fem(q)
-    e = found.engagement
-    factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
-    when = f" at {e.t[-1] * 1e3:.3g} ms" if e.over else ""
-    lines = [
-        f"in time: {told(found)}{when}; the normal force reaches {newton(v['N_max'])} at "
-        f"{v['t_max'] * 1e3:.3g} ms{factor}",
-        f"then the inner contacts bear {pascal(v['p_i max'])}, the outer ones "
-        f"{pascal(v['p_o max'])}",
-    ]
-    if q.p_lim is not None and max(v["p_i max"], v["p_o max"]) > q.p_lim:
-        lines.append(f"that exceeds p_lim = {pascal(q.p_lim)}: the contacts yield in the first "
-                     "peak")  # fmt: skip
-    if v["t_slip"] > 0:
-        lines.append(
-            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones "
-            f"{v['slid_i'] * 1e6:.3g} µm and the outer ones {v['slid_o'] * 1e6:.3g} µm: "
-            f"{v['friction']:.3g} J go into friction"
-        )
-    return lines
-
-
 def summary(q: EngagementInputs, v: Values) -> dict[str, Any]:
-    """JSON; the verdict of the motion, `peak_factor` None where there is no state at rest."""
+    """JSON; the verdict of the motion, `peak_factor` None where the clutch does not lock."""
     return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
 
 
@@ -116,7 +84,7 @@ def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
     force = Curves(
         title="Normal force of a sprag", x_label="t [ms]", y_label="N [kN]", y_bottom=0.0,
         curves=(Curve(name="engagement", x=t, y=e.N[thin] / 1e3), *static),
-        note=f"Largest {v['N_max'] / 1e3:.4g} kN at {v['t_max'] * 1e3:.4g} ms.",
+        note=f"Largest {v['N_max'] / 1e3:.4g} kN at {e.peak[0] * 1e3:.4g} ms.",
     )  # fmt: skip
     loaded = e.N[thin] > 0.05 * e.N_max
     asked = np.abs(e.T_i[thin][loaded]) / e.N[thin][loaded]
@@ -164,5 +132,5 @@ def along(q: EngagementInputs, found: Run) -> Curves:
 
 DYNAMIC = Dynamic(
     run=run, outputs=OUTPUTS, what="the engagement", findings=findings, summary=summary,
-    figures=figures,
+    figures=figures, overall=overall,
 )  # fmt: skip

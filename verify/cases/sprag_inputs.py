@@ -161,4 +161,9 @@ class EngagementInputs(SpragInputs):
                 f"between 10 and 2,000,000 steps: t_end/dt = {steps:.4g}, got t_end = "
                 f"{self.t_end:g} s, dt = {self.dt:g} s"
             )
+        if not self.t_ramp <= self.t_end:
+            raise ValueError(
+                f"the torque has risen before the end: t_ramp <= t_end, got t_ramp = "
+                f"{self.t_ramp:g} s, t_end = {self.t_end:g} s"
+            )
         return self

@@ -149,6 +149,13 @@ def test_what_ends_before_its_peak_is_not_followed(engaged):
     assert engaged(25.0, duration=0.01).verdict == "locks"
 
 
+def test_a_race_that_still_overruns_at_the_end_has_not_engaged(engaged):
+    run = engaged(25.0, duration=0.002, speeds=Speeds(inner=-50.0))
+    assert run.overruns
+    assert run.verdict == "not followed"
+    assert not engaged(25.0, duration=0.06, mu_s=0.05, mu_c=0.04).overruns
+
+
 def test_a_force_that_creeps_up_to_its_value_at_rest_is_followed(engaged):
     run = engaged(25.0, duration=0.06, C_rl=3.0)
     assert int(np.argmax(run.N)) == len(run.N) - 1
