@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from analytic.sprag import printed
+from analytic.sprag import closure, course, printed, start, table
 from analytic.sprag.history import Phase
 from verify.cache import default_folder
 from verify.cases import sprag_engagement_claims as claims
@@ -168,7 +168,7 @@ def test_no_row_is_red_on_the_case_s_inputs(judged, red):
 
 def test_what_hangs_on_identified_inputs_is_no_evidence(judged):
     found = {r.quantity for r in judged(ENGAGEMENT).rows if r.status is Status.CALIBRATED}
-    assert len(found) == 2
+    assert len(found) == 4
 
 
 def test_the_right_steps_turn_no_row_red(steps_alone, red):
@@ -285,6 +285,40 @@ def test_a_wrong_formula_or_another_reading_turns_a_row_red(
     judged(ENGAGEMENT)
     broken(owner, name, fault)
     assert row in names(red(judged(ENGAGEMENT)))
+
+
+def lever_of_the_race(clutch, N):
+    """A state whose forces act at R_i."""
+    now, sprag = closure_wedged(clutch, N), clutch.sprag
+    return closure.closed(clutch, now.N, now.yields, OA_s=now.OA_s, OA=np.asarray(sprag.R_i))
+
+
+closure_wedged = closure.wedged
+
+
+def in_every_closure(broken, fault):
+    """Put `fault` where formulas, steps and LSODA take the state of a sprag from."""
+    for module in (closure, course, table, start, model):
+        broken(module, "wedged", lambda _: fault)
+
+
+@pytest.mark.parametrize("fault", [printed.wedged, lever_of_the_race])
+def test_a_closure_that_loses_work_is_red_though_all_sides_share_it(
+    fault, steps_alone, broken, red
+):
+    in_every_closure(broken, fault)
+    assert {WORK, CONJUGATE} <= names(red(steps_alone()))
+
+
+def test_rolling_without_the_sprag_s_way_outwards_is_red(broken, judged, red):
+    def without(clutch, N):
+        on_way = course._way(clutch, N)
+        per_turn = on_way.OC_e * (np.cos(on_way.beta) / on_way.OA - 1 / on_way.OB)
+        return course._integral(per_turn, on_way.alpha_b)
+
+    judged(ENGAGEMENT)
+    broken(model, "rolled", lambda _: without)
+    assert CONJUGATE in names(red(judged(ENGAGEMENT)))
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,7 @@ BOOKED = 2 * ENERGY  # the same, and the turn of the outer race that inertia alo
 PART = 0.1  # of the centroid's way outwards, told on the trapezia of 401 states
 ROLLED = 1e-4  # of the work, on the cubics of those
 LOADS = 13  # over which the contacts' pressures are compared
-NEAR = 0.2  # of the order
+NEAR = 0.5  # of the order, which is then nearer to 4 than to any other
 FITTED = "length, width, wedge angle and support are identified, not printed"
 UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 
@@ -159,10 +159,11 @@ def liu(context: Context) -> tuple[float, float, str]:
     return v["rigid"] - 1, LSODA, words
 
 
-def first(context: Context) -> tuple[float, float]:
+def first(context: Context) -> tuple[float, float, str]:
     """First peak over the highest later one."""
     v = context.fem[-1].values
-    return v["first peak"] / max(v["later peak"], 1e-300) - 1, LSODA
+    share = v["later peak"] / v["first peak"]
+    return 1 - share, LSODA, f"the highest later one is {share:.3f} of it"
 
 
 def inner(context: Context) -> tuple[float, float]:
@@ -236,7 +237,8 @@ CHECKS = (
              unit="1", margin=rolling),
     Accepted(name="rigid races (Liu) make the force larger", symbol="N_max", unit="1", margin=liu,
              fitted=FITTED),
-    Fact(name="the first peak is the largest", symbol="N_1/N_2", unit="1", margin=first),
+    Accepted(name="the first peak is the largest", symbol="N_2/N_1", unit="1", margin=first,
+             fitted=FITTED),
     Fact(name="inner contact's pressure above the outer's, at any force", symbol="p_i/p_o",
          unit="1", margin=inner, fem_needed=False),
     Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", symbol="N_max", unit="1",
@@ -244,5 +246,5 @@ CHECKS = (
     Accepted(name=f"slices: N_max within {SLICES:.1%} of that with half of them", symbol="N_max",
              unit="1", margin=sliced),
     Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max", symbol="N_max",
-             unit="1", margin=centroids),
+             unit="1", margin=centroids, fitted=FITTED),
 )  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
 from verify.case import FemResult
-from verify.cases.sprag_engagement_fem import engaged_fem, held, highest, partner_fem
+from verify.cases.sprag_engagement_fem import SPLINES, engaged_fem, held, highest, partner_fem
 from verify.cases.sprag_engagement_formulas import MORE, with_torque
 from verify.cases.sprag_engagement_formulas import analytic as asked_engagement
 from verify.cases.sprag_engagement_model import motion, wedge
@@ -47,6 +47,7 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
     until = UNTIL * v["t_max"]
     first, more = (engaged_fem(p, wedge(p), dt, duration=until, D_V=None)
                    for p in (weak(q), weak(q, MORE)))  # fmt: skip
+    table = first.N_max * table_fem(q, dt, until, first.N_max)
     values = {
         "mu_b": boundary, "N slides": slides, "N overruns": overruns,
         "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks_fem(more),
@@ -59,9 +60,16 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
                   | map_fem(q) | narrow_fem(q))  # fmt: skip
     u_it = {
         "mu_b": half, "N slides": wide, "N overruns": wide_over, "slips": STUCK * dt,
-        "sticks": STUCK * dt,
+        "sticks": STUCK * dt, "N_max": table, "N_max more": table, "N_max amid": table,
     }  # fmt: skip
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
+
+
+def table_fem(q: EngagementInputs, dt: float, until: float, N_max: float) -> float:
+    """What another table of the force changes, over the largest force."""
+    p = weak(q)
+    other = engaged_fem(p, wedge(p), dt, duration=until, D_V=None, intervals=COARSER)
+    return max(abs(other.N_max / N_max - 1), LEAST)
 
 
 def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
@@ -97,9 +105,22 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
         q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES, speeds=Speeds(inner=speed),
         D_V=None,
     )  # fmt: skip
-    quarter = len(found.N) // 4
-    third, fourth = (found.N[k * quarter : (k + 1) * quarter].mean() for k in (2, 3))
-    return float((third + fourth) / 2), float(abs(fourth - third))
+    half = len(found.N) // 2
+    window = np.hanning(half)  # in which parts of a period weigh next to nothing
+    middle, late = (
+        float(np.average(found.N[start : start + half], weights=window))
+        for start in (half // 2, len(found.N) - half)
+    )
+    return late, max(abs(late - middle), late * swings(found, mu))
+
+
+def swings(found: "Engagement", mu: float) -> float:
+    """What the swing shifts the mean N by, over it: N and the arms of its moment swing together."""
+    N, late = found.N, len(found.N) // 2
+    at = found.table.at(found.alpha)
+    outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
+    arm = (at["h"] - at["b_i"] * mu - at["b_e"] * outer)[late:]
+    return float(abs(np.mean(N[late:] * arm) / (N[late:].mean() * arm.mean()) - 1))
 
 
 def sticks_fem(found: "Engagement") -> float:
@@ -146,10 +167,13 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
     slips = partner_fem(amid, wedge(amid), until)
     at = np.flatnonzero(slips.rolls[:, 0] == 0)
     values |= {"LSODA N_max amid": highest(slips)[1], "LSODA slips": float(slips.t[at[0]])}
-    rough_one = partner_fem(p, wedge(p), until, every=2, rtol=ROUGH)
+    residuals = []
+    for name, one in (("", weak(q)), (" more", weak(q, MORE)), (" amid", amid)):
+        less = partner_fem(one, wedge(one), until, every=2, rtol=ROUGH)
+        residuals.append(abs(highest(less)[1] / values[f"LSODA N_max{name}"] - 1))
     return values | {
         "LSODA sticks": float(found.t[slid[-1]]) if len(slid) else 0.0,
-        "LSODA residual": abs(highest(rough_one)[1] / values["LSODA N_max more"] - 1),
+        "LSODA residual": max(residuals),
     }
 
 
