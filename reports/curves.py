@@ -18,15 +18,21 @@ KEY = 316.0  # where the key starts
 
 
 def curves(c: Curves) -> Markup:
-    """Lines, dashes and marks in the colours of their group; what runs off is cut."""
-    x = [np.asarray(k.x, dtype=float) for k in c.curves]
-    y = [np.asarray(k.y, dtype=float) for k in c.curves]
+    """Lines, dashes and marks in the colours of their group; what runs off is cut.
+
+    Points that are not finite are left out, and curves that have no others.
+    """
+    held = [(k, np.isfinite(k.x) & np.isfinite(k.y)) for k in c.curves]
+    held = [(k, finite) for k, finite in held if finite.any()]
+    x = [np.asarray(k.x, dtype=float)[finite] for k, finite in held]
+    y = [np.asarray(k.y, dtype=float)[finite] for k, finite in held]
     low, high = min(min(v.min() for v in y), 0.0), max(v.max() for v in y)
     low = low if c.y_bottom is None else c.y_bottom
     high = high if c.y_top is None else min(high, c.y_top)
+    left, right = float(min(v.min() for v in x)), float(max(v.max() for v in x))
     axes = Axes(
         (52, 28, 390, 262),
-        (float(min(v.min() for v in x)), float(max(v.max() for v in x))),
+        (left, right if right > left else left + 1.0),
         (float(low), float(high + 0.06 * ((high - low) or 1.0))),
     )
     axes.grid(svg.ticks(*axes.y), svg.plain)
@@ -36,13 +42,13 @@ def curves(c: Curves) -> Markup:
     else:
         axes.base(svg.ticks(*axes.x, 6), svg.plain)
     axes.titles(c.x_label, c.y_label)
-    for curve, u, v in zip(c.curves, x, y, strict=True):
+    for (curve, _), u, v in zip(held, x, y, strict=True):
         seen = (axes.y[0] <= v) & (v <= axes.y[1])
         if curve.style == "dots":
             axes.dots(u[seen], v[seen], f"dot s{curve.colour}", 2.4, curve.colour)
         else:
             axes.curve(u[seen], v[seen], style(curve))
-    rows = key(axes, c.curves)
+    rows = key(axes, tuple(curve for curve, _ in held))
     return svg.drawing(WIDTH, HEIGHT + LINE * rows + 4, axes.body, c.title, "chart")
 
 

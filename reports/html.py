@@ -15,6 +15,7 @@ from reports import formats, plots, signature
 from reports.bars import bars
 from reports.curves import curves
 from reports.density import density
+from reports.drawable import drawable, nothing
 from reports.equations import Glyphs
 from reports.error_map import error_map
 from reports.frames import Frame
@@ -199,7 +200,9 @@ def _claim(claim: PaperClaim) -> Claim:
 
 
 def plot(figure: Figure) -> Markup:
-    """The drawing of a figure."""
+    """The drawing of a figure, or a note where it has no points."""
+    if not drawable(figure):
+        return nothing(figure.title)
     match figure:
         case Profile():
             return plots.profile(figure)

@@ -38,6 +38,9 @@ def shapes(s: Shapes) -> Markup:
             left += wide + GAP
         top += NAME + height + GAP
     body += _bar(scale, s, top)
+    if any(panel.dots is not None and len(panel.dots) for panel in s.panels):
+        top += BAR
+        body += _key(s.dots_name, top)
     return svg.drawing(WIDTH, top + BAR, body, s.title, "chart shapes")
 
 
@@ -89,17 +92,16 @@ def _drawn(panel: Panel, place: Placed, s: Shapes) -> list[Markup]:
 
 
 def _bar(scale: float, s: Shapes, top: float) -> list[Markup]:
-    """A bar of a round length and, where there are dots, what they are."""
+    """A bar of a round length."""
     length = svg.ticks(0.0, 0.3 * WIDTH / scale, 2)[-1]
     y, right = top + 12, EDGE + scale * length
-    body = [
+    return [
         svg.line(EDGE, y, right, y, "base"),
         *(svg.line(x, y - 3, x, y + 3, "base") for x in (EDGE, right)),
         svg.text(right + 6, y + 4, f"{svg.plain(length)} {s.unit}", "tick"),
     ]
-    if any(panel.dots is not None and len(panel.dots) for panel in s.panels):
-        body += [
-            svg.circle(WIDTH / 2, y, 2.4, "fe"),
-            svg.text(WIDTH / 2 + 8, y + 4, s.dots_name, "tick"),
-        ]
-    return body
+
+
+def _key(name: str, top: float) -> list[Markup]:
+    """What the dots are, below the bar."""
+    return [svg.circle(EDGE + 4, top, 2.4, "fe"), svg.text(EDGE + 12, top + 4, name, "tick")]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from reports.plots import WIDTH
-from reports.shapes import shapes
+from reports.shapes import LETTER, shapes
 from verify.shown import Panel, Shapes
 
 LONG = np.array([[0.0, 0.0], [20.0, 0.0], [20.0, 5.0]])
@@ -66,6 +66,13 @@ def test_contacts_are_dots_that_the_key_explains():
     assert ">contact<" in page
     assert len(paths(page, "fit faint")) == 1
     assert "contact" not in drawn(Panel(name="A", lines=(LONG,)), dots_name="contact")
+
+
+def test_a_long_key_stays_in_the_picture():
+    name = "contacts, and the strut between them, as loaded"
+    page = drawn(Panel(name="A", lines=(LONG,), dots=LONG[:1]), dots_name=name)
+    left = float(re.search(rf'<text class="tick" x="([\d.]+)"[^>]*>{name}<', page)[1])
+    assert left + LETTER * len(name) <= WIDTH
 
 
 def test_strips_are_as_thick_as_they_are_drawn_long():

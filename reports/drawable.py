@@ -1,0 +1,60 @@
+"""Whether a figure has anything to draw, and what stands in its place where it has not."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from markupsafe import Markup
+from numpy.typing import ArrayLike
+
+from reports import svg
+from reports.plots import WIDTH
+from verify.shown import (
+    Bars,
+    Curves,
+    Density,
+    Dots,
+    Figure,
+    Map,
+    Profile,
+    Refinement,
+    Shapes,
+    Zones,
+)
+
+HEIGHT = 90.0
+
+
+def drawable(figure: Figure) -> bool:
+    """Whether a figure has points, and finite ones; curves may lack some of theirs."""
+    match figure:
+        case Curves():
+            return any(np.any(np.isfinite(c.x) & np.isfinite(c.y)) for c in figure.curves)
+        case Profile():
+            return _finite((figure.x, figure.y, figure.x_fem, figure.y_fem, figure.y_ref, figure.u))
+        case Refinement():
+            return _finite((figure.cells, *(errors for _, errors in figure.errors)))
+        case Dots():
+            return _finite(value for _, value, _, _ in figure.items)
+        case Bars():
+            return _finite(value for _, value, _ in figure.items)
+        case Shapes():
+            return _finite(line for panel in figure.panels for line in panel.lines)
+        case Zones():
+            return _finite((figure.x, figure.y_top))
+        case Density():
+            return _finite((figure.x, figure.y)) and bool(np.any(np.isfinite(figure.z)))
+        case Map():  # where there is nothing to compare it says so in the cell
+            return bool(figure.rows and figure.columns)
+
+
+def nothing(title: str) -> Markup:
+    """What is drawn for a figure without points."""
+    words = svg.text(
+        WIDTH / 2, HEIGHT / 2 + 4, "nothing to draw with these inputs", "tick", "middle"
+    )
+    return svg.drawing(WIDTH, HEIGHT, [words], f"{title}: nothing to draw", "chart")
+
+
+def _finite(numbers: Iterable[ArrayLike]) -> bool:
+    arrays = [np.asarray(n, dtype=float) for n in numbers]
+    return bool(arrays) and all(a.size and np.isfinite(a).all() for a in arrays)
