@@ -35,7 +35,10 @@ bar = 1e5 * pascal
 joule = newton * meter = J
 watt = joule / second = W
 hertz = 1 / second = Hz
+pound = 453.59237 * gram = lb
+ounce = pound / 16 = oz
 pound_force = 4.4482216152605 * newton = lbf
+slug = pound_force * second ** 2 / foot
 kilogram_force = 9.80665 * newton = kgf
 psi = pound_force / inch ** 2
 ksi = 1000 * psi
@@ -47,13 +50,22 @@ DIMENSIONS = {
     "mm": "a length", "MPa": "a pressure or stress", "N": "a force", "deg": "an angle",
     "N/mm": "a stiffness", "kg/m^3": "a density", "1": "a number", "s": "a time",
     "J/m": "an energy per length", "N m": "a torque", "r/min": "a speed of rotation",
+    "rad/s": "a speed of rotation", "m/s": "a speed", "s/m": "a reciprocal speed",
+    "kg": "a mass", "kg m^2": "a moment of inertia", "N m/rad": "a stiffness against turning",
+    "N m s/rad": "a damping of turning", "1/mm": "a curvature", "Hz": "a frequency",
+    "GPa": "a pressure or stress", "µm": "a length", "rad": "an angle",
 }  # fmt: skip
 
 # Units that people write for these, for messages; all of them with n, µ, m, c, k, M, G before.
 TAKEN = {
     "mm": "mm, m, in, ft or mil", "MPa": "MPa, Pa, bar, psi or ksi", "N": "N, lbf or kgf",
-    "GPa": "GPa, MPa, psi or ksi", "deg": "deg or rad", "r/min": "r/min, rad/s or Hz",
+    "GPa": "GPa, MPa, psi or ksi", "deg": "deg or rad", "rad": "deg or rad",
+    "µm": "µm, mm, m, in, ft or mil",
+    "r/min": "r/min, rad/s or deg/s", "rad/s": "r/min, rad/s or deg/s",
     "N m": "N m, N mm, kN m, lbf in or lbf ft",
+    "kg": "kg, g, lb, oz or slug", "kg m^2": "kg m^2, g mm^2, lb in^2 or lb ft^2",
+    "N m/rad": "N m/rad, N m/deg or lbf in/rad", "N m s/rad": "N m s/rad or lbf in s/rad",
+    "m/s": "m/s, mm/s or ft/s", "s/m": "s/m, s/mm or s/ft", "s": "s, ms or min",
 }  # fmt: skip
 
 _WORD = "[A-Za-zµμ°%]"
@@ -61,6 +73,7 @@ _TEXT = re.compile(
     r"\s*(?P<number>[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d{1,3})?)"
     rf"(?:\s*(?P<unit>{_WORD}[^\"']{{0,39}})|\s+(?P<reciprocal>1\s*/[^\"']{{1,39}}))?\s*"
 )
+_NOT_FINITE = re.compile(r"\s*[-+]?(?:nan|inf(?:inity)?)\b", re.IGNORECASE)
 _COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d))?")
 
@@ -102,6 +115,8 @@ def parse(text: str, unit: str) -> float:
     match = _TEXT.fullmatch(text)
     if match is None and _COMMA.match(text):
         raise ValueError(f'"{_short(text)}" has a comma: decimals follow a point, as in 3.5')
+    if match is None and _NOT_FINITE.match(text):
+        raise ValueError(f'"{_short(text)}" is not finite')
     if match is None:
         raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
     number, given = float(match["number"]), (match["unit"] or match["reciprocal"] or "1").strip()

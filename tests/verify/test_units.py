@@ -1,6 +1,7 @@
 """Strings with units: what a user writes, what SI makes of it, and what is refused."""
 
 import math
+import re
 import time
 
 import pytest
@@ -8,6 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from verify import units
+from verify.cases.registry import CASES
+from verify.inputs import meta
 
 fixed = settings(deadline=None, derandomize=True)
 
@@ -61,6 +64,12 @@ PSI = 4.4482216152605 / 0.0254**2
         ("7850 kg/m^3", "kg/m^3", 7850.0),
         ("2 kg", "kg", 2.0),
         ("2000 g", "kg", 2.0),
+        ("1 lb", "kg", 0.45359237),
+        ("16 oz", "kg", 0.45359237),
+        ("1 slug", "kg", 4.4482216152605 / 0.3048),
+        ("1 lb in^2", "kg m^2", 0.45359237 * 0.0254**2),
+        ("1 lb ft^2", "kg m^2", 0.45359237 * 0.3048**2),
+        ("1 lbf in/rad", "N m/rad", 4.4482216152605 * 0.0254),
         ("3 kg m^2", "kg m^2", 3.0),
         ("4 kg^2", "kg^2", 4.0),
         ("5 m/kg", "m/kg", 5.0),
@@ -152,8 +161,9 @@ def test_a_reciprocal_is_read_as_it_is_printed(unit):
         pytest.param("60 mm 5", "mm", "is not a", id="something behind"),
         pytest.param("--60 mm", "mm", "is not a length", id="two signs"),
         pytest.param("0x3c mm", "mm", "is not a", id="hexadecimal"),
-        pytest.param("nan mm", "mm", "is not a length", id="NaN"),
-        pytest.param("inf mm", "mm", "is not a length", id="infinite"),
+        pytest.param("nan mm", "mm", "is not finite", id="NaN"),
+        pytest.param("-inf mm", "mm", "is not finite", id="infinite"),
+        pytest.param("nano mm", "mm", "is not a length", id="a word that begins with nan"),
         pytest.param("1e999 mm", "mm", "is not finite", id="beyond floats"),
         pytest.param("-1e999", "1", "is not finite", id="a number beyond floats"),
         pytest.param("1e308 km", "mm", "is not finite", id="beyond floats in SI"),
@@ -309,3 +319,18 @@ def test_workshop_lengths(text, metres):
 def test_an_unknown_unit_names_the_known_ones():
     with pytest.raises(ValueError, match=r"not a known unit: a length takes mm, m, in, ft or mil"):
         units.parse("3 furlong", "mm")
+
+
+def test_every_unit_of_an_input_has_words_for_its_dimension():
+    used = {
+        meta(field)["unit"] for case in CASES for field in case.inputs.model_fields.values()
+        if isinstance(meta(field).get("unit"), str)
+    }  # fmt: skip
+    assert "kg m^2" in used
+    assert used - set(units.DIMENSIONS) == set()
+
+
+@pytest.mark.parametrize("unit", units.TAKEN)
+def test_units_that_a_message_offers_are_taken(unit):
+    for offered in re.split(", | or ", units.TAKEN[unit]):
+        assert math.isfinite(units.parse(f"1 {offered}", unit))
