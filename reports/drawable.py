@@ -49,7 +49,8 @@ def drawable(figure: Figure) -> bool:
 
 def nothing(title: str) -> Markup:
     """What is drawn for a figure without points."""
-    words = svg.text(
+    said = "nothing to draw with these inputs"
+    words = svg.text(WIDTH / 2, HEIGHT / 2 + 4, said, "tick", "middle")
         WIDTH / 2, HEIGHT / 2 + 4, "nothing to draw with these inputs", "tick", "middle"
     )
     return svg.drawing(WIDTH, HEIGHT, [words], f"{title}: nothing to draw", "chart")
