@@ -51,8 +51,6 @@ def nothing(title: str) -> Markup:
     """What is drawn for a figure without points."""
     said = "nothing to draw with these inputs"
     words = svg.text(WIDTH / 2, HEIGHT / 2 + 4, said, "tick", "middle")
-        WIDTH / 2, HEIGHT / 2 + 4, "nothing to draw with these inputs", "tick", "middle"
-    )
     return svg.drawing(WIDTH, HEIGHT, [words], f"{title}: nothing to draw", "chart")
 
 
