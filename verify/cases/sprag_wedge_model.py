@@ -2,7 +2,7 @@
 
 - elastic: races as rings under single loads (`analytic.ring.loaded_race`), the sprag as a rounded
   column (`analytic.sprag.column`), all in plane strain. As contacts leave its middle the column
-  bends and yields more: a parabola through what it has without load, at N_0/2 and at N_0.
+  bends and yields more: a parabola through what it has without load and at two rotations.
 - plane: Hertz's line contacts to the walls' depth and to half the sprag's height, and Eq. 6 of long
   rings.
 - composite: Palmgren's law, Eqs. 6 and 7, as the paper has it.
@@ -36,6 +36,7 @@ from verify.cases.sprag_inputs import WedgeInputs
 
 STROKE = {"N_0/4": 0.25, "N_0/2": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
 MOST_FRICTION = 0.99  # no limit here
+BENDING = 0.2, 0.5  # of the rotation with a contact at a flank, where the column's bending is taken
 
 
 @dataclass(frozen=True)
@@ -147,20 +148,30 @@ def elastic(q: WedgeInputs) -> Clutch:
     """The clutch whose parts yield as elastic bodies."""
     still = column_constant(q, turned=0.0, alpha_b=0.0) or disc_constant(q)
     compliance = elastic_compliance(q, lambda N: np.full_like(N, still))
-    clutch, N_0 = Clutch(sprag=q.sprag, n_s=q.z, compliance=compliance), rigid_force(q)
-    half, full = (
-        column_constant(q, turned=float(at.turned), alpha_b=float(at.alpha_b))
-        for at in (wedged(clutch, share * N_0) for share in (0.5, 1.0))
-    )
+    clutch = Clutch(sprag=q.sprag, n_s=q.z, compliance=compliance)
+    bent = [(float(at.N), column_constant(q, turned=float(at.turned), alpha_b=float(at.alpha_b)))
+            for at in _on_the_way(q, clutch)]  # fmt: skip
+    (N_1, half), (N_2, full) = bent if len(bent) == 2 else [(1.0, None), (2.0, None)]
     if half is None or full is None:
         return clutch
-    first, second = 4 * half - full - 3 * still, 2 * (full + still) - 4 * half
+    slope_1, slope_2 = (half - still) / N_1, (full - still) / N_2
+    second = (slope_2 - slope_1) / (N_2 - N_1)
 
     def bending(N: Array) -> Array:
-        share = N / N_0
-        return np.asarray(still + first * share + second * share**2)
+        return np.asarray(still + N * (slope_1 + second * (N - N_1)))
 
     return replace(clutch, compliance=elastic_compliance(q, bending))
+
+
+def _on_the_way(q: WedgeInputs, clutch: Clutch) -> list[Wedged]:
+    """States of rotations at `BENDING` of that with a contact at a flank, as far as there are."""
+    whole = sprag_column(q)
+    if whole is None:
+        return []
+    turned = np.array(BENDING) * min(whole.turned, whole.alpha_b)
+    start = np.full_like(turned, 1e-4 * plane_modulus(q) * q.l * q.R_i)
+    found = first_reach(lambda N: np.asarray(wedged(clutch, N).turned), turned, start=start)
+    return [wedged(clutch, N) for N in found if np.isfinite(N)]
 
 
 @lru_cache(maxsize=32)
