@@ -18,9 +18,11 @@ LOADS = {"N_0/4": 0.25, "N_0/2": 0.5, "N_0": 1.0, "1.8 N_0": 1.8}
 GRID = np.linspace(0.2, 1.8, 9)  # of N_0, where profiles are compared
 ONSET = 5e-4  # of tan(nu): to either side of the friction that just holds
 SLIPS = 1  # the state, at a quarter of N_0, whose friction is lowered
-# Where contacts end in a cell changes from mesh to mesh. Measured, with zones 1 % wider and narrower:
+# contacts end elsewhere in a cell from mesh to mesh: measured by zones 1 % wider and narrower
 NOISE, PEAKS, EDGES = 1e-4, 2e-4, 6e-4  # of forces and yields, pressures and half-widths
 SPLINE = 5e-6  # of a value: what splines miss
+AT_FORCE = ("tan nu", "tan omega", "T", "alpha", "H", "mean i", "mean e", "race i", "race e", "p_i",
+            "p_e", "a_i", "a_e")  # fmt: skip
 
 
 def fem(q: WedgeInputs, level: int) -> FemResult:
