@@ -132,6 +132,9 @@ def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
 
 def writable(out: Path) -> None:
     """Make the folder; a read-only place is found before the work."""
+    for place in (out, *out.parents):
+        if place.exists() and not place.is_dir():
+            raise InputError(f"{place}: is a file, expected a folder")
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=out):

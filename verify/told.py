@@ -1,5 +1,6 @@
 """What the commands print: verdicts of a run, and how one's own parameters fare."""
 
+import re
 from collections.abc import Mapping, Sequence
 
 from verify.dynamic import DynamicResult
@@ -7,6 +8,8 @@ from verify.results import CaseResult, Kind, Report, Row, Status
 from verify.shown import FormulaValue
 
 COMPANION = ": convergence"  # rows that stand beside the one they are about
+_POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
+_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 LISTED = (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED)
 
 
@@ -22,7 +25,7 @@ def print_verdicts(report: Report) -> None:
         print(line)
     for (status, case_id, reason), rows in _causes(report.rows).items():
         more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
-        print(f"{status.value:10} {case_id}: {rows[0].quantity}{more}: {reason}")
+        print(raised(f"{status.value:10} {case_id}: {rows[0].quantity}{more}: {reason}"))
     print(f"{len(report.rows)} rows")
 
 
@@ -36,7 +39,7 @@ def print_check(
     print(f"{result.name}: {result.title} ({result.id})")
     findings = dynamic.after(result.findings) if dynamic else result.findings
     for found in findings:
-        print(f"  {found}")
+        print(raised(f"  {found}"))
     if findings:
         print("inputs")
     for line in aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
@@ -58,7 +61,7 @@ def print_check(
     else:
         print("(check --fem judges what is marked * with finite elements)")
     for warning in result.warnings:
-        print(f"warning: {warning}")
+        print(raised(f"warning: {warning}"))
 
 
 def _print_rows(rows: Sequence[Row]) -> None:
@@ -74,7 +77,7 @@ def _print_rows(rows: Sequence[Row]) -> None:
         print(f"  {line}")
     for (status, _, reason), group in _causes(shown).items():
         more = f" and {len(group) - 1} more" if len(group) > 1 else ""
-        print(f"{status.value} {group[0].quantity}{more}: {reason}")
+        print(raised(f"{status.value} {group[0].quantity}{more}: {reason}"))
     passed = sum(row.status is Status.PASS for row in rows)
     judged = [r for r in rows if r.kind in (Kind.IDENTITY, Kind.APPROXIMATION) and r.detects]
     print(f"{passed} of {len(rows)} rows pass, their convergence included" + _sharpest(judged))
@@ -121,9 +124,15 @@ def _causes(rows: Sequence[Row]) -> Mapping[tuple[Status, str, str], list[Row]]:
 
 
 def aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
-    """Lines whose columns are as wide as their longest cell."""
-    wide = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    return ["  ".join(map(str.ljust, line, wide)).rstrip() for line in lines]
+    """Lines whose columns are as wide as their longest cell, powers raised."""
+    shown = [tuple(map(raised, line)) for line in lines]
+    wide = [max(map(len, column)) for column in zip(*shown, strict=True)]
+    return ["  ".join(map(str.ljust, line, wide)).rstrip() for line in shown]
+
+
+def raised(text: str) -> str:
+    """10^-5 as 10⁻⁵, kg m^2 as kg m²."""
+    return _POWER.sub(lambda match: match[1].translate(_RAISED), text)
 
 
 def _number(value: float | int | str | None) -> str:

@@ -51,9 +51,10 @@ def test_json_stays_alone_on_standard_output(ring, tmp_path, capsys):
     assert json.loads(capsys.readouterr().out)["case"] == "ring-lame"
 
 
-def test_a_place_that_cannot_be_written_is_found_before_the_work(ring, tmp_path, capsys):
+@pytest.mark.parametrize("place", ["file", "file/below"])
+def test_a_file_in_the_place_of_the_folder_is_found_before_the_work(ring, tmp_path, capsys, place):
     (tmp_path / "file").write_text("")
-    assert run(["check", str(ring), "--out", str(tmp_path / "file")]) == 2
+    assert run(["check", str(ring), "--out", str(tmp_path / place)]) == 2
     said = capsys.readouterr().err
     assert said.count("\n") == 1
-    assert "cannot be written" in said
+    assert f"{tmp_path / 'file'}: is a file, expected a folder" in said

@@ -7,7 +7,7 @@ import pytest
 from verify.cases.registry import CASES
 from verify.commands import make_report
 from verify.results import Status
-from verify.told import print_check, print_verdicts
+from verify.told import print_check, print_verdicts, raised
 
 
 @pytest.fixture
@@ -54,3 +54,20 @@ def test_one_cause_is_told_once(ring, capsys):
     said = capsys.readouterr().out
     assert said.count("ZeroDivisionError") == 1
     assert f"and {len(failed) - 1} more" in said
+
+
+@pytest.mark.parametrize(
+    ("written", "read"),
+    [("1×10^-5", "1×10⁻⁵"), ("1.97×10^-4 kg m^2", "1.97×10⁻⁴ kg m²"), ("(a + b)^2", "(a + b)²"),
+     ("x^n", "x^n"), ("plain", "plain")],
+)  # fmt: skip
+def test_powers_are_raised_in_the_terminal(written, read):
+    assert raised(written) == read
+
+
+def test_units_of_inputs_have_raised_powers(ring, capsys):
+    inputs = (replace(ring.inputs[0], unit="kg m^2"), *ring.inputs[1:])
+    print_check(replace(ring, name="mine", inputs=inputs), use_fem=False)
+    said = capsys.readouterr().out
+    assert "kg m²" in said
+    assert "^" not in said
