@@ -74,7 +74,7 @@ def faulty(monkeypatch, judged, red):
 
 
 FORCE, ASKED = "normal force under torque", "friction that torque asks for, tan ν"
-TURN, YIELDS = "turn of the sprags under torque", "sum of the five yields"
+TURN, YIELDS = "turn of the sprags under torque", "sum of the five deflections"
 LARGEST = "largest pressure under half of N by slices, inner race"
 MIDDLE = "pressure at mid-length under half of N by slices, inner race"
 
@@ -118,6 +118,130 @@ def test_at_the_end_of_the_profile_the_spiral_has_turned_by_alpha_max():
     assert analytic(own(T=at))["turned"] == pytest.approx(0.5, rel=1e-9)
     assert verdict(own(T=1.001 * at, p_lim=None), analytic(own(T=1.001 * at))) == "rolls over"
     assert verdict(own(T=0.999 * at, p_lim=None), analytic(own(T=0.999 * at))) == "holds"
+
+
+def after(words, said):
+    """The number behind the words."""
+    return float(said.partition(words)[2].split()[0].strip("°;,"))
+
+
+@pytest.mark.parametrize("changes", [{"mu_s": 0.05, "mu_c": 0.04}, {"mu_s": 0.0552, "mu_c": 0.04},
+                                     {"nu_0": math.radians(7.5), "T": 40.0}], ids=str)  # fmt: skip
+def test_a_clutch_that_slips_is_told_a_wedge_angle_and_a_friction_that_hold(changes):
+    (first, second, *rest) = said(**changes)
+    assert second.endswith("would have if it held")
+    assert not any(" grows" in x or "passed" in x or "each sprag bears" in x for x in rest)
+    less = changes | {"nu_0": math.radians(after("ν_0 below ", first)), "p_lim": None}
+    more = changes | {"mu_s": after("μ_s above ", first), "p_lim": None}
+    for q in (own(**less), own(**more)):
+        assert verdict(q, analytic(q)) == "holds"
+
+
+def test_a_clutch_that_rolls_over_is_told_the_profile_that_it_needs():
+    first, _, third, *_ = said(T=115.0, p_lim=None)
+    least = math.radians(after("α_max of at least ", first))
+    q = own(T=115.0, p_lim=None, alpha_max=least)
+    assert verdict(q, analytic(q)) == "holds"
+    assert third.startswith("passed already: the sprags reach the end of their profile")
+
+
+def test_an_overloaded_clutch_is_told_how_many_or_how_long_sprags_it_needs():
+    times = after("take about ", said(T=100.0)[0])
+    assert 1 < times < 2
+    q = own(T=100.0, l=9e-3 * times)
+    assert verdict(q, analytic(q)) == "holds"
+
+
+def test_without_the_engagement_holds_is_of_a_torque_that_rises_slowly():
+    assert said()[0].endswith("one that comes at once nearly doubles the force (check --dynamic)")
+    _, lines = DYNAMIC.overall(*ran())
+    assert not any("check --dynamic" in x for x in lines)
+
+
+def test_elastic_bodies_turn_the_papers_clutch_as_finite_elements_do():
+    v = analytic(own())
+    assert math.degrees(v["alpha elastic"]) == pytest.approx(5.72, abs=0.03)  # of sprag-wedge's
+    assert math.degrees(v["alpha"]) == pytest.approx(7.23, abs=0.01)
+    (words,) = (x for x in said() if x.startswith("as elastic bodies"))
+    assert "softer and its swings about 1.13 times as long" in words
+    assert any("make the clutch stiffer" in x for x in said(z=3))
+    fast = analytic(own(n=2000.0))  # grows the outer race, not the clutch's spring
+    assert fast["theta"] / fast["theta elastic"] == pytest.approx(
+        v["theta"] / v["theta elastic"], rel=1e-3
+    )
+
+
+def test_the_smeared_load_on_both_races_is_carried_by_their_walls():
+    """Through a half of each race: the pressure on the diameter is the mean hoop stress's."""
+    q, v = own(), analytic(own())
+    force = q.z * v["N"] / (2 * math.pi * q.R_i * q.l) * q.R_i
+    assert -force / (q.R_i - q.R_id) == pytest.approx((v["s_i"] + v["s_id"]) / 2, rel=0.05)
+    assert v["s_e"] > q.z * v["N_e"] / (2 * math.pi * q.l) / (q.R_ed - q.R_e) > 0
+    # thin walls: the mean itself
+    q = own(R_id=11e-3, R_ed=19.55e-3, T=1.0)
+    v = analytic(q)
+    assert v["s_e"] == pytest.approx(q.z * v["N_e"] / (2 * math.pi * q.l) / 0.11e-3, rel=0.01)
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_at_its_yield_strength_a_race_bears_it(race):
+    key, s = f"yield_{race}", f"Tresca_{race[0] if race == 'inner' else 'e'}"
+    at = next(x.at for x in as_torque_grows(own(R_p=8e8)) if x.key == key)
+    assert analytic(own(T=at))[s] == pytest.approx(8e8, rel=1e-3)
+    q = own(R_p=2e8)
+    assert said(R_p=2e8)[0].startswith("overloaded: friction holds, but the inner race bears")
+    assert CLUTCH.summary(q, analytic(q))["verdict"] == "overloaded"
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"z": 3}, ["the inner race gives way 3.8", "the outer race gives way 5.6"]),
+        ({"R_id": 10.9e-3, "R_ed": 19.65e-3, "T": 1.0}, ["the inner race", "the outer race"]),
+        ({"n": 2094.0}, ["at n each sprag feels m_g ω² r = 120.6 N of centrifugal force"]),
+        ({"n": 100.0}, []),
+        ({}, []),
+    ],
+    ids=str,
+)
+def test_what_smears_badly_or_flies_outwards_is_warned_of(changes, words):
+    q = own(**changes)
+    warned = [x for x in CLUTCH.warnings(q, analytic(q)) if "gives way" in x or "at n" in x]
+    assert len(warned) == len(words)
+    assert all(w.startswith(x) for w, x in zip(warned, words, strict=True))
+
+
+def test_a_crown_is_told_what_it_drops_at_the_end_slices():
+    v = analytic(own())
+    t = (1 - 1 / 41 - 0.3) / 0.7
+    A = 3407 * (1 - 0.3**2) * 2 / (math.pi * 9e-3 * 206e9)
+    assert v["z_end"] == pytest.approx(-A * math.log(1 - (1 - math.exp(-1e-5 / A)) * t**2))
+    assert any("at the middle of its end slices: z_m = 10 µm is reached at" in x for x in said())
+    assert not any("end slices" in x for x in said(z_m=2e-6))
+    assert not any("end slices" in x for x in said(z_m=0.0))
+
+
+def test_no_blades_and_no_yields_are_told_to_readers():
+    q, v = ran(T=72.0)
+    context = Context("sprag-clutch", q, v, [], False)
+    told = [
+        *CLUTCH.findings(q, v),
+        *CLUTCH.assumptions,
+        *(o.what for o in CLUTCH.outputs),
+        *(c.name for c in CHECKS),
+        *CLUTCH.warnings(q, v),
+        *DYNAMIC.findings(q, v),
+        *(o.what for o in DYNAMIC.outputs),
+        *(f.title for f in CLUTCH.figures(context)),
+    ]
+    assert not any("blade" in x or "yields" in x or "yield " in x for x in told)
+
+
+def test_the_printed_torque_has_every_number():
+    (last,) = CLUTCH.equations(own(), analytic(own()))[-1:]
+    assert "OA" not in last.numbers
+    v = analytic(own())
+    assert 12 * v["N"] * v["mu_req"] * v["OA"] == pytest.approx(25.0, rel=1e-9)
 
 
 def test_friction_just_above_and_below_tan_nu_decides():

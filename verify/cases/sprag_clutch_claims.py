@@ -11,6 +11,7 @@ import numpy as np
 from verify import judge
 from verify.case import Context
 from verify.cases.contact_roller_accepted import Estimated
+from verify.cases.sprag_clutch_drawn_claims import BY_DRAWN, DRAWN
 from verify.cases.sprag_clutch_paper_fem import PRINTED
 from verify.cases.sprag_inputs import IDENTIFIED, EngagementInputs
 from verify.checks import Accepted, Identity
@@ -22,7 +23,6 @@ from verify.shown import Array
 SLICED = 0.02  # of a pressure by slices, and STRIPS of theirs: acceptance figures
 STRIPS = 0.003
 WIDER = 0.045  # demand of a row with that interval
-DRAWN = "points of the drawn sprag"
 BY_STRIPS = "strips"
 FROM_DRAWN = "cubic between the loads of the contacts' laws, as told in u_ref"
 PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
@@ -138,7 +138,7 @@ def width(context: Context) -> tuple[float, float, str]:
 
 
 def preload(context: Context) -> tuple[float, float, str]:
-    """The blades' force is less than a hundredth of the static one."""
+    """The springs' force is less than a hundredth of the static one."""
     share = context.analytic["N_0"] / context.analytic["N"]
     return 0.01 - share, 0.0, f"{share:.2%} of N"
 
@@ -203,8 +203,9 @@ CHECKS = (
              demand_reason=FROM_DRAWN),
     Identity(name="turn of the sprags under torque", symbol="α(T)", unit="deg", analytic="alpha",
              fem="alpha", formal=2, by=DRAWN, residual="law alpha"),
-    Identity(name="sum of the five yields", symbol="H", unit="µm", analytic="H", fem="H",
+    Identity(name="sum of the five deflections", symbol="H", unit="µm", analytic="H", fem="H",
              formal=2, by=DRAWN, residual="law alpha"),
+    *BY_DRAWN,
     *(
         Estimated(name=f"{what} under half of N by slices, {race} race", symbol=f"p_{k}",
                   unit="MPa", analytic=f"p_{k} {key}, half", fem=f"p_{k} {key}, half",
@@ -213,7 +214,7 @@ CHECKS = (
         for k, race in (("i", "inner"), ("o", "outer"))
         for key, what in (("mid", "pressure at mid-length"), ("peak", "largest pressure"))
     ),
-    OfPaper(name="the blades press with less than 1 % of the static force", symbol="N_0/N",
+    OfPaper(name="the springs press with less than 1 % of the static force", symbol="N_0/N",
             unit="1", margin=preload, fem_needed=False),
     OfPaper(name="an engagement that is damped ends at the static force within 1 %", symbol="N",
             unit="N", margin=at_rest),

@@ -10,6 +10,7 @@ from scipy.optimize import brentq
 from analytic.sprag.closure import wedged
 from analytic.sprag.limits import limits
 from verify.case import Values
+from verify.cases.sprag_clutch_bodies import least_force
 from verify.cases.sprag_clutch_model import built
 from verify.cases.sprag_inputs import SpragInputs
 
@@ -19,6 +20,8 @@ WORDS = {
     "slip": "friction gives way",
     "pressure_inner": "the inner contacts reach p_lim",
     "pressure_outer": "the outer contacts reach p_lim",
+    "yield_inner": "the inner race yields at its bore",
+    "yield_outer": "the outer race yields at its bore",
     "end": "the sprags reach the end of their profile and roll over",
     "wide": "contacts 0.15 of their relative radius wide, where the formulas end",
 }
@@ -48,6 +51,10 @@ def as_torque_grows(q: SpragInputs) -> tuple[Limit, ...]:
     if q.p_lim is not None:
         for k, name in enumerate(("inner", "outer")):
             found[f"pressure_{name}"] = _pressed(q, k)
+    if q.R_p is not None:
+        for k, name in enumerate(("inner", "outer")):
+            N = least_force(q, k)
+            found[f"yield_{name}"] = float(wedged(one.clutch, N).T) if one.N_top >= N else math.inf
     ordered = sorted((Limit(k, at) for k, at in found.items() if math.isfinite(at)), key=_place)
     return tuple(ordered)
 
@@ -80,5 +87,7 @@ def verdict(q: SpragInputs, v: Values) -> str:
     if "N" not in v:
         return "no state"
     if q.p_lim is not None and max(v["p_i"], v["p_o"]) > q.p_lim:
+        return "overloaded"
+    if q.R_p is not None and max(v["Tresca_i"], v["Tresca_e"]) > q.R_p:
         return "overloaded"
     return "holds"

@@ -131,7 +131,8 @@ def analytic_state(q: SpragInputs) -> dict[str, float]:
     )
     return {
         "N": N, "N_e": float(now.N_e), "nu": float(now.nu), "omega": float(now.omega),
-        "alpha": float(now.alpha_b), "theta": turn, "turned": float(now.turned),
+        "OA": float(now.OA), "alpha": float(now.alpha_b), "theta": turn,
+        "turned": float(now.turned),
         "stiffness": stiffness(one.clutch, N), "T/theta": q.T / turn,
         "d_HI": float(y.contact_i), "d_HE": float(y.contact_e), "d_BI": float(y.race_i),
         "d_BE": float(y.race_e), "d_g": float(y.sprag), "H": float(y.H),

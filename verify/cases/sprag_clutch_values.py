@@ -7,8 +7,10 @@ import numpy as np
 
 from analytic.sprag.closure import wedged
 from analytic.sprag.start import spring_equilibrium
+from verify.cases.sprag_clutch_bodies import bodies
 from verify.cases.sprag_clutch_limits import as_torque_grows
 from verify.cases.sprag_clutch_model import analytic_state, built, slopes
+from verify.cases.sprag_clutch_variants import variants
 from verify.cases.sprag_inputs import EngagementInputs
 
 LAW = 2e-5  # of N, tan(nu): what the cubic between the loads of a contact's law may miss, standard
@@ -40,4 +42,9 @@ def analytic(q: EngagementInputs) -> dict[str, float]:
     }  # fmt: skip
     found |= {f"T {limit.key}": limit.at for limit in as_torque_grows(q)}
     found |= slopes(q) | analytic_state(q)
+    if "N" in found:
+        found |= bodies(q, found["N"], found["N_e"])
+    if "mu_req" in found:
+        found |= variants(q, found)
+        found["law slip"] = LAW * found.get("per law", math.nan)
     return {key: value for key, value in found.items() if np.isfinite(value)}

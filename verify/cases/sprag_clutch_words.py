@@ -1,82 +1,150 @@
 """What is told of a sprag clutch first: whether it holds, what ends its work, its radii."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from verify.case import Values
 from verify.cases.freewheel_clutch_numbers import newton, newton_metres, pascal
+from verify.cases.sprag_clutch_bodies import thrown
 from verify.cases.sprag_clutch_limits import WORDS, Limit, as_torque_grows, verdict
 from verify.cases.sprag_clutch_model import built
-from verify.cases.sprag_inputs import SpragInputs
+from verify.cases.sprag_inputs import EngagementInputs, SpragInputs
 
 DEGREE = math.degrees(1.0)
 UM = 1e-6
 STEEL = (195e9, 220e9)  # Pa, of which Palmgren's law is
 SHORT = 1e-4  # of the law's last load: below it slices are not solved
 HARD = 0.1  # of N, by which springs press
+REACHED = 0.5  # of z_m: an end slice that drops by less is told
+DEEPER = 1.05  # times what it drops, by twice z_m: not worth it
+UNEVEN = 1.5  # over Eq. 6's smeared ring
+THROWN = 0.1  # of N_0, by which centrifugal forces change it
+SLOWLY = "; this is of a torque that rises slowly: one that comes at once nearly doubles the " \
+    "force (check --dynamic)"  # fmt: skip
 LOOSE = 0.25  # rad, beyond which a sprag has turned a lot
 
 
 def findings(q: SpragInputs, v: Values) -> Sequence[str]:
-    found = [f"{verdict(q, v)}: {why(q, v)}"]
-    found += first_limits(q)
+    state = verdict(q, v)
+    stands = state in ("holds", "overloaded")
+    found = [f"{state}: {why(q, v)}" + (SLOWLY if state == "holds" else "")]
+    if "N" in v and not stands:
+        found.append("forces, turns, pressures and stresses below are those it would have if it "
+                     "held")  # fmt: skip
+    if state != "slips":
+        found += as_it_grows(q)
     if "N" in v:
-        found += [stiff(v), crowned(v), beside(v)]
-        if verdict(q, v) in ("slips", "rolls over"):
-            found.append("forces, turns and pressures below are those it would have if it held")
+        found += [stiff(v, stands), crowned(v, stands), *dropped(q, v), beside(v), *elastic(v)]
     return [*found, sensitive(v)]
 
 
 def why(q: SpragInputs, v: Values) -> str:
-    """What the verdict rests on."""
+    """What the verdict rests on, and what would change it."""
     state = verdict(q, v)
     if v["mu_0"] > q.mu_s:
         return f"tan ν_0 = {v['mu_0']:.4g} exceeds μ_s = {q.mu_s:g}: the sprags do not wedge, " \
-            "any torque slides them"  # fmt: skip
+            f"any torque slides them; {wedging(q, v)}"  # fmt: skip
     if state == "slips":
-        return f"tan ν = {v['mu_req']:.4g} under torque exceeds μ_s = {q.mu_s:g}"
+        return f"tan ν = {v['mu_req']:.4g} under torque exceeds μ_s = {q.mu_s:g}; {wedging(q, v)}"
     if state == "rolls over":
-        return f"the sprags reach the end of their profile, α_max = {q.alpha_max * DEGREE:.4g}°, " \
-            f"at {newton_metres(v['T end'])}, before T = {newton_metres(q.T)}"  # fmt: skip
+        return (
+            f"the sprags reach the end of their profile, α_max = {q.alpha_max * DEGREE:.4g}°, "
+            f"at {newton_metres(v['T end'])}, before T = {newton_metres(q.T)}; {profile(v)}"
+        )
     if state == "no state":
         last = v.get("T wide", math.nan)
         at = f" at {newton_metres(last)}" if math.isfinite(last) else ""
-        return f"no state bears T = {newton_metres(q.T)}: {WORDS['wide']}{at}"
+        return f"no state bears T = {newton_metres(q.T)}: {WORDS['wide']}{at}; take more or " \
+            "longer sprags"  # fmt: skip
     friction = f"torque asks for tan ν = {v['mu_req']:.4g} of friction, μ_s is {q.mu_s:g} " \
         f"(μ_s/tan ν = {v['safety']:.3g})"  # fmt: skip
     if state == "overloaded":
-        p, race = max((v["p_i"], "inner"), (v["p_o"], "outer"))
-        return f"friction holds, but the {race} contacts bear {pascal(p)}, p_lim is " \
-            f"{pascal(q.p_lim or 0)}; {friction}"  # fmt: skip
+        return f"friction holds, but {overload(q, v)}; {friction}"
     return friction
 
 
-def first_limits(q: SpragInputs) -> list[str]:
-    """What comes first as the torque grows, and what after it."""
-    ahead = [x for x in as_torque_grows(q) if x.at > q.T and x.key != "wide"]
-    if not ahead:
-        return []
-    told = "; then ".join(f"{x.words} at {newton_metres(x.at)}" for x in ahead[:3])
-    return [f"as the torque grows, {told}"]
+def wedging(q: SpragInputs, v: Values) -> str:
+    """Wedge angle and friction with which the clutch would hold."""
+    asked = v.get("mu_req", v["mu_0"])
+    grows = max(1.0, asked / v["mu_0"]) ** 2  # a smaller angle bears more force, which opens it
+    nu = math.atan(q.mu_s / grows) * DEGREE
+    return f"take ν_0 below {rounded(nu, math.floor):g}° or μ_s above " \
+        f"{rounded(max(asked, v['mu_0']), math.ceil):g}"  # fmt: skip
 
 
-def stiff(v: Values) -> str:
+def profile(v: Values) -> str:
+    """What keeps the sprags on their profile."""
+    parts = "thicker races, more or longer sprags"
+    if "turned" not in v:
+        return f"take {parts}"
+    least = rounded(v["turned"] * DEGREE, math.ceil)
+    return f"take a profile with α_max of at least {least:g}°, or {parts}"
+
+
+def overload(q: SpragInputs, v: Values) -> str:
+    """What is borne beyond its limit, and what would lower it."""
+    p, race = max((v["p_i"], "inner"), (v["p_o"], "outer"))
+    if q.p_lim is not None and p > q.p_lim:
+        times = rounded((p / q.p_lim) ** 2, math.ceil)
+        return f"the {race} contacts bear {pascal(p)}, p_lim is {pascal(q.p_lim)}: take about " \
+            f"{times:g} times as many sprags, or as long ones"  # fmt: skip
+    s, race = max((v["Tresca_i"], "inner"), (v["Tresca_e"], "outer"))
+    return f"the {race} race bears {pascal(s)} at its bore (Tresca), R_p is " \
+        f"{pascal(q.R_p or 0)}: take thicker races or longer sprags"  # fmt: skip
+
+
+def rounded(x: float, to: Callable[[float], int], digits: int = 3) -> float:
+    """`x` to so many digits, up or down."""
+    unit = 10.0 ** (math.floor(math.log10(x)) + 1 - digits)
+    return to(x / unit) * unit
+
+
+def as_it_grows(q: SpragInputs) -> list[str]:
+    """Limits that the torque has passed, and what comes first as it grows."""
+    known = [x for x in as_torque_grows(q) if x.key != "wide"]
+    passed, ahead = [x for x in known if x.at <= q.T], [x for x in known if x.at > q.T]
+    lines = []
+    if passed:
+        lines.append(f"passed already: {'; '.join(map(_at, passed))}")
+    if ahead:
+        lines.append(f"as the torque grows, {'; then '.join(map(_at, ahead[:3]))}")
+    return lines
+
+
+def _at(limit: Limit) -> str:
+    return f"{limit.words} at {newton_metres(limit.at)}"
+
+
+def stiff(v: Values, stands: bool) -> str:
+    bears, has, have = ("bears", "has", "have") if stands else ("would bear", *("would have",) * 2)
     return (
-        f"each sprag bears {newton(v['N'])} and has turned by {v['alpha'] * DEGREE:.3g}°; the "
-        f"races have turned by {v['theta'] * DEGREE:.3g}° against each other, "
+        f"each sprag {bears} {newton(v['N'])} and {has} turned by {v['alpha'] * DEGREE:.3g}°; the "
+        f"races {have} turned by {v['theta'] * DEGREE:.3g}° against each other, "
         f"{v['stiffness']:.4g} N m/rad at this torque"
     )
 
 
-def crowned(v: Values) -> str:
+def crowned(v: Values, stands: bool) -> str:
     """Pressures of both races, the crown's peak over the middle's."""
     told = [
         f"{pascal(v[f'p_{k}'])} at the {race} race ({v[f'p_{k}'] / v[f'p_{k} mid']:.3g} times "
         "that at mid-length)"
         for k, race in (("i", "inner"), ("o", "outer"))
     ]
-    return f"the contacts' slices bear up to {' and '.join(told)}"
+    return f"the contacts' slices {'' if stands else 'would '}bear up to {' and '.join(told)}"
+
+
+def dropped(q: SpragInputs, v: Values) -> list[str]:
+    """Where z_m is reached at the very ends alone."""
+    if q.z_m == 0 or v["z_end"] > REACHED * q.z_m:
+        return []
+    flat = v["z_end, 2 z_m"] < DEEPER * v["z_end"]
+    more = ", a larger one changes little" if flat else ""
+    return [
+        f"the crown drops by {v['z_end'] / UM:.3g} µm at the middle of its end slices: z_m = "
+        f"{q.z_m / UM:.3g} µm is reached at the very ends alone{more}"
+    ]
 
 
 def beside(v: Values) -> str:
@@ -85,6 +153,20 @@ def beside(v: Values) -> str:
         f"with rigid races (Liu) the sprags would turn by {v['alpha Liu'] * DEGREE:.3g}°, by Eqs. "
         f"9 and 10 as printed by {v['alpha printed'] * DEGREE:.3g}°"
     )
+
+
+def elastic(v: Values) -> list[str]:
+    """What the parts' elasticity makes of the turn, and of the engagement's time."""
+    if not {"alpha elastic", "theta elastic"} <= set(v):
+        return []
+    share = v["theta"] / v["theta elastic"]
+    times = math.sqrt(share)
+    spring = "softer" if share > 1 else "stiffer"
+    return [
+        "as elastic bodies (case sprag-wedge, where finite elements judge them) the sprags turn "
+        f"by {v['alpha elastic'] * DEGREE:.3g}°: the paper's deflections, used here, make the "
+        f"clutch {spring} and its swings about {times:.3g} times as long"
+    ]
 
 
 def sensitive(v: Values) -> str:
@@ -114,6 +196,17 @@ def warnings(q: SpragInputs, v: Values) -> Sequence[str]:
             "torque asks for"
             if "N_0" in v
             else "the springs turn the sprags to their end"
+        )
+    found += [
+        f"the {race} race gives way {v[key]:.3g} times as much under each sprag as Eq. 6's smeared "
+        "ring: few sprags or a thin wall make it no round race, its stress is not the smeared one's"
+        for key, race in (("uneven_i", "inner"), ("uneven_e", "outer"))
+        if v.get(key, 0.0) > UNEVEN
+    ]
+    if isinstance(q, EngagementInputs) and (F := thrown(q)) > THROWN * v.get("N_0", math.inf):
+        found.append(
+            f"at n each sprag feels m_g ω² r = {newton(F)} of centrifugal force, its springs press "
+            f"with {newton(v['N_0'])}: n counts for the growth of the outer race alone here"
         )
     if q.l < q.b:
         found.append("sprags are shorter than wide: line contacts they hardly have")
