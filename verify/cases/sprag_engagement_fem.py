@@ -41,6 +41,7 @@ COARSER = 1500  # intervals of the table that says how far its own cubics are of
 LEAST = 1e-7  # of a value: half of what a table of 500 intervals changes, 4000 change 6e-9
 SPLINES = 1e-6  # of a value, standard: LSODA's force is a spline of its own through the states
 CROSSED = 1e-6  # of a frequency: crossings are told on straight lines between samples
+STUCK = 0.05  # of a step, within which the time of sticking is known
 SHOWN = 601  # samples that are kept
 ACROSS = 240  # moments in figures of pressure
 ENERGIES = ("torque", "blades", "kinetic", "elastic", "support", "damping", "friction", "missing")
@@ -78,7 +79,8 @@ def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
     share = max(abs(other.N_max / main.N_max - 1), LEAST)
     v = analytic(q)
     parabola = q.dt * (2 * math.pi * v["f"] * q.dt) ** 2  # through samples: its next order
-    time = max(abs(other.peak[0] - main.peak[0]), parabola)
+    slid = (main.phases[main.t < main.peak[0]] == Phase.SLIP).any()
+    time = max(abs(other.peak[0] - main.peak[0]), parabola, STUCK * q.dt if slid else 0.0)
     keys = ("N_max", "N_max rigid", "N_max more", "ratio", "rigid", "N_undamped", "N", "f", "asked")
     beside = {"asked": "mu_asked", "N_max rigid": "N_max rigid", "N_max more": "N_max more"}
     found = {key: share * v[beside.get(key, key)] for key in keys} | {"t_max": time}
@@ -180,8 +182,10 @@ def later_peak(found: "Engagement") -> float:
 
 
 def asked(found: "Engagement") -> float:
-    """Largest |T|/N, the friction that keeps the contacts from sliding."""
-    pressed = found.N > 0
+    """Largest |T|/N while both contacts stick, the friction that keeps them from sliding."""
+    pressed = (found.N > 0) & (found.phases == Phase.STICK).all(axis=1)
+    if not pressed.any():
+        return math.nan
     most = np.maximum(np.abs(found.T_i), np.abs(found.T_e))[pressed]
     return float((most / found.N[pressed]).max())
 

@@ -65,8 +65,8 @@ def time_to_rest(q: EngagementInputs) -> float:
 
 
 @lru_cache(maxsize=64)
-def swing(q: EngagementInputs, *, rigid: bool = False, first: bool = False) -> Swing:
-    """Two races on the clutch as a spring: rolling, massless sprags; or only the `first` swing.
+def swing(q: EngagementInputs, *, rigid: bool = False) -> Swing:
+    """Two races on the clutch as a spring: rolling, massless sprags.
 
     A race that overruns comes to rest first and engages from there.
     """
@@ -91,7 +91,6 @@ def swing(q: EngagementInputs, *, rigid: bool = False, first: bool = False) -> S
         return float(w.theta[-1] - (y[0] - y[1]))
 
     turns.direction = -1  # type: ignore[attr-defined]
-    turns.terminal = first  # type: ignore[attr-defined]
     over.terminal = True  # type: ignore[attr-defined]
     t = np.linspace(min(rest, q.t_end * (1 - 1e-3)), q.t_end, SAMPLES)
     found = solve_ivp(
@@ -208,8 +207,8 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
     first, found, force = w.states, swing(q), w.force()
     rest, peak = at_rest(w, q.T), undamped(w, q.T)
     N, N_max = float(force(rest)), found.peak[1]
-    more = swing(with_torque(q), first=True).peak[1]
-    rigid = swing(q, rigid=True, first=True).peak[1]
+    more = swing(with_torque(q)).peak[1]
+    rigid = swing(q, rigid=True).peak[1]
     values = {
         "N_max": N_max, "t_max": found.peak[0], "factor": N_max / N, "N": N, "theta": rest,
         "alpha": float(np.interp(rest, w.theta, first.alpha)),
@@ -221,7 +220,7 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
         "unequal": float(np.interp(N_max, first.N[1:], first.N_e[1:] / first.N[1:])) - 1,
         "left out": left_out(w, float(force(peak))), "by turning": by_turning(w),
         "passed on": passed_on(w, q.T), "inertia": sprags_inertia(w, rest) / q.I_bi,
-        "over": float(found.over), "over more": float(swing(with_torque(q), first=True).over),
+        "over": float(found.over), "over more": float(swing(with_torque(q)).over),
         "start": asked_at_start(q) if q.t_ramp == 0 else 0.0,
     }  # fmt: skip
     return {key: value for key, value in values.items() if math.isfinite(value)}

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from verify.case import Case, Output, Values
 from verify.cases import sprag_friction_shown as shown
 from verify.cases.sprag_friction_claims import CHECKS
-from verify.cases.sprag_friction_fem import LEVELS, fem
+from verify.cases.sprag_friction_fem import LEVELS, fem, settled
 from verify.cases.sprag_friction_formulas import analytic
 from verify.cases.sprag_inputs import EngagementInputs
 
@@ -14,11 +14,14 @@ SURE = 1.1  # of the friction asked for
 
 
 def too_large(q: EngagementInputs) -> str:
-    if LEVELS[-1] * q.t_end / q.dt > MOST_STEPS:
-        return f"t_end/dt = {q.t_end / q.dt:.4g} is above {MOST_STEPS // LEVELS[-1]} steps"
     v = analytic(q)
     if "N_max more" not in v or "mu_b" not in v or v["over"]:
         return "the sprags roll over: nothing is left to compare; check it without --fem"
+    if LEVELS[-1] * settled(q) / q.dt > MOST_STEPS:
+        return (
+            f"{settled(q):.4g} s, t_end or five periods, take {settled(q) / q.dt:.4g} steps of dt, "
+            f"above {MOST_STEPS // LEVELS[-1]}; check it without --fem"
+        )
     if q.mu_c < SURE * v["asked"]:
         return (
             f"mu_c = {q.mu_c:g} is not above tan ν = {v['asked']:.4g} by {SURE - 1:.0%}: sprags "

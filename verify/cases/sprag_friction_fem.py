@@ -10,7 +10,14 @@ import numpy as np
 from analytic.sprag.history import Phase
 from analytic.sprag.motion import Speeds, Torque
 from verify.case import FemResult
-from verify.cases.sprag_engagement_fem import SPLINES, engaged_fem, held, highest, partner_fem
+from verify.cases.sprag_engagement_fem import (
+    SPLINES,
+    STUCK,
+    engaged_fem,
+    held,
+    highest,
+    partner_fem,
+)
 from verify.cases.sprag_engagement_formulas import MORE, with_torque
 from verify.cases.sprag_engagement_formulas import analytic as asked_engagement
 from verify.cases.sprag_engagement_model import motion, wedge
@@ -28,9 +35,8 @@ BRACKET = (0.9, 1.1)  # of the friction asked for
 HALVINGS = 12
 SPEED = 100.0  # rad/s of a race that slides on
 HEAVY = 1e9  # times its inertia, which keeps that speed
-SLIDES = 0.2  # s
+SLIDES, SETTLES = 16, 5  # periods of the engagement in which sliding, and the end, are steady
 UNTIL = 1.3  # of the time of the first peak
-STUCK = 0.05  # of a step, within which the time of sticking is known
 NARROW = 1e-3  # m/s: the band of which the subject warns
 ROUGH = 1e-6  # of LSODA, where a thousandth is asked for
 SWEEP = ((0.4, 1.0), (MORE, 1.0), (MORE, 2.0))  # of T, and of mu_s
@@ -47,7 +53,6 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
     until = UNTIL * v["t_max"]
     first, more = (engaged_fem(p, wedge(p), dt, duration=until, D_V=None)
                    for p in (weak(q), weak(q, MORE)))  # fmt: skip
-    table = first.N_max * table_fem(q, dt, until, first.N_max)
     values = {
         "mu_b": boundary, "N slides": slides, "N overruns": overruns,
         "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks_fem(more),
@@ -60,16 +65,19 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
                   | map_fem(q) | narrow_fem(q))  # fmt: skip
     u_it = {
         "mu_b": half, "N slides": wide, "N overruns": wide_over, "slips": STUCK * dt,
-        "sticks": STUCK * dt, "N_max": table, "N_max more": table, "N_max amid": table,
+        "sticks": STUCK * dt,
     }  # fmt: skip
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
 
 
-def table_fem(q: EngagementInputs, dt: float, until: float, N_max: float) -> float:
-    """What another table of the force changes, over the largest force."""
-    p = weak(q)
-    other = engaged_fem(p, wedge(p), dt, duration=until, D_V=None, intervals=COARSER)
-    return max(abs(other.N_max / N_max - 1), LEAST)
+def frequency(q: EngagementInputs) -> float:
+    """Small oscillations under the torque [Hz]."""
+    return asked_engagement(q)["f"]
+
+
+def settled(q: EngagementInputs) -> float:
+    """Time [s] after which an engagement tells whether it locks, t_end at least."""
+    return max(q.t_end, q.t_ramp + SETTLES / frequency(q))
 
 
 def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
@@ -83,7 +91,8 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
     low, high = (share * mu for share in BRACKET)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        locks = engaged_fem(rough(q, middle), wedge(q), dt, D_V=None).verdict == "locks"
+        found = engaged_fem(rough(q, middle), wedge(q), dt, D_V=None, duration=settled(q))
+        locks = found.verdict == "locks"
         low, high = (low, middle) if locks else (middle, high)
     return (low + high) / 2, (high - low) / 2
 
@@ -102,8 +111,8 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
     """Mean N [N] while the inner race slides on at `speed` [rad/s], and how much it wanders."""
     moves = held(rough(q, mu), C_rl=0.0, I_bi=HEAVY * q.I_bi)
     found = engaged_fem(
-        q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES, speeds=Speeds(inner=speed),
-        D_V=None,
+        q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES / frequency(q),
+        speeds=Speeds(inner=speed), D_V=None,
     )  # fmt: skip
     half = len(found.N) // 2
     window = np.hanning(half)  # in which parts of a period weigh next to nothing
@@ -167,7 +176,7 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
     slips = partner_fem(amid, wedge(amid), until)
     at = np.flatnonzero(slips.rolls[:, 0] == 0)
     values |= {"LSODA N_max amid": highest(slips)[1], "LSODA slips": float(slips.t[at[0]])}
-    residuals = []
+    residuals = [SPLINES]
     for name, one in (("", weak(q)), (" more", weak(q, MORE)), (" amid", amid)):
         less = partner_fem(one, wedge(one), until, every=2, rtol=ROUGH)
         residuals.append(abs(highest(less)[1] / values[f"LSODA N_max{name}"] - 1))

@@ -84,9 +84,9 @@ def analytic(q: EngagementInputs) -> Mapping[str, float]:
         "drag": -q.z * q.R_i * overruns.share * overruns.N,
         "T slides": q.z * q.R_i * slides.share * slides.N,
         "unequal": float((w.states.N_e / np.maximum(w.states.N, 1e-300))[-1]) - 1,
-        "N_max": swing(q, first=True).peak[1], "t_max": swing(q, first=True).peak[0],
-        "N_max more": swing(with_torque(q, MORE), first=True).peak[1],
-        "asked": float(np.tan(np.interp(swing(q, first=True).peak[1], w.states.N, w.states.nu))),
-        "over": float(swing(q, first=True).over),
+        "N_max": swing(q).peak[1], "t_max": swing(q).peak[0],
+        "N_max more": swing(with_torque(q, MORE)).peak[1],
+        "asked": float(np.tan(np.interp(swing(q).peak[1], w.states.N, w.states.nu))),
+        "over": float(swing(q).over),
     }  # fmt: skip
     return {key: value for key, value in values.items() if math.isfinite(value)}

@@ -108,7 +108,7 @@ def law(q: EngagementInputs) -> Figure:
 def slides(context: Context) -> Figure:
     """N of sprags that slide, over friction; driven and overrunning."""
     q, w, v = context.inputs, wedge(context.inputs), context.analytic
-    curves = []
+    curves: list[Curve] = []
     for words, share in (
         ("driven", np.linspace(0.02, 0.97, 96)), ("overrunning", np.linspace(-3, -0.02, 96)),
     ):  # fmt: skip
