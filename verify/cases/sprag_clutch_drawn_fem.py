@@ -7,6 +7,7 @@ three. What yields is put together anew: rings under smeared forces, a bar, slic
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from scipy.optimize import brentq
@@ -16,6 +17,7 @@ from verify.cases.sprag_inputs import SpragInputs
 from verify.shown import Array
 
 AROUND = 0.6  # rad of spiral to either side of where it may touch
+POWER = 3  # of the way's parts, which force grows with: near no load little of it turns a lot
 FAR = 6.0  # rad, more than any sprag turns
 
 
@@ -38,21 +40,32 @@ def crowned(q: SpragInputs, n: int) -> Array:
 
 @dataclass(frozen=True)
 class Touching:
-    """A sprag that two forces hold: its turn, angles [rad], the clutch's torque [N m]."""
+    """A sprag that two forces hold: its turn, angles [rad], the clutch's torque [N m].
+
+    `A` and `B`, where it bears them, and its pole `C` are places [m], (2,), B straight above O.
+    """
 
     N: float
     alpha: float
     turned: float
     nu: float
     T: float
+    A: Array
+    B: Array
+    C: Array
 
 
 @dataclass(frozen=True)
 class Drawn:
-    """The sprag of a clutch as `points` per radian of spiral."""
+    """The sprag of a clutch as `points` per radian of spiral.
+
+    With `rigid` races (Liu), or with what Eqs. 9 and 10 as printed lose on the inner side.
+    """
 
     q: SpragInputs
     points: int
+    rigid: bool = False
+    printed: bool = False
 
     @cached_property
     def start(self) -> float:
@@ -101,33 +114,35 @@ class Drawn:
         inner, outer = q.R_id / q.R_i, q.R_e / q.R_ed
         gap, E_star = crowned(q, q.slices), q.E / (2 * (1 - q.nu**2))
         r_e = q.R_e - self._OC
-        found = {
+        found = {"BI": 0.0, "BE": 0.0} if self.rigid else {
             "BI": smeared / q.E * ((1 + inner**2) / (1 - inner**2) - q.nu),
             "BE": smeared / q.E * ((1 + outer**2) / (1 - outer**2) + q.nu),
-            "g": N * (q.R_e - q.R_i) / (q.E * q.b * q.l),
-        }
+        }  # fmt: skip
+        found["g"] = N * (q.R_e - q.R_i) / (q.E * q.b * q.l)
         for name, r, R in (("HI", q.r_i, q.R_i), ("HE", r_e, -q.R_e)):
-            pressed = slices.press(gap, length=q.l, R=r * R / (r + R), E_star=E_star, load=N)
-            found[name] = float(pressed.approach)
+            given = {"length": q.l, "R": r * R / (r + R), "E_star": E_star}
+            found[name] = float(slices.press(gap, load=N, **given).approach) if N else 0.0
         return found
 
     def under(self, N: float) -> Touching:
         """The state under the normal force N [N]."""
         q, d = self.q, self.yields(N)
-        grown = self._grown()
+        grown = self.grown()
         OC = self._OC + d["BE"] + d["HE"] + d["g"] / 2 + grown
-        meets = q.R_i - d["BI"] - d["HI"] - d["g"] / 2
+        lost = (d["HI"] + d["g"]) / 2 if self.printed else 0.0
+        meets = q.R_i - d["BI"] - d["HI"] - d["g"] / 2 + lost
         first = self.start
         alpha = float(brentq(lambda a: self._near(first, a, OC)[0] - meets, -FAR, FAR, xtol=1e-14))
         _, beta, turned = self._near(first, alpha, OC)
         OA, OB = q.R_i - d["BI"] - d["HI"] / 2, q.R_e + d["BE"] + d["HE"] / 2 + grown
         A = OA * np.array([math.sin(beta), math.cos(beta)])
-        strut = np.array([0.0, OB]) - A
+        B, C = np.array([0.0, OB]), np.array([0.0, OC])
+        strut = B - A
         along, across = float(strut @ A) / OA, float(A[0] * strut[1] - A[1] * strut[0]) / OA
         nu = math.atan2(across, along)
-        return Touching(N, alpha, turned, nu, q.z * N * math.tan(nu) * OA)
+        return Touching(N, alpha, turned, nu, q.z * N * math.tan(nu) * OA, A, B, C)
 
-    def _grown(self) -> float:
+    def grown(self) -> float:
         """Growth [m] of the outer race's bore by rotation: a hollow disc in plane stress."""
         q = self.q
         return float(q.R_e * q.density * q.n**2 / (4 * q.E)
@@ -137,3 +152,36 @@ class Drawn:
         """The state under the torque T [N m], whose force is within a half of `near` [N]."""
         N = brentq(lambda N: self.under(N).T - T, 0.5 * near, 1.5 * near, rtol=1e-13)
         return self.under(float(N))
+
+    def at_friction(self, mu: float, near: float) -> Touching:
+        """The state whose strut asks for the friction mu, under a force within a half of `near`."""
+        N = brentq(lambda N: math.tan(self.under(N).nu) - mu, 0.5 * near, 1.5 * near, rtol=1e-12)
+        return self.under(float(N))
+
+    def rolled(self, N: float, steps: int) -> float:
+        """Turn [rad] of the inner race from no load to N [N] in steps, the outer race at rest.
+
+        In each the sprag is moved from one place to the next so that what it has at the middle of
+        its way at B keeps its azimuth; what it has there at A takes the inner race along.
+        """
+        way = [self.under(N * (k / steps) ** POWER) for k in range(steps + 1)]
+        return math.fsum(_taken(one, two) for one, two in pairwise(way))
+
+
+def _taken(one: Touching, two: Touching) -> float:
+    """Angle [rad] by which the sprag takes the inner race on its way between two places."""
+    B = (_on_sprag(one, one.B) + _on_sprag(two, two.B)) / 2
+    A = (_on_sprag(one, one.A) + _on_sprag(two, two.A)) / 2
+    swung = _azimuth(one, B) - _azimuth(two, B)  # counter-clockwise, of the line OB
+    return swung + _azimuth(two, A) - _azimuth(one, A)
+
+
+def _on_sprag(now: Touching, place: Array) -> Array:
+    c, s = math.cos(now.alpha), math.sin(now.alpha)
+    return np.array([[c, -s], [s, c]]) @ (place - now.C)
+
+
+def _azimuth(now: Touching, point: Array) -> float:
+    c, s = math.cos(now.alpha), math.sin(now.alpha)
+    x, y = now.C + np.array([[c, s], [-s, c]]) @ point
+    return math.atan2(y, x)

@@ -6,9 +6,11 @@ import numpy as np
 
 from analytic.sprag.closure import wedged
 from verify.case import FemResult
-from verify.cases.sprag_clutch_drawn_fem import Drawn, crowned, places
+from verify.cases.sprag_clutch_drawn_fem import Drawn, Touching, crowned, places
 from verify.cases.sprag_clutch_model import HALF, built, under
 from verify.cases.sprag_clutch_paper_fem import paper_fem
+from verify.cases.sprag_clutch_values import analytic
+from verify.cases.sprag_clutch_variants import fast
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.shown import Array
 
@@ -28,6 +30,7 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
         "N": found.N, "alpha": found.alpha, "nu": found.nu, "mu_req": float(np.tan(found.nu)),
         "H": sum(drawn.yields(found.N).values()),
     }  # fmt: skip
+    values |= others_fem(q, level, found)
     arrays: dict[str, Array] = {}
     for name, key in (("i", 0), ("o", 1)):
         half = by_strips_fem(q, level, HALF * found.N, key)
@@ -37,6 +40,30 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
     if level == LEVELS[-1] and q == EngagementInputs():
         arrays |= paper_fem()
     return FemResult(h=1 / level, values=values, u_it={"N": 1e-12 * found.N}, arrays=arrays)
+
+
+def others_fem(q: EngagementInputs, level: int, found: Touching) -> dict[str, float]:
+    """By drawing: rolling, rigid races (Liu), Eqs. 9 and 10 as printed, and the two variants."""
+    v, points, steps = analytic(q), POINTS * level, level // 2
+    one = Drawn(q, points)
+    values = {"theta": one.rolled(found.N, steps)}
+    if "N Liu" in v:
+        stiff = Drawn(q, points, rigid=True)
+        liu = stiff.at_torque(q.T, v["N Liu"])
+        rigid = {"N Liu": liu.N, "alpha Liu": liu.alpha, "theta Liu": stiff.rolled(liu.N, steps)}
+        values |= rigid
+    if "N printed" in v:
+        literal = Drawn(q, points, printed=True).at_torque(q.T, v["N printed"])
+        values["alpha printed"] = literal.alpha
+    if "T slip low" in v:
+        near = v["T slip low"] / (q.z * q.R_i * v["mu low"])
+        quick = Drawn(fast(q), points)
+        state = quick.at_torque(q.T, found.N)
+        values |= {
+            "T slip low": one.at_friction(v["mu low"], near).T, "d_ce fast": quick.grown(),
+            "alpha fast": state.alpha, "theta fast": quick.rolled(state.N, steps),
+        }  # fmt: skip
+    return values
 
 
 def by_strips_fem(q: EngagementInputs, n: int, N: float, contact: int) -> "Strips":

@@ -20,7 +20,7 @@ PRINTED = {25.0: (3500e6, 2980e6), 40.0: (4700e6, 3400e6)}  # without and with t
 FIG_13 = ((1.0, 0.4, 0.01e-3), (3.0, 0.4, 0.01e-3))
 COUNTS = (11, 15, 19, 21, 23, 25, 27, 31, 41, 81, 161)  # slices
 ANGLES = np.radians([2.9, 3.3])
-HEAVY = 3.0  # N m s/rad, with which an engagement comes to rest
+CALMED = {"C_rl": 3.0, "t_end": 0.15}  # N m s/rad, s, in which an engagement comes to rest
 SHORT = 0.03  # s, past the first peaks
 
 Crown = tuple[float, float, float]
@@ -57,18 +57,8 @@ def ends(run: Run) -> Array:
 def paper_fem() -> dict[str, Array]:
     """What is measured of the paper's clutch, by name."""
     q = EngagementInputs()
-    best, (flat_25, best_25) = BEST[25.0], PRINTED[25.0]
-    nu_0 = float(brentq(lambda nu: peak_fem(best, 25.0, nu_0=float(nu)) - best_25, *ANGLES,
-                        xtol=1e-5))  # fmt: skip
-    flat = np.array([peak_fem(None, 25.0, nu_0=nu_0, slices=n) for n in COUNTS])
-    n = COUNTS[int(np.argmin(np.abs(flat - flat_25)))]
-    own = {"nu_0": nu_0, "slices": n}
-    pairs = {T: [peak_fem(None, T, **own), peak_fem(BEST[T], T, **own)] for T in TORQUES}
     runs = [run_fem(designed(BEST[T], T)).engagement for T in TORQUES]
     return {
-        "fitted": np.array([nu_0, n]),
-        "flat, counts": np.array(COUNTS, dtype=np.float64), "flat, peaks": flat,
-        "pair 25": np.array(pairs[25.0]), "pair 40": np.array(pairs[40.0]),
         "as given": np.array([[peak_fem(c, T) for c in (None, BEST[T])] for T in TORQUES]),
         "N_max": np.array([run.N_max for run in runs]),
         "N_static": np.array([run.N_static for run in runs]),
@@ -76,6 +66,27 @@ def paper_fem() -> dict[str, Array]:
         "second peak": np.array([second_peak(run) for run in runs]),
         "flat, ends": ends(run_fem(designed(None, 25.0))),
         "Fig. 13": np.array([peak_fem(c, 25.0) for c in FIG_13]),
-        "damped": np.array([run_fem(q.model_copy(update={"C_rl": HEAVY})).engagement.N[-1]]),
-        "narrow": np.array([run_fem(designed(best, 25.0, b=3.05e-3)).engagement.N_max]),
+        "damped": np.array([run_fem(q.model_copy(update=CALMED)).engagement.N[-1]]),
+        "narrow": np.array([run_fem(designed(BEST[25.0], 25.0, b=3.05e-3)).engagement.N_max]),
+    } | calibrated_fem()  # fmt: skip
+
+
+def calibrated_fem() -> dict[str, Array]:
+    """The wedge angle and the slices from 25 N m, and what they predict; nan where none fit."""
+    best, (flat_25, best_25) = BEST[25.0], PRINTED[25.0]
+    counts = np.array(COUNTS, dtype=np.float64)
+    try:
+        nu_0 = float(brentq(lambda nu: peak_fem(best, 25.0, nu_0=float(nu)) - best_25, *ANGLES,
+                            xtol=1e-5))  # fmt: skip
+    except (ArithmeticError, ValueError):
+        nothing = np.full(2, np.nan)
+        return {"fitted": nothing, "flat, counts": counts, "flat, peaks": np.nan * counts,
+                "pair 25": nothing, "pair 40": nothing}  # fmt: skip
+    flat = np.array([peak_fem(None, 25.0, nu_0=nu_0, slices=n) for n in COUNTS])
+    n = COUNTS[int(np.argmin(np.abs(flat - flat_25)))]
+    own = {"nu_0": nu_0, "slices": n}
+    pairs = {T: [peak_fem(None, T, **own), peak_fem(BEST[T], T, **own)] for T in TORQUES}
+    return {
+        "fitted": np.array([nu_0, n]), "flat, counts": counts, "flat, peaks": flat,
+        "pair 25": np.array(pairs[25.0]), "pair 40": np.array(pairs[40.0]),
     }  # fmt: skip
