@@ -1,25 +1,8 @@
-r"""A sprag as an elastic body: how two opposed forces press a column with rounded ends.
+"""A sprag as an elastic body: how two opposed forces press a column with rounded ends.
 
-Forces F and -F along AB press the outline at A and B. Alone, each would be Flamant's, with z_0 its
-point and Goursat's functions
-
-.. math:: \varphi = -\frac{F}{2\pi}\ln(z - z_0), \qquad
-          \psi = \frac{\bar F}{2\pi}\ln(z - z_0) - \bar z_0\,\varphi' ,
-
-which leaves bounded tractions on the outline. Polynomials take these off by least squares on the
-resultant force, which is constant on either side between A and B,
-
-.. math:: \varphi + z\,\overline{\varphi'} + \overline{\psi} = \text{const}, \qquad
-          2G(u + iv) = \kappa\varphi - z\,\overline{\varphi'} - \overline{\psi} .
-
-In the middle of a Hertz patch of half-width a the logarithm becomes ln(2/a) + 1/2. A disc comes out
-to round-off (`hertz_line_approach.approach_to_centre`). Left out are (a/r)² and the square of the
-angle between forces and normals.
-
-References
-----------
-.. [1] N. I. Muskhelishvili, Some Basic Problems of the Mathematical Theory of Elasticity,
-   Noordhoff 1953.
+In the middle of a Hertz patch of half-width a the logarithm of a force (`goursat`) becomes
+ln(2/a) + 1/2. A disc comes out to round-off (`hertz_line_approach.approach_to_centre`). Left out
+are (a/r)² and the square of the angle between forces and normals.
 """
 
 from collections.abc import Callable
@@ -27,32 +10,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from analytic.contact.checks import Array, positive
 from analytic.sprag.geometry import LogSprag
+from analytic.sprag.goursat import DEGREE, Complex, Outline, displaced, flamant, forces_along, rest
 
-Complex = NDArray[np.complex128]
-Goursat = tuple[Complex, Complex, Complex]  # phi, its derivative, psi
-Force = tuple[complex, complex]  # where, and which
-
-DEGREE = 24  # of the polynomials: 4e-4 of a sprag's approach
 POINTS = 160  # of each smooth piece of the outline
 STEEPEST = np.radians(75)  # from the line AB, where spiral and arc may end
-
-
-@dataclass(frozen=True, kw_only=True)
-class Outline:
-    """Force points A and B as x + iy [length], and the outline between them on either side, (m,).
-
-    The body lies to the right of `left` and to the left of `right`, as seen with B above A.
-    """
-
-    A: complex
-    B: complex
-    left: Complex
-    right: Complex
 
 
 def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int = DEGREE) -> float:
@@ -67,12 +32,12 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
     positive(a, "half-width", "m")
     kappa = 3 - 4 * nu
     G = (kappa + 1) / 8  # of a body with E' = 1
-    forces = _forces(outline)
-    rest = _rest(outline, forces, degree)
+    forces = forces_along(outline)
+    others = rest(outline, forces, degree)
     total = 0.0
     for (z, F), other, half in zip(forces, forces[::-1], a, strict=True):
         there = np.array([z])
-        u = sum(_displaced(there, g, kappa)[0] for g in (_flamant(there, other), rest(there)))
+        u = sum(displaced(there, g, kappa)[0] for g in (flamant(there, other), others(there)))
         local = 2 / np.pi * (np.log(2 / half) + 0.5) - 1 / (4 * np.pi * G)
         total += float(local) + float((u * np.conj(F)).real) / (2 * G)
     return total
@@ -102,6 +67,18 @@ class Column:
         """Rotation against OB [rad] at which the outer contact is at a flank."""
         _, (_, left) = self._flanks
         return -float(left)
+
+    @property
+    def core(self) -> complex:
+        """The point of the middle line beside the pole."""
+        low, along = self._middle
+        return complex(low - (low * np.conj(along)).real * along)
+
+    def normal(self, turned: float) -> complex:
+        """Unit vector into the body at the inner contact [theta - theta_0 in rad]."""
+        m = float(np.asarray(self.sprag.m))
+        inwards = -(1 - 1j * m) * complex(self._spiral(np.array(self.sprag.eta_0 + turned)))
+        return inwards / abs(inwards)
 
     def stands(self, *, turned: float, alpha_b: float) -> bool:
         """Whether both contacts lie between the flanks."""
@@ -150,12 +127,17 @@ class Column:
         """Clockwise from +y."""
         return np.asarray(1j * np.asarray(self.sprag.r_e) * np.exp(-1j * phi))
 
+    @property
+    def _middle(self) -> tuple[complex, complex]:
+        """The inner contact without load, and the direction to the outer one."""
+        low = complex(self._spiral(np.asarray(self.sprag.eta_0)))
+        along = 1j * float(np.asarray(self.sprag.r_e)) - low
+        return low, along / abs(along)
+
     @cached_property
     def _flanks(self) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """Angles of the spiral and of the arc where the right and the left flank end them."""
-        low = complex(self._spiral(np.asarray(self.sprag.eta_0)))
-        along = 1j * float(np.asarray(self.sprag.r_e)) - low
-        along /= abs(along)
+        low, along = self._middle
         lean = float(np.angle(-1j * along))  # anticlockwise
         below = _ends(lambda t: ((self._spiral(t) - low) / along).imag, lean, self.b)
         above = _ends(lambda t: ((self._arc(t) - low) / along).imag, -lean, self.b)
@@ -179,58 +161,3 @@ def _ends(
         for x in (-b / 2, b / 2)
     )
     return right, left
-
-
-def _forces(outline: Outline) -> tuple[Force, Force]:
-    """Unit forces on the body at A and B."""
-    along = (outline.B - outline.A) / abs(outline.B - outline.A)
-    return (outline.A, along), (outline.B, -along)
-
-
-def _flamant(z: Complex, force: Force) -> Goursat:
-    """Goursat's functions of one force, cut outside the body."""
-    z_0, F = force
-    logarithm = np.log((z - z_0) / F)
-    slope = np.asarray(-F / (2 * np.pi * (z - z_0)))
-    psi = np.conj(F) / (2 * np.pi) * logarithm - np.conj(z_0) * slope
-    return np.asarray(-F / (2 * np.pi) * logarithm), slope, np.asarray(psi)
-
-
-def _displaced(z: Complex, goursat: Goursat, kappa: float) -> Complex:
-    """2G (u + iv)."""
-    phi, slope, psi = goursat
-    return np.asarray(kappa * phi - z * np.conj(slope) - np.conj(psi))
-
-
-def _rest(
-    outline: Outline, forces: tuple[Force, Force], degree: int
-) -> Callable[[Complex], Goursat]:
-    """Polynomials that free the outline of the forces' tractions."""
-    z = np.concatenate([outline.right, outline.left])
-    middle, size = (outline.A + outline.B) / 2, abs(outline.B - outline.A) / 2
-    k = np.arange(1, degree + 1)
-
-    def powers(z: Complex) -> tuple[Complex, Complex]:
-        s = np.asarray((z - middle) / size)[:, None]
-        return s**k, k * s ** (k - 1) / size
-
-    given = sum(-_displaced(z, (-phi, slope, psi), 1.0)
-                for phi, slope, psi in (_flamant(z, force) for force in forces))  # fmt: skip
-    V, slopes = powers(z)
-    side = np.zeros((z.size, 2))
-    side[: outline.right.size, 0] = side[outline.right.size :, 1] = 1
-    columns = np.hstack(
-        [u * V + z[:, None] * np.conj(u * slopes) for u in (1, 1j)]
-        + [np.conj(u * V) for u in (1, 1j)] + [u * side for u in (1, 1j)]
-    )  # fmt: skip
-    x, *_ = np.linalg.lstsq(
-        np.vstack([columns.real, columns.imag]), -np.concatenate([given.real, given.imag]),
-        rcond=1e-13,
-    )  # fmt: skip
-    a, b = (x[i : i + degree] + 1j * x[i + degree : i + 2 * degree] for i in (0, 2 * degree))
-
-    def polynomials(z: Complex) -> Goursat:
-        V, slopes = powers(z)
-        return np.asarray(V @ a), np.asarray(slopes @ a), np.asarray(V @ b)
-
-    return polynomials

@@ -8,18 +8,25 @@ import numpy as np
 from analytic.sprag.closure import wedged
 from verify.case import Check, Context, Values
 from verify.cases.sprag_inputs import WedgeInputs
-from verify.cases.sprag_wedge_expected import RACES, SHARP, WIDEST, Expected, Interval, at_share
-from verify.cases.sprag_wedge_model import STROKE, elastic
+from verify.cases.sprag_wedge_expected import (
+    SHARP,
+    WIDEST,
+    Expected,
+    Interval,
+    at_share,
+    bending,
+)
+from verify.cases.sprag_wedge_model import STROKE, elastic, rigid_force
 from verify.checks import Accepted, Approximation, Exact, Fact
 from verify.judge import DEMAND
 
-BENDS = "forces 2e-3 (acceptance of the subject); the column bends into an S, its ends turn"
-YIELDS = "(a/r)², tan²ν and the column's bending, beside the elastic solutions of all parts"
+BENDS = "the column bends, its ends roll on: by complex potentials to a quarter of all parts"
+YIELDS = "1e-3, (a/r)² and tan²ν/2, beside the elastic solutions of all parts"
 TANGENTIAL = f"{YIELDS}; tangential deformation of 0.4 to 1.2 tan²ν"
-HERTZ = "4 (a/r)², no less than the 1 % that is accepted"
+HERTZ = "2e-3, and 2 (a/h)² of the smallest of radii, walls and width"
 BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for what is of second order"
 FULL, MOST = "N_0", "1.8 N_0"
-BLUNT, BEAM = 0.03, "how far the column bends is bounded, by a beam's bending"
+WIDTH = f"{HERTZ}, no less than the 1 % that is accepted"
 ONE = "1 % of Hertz is accepted"
 EDGE = 1  # order of what hangs on where a contact ends in a cell
 
@@ -97,6 +104,19 @@ def force_ratio(key: str) -> Callable[[Context], tuple[float, float, str]]:
     return margin
 
 
+def force_ratio_bent(key: str) -> Callable[[Context], tuple[float, float, str]]:
+    """Of finite elements against the strut's at 1.8 N_0, less what bending takes: 2e-3 accepted."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        q, name = context.inputs, f"{key}, {MOST}"
+        bent = bending(q, STROKE[MOST] * rigid_force(q)).whole
+        before, now = (r.values[name] / context.analytic[name] - 1 for r in context.fem[-2:])
+        said = f"off by {now:+.2%}, bending {bent:+.2%}: 0.2 % accepted of the rest"
+        return 2e-3 - abs(now - bent), 2 * abs(now - before), said
+
+    return margin
+
+
 def keeps_its_angle(context: Context) -> tuple[float, float, str]:
     """Least and largest force ratio of the stroke."""
     spread = [
@@ -136,7 +156,7 @@ def of_a_race(which: str, race: str) -> tuple[Check, ...]:
                  f"thin {which}", lambda e: e.thin(which), "plane stress for plane strain",
                  fem=f"mean {which}", points=(FULL,)),
         *through(f"displacement of the {race} race under a sprag", symbol, "µm", f"race {which}",
-                 lambda _: (-RACES, RACES), "a ring under single loads; (a/r)², tan²ν",
+                 lambda e: e.race(which), "a ring under single loads; 1e-3 and (a/wall)²",
                  points=(FULL,)),
         *through(f"Eq. 6 alone for the {race} race under a sprag", symbol, "µm", f"thin {which}",
                  lambda e: e.thin_at_contact(which), "a ring under single loads",
@@ -146,18 +166,22 @@ def of_a_race(which: str, race: str) -> tuple[Check, ...]:
 
 CHECKS: tuple[Check, ...] = (
     *through("T_i/N_i against the strut's tan ν (Eq. 10)", "tan ν", "1", "tan nu", Expected.angle,
-             BENDS, demand=BLUNT, demand_reason=BEAM),
+             BENDS),
     *through("T_e/N_e against the strut's tan ω (Eq. 10)", "tan ω", "1", "tan omega",
-             Expected.angle, BENDS, demand=BLUNT, demand_reason=BEAM),
+             Expected.angle, BENDS),
     accepted("force ratio on the inner race against tan ν up to N_0", "tan ν",
              force_ratio("tan nu")),
     accepted("force ratio on the outer race against tan ω up to N_0", "tan ω",
              force_ratio("tan omega")),
+    accepted("force ratio on the inner race at 1.8 N_0, but for the column's bending", "tan ν",
+             force_ratio_bent("tan nu")),
+    accepted("force ratio on the outer race at 1.8 N_0, but for the column's bending", "tan ω",
+             force_ratio_bent("tan omega")),
     *through("excess of N_e over N_i, which the paper has equal", "N_e/N_i − 1", "1", "N_e/N_i",
-             Expected.excess, BENDS, points=(FULL,), demand=2 * BLUNT,
+             Expected.excess, BENDS, points=(FULL,), demand=0.02,
              demand_reason="an excess of 0.1 %, twice as blunt as the angles"),
-    *through("torque n_s N tan(ν) OA", "T(N)", "N m", "T", Expected.torque, BENDS, points=(FULL,),
-             demand=BLUNT, demand_reason=BEAM),
+    *through("torque n_s N tan(ν) OA", "T(N)", "N m", "T", Expected.torque, BENDS,
+             points=(FULL, MOST)),
     at_torque("normal force (Eq. 10)", "N(T)", "N", "N", Expected.force, BENDS),
     at_torque("rotation of the sprags", "α(T)", "deg", "alpha", Expected.rotation_at_torque,
               YIELDS, demand=0.02, demand_reason="as sharp as N(T)"),
@@ -187,12 +211,12 @@ CHECKS: tuple[Check, ...] = (
     *of_a_race("i", "inner"),
     *of_a_race("e", "outer"),
     *through("peak pressure on the inner race (Hertz)", "p_i", "MPa", "p_i", Expected.hertz, HERTZ,
-             formal=EDGE, points=(FULL, MOST), demand=0.02, demand_reason=ONE),
+             formal=EDGE, points=(FULL, MOST)),
     *through("peak pressure on the outer race (Hertz)", "p_o", "MPa", "p_e", Expected.hertz, HERTZ,
-             formal=EDGE, points=(FULL, MOST), demand=0.02, demand_reason=ONE),
-    *through("half-width on the inner race (Hertz)", "a_i", "µm", "a_i", Expected.hertz, HERTZ,
+             formal=EDGE, points=(FULL, MOST)),
+    *through("half-width on the inner race (Hertz)", "a_i", "µm", "a_i", Expected.width, WIDTH,
              formal=EDGE, points=(FULL,), demand=0.02, demand_reason=ONE),
-    *through("half-width on the outer race (Hertz)", "a_o", "µm", "a_e", Expected.hertz, HERTZ,
+    *through("half-width on the outer race (Hertz)", "a_o", "µm", "a_e", Expected.width, WIDTH,
              formal=EDGE, points=(FULL,), demand=0.02, demand_reason=ONE),
     Fact(name="the inner contact is pressed more than the outer, through the stroke", symbol="p_i",
          unit="1", margin=inner_above_outer),

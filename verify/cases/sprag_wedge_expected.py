@@ -1,13 +1,13 @@
 r"""What formulas of a sprag clutch are expected to miss, from sizes and second models.
 
-The elastic yields leave out (a/r)² of a contact, and tan²(nu) of the force, which stands askew. A
-column whose contacts lie e beside its middle, on opposite sides, bends into an S,
+The angles of the forces miss what `analytic.sprag.bending` says of the column's ends and the races
+under tangential forces, to a quarter of all its parts and half beta² of the triangle. A race's
+tangential compliance is 0.4 to 1.2 of that of its dent.
 
-.. math:: \psi = \frac{P e h/4}{E' b^3/12},
-
-by which its ends turn; the contacts move along by at most h/2 psi each, h = R_e - R_i, those of
-short columns by half more, and the strut with them. Tangential forces turn the races further by
-tan² times a compliance somewhat below the normal one.
+The elastic yields leave out (a/r)² of a contact, half tan²(nu) by which a force that stands askew
+is longer than N, and that the outer force is N_e. Hertz takes an arc for a parabola, an error of
+(a/r)²/4 of the gap, and its normals for parallel, (a/r)²/2, on both bodies; a wall or a column is
+no half-space by (a/h)².
 """
 
 import math
@@ -19,7 +19,8 @@ import numpy as np
 
 from analytic.contact.hertz_line_approach import approach_to_far_depth
 from analytic.ring import lame
-from analytic.sprag.closure import wedged
+from analytic.sprag.bending import Pair, Shift, ends, shift
+from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.compliance import Yields
 from verify.cases.sprag_inputs import WedgeInputs
 from verify.cases.sprag_wedge_model import (
@@ -28,16 +29,17 @@ from verify.cases.sprag_wedge_model import (
     plane_modulus,
     races,
     rigid_force,
+    sprag_column,
 )
 
 Interval = tuple[float, float]
 
-ROUGH = 2e-3  # acceptance of the subject for force ratios; meshes and second order
+BEND = 0.25  # of all parts of a shift: point forces, straight walls, proportional slip
+LEVER = 0.1  # of the yields about the inner contact, how they share
 SHARP = 1e-3  # what reciprocity leaves, of second order
-ELASTIC = 2e-3  # of yields, beside what is computed
-HERTZ, ACCEPTED = 4.0, 1e-2  # bound of what Hertz neglects over (a/r)², and no less
-BENDS = 1.5  # of psi, by which a strut turns at most
-RACES = 4e-3  # of what a race yields under its load
+ELASTIC = 1e-3  # of yields: polynomials of the column (4e-4), N for N_e on one side (5e-4)
+HERTZ, EDGES = 2.0, 2e-3  # bound of what Hertz neglects over (a/r)²; where contacts end in a cell
+ACCEPTED = 1e-2  # of half-widths
 SIDEWAYS = 0.4, 1.2  # bounds of the tangential over the normal compliance
 SLOPES = 5e-3  # of how much rotation goes with a yield of one side, over that of the other
 WIDEST = 1.5  # of the demand: an interval that leaves a row of one's own sharp enough
@@ -61,21 +63,16 @@ class Expected:
     def tan2(self) -> float:
         return math.tan(self.q.nu_0) ** 2
 
-    @property
-    def bent(self) -> float:
-        """Angle psi [rad] by which the column's ends turn."""
-        q, at = self.q, wedged(elastic(self.q), self.N)
-        e = float(at.rho) * abs(float(at.turned))
-        section = plane_modulus(q) * q.b**3 / 12
-        return self.N / q.l * e * (q.R_e - q.R_i) / 4 / section
-
     def angle(self) -> Interval:
         """Of tan(nu) and tan(omega), which fall as the column bends."""
-        return -ROUGH, ROUGH + BENDS * self.bent / math.tan(self.q.nu_0)
+        moves = bending(self.q, self.N)
+        doubt = BEND * moves.size + float(self._at.beta) ** 2 / 2
+        return 1 / (1 + moves.whole + doubt) - 1, 1 / (1 + moves.whole - doubt) - 1
 
     def torque(self) -> Interval:
-        low, high = self.angle()
-        return low - SHARP, high + SHARP
+        """Of n_s N tan(nu) OA, whose lever is as unsure as a tenth of the inner yields."""
+        (low, high), lever = self.angle(), LEVER * float(self._yields.inner) / self.q.R_i
+        return low - lever, high + lever
 
     def force(self) -> Interval:
         """Of N at a torque."""
@@ -89,8 +86,8 @@ class Expected:
 
     def elastic(self) -> Interval:
         """Of all yields together, and of the rotation that goes with them."""
-        size = ELASTIC + self.tan2 + self.wide
-        return -size - self.bent, size
+        size = ELASTIC + self.tan2 / 2 + self.wide
+        return -size, size
 
     def rotation_at_torque(self) -> Interval:
         (low, high), (less, more) = self.elastic(), self.force()
@@ -102,8 +99,31 @@ class Expected:
         return (1 + low) / (1 + more) - 1, (1 + high) / (1 + less) - 1
 
     def hertz(self) -> Interval:
-        """Of pressures and half-widths."""
-        size = max(HERTZ * self.wide, ACCEPTED)
+        """Of peak pressures."""
+        size = EDGES + HERTZ * max(self.wide, self.thin_body("i"), self.thin_body("e"))
+        return -size, size
+
+    def width(self) -> Interval:
+        """Of half-widths, which end within a cell."""
+        size = max(self.hertz()[1], ACCEPTED)
+        return -size, size
+
+    def thin_body(self, which: str) -> float:
+        """(a/h)² of the thinner body at a contact: the race's wall or the sprag's width."""
+        wall, a = self.in_wall(which)
+        return (a / min(wall, self.q.b)) ** 2
+
+    def in_wall(self, which: str) -> Pair:
+        """Wall of a race and half-width of its contact [m]."""
+        q, (a_i, a_e) = self.q, half_widths(self.q, np.asarray(self.N))
+        if which == "i":
+            return q.R_i - q.R_id, float(a_i)
+        return q.R_ed - q.R_e, float(a_e)
+
+    def race(self, which: str) -> Interval:
+        """Of what a race yields under its load, at the middle of the patch."""
+        wall, a = self.in_wall(which)
+        size = SHARP + (a / wall) ** 2
         return -size, size
 
     def plane(self) -> Interval:
@@ -123,7 +143,7 @@ class Expected:
         """Of Eq. 6 for what a race yields under its load."""
         race, a = races(self.q)[which == "e"], half_widths(self.q, np.asarray(self.N))
         under = float(race.under(a[which == "e"])) / race.mean * self.long_mean(which)
-        return times((-RACES, RACES), thin_mean(self.q, self.N, which) / under)
+        return times(self.race(which), thin_mean(self.q, self.N, which) / under)
 
     def long_mean(self, which: str) -> float:
         """Of a long race [m], each under its own normal force."""
@@ -131,8 +151,31 @@ class Expected:
         return lame_mean(self.q, float({"i": at.N, "e": at.N_e}[which]), which, "plane strain")
 
     @property
+    def _at(self) -> Wedged:
+        return wedged(elastic(self.q), self.N)
+
+    @property
     def _yields(self) -> Yields:
-        return elastic(self.q).compliance.yields(self.N)
+        return self._at.yields
+
+
+@lru_cache(maxsize=256)
+def bending(q: WedgeInputs, N: float) -> Shift:
+    """How far force ratios change as ends and races move under N [N]; ValueError off the flanks."""
+    at, column = wedged(elastic(q), N), sprag_column(q)
+    a_i, a_e = (float(a) for a in half_widths(q, np.asarray(N)))
+    moved = column and ends(
+        column, turned=float(at.turned), alpha_b=float(at.alpha_b), a=(a_i, a_e), nu=q.nu
+    )
+    if not (column and moved):
+        raise ValueError("a sprag that does not stand between its flanks has no bending")
+    P = N / (q.l * plane_modulus(q))
+    sideways = P * math.tan(float(at.nu)) * sum(SIDEWAYS) / 2
+    inner, outer = (
+        sideways * float(race.at(np.asarray(a)) - race.mean)
+        for race, a in zip(races(q), (a_i, a_e), strict=True)
+    )
+    return shift(at, moved, column=column, a=(a_i, a_e), P=P, races=(inner, outer))
 
 
 def plane_yields(q: WedgeInputs, N: float) -> float:

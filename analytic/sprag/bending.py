@@ -1,0 +1,116 @@
+r"""Where the forces on a wedged sprag act once its ends move sideways and turn.
+
+Forces that leave the middle of a column bend it into an S. Its ends turn by psi (anticlockwise) and
+move by u to the side of A, against its core; so do, by u_r, the races under T = N tan(nu). Surfaces
+touch where they are parallel. With r and r_e the sprag's radii there the centres of pressure roll
+
+.. math::
+    s_A &= -R_A \left(\psi_A + \frac{u_A - u_{rA}}{OA}\right)
+           + \frac{m R_A}{8}\left(\frac{a}{r}\right)^2, \qquad
+    \frac{1}{R_A} = \frac{1}{r} + \frac{1}{OA}, \\
+    s_B &= R_B \left(\psi_B + \frac{u_B - u_{rB}}{OB}\right), \qquad
+    \frac{1}{R_B} = \frac{1}{r_e} - \frac{1}{OB},
+
+of which the last term of s_A is a spiral's own: it grows flatter to one side (plane contact with a
+cubic gap). The angle beta between both contacts, and tan(nu) and tan(omega) with it, changes by
+
+.. math:: \frac{s_A}{OA} - \frac{s_B}{OB} .
+
+Small strains, equilibrium at the places of the undeformed ends: that u also takes the forces along
+is left out, as finite elements of small strains leave it out.
+"""
+
+from dataclasses import astuple, dataclass
+
+import numpy as np
+
+from analytic.sprag.closure import Wedged
+from analytic.sprag.column import Column
+from analytic.sprag.goursat import displaced, flamant, forces_along, rest, turns
+
+Pair = tuple[float, float]  # of the inner and the outer contact
+
+DEGREE = 32  # of the polynomials: 2 % of how far the ends of a column turn
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ends:
+    """How the ends of a column move to the side of A [P/E'], and turn [P/E' per length]."""
+
+    moved: Pair
+    turned: Pair
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shift:
+    """By what part of itself the angle between both contacts changes, and why."""
+
+    turned: float
+    moved: float
+    inner_race: float
+    outer_race: float
+    spiral: float
+
+    @property
+    def whole(self) -> float:
+        return float(sum(astuple(self)))
+
+    @property
+    def size(self) -> float:
+        """Of all parts, whatever their signs."""
+        return float(sum(map(abs, astuple(self))))
+
+
+def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -> Ends | None:
+    """Under Hertz patches of half-widths `a` [length], against the column's core beside its pole.
+
+    None where a contact lies beyond a flank.
+    """
+    outline = column.outline(turned=turned, alpha_b=alpha_b)
+    if outline is None:
+        return None
+    kappa = 3 - 4 * nu
+    double_G = (kappa + 1) / 4  # of a body with E' = 1
+    forces = forces_along(outline)
+    others = rest(outline, forces, DEGREE)
+
+    def at(z: complex, *which: int) -> tuple[complex, float]:
+        """Displacement and rotation by these forces and the rest."""
+        there = np.array([z])
+        fields = [*(flamant(there, forces[i]) for i in which), others(there)]
+        u = sum(complex(displaced(there, f, kappa)[0]) for f in fields) / double_G
+        return u, sum(float(turns(f, kappa)[0]) for f in fields) / double_G
+
+    core = column.core
+    u_0, psi_0 = at(core, 0, 1)
+    moved, turn = [], []
+    normals = column.normal(turned), outline.B / abs(outline.B)
+    for i, ((z, F), half, up) in enumerate(zip(forces, a, normals, strict=True)):
+        u, psi = at(z, 1 - i)
+        along = complex(-1j * up)  # to the side of A
+        F_t = (F * np.conj(along)).real
+        own = F_t * (2 / np.pi * (np.log(2 / half) + 0.5) + 1 / (2 * np.pi * double_G))
+        rigid = u_0 + 1j * psi_0 * (z - core)
+        moved.append(float(own + ((u - rigid) * np.conj(along)).real))
+        turn.append(psi - psi_0)
+    return Ends(moved=(moved[0], moved[1]), turned=(turn[0], turn[1]))
+
+
+def shift(at: Wedged, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
+    """Of a wedged sprag under P = N/(l E') [length]; `races` [length] move sideways as far.
+
+    Both are positive: the inner race to the side of A, the outer one away from it.
+    """
+    OA, OB, beta = float(at.OA), float(at.OB), float(at.beta)
+    m, r_e = float(np.asarray(column.sprag.m)), float(np.asarray(column.sprag.r_e))
+    r = float(at.rho * np.hypot(1, m))
+    R_A, R_B = 1 / (1 / r + 1 / OA), 1 / (1 / r_e - 1 / OB)
+    psi_A, psi_B = (P * psi for psi in ends.turned)
+    u_A, u_B = (P * u for u in ends.moved)
+    return Shift(
+        turned=-(R_A * psi_A / OA + R_B * psi_B / OB) / beta,
+        moved=-(R_A * u_A / OA**2 + R_B * u_B / OB**2) / beta,
+        inner_race=R_A * races[0] / OA**2 / beta,
+        outer_race=-R_B * races[1] / OB**2 / beta,
+        spiral=m * R_A / 8 * (a[0] / r) ** 2 / OA / beta,
+    )
