@@ -66,7 +66,8 @@ def figures(context: Context) -> Sequence[Figure]:
     if under(q) is None:
         return ()
     found: list[Figure] = [force(q), pressures(q, context), turned(q), yields(context), off(q)]
-    if context.fem and "flat, counts" in context.fem[-1].arrays:
+    measured = context.fem[-1].arrays if context.fem else {}
+    if "fitted" in measured and np.isfinite(measured["fitted"]).all():
         found += [counted(context), pairs(context)]
     return found
 
