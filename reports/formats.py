@@ -54,6 +54,15 @@ def number(value: float | int | str | None, digits: int = 6) -> str:
     return f"{value:.{digits}g}".replace("-", MINUS)
 
 
+def written(value: float | int | str | None) -> str | Markup:
+    """A number as `number` has it, 1.18e-08 as a power of ten."""
+    mantissa, e, exponent = number(value).partition("e")
+    if isinstance(value, str) or not e:
+        return number(value)
+    power = str(int(exponent.replace(MINUS, "-"))).replace("-", MINUS)
+    return Markup("{}<small>×10<sup>{}</sup></small>").format(mantissa, power)
+
+
 def small(value: float | None, digits: int = 6) -> str | Markup:
     """A number, as a power of ten where its decimals would not be read."""
     if value is not None and 0 < abs(value) < 1e-4:

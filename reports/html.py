@@ -42,6 +42,7 @@ from verify.shown import (
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
 COMPANION = ": convergence"
+LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
     Status.SKIP: "not run",
@@ -231,8 +232,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
     )  # fmt: skip
     env.filters |= {
         "symbol": formats.symbol, "prose": formats.prose, "power": formats.power,
-        "maths": glyphs.maths, "number": formats.number, "values": formats.values,
-        "difference": formats.difference, "tolerance": formats.tolerance,
+        "maths": glyphs.maths, "number": formats.number, "written": formats.written,
+        "values": formats.values, "difference": formats.difference, "tolerance": formats.tolerance,
         "relative": formats.relative, "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "sketch": sketch, "plot": plot, "claims": claims,
         "causes": causes,
@@ -241,6 +242,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
+    env.globals["LONG_LIST"] = LONG_LIST
     return env
 
 

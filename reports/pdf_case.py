@@ -39,7 +39,7 @@ def case_data(
         "warnings": [prose(w) for w in case.warnings],
         "lines": [line_data(line, anchors) for line in group],
         "sketch": standalone(sketch(case.sketch)),
-        "sketch_title": case.sketch.title if case.sketch else "",
+        "sketch_title": _caption(case.sketch.title) if case.sketch else [],
         "inputs": [_input(i) for i in case.inputs],
         "values": [value_cells(v) for v in case.values],
         "equations": [
@@ -83,6 +83,10 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
         "status": row.status.value,
         "reason": prose(line.reason),
     }
+
+
+def _caption(title: str) -> list[Run]:
+    return prose(title[:1].upper() + title[1:])
 
 
 def _input(entry: InputValue) -> list[list[Run]]:
