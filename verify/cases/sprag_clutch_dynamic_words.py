@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from analytic.sprag.steps import enough
 from verify.case import Values
 from verify.cases.freewheel_clutch_numbers import newton, pascal
+from verify.cases.sprag_clutch_advice import why
 from verify.cases.sprag_clutch_limits import verdict
 from verify.cases.sprag_clutch_run_fem import Run, run_fem
-from verify.cases.sprag_clutch_words import why
 from verify.cases.sprag_inputs import EngagementInputs
 
 WORSE = ("holds", "not followed", "overloaded", "disengages", "slips", "rolls over", "no state")
