@@ -6,9 +6,12 @@ import pytest
 
 from verify.cases.registry import CASES
 from verify.commands import make_report
-from verify.results import Kind, Report, Row, Status
+from verify.results import Kind, Partner, Published, Report, Row, Status
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
+NAME = " ".join(["word"] * 18)  # 90 letters
+PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.97×10^-4",
+                    value=1.97e-4, unit="kg m^2")  # fmt: skip
 
 
 @pytest.fixture(scope="session")
@@ -31,3 +34,17 @@ def hostile(report) -> Report:
         inputs=(replace(first.inputs[0], what=HOSTILE, symbol=HOSTILE),),
     )  # fmt: skip
     return replace(report, cases=(case, *others))
+
+
+@pytest.fixture(scope="session")
+def wordy(judged) -> Report:
+    """One case with long names, values of another method, every status and printed powers."""
+    result = judged(CASES[0])
+    row = next(row for row in result.rows if row.grid is not None)
+    other = replace(
+        row, fem=None, published=(PRINTED,),
+        partner=Partner(by="Runge-Kutta steps, compiled and checked", value=row.fem),
+    )  # fmt: skip
+    rows = tuple(replace(other, quantity=f"{NAME} {s}", status=s) for s in Status)
+    case = replace(result, rows=rows, name="mine", figures=(), tables=())
+    return replace(make_report([case], CASES[:1], 1.0), name="mine")

@@ -5,6 +5,7 @@ import json
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -66,6 +67,21 @@ def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width)
     assert not seen["alerts"]
     assert seen["canvases"] == seen["painted"]
     assert seen["spilled"] == []
+
+
+@pytest.fixture(scope="module")
+def wordy_folder(tmp_path_factory, wordy) -> Path:
+    place = tmp_path_factory.mktemp("wordy")
+    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}), "utf-8")
+    return place
+
+
+@pytest.mark.parametrize("width", [390, 1100, 1280, 1400])
+def test_the_table_of_rows_fits_its_frame(wordy_folder, width):
+    """With the papers' columns, long names and the longest status."""
+    seen = looked_at(wordy_folder, "wordy", width)
+    assert seen["wider"] <= 0
+    assert seen["covered"] == 0
 
 
 @pytest.mark.parametrize("flags", [(), (DARK,)], ids=["light", "dark"])
