@@ -25,6 +25,12 @@ def state(start):
     return start.state(6)
 
 
+@pytest.fixture(scope="module")
+def around(state):
+    """Below, at and above the load of 25 N m."""
+    return at_force(Q, 0.9 * P).state(6), state, at_force(Q, 1.1 * P).state(6)
+
+
 @pytest.mark.parametrize(
     ("nu_0", "m"), [(2.5, 0.0707), (3.0, 0.0849), (3.5, 0.0993), (4.0, 0.1138)]
 )
@@ -153,20 +159,17 @@ def test_finer_cells_change_force_energy_and_angle_less_and_less(start, state):
         assert abs(middle - fine) < abs(coarse - fine)
 
 
-def test_the_energy_is_the_work_on_the_overlaps_and_on_the_wind_up():
-    loads = np.array([0.8, 0.9, 1.0, 1.1, 1.2])
-    states = [at_force(Q, load * P).state(6) for load in loads]
-    overlaps = np.array([s.start.overlaps for s in states])
-    N, T, drags = (np.array([getattr(s, name) for s in states]) for name in ("N", "T", "drags"))
+def test_the_energy_is_the_work_on_the_overlaps_and_on_the_wind_up(around):
+    overlaps = np.array([s.start.overlaps for s in around])
+    N, T, drags = (np.array([getattr(s, name) for s in around]) for name in ("N", "T", "drags"))
     work = np.trapezoid(N, overlaps, axis=0).sum()
     work += np.trapezoid(T, drags * [1, -1], axis=0).sum()
-    assert states[-1].energy - states[0].energy == pytest.approx(work, rel=1e-3)
+    assert around[-1].energy - around[0].energy == pytest.approx(work, rel=1e-3)
 
 
-def test_the_work_of_rolling_is_that_on_the_overlaps():
+def test_the_work_of_rolling_is_that_on_the_overlaps(around):
     """T dtheta_i = N dH: no slip at the contacts, the races turn as the sprag rolls."""
-    low, high = (at_force(Q, load * P).state(6) for load in (0.9, 1.1))
-    middle = at_force(Q, P).state(6)
+    low, middle, high = around
     p = middle.start
     rate = (p.OB - p.D) / p.OB + (p.D * cos(p.beta) - p.OA) / p.OA
     H = high.start.H - low.start.H
@@ -201,7 +204,6 @@ def test_narrow_sprags_bend_and_wide_ones_keep_the_struts_angle():
         ({"nu_0": radians(1)}, 4),
         ({"nu_0": radians(6)}, 48),
         ({"z": 3}, 6),
-        ({"z": 20, "b": 3e-3}, 20),
         ({"R_id": 10.6e-3, "R_ed": 20.2e-3}, 5),
         ({"E": 2e9, "nu": 0.45}, 0.3),
         ({"R_id": 1.5e-3, "R_i": 2.2e-3, "R_e": 3.9e-3, "R_ed": 5e-3, "r_i": 0.8e-3, "b": 0.8e-3,
@@ -218,10 +220,10 @@ def test_odd_clutches_come_to_rest(changed, T):
     assert tan(state.angles[0]) == pytest.approx(tan(state.start.strut[0]), rel=0.01)
 
 
-def test_a_rotation_gives_the_force_that_gives_the_rotation(start):
+def test_a_rotation_gives_the_force_that_gives_the_rotation(start, state):
     again = at_rotation(Q, start.place.alpha)
     assert abs(again.place.D - start.place.D) < 1e-3 * start.place.H
-    assert again.state(6).N[0] == pytest.approx(start.state(6).N[0], rel=1e-3)
+    assert again.state(6).N[0] == pytest.approx(state.N[0], rel=1e-3)
 
 
 def test_a_sprag_that_is_not_turned_touches_nothing():
