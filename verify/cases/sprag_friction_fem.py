@@ -120,7 +120,8 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
         float(np.average(found.N[start : start + half], weights=window))
         for start in (half // 2, len(found.N) - half)
     )
-    return late, max(abs(late - middle), late * swings(found, mu))
+    # the closed form has lines through the clutch's states, the steps cubics
+    return late, max(abs(late - middle), late * max(swings(found, mu), SPLINES))
 
 
 def swings(found: "Engagement", mu: float) -> float:
