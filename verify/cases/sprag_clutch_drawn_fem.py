@@ -17,6 +17,8 @@ from verify.cases.sprag_inputs import SpragInputs
 from verify.shown import Array
 
 AROUND = 0.6  # rad of spiral to either side of where it may touch
+AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: where a parabola goes through
+DRAWN_ANEW = 6  # times, about its own lowest place: no error by where points happen to lie
 POWER = 3  # of the way's parts, which force grows with: near no load little of it turns a lot
 FAR = 6.0  # rad, more than any sprag turns
 
@@ -97,9 +99,10 @@ class Drawn:
         x, y = self._at(theta, psi - alpha, OC)
         far = np.hypot(x, y)
         k = int(np.clip(np.argmin(far), 1, len(far) - 2))
-        left, low, right = far[k - 1 : k + 2]
-        ahead = h * (left - right) / (2 * (left - 2 * low + right))
-        at = theta[k] + ahead
+        at = theta[k]
+        for _ in range(DRAWN_ANEW):
+            left, low, right = np.hypot(*self._at(at + h * AROUND_IT, psi - alpha, OC))
+            at += h * (left - right) / (2 * (left - 2 * low + right))
         x_k, y_k = self._at(np.array([at]), psi - alpha, OC)
         return float(np.hypot(x_k, y_k)[0]), math.atan2(x_k[0], y_k[0]), float(at)
 
