@@ -19,7 +19,7 @@ import numpy as np
 
 from analytic.contact.hertz_line_approach import approach_to_far_depth
 from analytic.ring import lame
-from analytic.sprag.bending import Pair, Shift, ends, shift
+from analytic.sprag.bending import Ends, Pair, Shift, ends, shift
 from analytic.sprag.closure import Wedged, wedged
 from analytic.sprag.compliance import Yields
 from verify.cases.sprag_inputs import WedgeInputs
@@ -86,8 +86,16 @@ class Expected:
 
     def elastic(self) -> Interval:
         """Of all yields together, and of the rotation that goes with them."""
-        size = ELASTIC + self.tan2 / 2 + self.wide
+        size = ELASTIC + self.tan2 / 2 + self.wide + self.askew
         return -size, size
+
+    @property
+    def askew(self) -> float:
+        """Of all yields: forces along AB do work on ends that move sideways, N does not."""
+        at, (u_i, u_e) = self._at, moved_ends(self.q, self.N).moved
+        P = self.N / (self.q.l * plane_modulus(self.q))
+        sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
+        return P * sideways / float(at.yields.H)
 
     def rotation_at_torque(self) -> Interval:
         (low, high), (less, more) = self.elastic(), self.force()
@@ -160,8 +168,8 @@ class Expected:
 
 
 @lru_cache(maxsize=256)
-def bending(q: WedgeInputs, N: float) -> Shift:
-    """How far force ratios change as ends and races move under N [N]; ValueError off the flanks."""
+def moved_ends(q: WedgeInputs, N: float) -> Ends:
+    """How the sprag's ends move and turn under N [N]; ValueError off the flanks."""
     at, column = wedged(elastic(q), N), sprag_column(q)
     a_i, a_e = (float(a) for a in half_widths(q, np.asarray(N)))
     moved = column and ends(
@@ -169,6 +177,15 @@ def bending(q: WedgeInputs, N: float) -> Shift:
     )
     if not (column and moved):
         raise ValueError("a sprag that does not stand between its flanks has no bending")
+    return moved
+
+
+@lru_cache(maxsize=256)
+def bending(q: WedgeInputs, N: float) -> Shift:
+    """How far force ratios change as ends and races move under N [N]; ValueError off the flanks."""
+    moved, at, column = moved_ends(q, N), wedged(elastic(q), N), sprag_column(q)
+    assert column is not None
+    a_i, a_e = (float(a) for a in half_widths(q, np.asarray(N)))
     P = N / (q.l * plane_modulus(q))
     sideways = P * math.tan(float(at.nu)) * sum(SIDEWAYS) / 2
     inner, outer = (
