@@ -15,7 +15,8 @@ def test_a_band_too_narrow_loses_more_than_half_of_the_force_and_nothing_tells(e
     """What the guard is for; the right force comes from events, see test_events."""
     wrong, right = engaged(40.0, **WRONG, guard=False), engaged(40.0, **LIGHT)
     assert wrong.N_max < 0.5 * right.N_max
-    assert wrong.verdict == "slips"
+    assert np.mean((wrong.phases[-len(wrong.t) // 4 :] == SLIP).any(axis=1)) > 0.5
+    assert wrong.verdict != "locks"
     assert right.verdict == "locks"
 
 
