@@ -27,7 +27,7 @@ OUTPUTS = (
     output("r_e", "r_e", "mm", "radius of the outer flank"),
     output("OC_e", "OC_e", "mm", "distance of the spiral's pole from the axis"),
     output("N_0", "N_0", "N", "force of the springs alone on each contact"),
-    output("N", "N", "N", "normal force of each inner contact", judged=True),
+    output("N", "N", "N", "inner contact's normal force, of a strut, no springs", judged=True),
     output("nu", "ν(T)", "deg", "wedge angle under torque, inner contact"),
     output("omega", "ω(T)", "deg", "wedge angle under torque, outer contact"),
     output("mu_req", "tan ν", "1", "friction that torque asks for", judged=True),

@@ -50,7 +50,7 @@ def output(key: str, symbol: str, unit: str, what: str) -> Output:
 
 OUTPUTS = (
     output("N_max", "N_max", "N", "largest normal force of a sprag"),
-    output("peak_factor", "N_max/N", "1", "peak factor: over the force at rest"),
+    output("peak_factor", "N_max/N", "1", "peak factor: over N at rest (Eq. 14, no springs)"),
     output("t_max", "t_max", "ms", "time of that peak"),
     output("M_max", "M_max", "N m", "largest torque that the sprags bear"),
     output("theta_max", "θ_max", "deg", "largest turn of the races against each other"),
@@ -78,8 +78,8 @@ def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
     thin = slice(None, None, max(1, len(e.t) // DRAWN))
     t = e.t[thin] * 1e3
     static = [] if not math.isfinite(e.N_static) else [
-        Curve(name="at rest under T", x=t[[0, -1]], y=np.full(2, e.N_static / 1e3),
-              style="dashes", colour=4)
+        Curve(name="at rest under T (Eq. 14, no springs)", x=t[[0, -1]],
+              y=np.full(2, e.N_static / 1e3), style="dashes", colour=4)
     ]  # fmt: skip
     force = Curves(
         title="Normal force of a sprag", x_label="t [ms]", y_label="N [kN]", y_bottom=0.0,

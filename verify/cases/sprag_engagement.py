@@ -87,8 +87,8 @@ ENGAGEMENT = Case(
     outputs=(
         output("N_max", "N_max", "N", "largest normal force: two races on the clutch as a spring"),
         output("t_max", "t_max", "ms", "its time", judged=False),
-        output("factor", "N_max/N", "1", "over that at rest", judged=False),
-        output("N", "N", "N", "normal force at rest"),
+        output("factor", "N_max/N", "1", "over N, that at rest with springs", judged=False),
+        output("N", "N", "N", "normal force at rest, of a strut with springs"),
         output("N_undamped", "N_1", "N", "first peak without damping, outer race held"),
         output("N_max rigid", "N_max", "N", "with races that do not yield (Liu)", judged=False),
         output("ratio", "r", "1", "N_max under 1.6 T over that under T"),

@@ -118,7 +118,7 @@ def forces(context: Context) -> Figure:
             Curve(name="Runge-Kutta steps, Eqs. 11-16", x=last["t"] / ms, y=last["N"] / kN),
             Curve(name="LSODA, contacts that always roll", x=last["LSODA t"][::every] / ms,
                   y=last["LSODA N"][::every] / kN, style="dots"),
-            Curve(name="at rest",
+            Curve(name="at rest, of a strut with springs",
                   x=races.t / ms, y=np.full_like(races.t, context.analytic["N"] / kN),
                   style="dashes", colour=2),
             Curve(name="without damping, outer race held", x=last["undamped t"] / ms,
