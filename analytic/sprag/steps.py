@@ -30,10 +30,11 @@ def enough(table: Table, motion: Motion, dt: float) -> float:
 
 
 def missing(engagement: Engagement) -> float:
-    """The most that energies miss, over the work put in and the speed at the start."""
-    energies, motion = balance(engagement), engagement.motion
+    """The most that energies miss, over the work put in and the energy at the start."""
+    energies, motion, table = balance(engagement), engagement.motion, engagement.table
     inner, outer = engagement.states[0, 4:6]
     start = (motion.I_bi * inner**2 + motion.I_be * outer**2) / 2
+    start += table.n_s * float(table.at(engagement.alpha[0])["W"])
     put_in = float(np.abs(energies.torque).max() + np.abs(energies.blades).max() + start)
     most = float(np.abs(energies.missing).max())
     return most / put_in if put_in > 0 else 0.0
