@@ -91,7 +91,8 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     groups = [(case, lines(case.rows)) for case in report.cases]
     body = _environment(glyphs).get_template("report.html.j2").render(
         report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
-        title=title(report), counts=_counts(report.rows), anchors=anchors(report.rows),
+        title=title(report), partly=partly(report),
+        counts=_counts(report.rows), anchors=anchors(report.rows),
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
         warnings=warnings(report.cases), verdicts=verdicts(report),
@@ -145,6 +146,15 @@ def warnings(cases: Sequence[CaseResult]) -> Mapping[str, list[str]]:
         for text in case.warnings:
             found.setdefault(text, []).append(case.id)
     return found
+
+
+def partly(report: Report) -> str:
+    """What a run of some cases leaves untold of the papers; nothing for a run of all."""
+    without = report.provenance.get("left_out", 0)
+    if without <= 0:
+        return ""
+    count = f"{len(report.cases)} of {len(report.cases) + without} cases"
+    return f"This run holds {count}: what the others claim counts as unclaimed here."
 
 
 def title(report: Report) -> str:

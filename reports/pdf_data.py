@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from reports import signature
 from reports.frames import Frame
-from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, title, warnings
+from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
 from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_tables import Data, prose
 from reports.richtext import runs
@@ -83,6 +83,7 @@ def _ledgers(report: Report, places: Mapping[str, str]) -> Data:
     erratum = {(e["paper"], e["id"]): f"erratum-{i}" for i, e in enumerate(report.errata)}
     return {
         "tables": [_paper_table(t, named[t.paper], places, erratum) for t in report.tables],
+        "partly": partly(report),
         "errata": len(report.errata),
         "tested": sum(bool(e["test"]) for e in report.errata),
         "papers": [

@@ -190,7 +190,7 @@ def make_report(
 
     return Report(
         cases=tuple(results),
-        provenance=provenance(ROOT, results, seconds),
+        provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
         name=name,
         **ledgers(results, cases),
     )
