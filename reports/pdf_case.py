@@ -28,6 +28,7 @@ def case_data(
     `sheets` name the workbook's sheet of each of the case's tables.
     """
     group = lines(case.rows)
+    refined = [row for row in case.rows if row.grid]
     return {
         "id": case.id,
         "name": case.name,
@@ -50,7 +51,8 @@ def case_data(
         "assumptions": [prose(x) for x in case.assumptions],
         "figures": _figures(case, frames),
         "budget": budget([line.row for line in group]),
-        "levels": levels([row for row in case.rows if row.grid]),
+        "finer": "on every mesh" if plots.on_meshes(refined) else "at every refinement",
+        "levels": levels(refined),
         "expected": [expected(row) for row in case.rows if row.interval],
         "tables": [shortened(t, sheet) for t, sheet in zip(case.tables, sheets, strict=True)],
         "command": reproduce(case),

@@ -137,7 +137,8 @@ def convergence(rows: Sequence[Row]) -> Markup:
     every = -(-(high - low) // 7) or 1
     axes.grid([10.0**e for e in range(low, high + 1, every)], lambda v: svg.decade(_exponent(v)))
     axes.base(_apart(h, axes), lambda v: f"{v:.3g}")
-    axes.titles("mesh size, relative", "difference, relative")
+    finer = "mesh size" if on_meshes([row for row, _ in series]) else "refinement"
+    axes.titles(f"{finer}, relative", "difference, relative")
     for row, s in series:
         colour = f"s{_colour(row.formal_order or 0.0)}"
         start = len(axes.body)
@@ -151,6 +152,11 @@ def convergence(rows: Sequence[Row]) -> Markup:
     axes.body += _legend(axes, orders, series)
     count = f"{len(series)} quantities approach their finest value"
     return svg.drawing(WIDTH, HEIGHT, axes.body, count, "chart")
+
+
+def on_meshes(rows: Sequence[Row]) -> bool:
+    """Whether any of the rows is of finite elements; others refine steps or slices."""
+    return any(row.by == "FE" for row in rows)
 
 
 def _apart(h: Sequence[float], axes: Axes) -> list[float]:

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from reports.html import plot
-from reports.plots import convergence, profile
+from reports.plots import convergence, distances, profile
 from reports.refinement import refinement
-from verify.results import Grid, Kind, Row, Status
+from verify.cases.registry import CASES
+from verify.results import Grid, Kind, Partner, Row, Status
 from verify.shown import Dots, Profile, Refinement
 
 X = np.linspace(0.0, 1.0, 5)
@@ -81,3 +82,10 @@ def test_every_dot_is_of_a_colour_that_the_page_has(report):
     assert whose
     assert whose <= {"formula", "fe", "paper"}
     assert all(plot(f) for f in figures)
+
+
+@pytest.mark.parametrize(("by", "told"), [("FE", "mesh size"), ("steps", "refinement")])
+def test_levels_of_another_method_are_no_meshes(judged, by, told):
+    row = next(row for row in judged(CASES[0]).rows if row.grid and row.fem and distances(row))
+    other = replace(row, fem=None, partner=Partner(by=by, value=row.fem))
+    assert f"{told}, relative" in words(convergence([other]))
