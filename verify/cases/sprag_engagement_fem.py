@@ -33,6 +33,7 @@ HELD = 1e6  # times its inertia, which holds the outer race
 PACE = 200  # steps in a period, where the period rules
 DAMPED = 0.3  # of critical damping
 RAMP, REST = 4, 12  # periods in which the torque rises, and in which motion dies
+SWUNG = 1.5  # periods about rest, past the first peak without damping
 SLOW, COUNTED = 8, 12  # periods of the ramp and of the free oscillation
 STEP = 0.01  # of the torque, which starts that
 FIRST = 1.3  # of the time of the first peak, which the partner is followed to
@@ -116,8 +117,9 @@ def held(q: EngagementInputs, **changes: float) -> Motion:
 
 def undamped_fem(q: EngagementInputs, dt: float) -> "Engagement":
     """Step of the torque without damping, from rest."""
+    until = max(q.t_end, SWUNG / analytic(q)["f"])
     return engaged_fem(
-        q, wedge(q), dt, held(q, C_rl=0.0), Torque.step(q.T), speeds=None, D_V=None
+        q, wedge(q), dt, held(q, C_rl=0.0), Torque.step(q.T), duration=until, speeds=None, D_V=None
     )  # fmt: skip
 
 
@@ -125,7 +127,7 @@ def strut_fem(q: EngagementInputs, dt: float) -> "Engagement":
     """The same, to behind its first peak, with N_e/N_i of a strut in place of 1."""
     from analytic.sprag.transient import engage
 
-    until = 2 * analytic(q)["t_max"]
+    until = SWUNG / analytic(q)["f"]
     return engage(strut_table(q), held(q, C_rl=0.0), Torque.step(q.T), duration=until, dt=dt)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from analytic.sprag import printed
 from analytic.sprag.closure import wedged
-from analytic.sprag.course import energy, rolled
+from analytic.sprag.course import energy, rolled, work
 
 N = np.array([50.0, 500.0, 3407.0, 8000.0])
 STEP = 1e-4  # relative, of central differences
@@ -52,6 +52,13 @@ def test_eqs_9_and_10_as_printed_lose_a_seventh_of_the_work(clutch):
     done = now.T * turn / (12 * (now.N * inner + now.N_e * outer))
     assert done[2] == pytest.approx(0.849, abs=0.002)
     assert np.all((done > 0.8) & (done < 0.87))
+
+
+def test_the_work_of_both_forces_grows_with_the_torque_s_on_the_turn(clutch):
+    more, less = N * (1 + STEP), N * (1 - STEP)
+    *_, turn = rates(clutch)
+    found = work(clutch, more) - work(clutch, less)
+    assert 12 * found == pytest.approx(wedged(clutch, N).T * turn, rel=1e-5)
 
 
 def test_the_energy_of_linear_yields_is_half_of_force_times_yield(clutch):
