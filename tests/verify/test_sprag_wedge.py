@@ -13,6 +13,7 @@ from analytic.sprag import closure, column, course, parts, printed
 from analytic.sprag.compliance import Yields
 from fem.plane.material import Elastic
 from verify.case import Context
+from verify.cases import sprag_wedge_expected as expected
 from verify.cases import sprag_wedge_model as model
 from verify.cases import sprag_wedge_sweep
 from verify.cases.sprag_bodies import Place
@@ -42,7 +43,8 @@ def names(rows):
 
 def forget():
     for kept in (model.parts, model.races, model.elastic, model.plane, model.composite,
-                 model.sprag_column, sprag_wedge_sweep.starts_by_fem):  # fmt: skip
+                 model.sprag_column, expected.bending, sprag_wedge_sweep.starts_by_fem,
+                 ):  # fmt: skip
         kept.cache_clear()
 
 
@@ -301,7 +303,33 @@ def without_half_yields(right):
         clutch, N, yields, OA_s=OA_s + yields.contact_i / 2, OA=OA)  # fmt: skip
 
 
+def angles_off(share):
+    return lambda right: lambda **k: tuple(share * angle for angle in right(**k))
+
+
+def without_bending(right):
+    return lambda *a, **k: replace(right(*a, **k), turned=0.0, moved=0.0)
+
+
+def whole_yield_in_the_lever(right):
+    return lambda clutch, N, yields, *, OA_s, OA: right(
+        clutch, N, yields, OA_s=OA_s, OA=OA - yields.contact_i / 2)  # fmt: skip
+
+
+BENT = "T_i/N_i against the strut's tan ν (Eq. 10), at 1.8 N_0"
+
 READINGS = [
+    pytest.param(closure, "strut", angles_off(1.0035), BENT, id="angles 0.35 % too large"),
+    pytest.param(closure, "strut", angles_off(0.9970), BENT, id="angles 0.3 % too small"),
+    pytest.param(closure, "closed", whole_yield_in_the_lever,
+                 "T_e/N_e against the strut's tan ω (Eq. 10), at N_0",
+                 id="all of delta_HI in the lever arm"),
+    pytest.param(expected, "shift", without_bending, BENT, id="the column does not bend"),
+    pytest.param(
+        expected, "shift", without_bending,
+        "force ratio on the inner race at 1.8 N_0, but for the column's bending",
+        id="a rigid column, as the force ratio has it",
+    ),
     pytest.param(closure, "strut", lambda right: lambda **k: right(**k)[::-1], NU,
                  id="nu and omega swapped"),
     pytest.param(closure, "strut", lambda right: lambda **k: right(
