@@ -67,11 +67,10 @@ WEDGE = Case(
         "quantities between five states by splines over ln N, below the first by a power",
         "elastic yields: races under single loads (Fourier series), the sprag under two opposed "
         "forces (complex potentials) where its contacts are",
-        "expected errors: contacts beside the column's middle bend it, its ends roll on (to 2e-3 of "
-        "tan ν up to N_0, 5e-3 at 1.8 N_0); tangential forces turn the races by 0.4 to 1.2 tan²ν "
-        "more; Hertz errs by (a/r)²",
-        "small strains: forces act at the ends as drawn; how far bending moves these sideways, "
-        "up to 0.5 µm, is left out of the balance",
+        "expected errors: contacts beside the column's middle bend it, its ends roll on; "
+        "tangential forces turn the races by 0.4 to 1.2 tan²ν more; Hertz errs by (a/r)²",
+        "small strains: forces act at the ends as drawn; that bending moves these sideways is left "
+        "out of the balance",
     ),
     findings=words.findings,
     summary=words.summary,
