@@ -162,11 +162,11 @@ def energies(context: Context) -> Figure:
         curves.append(Curve(name=f"+ {words}" if colour else words, x=t, y=below, colour=colour))
     put_in = last["torque"] + last["blades"]
     every = max(len(t) // FEW, 1)
-    curves.append(Curve(name="put in by torque and blades", x=t[::every], y=put_in[::every],
+    curves.append(Curve(name="put in by torque and springs", x=t[::every], y=put_in[::every],
                         style="dots", colour=5))  # fmt: skip
     return Curves(
         title="Energies, one on the other", x_label="t [ms]", y_label="E [J]",
-        curves=tuple(curves), note="The dots lie on the uppermost line: nothing is missing.",
+        curves=tuple(curves), note="The crosses lie on the uppermost line: nothing is missing.",
     )  # fmt: skip
 
 
