@@ -1,8 +1,8 @@
 """Run cases through the shared cache; every process computes what it misses once."""
 
 import signal
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Iterator
+from functools import lru_cache
 
 import pytest
 
@@ -17,7 +17,19 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-@cache
+@pytest.fixture(autouse=True, scope="module")
+def _forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What a module's own functions keep for its tests goes with its last one.
+
+    Solved problems with their factors are large, and the tests many.
+    """
+    yield
+    for kept in vars(request.module).values():
+        if getattr(kept, "__module__", "") == request.module.__name__:
+            getattr(kept, "cache_clear", lambda: None)()
+
+
+@lru_cache(maxsize=48)
 def solved(case: Case, inputs: Inputs):
     return [solve_level(case, inputs, level, default_folder()) for level in case.levels]
 

@@ -174,7 +174,7 @@ def test_another_member_can_be_chosen(tmp_path):
 def test_a_place_that_cannot_be_written_is_told_before_the_work(tmp_path, capsys):
     (tmp_path / "file").write_text("")
     assert run(["design", str(task(tmp_path)), "--out", str(tmp_path / "file" / "x")]) == 2
-    assert "cannot be written" in capsys.readouterr().err
+    assert "file: is a file, expected a folder" in capsys.readouterr().err
 
 
 def test_check_sends_a_design_task_to_the_right_command(tmp_path, capsys):

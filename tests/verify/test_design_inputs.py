@@ -87,7 +87,7 @@ WRONG = [
     ({"n": 8.5}, "inputs.n: needs a whole number, got 8.5"),
     ({"n": "4 : 9 : 3"}, "needs whole numbers"),
     ({"alpha": "95 deg"}, "inputs.alpha = 95 deg: must be at least 20 deg and at most 90 deg"),
-    ({"alpha": "nan deg"}, 'inputs.alpha: "nan deg" is not an angle'),
+    ({"alpha": "nan deg"}, 'inputs.alpha: "nan deg" is not finite'),
     ({"L1": "10 mm : 14 mm : 900", "r": "0.3 mm:0.6 mm:90"}, "candidates, at most 300,000"),
 ]
 
