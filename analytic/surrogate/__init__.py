@@ -1,0 +1,1 @@
+"""Surrogates of a slow model on a box of parameters, and the search for their smallest value."""
