@@ -33,15 +33,20 @@ class Run:
 @lru_cache(maxsize=32)
 def run_fem(q: EngagementInputs) -> Run:
     """The engagement; ArithmeticError or ValueError in a line where there is none."""
+    one, now = built(q), under(q)
+    least = np.nanmax([blades(q), float(now.N) if now else one.N_top])
+    return engaged_fem(one, q, AHEAD * float(least))
+
+
+def engaged_fem(one: Built, q: EngagementInputs, N_end: float) -> Run:
+    """The same of a clutch whose contacts are solved, with a table up to N_end [N] at first."""
     from analytic.sprag.transient import engage
 
-    one, now = built(q), under(q)
     motion = Motion(
         m_g=q.m_g, I_g=q.I_g, I_bi=q.I_bi, I_be=q.I_be, K_r=q.K_r, alpha_max=q.alpha_max,
         C_rl=q.C_rl, k_out=q.k_out, mu_s=q.mu_s, mu_c=q.mu_c, gamma_b=q.gamma_b,
     )  # fmt: skip
-    least = np.nanmax([blades(q), float(now.N) if now else one.N_top])
-    N_end = min(AHEAD * float(least), INSIDE * one.N_top)
+    N_end = min(N_end, INSIDE * one.N_top)
     while True:
         table = tabulated(one.clutch, N_end=N_end, theta_max=q.alpha_max)
         found = engage(
