@@ -1,0 +1,48 @@
+"""Differential evolution, for the smallest value of an objective in a box.
+
+Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; scipy's implementation.
+No gradient method polishes the end: the largest of several regimes has kinks, often at its
+smallest value, where a gradient does not exist. The population is shrunk further instead.
+"""
+
+import numpy as np
+from scipy.optimize import OptimizeResult, differential_evolution
+
+from analytic.contact.checks import Array
+from analytic.surrogate.box import Box
+from analytic.surrogate.found import Found, Objective, asked
+
+POPULATION = 15  # a parameter
+GENERATIONS = 500
+SPREAD = 1e-8  # of the population's values to their mean, where it ends
+
+
+def evolve(objective: Objective, box: Box, *, seed: int = 0) -> Found:
+    """Smallest value found by differential evolution; the objective is given many points at once.
+
+    ArithmeticError where the population has not drawn together after 500 generations.
+    """
+    history: list[float] = []
+    count = 0
+
+    def of_columns(u: Array) -> Array:
+        nonlocal count
+        count += u.shape[1]
+        values = asked(objective, box.from_unit(u.T))
+        history.append(min([values.min(), *history[-1:]]))
+        return values
+
+    result: OptimizeResult = differential_evolution(
+        of_columns,
+        [(0.0, 1.0)] * box.dimension,
+        popsize=POPULATION,
+        maxiter=GENERATIONS,
+        tol=SPREAD,
+        rng=seed,
+        polish=False,
+        updating="deferred",
+        vectorized=True,
+    )
+    if not result.success:
+        raise ArithmeticError(f"differential evolution has not settled: {result.message}")
+    return Found(box.from_unit(result.x[None])[0], float(result.fun), count, np.array(history))

@@ -1,0 +1,127 @@
+"""A surrogate improved where it is searched: its smallest value becomes the next design."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
+
+import numpy as np
+
+from analytic.contact.checks import Array
+from analytic.surrogate.box import Box
+from analytic.surrogate.found import Found, Objective
+
+
+class Predicts(Protocol):
+    """What answers points (n, d) with values (n,)."""
+
+    def predict(self, x: Array) -> Array: ...
+
+
+A = TypeVar("A")  # what the true model answers
+S = TypeVar("S", bound=Predicts)
+SAME = 1e-9  # distance in the unit cube of two points that are one design
+
+
+@dataclass(frozen=True, eq=False)
+class Round:
+    """The surrogate's smallest value and the true model's there."""
+
+    x: Array  # (d,)
+    predicted: float
+    true: float
+    on_design: bool  # whether x was a design already, where agreement is by interpolation alone
+
+    @property
+    def error(self) -> float:
+        return abs(self.true / self.predicted - 1)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Infilled(Generic[A, S]):
+    """The last surrogate, everything the true model answered, and the best of it."""
+
+    surrogate: S  # fitted on every design but the last round's, which it was found to agree with
+    designs: Array  # (n, d), those given first
+    answers: tuple[A, ...]  # (n,)
+    x: Array  # (d,) the design of smallest true value
+    predicted: float  # of the last surrogate there
+    true: float
+    history: tuple[Round, ...]
+    best_is_last: bool  # whether x is the last round's
+
+
+def infill(
+    fit: Callable[[Array, Sequence[A]], S],
+    true: Callable[[Array], A],
+    x: Array,
+    *,
+    box: Box,
+    search: Callable[[Objective, Box], Found],
+    value: Callable[[A], float],
+    answers: Sequence[A] | None = None,
+    agree: float = 0.005,
+    rounds: int = 20,
+) -> Infilled[A, S]:
+    """Fit, search the surrogate's smallest value, ask the true model there, until both agree.
+
+    `answers` are the true model's at x (n, d), asked for if not given; `value` is the number in
+    one of them. Agreement is |true/predicted - 1| <= agree. A smallest value on a design that is
+    there already is asked for once more: a model that is a function answers the same, and a
+    surrogate that interpolates agrees. ArithmeticError where it does not, where `rounds` have
+    passed, or for a prediction that is not positive.
+    """
+    x = box.points(x)
+    known = [true(point) for point in x] if answers is None else list(answers)
+    if len(known) != len(x):
+        raise ValueError(f"as many answers as designs, got {len(known)} and {len(x)}")
+    history: list[Round] = []
+    while len(history) < rounds:
+        surrogate = fit(x, known)
+        found = search(surrogate.predict, box)
+        answer = true(found.x)
+        on_design = bool(np.any(_distance(x, found.x, box) < SAME))
+        this = Round(found.x, found.value, value(answer), on_design)
+        if not (this.predicted > 0 and np.isfinite(this.true)):
+            raise ArithmeticError(
+                f"infill needs positive numbers, got {this.true} for {this.predicted} at {this.x}"
+            )
+        if on_design and this.error > agree:
+            raise ArithmeticError(
+                f"on a design already there, {this.x}, the surrogate has {this.predicted:.6g} and "
+                f"the true model now {this.true:.6g}: one of the two does not repeat its values"
+            )
+        history.append(this)
+        if not on_design:
+            x, known = np.vstack([x, found.x]), [*known, answer]
+        if this.error <= agree:
+            return _best(surrogate, x, known, value, history, box)
+    raise ArithmeticError(
+        f"surrogate and true model do not agree within {agree:.2%} after {rounds} rounds: the last "
+        f"has {this.predicted:.6g} for {this.true:.6g} at {this.x}"
+    )
+
+
+def _best(
+    surrogate: S,
+    x: Array,
+    answers: list[A],
+    value: Callable[[A], float],
+    history: list[Round],
+    box: Box,
+) -> Infilled[A, S]:
+    values = np.array([value(answer) for answer in answers])
+    best = int(values.argmin())
+    return Infilled(
+        surrogate=surrogate,
+        designs=x,
+        answers=tuple(answers),
+        x=x[best],
+        predicted=float(surrogate.predict(x[best : best + 1])[0]),
+        true=float(values[best]),
+        history=tuple(history),
+        best_is_last=bool(_distance(x[best : best + 1], history[-1].x, box)[0] < SAME),
+    )
+
+
+def _distance(x: Array, point: Array, box: Box) -> Array:
+    return np.asarray(np.linalg.norm(box.to_unit(x) - box.to_unit(point[None]), axis=1))
