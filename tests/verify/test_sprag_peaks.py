@@ -1,0 +1,77 @@
+"""Largest pressures of engagements, crown by crown."""
+
+import numpy as np
+import pytest
+
+from analytic.contact import strips
+from analytic.sprag.closure import wedged
+from verify.cases.sprag_clutch_model import built
+from verify.cases.sprag_clutch_run_fem import run_fem
+from verify.cases.sprag_engagement_model import gap
+from verify.cases.sprag_inputs import EngagementInputs
+from verify.cases.sprag_peaks import NoLockError, peaks_fem, with_crown
+
+Q = EngagementInputs(Q=3407.0, t_end=0.02)
+FREE = (3.0, 0.68, 25e-6)  # its ends carry little
+CROWNS = np.array([FREE, (1.0, 0.4, 5e-6), (5.0, 0.7, 25e-6)])
+
+
+@pytest.fixture(scope="module")
+def found():
+    return peaks_fem(Q, CROWNS, [10.0, 25.0])
+
+
+def test_peaks_are_those_of_a_whole_engagement(found):
+    for crown, N, p in zip(CROWNS, found.N_max[:, 1], found.largest[:, 1], strict=True):
+        run = run_fem(with_crown(Q, crown))
+        assert [N, p] == pytest.approx([run.engagement.N_max, run.peaks[0]], rel=1e-7)
+
+
+def test_torques_come_in_their_order(found):
+    alone = peaks_fem(Q, CROWNS[:1], [10.0])
+    assert found.of(0).largest[0] == pytest.approx(alone.largest[0], rel=1e-7)
+    assert found.of(0).torques.tolist() == [10.0]
+    assert found.largest.shape == (3, 2)
+    assert found.pressure.shape == (3, 2, Q.slices)
+
+
+def test_regimes_make_up_the_largest(found):
+    assert np.maximum(found.end, found.inside).tolist() == found.largest.tolist()
+    assert found.end[1, 1] > found.inside[1, 1]
+    assert found.end[2, 1] == 0
+
+
+def test_processes_change_nothing(found):
+    seen = []
+    crowns = np.concatenate([CROWNS, CROWNS[:2]])[::-1]
+    again = peaks_fem(Q, np.tile(crowns, (2, 1)), [25.0], jobs=2, progress=seen.append)
+    assert again.largest[[4, 3, 2], 0] == pytest.approx(found.largest[:, 1], rel=1e-7)
+    assert again.largest[:5].tolist() == again.largest[5:].tolist()
+    assert seen[-1] == 10
+
+
+def test_strips_are_pressed_by_the_same_forces(found):
+    fine = peaks_fem(Q, CROWNS[:1], [25.0], by="strips")
+    assert fine.N_max == pytest.approx(found.N_max[:1, 1:], rel=1e-7)
+    assert fine.largest[0, 0] == pytest.approx(found.largest[0, 1], rel=0.02)
+    one, N = built(with_crown(Q, FREE)), fine.N_max[0, 0]
+    twice = strips.press(
+        gap(with_crown(Q, FREE).model_copy(update={"slices": 161})), length=Q.l,
+        R=one.radii(wedged(one.clutch, N))[0], E_star=float(one.parts.E_star), load=N,
+    )  # fmt: skip
+    assert fine.largest[0, 0] == pytest.approx(float(twice.peak), rel=2e-3)
+
+
+def test_crowns_are_made_for_one_load():
+    heavier = Q.model_copy(update={"T": 40.0, "Q": None})
+    static = 40 / (12 * heavier.R_i * np.tan(heavier.nu_0))
+    made_for = with_crown(heavier, None).Q
+    assert made_for == pytest.approx(static)
+    assert with_crown(Q, FREE).Q == 3407.0
+    assert with_crown(Q, None).z_m == 0
+
+
+def test_what_does_not_lock_has_no_peak():
+    slippery = Q.model_copy(update={"mu_s": 0.05, "mu_c": 0.05})
+    with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown mends that"):
+        peaks_fem(slippery, CROWNS[:1], [25.0])
