@@ -1,4 +1,24 @@
-"""Whether a surrogate is good enough to be searched."""
+"""Whether a surrogate is good enough to be searched.
+
+Leaving out one design of a factorial at a time says little where the model has a kink: neighbours
+at the same level of the other parameters have seen it too. Leaving out a whole level says more,
+and costs no new answer of the model. Measured on the largest pressure between sprag and race over
+three profile parameters (5^3 designs, 200 random points beside, mean/largest relative error in %):
+
+    surrogate                     torque   true       one left out   level left out
+    one process, kinks and all    25 N m   0.67/3.2   0.010/0.07     0.90/3.7
+    one process, kinks and all    40 N m   0.48/2.3   0.025/0.20     0.99/6.6
+    two regimes, squares kriged   25 N m   0.12/1.1   0.008/0.04     0.29/1.5
+    two regimes, squares kriged   40 N m   0.12/0.65  0.013/0.10     0.31/2.4
+
+One left out is too small by 9 to 70 times, and does not even keep the order of the two at 25 N m
+apart; a level left out is too large by 1.3 to 2.9, since it doubles the distance to a neighbour.
+Ten random points are few: with the limits below they pass the first row in one draw of five
+(twenty in one of ten), the last two rows always.
+
+So a surrogate is gated twice: with a level left out, before anything is asked anew, and on at
+least twenty fresh random points. One left out finds the design that does not fit, no more.
+"""
 
 from dataclasses import dataclass
 from typing import Protocol, Self
@@ -28,6 +48,14 @@ class Quality:
     largest: float
     count: int
 
+    @classmethod
+    def of(cls, errors: Array) -> "Quality":
+        """Of relative errors (n,); ValueError unless all are finite and at least one."""
+        errors = np.abs(np.asarray(errors, np.float64))
+        if not errors.size or not np.all(np.isfinite(errors)):
+            raise ValueError(f"quality needs at least one error, all finite, got {errors}")
+        return cls(mean=float(errors.mean()), largest=float(errors.max()), count=errors.size)
+
 
 def quality(predicted: Array, true: Array) -> Quality:
     """Relative errors of predicted values (n,) in two numbers.
@@ -39,8 +67,7 @@ def quality(predicted: Array, true: Array) -> Quality:
         raise ValueError(f"as many predicted values as true, got {predicted.shape}, {true.shape}")
     if not np.all(np.isfinite(predicted) & np.isfinite(true) & (true != 0)):
         raise ValueError("relative errors need finite values, and true ones other than 0")
-    error = np.abs(predicted / true - 1)
-    return Quality(mean=float(error.mean()), largest=float(error.max()), count=error.size)
+    return Quality.of(predicted / true - 1)
 
 
 def gate(quality: Quality, *, mean: float = 0.005, largest: float = 0.03, what: str) -> None:

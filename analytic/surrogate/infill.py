@@ -33,7 +33,8 @@ class Round:
 
     @property
     def error(self) -> float:
-        return abs(self.true / self.predicted - 1)
+        """|true/predicted - 1|, unlimited for a prediction of 0."""
+        return abs(self.true / self.predicted - 1) if self.predicted else np.inf
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -60,31 +61,40 @@ def infill(
     value: Callable[[A], float],
     answers: Sequence[A] | None = None,
     agree: float = 0.005,
+    in_a_row: int = 1,
     rounds: int = 20,
 ) -> Infilled[A, S]:
     """Fit, search the surrogate's smallest value, ask the true model there, until both agree.
 
     `answers` are the true model's at x (n, d), asked for if not given; `value` is the number in
-    one of them. Agreement is |true/predicted - 1| <= agree. A smallest value on a design that is
+    one of them. Agreement is |true/predicted - 1| <= agree, in so
+    many rounds `in_a_row`. A smallest value on a design that is
     there already is asked for once more: a model that is a function answers the same, and a
     surrogate that interpolates agrees. ArithmeticError where it does not, where `rounds` have
-    passed, or for a prediction that is not positive.
+    passed without agreement, or for an answer that is not finite.
+
+    Agreement is local. It says that the surrogate is right where it is smallest, not that nothing
+    smaller lies where it is wrong. One process over the largest of three planes, four places of
+    the kink, 6 x 6 designs, agreed on average 2.0 % above the smallest value, after three rounds
+    `in_a_row` 0.5 %; of 4 x 4 designs 4.5 % and 1.9 %. `Largest`, which has no kink to learn,
+    agrees on the smallest value itself. What else a surrogate misses is for `gate` to say.
     """
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)
     if len(known) != len(x):
         raise ValueError(f"as many answers as designs, got {len(known)} and {len(x)}")
+    if not 1 <= in_a_row <= rounds:
+        raise ValueError(f"in_a_row must lie between 1 and rounds, got {in_a_row} of {rounds}")
     history: list[Round] = []
+    agreed = 0
     while len(history) < rounds:
         surrogate = fit(x, known)
         found = search(surrogate.predict, box)
         answer = true(found.x)
         on_design = bool(np.any(_distance(x, found.x, box) < SAME))
         this = Round(found.x, found.value, value(answer), on_design)
-        if not (this.predicted > 0 and np.isfinite(this.true)):
-            raise ArithmeticError(
-                f"infill needs positive numbers, got {this.true} for {this.predicted} at {this.x}"
-            )
+        if not np.isfinite(this.true):
+            raise ArithmeticError(f"the true model answers {this.true} at {this.x}")
         if on_design and this.error > agree:
             raise ArithmeticError(
                 f"on a design already there, {this.x}, the surrogate has {this.predicted:.6g} and "
@@ -93,7 +103,8 @@ def infill(
         history.append(this)
         if not on_design:
             x, known = np.vstack([x, found.x]), [*known, answer]
-        if this.error <= agree:
+        agreed = agreed + 1 if this.error <= agree else 0
+        if agreed == in_a_row or (agreed and on_design):
             return _best(surrogate, x, known, value, history, box)
     raise ArithmeticError(
         f"surrogate and true model do not agree within {agree:.2%} after {rounds} rounds: the last "

@@ -15,7 +15,7 @@ from scipy.spatial.distance import cdist
 
 from analytic.contact.checks import Array
 from analytic.surrogate.box import Box
-from analytic.surrogate.length_scales import likeliest
+from analytic.surrogate.length_scales import SHORTEST, likeliest
 from analytic.surrogate.terms import NUGGET, matern, trend_terms
 
 ROUNDING = 1e-12  # of the largest value: a residual below it is the trend's own rounding
@@ -148,9 +148,9 @@ def fit(x: Array, y: Array, box: Box, *, seed: int = 0) -> Kriging:
         return of(likeliest(model.u, model.residual / scale, model.length_scales, nugget=NUGGET))
 
     d = box.dimension
-    plain = of(np.ones(d))
-    if np.max(np.abs(plain.residual)) <= ROUNDING * np.max(np.abs(y)):
-        return plain  # the trend is all there is, and no length scale shows
+    trend_only = of(np.full(d, SHORTEST))  # its C is a unit matrix nearly: plain least squares
+    if np.max(np.abs(trend_only.residual)) <= ROUNDING * np.max(np.abs(y)):
+        return trend_only  # nothing is left that could show a length scale
     random = np.exp(np.random.default_rng(seed).uniform(np.log(0.1), np.log(3), d))
     starts = [better(of(start)) for start in (np.full(d, 0.3), np.ones(d), random)]
     model = max(starts, key=lambda start: start.likelihood)

@@ -75,6 +75,8 @@ def fit_largest(
     if len(present) != len(values):
         raise ValueError(f"{len(values)} regimes, but {len(present)} say where they are present")
     models = []
+    if any(np.shape(regime) != (len(x),) for regime in values):
+        raise ValueError(f"every regime needs a value for each of the {len(x)} designs")
     for regime, where in zip(values, present, strict=True):
         y = np.asarray(regime, dtype=np.float64)[where]
         if np.any(y < 0):

@@ -1,0 +1,149 @@
+"""Regimes whose squares are quadratics: kriged as squares they are met exactly."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from analytic.surrogate.box import Box
+from analytic.surrogate.designs import full_factorial, random_designs
+from analytic.surrogate.gate import PoorSurrogateError, gate, left_level_out, quality
+from analytic.surrogate.kriging import Kriging, fit
+from analytic.surrogate.largest import Largest, fit_largest
+
+Array = NDArray[np.float64]
+BOX = Box((1.0, 0.4), (5.0, 0.7))
+X, FRESH = full_factorial(BOX, 5), random_designs(BOX, 200, 2)
+
+
+def squares(x: Array) -> list[Array]:
+    """Of two regimes; the second is silent in a corner."""
+    u, v = BOX.to_unit(x).T
+    return [4 + 8 * u - 3 * u * v, 9 - 8 * u + v - 14 * (1 - v) * u]
+
+
+def regimes(x: Array) -> list[Array]:
+    return [np.sqrt(np.maximum(square, 0)) for square in squares(x)]
+
+
+def roughs(x: Array) -> list[Array]:
+    """Two regimes no polynomial and no root makes simple."""
+    u, v = BOX.to_unit(x).T
+    return [2 + np.sin(3 * u + v), 3.4 - np.exp(u) + 0.5 * np.cos(2 * v)]
+
+
+@pytest.fixture(scope="module")
+def rough() -> Largest:
+    present = [np.ones(25, dtype=bool), np.arange(25) != 24]
+    return fit_largest(X, roughs(X), BOX, power=2.0, present=present)
+
+
+def test_the_largest_of_two_roots_is_met_where_one_process_sees_a_kink() -> None:
+    true = np.max(regimes(FRESH), axis=0)
+    present = [square > 0 for square in squares(X)]
+    assert not np.all(present)
+    largest = fit_largest(X, regimes(X), BOX, power=2.0, present=present)
+    np.testing.assert_allclose(largest.predict(FRESH), true, rtol=1e-10)
+    single = fit(X, np.max(regimes(X), axis=0), BOX)
+    assert quality(single.predict(FRESH), true).largest > 0.01
+
+
+def test_a_regime_below_zero_counts_as_zero() -> None:
+    model = Kriging(box=BOX, designs=X, values=X[:, 0] - 3, length_scales=np.ones(2))
+    predicted = Largest((model,), 0.5).predict(np.array([[2.0, 0.5], [4.0, 0.5]]))
+    np.testing.assert_allclose(predicted, [0, 1], atol=1e-9)  # (4 - 3)²
+
+
+def test_left_out_is_what_refits_of_every_regime_say(rough: Largest) -> None:
+    true = np.max(roughs(X), axis=0)
+    expected = []
+    for i in range(len(X)):
+        keeps = [np.arange(25) != i, (np.arange(25) != 24) & (np.arange(25) != i)]
+        predicted = []
+        for y, keep, model in zip(roughs(X), keeps, rough.models, strict=True):
+            refit = Kriging(
+                box=BOX,
+                designs=X[keep],
+                values=y[keep] ** 2,
+                length_scales=model.length_scales,
+            )
+            predicted.append(float(np.sqrt(max(0, refit.predict(X[i : i + 1])[0]))))
+        expected.append(max(predicted) / true[i] - 1)
+    np.testing.assert_allclose(rough.left_out(X, roughs(X)), expected, rtol=1e-4, atol=1e-9)
+    assert np.max(np.abs(expected)) > 1e-4
+
+
+def test_levels_are_left_out_one_by_one_of_every_parameter(rough: Largest) -> None:
+    true = np.max(roughs(X), axis=0)
+    errors = left_level_out(rough, X, true)
+    assert errors.shape == (2 * 3 * 5,)  # parameters, inner levels, designs on each
+    first = X[:, 0] == 2.0
+    predicted = rough.without(X[first]).predict(X[first])
+    np.testing.assert_allclose(errors[:5], predicted / true[first] - 1, rtol=1e-12)
+    assert np.all(np.abs(errors) > 0)  # what is predicted was indeed not known
+
+
+def kinked(x: Array) -> Array:
+    return np.asarray(1 + np.abs(BOX.to_unit(x)[:, 0] - 0.37))
+
+
+def test_a_kink_along_a_level_is_hidden_from_one_left_out_but_not_from_a_level() -> None:
+    model, true = fit(X, kinked(X), BOX), kinked(FRESH)
+    real = quality(model.predict(FRESH), true)
+    alone = quality(kinked(X) - model.left_out(), kinked(X))
+    assert real.mean > 0.01
+    assert alone.mean < real.mean / 20
+    gate(alone, what="a kink, one left out")
+    level = quality(1 + left_level_out(model, X, kinked(X)), np.ones(30))
+    for seen in (level, real):
+        with pytest.raises(PoorSurrogateError, match="surrogate of a kink misses"):
+            gate(seen, what="a kink")
+
+
+def test_noise_is_refused_and_a_smooth_function_passes(rough: Largest) -> None:
+    noise = 1 + 0.1 * np.random.default_rng(0).standard_normal(25)
+    model = fit(X, noise, BOX)
+    left = quality(noise - model.left_out(), noise)
+    with pytest.raises(PoorSurrogateError):
+        gate(left, what="noise")
+    gate(quality(rough.predict(FRESH), np.max(roughs(FRESH), axis=0)), what="two regimes")
+
+
+def test_the_gate_says_what_is_missed_by_how_much() -> None:
+    measured = quality(np.array([1.01, 0.96, 2.0]), np.array([1.0, 1.0, 2.0]))
+    assert (measured.mean, measured.largest) == pytest.approx((0.05 / 3, 0.04))
+    message = (
+        "surrogate of pressure misses 3 points by 1.67% in the mean and 4.00% at most; "
+        "allowed are 0.50% and 3.00%"
+    )
+    with pytest.raises(PoorSurrogateError) as refused:
+        gate(measured, what="pressure")
+    assert str(refused.value) == message
+    for limits in ({"mean": 0.02, "largest": 0.039}, {"mean": 0.016, "largest": 0.05}):
+        with pytest.raises(PoorSurrogateError):
+            gate(measured, **limits, what="pressure")
+    gate(measured, mean=0.02, largest=0.05, what="pressure")
+
+
+def test_no_quality_of_nothing_or_of_no_number() -> None:
+    with pytest.raises(ValueError, match=r"as many predicted values as true, got \(2,\), \(3,\)"):
+        quality(np.ones(2), np.ones(3))
+    for predicted, true in (([np.nan], [1.0]), ([1.0], [0.0])):
+        with pytest.raises(ValueError, match="relative errors need finite values"):
+            quality(np.array(predicted), np.array(true))
+    model = fit(FRESH[:20], kinked(FRESH[:20]), BOX)
+    with pytest.raises(ValueError, match="a level can be left out only between others"):
+        left_level_out(model, FRESH[:2], kinked(FRESH[:2]))
+
+
+def test_no_largest_of_nothing_of_negative_values_or_of_an_odd_number_of_masks() -> None:
+    ones = np.ones(25)
+    with pytest.raises(ValueError, match="the largest of no regimes is not defined"):
+        fit_largest(X, [], BOX)
+    with pytest.raises(ValueError, match=r"must not be negative, got -1.0"):
+        fit_largest(X, [ones, -ones], BOX)
+    with pytest.raises(ValueError, match="2 regimes, but 1 say where they are present"):
+        fit_largest(X, [ones, ones], BOX, present=[ones > 0])
+    with pytest.raises(ValueError, match="a value for each of the 25 designs"):
+        fit_largest(X, [ones[:-1]], BOX)
+    with pytest.raises(ValueError, match=r"power must be positive and finite, got 0.0"):
+        fit_largest(X, [ones], BOX, power=0.0)
