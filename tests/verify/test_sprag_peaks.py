@@ -75,3 +75,10 @@ def test_what_does_not_lock_has_no_peak():
     slippery = Q.model_copy(update={"mu_s": 0.05, "mu_c": 0.05})
     with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown mends that"):
         peaks_fem(slippery, CROWNS[:1], [25.0])
+
+
+def test_strips_let_no_crown_count_whose_ends_carry():
+    found = peaks_fem(Q, CROWNS[:2], [25.0], by="strips")
+    assert found.objective[0] == found.largest[0]
+    assert found.objective[1, 0] == 1.5 * found.pressure[1, 0, 0]
+    assert found.of(0).objective.tolist() == found.objective.tolist()

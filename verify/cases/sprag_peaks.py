@@ -5,7 +5,9 @@ A crown changes the laws of the contacts and little else: they are solved once f
 The slices of Eqs. 2-5 hardly know that a sprag ends: the crown that is best by them lets its ends
 carry, which strips on a half-space, and the more the finer they are, answer with a peak there
 (2946 MPa by 41 slices are 3255 MPa by 81 strips, 3766 by 161, for the best crown of Eq. 19 at
-25 N m). So a crown that is to be made is judged by strips, under the same forces.
+25 N m). So a crown that is to be made is judged by strips, under the same forces, and with its ends
+free: where a contact ends before the sprag does the last strip is partly bare and bears less than
+the others, where it reaches the end it bears more, without limit as strips become narrower.
 """
 
 import math
@@ -33,6 +35,10 @@ HOW = {
     "not followed": "the force still rises at the end, take a longer t_end",
 }
 
+END = (
+    1.5  # what the end strip counts for: it may bear (2/3)^2 = 44 % of the force of the most loaded
+)
+
 Crown = tuple[float, float, float]  # K_1, K_2, z_m [m]
 By = Literal["slices", "strips"]
 
@@ -53,11 +59,28 @@ class Peaks:
     torques: Array
     N_max: Array
     pressure: Array
+    by: By = "slices"
 
     @property
     def largest(self) -> Array:
         """Pre_max [Pa] of Eq. 17, (n, m)."""
         return np.asarray(self.pressure.max(axis=-1))
+
+    @property
+    def regimes(self) -> tuple[Array, Array]:
+        """What the end and all the rest count for [Pa], each (n, m): regimes for a surrogate.
+
+        Strips let no crown count as good whose ends carry: see END.
+        """
+        return (END if self.by == "strips" else 1.0) * self.end, self.inside
+
+    @property
+    def objective(self) -> Array:
+        """The larger regime [Pa], (n, m): what a crown is to make least.
+
+        That is `largest` of slices, and of strips where the ends are free.
+        """
+        return np.maximum(*self.regimes)
 
     @property
     def end(self) -> Array:
@@ -72,7 +95,9 @@ class Peaks:
     def of(self, torque: int) -> "Peaks":
         """The same under one of the torques, by its number."""
         only = slice(torque, torque + 1)
-        return Peaks(self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only])
+        return Peaks(
+            self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only], self.by
+        )
 
 
 def with_crown(q: EngagementInputs, crown: Crown | Array | None) -> EngagementInputs:
@@ -157,5 +182,5 @@ def peaks_fem(
     whole = [one for k in range(len(tasks)) for one in found[k]]
     return Peaks(
         np.asarray(crowns, dtype=np.float64), np.array(torques),
-        np.array([N for N, _ in whole]), np.array([p for _, p in whole]),
+        np.array([N for N, _ in whole]), np.array([p for _, p in whole]), by,
     )  # fmt: skip
