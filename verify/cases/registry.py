@@ -31,6 +31,7 @@ from verify.cases.ring_loads import INNER, OUTER
 from verify.cases.ring_loads_map import MAP
 from verify.cases.ring_rotation import ROTATION
 from verify.cases.sprag_clutch import CLUTCH as SPRAG
+from verify.cases.sprag_crown import CROWN
 from verify.cases.sprag_engagement import ENGAGEMENT
 from verify.cases.sprag_friction import FRICTION as STICK_SLIP
 from verify.cases.sprag_wedge import WEDGE as SPRAG_WEDGE
@@ -47,7 +48,7 @@ CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
     TORQUE, CUP, FRICTION, PATHS, FREEWHEEL,
-    SPRAG_WEDGE, ENGAGEMENT, STICK_SLIP, SPRAG,
+    SPRAG_WEDGE, ENGAGEMENT, STICK_SLIP, SPRAG, CROWN,
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,

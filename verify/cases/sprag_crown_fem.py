@@ -1,0 +1,47 @@
+"""What stands beside the formulas of a crown: drawn profiles, strips, compiled engagements."""
+
+import numpy as np
+
+from verify.case import FemResult
+from verify.cases.sprag_clutch_drawn_fem import crowned
+from verify.cases.sprag_clutch_fem import by_strips_fem
+from verify.cases.sprag_clutch_run_fem import run_fem
+from verify.cases.sprag_crown_box_fem import FEW, SHARES, box_fem
+from verify.cases.sprag_crown_formulas import DEEP, factorial, label
+from verify.cases.sprag_crown_paper_fem import paper_fem
+from verify.cases.sprag_inputs import EngagementInputs
+from verify.cases.sprag_peaks import peaks_fem, with_crown
+
+LEVELS = (41, 81, 161)  # strips along a sprag
+POINTS = 1200  # of a drawn profile for each strip
+STEP = 1e-4  # of z_m, for its share
+
+
+def fem(q: EngagementInputs, level: int) -> FemResult:
+    run = run_fem(q)
+    N = run.engagement.N_max
+    own = by_strips_fem(q, level, N, 0)
+    values = {"N_max": N, "p mid peak": float(own.mid)} | drawn_fem(q, POINTS * level)
+    arrays = {"strips": own.pressure}
+    paper = q == EngagementInputs()
+    if paper:
+        for crown in DEEP:
+            found = by_strips_fem(with_crown(q, crown), level, N, 0)
+            values[f"{label(crown)} p"] = float(found.peak)
+    if level == LEVELS[-1]:
+        shares = SHARES if paper else (1.0,)
+        few = peaks_fem(q, factorial(q, FEW), q.T * np.array(shares))
+        arrays |= box_fem(q, few.of(shares.index(1.0)))
+        if paper:
+            arrays |= paper_fem(q, few)
+    return FemResult(h=1 / level, values=values, arrays=arrays)
+
+
+def drawn_fem(q: EngagementInputs, n: int) -> dict[str, float]:
+    """Mean of the drop [m] at n places of the sprag, and what a share more of z_m adds to it."""
+    less, more = (
+        float(crowned(q.model_copy(update={"z_m": q.z_m * (1 + s * STEP)}), n).mean())
+        for s in (-1, 1)
+    )
+    mean = float(crowned(q, n).mean())
+    return {"mean": mean, "share": (more - less) / (2 * STEP * mean)}
