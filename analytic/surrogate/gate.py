@@ -11,8 +11,9 @@ three profile parameters (5^3 designs, 200 random points beside, mean/largest re
     two regimes, squares kriged   25 N m   0.12/1.1   0.008/0.04     0.29/1.5
     two regimes, squares kriged   40 N m   0.12/0.65  0.013/0.10     0.31/2.4
 
-One left out is too small by 9 to 70 times, and does not even keep the order of the two at 25 N m
-apart; a level left out is too large by 1.3 to 2.9, since it doubles the distance to a neighbour.
+One left out is too small by 9 to 70 in the mean, and ranks one process the wrong way round (better
+at 25 N m, where it is worse); a level left out is too large by 1.3 to 2.7 in the mean, since it
+doubles the spacing.
 Ten random points are few: with the limits below they pass the first row in one draw of five
 (twenty in one of ten), the last two rows always.
 
