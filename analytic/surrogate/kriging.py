@@ -1,8 +1,8 @@
 """Universal kriging: a full quadratic trend and a Gaussian process on what it leaves.
 
 y(x) = f(x)'b + G(x), f the 1 + d + d(d + 1)/2 monomials up to degree two, G of Matérn 5/2
-correlation with a length scale a parameter. Source: Huang et al., Int. J. of Aerospace Eng. 2018
-(the form Q + G, Eq. 17 ff.); N. Cressie, Statistics for Spatial Data, 1993, Sec. 3.4;
+correlation with a length scale a parameter. Source: Huang et al., Shock and Vibration 2018
+(the form Q + G, Eq. 20); N. Cressie, Statistics for Spatial Data, 1993, Sec. 3.4;
 left-out residuals: O. Dubrule, Math. Geology 15 (1983) 687.
 """
 
