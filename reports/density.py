@@ -31,10 +31,20 @@ def density(d: Density) -> Markup:
     axes.body.append(image)
     axes.base(svg.ticks(*axes.x, 6), svg.plain)
     axes.titles(d.x_label, d.y_label)
+    if d.point is not None:
+        axes.body += _mark(axes, *d.point)
     name = sha256(data.encode()).hexdigest()[:10]
     return svg.drawing(
         WIDTH, HEIGHT, [*axes.body, *_bar(colours, name, d.z_label)], d.title, "chart"
     )
+
+
+def _mark(axes: Axes, x: float, y: float, name: str) -> list[Markup]:
+    """A place in the plane, its name on the side where there is room."""
+    u, v, centre = axes.X(x), axes.Y(y), (LEFT + RIGHT) / 2
+    beside, anchor = (u - 10, "end") if u > centre else (u + 10, "start")
+    height = v + 14 if v < (TOP + BOTTOM) / 2 else v - 6
+    return [svg.circle(u, v, 5.0, "mark"), svg.text(beside, height, name, "named", anchor)]
 
 
 def _ends(values: Array) -> tuple[float, float]:

@@ -25,9 +25,17 @@ class Tile:
 
 @dataclass(frozen=True, kw_only=True)
 class DesignPage:
-    """Everything on the page, in words and numbers; `failure` is what went wrong, one line each."""
+    """Everything on the page, in words and numbers; `failure` is what went wrong, one line each.
+
+    `subject` is what is designed, in a word, and `of` in a few; `front` is a table of what came
+    out, named `front_name`, and `checks` are tables of what judges it.
+    """
 
     name: str
+    subject: str = "spring"
+    of: str = "an accordion spring"
+    front_name: str = "The front"
+    checks: Sequence[Table] = ()
     meta: str
     tiles: Sequence[Tile]
     failure: Sequence[str]

@@ -44,9 +44,7 @@ def _case_ids(_context: Any) -> list[str]:
 
 def _templates(_context: Any) -> list[str]:
     """What a shell offers where a template is named."""
-    from verify.design.inputs import CASE
-
-    return [*_case_ids(_context), CASE]
+    return [*_case_ids(_context), "design-spring", "design-sprag"]
 
 
 Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=_whole)]
@@ -130,19 +128,24 @@ def init(
     Parameters
     ----------
     case
-        The case, see `freewheel list`; design-spring is a task for `freewheel design`.
+        The case, see `freewheel list`; design-spring and design-sprag are tasks for
+        `freewheel design`.
     out
         File to write instead; one that exists is never overwritten.
     """
-    from verify.design.inputs import CASE
     from verify.template import hand_over, run_init
 
-    if case != CASE:
-        return run_init(case, out)
-    from verify.design.template import template
+    if case == "design-spring":
+        from verify.design.template import template as of_spring
 
-    hand_over(template(), out)
-    return 0
+        hand_over(of_spring(), out)
+        return 0
+    if case == "design-sprag":
+        from verify.design_sprag.template import template as of_sprag
+
+        hand_over(of_sprag(), out)
+        return 0
+    return run_init(case, out)
 
 
 @app.command
@@ -155,22 +158,30 @@ def design(
     json: bool = False,
     out: Path | None = None,
 ) -> int:
-    """Find the accordion springs that do a task, and the best of them.
+    """Find the accordion springs that do a task, or the crown of a sprag with the least pressure.
 
     Parameters
     ----------
     file
-        The task (TOML), see `freewheel init design-spring`.
+        The task (TOML), see `freewheel init design-spring` and `freewheel init design-sprag`; a
+        file of sprag-clutch does as well.
     choose
-        Member of the front to go on with; by default the one nearest to the best of everything
-        that finite elements keep.
+        Of springs, the member of the front to go on with; by default the one nearest to the best
+        of everything that finite elements keep.
     fem
-        Set finite elements beside every member of the front.
+        Set finite elements beside every member of the front, a half-space beside the crown.
     json
         Print JSON instead of text.
     out
-        Folder for the page, all candidates and a parameter file of the chosen spring.
+        Folder for the page, all candidates and a parameter file of what is chosen.
     """
+    from verify.inputs import read_parameter_file
+
+    case, _, _ = read_parameter_file(file)
+    if case in ("design-sprag", "sprag-clutch"):
+        from verify.design_sprag.command import run_design as run_sprag
+
+        return run_sprag(file, choose=choose, use_fem=fem, as_json=json, out=out)
     from verify.design.command import run_design
 
     return run_design(file, choose=choose, use_fem=fem, as_json=json, out=out)

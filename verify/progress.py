@@ -15,12 +15,13 @@ MOST_NAMES = 2
 
 @dataclass(frozen=True)
 class State:
-    """Levels done of all, what is being solved, and the seconds still needed."""
+    """Levels, or what else is done, of all, what is being solved, and the seconds still needed."""
 
     done: int
     total: int
     running: tuple[str, ...]
     remaining: float
+    what: str = "finite elements"
 
 
 Show = Callable[[State], None]
@@ -56,7 +57,7 @@ class Lines:
 def line(state: State) -> str:
     """One line: "finite elements 12 of 48, spring-continuum level 8, about 14 s left"."""
     left = f"about {duration(state.remaining)} left"
-    return f"finite elements {state.done} of {state.total}, {names(state.running)}, {left}"
+    return f"{state.what} {state.done} of {state.total}, {names(state.running)}, {left}"
 
 
 def names(running: Sequence[str]) -> str:

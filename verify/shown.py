@@ -213,6 +213,7 @@ class Density:
     """A quantity `z` (k, m) over a plane, in colours: columns at `x` (m,), rows at `y` (k,), even.
 
     `range` is what the colours span, alike in figures that are compared; None: that of z.
+    `point` is a place and its name.
     """
 
     title: str
@@ -223,6 +224,7 @@ class Density:
     y: Array
     z: Array
     range: tuple[float, float] | None = None
+    point: tuple[float, float, str] | None = None
     note: str = ""
 
 

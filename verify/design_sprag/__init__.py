@@ -1,0 +1,1 @@
+"""Design of a sprag clutch's crown: the one with the lowest pressures in its engagements."""

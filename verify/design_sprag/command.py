@@ -1,0 +1,64 @@
+"""The command `design` for a sprag's crown, apart from reading the command line."""
+
+import json
+import shlex
+import sys
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import IO
+
+from verify.commands import writable
+from verify.design_sprag.inputs import load
+from verify.design_sprag.outcome import Outcome, carry_out
+from verify.design_sprag.records import CHOSEN, chosen_file, designs_csv, profile_csv, record
+from verify.design_sprag.told import print_outcome
+from verify.files import write_whole
+from verify.inputs import InputError
+
+PAGE = "design.html"
+
+
+def run_design(
+    path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None
+) -> int:
+    """The best crown for a task; 0 where it is verified and keeps p_lim, else 1."""
+    task = load(path)
+    if choose is not None:
+        raise InputError("--choose: a crown has one best, there is no front to choose from")
+    if out is not None:
+        writable(out)
+    outcome = carry_out(task, str(path), use_half_space=use_fem, quiet=as_json)
+    if as_json:
+        print(json.dumps(record(outcome), ensure_ascii=False))
+    else:
+        print_outcome(outcome)
+    if out is not None:
+        made = files(outcome, f"freewheel design {'' if use_fem else '--no-fem '}"
+                              f"{shlex.quote(path.name)}")  # fmt: skip
+        for name, text in made.items():
+            try:
+                write_whole(out / name, partial(_fill, text))
+            except OSError as error:
+                raise OSError(f"{out / name} cannot be written: {error.strerror}") from error
+        told = f"written: {', '.join(str(out / name) for name in made)}"
+        print(told, file=sys.stderr if as_json else sys.stdout)
+    return 0 if outcome.passed else 1
+
+
+def files(outcome: Outcome, repeat: str) -> Mapping[str, str]:
+    """What goes into the folder, by name."""
+    from reports.design import page as drawn
+    from verify.design_sprag.page import page
+
+    repeat += f"\nfreewheel check --dynamic {CHOSEN}"
+    return {
+        "profile.csv": profile_csv(outcome),
+        "designs.csv": designs_csv(outcome),
+        CHOSEN: chosen_file(outcome),
+        PAGE: drawn(page(outcome, repeat)),
+    }
+
+
+def _fill(text: str, file: IO[bytes]) -> None:
+    file.write(text.encode())

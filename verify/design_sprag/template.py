@@ -1,0 +1,37 @@
+"""The commented file of a crown's design task, made from its model; the paper's clutch."""
+
+import json
+
+from verify import template as case_template
+from verify.cases.sprag_inputs import EngagementInputs
+from verify.design_sprag.inputs import CASE, TORQUES, Wishes
+from verify.design_sprag.ranges import RANGES
+
+HEAD = f"""\
+# A design task: the crown of a sprag clutch with the lowest pressures as it engages, after
+# Huang et al. 2018 (Eqs. 1-20), checked against a half-space. The clutch is the paper's; put in
+# your own numbers, and then
+#   freewheel design my.toml                  the best crown, beside your own and none
+#   freewheel design my.toml --out crown/     and a page, the profile to grind, clutch.toml
+# A value keeps its unit; any other unit of the same kind will do. K_1, K_2 and z_m are the crown
+# that the clutch has now; Q is the load that K_1 counts, for the best crown too.
+
+case = "{CASE}"
+name = "my clutch"
+
+[inputs]
+"""
+TASK = '# The task; a list of torques may also be a range "10 N m : 40 N m : 4" of 4 values'
+
+
+def template() -> str:
+    """A file that reads as the default task."""
+    lines = case_template.commented(Wishes)
+    clutch = len(EngagementInputs.model_fields)
+    torques = json.dumps(TORQUES.default)
+    own = [
+        (f"{TORQUES.name} = {torques}", f"{TORQUES.what}; {TORQUES.rule}; optional, T if left out"),
+        *((f'{r.name} = "{r.default}"', f"{r.what}, {r.symbol}; {r.rule}; Eq. 19") for r in RANGES),
+        *lines[clutch:],
+    ]
+    return f"{HEAD}{case_template.aligned(lines[:clutch])}\n{TASK}\n{case_template.aligned(own)}"

@@ -1,0 +1,109 @@
+"""What a half-space says of a crown under the forces of its engagements."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact import slices
+from analytic.contact.half_space_roller import RollerContact, press_roller
+from verify.design_sprag.corners import corners
+from verify.design_sprag.inputs import Contacts, Task
+from verify.design_sprag.known import Known
+from verify.design_sprag.model import Model
+from verify.shown import Array
+
+CELLS = ((48, 256), (64, 512))  # across and along; the second is what counts
+LIMIT = 0.02  # by which the pressures that a crown is chosen by may be off
+DEEPEST = 10.0  # times z_m, up to which one that unloads the ends is searched
+STEPS = 93  # of that, 2.5 % each
+
+
+@dataclass(frozen=True, eq=False)
+class Check:
+    """A crown (3,) under one torque: largest pressures [Pa] by every model, the force N [N].
+
+    `which` is "wanted" or "worst": the wanted crown or the worst within its tolerance. `twice` is
+    by twice the slices; `coarse` by the half-space with fewer cells, of which `end` is the last.
+    """
+
+    which: str
+    T: float
+    crown: Array
+    N: float
+    contacts: Contacts
+    slices: Array
+    twice: float
+    strips: Array
+    half: RollerContact
+    coarse: float
+
+    @property
+    def peak(self) -> float:
+        """Largest pressure [Pa] by the half-space."""
+        return self.half.peak_pressure
+
+    @property
+    def end(self) -> float:
+        """Pressure [Pa] at the half-space's last cell."""
+        return float(max(self.half.centre_pressure[[0, -1]]))
+
+    @property
+    def judged(self) -> float:
+        """Largest pressure [Pa] by the contacts that the crown was chosen by."""
+        return float((self.strips if self.contacts == "strips" else self.slices).max())
+
+    def off(self, pressure: float) -> float:
+        """A largest pressure [Pa] less the half-space's, as a share."""
+        return pressure / self.peak - 1
+
+    @property
+    def mid_off(self) -> float:
+        """That of the middle."""
+        p = self.strips if self.contacts == "strips" else self.slices
+        n = len(p)
+        mid = np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2)
+        return float(mid / self.half.mid_pressure - 1)
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the contacts that the crown was chosen by are within the limit."""
+        return abs(self.off(self.judged)) <= LIMIT
+
+
+def checks(task: Task, model: Model, crown: Array) -> Sequence[Check]:
+    """The wanted crown (3,) and the worst within its tolerance, under every torque."""
+    every = corners(task, crown[None])[0]
+    known = model.answers(every)
+    counted = known.largest(task.wishes.contacts)
+    found = []
+    for k in range(len(task.torques)):
+        found.append(_check(task, model, known, 0, k, "wanted"))
+        if worst := int(counted[:, k].argmax()):
+            found.append(_check(task, model, known, worst, k, "worst"))
+    return found
+
+
+def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -> Check:
+    q, N, crown = model.q, float(known.N_max[i, k]), known.crowns[i]
+    E_star, R = float(model.one.parts.E_star), float(model.R[k])
+    twice = slices.press(model.gap(crown, 2 * q.slices), length=q.l, R=R, E_star=E_star, load=N)
+    coarse, fine = (
+        press_roller(model.gap(crown, cells[1]), R=R, length=q.l, E_star=E_star, load=N,
+                     cells=cells)
+        for cells in CELLS
+    )  # fmt: skip
+    return Check(
+        which, task.torques[k], crown, N, task.wishes.contacts, known.slices[i, k],
+        float(twice.peak_pressure.max()), known.strips[k][i], fine, coarse.peak_pressure,
+    )  # fmt: skip
+
+
+def unloading(model: Model, check: Check) -> float | None:
+    """The drop z_m [m] from which on the ends carry nothing, K_1 and K_2 kept; None for none."""
+    k = model.torques.index(check.T)
+    crowns = np.repeat(check.crown[None], STEPS, axis=0)
+    crowns[:, 2] *= np.geomspace(1, DEEPEST, STEPS)
+    p = model.by_strips(crowns, np.full(STEPS, check.N), k, model.counts[k])
+    free = np.flatnonzero(p[:, 0] == 0)
+    return float(crowns[free[0], 2]) if free.size else None
