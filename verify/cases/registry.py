@@ -34,6 +34,8 @@ from verify.cases.sprag_clutch import CLUTCH as SPRAG
 from verify.cases.sprag_crown import CROWN
 from verify.cases.sprag_engagement import ENGAGEMENT
 from verify.cases.sprag_friction import FRICTION as STICK_SLIP
+from verify.cases.sprag_optimum import OPTIMUM_25, OPTIMUM_40
+from verify.cases.sprag_optimum_deep import DEEP_25, DEEP_40
 from verify.cases.sprag_wedge import WEDGE as SPRAG_WEDGE
 from verify.cases.spring_accordion import ACCORDION
 from verify.cases.spring_buckling import BUCKLING
@@ -49,13 +51,14 @@ CASES: tuple[Case, ...] = (
     PRESSURE, POLYHEDRAL_RING, POLYHEDRAL_MAP, LOCKING, WEDGE, CLUTCH,
     TORQUE, CUP, FRICTION, PATHS, FREEWHEEL,
     SPRAG_WEDGE, ENGAGEMENT, STICK_SLIP, SPRAG, CROWN,
+    OPTIMUM_25, OPTIMUM_40,
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
 )  # fmt: skip
 
 
-DEEP: tuple[Case, ...] = (DEEP_MAP,)  # measured by `freewheel deep` alone
+DEEP: tuple[Case, ...] = (DEEP_MAP, DEEP_25, DEEP_40)  # measured by `freewheel deep` alone
 
 
 def find(case_id: str, among: Sequence[Case] = CASES) -> Case:

@@ -1,0 +1,109 @@
+"""Figures of the contact at the largest force: along the sprag, over its parts, over time."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.sprag.pressure import along
+from verify.case import Context
+from verify.cases.sprag_clutch_claims import measured
+from verify.cases.sprag_clutch_drawn_fem import places
+from verify.cases.sprag_clutch_model import built
+from verify.cases.sprag_engagement_model import gap
+from verify.cases.sprag_engagement_pressures import over_time
+from verify.cases.sprag_optimum_crown_claims import CELLS, STRIPPED, series
+from verify.cases.sprag_optimum_ends_fem import SLICED
+from verify.cases.sprag_peaks import with_crown
+from verify.shown import Array, Curve, Curves, Figure
+
+MPa, mm, um = 1e6, 1e-3, 1e-6
+ABOVE = 1.6  # times the slices' largest pressure, beyond which ends are cut off
+
+
+def names(context: Context) -> dict[str, str]:
+    """The crowns whose contacts are known, in words."""
+    hand = "printed crown" if context.is_paper else "crown at hand"
+    found = {"best": "best crown by slices", "at hand": hand, "free": "best crown with free ends"}
+    return {key: name for key, name in found.items() if f"{key}: R" in measured(context)}
+
+
+def contact(context: Context) -> Sequence[Figure]:
+    """Pressure along the sprag by all three methods, crown by crown."""
+    found, q = measured(context), context.inputs
+    figures = []
+    for key, name in names(context).items():
+        p = found[f"{key}: pressures"][0] / MPa
+        K_1, K_2, z_m = found[f"{key}: crown"]
+        n, cells = STRIPPED[-1], CELLS[-1]
+        figures.append(Curves(
+            title=f"Pressure along the sprag, {name}", x_label="y [mm]", y_label="p [MPa]",
+            curves=(
+                Curve(name=f"{cells} cells of a half-space", x=places(q, cells) / mm,
+                      y=found[f"{key}: cells {cells}"] / MPa, colour=2),
+                Curve(name=f"{n} strips", x=places(q, n) / mm, style="dashes", colour=4,
+                      y=found[f"{key}: strips {n}"] / MPa),
+                Curve(name=f"{q.slices} slices", x=places(q, q.slices) / mm, y=p, style="dots",
+                      colour=0),
+            ), y_bottom=0.0, y_top=ABOVE * float(p.max()),
+            note=f"(K_1, K_2, z_m) = ({K_1:.3g}, {K_2:.3g}, {z_m / um:.3g} µm), N_max = "
+            f"{found[f'{key}: N_max'][0]:.0f} N.",
+        ))  # fmt: skip
+    return figures
+
+
+def at_counts(context: Context) -> Curves:
+    """Largest pressure over the number of slices, strips and cells."""
+    curves = []
+    for k, (key, name) in enumerate(names(context).items()):
+        for by, style, counts, p in (
+            ("slices", "line", SLICED, measured(context)[f"{key}: sliced"]),
+            ("strips", "dashes", STRIPPED, np.array(series(context, key, "strips", "peak"))),
+            ("cells", "dots", CELLS, np.array(series(context, key, "cells", "peak"))),
+        ):
+            curves.append(Curve(name=f"{name}, {by}", x=np.log2(counts), y=p / MPa, style=style,
+                                colour=2 * k))  # fmt: skip
+    return Curves(
+        title="Largest pressure over the number of parts", x_label="parts along the sprag",
+        y_label="p_max [MPa]", curves=tuple(curves),
+        y_bottom=0.95 * min(float(c.y.min()) for c in curves),
+        x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
+        note="Free ends settle; ends that carry do not.",
+    )  # fmt: skip
+
+
+def apart(context: Context) -> Curves:
+    """The crowns' drops along the outer part of the sprag."""
+    q = context.inputs
+    y = np.linspace(0, q.l / 2, 121)
+    curves = []
+    for k, (key, name) in enumerate(names(context).items()):
+        mine = with_crown(q, measured(context)[f"{key}: crown"])
+        drop = np.interp(y, places(q, 401), gap(mine.model_copy(update={"slices": 401})))
+        curves.append(Curve(name=name, x=y / mm, y=drop / um, colour=2 * k))
+    return Curves(title="The crowns", x_label="y from mid-length [mm]", y_label="drop [µm]",
+                  curves=tuple(curves), y_bottom=0.0)  # fmt: skip
+
+
+def before_and_after(context: Context) -> Sequence[Figure]:
+    """p(y, t) without a crown and with the best one (Figs. 16, 18)."""
+    found, q = measured(context), context.inputs
+    printed = f" (Fig. {18 if q.T_less else 16}{{}})" if context.is_paper else ""
+    designs = {"before": None, "after": found["best"]}
+    planes: dict[str, Array] = {}
+    for name, crown in designs.items():
+        mine = with_crown(q, crown)
+        planes[name] = along(
+            found[f"{name} N"], gap(mine), length=q.l, R=float(found["best: R"]),
+            E_star=float(built(q).parts.E_star),
+        )  # fmt: skip
+    top = max(float(p.max()) for p in planes.values())
+    return tuple(
+        over_time(
+            found[f"{name} t"], p, q, top,
+            title=("Without a crown" if name == "before" else "With the best crown by slices")
+            + printed.format(part),
+            note=f"{q.slices} slices; {p.max() / MPa:.0f} MPa at most. Both figures have one range "
+            "of colours.",
+        )
+        for part, (name, p) in zip("ab", planes.items(), strict=True)
+    )  # fmt: skip
