@@ -1,12 +1,14 @@
 """Run cases through the shared cache; every process computes what it misses once."""
 
+import json
 import signal
 from collections.abc import Callable, Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
+from pathlib import Path
 
 import pytest
 
-from verify.cache import default_folder
+from verify.cache import default_folder, picture_folder
 from verify.case import Case
 from verify.inputs import Inputs
 from verify.results import CaseResult, Row, Status
@@ -15,6 +17,11 @@ from verify.run import Job, judge_case, solve_level
 # A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Files that solve whole cases come first, so that short ones fill up the end."""
+    items.sort(key=lambda item: not item.nodeid.startswith("tests/verify/"))
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -43,6 +50,31 @@ def judged() -> Callable[..., CaseResult]:
         return judge_case(Job(case, q), solved(case, q))
 
     return judge
+
+
+@pytest.fixture(scope="session")
+def of_paper(judged) -> Callable[[Case], CaseResult]:
+    """The same on the paper's inputs, judged once: for tests that break nothing."""
+    return cache(judged)
+
+
+@pytest.fixture(scope="session")
+def with_equations() -> Callable[[Path], Path]:
+    """A cache, new but for the equations of earlier reports: drawing all takes ten seconds.
+
+    Every twentieth is missing, so that a report still draws some and keeps them.
+    """
+
+    def laid(folder: Path) -> Path:
+        pictures = folder / "pictures"
+        pictures.mkdir(parents=True)
+        for path in picture_folder().glob("equations-*.json"):
+            drawn = json.loads(path.read_text("utf-8"))
+            some = {tex: svg for i, (tex, svg) in enumerate(drawn.items()) if i % 20}
+            (pictures / path.name).write_text(json.dumps(some), "utf-8")
+        return folder
+
+    return laid
 
 
 @pytest.fixture(scope="session")

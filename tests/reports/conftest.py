@@ -15,8 +15,8 @@ PRINTED = Published(document="d", id="i", place="p", kind="theory", printed="1.9
 
 
 @pytest.fixture(scope="session")
-def report(judged) -> Report:
-    return make_report([judged(c) for c in CASES], CASES, 1.0)
+def report(of_paper) -> Report:
+    return make_report([of_paper(c) for c in CASES], CASES, 1.0)
 
 
 @pytest.fixture(scope="session")
@@ -37,9 +37,9 @@ def hostile(report) -> Report:
 
 
 @pytest.fixture(scope="session")
-def wordy(judged) -> Report:
+def wordy(of_paper) -> Report:
     """One case with long names, values of another method, every status and printed powers."""
-    result = judged(CASES[0])
+    result = of_paper(CASES[0])
     row = next(row for row in result.rows if row.grid is not None)
     other = replace(
         row, fem=None, published=(PRINTED,),

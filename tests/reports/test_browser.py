@@ -32,8 +32,8 @@ def folder(tmp_path_factory, report, hostile) -> Path:
     """The page, the hostile one, and the host that looks at them in frames."""
     place = tmp_path_factory.mktemp("browser")
     drawn = frames(report.cases, picture_folder())
-    (place / "report.html").write_text(page(report, drawn), "utf-8")
-    (place / "hostile.html").write_text(page(hostile, drawn), "utf-8")
+    (place / "report.html").write_text(page(report, drawn, picture_folder()), "utf-8")
+    (place / "hostile.html").write_text(page(hostile, drawn, picture_folder()), "utf-8")
     return place
 
 
@@ -72,7 +72,7 @@ def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width)
 @pytest.fixture(scope="module")
 def wordy_folder(tmp_path_factory, wordy) -> Path:
     place = tmp_path_factory.mktemp("wordy")
-    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}), "utf-8")
+    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}, picture_folder()), "utf-8")
     return place
 
 

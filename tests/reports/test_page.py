@@ -67,12 +67,12 @@ def drawn(report):
 
 @pytest.fixture(scope="module")
 def text(report, drawn) -> str:
-    return page(report, drawn)
+    return page(report, drawn, picture_folder())
 
 
 @pytest.fixture(scope="module")
 def hostile_text(hostile, drawn) -> str:
-    return page(hostile, drawn)
+    return page(hostile, drawn, picture_folder())
 
 
 @pytest.mark.parametrize("which", ["text", "hostile_text"])
@@ -99,7 +99,7 @@ def test_one_script_runs_and_the_policy_names_it(which, request):
 
 def test_a_page_without_views_runs_no_script(report):
     reader = Reader()
-    reader.feed(page(report, {}))
+    reader.feed(page(report, {}, picture_folder()))
     assert "script-src 'none'" in reader.policy
     assert reader.scripts == []
 
@@ -107,11 +107,11 @@ def test_a_page_without_views_runs_no_script(report):
 def test_what_a_user_typed_is_never_markup(hostile, drawn, hostile_text):
     named = replace(hostile, name="<script>alert(1)</script>")
     cases = tuple(replace(c, name="<img src=x onerror=alert(1)>") for c in hostile.cases)
-    for shown in (hostile_text, page(replace(named, cases=cases), drawn)):
+    for shown in (hostile_text, page(replace(named, cases=cases), drawn, picture_folder())):
         assert "<script>alert" not in shown
         assert "<img" not in shown
         assert "<b>_x" not in shown
-    assert "&lt;script&gt;alert(1)" in page(named, drawn)
+    assert "&lt;script&gt;alert(1)" in page(named, drawn, picture_folder())
 
 
 def test_every_status_is_on_the_page(hostile_text):
@@ -139,7 +139,7 @@ def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
 
 
 def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
-    own = page(replace(report, name="my clutch"), drawn)
+    own = page(replace(report, name="my clutch"), drawn, picture_folder())
     assert "<h1>my clutch</h1>" in own
     assert 'id="errata"' not in own
     assert 'id="provenance"' in own

@@ -17,6 +17,7 @@ from reports.pdf_data import document
 from reports.pdf_tables import LONGEST, SHOWN
 from reports.standalone import HERE
 from reports.write import PAPER, write
+from verify.cache import picture_folder
 from verify.results import Status
 from verify.shown import Table
 
@@ -159,7 +160,7 @@ def test_a_fault_of_typst_is_one_line_and_the_rest_is_written(own, tmp_path, mon
 
     (tmp_path / PAPER).write_bytes(b"of an earlier run")
     monkeypatch.setattr(typst, "compile", broken)
-    written = write(own, tmp_path)
+    written = write(own, tmp_path, cache=picture_folder())
     assert [r for r in written.remarks if r.startswith("report.pdf is not written: ")]
     assert not any("\n" in remark for remark in written.remarks)
     assert written.page.is_file()

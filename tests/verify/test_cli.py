@@ -228,7 +228,9 @@ def test_a_red_row_makes_the_exit_status_one(monkeypatch, tmp_path, capsys):
     assert "FAIL" in capsys.readouterr().out
 
 
-def test_a_solver_that_fails_is_a_red_row_and_no_traceback(monkeypatch, tmp_path, capsys):
+def test_a_solver_that_fails_is_a_red_row_and_no_traceback(
+    monkeypatch, tmp_path, with_equations, capsys
+):
     from fem.plane import solve
     from verify import solving
 
@@ -239,8 +241,8 @@ def test_a_solver_that_fails_is_a_red_row_and_no_traceback(monkeypatch, tmp_path
     right = solving.run
     here = lambda work, **more: right(work, **more | {"processes": 0})  # noqa: E731
     monkeypatch.setattr(solving, "run", here)
-    arguments = ["verify", "ring-lame", "--no-cache", "--out", str(tmp_path)]
-    assert run(arguments) == 1
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(with_equations(tmp_path / "cache")))
+    assert run(["verify", "ring-lame", "--out", str(tmp_path)]) == 1
     rows = json.loads((tmp_path / "results.json").read_text())["rows"]
     assert {row["status"] for row in rows} == {"FAIL"}
     assert "did not converge" in rows[0]["reason"]
@@ -277,11 +279,14 @@ def test_an_output_folder_that_cannot_be_made_is_bad_input(tmp_path, capsys):
     assert capsys.readouterr().err.count("\n") == 1
 
 
-def test_results_do_not_depend_on_the_number_of_processes(tmp_path, capsys):
+def test_results_do_not_depend_on_the_number_of_processes(
+    tmp_path, monkeypatch, with_equations, capsys
+):
     found = []
     for jobs in ("1", "2"):
         out = tmp_path / jobs
-        run(["verify", "spring-accordion", "--no-cache", "--jobs", jobs, "--out", str(out)])
+        monkeypatch.setenv("FREEWHEEL_CACHE", str(with_equations(out / "cache")))
+        run(["verify", "spring-accordion", "--jobs", jobs, "--out", str(out)])
         found.append(json.loads((out / "results.json").read_text())["rows"])
     assert found[0] == found[1]
 

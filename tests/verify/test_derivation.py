@@ -55,8 +55,8 @@ def assert_the_same(row):
 
 
 @EACH
-def test_every_row_of_the_paper_follows_from_what_it_keeps(case, judged):
-    for row in judged(case).rows:
+def test_every_row_of_the_paper_follows_from_what_it_keeps(case, of_paper):
+    for row in of_paper(case).rows:
         assert_the_same(row)
 
 
@@ -70,8 +70,8 @@ STEPPED = (
 
 
 @EACH
-def test_the_index_follows_from_the_order_and_factor_that_a_row_names(case, judged):
-    ordered = [row.grid for row in judged(case).rows if row.grid and row.grid.used is not None]
+def test_the_index_follows_from_the_order_and_factor_that_a_row_names(case, of_paper):
+    ordered = [row.grid for row in of_paper(case).rows if row.grid and row.grid.used is not None]
     assert ordered or case.id in STEPPED
     for grid in ordered:
         (_, _), (h2, v2), (h1, v1) = grid.levels[-3:]
@@ -90,8 +90,8 @@ def test_so_does_every_row_of_other_parameters(case, judged):
 
 
 @EACH
-def test_steps_end_with_the_verdict_and_tell_more_of_every_row(case, judged):
-    for row in judged(case).rows:
+def test_steps_end_with_the_verdict_and_tell_more_of_every_row(case, of_paper):
+    for row in of_paper(case).rows:
         said = steps(row)
         plain = row.kind is Kind.FACT and row.grid is None  # a margin and its uncertainty
         told = 1 if row.status is Status.SHOWN else 2  # what nothing judges has words alone

@@ -24,16 +24,16 @@ ROWS = [
 
 
 @pytest.mark.parametrize(("case", "name"), ROWS)
-def test_row_is_not_red(case, name, judged):
-    (row,) = [row for row in judged(case).rows if row.quantity == name]
+def test_row_is_not_red(case, name, of_paper):
+    (row,) = [row for row in of_paper(case).rows if row.quantity == name]
     assert row.status not in (Status.FAIL, Status.SKIP), row.reason
 
 
 @pytest.mark.parametrize(
     "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]
 )
-def test_no_row_is_unknown_beforehand(case, judged):
-    names = [row.quantity for row in judged(case).rows]
+def test_no_row_is_unknown_beforehand(case, of_paper):
+    names = [row.quantity for row in of_paper(case).rows]
     assert names == list(rows_of(case))
     assert len(set(names)) == len(names)
 

@@ -92,8 +92,10 @@ class Place:
 
 
 @pytest.fixture
-def place(tmp_path):
-    return Place(tmp_path)
+def place(tmp_path, with_equations):
+    made = Place(tmp_path)
+    with_equations(made.cache)
+    return made
 
 
 def members(session):
@@ -136,9 +138,10 @@ def is_worker(pid):
 
 
 @pytest.fixture(scope="module")
-def undisturbed(tmp_path_factory):
+def undisturbed(tmp_path_factory, with_equations):
     """A run that nobody disturbed, and how long another takes that finds all in the cache [s]."""
     place = Place(tmp_path_factory.mktemp("undisturbed"))
+    with_equations(place.cache)
     for _ in range(2):
         start = time.monotonic()
         status, _, err = place.run("--jobs", "2")
@@ -187,7 +190,7 @@ def test_a_stopped_run_ends_at_once_with_one_line(stop, jobs, place):
     _, err = process.communicate(timeout=20)
     assert time.monotonic() - start < 2  # the level under way takes longer
     assert process.returncode == 130
-    assert re.fullmatch(r"freewheel: interrupted; .*\n", err)
+    assert re.fullmatch(r"(finite elements .*\n)*freewheel: interrupted; .*\n", err)
     assert all_gone(process.pid)
     assert place.left_over() == []
 
@@ -231,7 +234,8 @@ def test_torn_entries_are_solved_again_and_what_the_dead_left_goes(place, undist
     assert place.results() == undisturbed[0].results()
 
 
-def test_without_the_cache_none_is_made(place):
+def test_without_the_cache_none_is_made(tmp_path):
+    place = Place(tmp_path)
     status, _, err = place.run("--no-cache", case="spring-accordion")
     assert status == 0, err
     assert not place.cache.parent.exists()

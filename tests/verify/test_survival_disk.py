@@ -63,9 +63,9 @@ def said(done):
 
 
 @pytest.fixture(scope="module")
-def shared(tmp_path_factory):
+def shared(tmp_path_factory, with_equations):
     """A cache that holds everything."""
-    cache = tmp_path_factory.mktemp("shared") / "fem"
+    cache = with_equations(tmp_path_factory.mktemp("shared") / "fem")
     done = verify("--out", cache.parent / "out", cache=cache)
     assert done.returncode == 0, done.stderr
     return cache
@@ -92,11 +92,13 @@ def test_a_report_that_finds_no_space_is_one_line_and_the_old_one_stays(tiny, sh
     assert {p.name: p.read_bytes() for p in tiny.iterdir() if p.name != ".lock"} == old
 
 
-def test_a_quota_on_files_is_one_line_for_the_cache_and_one_for_the_report(tmp_path):
+def test_a_quota_on_files_is_one_line_for_the_cache_and_one_for_the_report(
+    tmp_path, with_equations
+):
     """RLIMIT_FSIZE: "File too large", which Python meets as an error and no signal."""
     out = tmp_path / "out"
     done = verify(
-        "--out", out, "--jobs", "2", cache=tmp_path / "fem",
+        "--out", out, "--jobs", "2", cache=with_equations(tmp_path / "fem"),
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000)),
     )  # fmt: skip
     assert done.returncode == 2
