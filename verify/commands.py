@@ -17,6 +17,7 @@ from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.check_record import check_record
 from verify.design.inputs import CASE as DESIGN
+from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
@@ -164,7 +165,7 @@ def load(path: Path) -> tuple[str, Case, Inputs, Values]:
     try:
         case = find(case_id)
     except ValueError as error:
-        if case_id == DESIGN:
+        if case_id in (DESIGN, DESIGN_SPRAG):
             raise InputError(f"{path}: case: a task for freewheel design") from error
         raise InputError(f"{path}: case: {error}") from error
     inputs = build(case.inputs, raw, str(path))

@@ -122,7 +122,7 @@ def test_completion_knows_the_commands(shell_name, capsys):
 @pytest.mark.parametrize("command", ["verify", "init", "explain"])
 def test_completion_offers_the_cases(command):
     done = shell("__complete", command, "")
-    others = ["design-spring"] if command == "init" else []
+    others = ["design-spring", "design-sprag"] if command == "init" else []
     offered = done.stdout.split()[1:]  # after the opening directive
     assert [*(case.id for case in CASES), *others] == offered
 

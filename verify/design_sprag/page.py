@@ -78,14 +78,15 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     k = len(outcome.task.torques) - 1
     T = f"{outcome.task.torques[k]:g} N m"
     now, p = float(outcome.largest(outcome.now)[0, k]), float(outcome.pressures[k])
+    less = f"{100 * (p / now - 1):+.1f} %".replace("-", "−")
     found = [
         Tile(number=f"{p / MPa:.0f} MPa", words=f"largest at {T}"),
-        Tile(number=f"{100 * (p / now - 1):+.1f} %", words="against the crown now"),
+        Tile(number=less, words="against the crown now"),
         Tile(number=f"{len(outcome.search.model.known)}", words="crowns engaged"),
     ]
     if outcome.checks:
         worst = max(abs(c.off(c.judged)) for c in outcome.checks)
-        found.append(Tile(number=f"{worst:.1%}", words="off a half-space at most",
+        found.append(Tile(number=f"{100 * worst:.1f} %", words="off a half-space at most",
                           css="is-pass" if outcome.verified else "is-fail"))  # fmt: skip
     return found
 
@@ -128,12 +129,15 @@ def _values(outcome: Outcome) -> Sequence[tuple[str, str, str]]:
 
 def _torques(outcome: Outcome) -> Table:
     names, more = torque_heads(outcome)
-    heads = tuple(" ".join(filter(None, pair)) for pair in zip(names, more, strict=True))
-    way = " ".join([surely(outcome) + ".", *(f"{line}." for line in paper_s_way(outcome))])
+    heads = tuple(
+        f"{name} [{unit}]" if unit in ("N m", "N") else f"{name} {unit}".strip()
+        for name, unit in zip(names, more, strict=True)
+    )
+    lines = [surely(outcome), *paper_s_way(outcome)]
+    way = " ".join(f"{line[0].upper()}{line[1:]}." for line in lines)
     return Table(
         title="Torque by torque", header=heads, rows=tuple(torque_table(outcome)),
-        note="Largest pressures at the inner contacts as the clutch engages, in MPa. "
-        + way[0].upper() + way[1:],
+        note=f"Largest pressures at the inner contacts as the clutch engages, in MPa. {way}",
     )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ from verify.shown import Array
 CELLS = ((48, 256), (64, 512))  # across and along; the second is what counts
 LIMIT = 0.02  # by which the pressures that a crown is chosen by may be off
 DEEPEST = 10.0  # times z_m, up to which one that unloads the ends is searched
-STEPS = 93  # of that, 2.5 % each
+STEPS = 33  # of that, 7.5 % each
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,10 +100,13 @@ def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -
 
 
 def unloading(model: Model, check: Check) -> float | None:
-    """The drop z_m [m] from which on the ends carry nothing, K_1 and K_2 kept; None for none."""
+    """The drop z_m [m] from which on the ends carry nothing, K_1 and K_2 kept; None for none.
+
+    By strips about as narrow as the half-space's cells, of which each `check` says so.
+    """
     k = model.torques.index(check.T)
     crowns = np.repeat(check.crown[None], STEPS, axis=0)
     crowns[:, 2] *= np.geomspace(1, DEEPEST, STEPS)
-    p = model.by_strips(crowns, np.full(STEPS, check.N), k, model.counts[k])
+    p = model.by_strips(crowns, np.full(STEPS, check.N), k, CELLS[1][1] + 1)
     free = np.flatnonzero(p[:, 0] == 0)
     return float(crowns[free[0], 2]) if free.size else None
