@@ -32,6 +32,7 @@ bench: .venv/.ready
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.strips
 	$(BIN)/python -m benchmarks.half_space
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.engagement
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.optimum
 
 # The table of verdicts in README.md, from the last run of `make verify`.
 readme: verify

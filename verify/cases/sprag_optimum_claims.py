@@ -192,7 +192,7 @@ def checks(T: int) -> tuple[Any, ...]:
         beside(f"best crown at {T} N m, angle fitted", lambda f: float(f["fitted"][2]), T,
                fitted=fitted, bound=NEAR,
                words=f"the angle has the pressure printed at 25 N m with the printed crown{why}"),
-        Told(name=f"what the best crown takes off at {T} N m", symbol="Pre_max", unit="%",
+        Told(name="what the best crown takes off", symbol="Pre_max", unit="%",
              words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
         OfPaper(name=f"printed crown within {NEAR:.0%} of the best one's pressure",
                 symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),

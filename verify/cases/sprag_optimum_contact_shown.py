@@ -13,11 +13,12 @@ from verify.cases.sprag_engagement_model import gap
 from verify.cases.sprag_engagement_pressures import over_time
 from verify.cases.sprag_optimum_crown_claims import CELLS, STRIPPED, series
 from verify.cases.sprag_optimum_ends_fem import SLICED
+from verify.cases.sprag_optimum_inputs import OptimumInputs
 from verify.cases.sprag_peaks import with_crown
 from verify.shown import Array, Curve, Curves, Figure
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
-ABOVE = 1.6  # times the slices' largest pressure, beyond which ends are cut off
+BELOW, ABOVE = 0.6, 1.4  # times the slices' largest pressure: what figures show
 
 
 def names(context: Context) -> dict[str, str]:
@@ -36,19 +37,30 @@ def contact(context: Context) -> Sequence[Figure]:
         K_1, K_2, z_m = found[f"{key}: crown"]
         n, cells = STRIPPED[-1], CELLS[-1]
         figures.append(Curves(
-            title=f"Pressure along the sprag, {name}", x_label="y [mm]", y_label="p [MPa]",
+            title=f"Pressure along the sprag, {name}", x_label="y from mid-length [mm]",
+            y_label="p [MPa]",
             curves=(
-                Curve(name=f"{cells} cells of a half-space", x=places(q, cells) / mm,
-                      y=found[f"{key}: cells {cells}"] / MPa, colour=2),
-                Curve(name=f"{n} strips", x=places(q, n) / mm, style="dashes", colour=4,
-                      y=found[f"{key}: strips {n}"] / MPa),
-                Curve(name=f"{q.slices} slices", x=places(q, q.slices) / mm, y=p, style="dots",
+                Curve(name=f"{cells} cells of a half-space", x=outer(q, cells) / mm,
+                      y=half(found[f"{key}: cells {cells}"]) / MPa, colour=2),
+                Curve(name=f"{n} strips", x=outer(q, n) / mm, style="dashes", colour=4,
+                      y=half(found[f"{key}: strips {n}"]) / MPa),
+                Curve(name=f"{q.slices} slices", x=outer(q, q.slices) / mm, y=half(p), style="dots",
                       colour=0),
-            ), y_bottom=0.0, y_top=ABOVE * float(p.max()),
+            ), y_bottom=BELOW * float(p.max()), y_top=ABOVE * float(p.max()),
             note=f"(K_1, K_2, z_m) = ({K_1:.3g}, {K_2:.3g}, {z_m / um:.3g} µm), N_max = "
             f"{found[f'{key}: N_max'][0]:.0f} N.",
         ))  # fmt: skip
     return figures
+
+
+def half(values: Array) -> Array:
+    """Those from mid-length to one end."""
+    return np.asarray(values[len(values) // 2 :])
+
+
+def outer(q: OptimumInputs, n: int) -> Array:
+    """Middles [m] of the parts there."""
+    return half(places(q, n))
 
 
 def at_counts(context: Context) -> Curves:
@@ -62,10 +74,11 @@ def at_counts(context: Context) -> Curves:
         ):
             curves.append(Curve(name=f"{name}, {by}", x=np.log2(counts), y=p / MPa, style=style,
                                 colour=2 * k))  # fmt: skip
+    low = min(float(c.y.min()) for c in curves)
     return Curves(
         title="Largest pressure over the number of parts", x_label="parts along the sprag",
         y_label="p_max [MPa]", curves=tuple(curves),
-        y_bottom=0.95 * min(float(c.y.min()) for c in curves),
+        y_bottom=0.97 * low, y_top=ABOVE * low,
         x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
         note="Free ends settle; ends that carry do not.",
     )  # fmt: skip

@@ -22,6 +22,7 @@ from verify.cases.sprag_clutch_claims import (
 )
 from verify.cases.sprag_clutch_model import built, mid
 from verify.cases.sprag_engagement_model import gap
+from verify.cases.sprag_optimum_surrogate_claims import Told
 from verify.cases.sprag_peaks import with_crown
 from verify.results import Row, Status
 from verify.shown import Array
@@ -125,6 +126,19 @@ def endless(context: Context) -> tuple[float, float, str]:
     return grows, 0.0, words
 
 
+def to_make(context: Context) -> str:
+    """The crown with free ends and what it bears on a half-space, beside that at hand."""
+    if "free: R" not in measured(context):
+        return NONE_FREE
+    K_1, K_2, z_m = measured(context)["free"]
+    free, hand = (series(context, name, "cells", "peak") for name in ("free", "at hand"))
+    return (
+        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm: {free[-1] / 1e6:.0f} MPa by "
+        f"{CELLS[-1]} cells of a half-space, {free[0] / 1e6:.0f} by {CELLS[0]}; the crown at hand "
+        f"{hand[-1] / 1e6:.0f} and {hand[0] / 1e6:.0f}"
+    )
+
+
 def lower(context: Context) -> tuple[float, float, str]:
     """What the crown with free ends takes off the printed one's pressure on a half-space."""
     free, u = refined(context, "free")
@@ -154,6 +168,7 @@ def pressed(T: int) -> tuple[Any, ...]:
         at_crown("pressure at mid-length by slices", "mid", "slices", "strips", both, WIDER),
         at_crown("largest pressure by strips", "peak", "strips", "cells", STRIPS, 2 * STRIPS),
         at_crown("pressure at mid-length by strips", "mid", "strips", "cells", STRIPS, 2 * STRIPS),
+        Told(name="best crown with free ends", symbol="p_max", unit="1", words=to_make),
         Noted(name="the printed crown bears more on a half-space than by slices", symbol="p_max",
               unit="1", erratum="huang2018:eq-21-22-ends", margin=higher,
               printed=(f"huang2018:stress-{T}nm-optimised",)),

@@ -15,18 +15,18 @@ MOST_DESIGNS = 7  # levels: 343 designs take half a minute
 class OptimumInputs(EngagementInputs):
     """A clutch whose crown is to be the best of a box (Eq. 19) under one torque."""
 
-    K_1_low: float = quantity(1.0, "1", "K_1,min", "lower bound of K_1 (Eq. 19)", omitted=1.0,
+    K_1_low: float = quantity(1.0, "1", "K_1,min", "lower bound of K_1", omitted=1.0,
                               gt=0, le=100, claims="huang2018:k1-lower-bound")  # fmt: skip
-    K_1_high: float = quantity(5.0, "1", "K_1,max", "upper bound of K_1 (Eq. 19)", omitted=5.0,
+    K_1_high: float = quantity(5.0, "1", "K_1,max", "upper bound of K_1", omitted=5.0,
                                gt=0, le=100, claims="huang2018:k1-upper-bound")  # fmt: skip
-    K_2_low: float = quantity(0.4, "1", "K_2,min", "lower bound of K_2 (Eq. 19)", omitted=0.4,
+    K_2_low: float = quantity(0.4, "1", "K_2,min", "lower bound of K_2", omitted=0.4,
                               gt=0, le=1, claims="huang2018:k2-lower-bound")  # fmt: skip
-    K_2_high: float = quantity(0.7, "1", "K_2,max", "upper bound of K_2 (Eq. 19)", omitted=0.7,
+    K_2_high: float = quantity(0.7, "1", "K_2,max", "upper bound of K_2", omitted=0.7,
                                gt=0, le=1, claims="huang2018:k2-upper-bound")  # fmt: skip
-    z_m_low: float = quantity("0.005 mm", "mm", "z_m,min", "lower bound of z_m (Eq. 19)",
+    z_m_low: float = quantity("0.005 mm", "mm", "z_m,min", "lower bound of z_m",
                               omitted=5e-6, gt=0, le=10,
                               claims="huang2018:zm-lower-bound")  # fmt: skip
-    z_m_high: float = quantity("0.025 mm", "mm", "z_m,max", "upper bound of z_m (Eq. 19)",
+    z_m_high: float = quantity("0.025 mm", "mm", "z_m,max", "upper bound of z_m",
                                omitted=25e-6, gt=0, le=10,
                                claims="huang2018:zm-upper-bound")  # fmt: skip
     levels: int = count(5, "", "levels of each parameter in the factorial", ge=4, le=MOST_DESIGNS,

@@ -43,7 +43,7 @@ def designs(context: Context) -> Sequence[Figure]:
         Shapes(
             title="Designs (Fig. 10)", unit="of each range",
             panels=tuple(
-                Panel(name=name, lines=(), faint=edges, dots=oblique(box.to_unit(found[key])))
+                Panel(name=name, lines=edges, dots=oblique(box.to_unit(found[key])))
                 for name, key in ((f"{len(found['X'])} of the factorial", "X"),
                                   (f"{len(found['extra'])} at random", "extra"))
             ),
