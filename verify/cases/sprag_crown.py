@@ -32,7 +32,7 @@ CROWN = Case(
     id="sprag-crown",
     title="What the crown's parameters do",
     paper="huang2018",
-    place="Eq. 1, Secs. 4.1 and 4.2, Figs. 11-15, Table 2",
+    place="Eq. 1, Secs. 4.1 and 4.2, Figs. 11-14, Table 2",
     lead="Which load a crown suits, and what depth, length and drop make of the largest pressure "
     "of an engagement. What the paper's figures say of its crowns is judged under the forces of "
     "compiled engagements, and where it fits another force than theirs, that force is named.",

@@ -20,7 +20,6 @@ from verify.cases.sprag_clutch_claims import (
 )
 from verify.cases.sprag_clutch_drawn_fem import crowned
 from verify.cases.sprag_crown_figures import (
-    drops_then_rises,
     first_and_trough,
     grows_with_torque,
     highest_and_lowest,
@@ -169,9 +168,6 @@ CHECKS = (
           erratum="huang2018:fig-14-k1", margin=not_lowest_at_30),
     OfPaper(name="Fig. 14: K_1 of the lowest crown grows with the torque", symbol="K_1", unit="1",
             margin=grows_with_torque, fitted=FITTED),
-    OfPaper(name="Fig. 15: p_max falls, then rises with K_1", symbol="p_max", unit="1",
-            margin=drops_then_rises, fitted=FITTED,
-            printed=("huang2018:fig15a-zm", "huang2018:fig15b-k2")),
     OfPaper(name="Eq. 21's crown: p_max by 21 to 161 slices within 0.5 %", symbol="p_max", unit="1",
             margin=hardly_by_slices, fitted=FITTED),
     Accepted(name="the lowest of Eq. 19's factorial is below this crown's p_max", symbol="p_max",

@@ -1,4 +1,4 @@
-"""What is measured of the paper's crowns: Figs. 12 to 15 and Table 2's level."""
+"""What is measured of the paper's crowns: Figs. 12 to 14 and Table 2's level."""
 
 import numpy as np
 
@@ -21,11 +21,11 @@ STRIPS = 81  # of the other side of that sweep
 COUNTS = (11, 21, 31, 41, 61, 81, 121, 161)  # slices, strips
 RANDOM = 400  # crowns within Eq. 19
 BAND = np.linspace(5.0, 45.0, 17)  # N m
-FINE = (25, 13)  # crowns along K_1 and the other parameter of Fig. 15
+ALONG = np.linspace(1.0, 5.0, 41)  # K_1
 
 
 def paper_fem(q: EngagementInputs, few: Peaks) -> dict[str, Array]:
-    """All that Figs. 12 to 15 and Table 2 need; `few` are 27 crowns under the shares of T."""
+    """All that Figs. 12 to 14 and Table 2 need; `few` are 27 crowns under the shares of T."""
     T = q.T * np.array(SHARES)
     named = peaks_fem(q, np.array(DESIGNS), T)
     many = factorial(q, MANY)
@@ -36,27 +36,27 @@ def paper_fem(q: EngagementInputs, few: Peaks) -> dict[str, Array]:
         "torques": T, "named p": named.largest, "named N": named.N_max,
         "many p": largest(q, many, N), "many N": N,
         "random p": largest(q, random, forces(q, few, random)),
-        **swept(q), **moments(q), **counted(q, named), **maps(q, few.of(1)),
+        **swept(q), **moments_fem(q), **counted(q, named),
         **over_torque(q, many, few, T),
     }  # fmt: skip
 
 
 def swept(q: EngagementInputs) -> dict[str, Array]:
     """Largest pressures [Pa] of the printed crowns over the force, by slices and by strips."""
-    given = {"length": q.l, "E_star": float(parts(q).E_star), "load": SWEPT}
-    R = np.array([radius(q, float(N)) for N in SWEPT])
-    found: dict[str, list[Array]] = {"swept, slices": [], "swept, strips": []}
+    E_star, R = float(parts(q).E_star), np.array([radius(q, float(N)) for N in SWEPT])
+    by_slices, by_strips = [], []
     for crown in DESIGNS:
         own = with_crown(q, crown)
         fine = gap(own.model_copy(update={"slices": STRIPS}))
-        found["swept, slices"].append(
-            slices.press(gap(own), R=R, **given).peak_pressure.max(axis=-1)
-        )
-        found["swept, strips"].append(strips.press(fine, R=R, **given).peak)
-    return {"swept": SWEPT} | {name: np.array(p) for name, p in found.items()}
+        sliced = slices.press(gap(own), length=q.l, R=R, E_star=E_star, load=SWEPT)
+        by_slices.append(sliced.peak_pressure.max(axis=-1))
+        by_strips.append(strips.press(fine, length=q.l, R=R, E_star=E_star, load=SWEPT).peak)
+    return {
+        "swept": SWEPT, "swept, slices": np.array(by_slices), "swept, strips": np.array(by_strips)
+    }  # fmt: skip
 
 
-def moments(q: EngagementInputs) -> dict[str, Array]:
+def moments_fem(q: EngagementInputs) -> dict[str, Array]:
     """Pressures [Pa] of Fig. 13's crowns at the first peak and at the trough behind it."""
     found = []
     for crown in FIG_13:
@@ -97,28 +97,18 @@ def _by_strips(q: EngagementInputs, z: Array, N: float) -> float:
 
 
 def over_torque(q: EngagementInputs, many: Array, few: Peaks, T: Array) -> dict[str, Array]:
-    """Fig. 14: p_max [Pa] over the torque, least and largest of `many`, and of the printed crowns.
+    """Fig. 14: p_max [Pa] over the torque, least and largest of `many`, of the printed crowns.
 
-    N_max/T is nearly constant: a parabola through its values at the torques engaged.
+    And the lowest K_1 with K_2 and z_m of Fig. 12's best. N_max/T is nearly constant: a parabola
+    goes through its values at the torques engaged.
     """
-    crowns = np.concatenate([many, np.array(DESIGNS)])
+    deeper = np.array([(K_1, FIG_12[0][1], FIG_12[0][2]) for K_1 in ALONG])
+    crowns = np.concatenate([many, np.array(DESIGNS), deeper])
     slope = np.polynomial.polynomial.polyfit(T, (forces(q, few, crowns) / T).T, 2)
     N = np.polynomial.polynomial.polyval(BAND, slope) * BAND
     p = largest(q, crowns, N)
-    own = p[: len(many)]
+    own, named, along = np.split(p, [len(many), len(many) + len(DESIGNS)])
     return {
         "band T": BAND, "band low": own.min(axis=0), "band high": own.max(axis=0),
-        "band crown": many[own.argmin(axis=0)], "band N": N.mean(axis=0),
-        "band p": p[len(many) :],
+        "band K_1": ALONG[along.argmin(axis=0)], "band N": N.mean(axis=0), "band p": named,
     }  # fmt: skip
-
-
-def maps(q: EngagementInputs, at_25: Peaks) -> dict[str, Array]:
-    """Fig. 15 at 25 N m: p_max [Pa] over K_1 and K_2 at z_m = 10 µm, and z_m at K_2 = 0.5."""
-    low, high = box(q)
-    K_1 = np.linspace(low[0], high[0], FINE[0])
-    K_2, z_m = (np.linspace(low[k], high[k], FINE[1]) for k in (1, 2))
-    a = np.array([(x, y, 10e-6) for y in K_2 for x in K_1])
-    b = np.array([(x, 0.5, y) for y in z_m for x in K_1])
-    over_a, over_b = (largest(q, x, forces(q, at_25, x)).reshape(FINE[1], FINE[0]) for x in (a, b))
-    return {"K_1": K_1, "K_2": K_2, "z_m": z_m, "Fig. 15a": over_a, "Fig. 15b": over_b}
