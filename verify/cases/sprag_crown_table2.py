@@ -167,6 +167,6 @@ def table_2() -> Table:
         header=("Row", "Actual [MPa]", "Predicted [MPa]", "Error, printed [%]", "MSE, printed",
                 "Error over predicted [%]", "Difference over √MSE"),
         rows=tuple(rows),
-        note="The printed error is of the predicted value; the last does not round to it. If MSE were the "
-        "kriging variance in MPa², nearly all differences would be beyond three deviations.",
+        note="The printed error is of the predicted value; the last does not round to it. If MSE "
+        "were the kriging variance in MPa², nearly all differences would exceed three deviations.",
     )  # fmt: skip
