@@ -13,7 +13,7 @@ from verify.checks import Accepted, Approximation, Identity
 from verify.results import Row, Status
 
 BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
-HALF = 0.5  # of the right force, which the narrow band does not reach
+HANGS = 0.1  # of the right force, and more, between torques that are hardly different
 WEAK = "springs a 25th as stiff, at the start of which sprags slip"
 UNEQUAL = "N_e = N_i in Eqs. 14-16, where a strut has N_e/N_i = cos ω/cos ν"
 
@@ -52,15 +52,16 @@ def at_tan(context: Context) -> tuple[float, float, str]:
 
 def refused(context: Context) -> tuple[float, float, str]:
     """Whether the guard refuses the narrow band, for which the unguarded force is wrong."""
-    refuses, wrong, right = context.fem[-1].arrays["narrow"]
-    said = "refused" if refuses else "not refused"
-    return 2 * refuses - 1, 0.0, f"{said}; unguarded N_max {wrong:.4g} N for {right:.5g} N"
+    refuses, _ = context.fem[-1].arrays["narrow"]
+    return 2 * refuses - 1, 0.0, "refused" if refuses else "not refused"
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """How far below half of the right force the unguarded one stays."""
-    _, wrong, right = context.fem[-1].arrays["narrow"]
-    return HALF - wrong / right, GUARDED, f"{wrong / right:.0%} of the right force, silently"
+    """How far the unguarded force goes apart over torques that are hardly different."""
+    found = context.fem[-1].arrays
+    share = found["unguarded"] / found["narrow"][1]
+    words = f"{share.min():.0%} to {share.max():.0%} of the right force, silently"
+    return float(np.ptp(share)) - HANGS, GUARDED, words
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
@@ -116,8 +117,8 @@ CHECKS = (
              margin=by_default),
     Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
              unit="1", margin=refused),
-    Accepted(name="unguarded it gives less than half of the force", symbol="N_max", unit="1",
-             margin=unguarded),
+    Accepted(name="unguarded, the force hangs on the torque's ninth digit", symbol="N_max",
+             unit="1", margin=unguarded),
     Accepted(name=f"what the guard lets pass is right to {GUARDED:.1%}", symbol="N_max", unit="1",
              margin=never_wrong),
     Accepted(name="what the guard refuses is wrong", symbol="N_max", unit="1", margin=never_idle),

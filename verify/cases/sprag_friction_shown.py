@@ -166,7 +166,8 @@ def wrong(context: Context) -> Figure:
             Curve(name=f"D_V = {NARROW:g} m/s, guard off", x=last["wrong t"] / ms,
                   y=last["wrong N"] / kN, colour=1),
         ),
-        note="1.6 T, weak springs. Nothing in the lower curve tells that it is wrong.",
+        note="1.6 T, weak springs. Nothing in the curve without guard tells that it is wrong; a "
+        "machine whose arithmetic rounds otherwise may give quite another one.",
     )  # fmt: skip
 
 
