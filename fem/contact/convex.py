@@ -15,6 +15,7 @@ SPRINGS = 1e-7  # of the stiffness, for what nothing holds yet; a tenth of it at
 LEAST_SPRINGS = 1e-13
 DOUBLINGS = 60
 MAX_STEPS = 100
+ADRIFT = "the loads move a body that neither supports nor contact hold"
 SUPERLU = {
     "permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True},
 }  # fmt: skip
@@ -57,6 +58,8 @@ class Piecewise:
             springs = max(SPRINGS * 0.1**step, LEAST_SPRINGS)
             way = self._factor(v, springs).solve(residual)
             v = v + self._length(v, way, residual) * way
+        if missed > size:  # what flies away strains itself by round-off, beyond all loads
+            raise ArithmeticError(ADRIFT)
         raise ArithmeticError(
             f"the contact did not converge: after {MAX_STEPS} steps forces still miss by "
             f"{missed / size:.1e} of the largest, allowed {CONVERGED:.0e}"
@@ -90,4 +93,4 @@ class Piecewise:
                 # springs may have let a body fly much too far
                 return float(brentq(slope, 0.0, share, xtol=1e-300, rtol=1e-12, maxiter=1000))
             share *= 2
-        raise ArithmeticError("the loads move a body that neither supports nor contact hold")
+        raise ArithmeticError(ADRIFT)
