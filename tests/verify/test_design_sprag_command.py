@@ -174,6 +174,22 @@ def test_a_limit_that_no_crown_keeps_ends_with_1(done, tmp_path, capsys):
     assert "not checked by a half-space" in told
 
 
+def test_the_paper_s_way_ends_with_1_where_ends_carry_and_says_so(
+    small, tmp_path, capsys, monkeypatch
+):
+    """Crowns of about 10 µm: their largest pressures agree, which is why the ends are asked."""
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+    shallow = {"K_1_range": '"2.6 : 2.9"', "K_2_range": '"0.68 : 0.7"',
+               "z_m_range": '"9.5 µm : 10.2 µm"'}  # fmt: skip
+    path = task(tmp_path, contacts='"slices"', slices="41", t_z='"0 mm"', t_y='"0 mm"', **shallow)
+    assert run(["design", str(path), "--out", str(tmp_path / "o")]) == 1
+    (line,) = [x for x in capsys.readouterr().out.splitlines() if x.startswith("FAIL")]
+    assert "its ends carry (25 N m, wanted)" in line
+    assert abs(float(re.search(r"at most ([+-][\d.]+) %", line)[1])) < 100 * LIMIT
+    page = (tmp_path / "o" / "design.html").read_text(encoding="utf-8")
+    assert "off a half-space at most; its ends carry" in page
+
+
 def test_an_interrupted_search_keeps_its_crowns_and_goes_on(small, tmp_path, capsys, monkeypatch):
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
     count = []
@@ -282,6 +298,17 @@ def test_the_best_crown_by_slices_fails_on_a_half_space(paper):
     free = unloading(paper, found)
     assert 7e-6 < free < 25e-6
     assert checked(paper, (2.28, 0.7, free), "strips").end == 0
+
+
+@pytest.mark.parametrize("contacts", ["slices", "strips"])
+def test_a_crown_whose_ends_carry_fails_though_its_largest_pressure_agrees(paper, contacts):
+    """Cells of 18 µm have no more at the end than inside; ever narrower ones have."""
+    found = checked(paper, (2.67, 0.7, 9.5e-6), contacts)
+    assert abs(found.off(found.judged)) < 0.01 < LIMIT
+    assert 0 < found.end < found.peak
+    narrow = paper.by_strips(found.crown[None], np.array([found.N]), 0, 1593)[0]
+    assert narrow[0] > 1.08 * found.peak
+    assert not found.agrees
 
 
 def test_a_crown_with_free_ends_passes_by_slices_and_strips_alike(paper):

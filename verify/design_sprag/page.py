@@ -42,7 +42,7 @@ STEPS = (
     "row. With tolerances every crown stands for the worst of itself and its corners: the drop "
     "larger or smaller all along, the crown longer or shorter.",
     "What is printed of a crown is the true model's answer. A half-space solved in cells judges it "
-    "under the same forces.",
+    "under the same forces; the ends have to be free there.",
 )  # fmt: skip
 
 
@@ -86,7 +86,8 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     ]
     if outcome.checks:
         worst = max(abs(c.off(c.judged)) for c in outcome.checks)
-        found.append(Tile(number=f"{100 * worst:.1f} %", words="off a half-space at most",
+        ends = "; its ends carry" if any(c.end > 0 for c in outcome.checks) else ""
+        found.append(Tile(number=f"{100 * worst:.1f} %", words=f"off a half-space at most{ends}",
                           css="is-pass" if outcome.verified else "is-fail"))  # fmt: skip
     return found
 

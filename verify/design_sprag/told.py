@@ -182,9 +182,11 @@ def verdict(outcome: Outcome) -> str:
         return "not checked by a half-space"
     worst = max(outcome.checks, key=lambda c: abs(c.off(c.judged)))
     said = "PASS" if outcome.verified else "FAIL"
+    loaded = ", ".join(f"{c.T:g} N m, {c.which}" for c in outcome.checks if c.end > 0)
+    ends = f"; its ends carry ({loaded}), where no pressure is the largest" if loaded else ""
     return (
-        f"{said} {contacts} within {100 * LIMIT:g} % of the half-space: at most "
-        f"{100 * worst.off(worst.judged):+.2g} %, {worst.T:g} N m, the {worst.which} crown"
+        f"{said} {contacts} within {100 * LIMIT:g} % of the half-space, ends free: at most "
+        f"{100 * worst.off(worst.judged):+.2g} %, {worst.T:g} N m, the {worst.which} crown{ends}"
     )
 
 
