@@ -32,7 +32,8 @@ from verify.inputs import Inputs
 from verify.shown import Field
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")
-COMPILED, COMPILER = "analytic.sprag.engagement", "numba"
+COMPILED = "analytic.sprag.engagement"
+ALONE = {COMPILED: "numba", "analytic.surrogate.length_scales": "scikit-learn"}  # who imports them
 FORMAT = 1
 LARGEST = 2e9  # bytes
 ROOM = 0.2  # of it, made free at once
@@ -138,7 +139,8 @@ def _unpack(data: dict[str, Any]) -> FemResult:
 @cache
 def libraries_of(function: Any) -> tuple[str, ...]:
     """Libraries whose version may change a result of a `fem` function."""
-    return (*LIBRARIES, COMPILER) if COMPILED in parts_of(function)[1] else LIBRARIES
+    reached = parts_of(function)[1]
+    return (*LIBRARIES, *(library for module, library in ALONE.items() if module in reached))
 
 
 @cache

@@ -22,11 +22,12 @@ from verify.installed import installed, mismatches
 ROOT = Path(__file__).parent.parent
 OK, MISSING, OPTIONAL = "ok", "missing", "optional"
 SHOWN = (
-    "numpy", "scipy", "scikit-fem", "gmsh", "numba", "pydantic", "pint", "cyclopts", "pyvista",
-    "typst",
+    "numpy", "scipy", "scikit-fem", "gmsh", "numba", "scikit-learn", "pydantic", "pint", "cyclopts",
+    "pyvista", "typst",
 )  # fmt: skip
 SOLVING = (
-    "numpy", "scipy", "skfem", "gmsh", "numba", "pydantic", "pint", "jinja2", "ziamath", "meshio",
+    "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "pydantic", "pint", "jinja2", "ziamath",
+    "meshio",
 )  # fmt: skip
 PROGRAMS = (("calculix", "ccx"), ("chromium", "chromium"))
 MODULES = ("tamaas", "ross-rotordynamics")  # second solvers

@@ -14,7 +14,7 @@ import analytic
 import fem
 from verify import cache
 from verify.case import Case, FemResult
-from verify.cases.registry import CASES
+from verify.cases.registry import CASES, find
 from verify.inputs import Inputs, quantity
 from verify.shown import Field
 
@@ -497,6 +497,17 @@ def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
         return
     assert not formulas or case.id.startswith("contact-roller")
     assert all(name.startswith(KNOWN[1:]) or name == KNOWN[0] for name in formulas)
+
+
+@pytest.mark.parametrize(
+    ("name", "alone"),
+    [
+        ("ring-lame", ()), ("sprag-engagement", ("numba",)),
+        ("sprag-optimum", ("numba", "scikit-learn")),
+    ],
+)  # fmt: skip
+def test_libraries_that_few_cases_reach_count_for_these(name, alone):
+    assert cache.libraries_of(find(name).fem) == (*cache.LIBRARIES, *alone)
 
 
 def test_what_was_used_least_recently_goes_first_where_room_is_made(tmp_path):
