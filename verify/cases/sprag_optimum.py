@@ -50,7 +50,7 @@ SHARED: dict[str, Any] = {
     "fem": fem,
     "levels": LEVELS,
     "outputs": (
-        output("Q", "Q", "N", "load that all crowns are made for"),
+        output("Q", "Q", "N", "load that all crowns are made for, without yields"),
         output("K_1 Q", "K_1 Q", "N", "load whose Lundberg crown the one at hand follows"),
         output("A", "A", "µm", "its depth, by which the drop grows"),
         output("straight", "l (1 − K_2)", "mm", "its straight middle"),
@@ -62,7 +62,8 @@ SHARED: dict[str, Any] = {
     ),
     "readings": (
         "Pre_max is the largest pressure of the inner contacts' slices at the largest force",
-        "z_m is in millimetres; Q is the static load at 25 N m, at both torques",
+        "z_m is in millimetres; Q is the static load at 25 N m of bodies that don't yield, "
+        "T/(z R_i tan ν_0), at both torques; with their yields a sprag bears less",
         "Eq. 20: a full quadratic, a Matérn 5/2 process on what it leaves; neither is printed",
         "the genetic algorithm has Gray codes, tournaments of two, one-point crossover, and keeps "
         "its best; none of these is printed",

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from analytic.contact import crown
 from analytic.sprag.pressure import along
 from verify.case import Context
 from verify.cases.sprag_clutch_claims import measured
 from verify.cases.sprag_clutch_drawn_fem import places
 from verify.cases.sprag_clutch_model import built
-from verify.cases.sprag_engagement_model import gap
+from verify.cases.sprag_engagement_model import crowned_for, gap
 from verify.cases.sprag_engagement_pressures import over_time
 from verify.cases.sprag_optimum_crown_claims import CELLS, STRIPPED, series
 from verify.cases.sprag_optimum_ends_fem import SLICED
@@ -48,9 +49,17 @@ def contact(context: Context) -> Sequence[Figure]:
                       colour=0),
             ), y_bottom=BELOW * float(p.max()), y_top=ABOVE * float(p.max()),
             note=f"(K_1, K_2, z_m) = ({K_1:.3g}, {K_2:.3g}, {z_m / um:.3g} µm), N_max = "
-            f"{found[f'{key}: N_max'][0]:.0f} N.",
+            f"{found[f'{key}: N_max'][0]:.0f} N."
+            + cut(ABOVE * float(p.max()), *(float(found[f"{key}: {part}"].max()) / MPa
+                                            for part in (f"cells {cells}", f"strips {n}"))),
         ))  # fmt: skip
     return figures
+
+
+def cut(top: float, *highest: float) -> str:
+    """What a figure that ends at a pressure [MPa] says of those above it."""
+    above = max(highest)
+    return f" Cut off at {top:.0f} MPa; the largest has {above:.0f} MPa." if above > top else ""
 
 
 def half(values: Array) -> Array:
@@ -80,21 +89,29 @@ def at_counts(context: Context) -> Curves:
         y_label="p_max [MPa]", curves=tuple(curves),
         y_bottom=0.97 * low, y_top=ABOVE * low,
         x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
-        note="Free ends settle; ends that carry do not.",
+        note="Free ends settle; ends that carry do not."
+        + cut(ABOVE * low, *(float(c.y.max()) for c in curves)),
     )  # fmt: skip
 
 
 def apart(context: Context) -> Curves:
-    """The crowns' drops along the outer part of the sprag."""
+    """The crowns' drops from mid-length to the end of the sprag."""
     q = context.inputs
     y = np.linspace(0, q.l / 2, 121)
     curves = []
     for k, (key, name) in enumerate(names(context).items()):
-        mine = with_crown(q, measured(context)[f"{key}: crown"])
-        drop = np.interp(y, places(q, 401), gap(mine.model_copy(update={"slices": 401})))
+        K_1, K_2, z_m = measured(context)[f"{key}: crown"]
+        drop = crown.logarithmic(
+            y, K_1=K_1, K_2=K_2, z_m=z_m, load=crowned_for(q), length=q.l,
+            E_star=float(built(q).parts.E_star),
+        )  # fmt: skip
         curves.append(Curve(name=name, x=y / mm, y=drop / um, colour=2 * k))
-    return Curves(title="The crowns", x_label="y from mid-length [mm]", y_label="drop [µm]",
-                  curves=tuple(curves), y_bottom=0.0)  # fmt: skip
+    return Curves(
+        title="The crowns", x_label="y from mid-length [mm]", y_label="drop [µm]",
+        curves=tuple(curves), y_bottom=0.0,
+        note="What each takes off the sprag: none in the straight middle, the share 1 − K_2 of the "
+        "length, then ever more, z_m at the end.",
+    )  # fmt: skip
 
 
 def before_and_after(context: Context) -> Sequence[Figure]:
@@ -103,20 +120,21 @@ def before_and_after(context: Context) -> Sequence[Figure]:
     printed = f" (Fig. {18 if q.T_less else 16}{{}})" if context.is_paper else ""
     designs = {"before": None, "after": found["best"]}
     planes: dict[str, Array] = {}
-    for name, crown in designs.items():
-        mine = with_crown(q, crown)
+    for name, design in designs.items():
+        mine = with_crown(q, design)
         planes[name] = along(
             found[f"{name} N"], gap(mine), length=q.l, R=float(found["best: R"]),
             E_star=float(built(q).parts.E_star),
         )  # fmt: skip
     top = max(float(p.max()) for p in planes.values())
+    peaks = {"before": found["none: pressures"][0], "after": found["best: pressures"][0]}
     return tuple(
         over_time(
             found[f"{name} t"], p, q, top,
             title=("Without a crown" if name == "before" else "With the best crown by slices")
             + printed.format(part),
-            note=f"{q.slices} slices; {p.max() / MPa:.0f} MPa at most. Both figures have one range "
-            "of colours.",
+            note=f"{q.slices} slices; {peaks[name].max() / MPa:.0f} MPa at most. Both "
+            "figures have one range of colours.",
         )
         for part, (name, p) in zip("ab", planes.items(), strict=True)
     )  # fmt: skip

@@ -45,7 +45,7 @@ def equations(q: OptimumInputs, v: Values) -> Sequence[Equation]:
             place="Eq. 20, of squares of pressures, the end slice and the rest apart",
         ),
         Equation(
-            tex=r"A = \frac{K_1 Q}{\pi l E^*}",
+            tex=r"A = \frac{2 K_1 Q}{\pi l E'}, \quad E' = 2 E^*",
             numbers=rf"= {tex(v['A'] / um, 4)}\ \mathrm{{µm}}, \quad K_1 Q = "
             rf"{tex(v['K_1 Q'], 5)}\ \mathrm{{N}}",
             place="Eq. 1, the crown at hand",
@@ -85,8 +85,8 @@ def crowns(context: Context) -> Table:
                 f"{context.inputs.slices} slices [MPa]", "81 strips", "161 strips",
                 "half-space, 384 cells", "768 cells"),
         rows=tuple(rows),
-        note="Where more strips or cells give more and more, the ends carry and nothing is the "
-        "largest pressure.",
+        note="Where the pressure keeps growing with the strips or cells, the sprag's ends carry: "
+        "on a half-space their pressure has no limit.",
     )  # fmt: skip
 
 
