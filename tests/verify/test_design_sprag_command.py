@@ -16,7 +16,7 @@ from verify.commands import load as load_check
 from verify.design_sprag import model, outcome, search
 from verify.design_sprag.inputs import default
 from verify.design_sprag.model import Model
-from verify.design_sprag.verified import LIMIT, _check, unloading
+from verify.design_sprag.verified import LIMIT, _check, ends_carry, unloading
 from verify.template import template
 
 HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba")
@@ -319,6 +319,15 @@ def test_a_crown_with_free_ends_passes_by_slices_and_strips_alike(paper):
         assert abs(found.off(found.judged)) < 0.01 < LIMIT
         assert abs(found.mid_off) < 0.01
         assert found.coarse == pytest.approx(found.peak, rel=2e-3)
+
+
+@pytest.mark.parametrize("z_m", [11e-6, 12e-6])
+def test_narrow_strips_tell_ends_that_carry_as_the_half_space_does(paper, z_m):
+    """The wide strips of the search have pressure at both ends."""
+    found = checked(paper, (2.7, 0.7, z_m), "strips")
+    assert found.strips[0] > 0
+    (carries,) = ends_carry(paper, found.crown[None], np.array([found.N]), 0)
+    assert carries == (found.end > 0) == (z_m < 11.5e-6)
 
 
 def test_a_crown_that_begins_at_the_middle_of_a_straight_profile_cannot_be_unloaded(paper):

@@ -15,7 +15,7 @@ from verify.design_sprag.known import Known
 from verify.design_sprag.model import Model
 from verify.design_sprag.search import LEVELS, Search, Worth, rounded
 from verify.design_sprag.surrogates import crowns_of, logs
-from verify.design_sprag.verified import Check, checks, unloading
+from verify.design_sprag.verified import Check, checks, ends_carry, unloading
 from verify.inputs import InputError
 from verify.shown import Array
 
@@ -52,6 +52,7 @@ class Outcome:
     best_crowns: Array
     best: Array
     now: Known
+    now_carries: Sequence[bool]  # whether its ends do, by torque
     without: Known
     predicted: float
     true: float
@@ -129,12 +130,16 @@ def _carried_out(task: Task, tell: object, use_half_space: bool) -> Outcome:
     best = np.min(inside, axis=0)
     q = task.clutch
     now = model.answers(np.array([[q.K_1, q.K_2, q.z_m]]))
+    now_carries = [
+        bool(ends_carry(model, now.crowns, now.N_max[:, k], k)[0]) for k in range(len(singles))
+    ]
     found = checks(task, model, crown) if use_half_space else ()
     loaded = [c for c in found if c.end > 0 and c.which == "wanted"]
     alone, together = flatness(search, worth, crown, worst)
     return Outcome(
         task=task, search=search, crown=crown, worst=worst, best_crowns=best_crowns, best=best,
         chosen=model.answers(corners(task, crown[None])[0]), now=now,
+        now_carries=now_carries,
         without=model.answers(np.array([[q.K_1, q.K_2, 0.0]])),
         predicted=float(worth(search.worst(crown[None]))[0]), true=float(worth(worst[None])[0]),
         rounds=len(joint.history), alone=alone, together=together,

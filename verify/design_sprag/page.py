@@ -12,9 +12,11 @@ from verify.design_sprag.told import (
     HEAD_CROWN,
     check_heads,
     check_line,
+    compared,
     crown_table,
     named,
     paper_s_way,
+    so_many,
     surely,
     torque_heads,
     torque_table,
@@ -79,9 +81,10 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     T = f"{outcome.task.torques[k]:g} N m"
     now, p = float(outcome.largest(outcome.now)[0, k]), float(outcome.pressures[k])
     less = f"{100 * (p / now - 1):+.1f} %".replace("-", "−")
+    ends = f", whose ends carry: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
     found = [
         Tile(number=f"{p / MPa:.0f} MPa", words=f"largest at {T}"),
-        Tile(number=less, words="against the crown now"),
+        Tile(number=less, words=f"against the crown now{ends}"),
         Tile(number=f"{len(outcome.search.model.known)}", words="crowns engaged"),
     ]
     if outcome.checks:
@@ -134,7 +137,7 @@ def _torques(outcome: Outcome) -> Table:
         f"{name} [{unit}]" if unit in ("N m", "N") else f"{name} {unit}".strip()
         for name, unit in zip(names, more, strict=True)
     )
-    lines = [surely(outcome), *paper_s_way(outcome)]
+    lines = [*compared(outcome), surely(outcome), *paper_s_way(outcome)]
     way = " ".join(f"{line[0].upper()}{line[1:]}." for line in lines)
     return Table(
         title="Torque by torque", header=heads, rows=tuple(torque_table(outcome)),

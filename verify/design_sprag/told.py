@@ -16,6 +16,7 @@ MPa, um = 1e6, 1e-6
 SYMBOLS = ("K_1", "K_2", "z_m")
 FORMS = ("{:.4g}", "{:.4g}", "{:.4g} µm")
 UNITS = (1.0, 1.0, um)
+ROUNDING = 1e-9  # by which a crown on a bound may be beyond it
 
 
 def print_outcome(outcome: Outcome) -> None:
@@ -28,7 +29,7 @@ def print_outcome(outcome: Outcome) -> None:
     print("largest pressures as the clutch engages [MPa]")
     for line in aligned([*torque_heads(outcome), *torque_table(outcome)]):
         print(f"  {line}")
-    for line in (surely(outcome), *paper_s_way(outcome)):
+    for line in (*compared(outcome), surely(outcome), *paper_s_way(outcome)):
         print(line)
     if outcome.checks:
         print("half-space, under the same forces [MPa]")
@@ -105,7 +106,8 @@ def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
         crown = outcome.best_crowns[k]
         lines.append((
             f"{T:g}", f"{N:.0f}", f"{N / outcome.search.model.Q:.3g}",
-            pressure(outcome, outcome.now, k), pressure(outcome, outcome.without, k),
+            pressure(outcome, outcome.now, k, ends=outcome.now_carries[k]),
+            pressure(outcome, outcome.without, k, ends=True),
             f"{outcome.best[k] / MPa:.0f}", *(shown(j, crown[j]) for j in range(3)),
             f"{outcome.pressures[k] / MPa:.0f}",
             *((band(outcome, k),) if tolerance else ()), f"{100 * outcome.excess[k]:+.2g} %",
@@ -114,17 +116,31 @@ def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
 
 
 def band(outcome: Outcome, k: int) -> str:
-    """Least and largest of the pressures within the tolerance."""
-    p = outcome.chosen.counted(outcome.task.wishes.contacts, k).max(axis=1)
+    """Least and largest of the pressures within the tolerance, ends counted once."""
+    p = outcome.largest(outcome.chosen)[:, k]
     return f"{p.min() / MPa:.0f} to {p.max() / MPa:.0f}"
 
 
-def pressure(outcome: Outcome, known: Known, k: int) -> str:
-    """A largest pressure; where the ends carry it, by how many slices or strips."""
-    along = known.along(outcome.task.wishes.contacts, k)[0]
-    at_end = int(along.argmax()) in (0, len(along) - 1)
-    said = f"{along.max() / MPa:.0f}"
-    return f"{said} (ends, {len(along)} {outcome.task.wishes.contacts})" if at_end else said
+def pressure(outcome: Outcome, known: Known, k: int, *, ends: bool) -> str:
+    """A largest pressure; where the ends carry, by how many slices or strips."""
+    said = f"{outcome.largest(known)[0, k] / MPa:.0f}"
+    return f"{said} (ends carry, {so_many(outcome, k)})" if ends else said
+
+
+def so_many(outcome: Outcome, k: int) -> str:
+    """How many slices or strips a pressure under torque number k is by."""
+    contacts = outcome.task.wishes.contacts
+    return f"{outcome.now.along(contacts, k).shape[1]} {contacts}"
+
+
+def compared(outcome: Outcome) -> list[str]:
+    """Which pressures of the table may be compared, where there is a tolerance."""
+    if outcome.search.single:
+        return []
+    return [
+        "now, no crown and chosen are of the crown as it is drawn, best there and excess of the "
+        "worst within the tolerance: now compares with chosen, not with best there"
+    ]
 
 
 def surely(outcome: Outcome) -> str:
@@ -139,20 +155,25 @@ def surely(outcome: Outcome) -> str:
 
 
 def paper_s_way(outcome: Outcome) -> list[str]:
-    """What slices would have chosen of all crowns that are known, by strips."""
-    if outcome.task.wishes.contacts == "slices":
+    """What slices would have chosen at the largest torque of the known crowns in the ranges."""
+    task, known = outcome.task, outcome.search.model.known
+    if task.wishes.contacts == "slices":
         return []
-    known = outcome.search.model.known
-    k = len(outcome.task.torques) - 1
-    i = int(known.slices[:, k].max(axis=1).argmin())
-    by_slices, by_strips = known.slices[i, k].max(), known.strips[k][i].max()
-    T = outcome.task.torques[k]
+    k = len(task.torques) - 1
+    low, high = np.array(task.low) * (1 - ROUNDING), np.array(task.high) * (1 + ROUNDING)
+    inside = np.all((known.crowns >= low) & (known.crowns <= high), axis=1)
+    i = int(np.where(inside, known.slices[:, k].max(axis=1), np.inf).argmin())
+    along = known.strips[k][i]
+    by_slices, by_strips = known.slices[i, k].max(), along.max()
+    T = task.torques[k]
     if by_strips < 1.005 * outcome.pressures[k]:
         return []
+    at_ends = ", at its ends" if int(along.argmax()) in (0, len(along) - 1) else ""
     return [
-        f"the paper's way, by slices, would have gone to {named(known.crowns[i])}: "
+        f"the paper's way, by slices, would{' at the largest torque' if k else ''} have gone to "
+        f"{named(known.crowns[i])}: "
         f"{by_slices / MPa:.0f} MPa at {T:g} N m by {known.slices.shape[2]} slices, but "
-        f"{by_strips / MPa:.0f} MPa by {known.strips[k].shape[1]} strips, at its ends"
+        f"{by_strips / MPa:.0f} MPa by {known.strips[k].shape[1]} strips{at_ends}"
     ]
 
 

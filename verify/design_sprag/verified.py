@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact import slices
 from analytic.contact.half_space_roller import RollerContact, press_roller
@@ -17,6 +18,7 @@ CELLS = ((48, 256), (64, 512))  # across and along; the second is what counts
 LIMIT = 0.02  # by which the pressures that a crown is chosen by may be off
 DEEPEST = 10.0  # times z_m, up to which one that unloads the ends is searched
 STEPS = 33  # of that, 7.5 % each
+NARROW = CELLS[1][1] + 1  # strips about as narrow as the half-space's cells
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,13 +106,17 @@ def _check(task: Task, model: Model, known: Known, i: int, k: int, which: str) -
 
 
 def unloading(model: Model, check: Check) -> float | None:
-    """The drop z_m [m] from which on the ends carry nothing, K_1 and K_2 kept; None for none.
-
-    By strips about as narrow as the half-space's cells, of which each `check` says so.
-    """
+    """The drop z_m [m] from which on the ends carry nothing, K_1 and K_2 kept; None for none."""
     k = model.torques.index(check.T)
     crowns = np.repeat(check.crown[None], STEPS, axis=0)
     crowns[:, 2] *= np.geomspace(1, DEEPEST, STEPS)
-    p = model.by_strips(crowns, np.full(STEPS, check.N), k, CELLS[1][1] + 1)
-    free = np.flatnonzero(p[:, 0] == 0)
+    free = np.flatnonzero(~ends_carry(model, crowns, np.full(STEPS, check.N), k))
     return float(crowns[free[0], 2]) if free.size else None
+
+
+def ends_carry(model: Model, crowns: Array, loads: Array, torque: int) -> NDArray[np.bool_]:
+    """Whether the ends of crowns (n, 3) carry under loads (n,) [N] of a torque, (n,).
+
+    By strips about as narrow as the half-space's cells, which each `Check` has its ends from.
+    """
+    return np.asarray(model.by_strips(crowns, loads, torque, NARROW)[:, 0] > 0)

@@ -1,0 +1,105 @@
+"""What is told of a crown, on an outcome whose every number is written down here."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from verify.design_sprag import told
+from verify.design_sprag.inputs import default
+from verify.design_sprag.known import Known
+from verify.design_sprag.outcome import Outcome
+from verify.design_sprag.page import _tiles, _torques
+
+CHOSEN, SHALLOW, BEYOND = (2.6, 0.65, 14e-6), (2.6, 0.7, 8e-6), (2.6, 0.7222, 8e-6)
+
+
+def known(*rows):
+    """Crowns with pressures [MPa] inside and at the end by strips, and by slices, at 10, 25 N m.
+
+    At 10 N m they are half.
+    """
+    inside, end, by_slices = (np.array([row[1 + k] for row in rows]) * 1e6 for k in range(3))
+    strips = np.column_stack([end, inside, inside, inside, end])
+    slices = np.repeat(by_slices[:, None], 3, axis=1)
+    return Known(
+        np.array([row[0] for row in rows]), np.tile([3e3, 6e3], (len(rows), 1)),
+        np.stack([slices / 2, slices], axis=1), (strips / 2, strips),
+    )  # fmt: skip
+
+
+def outcome(*, now_carries=(False, True), now=(2900.0, 2400.0, 2950.0), **wishes):
+    """The paper's task at 10 and 25 N m; wishes may change it."""
+    task = default()
+    task = replace(
+        task, torques=(10.0, 25.0),
+        wishes=task.wishes.model_copy(update={"t_z": 1e-6, "t_y": 1e-4} | wishes),
+    )  # fmt: skip
+    # the second of the chosen crown's corners has 1100 MPa at its end, which counts as 3300
+    chosen = known((CHOSEN, 2980, 0, 2990), (CHOSEN, 2960, 1100, 2970), (CHOSEN, 3010, 0, 3020))
+    every = known(
+        (CHOSEN, 2980, 0, 2990), (SHALLOW, 2940, 3600, 2945), (BEYOND, 2930, 3900, 2935)
+    )  # fmt: skip
+    quality = SimpleNamespace(count=9, mean=0.001, largest=0.01)
+    search = SimpleNamespace(
+        model=SimpleNamespace(known=every, Q=3407.0), judged=[(quality, quality)],
+        single=not (task.wishes.t_z or task.wishes.t_y),
+    )  # fmt: skip
+    return Outcome(
+        task=task, search=search, crown=np.array(CHOSEN), chosen=chosen,
+        worst=np.array([1650e6, 3300e6]), best_crowns=np.tile(CHOSEN, (2, 1)),
+        best=np.array([1600e6, 3200e6]), now=known(((2.67, 0.7, 9.5e-6), *now)),
+        now_carries=now_carries, without=known(((2.67, 0.7, 0.0), 2800, 4000, 2800)),
+        predicted=1.0, true=1.0, rounds=2, alone=np.zeros((3, 2)), together=np.zeros((3, 2)),
+        bounds=(), checks=(), free_from=None,
+    )  # fmt: skip
+
+
+def test_the_paper_s_crown_is_one_of_the_ranges_at_the_largest_torque():
+    """Not K_2 = 0.7222, which only the tolerances of K_2 = 0.7 reach."""
+    (line,) = told.paper_s_way(outcome())
+    assert "would at the largest torque have gone to K_1 = 2.6, K_2 = 0.7, z_m = 8 µm" in line
+    assert "2945 MPa at 25 N m by 3 slices, but 3600 MPa by 5 strips, at its ends" in line
+
+
+@pytest.mark.parametrize("off", [-1e-13, 1e-13])
+def test_a_crown_on_a_bound_is_inside_whatever_its_last_digit(off):
+    one = outcome()
+    one.search.model.known.crowns[1, 1] *= 1 + off
+    assert "K_2 = 0.7, " in told.paper_s_way(one)[0]
+
+
+def test_the_paper_s_own_way_has_no_other():
+    assert told.paper_s_way(outcome(contacts="slices")) == []
+
+
+def test_pressures_within_the_tolerance_are_as_they_are():
+    """2960 MPa inside, not three times the end's 1100."""
+    assert told.band(outcome(), 1) == "2960 to 3010"
+    assert told.band(outcome(), 0) == "1480 to 1505"
+
+
+def test_ends_that_carry_are_told_though_the_largest_pressure_is_inside():
+    light, heavy = told.torque_table(outcome())
+    assert light[3] == "1450"
+    assert heavy[3] == "2900 (ends carry, 5 strips)"
+    assert (light[4], heavy[4]) == ("2000 (ends carry, 5 strips)", "4000 (ends carry, 5 strips)")
+    heavy = told.torque_table(outcome(contacts="slices"))[1]
+    assert heavy[3] == "2950 (ends carry, 3 slices)"
+
+
+def test_the_tile_says_whose_ends_carry():
+    words = [tile.words for tile in _tiles(outcome())]
+    assert "against the crown now, whose ends carry: 5 strips" in words
+    words = [tile.words for tile in _tiles(outcome(now_carries=(True, False)))]
+    assert "against the crown now" in words
+
+
+def test_the_table_says_what_compares_with_what_where_there_is_a_tolerance():
+    (line,) = told.compared(outcome())
+    assert "now compares with chosen, not with best there" in line
+    assert "Now, no crown and chosen are" in _torques(outcome()).note
+    one = outcome(t_z=0.0, t_y=0.0)
+    assert told.compared(one) == []
+    assert "compares" not in _torques(one).note
