@@ -28,7 +28,7 @@ def case_data(
     `sheets` name the workbook's sheet of each of the case's tables.
     """
     group = lines(case.rows)
-    refined = [row for row in case.rows if row.grid]
+    refined = [row for row in case.rows if row.grid and row.levels]
     return {
         "id": case.id,
         "name": case.name,

@@ -10,8 +10,11 @@ import pytest
 
 from reports.formats import concise, values
 from reports.frames import frames
-from reports.html import causes, lines, page
+from reports.html import COMPANION, anchors, causes, lines, page
+from reports.pdf_case import case_data
 from verify.cache import picture_folder
+from verify.cases.sprag_crown import CROWN
+from verify.commands import make_report
 from verify.results import Kind, Row, Status
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}
@@ -138,6 +141,19 @@ def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
     assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
 
 
+def test_values_on_every_mesh_are_of_rows_that_have_some(of_paper):
+    case = of_paper(CROWN)
+    empty = [r for r in case.rows if r.grid and not r.levels]
+    assert empty  # convergence alone, whose values stand with its quantity
+    alone = make_report([case], [CROWN], 1.0)
+    at = page(alone, {}, picture_folder()).split("Values at every refinement")[1]
+    shown = at.partition("</table>")[0]
+    assert COMPANION not in shown
+    assert shown.count('<tr><th scope="row"') == sum(bool(r.levels) for r in case.rows if r.grid)
+    printed = case_data(case, (), anchors(case.rows), ["s"] * len(case.tables), "p")["levels"]
+    assert all(len(cells) == len(t["header"]) > 1 for t in printed for cells in t["rows"])
+
+
 def test_a_report_on_own_parameters_leaves_the_papers_out(report, drawn):
     own = page(replace(report, name="my clutch"), drawn, picture_folder())
     assert "<h1>my clutch</h1>" in own
@@ -156,7 +172,7 @@ def test_nothing_that_is_not_known_is_told(text):
 def test_warnings_stand_in_the_head_once_each(report, text):
     head = text[: text.index("</header>")]
     warnings = {w for case in report.cases for w in case.warnings}
-    assert len(warnings) == 13
+    assert len(warnings) == 15
     assert head.count("<li>") == len(warnings)
 
 

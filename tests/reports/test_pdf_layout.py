@@ -44,12 +44,27 @@ def printed(wordy, tmp_path_factory):
     return words(wordy, tmp_path_factory.mktemp("pdf"))
 
 
-def test_names_of_quantities_have_four_centimetres(printed):
+def room(printed) -> float:
+    """Width [pt] of the names of quantities in the summary."""
     texts = [w.text for w in printed]
     summary = printed[texts.index("Quantity") : texts.index("budget:")]
     at = [w for w in summary if w.text == "word"]
     assert len(at) >= 18 * 3
-    assert max(w.right for w in at) - min(w.left for w in at) > 35 * MM  # a word is 5 mm wide
+    return max(w.right for w in at) - min(w.left for w in at)
+
+
+def test_names_of_quantities_have_four_centimetres(printed):
+    assert room(printed) > 35 * MM  # a word is 5 mm wide
+
+
+def test_many_printed_values_and_long_reasons_leave_names_their_room(wordy, tmp_path):
+    (case,) = wordy.cases
+    printed = case.rows[0].published * 10
+    rows = tuple(replace(r, published=printed, reason=" ".join(["why"] * 80)) for r in case.rows)
+    case = replace(case, rows=rows)
+    found = words(replace(wordy, cases=(case,)), tmp_path)
+    assert room(found) > 33 * MM
+    assert max(w.right for w in found) <= RIGHT + 0.5
 
 
 def test_no_word_stands_beyond_the_margin(printed):
