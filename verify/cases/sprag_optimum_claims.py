@@ -192,12 +192,19 @@ def made_for(context: Context) -> tuple[float, float, str]:
 
 def taken_off(context: Context) -> str:
     """What the best crown takes off, by several numbers of slices under the same forces."""
-    found = measured(context)
+    best, none = (by_number(context, crown) for crown in ("best", "none"))
     said = ", ".join(
-        f"{1 - p / none:.1%} by {n} slices ({none / 1e6:.0f} to {p / 1e6:.0f} MPa)"
-        for n, p, none in zip(SLICED, found["best: sliced"], found["none: sliced"], strict=True)
+        f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
+        for n, p, flat in zip(SLICED, best, none, strict=True)
     )
     return f"{said}: without a crown the pressure has no limit, and the best one's end neither"
+
+
+def by_number(context: Context, crown: str) -> Array:
+    """Largest pressures [Pa] by each of SLICED slices, its own engagement's by those given."""
+    found = measured(context)
+    own = np.array(SLICED) == context.inputs.slices
+    return np.where(own, found[f"{crown}: pressures"][0].max(), found[f"{crown}: sliced"])
 
 
 def beside(name: str, value: Callable[[Any], float], T: int, **more: Any) -> Beside:

@@ -183,7 +183,7 @@ def longer(context: Context) -> Sequence[Table]:
         (f"end and rest apart at {DESIGNS} designs", size("two")),
         (f"DIRECT on engagements, {ENGAGEMENTS} allowed",
          f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} beside the best crown"),
-        ("engagements until within 0.1 % of it", first or "never"),
+        ("engagements until within 0.1 % of it", str(first or "never")),
         (f"genetic algorithm, {SEEDS} seeds",
          f"{seeds['GA'].min() / MPa:.2f} to {seeds['GA'].max() / MPa:.2f} MPa"),
         (f"differential evolution, {SEEDS} seeds",
