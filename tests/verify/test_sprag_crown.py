@@ -31,6 +31,7 @@ from verify.cases.sprag_crown_words import verdict
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.cli import run
 from verify.results import Status
+from verify.shown import Curves
 from verify.template import template
 
 pytestmark = pytest.mark.xdist_group("sprag-crown")
@@ -199,6 +200,18 @@ def test_fig_12_s_order_holds_about_the_static_load_and_not_at_the_first_peak():
     for by in ("slices", "strips"):
         holds = N[ordered(found, by)]
         assert holds.min() < v["N"] < holds.max() < v["N_max"]
+    (row,) = (row for check in CHECKS if check.name.startswith("Fig. 12: best")
+              for row in check.rows(context()))  # fmt: skip
+    assert "first peak under 8 to 17 N m" in row.reason  # 2.0 and 4.25 kN over 0.252 kN/(N m)
+
+
+def test_no_curve_of_crowns_runs_off_its_figure():
+    for figure in CROWN.figures(context()):
+        if not isinstance(figure, Curves):
+            continue
+        every = np.concatenate([c.y[np.isfinite(c.y)] for c in figure.curves])
+        assert figure.y_top is None or every.max() <= figure.y_top
+        assert figure.y_bottom is None or every.min() >= figure.y_bottom
 
 
 # Table 2.
@@ -218,6 +231,21 @@ def test_an_error_of_the_actual_value_turns_two_rows_red(monkeypatch):
                         lambda k: right(k) * cell(k, "predicted") / cell(k, "actual"))  # fmt: skip
     failed = {name for name, status in statuses(context()).items() if status is Status.FAIL}
     assert failed == {f"Table 2, row {k}: error of the printed pair" for k in (1, 2)}
+
+
+def test_an_error_of_zero_is_no_scale_and_its_row_tells_of_a_point_fitted(monkeypatch):
+    assert not statuses_of("Table 2, row 4", context())
+    assert statuses_of("Table 2: row 4", context()) == [Status.NOTE]
+    monkeypatch.setattr(sprag_crown_table2, "relative_error", lambda k: 1e-4)
+    assert statuses_of("Table 2: row 4", context()) == [Status.FAIL]
+
+
+def test_what_the_printed_digits_hide_is_a_few_per_cent_of_the_largest_error():
+    rows = [row for check in CHECKS if check.name.startswith("Table 2, row") and "10" not in
+            check.name for row in check.rows(context())]  # fmt: skip
+    assert len(rows) == 8
+    assert [row.scale for row in rows] == pytest.approx([1.64] * 8)  # per cent
+    assert max(row.detects for row in rows) < 0.05
 
 
 def test_the_last_error_s_row_is_a_note_while_it_does_not_round_to_what_is_printed(monkeypatch):

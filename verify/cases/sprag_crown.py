@@ -46,26 +46,30 @@ CROWN = Case(
         output("A", "A", "µm", "depth of the logarithm in Eq. 1"),
         output("straight", "(1−K_2) l", "mm", "straight middle"),
         output("mean", "z̄", "µm", "mean drop over the length", judged=True),
-        output("share", "e_z", "1", "what a share more of z_m adds to the mean drop", judged=True),
+        output("share", "e_z", "1", "% more mean drop by 1 % more z_m; K_1 the rest of 1 %",
+               judged=True),
         output("end slice", "z_end", "µm", "drop at the middle of the end slices"),
-        output("suits", "K_1 Q", "N", "load that the crown's depth suits (Lundberg)"),
-        output("N", "N", "N", "normal force at rest, no springs"),
+        output("suits", "K_1 Q", "N", "load that a crown of this depth makes even (Lundberg)"),
+        output("N", "N", "N", "normal force at rest with the yields, no springs"),
         output("p rest", "p", "MPa", "largest pressure at rest, inner race, by slices"),
-        output("p even rest", "p_even", "MPa", "the same of a load spread evenly"),
+        output("p even rest", "p_even", "MPa", "pressure at rest if the load were even"),
         output("N_max", "N_max", "N", "force of the first peak: two races on a spring"),
         output("K_1 suits", "N_max/Q", "1", "K_1 that suits the first peak"),
-        output("p peak", "p_max", "MPa", "largest pressure there, by slices"),
-        output("p mid peak", "p_mid", "MPa", "pressure at mid-length there", judged=True),
-        output("p end peak", "p_end", "MPa", "pressure of the end slices there"),
-        output("p even peak", "p_even", "MPa", "the same of a load spread evenly"),
+        output("p peak", "p_max", "MPa", "largest pressure at the first peak, by slices"),
+        output("p mid peak", "p_mid", "MPa", "the same at mid-length", judged=True),
+        output("p end peak", "p_end", "MPa", "pressure of the end slices at the first peak"),
+        output("p even peak", "p_even", "MPa", "pressure at the first peak if the load were even"),
     ),
     readings=(
         "Eq. 1 is clipped and symmetric, its A is the factor before the logarithm (ledger: "
         "eq-1-a-undefined, eq-1-clipping)",
         "z_m is in millimetres: no unit is printed",
-        "Q of Eq. 1 is one load for all torques, the static one at 25 N m; by another Q at each "
-        "torque the best K_1 would not grow with it",
-        "Fig. 12 is under the static load (ledger: fig-12-load)",
+        "Q of Eq. 1 is one load for all torques, 3407 N: the static one at 25 N m of parts that do "
+        "not yield; with their yields it is 3388 N. By another Q at each torque the best K_1 would "
+        "not grow with it",
+        "Fig. 12 is under a force of 2 to 4 kN, such as the static load, not under the first peak "
+        "at 25 N m; which crowns it has is not printed: the eight that the paper prints "
+        "anywhere are compared (ledger: fig-12-load)",
     ),
     assumptions=(
         "length, width, wedge angle, support and Q are identified, not printed: what rests on "

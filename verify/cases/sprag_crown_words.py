@@ -50,8 +50,8 @@ def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
     found.append(
         f"it begins {v['straight'] / 2 * 1e3:.3g} mm from mid-length and drops by "
         f"{v['end slice'] / UM:.3g} µm at the middle of its end slices, {q.z_m / UM:.3g} µm at the "
-        f"very ends; 1 % more z_m takes {v['share']:.2g} % more off in all, K_1 "
-        f"{1 - v['share']:.2g} %"
+        f"very ends; 1 % more z_m deepens it by {v['share']:.2g} % on average, 1 % more K_1 "
+        f"by {1 - v['share']:.2g} %"
     )
     return found
 
