@@ -107,6 +107,12 @@ def test_a_z_m_that_changes_nothing_is_told():
     assert "z_m changes more than at 25 N m" in wrong(OPTIMUM_40, **{"true K_1, z_m": even})
 
 
+def test_a_z_m_that_changes_more_at_the_other_torque_is_told():
+    factor = np.ones_like(solved(OPTIMUM_40, Optimum40Inputs())[-1].result.arrays["true K_1, z_m"])
+    factor[1, :, 0] = 2
+    assert "z_m changes more than at 25 N m" in wrong(OPTIMUM_40, **{"true K_1, z_m": factor})
+
+
 @pytest.fixture
 def faulty(monkeypatch, judged, red):
     """Break a formula; what of the case's rows turns red."""

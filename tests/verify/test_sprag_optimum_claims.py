@@ -7,7 +7,14 @@ from tests.conftest import solved
 from verify import judge
 from verify.case import Context, FemResult
 from verify.cases.sprag_optimum import OPTIMUM_25, OPTIMUM_40
-from verify.cases.sprag_optimum_claims import band, counted, course, over_K_1
+from verify.cases.sprag_optimum_claims import (
+    band,
+    counted,
+    course,
+    over_K_1,
+    reductions,
+    taken_off,
+)
 from verify.cases.sprag_optimum_crown_claims import CELLS, STRIPPED, endless
 from verify.cases.sprag_optimum_inputs import Optimum25Inputs
 from verify.cases.sprag_optimum_surrogate_claims import asked
@@ -47,6 +54,14 @@ def test_where_the_paper_s_lines_turn_stands_with_where_they_do_not(name, turnin
     assert row.status is Status.SHOWN
     assert turning in row.reason
     assert "at K_1 = 2, the nearest to the best, it only falls" in row.reason
+
+
+@BOTH
+def test_a_crown_takes_off_the_same_in_both_rows(case):
+    found = solved(case, case.inputs())[-1].result.arrays
+    said = taken_off(context(case.inputs(), **found))
+    assert f"{reductions(found)[0]:.1%} by 41 slices" in said
+    assert f"({found['none: pressures'][0].max() / 1e6:.0f} to" in said
 
 
 @pytest.mark.parametrize(
