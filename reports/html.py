@@ -42,6 +42,7 @@ from verify.shown import (
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
 COMPANION = ": convergence"
+NAMESPACE = ' xmlns="http://www.w3.org/2000/svg"'  # a page knows it: 50 kB in a thousand drawings
 LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
@@ -104,7 +105,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
-    return body.replace("<!--glyphs-->", glyphs.symbols())
+    return body.replace("<!--glyphs-->", glyphs.symbols()).replace(NAMESPACE, "")
 
 
 @dataclass(frozen=True)
