@@ -26,11 +26,16 @@ name = "my {id}"
 
 [inputs]
 """
+TASKS = ("design-spring", "design-sprag")
 
 
 def run_init(case_id: str, out: Path | None) -> int:
     """Print the template of a case, or write it to a file that does not exist yet."""
-    hand_over(template(find(case_id)), out)
+    try:
+        case = find(case_id)
+    except ValueError as error:
+        raise InputError(f"{error}; tasks of design are {', '.join(TASKS)}") from error
+    hand_over(template(case), out)
     return 0
 
 

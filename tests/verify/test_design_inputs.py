@@ -120,3 +120,11 @@ def test_init_prints_the_template(capsys):
 def test_every_swept_default_lies_in_its_own_range():
     for name, sweep in SWEEPS.items():
         assert sweep.read(sweep.default, name)
+
+
+def test_a_file_of_another_case_names_all_that_design_takes(tmp_path, capsys):
+    path = tmp_path / "ring.toml"
+    path.write_text('case = "ring-lame"\n[inputs]\n', encoding="utf-8")
+    assert run(["design", str(path)]) == 2
+    told = capsys.readouterr().err
+    assert "design takes design-spring, design-sprag or sprag-clutch, got 'ring-lame'" in told

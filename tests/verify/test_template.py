@@ -137,3 +137,10 @@ def test_numbers_that_do_not_end_are_written_to_their_last_digit():
     text = template(replace(CASES[0], inputs=Awkward))
     read = build(Awkward, inputs_of(text), "template").model_dump()
     assert read == pytest.approx(Awkward().model_dump(), rel=3e-16)
+
+
+def test_an_unknown_template_names_the_tasks_of_design_as_well(capsys):
+    assert run(["init", "design-spragg"]) == 2
+    told = capsys.readouterr().err
+    assert "unknown case 'design-spragg'" in told
+    assert told.rstrip().endswith("tasks of design are design-spring, design-sprag")

@@ -150,7 +150,9 @@ def load(path: Path) -> Task:
     """A design task from a parameter file; InputError says in one line what is wrong."""
     case, name, raw = read_parameter_file(path)
     if case != CASE:
-        raise InputError(f'{path}: case: needs case = "{CASE}", got {case[:60]!r}')
+        raise InputError(
+            f"{path}: case: design takes {CASE}, design-sprag or sprag-clutch, got {case[:60]!r}"
+        )
     return task(raw, name, str(path))
 
 
