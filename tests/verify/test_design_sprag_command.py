@@ -160,6 +160,7 @@ def test_the_page_is_whole_and_loads_nothing(done):
     assert "nan" not in re.sub(r"<style>.*?</style>", "", text, flags=re.DOTALL)
     for section in ("chosen", "front", "checks", "pictures", "how", "task"):
         assert f'id="{section}"' in text
+    assert "freewheel design --out o task.toml\nfreewheel check --dynamic o/clutch.toml" in text
     assert text.count("<svg") == 6  # the sprag and five pictures
     assert "spring" not in re.sub(r"<style>.*?</style>", "", text).replace("springs", "").replace(
         "energising spring", ""
@@ -206,7 +207,7 @@ def test_an_interrupted_search_keeps_its_crowns_and_goes_on(small, tmp_path, cap
     path = task(tmp_path, **NARROW)
     assert run(["design", "--no-fem", str(path)]) == 130
     said = capsys.readouterr().err
-    assert "interrupted: 10 of 27 crowns are kept, the same command goes on" in said
+    assert "interrupted: 11 crowns are kept, the same command goes on" in said
     done, count[:] = list(count), [None] * 4
     monkeypatch.setattr(model, "some_fem", lambda work: count.append(work) or true(work))
     assert run(["design", "--no-fem", str(path)]) == 0
@@ -334,3 +335,13 @@ def test_a_crown_that_begins_at_the_middle_of_a_straight_profile_cannot_be_unloa
     """K_1 of a tenth: A is so small that the end drops at the very end alone, whatever z_m."""
     found = checked(paper, (0.2, 0.7, 5e-6), "strips")
     assert unloading(paper, found) is None
+
+
+def test_a_crown_is_at_the_edge_of_its_ends_where_five_per_cent_less_makes_them_carry(paper):
+    z_m = np.geomspace(6e-6, 24e-6, 141)  # in steps of a per cent
+    crowns = np.column_stack([np.full(141, 2.5), np.full(141, 0.65), z_m])
+    N = paper.answers(crowns[70:71]).N_max[0, 0]
+    edge = z_m[np.argmin(ends_carry(paper, crowns, np.full(141, N), 0))]
+    assert z_m[0] < edge < z_m[-1]
+    for share, expected in ((0.97, False), (1.02, True), (1.08, False)):
+        assert outcome._on_edge(paper, np.array([2.5, 0.65, share * edge])) is expected

@@ -217,12 +217,25 @@ def test_a_flat_optimum_is_told_parameter_by_parameter():
     assert np.all(together[:, 1] >= crown)
 
 
-def test_a_bound_that_costs_something_is_told_with_its_gain():
+def test_with_others_a_parameter_may_go_as_far_as_alone(monkeypatch):
+    """Few crowns are scattered, none of which is as good at the ends."""
+    monkeypatch.setattr("verify.design_sprag.outcome.SCATTERED", 5)
+    search = prepared()
+    crown = np.array([1.5, 0.7, 12e-6])
+    alone, together = flatness(search, single, crown, search.true(crown))
+    assert np.all(alone[:, 1] > 1.001 * alone[:, 0])
+    assert np.all(together[:, 0] <= alone[:, 0])
+    assert np.all(together[:, 1] >= alone[:, 1])
+
+
+def test_a_bound_is_told_with_what_more_would_gain():
     """K_2 = 0.73 lowers p by 0.3 x 0.03 of P; K_1 is no bound, z_m at its top gains nothing."""
     search = prepared()
     crown = np.array([1.5, 0.7, 25e-6])
     worst = search.true(crown)
-    (found,) = bound(search, single, crown, worst)
+    found, deep = bound(search, single, crown, worst)
+    assert (deep.parameter, deep.costs) == (2, False)
+    assert found.costs
     assert found.parameter == 1
     assert found.beyond == pytest.approx(0.73)
     assert found.gain == pytest.approx(0.009 * P / worst[0], rel=1e-6)

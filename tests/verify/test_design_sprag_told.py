@@ -9,8 +9,9 @@ import pytest
 from verify.design_sprag import told
 from verify.design_sprag.inputs import default
 from verify.design_sprag.known import Known
-from verify.design_sprag.outcome import Outcome
+from verify.design_sprag.outcome import Bound, Outcome
 from verify.design_sprag.page import _tiles, _torques
+from verify.design_sprag.records import _torque, crown, record
 
 CHOSEN, SHALLOW, BEYOND = (2.6, 0.65, 14e-6), (2.6, 0.7, 8e-6), (2.6, 0.7222, 8e-6)
 
@@ -52,7 +53,7 @@ def outcome(*, now_carries=(False, True), now=(2900.0, 2400.0, 2950.0), **wishes
         best=np.array([1600e6, 3200e6]), now=known(((2.67, 0.7, 9.5e-6), *now)),
         now_carries=now_carries, without=known(((2.67, 0.7, 0.0), 2800, 4000, 2800)),
         predicted=1.0, true=1.0, rounds=2, alone=np.zeros((3, 2)), together=np.zeros((3, 2)),
-        bounds=(), checks=(), free_from=None,
+        bounds=(), checks=(), free_from=None, on_edge=False,
     )  # fmt: skip
 
 
@@ -103,3 +104,60 @@ def test_the_table_says_what_compares_with_what_where_there_is_a_tolerance():
     one = outcome(t_z=0.0, t_y=0.0)
     assert told.compared(one) == []
     assert "compares" not in _torques(one).note
+
+
+def test_the_first_tile_is_the_worst_within_the_tolerance_as_it_is():
+    """3010 MPa of a corner, neither 2980 as drawn nor the 3300 that the search counts."""
+    tile = _tiles(outcome())[0]
+    assert tile.number == "3010 MPa"
+    assert tile.words == "largest at 25 N m, within tolerance (2980 as drawn)"
+    one = outcome(t_z=0.0, t_y=0.0)
+    assert _tiles(one)[0].words == "largest at 25 N m"
+
+
+def test_the_record_has_pressures_as_they_are_in_megapascals():
+    one = _torque(with_counts(outcome()), 1)
+    assert (one["p_least"], one["p"], one["p_worst"]) == (2960.0, 2980.0, 3010.0)
+    assert crown(np.array([2.6, 0.7, 25.000000000000004e-6]))["z_m_um"] == 25.0
+
+
+@pytest.mark.parametrize(
+    ("aim", "value", "unit"), [("pressure", 3245.0, "MPa"), ("excess", 3.245e9, "1")]
+)
+def test_what_is_made_least_is_recorded_with_its_unit(aim, value, unit):
+    one = with_counts(replace(outcome(aim=aim), true=3.245e9, predicted=3.245e9))
+    kriging = record(one)["kriging"]
+    assert (kriging["true"], kriging["predicted"], kriging["unit"]) == (value, value, unit)
+
+
+def with_counts(one):
+    one.search.model.counts = (5, 5)
+    return one
+
+
+def test_printed_ends_keep_what_is_between_them():
+    assert told.span(2, told.outward(np.array([12.347e-6, 12.351e-6]))) == "12.3 to 12.4 µm"
+    assert told.span(1, told.outward(np.array([0.6996, 0.7]))) == "0.699 to 0.7"
+    assert told.span(2, told.outward(np.array([25e-6, 25.000000000000004e-6]))) == "25 to 25 µm"
+
+
+def test_a_bound_that_costs_nothing_is_told_and_no_warning():
+    one = replace(outcome(), bounds=(Bound(1, 0.73, 0.0004), Bound(2, 27e-6, 0.02)))
+    (line,) = told.at_bounds(one)
+    assert line.startswith("K_2 is at the edge of its range, and a wider one gains nothing: 0.73")
+    (warning,) = [x for x in told.warnings(one) if "edge" in x]
+    assert warning.startswith("z_m is at the edge of its range: 27 µm alone would gain 2 %")
+
+
+def test_a_crown_without_tolerance_at_the_edge_of_its_ends_is_advised_to_have_one():
+    one = replace(outcome(t_z=0.0, t_y=0.0), on_edge=True)
+    assert told.on_edge(one) == ["give t_z, t_y: with z_m 5 % less its ends carry"]
+    assert "Give t_z, t_y: with" in _torques(one).note
+    assert told.on_edge(replace(one, on_edge=False)) == []
+    assert told.on_edge(replace(outcome(), on_edge=True)) == []
+
+
+def test_less_than_a_hundredth_of_a_per_cent_is_told_as_that():
+    assert [told.percent(x) for x in (3.2e-8, -5.7e-6, 1.2e-4, -0.02)] == [
+        "< 0.01 %", "< 0.01 %", "+0.012 %", "-2 %",
+    ]  # fmt: skip

@@ -35,7 +35,8 @@ def run_design(
         print_outcome(outcome)
     if out is not None:
         made = files(outcome, f"freewheel design {'' if use_fem else '--no-fem '}"
-                              f"{shlex.quote(path.name)}")  # fmt: skip
+                              f"--out {shlex.quote(out.name or '.')} "
+                              f"{shlex.quote(path.name)}", out.name)  # fmt: skip
         for name, text in made.items():
             try:
                 write_whole(out / name, partial(_fill, text))
@@ -46,12 +47,12 @@ def run_design(
     return 0 if outcome.passed else 1
 
 
-def files(outcome: Outcome, repeat: str) -> Mapping[str, str]:
+def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:
     """What goes into the folder, by name."""
     from reports.design import page as drawn
     from verify.design_sprag.page import page
 
-    repeat += f"\nfreewheel check --dynamic {CHOSEN}"
+    repeat += f"\nfreewheel check --dynamic {shlex.quote(str(Path(folder) / CHOSEN))}"
     return {
         "profile.csv": profile_csv(outcome),
         "designs.csv": designs_csv(outcome),

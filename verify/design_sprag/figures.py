@@ -82,7 +82,7 @@ def plane(outcome: Outcome, i: int, j: int) -> Density:
     crowns = np.tile(outcome.crown, (CELLS * CELLS, 1))
     crowns[:, i], crowns[:, j] = (a.ravel() for a in np.meshgrid(x, y))
     worst = search.worst(crowns)
-    if len(task.torques) > 1 and task.wishes.aim == "excess":
+    if outcome.relative:
         z, unit = 100 * ((worst / outcome.best).max(axis=1) - 1), "excess [%]"
         least = 100 * float(outcome.excess.max())
         span = (least, least + 100 * (SHADED - 1))

@@ -45,6 +45,7 @@ class Model:
     ) -> None:  # fmt: skip
         self.q, self.torques, self.jobs, self.tell = q, torques, jobs, tell
         self.folder = folder or cache.default_folder() / "design-sprag"
+        self.engaged: set[Crown] = set()
         self.one: Built = built(with_crown(q, middle))
         self.Q = float(with_crown(q, None).Q or 0)
         first = self._engaged(np.array([middle]))
@@ -123,10 +124,11 @@ class Model:
                 found[missing[number]] = answer
                 store(self.folder, whole[missing[number]], answer)
         except KeyboardInterrupt as stop:
-            done = sum(map(len, found.values()))
+            done = self.engaged.union(*(whole[k][2] for k in found))
             raise KeyboardInterrupt(
-                f"interrupted: {done} of {len(crowns)} crowns are kept, the same command goes on"
+                f"interrupted: {len(done)} crowns are kept, the same command goes on"
             ) from stop
+        self.engaged.update(*tasks)
         return [one for k in range(len(whole)) for one in found[k]]
 
 

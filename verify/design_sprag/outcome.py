@@ -22,17 +22,22 @@ from verify.shown import Array
 FLAT = 0.005  # of what is made least: crowns within it are as good
 SCATTERED, LINE = 3000, 201
 EDGE, BEYOND = 0.01, 0.10  # of a range: how near a bound is at it; how far beyond is looked
-GAIN = 0.001  # from which on a bound is told
+GAIN = 0.001  # from which on a bound costs something
+SHALLOWER = 0.95  # of z_m, where the ends of a crown at their edge would carry
 MOST_JOBS = 2
 
 
 @dataclass(frozen=True)
 class Bound:
-    """A bound that the best crown is at: the number of its parameter, and what more would gain."""
+    """A bound that the best crown is at: the number of its parameter, and what `beyond` gains."""
 
     parameter: int
     beyond: float
     gain: float
+
+    @property
+    def costs(self) -> bool:
+        return self.gain > GAIN
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +67,12 @@ class Outcome:
     bounds: Sequence[Bound]
     checks: Sequence[Check]
     free_from: float | None  # z_m [m] that unloads ends which carry
+    on_edge: bool  # whether ends that are free would carry at SHALLOWER z_m
+
+    @property
+    def relative(self) -> bool:
+        """Whether an excess is made least, not a pressure."""
+        return self.task.wishes.aim == "excess" and len(self.task.torques) > 1
 
     @property
     def excess(self) -> Array:
@@ -145,7 +156,16 @@ def _carried_out(task: Task, tell: object, use_half_space: bool) -> Outcome:
         rounds=len(joint.history), alone=alone, together=together,
         bounds=bound(search, worth, crown, worst), checks=found,
         free_from=unloading(model, loaded[-1]) if loaded else None,
+        on_edge=_on_edge(model, crown),
     )  # fmt: skip
+
+
+def _on_edge(model: Model, crown: Array) -> bool:
+    """Whether the ends of a crown (3,) are free, and carry under a torque once it is shallower."""
+    pair = np.array([crown, crown * [1, 1, SHALLOWER]])
+    loads = model.answers(crown[None]).N_max[0]
+    carry = np.array([ends_carry(model, pair, np.full(2, N), k) for k, N in enumerate(loads)])
+    return bool(not carry[:, 0].any() and carry[:, 1].any())
 
 
 def _of_torque(k: int) -> Worth:
@@ -164,15 +184,14 @@ def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[
     most = (1 + FLAT) * max(worth(worst[None])[0], worth(search.worst(crown[None]))[0])
     scattered = crowns_of(random_designs(search.box, SCATTERED, search.task.wishes.seed))
     good = scattered[worth(search.worst(scattered)) <= most]
-    good = np.vstack([good, crown])
-    together = np.column_stack([good.min(axis=0), good.max(axis=0)])
     alone = np.empty((3, 2))
     for j in range(3):
         line = np.repeat(crown[None], LINE, axis=0)
         line[:, j] = np.linspace(search.task.low[j], search.task.high[j], LINE)
         kept = worth(search.worst(line)) <= most
         alone[j] = _around(line[:, j], kept, crown[j])
-    return alone, together
+    good = np.vstack([good, alone.T])  # a parameter moved alone is one of the crowns, too
+    return alone, np.column_stack([good.min(axis=0), good.max(axis=0)])
 
 
 def _around(values: Array, kept: Array, at: float) -> Array:
@@ -187,7 +206,7 @@ def _around(values: Array, kept: Array, at: float) -> Array:
 
 
 def bound(search: Search, worth: Worth, crown: Array, worst: Array) -> Sequence[Bound]:
-    """Bounds of the ranges that the crown is at and that cost something, by the true model."""
+    """Bounds of the ranges that the crown is at, and what more would gain, by the true model."""
     task, found = search.task, []
     for j in range(3):
         low, high = task.low[j], task.high[j]
@@ -206,6 +225,5 @@ def bound(search: Search, worth: Worth, crown: Array, worst: Array) -> Sequence[
         known = search.model.answers(corners(task, other[None])[0])
         there = known.largest(task.wishes.contacts).max(axis=0)
         gain = 1 - worth(there[None])[0] / worth(worst[None])[0]
-        if gain > GAIN:
-            found.append(Bound(j, float(beyond), float(gain)))
+        found.append(Bound(j, float(beyond), float(gain)))
     return found

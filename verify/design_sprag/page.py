@@ -12,12 +12,10 @@ from verify.design_sprag.told import (
     HEAD_CROWN,
     check_heads,
     check_line,
-    compared,
     crown_table,
     named,
-    paper_s_way,
+    remarks,
     so_many,
-    surely,
     torque_heads,
     torque_table,
     torques,
@@ -80,17 +78,19 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     k = len(outcome.task.torques) - 1
     T = f"{outcome.task.torques[k]:g} N m"
     now, p = float(outcome.largest(outcome.now)[0, k]), float(outcome.pressures[k])
+    worst = float(outcome.largest(outcome.chosen)[:, k].max())
+    drawn = "" if outcome.search.single else f", within tolerance ({p / MPa:.0f} as drawn)"
     less = f"{100 * (p / now - 1):+.1f} %".replace("-", "−")
     ends = f", whose ends carry: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
     found = [
-        Tile(number=f"{p / MPa:.0f} MPa", words=f"largest at {T}"),
+        Tile(number=f"{worst / MPa:.0f} MPa", words=f"largest at {T}{drawn}"),
         Tile(number=less, words=f"against the crown now{ends}"),
         Tile(number=f"{len(outcome.search.model.known)}", words="crowns engaged"),
     ]
     if outcome.checks:
-        worst = max(abs(c.off(c.judged)) for c in outcome.checks)
+        off = max(abs(c.off(c.judged)) for c in outcome.checks)
         ends = "; its ends carry" if any(c.end > 0 for c in outcome.checks) else ""
-        found.append(Tile(number=f"{100 * worst:.1f} %", words=f"off a half-space at most{ends}",
+        found.append(Tile(number=f"{100 * off:.1f} %", words=f"off a half-space at most{ends}",
                           css="is-pass" if outcome.verified else "is-fail"))  # fmt: skip
     return found
 
@@ -106,7 +106,7 @@ def _failure(outcome: Outcome) -> Sequence[str]:
 def _lead(outcome: Outcome) -> str:
     aim = (
         "the largest excess over the best crown of each torque is least"
-        if outcome.task.wishes.aim == "excess" and len(outcome.task.torques) > 1
+        if outcome.relative
         else "the largest pressure is least"
     )
     within = "" if outcome.search.single else ", within its tolerance,"
@@ -137,12 +137,16 @@ def _torques(outcome: Outcome) -> Table:
         f"{name} [{unit}]" if unit in ("N m", "N") else f"{name} {unit}".strip()
         for name, unit in zip(names, more, strict=True)
     )
-    lines = [*compared(outcome), surely(outcome), *paper_s_way(outcome)]
-    way = " ".join(f"{line[0].upper()}{line[1:]}." for line in lines)
+    way = " ".join(f"{sentence(line)}." for line in remarks(outcome))
     return Table(
         title="Torque by torque", header=heads, rows=tuple(torque_table(outcome)),
         note=f"Largest pressures at the inner contacts as the clutch engages, in MPa. {way}",
     )  # fmt: skip
+
+
+def sentence(line: str) -> str:
+    """A line with a capital letter."""
+    return f"{line[0].upper()}{line[1:]}"
 
 
 def _checks(outcome: Outcome) -> Sequence[Table]:

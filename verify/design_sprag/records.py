@@ -16,6 +16,7 @@ from verify.inputs import meta
 from verify.shown import Array
 
 CHOSEN = "clutch.toml"
+DIGITS = 10  # of a crown: all but what another unit leaves
 POINTS = 181  # of the profile
 MPa, mm, um = 1e6, 1e-3, 1e-6
 
@@ -25,6 +26,7 @@ def record(outcome: Outcome) -> dict[str, Any]:
     task, model = outcome.task, outcome.search.model
     near, whole = outcome.search.judged[-1]
     q = task.clutch
+    unit = 1.0 if outcome.relative else MPa  # of what is made least
     return {
         "name": task.name,
         "aim": task.wishes.aim,
@@ -44,12 +46,13 @@ def record(outcome: Outcome) -> dict[str, Any]:
         },
         "bounds": [
             {"parameter": ("K_1", "K_2", "z_m")[b.parameter], "gain": b.gain,
-             "at": b.beyond / (um if b.parameter == 2 else 1),
+             "at": _digits(b.beyond / (um if b.parameter == 2 else 1)),
              "unit": "µm" if b.parameter == 2 else "1"} for b in outcome.bounds
         ],
         "kriging": {
-            "crowns": len(model.known), "rounds": outcome.rounds, "predicted": outcome.predicted,
-            "true": outcome.true,
+            "crowns": len(model.known), "rounds": outcome.rounds,
+            "predicted": outcome.predicted / unit, "true": outcome.true / unit,
+            "unit": "1" if outcome.relative else "MPa",
             "near": {"count": near.count, "mean": near.mean, "largest": near.largest},
             "all": {"count": whole.count, "mean": whole.mean, "largest": whole.largest},
         },
@@ -63,12 +66,16 @@ def record(outcome: Outcome) -> dict[str, Any]:
 
 def crown(values: Array) -> dict[str, float]:
     """A crown by name."""
-    return {"K_1": float(values[0]), "K_2": float(values[1]), "z_m_um": float(values[2] / um)}
+    names = ("K_1", "K_2", "z_m_um")
+    return dict(zip(names, map(_digits, values / [1, 1, um]), strict=True))
+
+
+def _digits(value: float) -> float:
+    return float(f"{value:.{DIGITS}g}")
 
 
 def _torque(outcome: Outcome, k: int) -> dict[str, Any]:
-    contacts = outcome.task.wishes.contacts
-    counted = outcome.chosen.counted(contacts, k).max(axis=1)
+    p = outcome.largest(outcome.chosen)[:, k]
     N = float(outcome.chosen.N_max[0, k])
     return {
         "T": outcome.task.torques[k],
@@ -82,8 +89,8 @@ def _torque(outcome: Outcome, k: int) -> dict[str, Any]:
         "best": crown(outcome.best_crowns[k]),
         "p": float(outcome.pressures[k]) / MPa,
         "p_slices": float(outcome.chosen.slices[0, k].max()) / MPa,
-        "p_least": float(counted.min()) / MPa,
-        "p_worst": float(outcome.worst[k]) / MPa,
+        "p_least": float(p.min()) / MPa,
+        "p_worst": float(p.max()) / MPa,
         "excess": float(outcome.excess[k]),
     }
 
@@ -138,7 +145,7 @@ def _csv(heads: Sequence[str], rows: Sequence[tuple[str, ...]]) -> str:
 
 def chosen_file(outcome: Outcome) -> str:
     """A parameter file of the clutch with the best crown, for `freewheel check --dynamic`."""
-    K_1, K_2, z_m = (float(x) for x in outcome.crown)
+    K_1, K_2, z_m = map(_digits, outcome.crown)
     q = outcome.task.clutch.model_copy(
         update={"K_1": K_1, "K_2": K_2, "z_m": z_m, "Q": outcome.search.model.Q}
     )

@@ -6,7 +6,7 @@ import numpy as np
 
 from verify.design_sprag.inputs import Task
 from verify.design_sprag.known import Known
-from verify.design_sprag.outcome import FLAT, Outcome
+from verify.design_sprag.outcome import FLAT, SHALLOWER, Outcome
 from verify.design_sprag.search import AGREE
 from verify.design_sprag.verified import CELLS, LIMIT, Check
 from verify.shown import Array
@@ -29,7 +29,7 @@ def print_outcome(outcome: Outcome) -> None:
     print("largest pressures as the clutch engages [MPa]")
     for line in aligned([*torque_heads(outcome), *torque_table(outcome)]):
         print(f"  {line}")
-    for line in (*compared(outcome), surely(outcome), *paper_s_way(outcome)):
+    for line in remarks(outcome):
         print(line)
     if outcome.checks:
         print("half-space, under the same forces [MPa]")
@@ -68,8 +68,8 @@ def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
             shown(j, now[j]) if q.z_m else "none",
             shown(j, outcome.crown[j]),
             span(j, np.array([task.low[j], task.high[j]])),
-            span(j, outcome.alone[j]),
-            span(j, outcome.together[j]),
+            span(j, outward(outcome.alone[j])),
+            span(j, outward(outcome.together[j])),
         )
         for j in range(3)
     ]
@@ -84,6 +84,13 @@ def span(j: int, ends: Array) -> str:
     """Two values of parameter number j."""
     low, high = (f"{x / UNITS[j]:.3g}" for x in ends)
     return f"{low} to {high}" + (" µm" if j == 2 else "")
+
+
+def outward(ends: Array) -> Array:
+    """Two positive values in three digits, which keep between them what was."""
+    step = 10.0 ** (np.floor(np.log10(ends)) - 2)
+    low, high = np.round(ends / step, 6)  # what is whole but for its last digit is whole
+    return np.array([np.floor(low), np.ceil(high)]) * step
 
 
 def torque_heads(outcome: Outcome) -> list[tuple[str, ...]]:
@@ -110,9 +117,14 @@ def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
             pressure(outcome, outcome.without, k, ends=True),
             f"{outcome.best[k] / MPa:.0f}", *(shown(j, crown[j]) for j in range(3)),
             f"{outcome.pressures[k] / MPa:.0f}",
-            *((band(outcome, k),) if tolerance else ()), f"{100 * outcome.excess[k]:+.2g} %",
+            *((band(outcome, k),) if tolerance else ()), percent(float(outcome.excess[k])),
         ))  # fmt: skip
     return lines
+
+
+def percent(share: float) -> str:
+    """A difference in per cent, of which less than a hundredth is nobody's."""
+    return f"{100 * share:+.2g} %" if abs(share) >= 1e-4 else "< 0.01 %"
 
 
 def band(outcome: Outcome, k: int) -> str:
@@ -133,6 +145,31 @@ def so_many(outcome: Outcome, k: int) -> str:
     return f"{outcome.now.along(contacts, k).shape[1]} {contacts}"
 
 
+def remarks(outcome: Outcome) -> list[str]:
+    """What is said below the table of torques."""
+    return [
+        *compared(outcome), surely(outcome), *at_bounds(outcome), *on_edge(outcome),
+        *paper_s_way(outcome),
+    ]  # fmt: skip
+
+
+def at_bounds(outcome: Outcome) -> list[str]:
+    """Bounds that the best crown is at and that cost nothing."""
+    return [
+        f"{SYMBOLS[b.parameter]} is at the edge of its range, and a wider one gains nothing: "
+        f"{shown(b.parameter, b.beyond)} alone was tried"
+        for b in outcome.bounds
+        if not b.costs
+    ]
+
+
+def on_edge(outcome: Outcome) -> list[str]:
+    """Advice where a crown without tolerance is at the edge of its ends."""
+    if not (outcome.search.single and outcome.on_edge):
+        return []
+    return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less its ends carry"]
+
+
 def compared(outcome: Outcome) -> list[str]:
     """Which pressures of the table may be compared, where there is a tolerance."""
     if outcome.search.single:
@@ -147,10 +184,11 @@ def surely(outcome: Outcome) -> str:
     """How good kriging is, and how far it was from the true model at the end."""
     near, whole = outcome.search.judged[-1]
     return (
-        f"kriging: at the best crown {100 * (outcome.predicted / outcome.true - 1):+.2g} % of the "
+        f"kriging: at the best crown {percent(outcome.predicted / outcome.true - 1)} off the "
         f"true model ({100 * AGREE:g} % asked for), {outcome.rounds} rounds; on {near.count} fresh "
-        f"random crowns near the best {near.mean:.2%} in the mean and {near.largest:.2%} at most "
-        f"(all {whole.count}: {whole.mean:.2%}, {whole.largest:.2%})"
+        f"random crowns near the best {100 * near.mean:.2f} % in the mean and "
+        f"{100 * near.largest:.2f} % at most (all {whole.count}: {100 * whole.mean:.2f} %, "
+        f"{100 * whole.largest:.2f} %)"
     )
 
 
@@ -246,6 +284,7 @@ def _bounds(outcome: Outcome) -> list[str]:
         f"{SYMBOLS[b.parameter]} is at the edge of its range: {shown(b.parameter, b.beyond)} "
         f"alone would gain {100 * b.gain:.2g} %"
         for b in outcome.bounds
+        if b.costs
     ]
 
 
