@@ -130,8 +130,8 @@ TABLE_2 = (
     *(
         Recomputed(name=f"Table 2, row {k}: error of the printed pair", symbol="ε", unit="%",
                    row=k, reference=f"huang2018:table2-row{k}-error",
-                   **({"demand": COARSE, "demand_reason": "printed with one digit"}
-                      if k == ONE_DIGIT else {}))
+                   demand=COARSE if k == ONE_DIGIT else judge.DEMAND,
+                   demand_reason="printed with one digit" if k == ONE_DIGIT else "")
         for k in ROWS if k not in (SAMPLE, CUT)
     ),
     Noted(name=f"Table 2, row {CUT}: error of the printed pair", symbol="ε", unit="%",
