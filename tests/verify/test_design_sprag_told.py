@@ -92,9 +92,9 @@ def test_ends_that_carry_are_told_though_the_largest_pressure_is_inside():
 
 def test_the_tile_says_whose_ends_carry():
     words = [tile.words for tile in _tiles(outcome())]
-    assert "against the crown now, whose ends carry: 5 strips" in words
+    assert "as drawn, against the crown now, whose ends carry: 5 strips" in words
     words = [tile.words for tile in _tiles(outcome(now_carries=(True, False)))]
-    assert "against the crown now" in words
+    assert "as drawn, against the crown now" in words
 
 
 def test_the_table_says_what_compares_with_what_where_there_is_a_tolerance():
@@ -144,7 +144,7 @@ def test_printed_ends_keep_what_is_between_them():
 def test_a_bound_that_costs_nothing_is_told_and_no_warning():
     one = replace(outcome(), bounds=(Bound(1, 0.73, 0.0004), Bound(2, 27e-6, 0.02)))
     (line,) = told.at_bounds(one)
-    assert line.startswith("K_2 is at the edge of its range, and a wider one gains nothing: 0.73")
+    assert line.startswith("a wider range of K_2, which is at its edge, gains nothing: 0.73")
     (warning,) = [x for x in told.warnings(one) if "edge" in x]
     assert warning.startswith("z_m is at the edge of its range: 27 µm alone would gain 2 %")
 

@@ -80,11 +80,12 @@ def _tiles(outcome: Outcome) -> Sequence[Tile]:
     now, p = float(outcome.largest(outcome.now)[0, k]), float(outcome.pressures[k])
     worst = float(outcome.largest(outcome.chosen)[:, k].max())
     drawn = "" if outcome.search.single else f", within tolerance ({p / MPa:.0f} as drawn)"
+    shape = "" if outcome.search.single else "as drawn, "
     less = f"{100 * (p / now - 1):+.1f} %".replace("-", "−")
     ends = f", whose ends carry: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
     found = [
         Tile(number=f"{worst / MPa:.0f} MPa", words=f"largest at {T}{drawn}"),
-        Tile(number=less, words=f"against the crown now{ends}"),
+        Tile(number=less, words=f"{shape}against the crown now{ends}"),
         Tile(number=f"{len(outcome.search.model.known)}", words="crowns engaged"),
     ]
     if outcome.checks:
@@ -112,7 +113,8 @@ def _lead(outcome: Outcome) -> str:
     within = "" if outcome.search.single else ", within its tolerance,"
     return (
         f"{named(outcome.crown)} for Q = {outcome.search.model.Q:.5g} N: of all crowns in the "
-        f"ranges this is where {aim}{within} under {torques(outcome.task)}. {verdict(outcome)}."
+        f"ranges this is where {aim}{within} under {torques(outcome.task)}. "
+        f"{sentence(verdict(outcome))}."
     )
 
 

@@ -156,7 +156,7 @@ def remarks(outcome: Outcome) -> list[str]:
 def at_bounds(outcome: Outcome) -> list[str]:
     """Bounds that the best crown is at and that cost nothing."""
     return [
-        f"{SYMBOLS[b.parameter]} is at the edge of its range, and a wider one gains nothing: "
+        f"a wider range of {SYMBOLS[b.parameter]}, which is at its edge, gains nothing: "
         f"{shown(b.parameter, b.beyond)} alone was tried"
         for b in outcome.bounds
         if not b.costs
