@@ -111,4 +111,4 @@ def test_it_prints(folder):
            (folder / "report.html").as_uri())  # fmt: skip
     data = target.read_bytes()
     assert data.startswith(b"%PDF")
-    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 240
+    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 280

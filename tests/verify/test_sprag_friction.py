@@ -63,7 +63,7 @@ def steps_alone(monkeypatch):
     monkeypatch.setattr(steps, "partners_fem", lambda *_: kept)
     for name, keys in (
         ("guarded_fem", ("guard",)), ("swept_fem", ("sweep",)), ("map_fem", ("map",)),
-        ("narrow_fem", ("narrow",)), ("boundaries_fem", ("boundaries",)),
+        ("narrow_fem", ("narrow", "unguarded")), ("boundaries_fem", ("boundaries",)),
     ):  # fmt: skip
         monkeypatch.setattr(
             steps, name, lambda *_, keys=keys: {key: right.arrays[key] for key in keys}

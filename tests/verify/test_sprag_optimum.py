@@ -97,7 +97,8 @@ def test_what_grows_with_the_torque_is_told_where_it_does_not(arrays, row):
 
 
 def forget():
-    for function in (sprag_optimum_formulas.analytic, sprag_clutch_model.built):
+    model = sprag_clutch_model
+    for function in (sprag_optimum_formulas.analytic, model.built, model.under):
         function.cache_clear()
 
 
