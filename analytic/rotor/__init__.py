@@ -1,0 +1,1 @@
+"""Clutch and rotor: stiffness in closed form, rotating shafts, exact transfer matrices."""

@@ -1,0 +1,1 @@
+"""Rotors of coaxial shafts as beams: vibration, critical speeds and unbalance response."""

@@ -1,0 +1,1 @@
+"""Half-sections of stepped shafts: x is the radius, y the axis."""
