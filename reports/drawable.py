@@ -10,14 +10,17 @@ from reports import svg
 from reports.plots import WIDTH
 from verify.shown import (
     Bars,
+    Campbell,
     Curves,
     Density,
     Dots,
     Figure,
     Map,
+    Parallel,
     Profile,
     Refinement,
     Shapes,
+    Whirl,
     Zones,
 )
 
@@ -45,6 +48,12 @@ def drawable(figure: Figure) -> bool:
             return _finite((figure.x, figure.y)) and bool(np.any(np.isfinite(figure.z)))
         case Map():  # where there is nothing to compare it says so in the cell
             return bool(figure.rows and figure.columns)
+        case Whirl():
+            return bool(figure.modes) and all(mode.lines for mode in figure.modes)
+        case Campbell():
+            return figure.speeds.size > 1 and bool(np.any(np.isfinite(figure.frequencies)))
+        case Parallel():
+            return bool(figure.axes) and bool(figure.members.size)
 
 
 def nothing(title: str) -> Markup:

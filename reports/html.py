@@ -27,15 +27,18 @@ from reports.zones import zones
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
 from verify.shown import (
     Bars,
+    Campbell,
     Curves,
     Density,
     Dots,
     Figure,
     Map,
+    Parallel,
     Profile,
     Refinement,
     Shapes,
     Table,
+    Whirl,
     Zones,
 )
 
@@ -234,6 +237,8 @@ def plot(figure: Figure) -> Markup:
             return density(figure)
         case Bars():
             return bars(figure)
+        case Whirl() | Campbell() | Parallel():
+            return nothing(figure.title)
 
 
 def _environment(glyphs: Glyphs) -> jinja2.Environment:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,10 +120,23 @@ class Curve:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Band:
+    """The range between two curves, `lower` and `upper` over x (m,), behind those of its colour."""
+
+    name: str
+    x: Array
+    lower: Array
+    upper: Array
+    colour: int = 0
+
+
+@dataclass(frozen=True, kw_only=True)
 class Curves:
     """Several curves on the same axes, named below, from `y_bottom` on (zero, or the lowest).
 
     `y_top` cuts what runs off to infinity. `x_names` puts names where x has the values given.
+    `bands` lie behind the curves. `y_log` spaces y by its logarithm, from the lowest on; what is
+    not positive is left out.
     """
 
     title: str
@@ -133,6 +147,8 @@ class Curves:
     y_top: float | None = None
     y_bottom: float | None = None
     x_names: tuple[tuple[float, str], ...] = ()
+    bands: tuple[Band, ...] = ()
+    y_log: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -238,7 +254,92 @@ class Bars:
     note: str = ""
 
 
-Figure = Profile | Refinement | Dots | Curves | Map | Shapes | Zones | Density | Bars
+@dataclass(frozen=True, kw_only=True)
+class Mode:
+    """A mode of turning shafts: for each shaft places z (m,) and displacements x, y (m,) there.
+
+    Displacements are complex, of any size: at the time t they are the real parts of x e^{iωt} and
+    y e^{iωt}, ω > 0. A circle run through from x to y, y = -ix, is forward whirl of a shaft that
+    turns so; y = ix is backward whirl; x and y in phase stay in a plane.
+    """
+
+    name: str
+    lines: tuple[tuple[Array, ComplexArray, ComplexArray], ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Whirl:
+    """Modes of coaxial shafts in space and, on the page, in motion; all to one scale along z.
+
+    `outlines` are z and radius (m,) of each shaft, a step as two points of one z. `supports` are
+    the places z of bearings to ground, `links` those between shafts. Lengths are in `unit`.
+    """
+
+    title: str
+    unit: str
+    modes: tuple[Mode, ...]
+    outlines: tuple[tuple[Array, Array], ...]
+    supports: tuple[float, ...] = ()
+    links: tuple[float, ...] = ()
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Campbell:
+    """Natural frequencies (n, branches) over the speed (n,), in the units of the labels.
+
+    `whirl` of each branch is 1 (forward), -1 (backward) or 0 (neither); `names` stand at their
+    ends. `excitations` are lines through the origin: name and frequency per speed. `critical` are
+    speed, frequency and name of where they meet branches; `peers` speeds and frequencies (k,) of
+    `peers_name`. The speeds of operation, `range`, are shaded.
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    speeds: Array
+    frequencies: Array
+    whirl: tuple[int, ...]
+    names: tuple[str, ...] = ()
+    excitations: tuple[tuple[str, float], ...] = ()
+    critical: tuple[tuple[float, float, str], ...] = ()
+    range: tuple[float, float] | None = None
+    peers: tuple[Array, Array] | None = None
+    peers_name: str = ""
+    y_top: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParallelAxis:
+    """An upright axis from `low` to `high`, in `unit`, spaced by the logarithm where `log`."""
+
+    name: str
+    unit: str
+    low: float
+    high: float
+    log: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class Parallel:
+    """Sets of parameters as lines across upright axes: `members` (k, axes), some `highlighted`.
+
+    The latter are row, name and colour (0 to 5); the others are thin.
+    """
+
+    title: str
+    axes: tuple[ParallelAxis, ...]
+    members: Array
+    highlighted: tuple[tuple[int, str, int], ...] = ()
+    members_name: str = ""
+    note: str = ""
+
+
+Figure = (
+    Profile | Refinement | Dots | Curves | Map | Shapes | Zones | Density | Bars
+    | Whirl | Campbell | Parallel
+)  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
