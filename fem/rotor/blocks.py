@@ -1,0 +1,116 @@
+"""A rotor in the complex coordinates of whirl, split into parts that do not know of each other.
+
+At each node r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 turn forwards, their
+conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports the two fall apart,
+and the problem is half as large; bending, torsion and stretching fall apart unless a link
+couples them. The change of coordinates is unitary, so that symmetric matrices become Hermitian.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse.csgraph import connected_components
+
+from fem.rotor.assemble import System
+from fem.rotor.elements import Array
+from fem.rotor.parts import UNKNOWNS
+
+Complex = NDArray[np.complex128]
+Indices = NDArray[np.int64]
+
+NONE = 1e-15  # a coupling, over the unknowns' own stiffness or mass, that is round-off
+_HALF = np.sqrt(0.5)
+# rows: r, conj r, z, phi, conj phi, theta_z; columns: x, y, z, theta_x, theta_y, theta_z
+WHIRL = np.array([
+    [_HALF, 1j * _HALF, 0, 0, 0, 0],
+    [_HALF, -1j * _HALF, 0, 0, 0, 0],
+    [0, 0, 1, 0, 0, 0],
+    [0, 0, 0, -1j * _HALF, _HALF, 0],
+    [0, 0, 0, 1j * _HALF, _HALF, 0],
+    [0, 0, 0, 0, 0, 1],
+])  # fmt: skip
+SENSE = np.array([1, -1, 0, 1, -1, 0])
+PLANE = np.array(["bending", "bending", "axial", "bending", "bending", "torsion"])
+
+
+@dataclass(frozen=True)
+class Block:
+    """Unknowns `at` of the complex coordinates, and their matrices (n, n).
+
+    `sense` is 1 where all turn forwards, -1 where all turn backwards, else 0; `planes` names the
+    kinds of motion that take part.
+    """
+
+    at: Indices
+    M: NDArray[np.inexact]
+    K: NDArray[np.inexact]
+    C: NDArray[np.inexact]
+    H: NDArray[np.inexact]  # i G, Hermitian
+    sense: int
+    planes: frozenset[str]
+
+    @cached_property
+    def undamped(self) -> bool:
+        """Whether K is Hermitian and nothing is damped, so that all eigenvalues are imaginary."""
+        skew = abs(self.K - self.K.conj().T).max()
+        return bool(not self.C.any() and skew <= 1e-14 * abs(self.K).max())
+
+    def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
+        """Amplitudes (..., unknowns) along the nodes' own unknowns of `v` (..., n)."""
+        whole = np.zeros((*v.shape[:-1], unknowns), complex)
+        whole[..., self.at] = v
+        return from_whirl(whole)
+
+
+def to_whirl(q: NDArray[np.inexact]) -> Complex:
+    """Amplitudes (..., n) in the complex coordinates of those of the nodes' own unknowns."""
+    nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
+    return np.asarray((nodes @ WHIRL.T).reshape(q.shape))
+
+
+def from_whirl(q: NDArray[np.inexact]) -> Complex:
+    """The way back of `to_whirl`."""
+    nodes = q.reshape(*q.shape[:-1], -1, UNKNOWNS)
+    return np.asarray((nodes @ WHIRL.conj()).reshape(q.shape))
+
+
+def blocks(system: System, speed: float = 0.0) -> list[Block]:
+    """The parts of `system`, with supports as they are at `speed` [rad/s]."""
+    K, C = system.at(speed)
+    M_w, K_w, C_w, G_w = (_turned(A) for A in (system.M, K, C, system.G))
+    linked = np.zeros(M_w.shape, bool)
+    for A in (M_w, K_w, C_w, G_w):
+        own = np.sqrt(abs(np.diag(A)))
+        scale = np.maximum(np.outer(own, own), NONE * abs(A).max())
+        linked |= abs(A) > NONE * scale
+    count, of = connected_components(linked, directed=False)
+    nodes = M_w.shape[0] // UNKNOWNS
+    sense, plane = np.tile(SENSE, nodes), np.tile(PLANE, nodes)
+    made = []
+    for k in range(count):
+        at = np.flatnonzero(of == k)
+        turns = set(sense[at].tolist())
+        grid = np.ix_(at, at)
+        M, own_K, own_C, H = (_plain(A[grid]) for A in (M_w, K_w, C_w, 1j * G_w))
+        made.append(
+            Block(
+                at, M, own_K, own_C, H, sense=turns.pop() if len(turns) == 1 else 0,
+                planes=frozenset(plane[at].tolist()),
+            )
+        )  # fmt: skip
+    return made
+
+
+def _turned(A: Array) -> Complex:
+    n = A.shape[0] // UNKNOWNS
+    cells = A.reshape(n, UNKNOWNS, n, UNKNOWNS)
+    left = np.tensordot(cells, WHIRL, axes=(1, 1))  # n, n, 6, a
+    both = np.tensordot(left, WHIRL.conj(), axes=(2, 1))  # n, n, a, b
+    return np.asarray(both.transpose(0, 2, 1, 3).reshape(A.shape))
+
+
+def _plain(A: Complex) -> NDArray[np.inexact]:
+    """Real where it is, which halves the work."""
+    return A.real.copy() if abs(A.imag).max(initial=0) <= NONE * abs(A).max(initial=0) else A

@@ -1,0 +1,136 @@
+"""Eigenvalues over the speed as branches: which one at a speed goes on in which at the next."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import linear_sum_assignment
+
+from fem.rotor.blocks import Block, Complex, blocks, to_whirl
+from fem.rotor.elements import Array
+from fem.rotor.model import Rotor
+from fem.rotor.pencil import Spectrum, spectrum
+
+SPARE = 6  # eigenvalues looked at beyond those asked for, which may come down among them
+BATCH = 64  # speeds solved together
+STILL = 1e-7  # Im lambda over its size, below which a motion does not oscillate
+ROUND = 1e-6  # share of the other sense in a motion, below which it has one
+
+
+@dataclass(frozen=True)
+class Branches:
+    """`values` lambda (speeds, k) and shapes (speeds, k, n) of the nodes' own unknowns."""
+
+    values: Complex
+    shapes: Complex
+    sense: NDArray[np.int64]
+
+
+def check_speeds(speeds: ArrayLike) -> Array:
+    """Speeds (m,); ValueError unless they are finite numbers."""
+    given = np.atleast_1d(np.asarray(speeds, float))
+    if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
+        raise ValueError("speeds are a row of finite numbers in rad/s")
+    return given
+
+
+def check_count(count: int) -> int:
+    """ValueError unless at least one mode is asked for."""
+    if count != int(count) or count < 1:
+        raise ValueError(f"at least one mode is asked for, got count={count}")
+    return int(count)
+
+
+def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
+    """The blocks to be solved: those of `plane`, and of two conjugate ones the forward one."""
+    known = ("bending", "torsion", "axial", "all")
+    if plane not in known:
+        raise ValueError(f"a plane is one of {', '.join(known)}, got {plane!r}")
+    made = blocks(rotor.system, speed)
+    return [b for b in made if b.sense >= 0 and (plane == "all" or plane in b.planes)]
+
+
+def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branches]:
+    """Branches of every block of `rotor`, at least `count` of each where it has as many."""
+    unknowns = rotor.system.M.shape[0]
+    if not rotor.system.varying:
+        return [_followed(b, speeds, count, unknowns) for b in parts(rotor, 0.0, plane)]
+    made = [parts(rotor, float(s), plane) for s in speeds]
+    if len({tuple(b.at.tobytes() for b in own) for own in made}) > 1:
+        raise ValueError("supports that couple the planes at some speeds alone: ask for each speed")
+    columns = zip(*made, strict=True)
+    return [_joined(list(own), speeds, count, unknowns) for own in columns]
+
+
+def _followed(block: Block, speeds: Array, count: int, unknowns: int) -> Branches:
+    chosen = [
+        _lowest(spectrum(block, speeds[i : i + BATCH]), block, count + SPARE)
+        for i in range(0, speeds.size, BATCH)
+    ]
+    return _tracked(block, [one for batch in chosen for one in batch], unknowns)
+
+
+def _joined(own: list[Block], speeds: Array, count: int, unknowns: int) -> Branches:
+    chosen = [
+        _lowest(spectrum(b, speeds[i : i + 1]), b, count + SPARE)[0] for i, b in enumerate(own)
+    ]
+    return _tracked(own[0], chosen, unknowns)
+
+
+Chosen = tuple[Complex, NDArray[np.inexact], NDArray[np.inexact]]
+
+
+def _lowest(found: Spectrum, block: Block, count: int) -> list[Chosen]:
+    """Per speed: the lowest oscillating eigenvalues, vectors and states.
+
+    Of a block of both senses the conjugate half is left out; a forward one has its backward
+    eigenvalues below zero.
+    """
+    made = []
+    for values, vectors, states in zip(found.values, found.vectors, found.states, strict=True):
+        size = abs(values)
+        oscillates = abs(values.imag) > STILL * size
+        resting = size <= STILL * np.median(size[np.isfinite(size)])
+        kept = np.isfinite(size) & (oscillates | resting)
+        if block.sense == 0:
+            kept &= (values.imag > 0) | resting
+        at = np.flatnonzero(kept)
+        at = at[np.argsort(abs(values.imag[at]), kind="stable")]
+        at = np.concatenate([at[values.imag[at] >= 0][:count], at[values.imag[at] < 0][:count]])
+        made.append((values[at], vectors[:, at], states[:, at]))
+    return made
+
+
+def _tracked(block: Block, chosen: list[Chosen], unknowns: int) -> Branches:
+    """The lowest branches of each sign, ordered at the first speed, followed onwards."""
+    values, vectors, states = chosen[0]
+    rows = [(values, vectors)]
+    for own, shape, state in chosen[1:]:
+        match = abs(states.conj().T @ state) ** 2
+        jump = abs(values.imag[:, None] - own.imag[None, :])
+        scale = 1 + abs(values.imag[:, None]) + abs(own.imag[None, :])
+        sign = np.sign(values.imag[:, None]) * np.sign(own.imag[None, :]) < 0
+        _, to = linear_sum_assignment(jump / scale + sign - match)
+        left = [k for k in range(own.size) if k not in set(to)][: values.size - to.size]
+        order = np.concatenate([to, left]).astype(int)
+        values, states = own[order], state[:, order]
+        rows.append((values, shape[:, order]))
+    size = min(v.size for v, _ in rows)
+    whole = np.array([v[:size] for v, _ in rows])
+    shapes = np.array([s[:, :size].T for _, s in rows])
+    real = block.real(shapes, unknowns)
+    if block.sense > 0:  # backward: the same whirl, written with a positive frequency
+        real = np.where((whole.imag < 0)[..., None], real.conj(), real)
+        whole = np.where(whole.imag < 0, whole.conj(), whole)
+    return Branches(whole, real, whirl_sense(real))
+
+
+def whirl_sense(shapes: Complex) -> NDArray[np.int64]:
+    """+1 forward, -1 backward, 0 to and fro, of shapes (..., n) of e^(i omega t), omega > 0."""
+    nodes = to_whirl(shapes).reshape(*shapes.shape[:-1], -1, 6)
+    across = (abs(nodes[..., :2]) ** 2).sum(axis=-2)
+    tilt = (abs(nodes[..., 3:5]) ** 2).sum(axis=-2)
+    size = across.sum(axis=-1, keepdims=True)
+    forward, backward = np.moveaxis(np.where(size > 0, across, tilt), -1, 0)
+    even = abs(forward - backward) <= ROUND * (forward + backward)
+    return np.where(even, 0, np.sign(forward - backward)).astype(int)

@@ -1,0 +1,73 @@
+"""Natural frequencies over the speed, followed from speed to speed (Campbell diagram)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from fem.rotor.blocks import Complex
+from fem.rotor.branches import branches, check_count, check_speeds
+from fem.rotor.elements import Array
+from fem.rotor.model import Rotor
+
+
+@dataclass(frozen=True)
+class Campbell:
+    """Branches over `speeds` (m,) [rad/s]: lambda (m, k), whirl (m, k), ordered at the first."""
+
+    speeds: Array
+    eigenvalues: Complex
+    whirl: NDArray[np.int64]
+
+    @property
+    def frequencies(self) -> Array:
+        """Im lambda (m, k) [rad/s]."""
+        return np.asarray(self.eigenvalues.imag)
+
+    @property
+    def damping(self) -> Array:
+        """Damping ratios -Re lambda/|lambda| (m, k)."""
+        size = abs(self.eigenvalues)
+        return np.asarray(-self.eigenvalues.real / np.where(size > 0, size, 1))
+
+    def crossings(self, ratio: float = 1.0) -> Array:
+        """Speeds (j,) [rad/s] where a branch meets `ratio` times the speed, by interpolation.
+
+        A parabola through the three nearest speeds; the error falls with the cube of their step.
+        """
+        found = []
+        for branch in self.frequencies.T:
+            gap = branch - abs(ratio) * self.speeds
+            for i in np.flatnonzero(np.sign(gap[:-1]) * np.sign(gap[1:]) <= 0):
+                if gap[i] == gap[i + 1]:
+                    continue
+                at = slice(max(0, min(i - 1, gap.size - 3)), max(0, min(i - 1, gap.size - 3)) + 3)
+                found.append(_root(self.speeds[at], gap[at], self.speeds[i : i + 2]))
+        return np.unique(np.round(found, 12))
+
+
+def campbell(rotor: Rotor, speeds: ArrayLike, count: int = 6, plane: str = "bending") -> Campbell:
+    """The `count` branches that lie lowest at the first of the rising `speeds` [rad/s].
+
+    A branch is followed by its shape, so that it keeps its name where branches cross, and by its
+    frequency where shapes change places. ValueError unless the speeds rise.
+    """
+    at = check_speeds(speeds)
+    if np.any(np.diff(at) <= 0):
+        raise ValueError("the speeds of a Campbell diagram rise")
+    found = branches(rotor, at, check_count(count), plane)
+    values = np.concatenate([b.values for b in found], axis=1)
+    whirl = np.concatenate([b.sense for b in found], axis=1)
+    order = np.argsort(values[0].imag, kind="stable")[:count]
+    return Campbell(at, values[:, order], whirl[:, order])
+
+
+def _root(x: Array, y: Array, between: Array) -> float:
+    """Root of the parabola through (x, y) in `between`, of the secant where there is none."""
+    left, right = between
+    roots = np.roots(np.polyfit(x, y, x.size - 1))
+    inside = [r.real for r in roots if abs(r.imag) == 0 and left <= r.real <= right]
+    if inside:
+        return float(inside[0])
+    secant = np.interp(between, x, y)
+    return float(left - secant[0] * (right - left) / (secant[1] - secant[0]))

@@ -1,0 +1,81 @@
+"""Critical speeds without a Campbell diagram: omega = e Omega put into the equations of motion.
+
+K v = omega^2 (M - i G/e) v is a problem for mu = 1/omega^2 with K in the place of the positive
+matrix. M - i G/e may be indefinite: a thin disc stiffens its shaft so much that a forward critical
+speed no longer exists. Negative mu are no speeds.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import eigh
+
+from fem.rotor.blocks import Block, Complex, blocks
+from fem.rotor.branches import check_count, whirl_sense
+from fem.rotor.elements import Array
+from fem.rotor.model import Rotor
+from fem.rotor.modes import normalised
+from fem.rotor.pencil import is_held
+
+WHIRLS = {"forward": (1,), "backward": (-1,), "both": (1, 0, -1)}
+ABSENT = 1e-13  # 1/omega^2 over the largest, below which no speed is left
+
+
+@dataclass(frozen=True)
+class CriticalSpeeds:
+    """Rotor speeds (k,) [rad/s] by size, shapes (k, nodes, 6) and the sense of the whirl (k,)."""
+
+    speeds: Array
+    shapes: Complex
+    whirl: NDArray[np.int64]
+
+
+def critical_speeds(
+    rotor: Rotor, count: int = 4, whirl: str = "forward", excitation: float = 1.0
+) -> CriticalSpeeds:
+    """Speeds of the rotor at which `excitation` times the speed is a natural frequency.
+
+    `whirl` is "forward", "backward" or "both"; on anisotropic supports every mode turns in one
+    of the two senses, "both" also has those that go to and fro. The sense of the whirl is against
+    that of a rotor with a positive speed. Damping is left out. For the unbalance of a shaft with
+    another ratio, `excitation` is that ratio. Fewer than `count` where there are no more.
+    ValueError for supports that depend on the speed, and for a rotor that is not supported.
+    """
+    check_count(count)
+    if whirl not in WHIRLS:
+        raise ValueError(f"a whirl is one of {', '.join(WHIRLS)}, got {whirl!r}")
+    if not (np.isfinite(excitation) and excitation != 0):
+        raise ValueError(f"an excitation is a ratio other than 0, got {excitation:g}")
+    if rotor.system.varying:
+        raise ValueError("supports depend on the speed: take the crossings of `campbell`")
+    speeds, shapes = [], []
+    for block in blocks(rotor.system):
+        if "bending" in block.planes:
+            own, v = _of_block(block, excitation)
+            speeds.append(own)
+            shapes.append(block.real(v, rotor.system.M.shape[0]))
+    found, shape = np.concatenate(speeds), np.concatenate(shapes)
+    sense = whirl_sense(shape) * int(np.sign(excitation))
+    order = [k for k in np.argsort(found, kind="stable") if sense[k] in WHIRLS[whirl]][:count]
+    return CriticalSpeeds(found[order], normalised(shape[order]), sense[order])
+
+
+def check_supported(block: Block) -> None:
+    """ValueError where a rigid motion of the rotor is left free."""
+    if not is_held(block):
+        moves = " or ".join(sorted(block.planes))
+        raise ValueError(f"the rotor is not supported: it can move rigidly in {moves}")
+
+
+def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
+    check_supported(block)
+    K, A = block.K, block.M - block.H / excitation
+    if abs(K - K.conj().T).max() > 1e-12 * abs(K).max():
+        raise ValueError(
+            "cross-coupled supports (kxy != kyx) have no undamped critical speeds: "
+            "take the crossings of `campbell`"
+        )
+    mu, v = eigh((A + A.conj().T) / 2, (K + K.conj().T) / 2)
+    real = np.flatnonzero(mu > ABSENT * abs(mu).max())
+    return 1 / (np.sqrt(mu[real]) * abs(excitation)), v[:, real].T

@@ -1,0 +1,124 @@
+"""Rotors of coaxial shafts: what is handed over, in SI units.
+
+    shaft = Shaft([Element(0.25, 0.05)] * 4)
+    rotor = Rotor([shaft], [Disc.cylinder(2, 0.3, 0.05, 0.04, 7850.0)],
+                  [Support(0, 1e8), Support(4, 1e8)])
+
+Nodes are the ends of the elements as given, numbered from 0 along the first shaft and then on
+along the next one. Each has the unknowns (x, y, z, theta_x, theta_y, theta_z), right-handed.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.rotor.assemble import System, assemble
+from fem.rotor.damping import Damping
+from fem.rotor.elements import Array
+from fem.rotor.parts import STEEL, Disc, Element, Link, Material, Shaft, SpeedSupport, Support
+
+__all__ = [
+    "STEEL", "Disc", "Element", "Link", "Material", "Rotor", "Shaft", "SpeedSupport", "Support",
+]  # fmt: skip
+THEORIES = ("timoshenko", "rayleigh", "euler")
+
+
+@dataclass(frozen=True)
+class Rotor:
+    """Shafts with discs, supports and links; every given element is `refine` beam elements.
+
+    `theory` is "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia). ValueError
+    for nodes that do not exist, and for discs on one shaft that overlap.
+    """
+
+    shafts: Sequence[Shaft]
+    discs: Sequence[Disc] = ()
+    supports: Sequence[Support | SpeedSupport] = ()
+    links: Sequence[Link] = ()
+    refine: int = 1
+    theory: str = "timoshenko"
+    damping: Damping | None = None
+
+    def __post_init__(self) -> None:
+        if not self.shafts:
+            raise ValueError("a rotor needs at least one shaft")
+        if self.theory not in THEORIES:
+            raise ValueError(f"a theory is one of {', '.join(THEORIES)}, got {self.theory!r}")
+        if self.refine != int(self.refine) or self.refine < 1:
+            raise ValueError(f"refine is a whole number >= 1, got {self.refine}")
+        count = self.stations
+        named = [("disc", d.node) for d in self.discs]
+        named += [("support", s.node) for s in self.supports]
+        named += [("link", n) for link in self.links for n in (link.a, link.b)]
+        for what, node in named:
+            if node != int(node) or not 0 <= node < count:
+                raise ValueError(f"a {what} is at node {node}, but nodes are 0 to {count - 1}")
+        self._check_discs()
+
+    def _check_discs(self) -> None:
+        wide = [d for d in self.discs if d.width > 0]
+        for _, group in self._by_shaft(wide):
+            for left, right in pairwise(sorted(group, key=lambda d: self.z[d.node])):
+                gap = float(self.z[right.node] - self.z[left.node])
+                gap -= (left.width + right.width) / 2
+                if gap < -1e-9 * (left.width + right.width):
+                    raise ValueError(
+                        f"discs at nodes {left.node} and {right.node} overlap by {-gap:g} m"
+                    )
+
+    def _by_shaft(self, discs: Sequence[Disc]) -> list[tuple[int, list[Disc]]]:
+        return [
+            (k, [d for d in discs if self.shaft_of[d.node] == k]) for k in range(len(self.shafts))
+        ]
+
+    @property
+    def stations(self) -> int:
+        """How many nodes have a number."""
+        return sum(len(s.elements) + 1 for s in self.shafts)
+
+    @cached_property
+    def first_nodes(self) -> NDArray[np.int64]:
+        """Number of each shaft's first node."""
+        counts = [len(s.elements) + 1 for s in self.shafts]
+        return np.concatenate([[0], np.cumsum(counts)[:-1]])
+
+    @cached_property
+    def z(self) -> Array:
+        """Place of the numbered nodes along the axis (stations,) [m]."""
+        return np.concatenate(
+            [s.z + np.cumsum([0.0, *(e.length for e in s.elements)]) for s in self.shafts]
+        )
+
+    @cached_property
+    def shaft_of(self) -> NDArray[np.int64]:
+        """Which shaft each numbered node is on."""
+        return np.repeat(np.arange(len(self.shafts)), [len(s.elements) + 1 for s in self.shafts])
+
+    @cached_property
+    def system(self) -> System:
+        """The assembled matrices."""
+        return assemble(self)
+
+    @property
+    def M(self) -> Array:
+        """Mass (n, n), the numbered nodes' unknowns first, six a node."""
+        return self.system.M
+
+    @property
+    def K(self) -> Array:
+        """Stiffness (n, n), without supports that depend on the speed."""
+        return self.system.K
+
+    @property
+    def C(self) -> Array:
+        """Damping (n, n), without supports that depend on the speed."""
+        return self.system.C
+
+    @property
+    def G(self) -> Array:
+        """Gyroscopic matrix (n, n) for a speed of 1 rad/s, skew."""
+        return self.system.G

@@ -1,0 +1,66 @@
+"""Free vibration of a rotor at one speed."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.rotor.blocks import Complex
+from fem.rotor.branches import branches, check_count, check_speeds
+from fem.rotor.elements import Array
+from fem.rotor.model import Rotor
+from fem.rotor.parts import UNKNOWNS
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Modes by rising frequency: lambda (k,), and shapes (k, nodes, 6) of e^(lambda t).
+
+    `whirl` (k,) is 1 where the shafts whirl forwards, in the sense of a positive speed, -1
+    backwards, 0 where they move to and fro (or only turn or stretch).
+    """
+
+    eigenvalues: Complex
+    shapes: Complex
+    whirl: NDArray[np.int64]
+
+    @property
+    def frequencies(self) -> Array:
+        """Im lambda (k,) [rad/s]: damped natural frequencies."""
+        return np.asarray(self.eigenvalues.imag)
+
+    @property
+    def damping(self) -> Array:
+        """Damping ratios -Re lambda/|lambda| (k,); negative where the motion grows."""
+        size = abs(self.eigenvalues)
+        return np.asarray(-self.eigenvalues.real / np.where(size > 0, size, 1))
+
+
+def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bending") -> Modes:
+    """The lowest `count` modes at `speed` [rad/s].
+
+    `plane` is "bending", "torsion", "axial" or "all"; what a link couples comes with either.
+    Shapes have a largest displacement (or, where nothing else moves, rotation) of 1 and inner nodes
+    of refined elements after the numbered ones. A rotor without supports has its rigid motions as
+    modes of frequency zero.
+    """
+    found = branches(rotor, check_speeds(speed), check_count(count), plane)
+    values = np.concatenate([b.values[0] for b in found])
+    shapes = np.concatenate([b.shapes[0] for b in found])
+    order = np.argsort(values.imag, kind="stable")[:count]
+    return Modes(
+        values[order],
+        normalised(shapes[order]),
+        np.concatenate([b.sense[0] for b in found])[order],
+    )
+
+
+def normalised(shapes: Complex) -> Complex:
+    """Shapes (k, n) as (k, nodes, 6) whose largest displacement is 1 and real."""
+    nodes = shapes.reshape(shapes.shape[0], -1, UNKNOWNS)
+    moved = nodes[:, :, :3].reshape(len(nodes), -1)
+    turned = nodes[:, :, 3:].reshape(len(nodes), -1)
+    still = abs(moved).max(axis=1) <= 1e-9 * abs(turned).max(axis=1)
+    chosen = np.where(still[:, None], turned, moved)
+    largest = np.take_along_axis(chosen, abs(chosen).argmax(axis=1)[:, None], axis=1)
+    return np.asarray(nodes / largest[:, :, None])

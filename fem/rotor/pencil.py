@@ -1,0 +1,127 @@
+"""Eigenvalues of (lambda^2 M + lambda (C + Omega G) + K) v = 0 for many speeds at once.
+
+Undamped, lambda = i omega, with Hermitian K, M and H = i G: for mu = 1/omega
+
+    mu^2 K v = M v - mu Omega H v,
+
+in the coordinates of the modes at rest, where K becomes 1 and M diagonal (B = diag b^2), the
+Hermitian standard problem
+
+    [[-Omega H, b], [b, 0]] [v; w] = mu [v; w].
+
+It needs K positive and bears unknowns without mass; where K leaves a rigid motion free, the
+problem for omega itself has the same form with M in the place of K. The other problems, damped or
+with a K that is not symmetric, are linearised in the same two ways and left to a general solver.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cholesky, eigh, solve_triangular
+
+from fem.rotor.blocks import Block, Complex
+from fem.rotor.elements import Array
+
+RIGID = 1e-13  # eigenvalues of K on the scale of its diagonal, below which a motion is free
+ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are zero
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Eigenvalues (speeds, k), their vectors (speeds, n, k) and states (speeds, m, k).
+
+    States are orthonormal in an undamped problem: their products tell which eigenvalue at one
+    speed goes on in which one at the next.
+    """
+
+    values: Complex
+    vectors: NDArray[np.inexact]
+    states: NDArray[np.inexact]
+
+
+def is_held(block: Block) -> bool:
+    """Whether K is positive (undamped problem) or regular: no rigid motion is left free."""
+    d = np.sqrt(abs(np.diag(block.K)))
+    if not d.all():
+        return False
+    scaled = block.K / np.outer(d, d)
+    return bool(np.linalg.svd(scaled, compute_uv=False)[-1] > RIGID)
+
+
+def spectrum(block: Block, speeds: Array) -> Spectrum:
+    """All eigenvalues of `block` at every speed [rad/s], infinite ones among them."""
+    if block.undamped:
+        return _undamped(block, speeds)
+    return _general(block, speeds)
+
+
+def _undamped(block: Block, speeds: Array) -> Spectrum:
+    held = is_held(block)
+    A, B = (block.K, block.M) if held else (block.M, block.K)
+    try:
+        lower = cholesky(A, lower=True)
+    except np.linalg.LinAlgError:
+        raise ArithmeticError(
+            "the stiffness is not positive: a support or link pushes away"
+            if held
+            else "unknowns without mass are left free: support them or give them mass"
+        ) from None
+    inner = solve_triangular(lower, solve_triangular(lower, B, lower=True).conj().T, lower=True)
+    squares, turn = eigh((inner + inner.conj().T) / 2)
+    if squares[0] < -1e-9 * squares[-1]:
+        raise ArithmeticError("a matrix of the rotor is not positive: check stiffness and mass")
+    kept = np.flatnonzero(squares > ABSENT * squares[-1])
+    b = np.sqrt(squares[kept])
+    half = solve_triangular(lower, block.H, lower=True)
+    H = solve_triangular(lower, half.conj().T, lower=True)
+    H = (1 if not held else -1) * (turn.conj().T @ H @ turn)
+    n, m = turn.shape[0], kept.size
+    S = np.zeros((speeds.size, n + m, n + m), H.dtype)
+    S[:, kept, n + np.arange(m)] = S[:, n + np.arange(m), kept] = b
+    S[:, :n, :n] = speeds[:, None, None] * H
+    values, states = np.linalg.eigh(S)
+    back = solve_triangular(lower, turn, lower=True, trans="C")
+    vectors = np.asarray(back @ states[:, :n, :])
+    return Spectrum(_imaginary(_inverse(values) if held else values), vectors, states)
+
+
+def _general(block: Block, speeds: Array) -> Spectrum:
+    held = is_held(block)
+    n = block.K.shape[0]
+    A, B = (block.K, block.M) if held else (block.M, block.K)
+    try:
+        rest = np.linalg.solve(A, np.hstack([block.C, -1j * block.H, B]))
+    except np.linalg.LinAlgError:
+        raise ArithmeticError(
+            "unknowns without mass are left free: support them or give them mass"
+        ) from None
+    C, G, B = rest[:, :n], rest[:, n : 2 * n], rest[:, 2 * n :]
+    S = np.zeros((speeds.size, 2 * n, 2 * n), complex)
+    S[:, :n, :n] = -(C + speeds[:, None, None] * G)
+    S[:, :n, n:] = -B
+    S[:, range(n, 2 * n), range(n)] = 1
+    values, states = np.linalg.eig(S)
+    states /= np.linalg.norm(states, axis=1, keepdims=True)
+    if held:
+        values = np.where(_vanishing(values), complex(0, np.inf), 1 / _nonzero(values))
+    return Spectrum(values, states[:, n:, :], states)
+
+
+def _inverse(mu: Array) -> Array:
+    return np.where(_vanishing(mu), np.inf, 1 / _nonzero(mu))
+
+
+def _vanishing(mu: NDArray[np.inexact]) -> NDArray[np.bool_]:
+    """Where 1/mu is an eigenvalue of infinite size: of unknowns without mass."""
+    return np.asarray(abs(mu) <= ABSENT * abs(mu).max(axis=-1, keepdims=True))
+
+
+def _nonzero(mu: NDArray[np.inexact]) -> NDArray[np.inexact]:
+    return np.where(_vanishing(mu), 1, mu)
+
+
+def _imaginary(omega: Array) -> Complex:
+    values = np.zeros(omega.shape, complex)
+    values.imag = omega
+    return values

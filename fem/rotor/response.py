@@ -1,0 +1,166 @@
+"""Steady vibration under forces that turn or swing: unbalance above all."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from fem.rotor.blocks import Block, Complex, blocks, to_whirl
+from fem.rotor.branches import check_speeds
+from fem.rotor.critical import check_supported
+from fem.rotor.elements import Array
+from fem.rotor.model import Rotor
+from fem.rotor.parts import UNKNOWNS, Link, Support
+
+CHUNK = 2_000_000  # entries of the matrices solved together
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """An ellipse: half axes [m], the small one negative where it is run backwards.
+
+    `inclination` [rad] is that of the large axis against x.
+    """
+
+    major: float
+    minor: float
+    inclination: float
+    x: complex
+    y: complex
+
+    def points(self, count: int = 90) -> Array:
+        """Places (count, 2) over one turn, the first at the time zero."""
+        turn = np.exp(2j * np.pi * np.arange(count) / count)
+        return np.column_stack([(self.x * turn).real, (self.y * turn).real])
+
+
+@dataclass(frozen=True)
+class Response:
+    """Amplitudes `q` (speeds, unknowns) of Re(q e^(i omega t)), at frequencies omega (speeds,)."""
+
+    rotor: Rotor
+    speeds: Array
+    omega: Array
+    q: Complex
+
+    def at(self, node: int) -> Complex:
+        """Amplitudes (speeds, 6) of a node: x, y, z, theta_x, theta_y, theta_z."""
+        self._check(node, self.rotor.stations, "node")
+        return np.asarray(self.q[:, UNKNOWNS * node : UNKNOWNS * (node + 1)])
+
+    def orbit(self, node: int, index: int = 0) -> Orbit:
+        """The ellipse of a node at the speed of number `index`."""
+        x, y = (complex(v) for v in self.at(node)[index, :2])
+        forward, backward = (x + 1j * y) / 2, (x - 1j * y).conjugate() / 2
+        turned = np.angle(forward * backward) / 2 if forward and backward else np.angle(forward)
+        return Orbit(
+            abs(forward) + abs(backward), abs(forward) - abs(backward), float(turned), x, y
+        )
+
+    def major(self, node: int) -> Array:
+        """Half the large axis of the node's orbit at every speed (speeds,) [m]."""
+        x, y = self.at(node)[:, 0], self.at(node)[:, 1]
+        return np.asarray((abs(x + 1j * y) + abs(x - 1j * y)) / 2)
+
+    def support_load(self, k: int) -> Complex:
+        """Forces and moments (speeds, 6) of the rotor on its support number `k`."""
+        self._check(k, len(self.rotor.supports), "support")
+        support = self.rotor.supports[k]
+        q = self.at(support.node)
+        if isinstance(support, Support):
+            return _load(support.K, support.C, q, self.omega)
+        each = [support.at(float(s)) for s in self.speeds]
+        return np.array([
+            _load(own.K, own.C, q[i : i + 1], self.omega[i : i + 1])[0]
+            for i, own in enumerate(each)
+        ])  # fmt: skip
+
+    def link_load(self, k: int) -> Complex:
+        """Forces and moments (speeds, 6) of node a on node b through link number `k`."""
+        self._check(k, len(self.rotor.links), "link")
+        link: Link = self.rotor.links[k]
+        return _load(link.stiffness, link.damping, self.at(link.a) - self.at(link.b), self.omega)
+
+    @staticmethod
+    def _check(k: int, count: int, what: str) -> None:
+        if not 0 <= k < count:
+            raise ValueError(f"there is no {what} {k}: they are 0 to {count - 1}")
+
+
+def unbalance_response(
+    rotor: Rotor, speeds: ArrayLike, unbalances: Mapping[int, complex]
+) -> Response:
+    """The response to `unbalances`: node -> mass times eccentricity [kg m], complex for its angle.
+
+    Each turns with its shaft, hence all of one response must be on shafts of one ratio.
+    ValueError otherwise, for nodes that do not exist and for a rotor that is not supported;
+    ArithmeticError at a resonance without damping.
+    """
+    at = check_speeds(speeds)
+    if not unbalances:
+        raise ValueError("an unbalance response needs an unbalance")
+    force = np.zeros(rotor.system.M.shape[0], complex)
+    ratios = set()
+    for node, value in unbalances.items():
+        if node != int(node) or not 0 <= node < rotor.stations:
+            raise ValueError(
+                f"an unbalance is at node {node}, but nodes are 0 to {rotor.stations - 1}"
+            )
+        if not np.isfinite(value):
+            raise ValueError(f"the unbalance at node {node} is not finite")
+        force[UNKNOWNS * node] += value
+        force[UNKNOWNS * node + 1] += -1j * value
+        ratios.add(rotor.shafts[rotor.shaft_of[node]].ratio)
+    if len(ratios) > 1:
+        raise ValueError("unbalances on shafts of different ratios are different responses")
+    omega = ratios.pop() * at
+    return forced_response(rotor, at, omega, omega[:, None] ** 2 * force)
+
+
+def forced_response(
+    rotor: Rotor, speeds: ArrayLike, omega: ArrayLike, force: NDArray[np.inexact]
+) -> Response:
+    """The response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
+
+    `speeds` and `omega` (m,) go together; one of them may be a single number.
+    """
+    at, frequency = np.broadcast_arrays(check_speeds(speeds), check_speeds(omega))
+    n = rotor.system.M.shape[0]
+    if force.shape[-1] != n:
+        raise ValueError(f"forces have {n} unknowns, got {force.shape[-1]}")
+    load = np.broadcast_to(to_whirl(np.asarray(force, complex)), (at.size, n))
+    q = np.zeros((at.size, n), complex)
+    if rotor.system.varying:
+        for i in range(at.size):
+            own = slice(i, i + 1)
+            for block in blocks(rotor.system, float(at[i])):
+                _solve(block, at[own], frequency[own], load[own], q[own])
+    else:
+        for block in blocks(rotor.system):
+            _solve(block, at, frequency, load, q)
+    return Response(rotor, np.asarray(at), np.asarray(frequency), q)
+
+
+def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex) -> None:
+    """Add the motion of `block` (speeds, unknowns) to `q`."""
+    f = load[:, block.at]
+    if not f.any():
+        return
+    check_supported(block)
+    n = block.at.size
+    step = max(1, CHUNK // n**2)
+    for i in range(0, omega.size, step):
+        w, W = (v[i : i + step, None, None] for v in (omega, speeds))
+        D = block.K - w**2 * block.M + w * (1j * block.C + W * block.H)
+        try:
+            own = np.linalg.solve(D, f[i : i + step, :, None])[:, :, 0]
+        except np.linalg.LinAlgError:
+            raise ArithmeticError(
+                "a resonance without damping: the response has no bound"
+            ) from None
+        q[i : i + step] += block.real(own, q.shape[1])
+
+
+def _load(K: Array, C: Array, q: Complex, omega: Array) -> Complex:
+    return np.asarray(q @ K.T + 1j * omega[:, None] * (q @ C.T))
