@@ -1,0 +1,118 @@
+"""Where a clutch stands under load: twist under a torque, displacements under all loads.
+
+The deformation is linear in the displacements, so that the potential is convex: torque grows with
+twist, ever steeper, and Newton's method from a twist that is too large comes down to the root. Of
+all loads together the potential less their work has one minimum.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.rotor.clutch import Array, Clutch
+
+STEPS = 200
+TOLERANCE = 1e-13  # of the torque, or of the loads
+HALVINGS = 60
+
+
+def preload_twist(
+    clutch: Clutch, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
+) -> Array:
+    """Twist g0 (...) [rad] at which the torque is T (...) [N m], at a fixed offset.
+
+    `offset` (4,) holds dx, dy [m] and the tilts gx, gy [rad], which the bearings impose. The start
+    is the closed form of a uniform clutch, moved until every slice is pressed as much.
+
+    >>> from analytic.rotor.clutch import even_angles
+    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> round(float(preload_twist(one, T=12.0)), 12)
+    1.0
+
+    Raises
+    ------
+    ValueError
+        If a torque is not positive, or the offset not four finite numbers.
+    ArithmeticError
+        If the torque is not met to 1e-13.
+    """
+    T, offset = np.asarray(T, dtype=np.float64), np.asarray(offset, dtype=np.float64)
+    if not (np.isfinite(T).all() and (T > 0).all()):
+        raise ValueError(f"T must be positive and finite, got {np.min(T):g} N m: no preload")
+    if offset.shape != (4,) or not np.isfinite(offset).all():
+        raise ValueError(f"offset needs four finite numbers (dx, dy, gx, gy), got {offset}")
+    needed = (T / (clutch.Z * clutch.d_t * clutch.k_n)) ** (1 / clutch.n)
+    least = clutch.deformation(np.append(offset, 0.0)).min()
+    g = (needed - least) / clutch.d_t
+    for _ in range(STEPS):
+        q = np.concatenate([np.broadcast_to(offset, (*g.shape, 4)), g[..., None]], axis=-1)
+        excess = clutch.loads(q)[..., 4] - T
+        if (np.abs(excess) <= TOLERANCE * T).all():
+            return np.asarray(g)
+        step = excess / clutch.stiffness(q)[..., 4, 4]
+        g = g - step
+        if (np.abs(step) <= 1e-15 * np.abs(g)).all():
+            return np.asarray(g)
+    raise ArithmeticError(f"the twist under {np.max(T):g} N m was not found in {STEPS} steps")
+
+
+def under_torque(
+    clutch: Clutch, *, T: ArrayLike, offset: ArrayLike = (0.0, 0.0, 0.0, 0.0)
+) -> Array:
+    """Displacements q (..., 5) [m, rad] at a fixed offset under torques T (...) [N m]."""
+    g = preload_twist(clutch, T=T, offset=offset)
+    fixed = np.broadcast_to(np.asarray(offset, dtype=np.float64), (*g.shape, 4))
+    return np.concatenate([fixed, g[..., None]], axis=-1)
+
+
+def under_loads(clutch: Clutch, loads: ArrayLike) -> Array:
+    """Displacements q (5,) [m, rad] under `loads` (F_x, F_y, M_x, M_y, M_z) (5,) [N, N m].
+
+    One slice leaves the tilts free: `loads` must then have no bending moments, which stay zero.
+
+    Raises
+    ------
+    ValueError
+        If the loads are not five finite numbers with a positive torque.
+    ArithmeticError
+        If no equilibrium is found: too few sprags remain in contact.
+    """
+    P = np.asarray(loads, dtype=np.float64)
+    if P.shape != (5,) or not np.isfinite(P).all() or P[4] <= 0:
+        raise ValueError(f"loads need five finite numbers, the torque positive, got {P}")
+    if clutch.n_s == 1 and (P[2:4] != 0).any():
+        raise ValueError("one slice bears no bending moment: n_s must be at least 2")
+    free = [0, 1, 4] if clutch.n_s == 1 else [0, 1, 2, 3, 4]
+    size = np.array([1.0, 1.0, clutch.L, clutch.L, clutch.d_t])  # levers, to scale residuals
+    largest = np.abs(P / size).max()
+    q = under_torque(clutch, T=P[4])
+    for _ in range(STEPS):
+        residual = clutch.loads(q) - P
+        if np.abs(residual / size)[free].max() <= TOLERANCE * clutch.Z * largest:
+            return q
+        K = clutch.stiffness(q)[np.ix_(free, free)] / np.outer(size[free], size[free])
+        if np.linalg.cond(K) > 1e12:
+            break
+        step = np.zeros(5)
+        step[free] = np.linalg.solve(K, -residual[free] / size[free]) / size[free]
+        share = _shortened(clutch, q, step, P)
+        if share == 0.0:
+            break
+        q = q + share * step
+    raise ArithmeticError(
+        f"no equilibrium under F = ({P[0]:g}, {P[1]:g}) N and T = {P[4]:g} N m: too few sprags "
+        "stay in contact"
+    )
+
+
+def _shortened(clutch: Clutch, q: Array, step: Array, P: Array) -> float:
+    """Share of a step, halved until the potential does not rise steeply at its end; 0 if never.
+
+    Slopes are judged, as values of the potential round off long before the loads do.
+    """
+    slope = float((clutch.loads(q) - P) @ step)
+    share = 1.0
+    for _ in range(HALVINGS):
+        if float((clutch.loads(q + share * step) - P) @ step) <= 0.9 * abs(slope):
+            return share
+        share /= 2
+    return 0.0

@@ -1,0 +1,117 @@
+r"""Two rigid hubs joined by nonlinear struts, in exact kinematics of finite rotations.
+
+Each strut presses with F(s), s being its shortening, which the hubs' places alone decide:
+
+- `Pinned`: both ends are fixed in the hubs, :math:`s = s_0 + l_0 - |d + R a - b|`;
+- `Rolling`: on the outer hub a face, on the inner one a cam in a plane across its axis, whose
+  contact point moves as the hub turns. The cam is an involute: its normal keeps its distance from
+  the hub's axis, as that of a logarithmic spiral nearly does.
+
+With J and H, first and second derivatives of the shortenings, loads are :math:`\sum F J` and the
+tangent is :math:`\sum F' J J^T + F H`.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.rotor.struts_kinds import Pinned, Rolling, cross
+
+Array = NDArray[np.float64]
+Law = Callable[[Array], tuple[Array, Array]]
+LARGEST_TURN = 0.1  # rad of one step
+STEPS = 100
+
+
+def power_law(k: Array | float, n: float) -> Law:
+    """F = k <s>^n and its slope; `k` [N/m^n] for each strut or for all."""
+
+    def law(s: Array) -> tuple[Array, Array]:
+        pressed = np.where(s > 0, s, 1.0)
+        force = np.where(s > 0, k * pressed**n, 0.0)
+        return force, np.where(s > 0, k * n * pressed ** (n - 1), 0.0)
+
+    return law
+
+
+@dataclass(frozen=True, kw_only=True)
+class Joint:
+    """Hubs joined by `struts` that press by `law`; the inner one at d (3,) [m], turned by R (3, 3).
+
+    Loads and moments (6,) act on the inner hub at its centre, and hold it there.
+    """
+
+    struts: Pinned | Rolling
+    law: Law
+    d: Array
+    R: Array
+
+    @classmethod
+    def at_rest(cls, struts: Pinned | Rolling, law: Law) -> "Joint":
+        """The joint in its reference state."""
+        return cls(struts=struts, law=law, d=np.zeros(3), R=np.eye(3))
+
+    def moved(self, step: Array) -> "Joint":
+        """The joint after a displacement and a rotation vector `step` (6,) [m, rad]."""
+        return replace(self, d=self.d + step[:3], R=rotation(step[3:]) @ self.R)
+
+    def forces(self) -> Array:
+        """Forces (m,) [N] of the struts."""
+        return self.law(self.struts.state(self.d, self.R).s)[0]
+
+    def loads(self) -> Array:
+        """Force and moment (6,) [N, N m] that hold the inner hub."""
+        state = self.struts.state(self.d, self.R)
+        return np.asarray(self.law(state.s)[0] @ state.J)
+
+    def tangent(self) -> Array:
+        """Loads by displacement and rotation vector (6, 6), exact and symmetric."""
+        state = self.struts.state(self.d, self.R)
+        force, slope = self.law(state.s)
+        K = np.einsum("m,ma,mb->ab", slope, state.J, state.J)
+        return np.asarray(K + np.einsum("m,mab->ab", force, state.H))
+
+    def under(self, loads: Array, free: tuple[int, ...], *, tolerance: float = 1e-12) -> "Joint":
+        """The joint in equilibrium with `loads` (6,) on its `free` displacements; others stay.
+
+        Newton's method, steps halved until residuals fall. `tolerance` is relative to the largest
+        load, moments over the size of the inner hub.
+
+        Raises
+        ------
+        ArithmeticError
+            If no equilibrium is found.
+        """
+        now, at = self, list(free)
+        size = np.repeat([1.0, np.abs(self.struts.state(self.d, self.R).J[:, 3:]).max()], 3)[at]
+        bound = tolerance * np.abs(loads[at] / size).max()
+        for _ in range(STEPS):
+            off = now.loads()[at] - loads[at]
+            if np.abs(off / size).max() <= bound:
+                return now
+            step = np.zeros(6)
+            step[at] = -np.linalg.lstsq(now.tangent()[np.ix_(at, at)] / np.outer(size, size),
+                                        off / size, rcond=1e-13)[0] / size  # fmt: skip
+            step *= min(1.0, LARGEST_TURN / max(np.abs(step[3:]).max(), 1e-300))
+            for _ in range(40):
+                tried = now.moved(step)
+                left = np.linalg.norm((tried.loads()[at] - loads[at]) / size)
+                if left < np.linalg.norm(off / size):
+                    break
+                step /= 2
+            else:
+                break
+            now = tried
+        raise ArithmeticError(f"no equilibrium of the struts under {loads[at]} N, N m")
+
+
+def rotation(w: Array) -> Array:
+    """Rotation matrix (3, 3) of the rotation vector w (3,) [rad] (Rodrigues)."""
+    angle = float(np.linalg.norm(w))
+    W = cross(w[None])[0]
+    # sin(a)/a and (1 - cos a)/a^2, which have limits
+    return np.asarray(
+        np.eye(3) + np.sinc(angle / np.pi) * W + 0.5 * np.sinc(angle / 2 / np.pi) ** 2 * W @ W
+    )

@@ -1,0 +1,111 @@
+r"""Struts between two rigid hubs: shortenings and their derivatives by the hubs' places, exact.
+
+The inner hub stands at d and is turned by R, the outer one stands still. A strut presses along a
+unit vector e at a point y of the inner hub, from its centre. As d becomes d + u and R becomes
+exp(w) R, its shortening is to second order
+
+.. math:: s(u, w) = s + e \cdot u + (y \times e) \cdot w + \tfrac12 (u, w) H (u, w)^T
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class State:
+    """Shortenings (m,) of all struts, and their first and second derivatives by (u, w)."""
+
+    s: Array
+    J: Array  # (m, 6)
+    H: Array  # (m, 6, 6)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pinned:
+    """Struts between `a` (m, 3) of the inner and `b` (m, 3) of the outer hub [m].
+
+    In the reference state they are shortened by `s_0`, each or all.
+    """
+
+    a: Array
+    b: Array
+    s_0: Array | float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.a.shape != self.b.shape or self.a.shape[1:] != (3,):
+            raise ValueError(f"ends need (m, 3) each, got {self.a.shape} and {self.b.shape}")
+        if (np.linalg.norm(self.a - self.b, axis=1) == 0).any():
+            raise ValueError("a strut needs a length above 0 m: both its ends coincide")
+
+    def state(self, d: Array, R: Array) -> State:
+        y = self.a @ R.T
+        across = d + y - self.b
+        length = np.linalg.norm(across, axis=1)
+        e = -across / length[:, None]
+        s = np.asarray(self.s_0 + np.linalg.norm(self.a - self.b, axis=1) - length)
+        moved = np.concatenate([np.broadcast_to(np.eye(3), (len(y), 3, 3)), -cross(y)], axis=2)
+        plane = np.eye(3) - e[:, :, None] * e[:, None, :]
+        bent = np.einsum("mia,mij,mjb->mab", moved, plane, moved) / length[:, None, None]
+        return State(s, _gradient(e, y), _turned(e, y) - bent)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rolling:
+    """Involute cams of the inner hub, normals at `lever` [m] from its axis z, against faces.
+
+    Faces have normals along `angle` (m,) [rad] of the x-y plane and press at heights `z` (m,) [m].
+    In the reference state contact points lie `reach` [m] along the normal, shortened by `s_0`.
+    """
+
+    angle: Array
+    z: Array
+    lever: float
+    reach: float
+    s_0: Array | float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.angle.ndim != 1 or self.angle.shape != self.z.shape:
+            raise ValueError(f"angle {self.angle.shape} and z {self.z.shape} need one for each cam")
+
+    def state(self, d: Array, R: Array) -> State:
+        zero = np.zeros_like(self.angle)
+        e = np.stack([np.cos(self.angle), np.sin(self.angle), zero], axis=1)
+        seen = e @ R  # normals in the inner hub's frame
+        flat = np.hypot(seen[:, 0], seen[:, 1])
+        turned = np.arctan2(seen[:, 1], seen[:, 0]) - self.angle
+        turned = (turned + np.pi) % (2 * np.pi) - np.pi
+        p = self.reach - self.lever * turned  # support function: p' = -lever, p'' = 0
+        normal = np.stack([seen[:, 0] / flat, seen[:, 1] / flat, zero], axis=1)
+        tangent = np.stack([-normal[:, 1], normal[:, 0], zero], axis=1)
+        touch = p[:, None] * normal - self.lever * tangent
+        touch[:, 2] = self.z
+        y, t = touch @ R.T, tangent @ R.T
+        s = np.asarray(self.s_0 + e @ d + flat * p + self.z * seen[:, 2] - self.reach)
+        H = _turned(e, y)
+        lean = np.cross(e, t)
+        H[:, 3:, 3:] += (p / flat)[:, None, None] * lean[:, :, None] * lean[:, None, :]
+        return State(s, _gradient(e, y), H)
+
+
+def cross(v: Array) -> Array:
+    """Matrices (m, 3, 3) of v x, for v (m, 3)."""
+    M = np.zeros((len(v), 3, 3))
+    M[:, 0, 1], M[:, 0, 2], M[:, 1, 2] = -v[:, 2], v[:, 1], -v[:, 0]
+    return M - M.transpose(0, 2, 1)
+
+
+def _gradient(e: Array, y: Array) -> Array:
+    return np.concatenate([e, np.cross(y, e)], axis=1)
+
+
+def _turned(e: Array, y: Array) -> Array:
+    """Second derivatives (m, 6, 6) of e . y as y turns: e . w x (w x y)."""
+    H = np.zeros((len(e), 6, 6))
+    ey = e[:, :, None] * y[:, None, :]
+    inner = np.einsum("mi,mi->m", e, y)
+    H[:, 3:, 3:] = (ey + ey.transpose(0, 2, 1)) / 2 - inner[:, None, None] * np.eye(3)
+    return H
