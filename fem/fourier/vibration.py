@@ -1,0 +1,204 @@
+"""Whirling of elastic bodies of revolution that spin about their axis, each at its own speed.
+
+solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
+found = RotatingSolid(solid, 7850.0, springs=(Spring(boundary="rim", k=1e8),)).modes(1000.0)
+
+Harmonic n of amplitudes u = (U, V, W) at the speed W and the angular frequency w, w > 0 being a
+wave that runs forward, in the sense of W > 0:
+
+    K u + w W G u - w^2 M u = 0,    and with  y = w u    diag(K, M) x = w [[-W G, M], [M, 0]] x.
+
+The left side of the second form is symmetric, positive definite and asks only for K's factors, at
+any speed; Lanczos' method finds the largest 1/w of both signs.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.sparse import csc_array, csr_array
+from scipy.sparse.linalg import LinearOperator, SuperLU, eigsh, splu
+
+from fem.fourier.loads import turn_of
+from fem.fourier.solid import SUPERLU, FourierSolid
+from fem.fourier.supports import free_unknowns
+from fem.fourier.vibration_held import check_held_or_sprung
+from fem.fourier.vibration_mounts import (
+    RigidDisc,
+    Spring,
+    inertias,
+    pulls_of,
+    squares,
+)
+from fem.fourier.vibration_parts import by_body, gyroscopic_form, mass_matrix, mean_motion
+from fem.plane.discretisation import Array
+
+RESIDUAL_LIMIT = 1e-5  # of a mode, in the energy's norm: its frequency errs by the square
+TOLERANCE = 1e-13  # Lanczos', of 1/w
+NO_SPEED = 1e-12  # 1/W^2 of the lowest speed: below, roots are zero but for round-off
+SEED = 1
+
+
+@dataclass(frozen=True)
+class WhirlModes:
+    """Angular frequencies (count,) of the waves that run forward and backward at `speed`, growing.
+
+    `forward_shapes` and `backward_shapes` (unknowns, count) hold amplitudes (U, V, W) of unit
+    modal mass.
+    """
+
+    speed: float
+    forward: Array
+    backward: Array
+    forward_shapes: Array
+    backward_shapes: Array
+
+
+@dataclass(frozen=True)
+class RotatingSolid:
+    """The bodies of `solid`, of density `rho`, at the rotor's speed times `ratio`.
+
+    Density and ratio are one for all bodies or one for each that the mesh names. Springs and discs
+    are those of harmonic n = 1. ValueError for a density that is not positive, n < 1, springs or
+    discs at other harmonics, and bodies that can move rigidly.
+    """
+
+    solid: FourierSolid
+    rho: float | Mapping[str, float]
+    ratio: float | Mapping[str, float] = 1.0
+    springs: tuple[Spring, ...] = ()
+    discs: tuple[RigidDisc, ...] = ()
+    n: int = 1
+
+    def __post_init__(self) -> None:
+        if self.n != int(self.n) or self.n < 1:
+            raise ValueError(f"waves around the axis have a harmonic n >= 1, got n={self.n}")
+        if self.n != 1 and (self.springs or self.discs):
+            raise ValueError(f"springs and discs act on harmonic 1, got n={self.n}")
+        if np.any(by_body(self.solid.basis, self.rho, "density") <= 0):
+            raise ValueError(f"a density is positive, got rho={self.rho}")
+        by_body(self.solid.basis, self.ratio, "ratio of speeds")
+
+    @cached_property
+    def T(self) -> csr_array:
+        """Displacements u = T q, q the free unknowns in their order of elimination."""
+        solid = self.solid
+        return free_unknowns(solid.basis, solid.supports, self.n, False, solid.place)
+
+    @cached_property
+    def K(self) -> csr_array:
+        """Stiffness (free, free), springs included."""
+        K_0, K_1, K_2 = self.solid.parts
+        K = turn_of(self.n) * (self.T.T @ (K_0 + self.n * K_1 + self.n**2 * K_2) @ self.T)
+        pulls = pulls_of(self.solid.basis, self.T, self.springs)
+        check_held_or_sprung(self.solid.basis, self.T, self.n, pulls)
+        return csr_array(K + squares(pulls, np.ones(len(pulls)), self.T.shape[1]))
+
+    @cached_property
+    def M(self) -> csr_array:
+        """Mass (free, free), discs included."""
+        density = by_body(self.solid.basis, self.rho, "density")
+        return self._inertia(density, np.eye(3)) + inertias(
+            self.solid.basis, self.T, self.discs, lambda disc: (disc.mass, disc.diametral)
+        )
+
+    @cached_property
+    def G(self) -> csr_array:
+        """Gyroscopic matrix (free, free) of the rotor's unit speed."""
+        density = by_body(self.solid.basis, self.rho, "density")
+        ratio = by_body(self.solid.basis, self.ratio, "ratio of speeds")
+        return self._inertia(density * ratio, gyroscopic_form(self.n)) + inertias(
+            self.solid.basis, self.T, self.discs, lambda disc: (0.0, disc.ratio * disc.polar)
+        )
+
+    @cached_property
+    def factor(self) -> SuperLU:
+        """Factors of K, which serve all speeds."""
+        return splu(csc_array(self.K), **SUPERLU)
+
+    def modes(self, speed: float, count: int = 4) -> WhirlModes:
+        """The `count` lowest modes that run forward and backward at `speed` [rad/time].
+
+        ArithmeticError where a mode misses balance by more than 1e-5 of its elastic forces.
+        """
+        K, M, G, size = self.K, self.M, self.G, self.K.shape[0]
+        if not np.isfinite(speed) or not 1 <= count < size // 2:
+            raise ValueError(f"modes need a finite speed and count >= 1, got {speed:g}, {count}")
+
+        def right(x: Array) -> Array:
+            q, y = x[:size], x[size:]
+            return np.concatenate([M @ y - speed * (G @ q), M @ q])
+
+        def left(x: Array) -> Array:
+            return np.concatenate([K @ x[:size], M @ x[size:]])
+
+        def solved(x: Array) -> Array:
+            return np.concatenate([self.factor.solve(x[:size]), self._mass_factor.solve(x[size:])])
+
+        found, x = eigsh(
+            _operator(right, 2 * size), 2 * count, M=_operator(left, 2 * size),
+            Minv=_operator(solved, 2 * size), which="BE", tol=TOLERANCE, v0=_start(2 * size),
+            ncv=max(20, 5 * count),
+        )  # fmt: skip
+        q = x[:size] / np.sqrt((x[:size] * (M @ x[:size])).sum(axis=0))
+        # w^2 - 2 half w - q K q = 0 is stationary at a mode: errors of q enter by their square
+        half = speed * (q * (G @ q)).sum(axis=0) / 2
+        w = half + np.sign(found) * np.sqrt(half**2 + (q * (K @ q)).sum(axis=0))
+        self._check(w, q, K @ q + (w * speed) * (G @ q) - w**2 * (M @ q))
+        return WhirlModes(speed, *_sorted(w, np.asarray(self.T @ q)))
+
+    def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
+        """The lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
+
+        Fewer than `count` where gyroscopic forces keep the others from ever being met: of
+        (e^2 M - e G) u = K u/W^2 only positive roots are speeds. A negative excitation asks for
+        modes that run backward.
+        """
+        e, size = excitation, self.K.shape[0]
+        B = csr_array(e**2 * self.M - e * self.G)
+        found, q = eigsh(
+            B, count, M=self.K, Minv=_operator(self.factor.solve, size), which="LA",
+            tol=TOLERANCE, v0=_start(size), ncv=max(20, 5 * count),
+        )  # fmt: skip
+        q = q[:, found > found.max(initial=0.0) * NO_SPEED]
+        q = q / np.sqrt((q * (self.M @ q)).sum(axis=0))
+        speeds = np.sqrt((q * (self.K @ q)).sum(axis=0) / (q * (B @ q)).sum(axis=0))
+        self._check(speeds, q, self.K @ q - speeds**2 * (B @ q))
+        order = np.argsort(speeds)
+        return speeds[order], np.asarray(self.T @ q[:, order])
+
+    def motion(self, boundary: str, shapes: Array) -> Array:
+        """Mean displacement across and tilt (2, ...) of `boundary` in `shapes` (unknowns, ...)."""
+        return np.asarray(mean_motion(self.solid.basis, boundary).T @ shapes)
+
+    @cached_property
+    def _mass_factor(self) -> SuperLU:
+        return splu(csc_array(self.M), **SUPERLU)
+
+    def _inertia(self, density: Array, form: Array) -> csr_array:
+        whole = mass_matrix(self.solid.cells, self.solid.basis, self.n, density, form)
+        return csr_array(self.T.T @ whole @ self.T)
+
+    def _check(self, w: Array, q: Array, residual: Array) -> None:
+        """ArithmeticError where the residual of modes of unit mass exceeds its limit."""
+        missed = abs((residual * self.factor.solve(residual)).sum(axis=0))
+        error = np.sqrt(missed / ((q * (self.K @ q)).sum(axis=0) + w**2))
+        if not np.all(error < RESIDUAL_LIMIT):
+            raise ArithmeticError(f"modes of harmonic {self.n} miss balance by {error.max():.1e}")
+
+
+def _operator(apply, size: int) -> LinearOperator:
+    return LinearOperator((size, size), matvec=apply, dtype=float)
+
+
+def _start(size: int) -> Array:
+    """A first vector that holds every mode, the same in every run."""
+    return np.random.default_rng(SEED).standard_normal(size)
+
+
+def _sorted(w: Array, shapes: Array) -> tuple[Array, Array, Array, Array]:
+    ahead = np.flatnonzero(w > 0)
+    behind = np.flatnonzero(w < 0)
+    ahead, behind = ahead[np.argsort(w[ahead])], behind[np.argsort(-w[behind])]
+    return w[ahead], -w[behind], shapes[:, ahead], shapes[:, behind]

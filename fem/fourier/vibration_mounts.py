@@ -1,0 +1,85 @@
+"""Springs and rigid discs on the mean motions of a body's boundaries, in harmonic 1."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_array
+from skfem import Basis
+
+from fem.fourier.vibration_parts import mean_motion
+from fem.plane.discretisation import Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spring:
+    """Isotropic spring on the mean motion of `boundary`, to the ground or to the boundary `to`.
+
+    `k` acts across [force/length], `k_tilt` against tilting [force x length/rad].
+    """
+
+    boundary: str
+    k: float = 0.0
+    k_tilt: float = 0.0
+    to: str = ""
+
+    def __post_init__(self) -> None:
+        for name, value in (("k", self.k), ("k_tilt", self.k_tilt)):
+            if not 0 <= value < np.inf:
+                raise ValueError(f"a spring's stiffness is not negative, got {name}={value:g}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class RigidDisc:
+    """A rigid disc whose centre follows the mean motion of `boundary`.
+
+    `polar` and `diametral` are its moments of inertia [mass x length^2], `ratio` its speed over the
+    rotor's.
+    """
+
+    boundary: str
+    mass: float
+    polar: float
+    diametral: float
+    ratio: float = 1.0
+
+    def __post_init__(self) -> None:
+        if min(self.mass, self.polar, self.diametral) < 0 or self.polar > 2 * self.diametral:
+            raise ValueError(
+                "a disc needs mass >= 0 and 0 <= polar <= 2 diametral, got "
+                f"mass={self.mass:g}, polar={self.polar:g}, diametral={self.diametral:g}"
+            )
+
+
+def pulls_of(basis: Basis, T: csr_array, springs: Sequence[Spring]) -> list[Array]:
+    """Functionals (free,) of q in u = T q whose squares are the springs' energies, twice."""
+    found = []
+    for spring in springs:
+        c = mean_motion(basis, spring.boundary)
+        if spring.to:
+            c = c - mean_motion(basis, spring.to)
+        stiffness = (spring.k, spring.k_tilt)
+        found += [
+            np.sqrt(k) * row for k, row in zip(stiffness, np.asarray(T.T @ c).T, strict=True) if k
+        ]
+    return found
+
+
+def inertias(
+    basis: Basis,
+    T: csr_array,
+    discs: Sequence[RigidDisc],
+    of: Callable[[RigidDisc], tuple[float, float]],
+) -> csr_array:
+    """The sum (free, free) of what `of` says of each disc, against moving across and tilting."""
+    motions = [c for d in discs for c in np.asarray(T.T @ mean_motion(basis, d.boundary)).T]
+    weights = np.array([of(disc) for disc in discs]).ravel()
+    return squares(motions, weights, T.shape[1])
+
+
+def squares(rows: Sequence[Array], weights: Array, size: int) -> csr_array:
+    """The sum (size, size) of weights times rows, each times itself."""
+    if not len(rows):
+        return csr_array((size, size))
+    C = csr_array(np.array(rows))
+    return csr_array(C.T @ (C * weights[:, None]))

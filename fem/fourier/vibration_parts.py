@@ -1,0 +1,95 @@
+"""Inertia and gyroscopic forces of a spinning body of revolution, and its boundaries' motions.
+
+A body turns about its axis at the speed W. With fixed axes a displacement of amplitudes
+u = (U, -iV, W) exp i(n t - w s), t the angle and s the time, is carried along: the rate of a
+particle's is D = -iw + W (d/dt + J), J turning (u_r, u_t) into (-u_t, u_r), hence
+
+    D = -i (w - W (n + P)),  P = [[0, 1, 0], [1, 0, 0], [0, 0, 0]] on (U, V, W),
+    -D^2 = w^2 - 2 w W (n + P) + W^2 (n + P)^2.
+
+The first two terms are M and G below; the third is left out together with the stiffness of the
+centrifugal stress, which it balances wherever a body turns as if rigid.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.sparse import coo_array, csr_array
+from skfem import Basis
+
+from fem.fourier.harmonic_cells import HarmonicCells
+from fem.fourier.loads import turn_of
+from fem.plane.axis import has_area
+from fem.plane.discretisation import Array, facet_basis, named_cells, named_facets
+from fem.plane.geometry import shapes
+
+SWAP = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0]])
+
+
+def by_body(basis: Basis, values: float | Mapping[str, float], what: str) -> Array:
+    """`values` (cells,), one for all cells or one for each body that the mesh names.
+
+    ValueError for unknown bodies, cells without a value, and what is not finite.
+    """
+    mesh = basis.mesh
+    if not isinstance(values, Mapping):
+        found = np.full(mesh.nelements, float(values))
+    else:
+        found = np.full(mesh.nelements, np.nan)
+        for name, value in values.items():
+            found[named_cells(mesh, name)] = value
+    if not np.all(np.isfinite(found)):
+        bare = np.count_nonzero(~np.isfinite(found))
+        raise ValueError(f"{bare} of {mesh.nelements} cells have no finite {what}")
+    return found
+
+
+def mass_matrix(
+    cells: HarmonicCells, basis: Basis, n: int, density: Array, form: Array
+) -> csr_array:
+    """The integral of density u . form u over the turn, `form` (3, 3) on (U, V, W).
+
+    `density` (cells,) in mass/length^3, or that times a speed.
+    """
+    N, _ = shapes(basis.elem.elem, basis.X)
+    weight = turn_of(n) * density[:, None] * cells.dx
+    scalar = np.einsum("aq,bq,mq->mab", N, N, weight, optimize=True)
+    m, a, _ = scalar.shape
+    local = np.einsum("mab,cd->macbd", scalar, form).reshape(m, 3 * a, 3 * a)
+    rows, columns = np.repeat(cells.dofs, 3 * a, axis=1), np.tile(cells.dofs, 3 * a)
+    return coo_array(
+        (local.ravel(), (rows.ravel(), columns.ravel())), (cells.count, cells.count)
+    ).tocsr()  # fmt: skip
+
+
+def gyroscopic_form(n: int) -> Array:
+    """The form 2 (n + P) whose integral with density times speed is the gyroscopic matrix."""
+    return 2 * (n * np.eye(3) + SWAP)
+
+
+def mean_motion(basis: Basis, boundary: str) -> Array:
+    """Functionals (unknowns, 2) of harmonic 1: how far `boundary` moves across, and how it tilts.
+
+    The rigid motion about the boundary's centre that is nearest to u, in the mean square over its
+    area: a displacement along x and a turn about y [rad], from the amplitudes (U, V, W).
+    ValueError for an unknown boundary, and one on the axis.
+    """
+    facets = named_facets(basis.mesh, boundary)
+    if not has_area(basis.mesh, facets):
+        raise ValueError(f"the boundary {boundary!r} lies on the axis: it has no mean motion")
+    side = facet_basis(basis, facets)
+    r, z = np.asarray(side.global_coordinates())
+    area = side.dx * r
+    middle = float((z * area).sum() / area.sum())
+    # work of tractions (1, -1, 0) and (z, -z, -r), each over its own squared length
+    across = np.array([np.ones_like(r), -np.ones_like(r), np.zeros_like(r)])
+    tilted = np.array([z - middle, middle - z, -r])
+    found = np.zeros((basis.N, 2))
+    dofs = np.asarray(side.element_dofs)
+    for k, motion in enumerate((across, tilted)):
+        norm = float(((motion**2).sum(axis=0) * area).sum())
+        for j in range(dofs.shape[0]):
+            value = np.asarray(side.basis[j][0])  # (3, facets, points)
+            np.add.at(found[:, k], dofs[j], ((value * motion).sum(axis=0) * area).sum(axis=1))
+        found[:, k] /= norm
+    return found
