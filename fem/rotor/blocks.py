@@ -40,7 +40,7 @@ class Block:
     """Unknowns `at` of the complex coordinates, and their matrices (n, n).
 
     `sense` is 1 where all turn forwards, -1 where all turn backwards, else 0; `planes` names the
-    kinds of motion that take part.
+    kinds of motion that take part, `across` (n,) says which unknowns are of bending.
     """
 
     at: Indices
@@ -50,6 +50,7 @@ class Block:
     H: NDArray[np.inexact]  # i G, Hermitian
     sense: int
     planes: frozenset[str]
+    across: NDArray[np.bool_]
 
     @cached_property
     def undamped(self) -> bool:
@@ -97,7 +98,7 @@ def blocks(system: System, speed: float = 0.0) -> list[Block]:
         made.append(
             Block(
                 at, M, own_K, own_C, H, sense=turns.pop() if len(turns) == 1 else 0,
-                planes=frozenset(plane[at].tolist()),
+                planes=frozenset(plane[at].tolist()), across=plane[at] == "bending",
             )
         )  # fmt: skip
     return made

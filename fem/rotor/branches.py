@@ -93,7 +93,8 @@ def _lowest(found: Spectrum, block: Block, count: int) -> list[Chosen]:
         resting = size <= STILL * np.median(size[np.isfinite(size)])
         kept = np.isfinite(size) & (oscillates | resting)
         if block.sense == 0:
-            kept &= (values.imag > 0) | resting
+            kept &= (values.imag > 0) & ~resting
+            kept[np.flatnonzero(resting)[::2]] = True  # at rest both halves are zero
         at = np.flatnonzero(kept)
         at = at[np.argsort(abs(values.imag[at]), kind="stable")]
         at = np.concatenate([at[values.imag[at] >= 0][:count], at[values.imag[at] < 0][:count]])
@@ -122,7 +123,8 @@ def _tracked(block: Block, chosen: list[Chosen], unknowns: int) -> Branches:
     if block.sense > 0:  # backward: the same whirl, written with a positive frequency
         real = np.where((whole.imag < 0)[..., None], real.conj(), real)
         whole = np.where(whole.imag < 0, whole.conj(), whole)
-    return Branches(whole, real, whirl_sense(real))
+    rests = abs(whole.imag) <= STILL * np.median(abs(whole.imag), axis=1, keepdims=True)
+    return Branches(whole, real, np.where(rests, 0, whirl_sense(real)))
 
 
 def whirl_sense(shapes: Complex) -> NDArray[np.int64]:

@@ -16,7 +16,7 @@ from fem.rotor.branches import check_count, whirl_sense
 from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.modes import normalised
-from fem.rotor.pencil import is_held
+from fem.rotor.pencil import rigid_motions
 
 WHIRLS = {"forward": (1,), "backward": (-1,), "both": (1, 0, -1)}
 ABSENT = 1e-13  # 1/omega^2 over the largest, below which no speed is left
@@ -62,13 +62,14 @@ def critical_speeds(
 
 
 def check_supported(block: Block) -> None:
-    """ValueError where a rigid motion of the rotor is left free."""
-    if not is_held(block):
-        moves = " or ".join(sorted(block.planes))
-        raise ValueError(f"the rotor is not supported: it can move rigidly in {moves}")
+    """ValueError where a rigid motion of the rotor across its axis is left free."""
+    across = np.flatnonzero(block.across)
+    if across.size and rigid_motions(block.K[np.ix_(across, across)]).shape[1]:
+        raise ValueError("the rotor is not supported: it can move rigidly across its axis")
 
 
 def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
+    """Speeds and vectors (k, n). Where only turning is free, A v is orthogonal to that motion."""
     check_supported(block)
     K, A = block.K, block.M - block.H / excitation
     if abs(K - K.conj().T).max() > 1e-12 * abs(K).max():
@@ -76,6 +77,12 @@ def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
             "cross-coupled supports (kxy != kyx) have no undamped critical speeds: "
             "take the crossings of `campbell`"
         )
-    mu, v = eigh((A + A.conj().T) / 2, (K + K.conj().T) / 2)
+    free = rigid_motions(K)
+    Z = np.linalg.qr(A @ free, mode="complete")[0][:, free.shape[1] :]
+    mu, y = eigh(_hermitian(Z.conj().T @ A @ Z), _hermitian(Z.conj().T @ K @ Z))
     real = np.flatnonzero(mu > ABSENT * abs(mu).max())
-    return 1 / (np.sqrt(mu[real]) * abs(excitation)), v[:, real].T
+    return 1 / (np.sqrt(mu[real]) * abs(excitation)), (Z @ y[:, real]).T
+
+
+def _hermitian(A: NDArray[np.inexact]) -> NDArray[np.inexact]:
+    return np.asarray((A + A.conj().T) / 2)

@@ -23,7 +23,8 @@ from scipy.linalg import cholesky, eigh, solve_triangular
 from fem.rotor.blocks import Block, Complex
 from fem.rotor.elements import Array
 
-RIGID = 1e-13  # eigenvalues of K on the scale of its diagonal, below which a motion is free
+RIGID = 1e-13  # singular values of K on the scale of its diagonal, below which a motion is free
+STILL = 1e-6  # of a state, below which it has no motion
 ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are zero
 
 
@@ -40,13 +41,12 @@ class Spectrum:
     states: NDArray[np.inexact]
 
 
-def is_held(block: Block) -> bool:
-    """Whether K is positive (undamped problem) or regular: no rigid motion is left free."""
-    d = np.sqrt(abs(np.diag(block.K)))
-    if not d.all():
-        return False
-    scaled = block.K / np.outer(d, d)
-    return bool(np.linalg.svd(scaled, compute_uv=False)[-1] > RIGID)
+def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
+    """Motions (n, k) that a stiffness (n, n) leaves free."""
+    d = np.sqrt(abs(np.diag(K)))
+    d[d == 0] = 1
+    _, sizes, v = np.linalg.svd(K / np.outer(d, d))
+    return np.asarray(v[sizes <= RIGID].conj().T / d[:, None])
 
 
 def spectrum(block: Block, speeds: Array) -> Spectrum:
@@ -57,7 +57,7 @@ def spectrum(block: Block, speeds: Array) -> Spectrum:
 
 
 def _undamped(block: Block, speeds: Array) -> Spectrum:
-    held = is_held(block)
+    held = not rigid_motions(block.K).shape[1]
     A, B = (block.K, block.M) if held else (block.M, block.K)
     try:
         lower = cholesky(A, lower=True)
@@ -71,23 +71,24 @@ def _undamped(block: Block, speeds: Array) -> Spectrum:
     squares, turn = eigh((inner + inner.conj().T) / 2)
     if squares[0] < -1e-9 * squares[-1]:
         raise ArithmeticError("a matrix of the rotor is not positive: check stiffness and mass")
-    kept = np.flatnonzero(squares > ABSENT * squares[-1])
-    b = np.sqrt(squares[kept])
+    b = np.sqrt(np.where(squares > ABSENT * squares[-1], squares, 0.0))
     half = solve_triangular(lower, block.H, lower=True)
     H = solve_triangular(lower, half.conj().T, lower=True)
-    H = (1 if not held else -1) * (turn.conj().T @ H @ turn)
-    n, m = turn.shape[0], kept.size
-    S = np.zeros((speeds.size, n + m, n + m), H.dtype)
-    S[:, kept, n + np.arange(m)] = S[:, n + np.arange(m), kept] = b
+    H = (-1 if held else 1) * (turn.conj().T @ H @ turn)
+    n = b.size
+    S = np.zeros((speeds.size, 2 * n, 2 * n), H.dtype)
+    S[:, range(n), range(n, 2 * n)] = S[:, range(n, 2 * n), range(n)] = b
     S[:, :n, :n] = speeds[:, None, None] * H
     values, states = np.linalg.eigh(S)
+    v, w = states[:, :n, :], states[:, n:, :]
+    free = np.linalg.norm(v, axis=1, keepdims=True) < STILL  # a rigid motion that rests
     back = solve_triangular(lower, turn, lower=True, trans="C")
-    vectors = np.asarray(back @ states[:, :n, :])
+    vectors = np.asarray(back @ np.where(free, w, v))
     return Spectrum(_imaginary(_inverse(values) if held else values), vectors, states)
 
 
 def _general(block: Block, speeds: Array) -> Spectrum:
-    held = is_held(block)
+    held = not rigid_motions(block.K).shape[1]
     n = block.K.shape[0]
     A, B = (block.K, block.M) if held else (block.M, block.K)
     try:

@@ -37,7 +37,7 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Response:
-    """Amplitudes `q` (speeds, unknowns) of Re(q e^(i omega t)), at frequencies omega (speeds,)."""
+    """Amplitudes `q` (speeds, unknowns) of Re(q e^(i omega t)), omega (speeds,) not negative."""
 
     rotor: Rotor
     speeds: Array
@@ -123,7 +123,8 @@ def forced_response(
 ) -> Response:
     """The response to forces Re(f e^(i omega t)), `force` (speeds, unknowns) or (unknowns,).
 
-    `speeds` and `omega` (m,) go together; one of them may be a single number.
+    `speeds` and `omega` (m,) go together; one of them may be a single number. Forces of a negative
+    omega turn the other way; amplitudes are those of the positive one.
     """
     at, frequency = np.broadcast_arrays(check_speeds(speeds), check_speeds(omega))
     n = rotor.system.M.shape[0]
@@ -139,7 +140,8 @@ def forced_response(
     else:
         for block in blocks(rotor.system):
             _solve(block, at, frequency, load, q)
-    return Response(rotor, np.asarray(at), np.asarray(frequency), q)
+    q = np.where(frequency[:, None] < 0, q.conj(), q)  # the same motion, omega > 0
+    return Response(rotor, np.asarray(at), abs(frequency), q)
 
 
 def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex) -> None:
@@ -157,7 +159,7 @@ def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex)
             own = np.linalg.solve(D, f[i : i + step, :, None])[:, :, 0]
         except np.linalg.LinAlgError:
             raise ArithmeticError(
-                "a resonance without damping: the response has no bound"
+                "no bounded response: a resonance without damping, or a free motion at rest"
             ) from None
         q[i : i + step] += block.real(own, q.shape[1])
 

@@ -1,0 +1,140 @@
+"""Matrices of a rotor: rigid motions, inertia, planes, and exact end loads of every element."""
+
+import numpy as np
+import pytest
+
+from fem.rotor.model import STEEL, Disc, Element, Link, Material, Rotor, Shaft, Support
+
+STEPPED = [Element(0.2, 0.05), Element(0.3, 0.08, 0.02), Element(0.1, 0.04)]
+ROTOR = Rotor(
+    [Shaft(STEPPED), Shaft([Element(0.25, 0.12, 0.1)] * 2, ratio=-1.5, z=0.05)],
+    [Disc(1, 3.0, 0.02, 0.011), Disc.cylinder(5, 0.3, 0.12, 0.02, 7800.0)],
+    [Support(0, 1e7, 2e7, kxy=3e5, cxx=100.0, cyy=300.0, k_tilt=50.0, kzz=1e6)],
+    [Link.bearing(1, 4, 5e6, k_turn=10.0)],
+)  # fmt: skip
+FREE = Rotor([Shaft(STEPPED)])
+
+
+def rigid(z):
+    """Motions (6, n): along x, y, z and turns about x, y, z through the origin."""
+    q = np.zeros((6, z.size, 6))
+    for k in range(6):
+        q[k, :, k] = 1
+    q[3, :, 1], q[4, :, 0] = -z, z
+    return q.reshape(6, -1)
+
+
+def test_symmetric_but_for_the_gyroscopic_terms_which_do_no_work():
+    np.testing.assert_array_equal(ROTOR.M, ROTOR.M.T)
+    np.testing.assert_allclose(ROTOR.K, ROTOR.K.T, atol=1e-9)
+    np.testing.assert_array_equal(ROTOR.C, ROTOR.C.T)
+    np.testing.assert_array_equal(ROTOR.G, -ROTOR.G.T)
+
+
+@pytest.mark.parametrize("theory", ["timoshenko", "rayleigh", "euler"])
+@pytest.mark.parametrize("refine", [1, 3])
+def test_a_free_shaft_moves_rigidly_without_force(theory, refine):
+    rotor = Rotor([Shaft(STEPPED)], theory=theory, refine=refine)
+    q = rigid(rotor.system.z)
+    assert abs(rotor.K @ q.T).max() < 1e-6 * abs(rotor.K).max() * 1e-6
+
+
+@pytest.mark.parametrize(("theory", "rotary"), [("timoshenko", 1), ("rayleigh", 1), ("euler", 0)])
+def test_mass_and_inertia_of_a_rigid_motion_are_those_of_the_body(theory, rotary):
+    rotor = Rotor([Shaft(STEPPED)], [Disc(1, 3.0, 0.02, 0.011)], theory=theory, refine=2)
+    q = rigid(rotor.system.z)
+    own = q @ rotor.M @ q.T
+    mass, first, second, polar, left = 3.0, 3.0 * 0.2, 3.0 * 0.04, 0.02, 0.0
+    for e in STEPPED:
+        m = STEEL.rho * e.area * e.length
+        mass += m
+        first += m * (left + e.length / 2)
+        second += m * (e.length**2 / 12 + (left + e.length / 2) ** 2)
+        second += rotary * STEEL.rho * e.inertia * e.length
+        polar += 2 * STEEL.rho * e.inertia * e.length
+        left += e.length
+    second += 0.011
+    expected = np.diag([mass] * 3 + [second] * 2 + [polar])
+    expected[0, 4] = expected[4, 0] = first
+    expected[1, 3] = expected[3, 1] = -first
+    np.testing.assert_allclose(own, expected, rtol=1e-12, atol=1e-12 * mass)
+
+
+def test_gyroscopic_moment_is_the_polar_inertia_of_all_that_turns_at_its_own_ratio():
+    q = rigid(ROTOR.system.z)
+    own = q @ ROTOR.G @ q.T
+    polar = 0.02 + sum(2 * STEEL.rho * e.inertia * e.length for e in STEPPED)
+    disc = ROTOR.discs[1].polar
+    polar -= 1.5 * (disc + 2 * 2 * STEEL.rho * Element(0.25, 0.12, 0.1).inertia * 0.25)
+    expected = np.zeros((6, 6))
+    expected[3, 4], expected[4, 3] = polar, -polar
+    np.testing.assert_allclose(own, expected, atol=1e-12)
+
+
+def test_a_cantilever_bends_shears_stretches_and_twists_as_in_closed_form():
+    element = Element(0.5, 0.1, 0.04, Material(E=70e9, nu=0.33, rho=2700.0), shear=0.8)
+    rotor = Rotor([Shaft([element])], supports=[
+        Support(0, 1e18, kzz=1e18, k_tilt=1e18, k_turn=1e18)
+    ])  # fmt: skip
+    L, E, G, A, inertia = 0.5, 70e9, 70e9 / 2.66, element.area, element.inertia
+    u = np.linalg.solve(rotor.K, np.eye(12)[:, 6:])[6:]
+    bend, shear = L**3 / (3 * E * inertia), L / (0.8 * G * A)
+    np.testing.assert_allclose(u[[0, 1], [0, 1]], bend + shear, rtol=1e-9)
+    np.testing.assert_allclose(u[2, 2], L / (E * A), rtol=1e-9)
+    np.testing.assert_allclose(u[5, 5], L / (2 * G * inertia), rtol=1e-9)
+    np.testing.assert_allclose(u[4, 0], L**2 / (2 * E * inertia), rtol=1e-9)
+    np.testing.assert_allclose(u[3, 1], -(L**2) / (2 * E * inertia), rtol=1e-9)
+    np.testing.assert_allclose(u[[3, 4], [3, 4]], L / (E * inertia), rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("nu", "solid", "thin"),
+    # kappa of Cowper's and Hutchinson's coefficients: 6 (1+nu)^2/(7+12 nu+4 nu^2); thin tubes
+    # (1+nu)/(2+nu)
+    [(0.3, 6 * 1.69 / 10.96, 1.3 / 2.3), (0.0, 6 / 7, 0.5)],
+)
+def test_shear_coefficients_of_solid_and_thin_sections(nu, solid, thin):
+    material = Material(E=1.0, nu=nu)
+    assert Element(1, 1, material=material).kappa == pytest.approx(solid, rel=1e-12)
+    assert Element(1, 1, 1 - 1e-7, material=material).kappa == pytest.approx(thin, rel=1e-6)
+
+
+def test_refining_keeps_the_numbered_nodes_and_their_static_deflection():
+    coarse, fine = (
+        Rotor([Shaft(STEPPED)], supports=[Support(0, 1e7), Support(3, 1e7)], refine=n)
+        for n in (1, 5)
+    )
+    f = np.zeros(coarse.M.shape[0])
+    f[6], f[13] = 1000.0, -500.0
+    held = [i for i in range(f.size) if i % 6 in (0, 1, 3, 4)]
+    u = np.linalg.solve(coarse.K[np.ix_(held, held)], f[held])
+    held_fine = [i for i in range(fine.M.shape[0]) if i % 6 in (0, 1, 3, 4)]
+    g = np.zeros(fine.M.shape[0])
+    g[: f.size] = f
+    v = np.linalg.solve(fine.K[np.ix_(held_fine, held_fine)], g[held_fine])
+    np.testing.assert_allclose(v[: u.size], u, rtol=1e-9)
+    assert fine.stations == coarse.stations == 4
+
+
+def test_a_link_acts_on_the_difference_alone():
+    K = np.arange(36.0).reshape(6, 6)
+    K = K + K.T
+    bare = Rotor(ROTOR.shafts)
+    linked = Rotor(ROTOR.shafts, links=[Link(2, 6, K)])
+    own = linked.K - bare.K
+    a, b = slice(12, 18), slice(36, 42)
+    for rows, columns, sign in ((a, a, 1), (b, b, 1), (a, b, -1), (b, a, -1)):
+        np.testing.assert_allclose(own[rows, columns], sign * K, atol=1e-5)
+        own[rows, columns] = 0
+    assert not own.any()
+
+
+def test_matrices_scale_with_the_unit_of_length():
+    """In millimetres, tonnes and seconds: the same eigenvalues."""
+    m = Rotor([Shaft(STEPPED)], [Disc(1, 3.0, 0.02, 0.011)], [Support(0, 1e7), Support(3, 2e7)])
+    steel = Material(E=210e3, nu=0.3, rho=7.85e-9)
+    own = [Element(e.length * 1e3, e.d_o * 1e3, e.d_i * 1e3, steel) for e in STEPPED]
+    mm = Rotor([Shaft(own)], [Disc(1, 3e-3, 20.0, 11.0)], [Support(0, 1e4), Support(3, 2e4)])
+    scale = np.tile([1, 1, 1, 1e3, 1e3, 1e3], 4)  # forces agree in newtons, moments in N mm
+    np.testing.assert_allclose(mm.K * 1e3, m.K * np.outer(scale, scale), rtol=1e-11, atol=1e-3)
+    np.testing.assert_allclose(mm.M * 1e3, m.M * np.outer(scale, scale), rtol=1e-11, atol=1e-12)

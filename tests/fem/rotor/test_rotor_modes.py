@@ -1,0 +1,246 @@
+"""Free vibration against closed forms: whirling rigid rotors, shafts in three theories, torsion."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from fem.rotor.damping import Modal, Rayleigh
+from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
+from fem.rotor.modes import modes
+
+E, NU, RHO = 210e9, 0.3, 7850.0
+STEEL = Material(E=E, nu=NU, rho=RHO)
+LIGHT = Material(E=E, nu=NU)
+RIGID = Material(E=1e17, nu=NU)
+HINGE = {"kzz": 1e9, "k_turn": 1e6}
+
+
+def section(d):
+    return np.pi * d**2 / 4, np.pi * d**4 / 64
+
+
+def hinged(n, *, L=1.0, d=0.03, theory, refine=1):
+    shaft = Shaft([Element(L / n, d, material=STEEL)] * n)
+    return Rotor(
+        [shaft], supports=[Support(0, 1e15), Support(n, 1e15)], theory=theory, refine=refine
+    )
+
+
+def shaft_frequencies(j, W, *, L=1.0, d=0.03, theory):
+    """Backward and forward frequency of mode j, from the differential equation of each theory."""
+    A, inertia = section(d)
+    k = j * np.pi / L
+    turn = 0 if theory == "euler" else RHO * inertia
+    kappa = 6 * (1 + NU) ** 2 / (7 + 12 * NU + 4 * NU**2)
+    S = kappa * A * E / (2 * (1 + NU)) if theory == "timoshenko" else np.inf
+
+    def balance(w):
+        """S (k u - phi) k = rho A w^2 u, and the moments about phi, with u = 1."""
+        across = RHO * A * w**2
+        phi = k - across / (S * k)  # from the forces
+        return E * inertia * k**2 * phi - turn * (w**2 - 2 * W * w) * phi - across / k
+
+    guess = k**2 * np.sqrt(E * inertia / (RHO * A))
+    return [abs(brentq(balance, s * guess * 0.5, s * guess * 1.1, xtol=1e-10)) for s in (-1, 1)]
+
+
+@pytest.mark.parametrize("theory", ["euler", "rayleigh", "timoshenko"])
+@pytest.mark.parametrize("W", [0.0, 700.0])
+def test_a_hinged_shaft_whirls_as_its_theory_says(theory, W):
+    found = modes(hinged(40, theory=theory), W, 6)
+    for j in (1, 2, 3):
+        back, forth = shaft_frequencies(j, W, theory=theory)
+        np.testing.assert_allclose(
+            found.frequencies[2 * j - 2 : 2 * j], sorted([back, forth]), rtol=3e-5 * j**2
+        )
+    if W and theory != "euler":
+        np.testing.assert_array_equal(found.whirl, [-1, 1] * 3)
+
+
+@pytest.mark.parametrize(("theory", "order"), [("euler", 4), ("rayleigh", 4), ("timoshenko", 2)])
+def test_the_order_of_convergence(theory, order):
+    exact = shaft_frequencies(1, 300.0, d=0.2, theory=theory)[1]
+    errors = [
+        max(modes(hinged(n, d=0.2, theory=theory), 300.0, 2).frequencies) / exact - 1
+        for n in (4, 8)
+    ]
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.25)
+
+
+def test_mode_shapes_of_a_hinged_shaft_are_sines():
+    found = modes(hinged(16, theory="timoshenko"), 300.0, 4)
+    z = np.linspace(0, 1, 17)
+    for k, j in enumerate((1, 1, 2, 2)):
+        x, y = found.shapes[k, :, 0], found.shapes[k, :, 1]
+        sine = np.sin(j * np.pi * z)
+        np.testing.assert_allclose(abs(x), abs(sine), atol=2e-3)
+        np.testing.assert_allclose(y, -1j * found.whirl[k] * x, atol=1e-9)
+
+
+def test_a_cantilever_has_the_roots_of_its_characteristic_equation():
+    n, L, d = 16, 1.0, 0.01
+    clamp = Support(0, 1e14, k_tilt=1e14, kzz=1e14, k_turn=1e14)
+    rotor = Rotor(
+        [Shaft([Element(L / n, d, material=STEEL)] * n)], supports=[clamp], theory="euler"
+    )
+    found = modes(rotor, 0.0, 6).frequencies[::2]
+    A, inertia = section(d)
+    roots = [brentq(lambda b: np.cosh(b) * np.cos(b) + 1, *ab) for ab in ((1, 3), (4, 6), (7, 9))]
+    np.testing.assert_allclose(
+        found, np.square(roots) * np.sqrt(E * inertia / (RHO * A)), rtol=1e-4
+    )
+
+
+@pytest.mark.parametrize("W", [0.0, 150.0, -150.0, 900.0])
+def test_a_disc_on_a_light_shaft(W):
+    """In the middle, force and tilt are independent: k = 48 EI/L^3 and 12 EI/L."""
+    L, d, m, Ip, Id = 1.0, 0.02, 10.0, 0.2, 0.1
+    _, inertia = section(d)
+    rotor = Rotor(
+        [Shaft([Element(L / 2, d, material=LIGHT)] * 2)], [Disc(1, m, Ip, Id)],
+        [Support(0, 1e15), Support(2, 1e15)], theory="rayleigh",
+    )  # fmt: skip
+    found = modes(rotor, W, 4)
+    across = np.sqrt(48 * E * inertia / L**3 / m)
+    tilt = np.roots([Id, -W * Ip, -12 * E * inertia / L])
+    expected = sorted([across, across, *abs(tilt)])
+    np.testing.assert_allclose(found.frequencies, expected, rtol=1e-7)
+    for value in tilt if W else ():
+        assert found.whirl[np.argmin(abs(found.frequencies - abs(value)))] == np.sign(value)
+    assert found.damping == pytest.approx(0, abs=1e-9)
+
+
+def test_a_rigid_rotor_on_two_springs():
+    """Translation and tilt coupled: m u'' + ..., four frequencies of a 2 x 2 pencil."""
+    m, Ip, Id, a, b, k_1, k_2, W = 20.0, 0.5, 0.8, 0.3, 0.5, 3e6, 5e6, 400.0
+    rotor = Rotor(
+        [Shaft([Element(a, 0.1, material=RIGID), Element(b, 0.1, material=RIGID)])],
+        [Disc(1, m, Ip, Id)], [Support(0, k_1), Support(2, k_2)],
+    )  # fmt: skip
+    K = np.array([[k_1 + k_2, k_2 * b - k_1 * a], [k_2 * b - k_1 * a, k_1 * a**2 + k_2 * b**2]])
+    M, G = np.diag([m, Id]), np.diag([0, Ip])
+    # w^2 M - w W G - K = 0
+    state = np.block([[np.zeros((2, 2)), np.eye(2)],
+                      [np.linalg.solve(M, K), np.linalg.solve(M, W * G)]])  # fmt: skip
+    w = np.linalg.eigvals(state).real
+    found = modes(rotor, W, 4)
+    np.testing.assert_allclose(found.frequencies, sorted(abs(w)), rtol=1e-6)
+    order = np.argsort(abs(w))
+    np.testing.assert_array_equal(found.whirl, np.sign(w[order]))
+
+
+def test_unlike_supports_let_a_slow_rotor_go_to_and_fro_and_a_fast_one_whirl():
+    rotor = Rotor(
+        [Shaft([Element(0.4, 0.1, material=RIGID)] * 2)], [Disc(1, 20.0, 1.0, 0.6)],
+        [Support(0, 3e6, 4e6), Support(2, 3e6, 4e6)],
+    )  # fmt: skip
+    rest = modes(rotor, 0.0, 4)
+    tilt = np.sqrt(np.array([3e6, 4e6]) * 2 * 0.16 / 0.6)
+    np.testing.assert_allclose(
+        rest.frequencies, sorted([*np.sqrt(np.array([6e6, 8e6]) / 20), *tilt]), rtol=1e-6
+    )
+    np.testing.assert_array_equal(rest.whirl, 0)
+    W = 500.0  # (k_x a^2 - w^2 Id)(k_y a^2 - w^2 Id) = (w W Ip)^2
+    p = np.polymul([-0.6, 0, tilt[0] ** 2 * 0.6], [-0.6, 0, tilt[1] ** 2 * 0.6])
+    p[2] -= W**2
+    fast = modes(rotor, W, 4)
+    w = np.sort(np.roots(p)[np.roots(p) > 0].real)
+    for value, sense in zip(w, (-1, 1), strict=True):
+        k = np.argmin(abs(fast.frequencies - value))
+        assert fast.frequencies[k] == pytest.approx(value, rel=1e-6)
+        assert fast.whirl[k] == sense
+
+
+def test_torsion_of_two_discs_and_of_a_free_bar():
+    L, d = 0.8, 0.03
+    _, inertia = section(d)
+    G = E / (2 * (1 + NU))
+    rotor = Rotor([Shaft([Element(L, d, material=LIGHT)])], [Disc(0, 1, 0.2), Disc(1, 1, 0.3)])
+    w = modes(rotor, 100.0, 2, "torsion").frequencies
+    assert w[0] == pytest.approx(0, abs=1e-4 * w[1])
+    assert w[1] == pytest.approx(np.sqrt(G * 2 * inertia / L * (1 / 0.2 + 1 / 0.3)), rel=1e-9)
+    bar = Rotor([Shaft([Element(L / 40, d, material=STEEL)] * 40)])
+    np.testing.assert_allclose(
+        modes(bar, 0.0, 3, "torsion").frequencies[1:],
+        np.pi * np.array([1, 2]) * np.sqrt(G / RHO) / L, rtol=2e-3,
+    )  # fmt: skip
+    np.testing.assert_allclose(
+        modes(bar, 0.0, 2, "axial").frequencies[1], np.pi * np.sqrt(E / RHO) / L, rtol=5e-4
+    )
+
+
+def test_a_free_shaft_has_rigid_motions_and_bends_as_a_free_beam():
+    n, d = 30, 0.01
+    found = modes(Rotor([Shaft([Element(1 / n, d, material=STEEL)] * n)], theory="euler"), 0.0, 6)
+    A, inertia = section(d)
+    root = brentq(lambda b: np.cosh(b) * np.cos(b) - 1, 4, 5)
+    elastic = found.frequencies[found.frequencies > 1]
+    assert elastic[0] == pytest.approx(root**2 * np.sqrt(E * inertia / (RHO * A)), rel=1e-4)
+    assert np.sum(found.frequencies < 1e-2) == 4
+
+
+def test_shafts_at_opposite_speeds_are_mirror_images():
+    els = [Element(0.1, 0.02, material=STEEL)] * 6
+    parts = {"discs": [Disc(3, 5.0, 0.4, 0.2)], "supports": [Support(1, 1e7), Support(6, 1e7)]}
+    one = modes(Rotor([Shaft(els)], **parts), 600.0, 6)
+    other = modes(Rotor([Shaft(els, ratio=-2.0)], **parts), 300.0, 6)
+    np.testing.assert_allclose(one.frequencies, other.frequencies, rtol=1e-11)
+    np.testing.assert_array_equal(one.whirl, -other.whirl)
+
+
+def test_two_shafts_linked_stiffly_are_one():
+    els = [Element(0.1, 0.02, material=STEEL)] * 6
+    supports = [Support(0, 1e7), Support(6, 1e7)]
+    one = modes(Rotor([Shaft(els)], [Disc(3, 5.0, 0.4, 0.2)], supports), 600.0, 6)
+    cut = Rotor(
+        [Shaft(els[:3]), Shaft(els[3:], z=0.3)], [Disc(4, 5.0, 0.4, 0.2)],
+        [Support(0, 1e7), Support(7, 1e7)], [Link(3, 4, 1e13 * np.eye(6))],
+    )  # fmt: skip
+    np.testing.assert_allclose(modes(cut, 600.0, 6).frequencies, one.frequencies, rtol=1e-6)
+
+
+def test_damped_modes_are_those_of_the_state_matrix():
+    els = [Element(0.1, 0.03, material=STEEL)] * 5
+    rotor = Rotor(
+        [Shaft(els)], [Disc(2, 5.0, 0.4, 0.2)],
+        [Support(0, 1e7, 3e7, kxy=2e6, kyx=-1e6, cxx=2e3, cyy=1e3, cxy=200.0), Support(5, 2e7)],
+    )  # fmt: skip
+    found = modes(rotor, 400.0, 6)
+    at = [i for i in range(36) if i % 6 in (0, 1, 3, 4)]
+    M, K, C, G = (A[np.ix_(at, at)] for A in (rotor.M, rotor.K, rotor.C, rotor.G))
+    S = np.block([[np.zeros_like(M), np.eye(24)],
+                  [-np.linalg.solve(M, K), -np.linalg.solve(M, C + 400.0 * G)]])  # fmt: skip
+    values = np.linalg.eigvals(S)
+    values = values[values.imag > 1][np.argsort(values[values.imag > 1].imag)][:6]
+    np.testing.assert_allclose(found.eigenvalues, values, rtol=1e-7)
+    for value, shape in zip(found.eigenvalues, found.shapes, strict=True):
+        v = shape[:, [0, 1, 3, 4]].reshape(-1)
+        force = (value**2 * M + value * (C + 400.0 * G) + K) @ v
+        assert abs(force).max() < 1e-8 * abs(K @ v).max()
+
+
+def test_circulation_makes_a_rotor_unstable_where_it_overcomes_the_damping():
+    """In m r'' + c r' + (k - i q) r: grows for q > c sqrt(k/m)."""
+    m, k, c = 10.0, 4e6, 800.0
+    limit = c * np.sqrt(k / m)
+    for q, grows in ((0.9 * limit, False), (1.1 * limit, True)):
+        rotor = Rotor(
+            [Shaft([Element(0.4, 0.1, material=RIGID)] * 2)], [Disc(1, m, 0.2, 0.2)],
+            [Support(n, k / 2, kxy=q / 2, kyx=-q / 2, cxx=c / 2) for n in (0, 2)],
+        )  # fmt: skip
+        found = modes(rotor, 0.0, 4)
+        forward = found.damping[found.whirl == 1]
+        assert (forward.min() < 0) == grows
+        assert (found.damping[found.whirl == -1] > 0).all()
+
+
+def test_modal_and_rayleigh_damping_give_the_ratios_asked_for():
+    els = [Element(0.1, 0.03, material=STEEL)] * 6
+    parts = {"supports": [Support(n, 1e7, kzz=1e7, k_turn=1e4) for n in (0, 6)]}
+    bare = modes(Rotor([Shaft(els)], **parts), 0.0, 10, "all")
+    modal = modes(Rotor([Shaft(els)], damping=Modal([0.01, 0.01, 0.03]), **parts), 0.0, 10, "all")
+    np.testing.assert_allclose(np.sort(modal.damping), [0.01] * 2 + [0.03] * 8, rtol=1e-6)
+    w = bare.frequencies
+    rayleigh = Rotor([Shaft(els)], damping=Rayleigh.at((w[0], 0.02), (w[4], 0.05)), **parts)
+    found = modes(rayleigh, 0.0, 6, "all").damping
+    assert found[[0, 4]] == pytest.approx([0.02, 0.05], rel=1e-6)

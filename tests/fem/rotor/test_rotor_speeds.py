@@ -1,0 +1,123 @@
+"""Campbell diagrams and critical speeds: branches that cross, speeds found both ways."""
+
+import numpy as np
+import pytest
+
+from fem.rotor.campbell import campbell
+from fem.rotor.critical import critical_speeds
+from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, SpeedSupport, Support
+from fem.rotor.modes import modes
+
+E, NU = 210e9, 0.3
+STEEL = Material(E=E, nu=NU, rho=7850.0)
+LIGHT = Material(E=E, nu=NU)
+ELS = [Element(0.1, 0.03, material=STEEL)] * 8
+DISCS = [Disc(2, 5.0, 0.2, 0.1), Disc(5, 8.0, 0.4, 0.2)]
+ISOTROPIC = Rotor([Shaft(ELS)], DISCS, [Support(0, 1e7), Support(8, 2e7)])
+UNLIKE = Rotor([Shaft(ELS)], DISCS, [Support(0, 1e7, 2e7), Support(8, 2e7, 3e7)])
+TWIN = Rotor(
+    [Shaft(ELS), Shaft([Element(0.1, 0.06, 0.045, STEEL)] * 4, ratio=-1.4, z=0.2)],
+    [*DISCS, Disc(10, 3.0, 0.05, 0.03)], [Support(0, 1e7), Support(8, 2e7), Support(9, 1e7)],
+    [Link.bearing(6, 13, 5e6, k_tilt=300.0)],
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("rotor", [ISOTROPIC, UNLIKE, TWIN])
+def test_each_speed_of_the_diagram_has_the_modes_of_that_speed(rotor):
+    speeds = np.linspace(0, 1500, 31)
+    found = campbell(rotor, speeds, 12)
+    for i in (0, 11, 30):
+        own = modes(rotor, speeds[i], 14).frequencies
+        for value in found.frequencies[i, :6]:
+            assert abs(own - value).min() < 1e-9 * own[5]
+
+
+def test_branches_are_smooth_where_they_cross():
+    """A symmetric rotor: symmetric and antisymmetric branches cross without seeing each other."""
+    rotor = Rotor(
+        [Shaft([Element(0.25, 0.03, material=LIGHT)] * 4)],
+        [Disc(2, 20.0, 0.6, 0.3)], [Support(0, 1e12), Support(4, 1e12)],
+    )  # fmt: skip
+    speeds = np.linspace(0, 800, 81)
+    found = campbell(rotor, speeds, 4)
+    across = np.sqrt(48 * E * np.pi * 0.03**4 / 64 / 20.0)
+    shear = 1 / (4 * Element(1, 0.03).kappa * E / 2.6 * np.pi * 0.03**2 / 4)
+    across = 1 / np.sqrt(1 / across**2 + 20.0 * shear)
+    flat = np.flatnonzero(np.ptp(found.frequencies, axis=0) < 1e-6 * across)
+    assert flat.size == 2
+    np.testing.assert_allclose(found.frequencies[:, flat], across, rtol=1e-6)
+    falling = found.frequencies[:, np.argmin(found.frequencies[-1])]
+    assert falling[0] > across > falling[-1]
+    assert (np.diff(falling) < 0).all()
+
+
+def test_names_of_the_whirl_hold_along_a_branch():
+    found = campbell(UNLIKE, np.linspace(1, 1500, 60), 8)
+    assert (found.whirl[0] != 0).all()
+    iso = campbell(ISOTROPIC, np.linspace(1, 1500, 60), 8)
+    assert (np.ptp(iso.whirl, axis=0) == 0).all()
+    forward = iso.frequencies[:, iso.whirl[0] == 1]
+    assert (np.diff(forward, axis=0) > 0).all()
+    assert (np.diff(iso.frequencies[:, iso.whirl[0] == -1], axis=0) < 0).all()
+
+
+@pytest.mark.parametrize("rotor", [ISOTROPIC, UNLIKE, TWIN])
+@pytest.mark.parametrize("excitation", [1.0, -1.4, 2.0])
+def test_critical_speeds_are_where_a_frequency_meets_the_excitation(rotor, excitation):
+    found = critical_speeds(rotor, 5, "both", excitation)
+    assert found.speeds.size == 5
+    for speed, sense in zip(found.speeds, found.whirl, strict=True):
+        own = modes(rotor, speed, 20)
+        k = np.argmin(abs(own.frequencies - abs(excitation) * speed))
+        assert own.frequencies[k] == pytest.approx(abs(excitation) * speed, rel=1e-9)
+        assert own.whirl[k] == sense
+    crossings = campbell(rotor, np.linspace(0, 1.1 * found.speeds[-1], 400), 16).crossings(
+        excitation
+    )
+    for speed in found.speeds:
+        assert abs(crossings - speed).min() < 1e-5 * speed
+
+
+def test_forward_backward_and_both():
+    forward, backward, both = (
+        critical_speeds(ISOTROPIC, 6, whirl).speeds for whirl in ("forward", "backward", "both")
+    )
+    np.testing.assert_allclose(np.sort([*forward, *backward])[:6], both, rtol=1e-12)
+    assert (backward < forward).all()
+
+
+def test_a_thin_overhung_disc_has_no_second_forward_critical_speed():
+    """Stodola: with Ip > Id the equation in W^2 has one positive root; backwards it has two."""
+    L, d, m, Ip, Id = 0.4, 0.03, 6.0, 0.12, 0.06
+    clamp = Support(0, 1e14, k_tilt=1e13)
+    rotor = Rotor(
+        [Shaft([Element(L, d, material=LIGHT)])], [Disc(1, m, Ip, Id)], [clamp], theory="rayleigh"
+    )  # fmt: skip
+    stiff = E * np.pi * d**4 / 64
+    K = stiff * np.array([[12 / L**3, -6 / L**2], [-6 / L**2, 4 / L]])
+    for whirl, inertia in (("forward", Id - Ip), ("backward", Id + Ip)):
+        squares = np.linalg.eigvals(np.linalg.solve(np.diag([m, inertia]), K)).real
+        expected = np.sqrt(np.sort(squares[squares > 0]))
+        found = critical_speeds(rotor, 3, whirl).speeds
+        assert found.size == expected.size == (1 if whirl == "forward" else 2)
+        np.testing.assert_allclose(found, expected, rtol=1e-6)
+
+
+def test_supports_that_stiffen_with_the_speed():
+    def at(speed):
+        return Support(0, 1e6 + 20.0 * speed**2)
+
+    rigid = Material(E=1e17, nu=NU)
+    rotor = Rotor(
+        [Shaft([Element(0.4, 0.1, material=rigid)] * 2)], [Disc(1, 20.0, 0.5, 0.5)],
+        [SpeedSupport(0, at), SpeedSupport(2, at)],
+    )  # fmt: skip
+    for speed in (0.0, 300.0):
+        k = 1e6 + 20.0 * speed**2
+        w = modes(rotor, speed, 4).frequencies
+        assert abs(w - np.sqrt(2 * k / 20.0)).min() < 1e-5 * w[0]
+    found = campbell(rotor, np.linspace(0, 2000, 81), 4)
+    # 2 (1e6 + 20 W^2) = 20 W^2 has no root: it runs away; at rest sqrt(1e5)
+    assert found.frequencies[0, 0] == pytest.approx(np.sqrt(1e5), rel=1e-5)
+    with pytest.raises(ValueError, match="depend on the speed"):
+        critical_speeds(rotor)
