@@ -1,0 +1,169 @@
+"""Dynamic stiffness of a whole rotor in bending, from the exact stiffness of its pieces.
+
+Unknowns are (r, phi L) at the stations and between pieces, L a length that keeps entries alike.
+Bearings that differ in x and y couple r = r+ e^{i omega t} + conj(r-) e^{-i omega t}: their force
+k r + d conj(r) makes (k, d; conj d, k) of (r+, r-), and r- sees the rotor at -omega.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.rotor.transfer_model import Link, Rotor, Segment, Spring, Support
+from analytic.rotor.transfer_segment import dynamic_stiffness, pieces
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Bending:
+    """A rotor cut into pieces: `parts` of each segment, so short that none has a clamped root."""
+
+    rotor: Rotor
+    parts: tuple[int, ...]
+
+    @staticmethod
+    def up_to(rotor: Rotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
+        """Cut for all frequencies from 0 to `w` [rad/s] at the speeds `Omega`, as pairs."""
+        s, b, t = numbers(rotor, w, Omega)
+        parts = pieces(s=s, b=b, t=t).reshape(-1, s.shape[-1]).max(axis=0)
+        return Bending(rotor, tuple(int(n) for n in parts))
+
+    @cached_property
+    def segments(self) -> tuple[Segment, ...]:
+        return tuple(s for shaft in self.rotor.shafts for s in shaft.segments)
+
+    @cached_property
+    def length(self) -> float:
+        """L [m]: what phi is multiplied with."""
+        return float(np.mean([s.length for s in self.segments]))
+
+    @cached_property
+    def ends(self) -> NDArray[np.int64]:
+        """Nodes (pieces, 2) at the near and the far end; stations first, then the cuts."""
+        first = [k for k, _ in stations_of(self.rotor)]
+        found, cut = [], self.rotor.stations
+        for near, count in zip(first, self.parts, strict=True):
+            chain = [near, *range(cut, cut + count - 1), near + 1]
+            cut += count - 1
+            found += list(pairwise(chain))
+        return np.array(found)
+
+    @property
+    def nodes(self) -> int:
+        return self.rotor.stations + sum(self.parts) - len(self.parts)
+
+    @cached_property
+    def springs(self) -> Array:
+        """Mean stiffness (n, n) of all bearings, n = 2 nodes [N/m]."""
+        return self._lumped([s.stiffness[0] for s in self.bearings],
+                            [s.k_tilt for s in self.bearings]).real  # fmt: skip
+
+    @cached_property
+    def deviator(self) -> Complex:
+        """What the bearings' difference in x and y adds, of conj(r) (n, n) [N/m]."""
+        return self._lumped([s.stiffness[1] for s in self.bearings], [0.0] * len(self.bearings))
+
+    @cached_property
+    def dampers(self) -> tuple[Complex, Complex]:
+        """Mean and deviator of the bearings' damping (n, n) [N s/m]."""
+        mean = self._lumped([s.damping[0] for s in self.bearings],
+                            [s.c_tilt for s in self.bearings])  # fmt: skip
+        other = self._lumped([s.damping[1] for s in self.bearings], [0.0] * len(self.bearings))
+        return mean, other
+
+    @property
+    def bearings(self) -> tuple[Spring, ...]:
+        return (*self.rotor.supports, *self.rotor.links)
+
+    def stiffness(self, w: ArrayLike, Omega: ArrayLike) -> Array:
+        """D(w, Omega) (m, n, n) of isotropic bearings; w (m,) is negative for backward whirl."""
+        w, Omega = (np.atleast_1d(np.asarray(v, dtype=np.float64)) for v in (w, Omega))
+        D = np.repeat(self.springs[None], w.size, axis=0)
+        self._add_pieces(D, w, Omega)
+        ratio = np.array([shaft.ratio for shaft in self.rotor.shafts])
+        for disc in self.rotor.discs:
+            r, phi = 2 * disc.node, 2 * disc.node + 1
+            spin = ratio[self.rotor.shaft_of[disc.node]] * Omega
+            D[:, r, r] -= disc.mass * w**2
+            D[:, phi, phi] -= (disc.diametral * w**2 - disc.polar * spin * w) / self.length**2
+        return D
+
+    def coupled(self, w: ArrayLike, Omega: ArrayLike, *, damped: bool = False) -> Complex:
+        """The same of (r+, r-) (m, 2n, 2n), Hermitian but for damping."""
+        w = np.atleast_1d(np.asarray(w, dtype=np.float64))
+        n = 2 * self.nodes
+        D = np.empty((w.size, 2 * n, 2 * n), dtype=np.complex128)
+        D[:, :n, :n], D[:, n:, n:] = self.stiffness(w, Omega), self.stiffness(-w, Omega)
+        D[:, :n, n:], D[:, n:, :n] = self.deviator, self.deviator.conj()
+        if damped:
+            mean, other = self.dampers
+            C = np.block([[mean, other], [other.conj(), mean]])
+            D += 1j * w[:, None, None] * C
+        return D
+
+    def _add_pieces(self, D: Array, w: Array, Omega: Array) -> None:
+        s, b, t = numbers(self.rotor, w, Omega)
+        n = np.array(self.parts, dtype=np.float64)
+        blocks = dynamic_stiffness(s=s * n**2, b=b / n**4, t=t / n**2)
+        long = np.array([seg.length for seg in self.segments]) / n
+        turn = np.stack([np.ones_like(long), long / self.length], axis=-1)
+        scale = np.tile(turn, 2)
+        EI = np.array([seg.E * seg.I for seg in self.segments])
+        blocks *= (EI / long**3)[:, None, None] * scale[:, :, None] * scale[:, None, :]
+        blocks = np.repeat(blocks, self.parts, axis=1)
+        at = 2 * self.ends[..., None] + np.arange(2)  # (pieces, end, unknown)
+        for a in range(2):
+            for c in range(2):  # a node is the near end of one piece at most, and the far one
+                rows, columns = at[:, a, :, None], at[:, c, None, :]
+                D[:, rows, columns] += blocks[..., 2 * a : 2 * a + 2, 2 * c : 2 * c + 2]
+
+    def _lumped(self, lateral: Sequence[complex], tilt: Sequence[float]) -> Complex:
+        found = np.zeros((2 * self.nodes, 2 * self.nodes), dtype=np.complex128)
+        for spring, k, turn in zip(self.bearings, lateral, tilt, strict=True):
+            values = np.array([k, turn / self.length**2])
+            for a, c, sign in pairs(spring):
+                found[[2 * a, 2 * a + 1], [2 * c, 2 * c + 1]] += sign * values
+        return found
+
+
+def pairs(spring: Spring) -> tuple[tuple[int, int, float], ...]:
+    """Rows, columns and signs with which a bearing enters a stiffness of the stations."""
+    if isinstance(spring, Support):
+        return ((spring.node, spring.node, 1.0),)
+    assert isinstance(spring, Link)
+    a, b = spring.a, spring.b
+    return (a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)
+
+
+def stations_of(rotor: Rotor) -> list[tuple[int, int]]:
+    """Near station and shaft of each segment."""
+    found, node = [], 0
+    for k, shaft in enumerate(rotor.shafts):
+        found += [(node + j, k) for j in range(len(shaft.segments))]
+        node += len(shaft.segments) + 1
+    return found
+
+
+def numbers(rotor: Rotor, w: ArrayLike, Omega: ArrayLike) -> tuple[Array, Array, Array]:
+    """The numbers s, b, t (m, segments) of whole segments; see `transfer_segment`."""
+    w = np.asarray(w, dtype=np.float64)[..., None]
+    spin = np.asarray(Omega, dtype=np.float64)[..., None] * np.array(
+        [shaft.ratio for shaft in rotor.shafts for _ in shaft.segments]
+    )
+    segments = [s for shaft in rotor.shafts for s in shaft.segments]
+    long, EI, A, rho, E, kGA = (
+        np.array(values) for values in zip(*(
+            (s.length, s.E * s.I, s.A, s.rho, s.E, s.shear * s.G * s.A) for s in segments
+        ), strict=True)
+    )  # fmt: skip
+    sheared, inert = rotor.theory == "timoshenko", rotor.theory != "euler"
+    s = EI / (kGA * long**2) * sheared
+    b = rho * A * w**2 * long**4 / EI
+    t = rho * long**2 / E * (w**2 - 2 * spin * w) * inert
+    return np.broadcast_to(s, b.shape), b, t

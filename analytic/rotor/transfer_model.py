@@ -1,0 +1,225 @@
+"""Rotors of several coaxial shafts, as the exact transfer-matrix model takes them.
+
+Stations are the ends of the segments, numbered from 0 along the first shaft, then on along the
+next. Deflections are r = x + iy and phi = theta_y - i theta_x, which is dr/dz of a slender shaft.
+"""
+
+import math
+from dataclasses import dataclass
+
+from analytic.rotor.shafts import Theory, hutchinson
+
+THEORIES = ("timoshenko", "rayleigh", "euler")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Segment:
+    """A tube of one section: `length`, diameters `d_o`, `d_i` [m], E [Pa], nu, rho [kg/m³].
+
+    `kappa` is the shear coefficient; Hutchinson's for the tube where None.
+    ValueError: a length or modulus that is not positive, d_i not in [0, d_o).
+    """
+
+    length: float
+    d_o: float
+    d_i: float = 0.0
+    E: float = 210e9
+    nu: float = 0.3
+    rho: float = 7850.0
+    kappa: float | None = None
+
+    def __post_init__(self) -> None:
+        for value, what, unit in (
+            (self.length, "length of a segment", "m"), (self.d_o, "outer diameter", "m"),
+            (self.E, "Young's modulus", "Pa"), (self.rho, "density", "kg/m³"),
+            (1.0 if self.kappa is None else self.kappa, "shear coefficient", ""),
+        ):  # fmt: skip
+            if not (math.isfinite(value) and value > 0):
+                raise ValueError(f"{what} must be positive, got {value:g} {unit}".rstrip())
+        if not 0 <= self.d_i < self.d_o:
+            raise ValueError(
+                f"a tube needs 0 <= d_i < d_o, got d_i = {self.d_i:g} m, d_o = {self.d_o:g} m"
+            )
+        if not -1 < self.nu <= 0.5:
+            raise ValueError(f"Poisson's ratio must be above -1 and at most 0.5, got {self.nu:g}")
+
+    @property
+    def A(self) -> float:
+        """Area of the section [m²]."""
+        return math.pi / 4 * (self.d_o**2 - self.d_i**2)
+
+    @property
+    def I(self) -> float:  # noqa: E743 - the book's symbol
+        """Second moment of the section [m⁴]; the polar one is twice it."""
+        return math.pi / 64 * (self.d_o**4 - self.d_i**4)
+
+    @property
+    def G(self) -> float:
+        """Shear modulus [Pa]."""
+        return self.E / (2 * (1 + self.nu))
+
+    @property
+    def shear(self) -> float:
+        """The shear coefficient in use."""
+        if self.kappa is not None:
+            return self.kappa
+        return hutchinson(nu=self.nu, m=self.d_i / self.d_o)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shaft:
+    """Segments end to end, turning at `ratio` times the rotor's speed (negative: against it)."""
+
+    segments: tuple[Segment, ...]
+    ratio: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not self.segments:
+            raise ValueError("a shaft needs a segment, got none")
+        if not math.isfinite(self.ratio):
+            raise ValueError(f"a shaft's ratio of speed must be finite, got {self.ratio:g}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Disc:
+    """A rigid disc at a station: `mass` [kg], `polar` and `diametral` moment of inertia [kg m²]."""
+
+    node: int
+    mass: float
+    polar: float
+    diametral: float
+
+    def __post_init__(self) -> None:
+        for value, what in (
+            (self.mass, "mass"), (self.polar, "polar moment"), (self.diametral, "diametral moment")
+        ):  # fmt: skip
+            if not (math.isfinite(value) and value >= 0):
+                raise ValueError(f"{what} of a disc must not be negative, got {value:g}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spring:
+    """A bearing's stiffness [N/m; N m/rad] and damping [N s/m; N m s/rad].
+
+    F_x = kxx x + kxy y, F_y = kxy x + kyy y; None: kyy = kxx, cyy = cxx. `k_tilt` resists theta_x
+    and theta_y, `k_turn` theta_z.
+    ValueError: negative or not finite, or kxy^2 > kxx kyy: a stiffness that does not resist.
+    """
+
+    kxx: float
+    kyy: float | None = None
+    kxy: float = 0.0
+    cxx: float = 0.0
+    cyy: float | None = None
+    cxy: float = 0.0
+    k_tilt: float = 0.0
+    c_tilt: float = 0.0
+    k_turn: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("kxx", "kyy", "cxx", "cyy", "k_tilt", "c_tilt", "k_turn"):
+            value = getattr(self, name)
+            if value is not None and not (math.isfinite(value) and value >= 0):
+                what = "stiffness" if name.startswith("k") else "damping"
+                raise ValueError(f"a {what} must not be negative, got {name} = {value:g}")
+        for one, two, both in (("kxx", "kyy", "kxy"), ("cxx", "cyy", "cxy")):
+            x, cross = getattr(self, one), getattr(self, both)
+            y = x if getattr(self, two) is None else getattr(self, two)
+            if not (math.isfinite(cross) and cross**2 <= x * y):
+                raise ValueError(
+                    f"{both} must not exceed the root of {one} {two}, got {cross:g}, {x:g}, {y:g}"
+                )
+
+    @property
+    def stiffness(self) -> tuple[float, complex]:
+        """Mean and deviator (k, d): the force is k r + d conj(r) [N/m]."""
+        return _parts(self.kxx, self.kyy, self.kxy)
+
+    @property
+    def damping(self) -> tuple[float, complex]:
+        """Mean and deviator of the damping [N s/m]."""
+        return _parts(self.cxx, self.cyy, self.cxy)
+
+
+def _parts(xx: float, yy: float | None, xy: float) -> tuple[float, complex]:
+    y = xx if yy is None else yy
+    return (xx + y) / 2, complex((xx - y) / 2, xy)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Support(Spring):
+    """A bearing between a station and the ground."""
+
+    node: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Link(Spring):
+    """A bearing or a clutch between the stations `a` and `b`."""
+
+    a: int
+    b: int
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.a == self.b:
+            raise ValueError(f"a link joins two stations, got {self.a} twice")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rotor:
+    """Shafts with discs, bearings to the ground and links between shafts, all undamped segments.
+
+    `theory`: "timoshenko", "rayleigh" (no shear) or "euler" (nor rotary inertia of the shafts).
+    ValueError: no shaft, a station that does not exist.
+    """
+
+    shafts: tuple[Shaft, ...]
+    discs: tuple[Disc, ...] = ()
+    supports: tuple[Support, ...] = ()
+    links: tuple[Link, ...] = ()
+    theory: Theory = "timoshenko"
+
+    def __post_init__(self) -> None:
+        if not self.shafts:
+            raise ValueError("a rotor needs a shaft, got none")
+        if self.theory not in THEORIES:
+            raise ValueError(f"theory is one of {', '.join(THEORIES)}, got {self.theory!r}")
+        used = [(d.node, "disc") for d in self.discs]
+        used += [(s.node, "support") for s in self.supports]
+        used += [(n, "link") for link in self.links for n in (link.a, link.b)]
+        for node, what in used:
+            if not 0 <= node < self.stations:
+                raise ValueError(
+                    f"a {what} is at station {node}, there are 0 to {self.stations - 1}"
+                )
+
+    @property
+    def stations(self) -> int:
+        """How many stations there are."""
+        return sum(len(shaft.segments) + 1 for shaft in self.shafts)
+
+    @property
+    def shaft_of(self) -> tuple[int, ...]:
+        """The number of the shaft of each station."""
+        return tuple(
+            k for k, shaft in enumerate(self.shafts) for _ in range(len(shaft.segments) + 1)
+        )
+
+    @property
+    def places(self) -> tuple[float, ...]:
+        """Places of the stations along their own shafts [m]."""
+        found: list[float] = []
+        for shaft in self.shafts:
+            z = 0.0
+            found.append(z)
+            for segment in shaft.segments:
+                z += segment.length
+                found.append(z)
+        return tuple(found)
+
+    @property
+    def isotropic(self) -> bool:
+        """Whether all bearings are alike in x and y."""
+        springs = (*self.supports, *self.links)
+        return all(s.stiffness[1] == 0 and s.damping[1] == 0 for s in springs)

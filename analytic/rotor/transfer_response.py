@@ -1,0 +1,104 @@
+"""Steady response of a rotor to unbalance, by exact transfer matrices with damped bearings."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.rotor.transfer_bending import Bending
+from analytic.rotor.transfer_model import Link, Rotor, Spring, Support
+from analytic.rotor.transfer_supported import check_supported
+
+Complex = NDArray[np.complex128]
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Response:
+    """Deflections (speeds, 4 nodes) over `speeds` [rad/s], turning at `w` >= 0 [rad/s].
+
+    `unknowns` are (r+, phi+ L) and then (r-, phi- L), r = r+ e^{iwt} + conj(r-) e^{-iwt}.
+    """
+
+    speeds: Array
+    w: Array
+    unknowns: Complex
+    bending: Bending
+
+    def at(self, node: int) -> tuple[Complex, Complex]:
+        """r+ and r- (speeds,) of a station [m]."""
+        half = self.unknowns.shape[1] // 2
+        return self.unknowns[:, 2 * node], self.unknowns[:, half + 2 * node]
+
+    def amplitude(self, node: int) -> Array:
+        """The larger half-axis of a station's orbit (speeds,) [m]."""
+        plus, minus = self.at(node)
+        return np.asarray(np.abs(plus) + np.abs(minus))
+
+    def force(self, spring: Spring) -> tuple[Complex, Complex]:
+        """F+ and F- (speeds,) of a bearing on its shaft, or on `a` of a link, turned round [N]."""
+        if isinstance(spring, Support):
+            plus, minus = self.at(spring.node)
+        else:
+            assert isinstance(spring, Link)
+            (pa, ma), (pb, mb) = self.at(spring.a), self.at(spring.b)
+            plus, minus = pa - pb, ma - mb
+        (k, d), (c, e) = spring.stiffness, spring.damping
+        mean, other, turned = k + 1j * self.w * c, d + 1j * self.w * e, np.conj(d)
+        return mean * plus + other * minus, (
+            turned + 1j * self.w * np.conj(e)
+        ) * plus + mean * minus
+
+    def load(self, spring: Spring) -> Array:
+        """The largest force of a bearing during a turn (speeds,) [N]."""
+        plus, minus = self.force(spring)
+        return np.asarray(np.abs(plus) + np.abs(minus))
+
+
+def unbalance_response(
+    rotor: Rotor,
+    speeds: ArrayLike,
+    unbalances: Mapping[int, complex],
+    *,
+    excitation: float = 1.0,
+) -> Response:
+    """Response to unbalances m e [kg m] at stations, complex by their angle.
+
+    They turn at `excitation` times the rotor's speed: the ratio of the shaft that bears them.
+    ValueError: an unknown station, no unbalance, a speed that is negative or not finite.
+    """
+    Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
+    if not (np.isfinite(Omega) & (Omega >= 0)).all():
+        raise ValueError("speeds must be finite and not negative")
+    if not unbalances:
+        raise ValueError("needs an unbalance at a station, got none")
+    check_supported(rotor)
+    w = abs(excitation) * Omega
+    top = np.array([w.max(), -w.max()])
+    bending = Bending.up_to(rotor, top, np.full(2, Omega.max()))
+    force = np.zeros((Omega.size, 4 * bending.nodes), dtype=np.complex128)
+    for node, value in unbalances.items():
+        if not 0 <= node < rotor.stations:
+            raise ValueError(
+                f"an unbalance is at station {node}, there are 0 to {rotor.stations - 1}"
+            )
+        if excitation > 0:
+            force[:, 2 * node] += value * w**2
+        else:  # turns against the rotor
+            force[:, 2 * bending.nodes + 2 * node] += np.conj(value) * w**2
+    return Response(Omega, w, _solved(bending, w, Omega, force), bending)
+
+
+def _solved(bending: Bending, w: Array, Omega: Array, force: Complex) -> Complex:
+    """Unknowns (speeds, 4 nodes); circles of each sense apart where bearings are isotropic."""
+    if not bending.rotor.isotropic:
+        D = bending.coupled(w, Omega, damped=True)
+        return np.asarray(np.linalg.solve(D, force[..., None])[..., 0])
+    found = np.zeros_like(force)
+    C, half = bending.dampers[0], force.shape[1] // 2
+    for sign, part in ((1, slice(None, half)), (-1, slice(half, None))):
+        if force[:, part].any():
+            D = bending.stiffness(sign * w, Omega) + 1j * w[:, None, None] * C
+            found[:, part] = np.linalg.solve(D, force[:, part, None])[..., 0]
+    return found

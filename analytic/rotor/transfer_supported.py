@@ -1,0 +1,53 @@
+"""Whether bearings and links hold every shaft of a rotor: no rigid motion is free of force."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.rotor.transfer_bending import pairs
+from analytic.rotor.transfer_model import Rotor
+
+FREE = 1e-12  # of the largest stiffness
+
+
+def check_supported(rotor: Rotor, names: tuple[str, ...] = ()) -> None:
+    """ValueError that names the shaft and the free motion: along x or y, or tilting.
+
+    `names` are the shafts' in messages, numbers from 1 where left out.
+    """
+    values, vectors = np.linalg.eigh(rigid_stiffness(rotor))
+    if values[-1] <= 0:
+        raise ValueError("an unsupported rotor: no bearing holds it in x or y")
+    if values[0] > FREE * values[-1]:
+        return
+    free = vectors[:, values <= FREE * values[-1]]
+    share = (np.abs(free) ** 2).sum(axis=1).reshape(-1, 2, 2)  # shaft, shift or tilt, x or y
+    shaft = int(share.sum(axis=(1, 2)).argmax())
+    shift, tilt = share[shaft].sum(axis=1)
+    along = "xy"[int(share[shaft].sum(axis=0).argmax())]
+    moved = "shifts and tilts" if min(shift, tilt) > 0.99 else "shifts" if shift > tilt else "tilts"
+    name = names[shaft] if names else str(shaft + 1)
+    raise ValueError(f"an unsupported rotor: shaft {name} {moved} freely in {along}")
+
+
+def rigid_stiffness(rotor: Rotor) -> NDArray[np.float64]:
+    """Stiffness of the shafts' rigid motions: shift and tilt about the middle, each in x and y.
+
+    Tilts are measured by the shift that they give half a length away.
+    """
+    lengths = [sum(s.length for s in shaft.segments) for shaft in rotor.shafts]
+    motions = np.zeros((rotor.stations, 4, 4 * len(rotor.shafts)))  # x, y, theta_y, -theta_x
+    for node, (shaft, z) in enumerate(zip(rotor.shaft_of, rotor.places, strict=True)):
+        half = lengths[shaft] / 2
+        for across in range(2):
+            shift, tilt = 4 * shaft + across, 4 * shaft + 2 + across
+            motions[node, across, shift] = 1.0
+            motions[node, across, tilt] = z / half - 1
+            motions[node, 2 + across, tilt] = 1 / half
+    K = np.zeros((motions.shape[2],) * 2)
+    for spring in (*rotor.supports, *rotor.links):
+        mean, other = spring.stiffness
+        k = np.diag([mean + other.real, mean - other.real, spring.k_tilt, spring.k_tilt])
+        k[0, 1] = k[1, 0] = other.imag
+        for a, b, sign in pairs(spring):
+            K += sign * motions[a].T @ k @ motions[b]
+    return K
