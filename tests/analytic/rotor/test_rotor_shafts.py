@@ -94,7 +94,7 @@ def test_the_cylinder_s_polynomials_meet_pochhammer_s_and_gazis_s_determinant(m,
 
 
 def test_pochhammer_s_shortest_waves_run_as_rayleigh_s_on_a_half_space():
-    """That is 0.9274 times the speed of shear at nu = 0.3: (2 - c^2)^2 = 4 sqrt((1-c^2)(1-g c^2))."""
+    """0.9274 times the speed of shear at nu = 0.3: (2 - c^2)^2 = 4 sqrt((1 - c^2)(1 - 2/7 c^2))."""
     k = 60 / R
     shear = np.sqrt(E / (2 * (1 + NU)) / RHO)
     found = bending_frequency(k=k, r_o=R, E=E, nu=NU, rho=RHO) / (k * shear)

@@ -1,0 +1,142 @@
+"""Turning shafts as weak forms on a line: the partner of the closed-form elements.
+
+In the complex coordinate r = x + i y, with the slope p = dr/dz less the shear angle,
+
+    Timoshenko   a = int EI p' q' + S (r' - p)(s' - q),   m = int rho A r s + rho I p q,
+                 g = int 2 rho I p q,                      quadratic r and p
+    Euler        a = int EI r'' s'',  m = int rho A r s,  Rayleigh adds rho I r' s' to m
+                 and 2 rho I r' s' to g,                   Hermite's cubics
+
+K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points a cell, where the
+derivative of a quadratic meets a linear function: at more it locks slender shafts.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.linalg import eigh
+from scipy.sparse import bmat, csr_array
+from skfem import (
+    Basis,
+    BilinearForm,
+    ElementLineHermite,
+    ElementLineP2,
+    MeshLine,
+)
+from skfem.helpers import dd, dot, grad
+
+Array = NDArray[np.float64]
+THEORIES = ("timoshenko", "rayleigh", "euler")
+
+
+@BilinearForm
+def product(u, v, w):
+    return w.c * u * v
+
+
+@BilinearForm
+def slopes(u, v, w):
+    return w.c * dot(grad(u), grad(v))
+
+
+@BilinearForm
+def shear_mixed(u, v, w):
+    return -w.c * grad(u)[0] * v
+
+
+@BilinearForm
+def curvatures(u, v, w):
+    return w.c * dd(u)[0][0] * dd(v)[0][0]
+
+
+@dataclass(frozen=True)
+class WeakShaft:
+    """K, M and G (n, n) of a shaft along the line `mesh`; `basis` that of the deflection."""
+
+    K: csr_array
+    M: csr_array
+    G: csr_array
+    basis: Basis
+
+    def deflection_at(self, z: float) -> int:
+        """The unknown that is r at the mesh's node `z`; ValueError where it has none."""
+        nodes = np.flatnonzero(np.isclose(self.basis.mesh.p[0], z, rtol=0, atol=1e-12))
+        if nodes.size != 1:
+            raise ValueError(f"the mesh has no node at z={z:g} m")
+        return int(self.basis.nodal_dofs[0, nodes[0]])
+
+    def whirl(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> tuple[Array, Array]:
+        """Lowest frequencies (count,) [rad/s] that run forward and backward at `speed`, positive.
+
+        The deflection vanishes at the places `held` [m]. numpy.linalg.LinAlgError where the shaft
+        can move rigidly.
+        """
+        fixed = [self.deflection_at(float(z)) for z in np.ravel(held)]
+        own = np.setdiff1d(np.arange(self.K.shape[0]), fixed)
+        K, M, G = (part[own][:, own].toarray() for part in (self.K, self.M, self.G))
+        zero = np.zeros_like(K)
+        left = np.block([[K, zero], [zero, M]])
+        right = np.block([[-speed * G, M], [M, zero]])
+        inverse = eigh(right, left, eigvals_only=True)
+        return 1 / inverse[::-1][:count], -1 / inverse[:count]
+
+
+def weak_shaft(
+    mesh: MeshLine,
+    *,
+    bending: ArrayLike,
+    shear: ArrayLike,
+    mass: ArrayLike,
+    rotary: ArrayLike,
+    theory: str = "timoshenko",
+) -> WeakShaft:
+    """A shaft of E I, kappa G A, rho A and rho I, one each or one for each cell of `mesh` [SI].
+
+    ValueError for another theory, and values that are not positive.
+    """
+    if theory not in THEORIES:
+        raise ValueError(f"a theory is one of {', '.join(THEORIES)}, got {theory!r}")
+    named = {"bending": bending, "shear": shear, "mass": mass, "rotary": rotary}
+    cells = {k: np.broadcast_to(np.asarray(v, float), mesh.nelements) for k, v in named.items()}
+    for name, values in cells.items():
+        if not np.all((values > 0) & np.isfinite(values)):
+            raise ValueError(f"{name} must be positive, got {values.min():g}")
+    if theory == "timoshenko":
+        return _timoshenko(mesh, cells)
+    return _euler(mesh, cells, rotary=theory == "rayleigh")
+
+
+def _timoshenko(mesh: MeshLine, c: dict[str, Array]) -> WeakShaft:
+    """Unknowns r, then p."""
+    full, two = (Basis(mesh, ElementLineP2(), quadrature=_gauss(n)) for n in (3, 2))
+
+    def of(form, basis, name):
+        return form.assemble(basis, c=c[name][:, None] + 0 * basis.dx)
+
+    mixed = of(shear_mixed, two, "shear")  # rows q, columns r
+    bend = of(slopes, two, "bending") + of(product, two, "shear")
+    rotary = of(product, full, "rotary")
+    K = bmat([[of(slopes, two, "shear"), mixed.T], [mixed, bend]])
+    M = bmat([[of(product, full, "mass"), None], [None, rotary]])
+    G = bmat([[0 * rotary, None], [None, 2 * rotary]])
+    return WeakShaft(csr_array(K), csr_array(M), csr_array(G), full)
+
+
+def _euler(mesh: MeshLine, c: dict[str, Array], *, rotary: bool) -> WeakShaft:
+    basis = Basis(mesh, ElementLineHermite(), quadrature=_gauss(4))
+
+    def of(form, name):
+        return form.assemble(basis, c=c[name][:, None] + 0 * basis.dx)
+
+    turning = of(slopes, "rotary") * float(rotary)
+    M = of(product, "mass") + turning
+    return WeakShaft(
+        csr_array(of(curvatures, "bending")), csr_array(M), csr_array(2 * turning), basis
+    )
+
+
+def _gauss(points: int) -> tuple[Array, Array]:
+    """Gauss' rule on a cell, that for polynomials up to the degree 2 points - 1."""
+    x, w = np.polynomial.legendre.leggauss(points)
+    return (x[None] + 1) / 2, w / 2

@@ -1,0 +1,92 @@
+"""Turning shafts as weak forms: closed forms, no locking, stepped shafts, refusals."""
+
+import numpy as np
+import pytest
+from skfem import MeshLine
+
+from analytic.rotor.shafts import UniformShaft, hutchinson
+from fem.rotor.model import Element, Material, Rotor, Shaft, Support
+from fem.rotor.modes import modes
+from fem.rotor.weak import weak_shaft
+
+E, NU, RHO, L = 210e9, 0.3, 7850.0, 0.6
+SPEED = 2000.0
+
+
+def uniform(d):
+    return UniformShaft(L=L, d_o=d, E=E, nu=NU, rho=RHO, kappa=hutchinson(nu=NU))
+
+
+def weak(s, cells, theory="timoshenko"):
+    mesh = MeshLine(np.linspace(0, s.L, cells + 1))
+    return weak_shaft(
+        mesh, bending=E * s.I, shear=s.S, mass=RHO * s.A, rotary=RHO * s.I, theory=theory
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("theory", ["euler", "rayleigh", "timoshenko"])
+@pytest.mark.parametrize("d", [0.018, 0.2])
+def test_whirl_converges_to_the_closed_form_at_order_four(theory, d):
+    s = uniform(d)
+    exact = np.array([s.whirl(j, Omega=SPEED, theory=theory) for j in (1, 2, 3)]).T
+    errors = np.array([
+        np.array(weak(s, cells, theory).whirl(SPEED, held=[0, L])) / exact - 1
+        for cells in (8, 16, 32)
+    ])  # fmt: skip
+    assert np.all(errors > 0)
+    assert np.log2(errors[1] / errors[2]) == pytest.approx(np.full((2, 3), 4), abs=0.1)
+    assert errors[2, :, 0] == pytest.approx(0, abs=3e-7)
+
+
+def test_a_slender_shaft_does_not_lock():
+    s = uniform(1e-4)
+    found = weak(s, 16).whirl(0.0, held=[0, L], count=1)[0]
+    assert found[0] == pytest.approx(s.whirl(1, theory="euler")[0], rel=1e-5)
+
+
+@pytest.mark.parametrize(("theory", "order"), [("euler", 4), ("rayleigh", 4), ("timoshenko", 2)])
+def test_a_stepped_shaft_whirls_as_the_closed_form_elements_do(theory, order):
+    """Held at two stations, free beyond: d 40, 70 and 50 mm, a hollow end."""
+    parts = [(0.1, 0.04, 0.0), (0.2, 0.07, 0.0), (0.15, 0.05, 0.03)]
+    shaft = Shaft([Element(*part, material=Material(E, NU, RHO)) for part in parts])
+    supports = [Support(0, 1e16), Support(2, 1e16)]
+    coarse, fine = (
+        modes(Rotor([shaft], supports=supports, refine=n, theory=theory), SPEED, 4).frequencies
+        for n in (10, 20)
+    )
+    beam = fine + (fine - coarse) / (2**order - 1)
+    sections = [
+        UniformShaft(
+            L=1.0, d_o=d_o, d_i=d_i, E=E, nu=NU, rho=RHO, kappa=hutchinson(nu=NU, m=d_i / d_o)
+        )
+        for _, d_o, d_i in parts
+    ]
+    z = np.cumsum([0.0, *np.repeat([length / 12 for length, _, _ in parts], 12)])
+    found = weak_shaft(
+        MeshLine(z),
+        bending=np.repeat([E * s.I for s in sections], 12),
+        shear=np.repeat([s.S for s in sections], 12),
+        mass=np.repeat([RHO * s.A for s in sections], 12),
+        rotary=np.repeat([RHO * s.I for s in sections], 12),
+        theory=theory,
+    ).whirl(SPEED, held=[0.0, 0.3], count=2)
+    assert np.sort(beam[:4]) == pytest.approx(np.sort(np.ravel(found)), rel=2e-5)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"theory": "bernoulli"}, "a theory is one of"),
+        ({"shear": 0.0}, "shear must be positive"),
+        ({"mass": np.nan}, "mass must be positive"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(wrong, said):
+    right = {"bending": 1.0, "shear": 1.0, "mass": 1.0, "rotary": 1.0}
+    with pytest.raises(ValueError, match=said):
+        weak_shaft(MeshLine(np.linspace(0, 1, 3)), **(right | wrong))
+
+
+def test_a_place_between_nodes_can_not_be_held():
+    with pytest.raises(ValueError, match=r"no node at z=0\.31"):
+        weak(uniform(0.05), 4).whirl(0.0, held=[0.31])
