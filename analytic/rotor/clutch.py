@@ -134,6 +134,17 @@ class Clutch:
         pressed = np.maximum(self.deformation(q), 0.0)
         return np.asarray((pressed ** (self.n + 1)).sum((-2, -1)) * self._slice / (self.n + 1))
 
+    def forces(self, q: ArrayLike) -> Array:
+        """Normal forces Q_jk (..., Z, n_s) [N] of the slices (Eq. 2)."""
+        return np.asarray(self._slice * np.maximum(self.deformation(q), 0.0) ** self.n)
+
+    def slopes(self, q: ArrayLike) -> Array:
+        """dQ_jk/d delta_jk (..., Z, n_s) [N/m], zero where nothing is pressed."""
+        delta = self.deformation(q)
+        pressed = np.where(delta > 0, delta, 1.0)
+        slope = self._slice * self.n * pressed ** (self.n - 1)
+        return np.asarray(np.where(delta > 0, slope, 0.0))
+
     def loads(self, q: ArrayLike) -> Array:
         """(F_x, F_y, M_x, M_y, M_z) (..., 5) [N, N m] that hold displacements q (..., 5) (Eq. 9).
 
@@ -143,8 +154,7 @@ class Clutch:
         >>> round(float(one.loads([0, 0, 0, 0, 1.0])[4]), 12)
         12.0
         """
-        force = self._slice * np.maximum(self.deformation(q), 0.0) ** self.n
-        return np.asarray(np.einsum("...jk,jki->...i", force, self.gradient))
+        return np.asarray(np.einsum("...jk,jki->...i", self.forces(q), self.gradient))
 
     def stiffness(self, q: ArrayLike) -> Array:
         """Tangent K (..., 5, 5) at displacements q (..., 5), symmetric (Eq. 10, increments).
@@ -153,11 +163,8 @@ class Clutch:
         >>> np.diag(one.stiffness([0, 0, 0, 0, 1.0])).round(12).tolist()
         [6.0, 6.0, 0.0, 0.0, 12.0]
         """
-        delta = self.deformation(q)
-        pressed = np.where(delta > 0, delta, 1.0)
-        k = np.where(delta > 0, self._slice * self.n * pressed ** (self.n - 1), 0.0)
         J = self.gradient
-        return np.asarray(np.einsum("...jk,jka,jkb->...ab", k, J, J, optimize=True))
+        return np.asarray(np.einsum("...jk,jka,jkb->...ab", self.slopes(q), J, J, optimize=True))
 
     @property
     def _slice(self) -> float:

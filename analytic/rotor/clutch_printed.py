@@ -1,0 +1,51 @@
+r"""Equations 9 to 11 as they are printed, to show what their misprints do.
+
+References
+----------
+.. [1] C. Huang, Y. Zhao, G. Jin, J. Harbin Inst. Technol. (New Ser.) 29(2) (2022) 13-23,
+   Eqs. 9-11.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.rotor.clutch import Array, Clutch
+
+
+def radial_force(clutch: Clutch, q: ArrayLike, *, i: int = 0) -> float:
+    """F_r [N] of Eq. 9 as printed: every sprag counts with the cosine of sprag i.
+
+    Four sprags with 3 N each give 12 N without any displacement across:
+
+    >>> from analytic.rotor.clutch import even_angles
+    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> round(radial_force(one, [0, 0, 0, 0, 1.0]), 12)
+    12.0
+    """
+    return float(np.sum(clutch.forces(q)) * np.cos(clutch.psi[i]))
+
+
+def radial_stiffness(clutch: Clutch, q: ArrayLike, *, i: int = 0) -> float:
+    """dF_r/d delta_r [N/m] of the same: its sum over even sprags vanishes.
+
+    >>> from analytic.rotor.clutch import even_angles
+    >>> one = Clutch(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> abs(radial_stiffness(one, [0, 0, 0, 0, 1.0])) < 1e-12
+    True
+    """
+    slopes = clutch.slopes(q).sum(-1)
+    return float(np.sum(slopes * np.cos(clutch.psi)) * np.cos(clutch.psi[i]))
+
+
+def stiffness_with_lever(clutch: Clutch, q: ArrayLike, *, lever: float) -> Array:
+    """K (5, 5) where the torque has another lever [m] than d_t: its last row times lever/d_t.
+
+    >>> from analytic.rotor.clutch import even_angles
+    >>> gap = Clutch(psi=even_angles(Z=4, missing=(0,)), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
+    >>> K = stiffness_with_lever(gap, [0, 0, 0, 0, 1.0], lever=2.0)
+    >>> round(float(K[4, 0] / K[0, 4]), 12)
+    2.0
+    """
+    K = clutch.stiffness(q)
+    K[..., 4, :] *= lever / clutch.d_t
+    return K

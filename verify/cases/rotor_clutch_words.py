@@ -1,0 +1,69 @@
+"""What a clutch's stiffness means in words, and when it means nothing."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from analytic.rotor.clutch_state import under_torque
+from verify.case import Values
+from verify.cases.rotor_clutch_inputs import ClutchInputs
+from verify.cases.rotor_clutch_model import STATES, pinned_torsion
+
+FRICTION = 0.1  # what oiled steel hardly exceeds
+ROUGH = 0.5e-6  # m, roughness of ground races: yields below it follow no contact law
+WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
+
+
+def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
+    held = pinned_torsion(q, k=v["k"], N=v["N"]) / v["K_zz"]
+    rolled = (
+        "would go through between the races"
+        if held <= 0
+        else f"would keep {held:.0%} of the torsional stiffness"
+    )
+    return (
+        f"under {q.T:g} N m every sprag bears {v['N']:.4g} N and yields {v['delta_0'] * 1e6:.3g} "
+        f"µm, the races turn by {math.degrees(v['twist']):.3g}°; the clutch is an isotropic "
+        f"bearing of {v['K_xx'] / 1e6:.4g} N/µm and a torsion spring of {v['K_zz']:.4g} N m/rad",
+        "under the torque alone it couples no bending with torsion; an offset of "
+        f"{q.e * 1e6:g} µm couples {abs(v['coupling, offset']):.2%} of √(K_xx K_zz), "
+        f"{q.missing} missing of {q.Z} sprags {abs(v['coupling, gap']):.2%}",
+        f"the stiffness goes with T^0.1: half the torque takes {1 - 0.5**0.1:.1%} of it; Eq. 3 "
+        f"leaves out tan²ν = {math.tan(q.nu) ** 2:.2%}",
+        f"d_t = R_i tan ν stays the same only as sprags roll: struts held in both races {rolled}",
+    )
+
+
+def summary(q: ClutchInputs, v: Values) -> Mapping[str, Any]:
+    return {
+        "verdict": "open" if open_slices(q, "together") else "closed", "K_xx": v["K_xx"],
+        "K_tilt": v["K_tilt"], "K_zz": v["K_zz"], "K_xz_offset": v["K_xz, offset"],
+        "K_xz_gap": v["K_xz, gap"],
+    }  # fmt: skip
+
+
+def open_slices(q: ClutchInputs, name: str) -> int:
+    """Number of slices without contact in an uneven state."""
+    state = STATES[name]
+    clutch = q.clutch(crowned=state.crowned, gap=state.gap)
+    at = under_torque(clutch, T=q.T, offset=(q.e if state.offset else 0.0, 0, 0, 0))
+    return int((clutch.deformation(at) <= 0).sum())
+
+
+def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
+    found = []
+    if v["delta_0"] < ROUGH:
+        found.append(
+            f"T = {q.T:g} N m presses the sprags by {v['delta_0'] * 1e6:.3g} µm, less than races "
+            f"are rough ({ROUGH * 1e6:g} µm): nearly no preload, the stiffness is a guess"
+        )
+    for name, what in WORDS.items():
+        if count := open_slices(q, name):
+            share = count / q.n_s / (q.Z - (q.missing if STATES[name].gap else 0))
+            found.append(f"under {what} {share:.0%} of the contacts are open: δ_jk below zero")
+    if math.tan(q.nu) > FRICTION:
+        found.append(
+            f"tan ν = {math.tan(q.nu):.3g} is more than the friction {FRICTION:g} that oiled "
+            "steel hardly exceeds: the clutch slips"
+        )
+    return found
