@@ -8,7 +8,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
-from reports.bitmaps import FINER, png
+from reports.bitmaps import FINER, webp
 from reports.plots import WIDTH, Axes
 from reports.ramps import SIGNED, UNSIGNED, Scale
 from verify.shown import Array, Density
@@ -22,9 +22,9 @@ def density(d: Density) -> Markup:
     """The plane from its first to its last column and row; nothing where z is NaN."""
     axes = Axes((LEFT, TOP, RIGHT, BOTTOM), _ends(d.x), _ends(d.y))
     colours = _scale(d)
-    data = base64.b64encode(png(_pixels(d, colours))).decode()
+    data = base64.b64encode(webp(_pixels(d, colours))).decode()
     image = Markup(
-        '<image href="data:image/png;base64,{}" x="{:g}" y="{:g}" width="{:g}" height="{:g}" '
+        '<image href="data:image/webp;base64,{}" x="{:g}" y="{:g}" width="{:g}" height="{:g}" '
         'preserveAspectRatio="none"/>'
     ).format(data, LEFT, TOP, RIGHT - LEFT, BOTTOM - TOP)
     axes.grid(svg.ticks(*axes.y), svg.plain)

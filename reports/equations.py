@@ -1,6 +1,5 @@
 """Equations as SVG: drawn once, kept for the next run, their glyphs shared over a page."""
 
-import hashlib
 import json
 import re
 from contextlib import suppress
@@ -11,26 +10,27 @@ from markupsafe import Markup, escape
 
 from verify.files import write_whole
 
-# a glyph with its outline, or an empty one (a space), which closes itself
-_SYMBOL = re.compile(r'<symbol id="([^"]+)"([^>]*/>|[^>]*>.*?</symbol>)', re.DOTALL)
+# a glyph with its outlines, or an empty one (a space), which closes itself
+_SYMBOL = re.compile(r'<symbol id="([^"]+)" viewBox="([^"]+)"(?:\s*/>|>(.*?)</symbol>)', re.DOTALL)
+_USE = re.compile(
+    r'<use href="#([^"]+)" x="([^"]+)" y="([^"]+)" width="[^"]+" height="([^"]+)"[^>]*/>'
+)
+UNSEEN = 0.005  # pixels
+_COLOUR = ' fill="currentColor"'
 
 
 class Glyphs:
     """Equations of one page; `cache` is a folder that keeps what ziamath drew."""
 
     def __init__(self, cache: Path | None = None) -> None:
-        self._known: dict[str, str] = {}
+        self._names: dict[tuple[str, str], str] = {}
         self._kept = _Kept(cache)
 
     def maths(self, tex: str, size: int = 15) -> Markup:
         """TeX as inline SVG in the colour of the text; read aloud as its source."""
         drawn = self._kept.drawn(tex, size)
-        for name, glyph in _SYMBOL.findall(drawn):
-            # ziamath reuses one id for different glyphs: name them by content
-            unique = "g" + hashlib.sha256(glyph.encode()).hexdigest()[:10]
-            self._known[unique] = f'<symbol id="{unique}"{glyph}'
-            drawn = drawn.replace(f'"#{name}"', f'"#{unique}"')
-        drawn = _SYMBOL.sub("", drawn)
+        glyphs = {name: (box, outline) for name, box, outline in _SYMBOL.findall(drawn)}
+        drawn = _USE.sub(lambda use: self._placed(use, *glyphs[use[1]]), _SYMBOL.sub("", drawn))
         box = re.search(r'viewBox="([^"]+)"', drawn)
         assert box is not None
         _, top, _, height = map(float, box[1].split())
@@ -38,12 +38,39 @@ class Glyphs:
             f'<svg class="maths" role="img" aria-label="{escape(tex)}" '
             f'style="vertical-align:{-(height + top):.1f}px" '
         )
-        return Markup(drawn.replace("<svg ", start, 1))  # noqa: S704 - ziamath's own output
+        drawn = drawn.replace(_COLOUR, "").replace("<svg ", start, 1)
+        return Markup(drawn)  # noqa: S704 - ziamath's own output
+
+    def _placed(self, use: re.Match[str], box: str, outline: str) -> str:
+        """A glyph in its place: of its size already, so that only the place need be told."""
+        if not outline:
+            return ""
+        left, top, _, height = map(float, box.split())
+        k = float(use[4]) / height
+        # ziamath reuses one id for different glyphs: they are told apart by content
+        name = self._names.setdefault((outline, f"{k:.4g}"), f"g{len(self._names)}")
+        corner = (("x", float(use[2]) - k * left), ("y", float(use[3]) - k * top))
+        place = "".join(f' {axis}="{v:.2f}"' for axis, v in corner if abs(v) > UNSEEN)
+        return f'<use href="#{name}"{place}/>'
 
     def symbols(self) -> str:
         """The shared glyphs, for one hidden SVG; keeps what is new."""
         self._kept.store()
-        return "".join(self._known.values())
+        paths = (
+            f'<g id="{name}" transform="scale({k})">{_tight(outline)}</g>'
+            for (outline, k), name in self._names.items()
+        )
+        return f"<defs>{''.join(paths)}</defs>"
+
+
+def _tight(outline: str) -> str:
+    """Outlines without the blanks that no reader needs."""
+
+    def data(path: re.Match[str]) -> str:
+        letters = re.sub(r" ?([A-Za-z]) ?", r"\1", path[1])
+        return f' d="{letters.replace(" -", "-").strip()}"'
+
+    return re.sub(r' d="([^"]*)"', data, outline)
 
 
 class _Kept:

@@ -70,10 +70,10 @@ def frame(picture: Picture, drawn: Drawn) -> Frame:
     less = ", less their mean in the window" if picture.window else ""
     times = f"Displacements × {svg.plain(drawn.exaggeration)}{less}; dashed: before loading."
     moved = times if drawn.exaggeration else ""
-    data = base64.b64encode(drawn.png).decode()
+    data = base64.b64encode(drawn.image).decode()
     body = [
         Markup(
-            '<image href="data:image/png;base64,{}" width="{:g}" height="{:.1f}" '
+            '<image href="data:image/webp;base64,{}" width="{:g}" height="{:.1f}" '
             'preserveAspectRatio="none"/>'
         ).format(data, WIDTH, height),
         _clipped(

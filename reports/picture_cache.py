@@ -37,14 +37,14 @@ UNREADABLE = (
 class Drawn:
     """A field as a bitmap without text, and what a page needs to put words and lines to it.
 
-    `png` is `width` by `height` pixels, transparent around the body, and shows `rectangle` (left,
-    bottom, right, top) in the model's length. Values run from `low` to `high` in the picture's
-    unit along evenly spaced colours `ramp`, empty for a plain body. Displacements are drawn
-    `exaggeration` times (0: there are none); `outline` is the undeformed body. `by` names who drew
-    it, and `why` says why not pyvista, or nothing.
+    `image` is a WebP, `width` by `height` pixels, transparent around the body, and shows
+    `rectangle` (left, bottom, right, top) in the model's length. Values run from `low` to `high`
+    in the picture's unit along evenly spaced colours `ramp`, empty for a plain body. Displacements
+    are drawn `exaggeration` times (0: there are none); `outline` is the undeformed body. `by` names
+    who drew it, and `why` says why not pyvista, or nothing.
     """
 
-    png: bytes
+    image: bytes
     width: int
     height: int
     rectangle: tuple[float, float, float, float]
@@ -101,7 +101,7 @@ def load(folder: Path, name: str) -> Drawn | None:
             current = head.pop("opengl") == _opengl() or not head["why"]
             outline = tuple(data[f"outline {i}"] for i in range(head.pop("lines")))
             head |= {name: tuple(head[name]) for name in ("rectangle", "ramp")}
-            drawn = Drawn(png=data["png"].tobytes(), outline=outline, **head)
+            drawn = Drawn(image=data["image"].tobytes(), outline=outline, **head)
     except UNREADABLE:
         return None
     return drawn if current else None
@@ -110,9 +110,10 @@ def load(folder: Path, name: str) -> Drawn | None:
 def store(folder: Path, name: str, drawn: Drawn) -> None:
     """Write the picture so that no reader ever sees half a file."""
     head = {**vars(drawn), "lines": len(drawn.outline), "opengl": _opengl()}
-    del head["png"], head["outline"]
+    del head["image"], head["outline"]
     arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}
-    arrays |= {"head": np.array(json.dumps(head)), "png": np.frombuffer(drawn.png, dtype=np.uint8)}
+    image = np.frombuffer(drawn.image, dtype=np.uint8)
+    arrays |= {"head": np.array(json.dumps(head)), "image": image}
     write_whole(folder / f"{name}.npz", lambda file: np.savez(file, **arrays))
 
 

@@ -75,7 +75,7 @@ def _drawn(scenes: Mapping[str, Scene], hint: str, seconds: float | None) -> dic
 
 
 def _by_pyvista(scenes: Sequence[Scene], seconds: float) -> tuple[list[bytes], str]:
-    """PNGs, empty where there is none, and what went wrong with the process."""
+    """WebPs, empty where there is none, and what went wrong with the process."""
     with tempfile.TemporaryDirectory(prefix="pictures-") as name:
         folder = Path(name)
         arrays: dict[str, Any] = {}
@@ -85,7 +85,7 @@ def _by_pyvista(scenes: Sequence[Scene], seconds: float) -> tuple[list[bytes], s
                 arrays[f"{part} {i}"] = getattr(scene, part)
         np.savez(folder / "scenes.npz", count=np.array(len(scenes)), **arrays)
         trouble = _ended([sys.executable, "-P", "-m", PYVISTA, name], seconds)
-        paths = [folder / f"{i}.png" for i in range(len(scenes))]
+        paths = [folder / f"{i}.webp" for i in range(len(scenes))]
         return [p.read_bytes() if p.exists() else b"" for p in paths], trouble
 
 
@@ -109,7 +109,7 @@ def _ended(command: Sequence[str], seconds: float) -> str:
 
 def _result(scene: Scene, image: bytes, by: str, why: str) -> Drawn:
     return Drawn(
-        png=image, width=scene.width, height=scene.height, rectangle=scene.rectangle,
+        image=image, width=scene.width, height=scene.height, rectangle=scene.rectangle,
         low=scene.scale.low, high=scene.scale.high, ramp=scene.scale.stops,
         exaggeration=scene.exaggeration, outline=scene.outline, by=by, why=why,
     )  # fmt: skip

@@ -9,10 +9,12 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
+from reports.outlines import simplified
 from verify.results import Kind, Row
 from verify.shown import Array, Dots, Profile
 
 WIDTH, HEIGHT = 400.0, 300.0
+UNSEEN = 0.05  # pixels that a line may be off
 LABEL = 36.0  # width of a mesh size's label
 
 
@@ -60,15 +62,18 @@ class Axes:
         self.body += [svg.text(right, bottom + 31, x, "label", "end")] if x else []
 
     def curve(self, x: Array, y: Array, css: str) -> None:
-        """A line through points."""
-        points = [(self.X(a), self.Y(b)) for a, b in zip(x, y, strict=True)]
-        self.body.append(svg.polyline(points, css))
+        """A line through points, less those that nobody could see missing."""
+        self.body.append(svg.polyline(self._line(x, y), css))
 
     def ribbon(self, x: Array, low: Array, high: Array, css: str) -> None:
         """The area between two curves."""
-        up = [(self.X(a), self.Y(b)) for a, b in zip(x, high, strict=True)]
-        down = [(self.X(a), self.Y(b)) for a, b in zip(x, low, strict=True)]
-        self.body.append(svg.polyline(up + down[::-1], css, closed=True))
+        up, down = self._line(x, high), self._line(x, low)
+        self.body.append(svg.polyline([*up, *down[::-1]], css, closed=True))
+
+    def _line(self, x: Array, y: Array) -> Array:
+        """Points in the image, as many as tell the line from its chords."""
+        points = np.array([(self.X(a), self.Y(b)) for a, b in zip(x, y, strict=True)])
+        return simplified(points, UNSEEN) if len(points) > 2 else points
 
     def dots(self, x: Array, y: Array, css: str, r: float = 2.6, shape: int = 0) -> None:
         """Points, as dots or another of the shapes of marks."""
@@ -232,8 +237,8 @@ def dots(d: Dots) -> Markup:
 
 
 def _tick(x: float, y: float, words: str | Markup, anchor: str) -> Markup:
-    return Markup('<text class="tick" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>').format(
-        x, y, anchor, words
+    return Markup('<text class="tick" x="{}" y="{}" text-anchor="{}">{}</text>').format(
+        svg.short(x), svg.short(y), anchor, words
     )
 
 

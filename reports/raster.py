@@ -8,14 +8,14 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.transforms import IdentityTransform
 
-from reports.bitmaps import FINER, png
+from reports.bitmaps import FINER, webp
 from reports.scene import Scene
 
 SEAM = 0.4  # pixels: each face is stroked in its own colour, which closes gaps to its neighbours
 
 
 def draw(scene: Scene) -> bytes:
-    """The scene as PNG, transparent around it."""
+    """The scene as WebP, transparent around it."""
     figure = Figure(figsize=(FINER * scene.width, FINER * scene.height), dpi=1, facecolor="none")
     canvas: Any = FigureCanvasAgg(figure)  # untyped in matplotlib
     corners: Any = FINER * scene.vertices[scene.faces][..., :2]  # an array is read fastest
@@ -27,4 +27,4 @@ def draw(scene: Scene) -> bytes:
     )  # fmt: skip
     figure.add_artist(faces)
     canvas.draw()
-    return png(np.asarray(canvas.buffer_rgba()))
+    return webp(np.asarray(canvas.buffer_rgba()))

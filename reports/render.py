@@ -10,18 +10,18 @@ import numpy as np
 import pyvista
 from numpy.typing import NDArray
 
-from reports.bitmaps import FINER, png
+from reports.bitmaps import FINER, webp
 
 FAR = 1e5  # pixels from the camera, more than any body is deep
 
 
 def main(folder: Path) -> None:
-    """Draw every scene of `scenes.npz` to a numbered PNG beside it."""
+    """Draw every scene of `scenes.npz` to a numbered WebP beside it."""
     with np.load(folder / "scenes.npz", allow_pickle=False) as data:
         for i in range(int(data["count"])):
             arrays = {name: data[f"{name} {i}"] for name in ("vertices", "faces", "colours")}
             width, height = data[f"size {i}"].tolist()
-            (folder / f"{i}.png").write_bytes(png(pixels(width, height, **arrays)))
+            (folder / f"{i}.webp").write_bytes(webp(pixels(width, height, **arrays)))
 
 
 def pixels(

@@ -20,8 +20,8 @@ def drawing(width: float, height: float, body: Iterable[Markup], label: str, css
 
 def text(x: float, y: float, words: str, css: str = "", anchor: str = "start") -> Markup:
     """Words at a point; u_r(r_i) gets lowered indices."""
-    return Markup('<text class="{}" x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>').format(
-        css, x, y, anchor, lowered(words)
+    return Markup('<text class="{}" x="{}" y="{}" text-anchor="{}">{}</text>').format(
+        css, short(x), short(y), anchor, lowered(words)
     )
 
 
@@ -42,8 +42,13 @@ def lowered(words: str) -> Markup:
 
 def polyline(points: Iterable[Sequence[float]], css: str, *, closed: bool = False) -> Markup:
     """A path through points of the image."""
-    d = "L".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    d = "L".join(f"{short(x)},{short(y)}" for x, y in points)
     return Markup('<path class="{}" d="M{}{}"/>').format(css, d, "z" if closed else "")
+
+
+def short(x: float) -> str:
+    """A coordinate to a tenth, a whole one without its zero: a page holds a hundred thousand."""
+    return f"{x:.1f}".removesuffix(".0")
 
 
 def line(x0: float, y0: float, x1: float, y1: float, css: str) -> Markup:
@@ -53,7 +58,9 @@ def line(x0: float, y0: float, x1: float, y1: float, css: str) -> Markup:
 
 def circle(x: float, y: float, r: float, css: str) -> Markup:
     """A dot."""
-    return Markup('<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{:g}"/>').format(css, x, y, r)
+    return Markup('<circle class="{}" cx="{}" cy="{}" r="{:g}"/>').format(
+        css, short(x), short(y), r
+    )
 
 
 def marker(x: float, y: float, r: float, css: str, shape: int) -> Markup:
@@ -81,8 +88,8 @@ _MARKS: tuple[tuple[tuple[float, float], ...], ...] = (
 
 def rectangle(x: float, y: float, width: float, height: float, css: str) -> Markup:
     """A filled rectangle."""
-    return Markup('<rect class="{}" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>').format(
-        css, x, y, max(width, 0.0), max(height, 0.0)
+    return Markup('<rect class="{}" x="{}" y="{}" width="{}" height="{}"/>').format(
+        css, short(x), short(y), short(max(width, 0.0)), short(max(height, 0.0))
     )
 
 

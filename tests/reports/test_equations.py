@@ -42,9 +42,40 @@ def test_a_torn_file_is_drawn_anew(tmp_path, torn):
 def test_every_glyph_that_is_used_is_there_and_each_once():
     glyphs = Glyphs()
     page = "".join(map(str, (glyphs.maths(TEX), glyphs.maths(r"a + \quad b"), glyphs.symbols())))
-    defined = re.findall(r'<symbol id="([^"]+)"', page)
-    assert len(set(defined)) == len(defined)
-    assert set(re.findall(r'href="#([^"]+)"', page)) <= set(defined)
+    defined = re.findall(r'<g id="([^"]+)"', page)
+    assert len(set(defined)) == len(defined) == 4
+    assert set(re.findall(r'href="#([^"]+)"', page)) == set(defined)
+    assert "<symbol" not in page
+
+
+def test_a_glyph_of_several_pieces_is_kept_whole():
+    """A brace of many lines, which no font holds in one piece."""
+    glyphs = Glyphs()
+    rows = r" \\ ".join("abcdefgh")
+    shown = str(glyphs.maths(rf"\begin{{cases}} {rows} \end{{cases}}"))
+    assert shown.count("<use") == 9
+    pieces = [g.count("<path") for g in glyphs.symbols().split("<g id=")[1:]]
+    assert max(pieces) > 2
+
+
+def test_glyphs_stand_where_they_were_drawn():
+    """Corners of ziamath's boxes and of the glyphs put in their place, of one size and of two."""
+    tex = r"x^2 + \frac{a}{b}\ \mathrm{mm}"
+    drawn = ziamath.Latex(tex, size=15, color="currentColor").svg()
+    boxes = dict(re.findall(r'<symbol id="([^"]+)" viewBox="([^"]+)">', drawn))  # of one equation
+    glyphs = Glyphs()
+    page = str(glyphs.maths(tex)) + glyphs.symbols()
+    scales = dict(re.findall(r'<g id="([^"]+)" transform="scale\(([^)]+)\)"', page))
+    uses = re.findall(r'<use href="#([^"]+)"(?: x="([^"]+)")?(?: y="([^"]+)")?/>', page)
+    drawn_use = re.compile(r'<use href="#(\S+)" x="(\S+)" y="(\S+)" width="(\S+)" height="(\S+)"')
+    wanted = [use for use in drawn_use.findall(drawn) if use[0] in boxes]
+    assert len(uses) == len(wanted) == 7
+    assert len(set(scales.values())) == 2
+    for (name, *at), (symbol, *box) in zip(uses, wanted, strict=True):
+        left, top, wide, high = map(float, boxes[symbol].split())
+        x, y, k = *(float(v or 0) for v in at), float(scales[name])
+        shown = x + k * left, y + k * top, k * wide, k * high
+        assert shown == pytest.approx([float(v) for v in box], abs=0.02)
 
 
 def test_a_place_that_cannot_be_written_costs_no_equation(tmp_path):

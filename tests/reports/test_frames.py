@@ -11,7 +11,7 @@ STRESS = Picture(
     field="f", data="d", symbol="σ_v", unit="MPa", factor=1.0, caption="stress", decades=True
 )
 DRAWN = Drawn(
-    png=b"", width=4, height=3, rectangle=(0.0, 0.0, 4.0, 3.0), low=1.0, high=3.2,
+    image=b"", width=4, height=3, rectangle=(0.0, 0.0, 4.0, 3.0), low=1.0, high=3.2,
     ramp=("#000000", "#ffffff"), exaggeration=0.0, outline=(), by="", why="",
 )  # fmt: skip
 

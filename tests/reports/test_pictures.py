@@ -83,7 +83,7 @@ def drawn_by(way: str) -> dict[str, pictures.Drawn]:
 
 
 def pixels_of(drawn: pictures.Drawn) -> np.ndarray:
-    with Image.open(io.BytesIO(drawn.png)) as image:
+    with Image.open(io.BytesIO(drawn.image)) as image:
         return np.asarray(image.convert("RGBA")).astype(int)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from reports import picture_cache, pictures
-from reports.bitmaps import FINER, flaw, png
+from reports.bitmaps import FINER, flaw, webp
 from reports.pictures import draw
 from verify.shown import Field, Picture
 
@@ -52,7 +52,7 @@ def test_a_segmentation_fault_leaves_the_drawing_to_matplotlib(stub):
     assert "signal 11" in drawn.why
     assert drawn.why.endswith("drawn by matplotlib; install libegl1")
     assert "\n" not in drawn.why
-    assert not flaw(drawn.png, drawn.width, drawn.height)
+    assert not flaw(drawn.image, drawn.width, drawn.height)
 
 
 def test_a_renderer_that_hangs_is_ended(stub):
@@ -93,15 +93,15 @@ def test_a_blank_picture_or_one_of_another_size_is_drawn_again(stub, size, alpha
     stub(BLANK.replace("SIZE", size).replace("ALPHA", alpha))
     [drawn] = draw([(sheet(), WORDS)], None)
     assert reason in drawn.why
-    assert not flaw(drawn.png, drawn.width, drawn.height)
+    assert not flaw(drawn.image, drawn.width, drawn.height)
 
 
 def test_what_one_process_drew_before_it_died_is_kept(stub, monkeypatch):
-    good = png(np.full((FINER, FINER, 4), 200, dtype=np.uint8))
+    good = webp(np.full((FINER, FINER, 4), 200, dtype=np.uint8))
     monkeypatch.setattr(pictures, "_by_pyvista", lambda scenes, _: ([good, b""], "signal 11"))
     monkeypatch.setattr(pictures, "flaw", lambda image, *_: "" if image == good else "blank")
     first, second = draw([(sheet(), WORDS), (sheet(), replace(WORDS, factor=1.0))], None)
-    assert first.png == good
+    assert first.image == good
     assert "signal 11" in second.why
 
 
@@ -124,7 +124,7 @@ def test_a_damaged_picture_is_drawn_again(tmp_path, damage, no_pyvista):
     flipped = whole[:400] + bytes([whole[400] ^ 255]) + whole[401:]
     path.write_bytes(flipped if damage is None else damage)
     [again] = draw([(sheet(), WORDS)], tmp_path)
-    assert again.png == first.png
+    assert again.image == first.image
     assert path.read_bytes() == whole
 
 
@@ -160,7 +160,7 @@ def test_the_key_covers_every_module_that_draws():
 def test_pyvista_is_tried_anew_once_the_machine_changed(tmp_path, no_pyvista, monkeypatch):
     [first] = draw([(sheet(), WORDS)], tmp_path)
     assert first.why
-    monkeypatch.setattr(pictures, "_by_pyvista", lambda *_: ([first.png], ""))
+    monkeypatch.setattr(pictures, "_by_pyvista", lambda *_: ([first.image], ""))
     assert draw([(sheet(), WORDS)], tmp_path)[0].why == first.why  # not tried in vain every time
     monkeypatch.setattr(picture_cache, "_opengl", lambda: "libEGL.so.1 is there now")
     assert draw([(sheet(), WORDS)], tmp_path)[0].by.startswith("pyvista")
@@ -168,4 +168,4 @@ def test_pyvista_is_tried_anew_once_the_machine_changed(tmp_path, no_pyvista, mo
 
 def test_a_cache_that_cannot_be_written_costs_no_picture(tmp_path, no_pyvista):
     (tmp_path / "file").touch()
-    assert draw([(sheet(), WORDS)], tmp_path / "file")[0].png
+    assert draw([(sheet(), WORDS)], tmp_path / "file")[0].image
