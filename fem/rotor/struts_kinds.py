@@ -42,11 +42,14 @@ class Pinned:
             raise ValueError("a strut needs a length above 0 m: both its ends coincide")
 
     def state(self, d: Array, R: Array) -> State:
-        y = self.a @ R.T
-        across = d + y - self.b
+        y, at_first = self.a @ R.T, self.a - self.b
+        shift = d + self.a @ (R - np.eye(3)).T
+        across = at_first + shift
         length = np.linalg.norm(across, axis=1)
         e = -across / length[:, None]
-        s = np.asarray(self.s_0 + np.linalg.norm(self.a - self.b, axis=1) - length)
+        # a difference of lengths that keeps its digits
+        grown = np.einsum("mi,mi->m", shift, at_first + across)
+        s = np.asarray(self.s_0 - grown / (length + np.linalg.norm(at_first, axis=1)))
         moved = np.concatenate([np.broadcast_to(np.eye(3), (len(y), 3, 3)), -cross(y)], axis=2)
         plane = np.eye(3) - e[:, :, None] * e[:, None, :]
         bent = np.einsum("mia,mij,mjb->mab", moved, plane, moved) / length[:, None, None]
@@ -74,17 +77,22 @@ class Rolling:
     def state(self, d: Array, R: Array) -> State:
         zero = np.zeros_like(self.angle)
         e = np.stack([np.cos(self.angle), np.sin(self.angle), zero], axis=1)
-        seen = e @ R  # normals in the inner hub's frame
+        shift = e @ (R - np.eye(3))
+        seen = e + shift  # normals in the inner hub's frame
         flat = np.hypot(seen[:, 0], seen[:, 1])
-        turned = np.arctan2(seen[:, 1], seen[:, 0]) - self.angle
-        turned = (turned + np.pi) % (2 * np.pi) - np.pi
+        turned = np.arctan2(
+            e[:, 0] * shift[:, 1] - e[:, 1] * shift[:, 0],
+            e[:, 0] * seen[:, 0] + e[:, 1] * seen[:, 1],
+        )
         p = self.reach - self.lever * turned  # support function: p' = -lever, p'' = 0
         normal = np.stack([seen[:, 0] / flat, seen[:, 1] / flat, zero], axis=1)
         tangent = np.stack([-normal[:, 1], normal[:, 0], zero], axis=1)
         touch = p[:, None] * normal - self.lever * tangent
         touch[:, 2] = self.z
         y, t = touch @ R.T, tangent @ R.T
-        s = np.asarray(self.s_0 + e @ d + flat * p + self.z * seen[:, 2] - self.reach)
+        # flat p - reach, without the digits that cancel: flat^2 = 1 - seen_z^2
+        sunk = -self.lever * turned - p * seen[:, 2] ** 2 / (1 + flat)
+        s = np.asarray(self.s_0 + e @ d + sunk + self.z * seen[:, 2])
         H = _turned(e, y)
         lean = np.cross(e, t)
         H[:, 3:, 3:] += (p / flat)[:, None, None] * lean[:, :, None] * lean[:, None, :]

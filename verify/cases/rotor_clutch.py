@@ -6,7 +6,7 @@ from verify.cases.rotor_clutch_claims import CHECKS
 from verify.cases.rotor_clutch_fem import fem
 from verify.cases.rotor_clutch_inputs import ClutchInputs
 from verify.cases.rotor_clutch_model import analytic
-from verify.cases.rotor_clutch_words import findings, summary, warnings
+from verify.cases.rotor_clutch_words import findings, summary, too_large, warnings
 
 CLUTCH = Case(
     id="rotor-clutch",
@@ -58,6 +58,7 @@ CLUTCH = Case(
     findings=findings,
     summary=summary,
     warnings=warnings,
+    too_large=too_large,
     equations=shown.equations,
     sketch=shown.sketch,
     figures=shown.figures,

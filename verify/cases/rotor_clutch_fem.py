@@ -16,9 +16,10 @@ POWER = 10 / 9  # of a line contact
 START = 1e-3  # rad, to press the struts at all
 TORQUES = (0.1, 0.2, 0.4, 0.7, 1.0)  # shares of T
 ANGLES = (0.08, 0.2, 0.4, 0.7, 1.0)  # shares of nu
-STIFFER = (1e4, 2e4, 4e4, 7e4, 1e5)  # yields smaller by these
+STIFFER = (10.0, 20.0, 40.0, 70.0, 100.0)  # yields smaller by these
 OFFSETS = (0.25, 0.5, 1.0, 1.5, 2.0)  # shares of the offset
-SMALL = (1e-4, 2e-4, 4e-4, 7e-4, 1e-3)  # offsets over the yield
+SMALL = (2e-3, 4e-3, 8e-3, 0.014, 0.02)  # offsets over the yield
+HARD = 1e3  # the same where twists are to stay small
 COARSE = 8  # slices where tilts do not matter
 SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz": (0, 5)}
 
@@ -31,7 +32,7 @@ def slices_for_fem(q: ClutchInputs, psi: Array, count: int) -> tuple[Array, Arra
 
 def rolling_by_fem(
     q: ClutchInputs, count: int, *, T: float | None = None, nu: float | None = None,
-    dx: float = 0.0, drop: float = 0.0, missing: int = 0,
+    dx: float = 0.0, drop: float = 0.0, missing: int = 0, stiffer: float = 1.0,
 ) -> "Joint":  # fmt: skip
     """Struts with rolling ends under a torque, the inner hub held at dx, all from no load on."""
     from fem.rotor.struts import Joint, power_law
@@ -41,7 +42,7 @@ def rolling_by_fem(
     step = 2 * math.pi / q.Z
     psi = step * (np.arange(missing, q.Z) - (q.missing - 1) / 2)
     angle, z = slices_for_fem(q, psi, count)
-    law = power_law(q.k_n / count / math.cos(nu) ** (POWER + 1), POWER)
+    law = power_law(q.k_n * stiffer**POWER / count / math.cos(nu) ** (POWER + 1), POWER)
     cams = Rolling(
         angle=angle + nu, z=z, lever=q.R_i * math.sin(nu), reach=q.R_i * math.cos(nu),
         s_0=-2 * drop * (2 * z / q.L) ** 2 * math.cos(nu),
@@ -104,10 +105,11 @@ def fem(q: ClutchInputs, level: int) -> FemResult:
 def series_by_fem(q: ClutchInputs) -> dict[str, Array]:
     """Stiffnesses over torque, wedge angle and offset, and pinned ones over how much yields."""
     by_torque = [rolling_by_fem(q, COARSE, T=share * q.T).tangent() for share in TORQUES]
+    # the same normal forces at all angles
+    torques = [q.T * math.tan(share * q.nu) / math.tan(q.nu) for share in ANGLES]
     flat = [
-        # the same normal forces at all angles
-        rolling_by_fem(q, COARSE, nu=share * q.nu, T=q.T * math.tan(share * q.nu) / math.tan(q.nu))
-        for share in ANGLES
+        rolling_by_fem(q, COARSE, nu=share * q.nu, T=T, stiffer=HARD)
+        for share, T in zip(ANGLES, torques, strict=True)
     ]
     aside = [rolling_by_fem(q, COARSE, dx=share * q.e).tangent()[0, 5] for share in OFFSETS]
     yields = float((q.T / q.Z / q.R_i / math.tan(q.nu) / q.k_n) ** (1 / POWER))

@@ -4,12 +4,13 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from analytic.rotor.clutch_state import under_torque
+from analytic.rotor.clutch_state import preload_twist, under_torque
 from verify.case import Values
 from verify.cases.rotor_clutch_inputs import ClutchInputs
 from verify.cases.rotor_clutch_model import STATES, pinned_torsion
 
 FRICTION = 0.1  # what oiled steel hardly exceeds
+LARGEST_TWIST = 0.35  # rad, 20 deg
 ROUGH = 0.5e-6  # m, roughness of ground races: yields below it follow no contact law
 WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
 
@@ -50,6 +51,31 @@ def open_slices(q: ClutchInputs, name: str) -> int:
     return int((clutch.deformation(at) <= 0).sum())
 
 
+def open_ends(q: ClutchInputs, name: str) -> bool:
+    """Whether a sprag bears on a part of its length alone."""
+    state = STATES[name]
+    clutch = q.clutch(crowned=state.crowned, gap=state.gap)
+    at = under_torque(clutch, T=q.T, offset=(q.e if state.offset else 0.0, 0, 0, 0))
+    closed = clutch.deformation(at) > 0
+    return bool((closed.any(-1) & ~closed.all(-1)).any())
+
+
+def too_large(q: ClutchInputs) -> str:
+    """Why struts are not asked."""
+    twist = float(preload_twist(q.clutch(), T=q.T))
+    if twist > LARGEST_TWIST:
+        return (
+            f"the races turn by {math.degrees(twist):.3g}° under {q.T:g} N m, beyond "
+            f"{math.degrees(LARGEST_TWIST):.3g}°: no sprag rolls so far; check it without --fem"
+        )
+    if open_ends(q, "crown") or open_ends(q, "together"):
+        return (
+            f"the crown's drop of {q.drop * 1e6:g} µm leaves the sprags' ends open under {q.T:g} "
+            "N m: slices converge too slowly there; check it without --fem"
+        )
+    return ""
+
+
 def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     found = []
     if v["delta_0"] < ROUGH:
@@ -61,6 +87,11 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
         if count := open_slices(q, name):
             share = count / q.n_s / (q.Z - (q.missing if STATES[name].gap else 0))
             found.append(f"under {what} {share:.0%} of the contacts are open: δ_jk below zero")
+    if v["twist"] > LARGEST_TWIST:
+        found.append(
+            f"the races turn by {math.degrees(v['twist']):.3g}° under {q.T:g} N m, farther than "
+            "sprags roll: more sprags, or a larger wedge angle"
+        )
     if math.tan(q.nu) > FRICTION:
         found.append(
             f"tan ν = {math.tan(q.nu):.3g} is more than the friction {FRICTION:g} that oiled "
