@@ -149,6 +149,47 @@ def test_unlike_bearings_turn_the_orbit_into_the_ellipse_of_two_oscillators():
     assert minus == pytest.approx((x.conj() + 1j * y.conj()).conj() / 2, rel=1e-6)
 
 
+def test_a_bearing_that_couples_x_and_y_pushes_across():
+    kxx, kyy, kxy, cxx, cyy, cxy = 4e6, 2e6, 9e5, 900.0, 400.0, 250.0
+    bearing = {"kxx": kxx, "kyy": kyy, "kxy": kxy, "cxx": cxx, "cyy": cyy, "cxy": cxy}
+    rotor = Rotor(
+        shafts=(Shaft(segments=(Segment(length=0.25, d_o=0.2, E=E * 1e4, rho=LIGHT),) * 2),),
+        discs=(Disc(node=1, mass=20.0, polar=0.3, diametral=0.2),),
+        supports=(Support(node=0, **bearing), Support(node=2, **bearing)),
+    )
+    for w in (100.0, 450.0, 700.0):
+        found = unbalance_response(rotor, [w], {1: 3e-5})
+        D = 2 * np.array([[kxx, kxy], [kxy, kyy]]) - 20 * w**2 * np.eye(2)
+        D = D + 2j * w * np.array([[cxx, cxy], [cxy, cyy]])
+        x, y = np.linalg.solve(D, 3e-5 * w**2 * np.array([1, -1j]))
+        plus, minus = found.at(1)
+        assert plus == pytest.approx((x + 1j * y) / 2, rel=1e-5)
+        assert minus == pytest.approx((x - 1j * y) / 2, rel=1e-5)
+        fx, fy = (
+            (kxx + 1j * w * cxx) * x + (kxy + 1j * w * cxy) * y,
+            ((kxy + 1j * w * cxy) * x + (kyy + 1j * w * cyy) * y),
+        )
+        load = (abs(fx + 1j * fy) + abs(fx - 1j * fy)) / 2
+        assert found.load(rotor.supports[0]) == pytest.approx(load, rel=1e-5)
+
+
+@pytest.mark.parametrize("whirl", [1, -1])
+def test_the_state_between_stations_is_that_of_further_stations(whirl):
+    found = []
+    for lengths, points in (((1.0,), 11), ((0.3, 0.3, 0.4), 2)):
+        last = len(lengths)
+        rotor = Rotor(
+            shafts=(Shaft(segments=tuple(Segment(length=a, d_o=0.2) for a in lengths)),),
+            supports=(Support(node=0, kxx=1e8), Support(node=last, kxx=3e7)),
+        )
+        known = modes(rotor, 8000.0, count=4)
+        (line,) = mode_lines(known, list(known.whirl).index(whirl), points=points)
+        at = [np.flatnonzero(np.isclose(line.z, z))[0] for z in (0.0, 0.3, 0.6, 1.0)]
+        r, phi = line.plus + line.minus, line.tilt_plus + line.tilt_minus
+        found.append((np.append(r[at], phi[at]) / r[at[0]]).real)
+    assert found[0] == pytest.approx(found[1], rel=1e-8)
+
+
 def test_modes_are_continuous_across_stations_and_between_shafts_through_stiff_links():
     found = modes(dual(1.4), 800.0, count=3)
     for k in range(3):

@@ -33,7 +33,7 @@ def rotor(*supports, links=(), shafts=(SHAFT,)):
         (lambda: Disc(node=0, mass=-1.0, polar=0, diametral=0), "mass of a disc must not be neg"),
         (lambda: Support(node=0, kxx=-1.0), "stiffness must not be negative, got kxx = -1"),
         (lambda: Support(node=0, kxx=1.0, cyy=-1.0), "damping must not be negative, got cyy = -1"),
-        (lambda: Support(node=0, kxx=1.0, kxy=2.0), "kxy must not exceed the root of kxx kyy"),
+        (lambda: Support(node=0, kxx=1e8, kxy=2e8), "kxy must not exceed the root of kxx kyy"),
         (lambda: Link(a=1, b=1, kxx=1e8), "a link joins two stations, got 1 twice"),
         (lambda: Rotor(shafts=()), "a rotor needs a shaft"),
         (lambda: rotor(Support(node=4, kxx=1e8)), "support is at station 4, there are 0 to 3"),
