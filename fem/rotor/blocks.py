@@ -4,6 +4,7 @@ At each node r = (x + i y)/sqrt 2 and phi = (theta_y - i theta_x)/sqrt 2 turn fo
 conjugate counterparts (x - i y)/sqrt 2, ... backwards. On isotropic supports the two fall apart,
 and the problem is half as large; bending, torsion and stretching fall apart unless a link
 couples them. The change of coordinates is unitary, so that symmetric matrices become Hermitian.
+What is damped and does not fall apart stays in the nodes' own unknowns, where it is real.
 """
 
 from dataclasses import dataclass
@@ -37,7 +38,7 @@ PLANE = np.array(["bending", "bending", "axial", "bending", "bending", "torsion"
 
 @dataclass(frozen=True)
 class Block:
-    """Unknowns `at` of the complex coordinates, and their matrices (n, n).
+    """Unknowns `at` of the complex coordinates (or, not `turned`, the own), and matrices (n, n).
 
     `sense` is 1 where all turn forwards, -1 where all turn backwards, else 0; `planes` names the
     kinds of motion that take part, `across` (n,) says which unknowns are of bending.
@@ -51,6 +52,7 @@ class Block:
     sense: int
     planes: frozenset[str]
     across: NDArray[np.bool_]
+    turned: bool = True
 
     @cached_property
     def undamped(self) -> bool:
@@ -58,11 +60,15 @@ class Block:
         skew = abs(self.K - self.K.conj().T).max()
         return bool(not self.C.any() and skew <= 1e-14 * abs(self.K).max())
 
+    def own(self, q: Complex) -> Complex:
+        """Amplitudes (..., n) in this block's coordinates of those of the nodes' unknowns."""
+        return (to_whirl(q) if self.turned else q)[..., self.at]
+
     def real(self, v: NDArray[np.inexact], unknowns: int) -> Complex:
         """Amplitudes (..., unknowns) along the nodes' own unknowns of `v` (..., n)."""
         whole = np.zeros((*v.shape[:-1], unknowns), complex)
         whole[..., self.at] = v
-        return from_whirl(whole)
+        return from_whirl(whole) if self.turned else whole
 
 
 def to_whirl(q: NDArray[np.inexact]) -> Complex:
@@ -93,15 +99,21 @@ def blocks(system: System, speed: float = 0.0) -> list[Block]:
     for k in range(count):
         at = np.flatnonzero(of == k)
         turns = set(sense[at].tolist())
-        grid = np.ix_(at, at)
-        M, own_K, own_C, H = (_plain(A[grid]) for A in (M_w, K_w, C_w, 1j * G_w))
-        made.append(
-            Block(
-                at, M, own_K, own_C, H, sense=turns.pop() if len(turns) == 1 else 0,
-                planes=frozenset(plane[at].tolist()), across=plane[at] == "bending",
-            )
+        M, own_K, own_C, H = (_plain(A[np.ix_(at, at)]) for A in (M_w, K_w, C_w, 1j * G_w))
+        block = Block(
+            at, M, own_K, own_C, H, sense=turns.pop() if len(turns) == 1 else 0,
+            planes=frozenset(plane[at].tolist()), across=plane[at] == "bending",
         )  # fmt: skip
+        if block.sense == 0 and not block.undamped and set(at) == set(_partner(at)):
+            M, own_K, own_C, H = (A[np.ix_(at, at)] for A in (system.M, K, C, 1j * system.G))
+            block = Block(at, M, own_K, own_C, H, 0, block.planes, block.across, turned=False)
+        made.append(block)
     return made
+
+
+def _partner(at: Indices) -> Indices:
+    """The unknowns that are conjugate to `at`; a node's own are in the same two places."""
+    return at + np.tile([1, -1, 0, 1, -1, 0], at.max() // UNKNOWNS + 1)[at]
 
 
 def _turned(A: Array) -> Complex:

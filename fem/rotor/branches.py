@@ -63,67 +63,67 @@ def branches(rotor: Rotor, speeds: Array, count: int, plane: str) -> list[Branch
 
 
 def _followed(block: Block, speeds: Array, count: int, unknowns: int) -> Branches:
-    chosen = [
-        _lowest(spectrum(block, speeds[i : i + BATCH]), block, count + SPARE)
-        for i in range(0, speeds.size, BATCH)
-    ]
-    return _tracked(block, [one for batch in chosen for one in batch], unknowns)
+    chosen = []
+    for i in range(0, speeds.size, BATCH):
+        chosen += _lowest(spectrum(block, speeds[i : i + BATCH]), block, count + SPARE, unknowns)
+    return _tracked(chosen, block.sense)
 
 
 def _joined(own: list[Block], speeds: Array, count: int, unknowns: int) -> Branches:
     chosen = [
-        _lowest(spectrum(b, speeds[i : i + 1]), b, count + SPARE)[0] for i, b in enumerate(own)
+        _lowest(spectrum(b, speeds[i : i + 1]), b, count + SPARE, unknowns)[0]
+        for i, b in enumerate(own)
     ]
-    return _tracked(own[0], chosen, unknowns)
+    return _tracked(chosen, own[0].sense)
 
 
-Chosen = tuple[Complex, NDArray[np.inexact], NDArray[np.inexact]]
+Chosen = tuple[Complex, Complex, NDArray[np.inexact]]
 
 
-def _lowest(found: Spectrum, block: Block, count: int) -> list[Chosen]:
-    """Per speed: the lowest oscillating eigenvalues, vectors and states.
+def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Chosen]:
+    """Per speed: the lowest oscillating eigenvalues (k,), shapes (k, unknowns), states (m, k).
 
     Of a block of both senses the conjugate half is left out; a forward one has its backward
     eigenvalues below zero.
     """
     made = []
-    for values, vectors, states in zip(found.values, found.vectors, found.states, strict=True):
+    for i, values in enumerate(found.values):
         size = abs(values)
-        oscillates = abs(values.imag) > STILL * size
         resting = size <= STILL * np.median(size[np.isfinite(size)])
-        kept = np.isfinite(size) & (oscillates | resting)
+        kept = np.isfinite(size) & ((abs(values.imag) > STILL * size) | resting)
         if block.sense == 0:
             kept &= (values.imag > 0) & ~resting
             kept[np.flatnonzero(resting)[::2]] = True  # at rest both halves are zero
         at = np.flatnonzero(kept)
         at = at[np.argsort(abs(values.imag[at]), kind="stable")]
         at = np.concatenate([at[values.imag[at] >= 0][:count], at[values.imag[at] < 0][:count]])
-        made.append((values[at], vectors[:, at], states[:, at]))
+        vectors, states = found.take(i, at)
+        made.append((values[at], block.real(vectors.T, unknowns), states))
     return made
 
 
-def _tracked(block: Block, chosen: list[Chosen], unknowns: int) -> Branches:
-    """The lowest branches of each sign, ordered at the first speed, followed onwards."""
-    values, vectors, states = chosen[0]
-    rows = [(values, vectors)]
+def _tracked(chosen: list[Chosen], sense: int) -> Branches:
+    """The branches of the first speed, followed onwards; NaN where one no longer oscillates."""
+    values, shapes, states = chosen[0]
+    rows = [(values, shapes)]
     for own, shape, state in chosen[1:]:
         match = abs(states.conj().T @ state) ** 2
         jump = abs(values.imag[:, None] - own.imag[None, :])
         scale = 1 + abs(values.imag[:, None]) + abs(own.imag[None, :])
-        sign = np.sign(values.imag[:, None]) * np.sign(own.imag[None, :]) < 0
-        _, to = linear_sum_assignment(jump / scale + sign - match)
-        left = [k for k in range(own.size) if k not in set(to)][: values.size - to.size]
-        order = np.concatenate([to, left]).astype(int)
-        values, states = own[order], state[:, order]
-        rows.append((values, shape[:, order]))
-    size = min(v.size for v, _ in rows)
-    whole = np.array([v[:size] for v, _ in rows])
-    shapes = np.array([s[:, :size].T for _, s in rows])
-    real = block.real(shapes, unknowns)
-    if block.sense > 0:  # backward: the same whirl, written with a positive frequency
+        turned = np.sign(values.imag[:, None]) * np.sign(own.imag[None, :]) < 0
+        branch, to = linear_sum_assignment(jump / scale + turned - match)
+        now = np.full(values.size, complex(np.nan, np.nan))
+        now[branch] = own[to]
+        values, states = values.copy(), states.copy()
+        values[branch], states[:, branch] = own[to], state[:, to]
+        moved = rows[-1][1].copy()
+        moved[branch] = shape[to]
+        rows.append((now, moved))
+    whole, real = (np.array(column) for column in zip(*rows, strict=True))
+    if sense > 0:  # backward: the same whirl, written with a positive frequency
         real = np.where((whole.imag < 0)[..., None], real.conj(), real)
         whole = np.where(whole.imag < 0, whole.conj(), whole)
-    rests = abs(whole.imag) <= STILL * np.median(abs(whole.imag), axis=1, keepdims=True)
+    rests = abs(whole.imag) <= STILL * np.nanmedian(abs(whole.imag), axis=1, keepdims=True)
     return Branches(whole, real, np.where(rests, 0, whirl_sense(real)))
 
 

@@ -13,7 +13,10 @@ from fem.rotor.model import Rotor
 
 @dataclass(frozen=True)
 class Campbell:
-    """Branches over `speeds` (m,) [rad/s]: lambda (m, k), whirl (m, k), ordered at the first."""
+    """Branches over `speeds` (m,) [rad/s]: lambda (m, k), whirl (m, k), ordered at the first.
+
+    NaN where a branch no longer oscillates.
+    """
 
     speeds: Array
     eigenvalues: Complex

@@ -14,31 +14,33 @@ problem for omega itself has the same form with M in the place of K. The other p
 with a K that is not symmetric, are linearised in the same two ways and left to a general solver.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cholesky, eigh, solve_triangular
 
-from fem.rotor.blocks import Block, Complex
+from fem.rotor.blocks import Block, Complex, Indices
 from fem.rotor.elements import Array
 
 RIGID = 1e-13  # singular values of K on the scale of its diagonal, below which a motion is free
 STILL = 1e-6  # of a state, below which it has no motion
+NUDGE = 1e-13  # off an eigenvalue, so that its matrix can be factorised
 ABSENT = 1e-14  # eigenvalues of the second matrix, over the largest, that are zero
 
 
 @dataclass(frozen=True)
 class Spectrum:
-    """Eigenvalues (speeds, k), their vectors (speeds, n, k) and states (speeds, m, k).
+    """Eigenvalues (speeds, k), and how to `take` some of one speed.
 
-    States are orthonormal in an undamped problem: their products tell which eigenvalue at one
-    speed goes on in which one at the next.
+    `take(i, at)` gives vectors (n, j) and states (m, j) of the eigenvalues number `at` at the speed
+    number `i`. States are of length 1, in an undamped problem orthonormal: their products tell
+    which eigenvalue at one speed goes on in which one at the next.
     """
 
     values: Complex
-    vectors: NDArray[np.inexact]
-    states: NDArray[np.inexact]
+    take: Callable[[int, Indices], tuple[NDArray[np.inexact], NDArray[np.inexact]]]
 
 
 def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
@@ -80,11 +82,15 @@ def _undamped(block: Block, speeds: Array) -> Spectrum:
     S[:, range(n), range(n, 2 * n)] = S[:, range(n, 2 * n), range(n)] = b
     S[:, :n, :n] = speeds[:, None, None] * H
     values, states = np.linalg.eigh(S)
-    v, w = states[:, :n, :], states[:, n:, :]
-    free = np.linalg.norm(v, axis=1, keepdims=True) < STILL  # a rigid motion that rests
     back = solve_triangular(lower, turn, lower=True, trans="C")
-    vectors = np.asarray(back @ np.where(free, w, v))
-    return Spectrum(_imaginary(_inverse(values) if held else values), vectors, states)
+
+    def take(i: int, at: Indices) -> tuple[NDArray[np.inexact], NDArray[np.inexact]]:
+        own = states[i][:, at]
+        v, w = own[:n], own[n:]
+        rests = np.linalg.norm(v, axis=0) < STILL  # a rigid motion
+        return back @ np.where(rests, w, v), own
+
+    return Spectrum(_imaginary(_inverse(values) if held else values), take)
 
 
 def _general(block: Block, speeds: Array) -> Spectrum:
@@ -92,21 +98,47 @@ def _general(block: Block, speeds: Array) -> Spectrum:
     n = block.K.shape[0]
     A, B = (block.K, block.M) if held else (block.M, block.K)
     try:
-        rest = np.linalg.solve(A, np.hstack([block.C, -1j * block.H, B]))
+        rest = np.linalg.solve(A, np.hstack([block.C, _gyroscopic(block), B]))
     except np.linalg.LinAlgError:
         raise ArithmeticError(
             "unknowns without mass are left free: support them or give them mass"
         ) from None
     C, G, B = rest[:, :n], rest[:, n : 2 * n], rest[:, 2 * n :]
-    S = np.zeros((speeds.size, 2 * n, 2 * n), complex)
+    S = np.zeros((speeds.size, 2 * n, 2 * n), rest.dtype)
     S[:, :n, :n] = -(C + speeds[:, None, None] * G)
     S[:, :n, n:] = -B
     S[:, range(n, 2 * n), range(n)] = 1
-    values, states = np.linalg.eig(S)
-    states /= np.linalg.norm(states, axis=1, keepdims=True)
+    values: Complex = np.linalg.eigvals(S).astype(complex)
     if held:
         values = np.where(_vanishing(values), complex(0, np.inf), 1 / _nonzero(values))
-    return Spectrum(values, states[:, n:, :], states)
+    scale = np.sqrt(abs(np.diag(block.K)) + abs(np.diag(block.M)))[:, None]
+
+    def take(i: int, at: Indices) -> tuple[Complex, Complex]:
+        v = _null_vectors(block, float(speeds[i]), values[i, at])
+        own = scale * v
+        return v, own / np.linalg.norm(own, axis=0)
+
+    return Spectrum(values, take)
+
+
+def _null_vectors(block: Block, speed: float, values: Complex) -> Complex:
+    """Vectors (n, k) of known eigenvalues, by two steps of inverse iteration."""
+    size = max(abs(values).max(), 1.0)
+    lam = (values + NUDGE * (abs(values) + NUDGE * size))[:, None, None]
+    P = lam**2 * block.M + lam * (block.C - 1j * speed * block.H) + block.K
+    d = np.sqrt(abs(np.diag(block.K)) + np.mean(abs(values)) ** 2 * abs(np.diag(block.M)))
+    P = P / np.outer(d, d)
+    v = np.random.default_rng(0).standard_normal((values.size, d.size, 1)) + 0j
+    for _ in range(2):
+        v = np.linalg.solve(P, v)
+        v /= np.linalg.norm(v, axis=1, keepdims=True)
+    return np.asarray((v[:, :, 0] / d).T)
+
+
+def _gyroscopic(block: Block) -> NDArray[np.inexact]:
+    """G = -i H, real where it is."""
+    G = -1j * block.H
+    return G if G.imag.any() else G.real
 
 
 def _inverse(mu: Array) -> Array:

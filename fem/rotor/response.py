@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from fem.rotor.blocks import Block, Complex, blocks, to_whirl
+from fem.rotor.blocks import Block, Complex, blocks
 from fem.rotor.branches import check_speeds
 from fem.rotor.critical import check_supported
 from fem.rotor.elements import Array
@@ -130,7 +130,7 @@ def forced_response(
     n = rotor.system.M.shape[0]
     if force.shape[-1] != n:
         raise ValueError(f"forces have {n} unknowns, got {force.shape[-1]}")
-    load = np.broadcast_to(to_whirl(np.asarray(force, complex)), (at.size, n))
+    load = np.broadcast_to(np.asarray(force, complex), (at.size, n))
     q = np.zeros((at.size, n), complex)
     if rotor.system.varying:
         for i in range(at.size):
@@ -146,7 +146,7 @@ def forced_response(
 
 def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex) -> None:
     """Add the motion of `block` (speeds, unknowns) to `q`."""
-    f = load[:, block.at]
+    f = block.own(load)
     if not f.any():
         return
     check_supported(block)

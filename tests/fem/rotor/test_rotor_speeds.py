@@ -38,7 +38,7 @@ def test_branches_are_smooth_where_they_cross():
         [Shaft([Element(0.25, 0.03, material=LIGHT)] * 4)],
         [Disc(2, 20.0, 0.6, 0.3)], [Support(0, 1e12), Support(4, 1e12)],
     )  # fmt: skip
-    speeds = np.linspace(0, 800, 81)
+    speeds = np.linspace(0, 1600, 161)
     found = campbell(rotor, speeds, 4)
     across = np.sqrt(48 * E * np.pi * 0.03**4 / 64 / 20.0)
     shear = 1 / (4 * Element(1, 0.03).kappa * E / 2.6 * np.pi * 0.03**2 / 4)
