@@ -11,7 +11,7 @@ from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.pencil import Spectrum, spectrum
 
-SPARE = 6  # eigenvalues looked at beyond those asked for, which may come down among them
+SPARE = 4  # eigenvalues looked at beyond those asked for, which may come down among them
 BATCH = 64  # speeds solved together
 STILL = 1e-7  # Im lambda over its size, below which a motion does not oscillate
 ROUND = 1e-6  # share of the other sense in a motion, below which it has one

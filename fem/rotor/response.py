@@ -154,7 +154,8 @@ def _solve(block: Block, speeds: Array, omega: Array, load: Complex, q: Complex)
     step = max(1, CHUNK // n**2)
     for i in range(0, omega.size, step):
         w, W = (v[i : i + step, None, None] for v in (omega, speeds))
-        D = block.K - w**2 * block.M + w * (1j * block.C + W * block.H)
+        D = w * (1j * block.C + W * block.H - w * block.M)
+        D += block.K
         try:
             own = np.linalg.solve(D, f[i : i + step, :, None])[:, :, 0]
         except np.linalg.LinAlgError:
