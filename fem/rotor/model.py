@@ -1,8 +1,12 @@
 """Rotors of coaxial shafts: what is handed over, in SI units.
 
     shaft = Shaft([Element(0.25, 0.05)] * 4)
-    rotor = Rotor([shaft], [Disc.cylinder(2, 0.3, 0.05, 0.04, 7850.0)],
-                  [Support(0, 1e8), Support(4, 1e8)])
+    disc = Disc.cylinder(2, 0.3, 0.05, 0.04, 7850.0)
+    rotor = Rotor([shaft], [disc], [Support(0, 1e8, cxx=2e3), Support(4, 1e8, 2e8, cxx=2e3)])
+    modes(rotor, 300.0).frequencies                   # rad/s, and .whirl, .damping, .shapes
+    campbell(rotor, np.linspace(0, 1000, 51)).frequencies
+    critical_speeds(rotor).speeds
+    unbalance_response(rotor, np.linspace(0, 1000, 501), {2: 1e-4}).orbit(2, 250)
 
 Nodes are the ends of the elements as given, numbered from 0 along the first shaft and then on
 along the next one. Each has the unknowns (x, y, z, theta_x, theta_y, theta_z), right-handed.
