@@ -31,7 +31,7 @@ def drawable(figure: Figure) -> bool:
     """Whether a figure has points, and finite ones; curves may lack some of theirs."""
     match figure:
         case Curves():
-            return any(np.any(np.isfinite(c.x) & np.isfinite(c.y)) for c in figure.curves)
+            return _some_points(figure)
         case Profile():
             return _finite((figure.x, figure.y, figure.x_fem, figure.y_fem, figure.y_ref, figure.u))
         case Refinement():
@@ -49,11 +49,27 @@ def drawable(figure: Figure) -> bool:
         case Map():  # where there is nothing to compare it says so in the cell
             return bool(figure.rows and figure.columns)
         case Whirl():
-            return bool(figure.modes) and all(mode.lines for mode in figure.modes)
+            lines = [line for mode in figure.modes for line in mode.lines]
+            parts = [p for z, x, y in lines for p in (z, x.real, x.imag, y.real, y.imag)]
+            some = bool(figure.modes) and all(mode.lines for mode in figure.modes)
+            return some and _finite([*parts, *(p for line in figure.outlines for p in line)])
         case Campbell():
             return figure.speeds.size > 1 and bool(np.any(np.isfinite(figure.frequencies)))
         case Parallel():
-            return bool(figure.axes) and bool(figure.members.size)
+            return bool(figure.axes) and _finite(
+                (figure.members, *((a.low, a.high) for a in figure.axes))
+            )
+
+
+def _some_points(figure: Curves) -> bool:
+    """Whether any curve or band has a point, on a logarithmic axis a positive one."""
+    least = 0.0 if figure.y_log else -np.inf
+    lines = [(c.x, [c.y]) for c in figure.curves]
+    lines += [(b.x, [b.lower, b.upper]) for b in figure.bands]
+    return any(
+        np.any(np.all([np.isfinite(x), *(np.isfinite(v) & (v > least) for v in y)], axis=0))
+        for x, y in lines
+    )
 
 
 def nothing(title: str) -> Markup:

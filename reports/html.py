@@ -1,4 +1,4 @@
-"""The report as one self-contained page: no network, and nothing in it runs but the 3-D view."""
+"""The report as one self-contained page: no network; what runs in it moves views in space."""
 
 import base64
 import hashlib
@@ -13,16 +13,19 @@ from markupsafe import Markup
 
 from reports import formats, plots, signature
 from reports.bars import bars
+from reports.campbell import campbell
 from reports.curves import curves
 from reports.density import density
 from reports.drawable import drawable, nothing
 from reports.equations import Glyphs
 from reports.error_map import error_map
 from reports.frames import Frame
+from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.verdicts import first_author, verdicts
+from reports.whirl import whirl
 from reports.zones import zones
 from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
 from verify.shown import (
@@ -91,7 +94,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     `cache` is a folder that keeps drawn equations for the next run.
     """
     glyphs = Glyphs(cache)
-    script = (HERE / "viewer.js").read_text("utf-8") if _any_views(frames) else ""
+    script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
     body = _environment(glyphs).get_template("report.html.j2").render(
         report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
@@ -237,8 +240,12 @@ def plot(figure: Figure) -> Markup:
             return density(figure)
         case Bars():
             return bars(figure)
-        case Whirl() | Campbell() | Parallel():
-            return nothing(figure.title)
+        case Whirl():
+            return whirl(figure)
+        case Campbell():
+            return campbell(figure)
+        case Parallel():
+            return parallel(figure)
 
 
 def _environment(glyphs: Glyphs) -> jinja2.Environment:
@@ -302,8 +309,12 @@ def _by_paper(report: Report) -> Mapping[str, list[Mapping[str, Any]]]:
     return found
 
 
-def _any_views(frames: Mapping[str, Sequence[Frame]]) -> bool:
-    return any(frame.view for group in frames.values() for frame in group)
+def _script(report: Report, frames: Mapping[str, Sequence[Frame]]) -> str:
+    """What moves the views and the modes of shafts, where there are some."""
+    views = any(frame.view for group in frames.values() for frame in group)
+    modes = any(isinstance(f, Whirl) and drawable(f) for c in report.cases for f in c.figures)
+    names = ["viewer.js"] * views + ["whirl.js"] * modes
+    return "\n".join((HERE / name).read_text("utf-8") for name in names)
 
 
 def drawn_by(frames: Mapping[str, Sequence[Frame]]) -> str:

@@ -27,6 +27,7 @@ class Axes:
     y: tuple[float, float]
     log: bool = False
     body: list[Markup] = field(default_factory=list)
+    y_log: bool = False
 
     def X(self, value: float) -> float:
         """Where x is in the image."""
@@ -34,7 +35,7 @@ class Axes:
 
     def Y(self, value: float) -> float:
         """Where y is in the image."""
-        return _between(value, self.y, (self.box[3], self.box[1]), self.log)
+        return _between(value, self.y, (self.box[3], self.box[1]), self.log or self.y_log)
 
     def grid(self, values: Sequence[float], name: Callable[[float], str | Markup]) -> None:
         """Horizontal lines with their numbers."""

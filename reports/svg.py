@@ -86,6 +86,12 @@ _MARKS: tuple[tuple[tuple[float, float], ...], ...] = (
 )
 
 
+def cross(x: float, y: float, r: float, css: str) -> Markup:
+    """Two strokes across each other, 2r wide."""
+    d = f"M{short(x - r)},{short(y - r)}l{2 * r:g},{2 * r:g}m0,{-2 * r:g}l{-2 * r:g},{2 * r:g}"
+    return Markup('<path class="{}" d="{}"/>').format(css, d)
+
+
 def rectangle(x: float, y: float, width: float, height: float, css: str) -> Markup:
     """A filled rectangle."""
     return Markup('<rect class="{}" x="{}" y="{}" width="{}" height="{}"/>').format(

@@ -1,0 +1,184 @@
+"""Modes of turning shafts in space: orbits, the bent centre lines at one phase, and their outline.
+
+`templates/whirl.js` moves the lines and dots along the orbits; without it the drawing stands.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from markupsafe import Markup
+
+from reports import svg
+from reports.plots import WIDTH
+from verify.shown import Array, ComplexArray, Mode, Whirl
+
+YAW, PITCH = math.radians(26), math.radians(20)  # of the viewer, from beside the shafts
+EDGE, GAP, NAME = 8.0, 20.0, 18.0  # around all, between panels, for a panel's name
+LENGTH = 0.94  # of a panel that the shafts take
+REACH = 0.17  # of a panel that the largest displacement takes
+LETTER = 6.2  # about the width of a letter
+ORBITS = 8  # drawn of a shaft
+FINE = 40  # points of a centre line at most
+SMALL = 0.5  # pixels that no orbit shows
+FLAT = 0.03  # axes of an ellipse that is drawn as a line
+ARROW = math.radians(50)  # ahead of the phase that is drawn
+COLOURS = (0, 2, 3, 4)  # of the shafts
+
+
+@dataclass(frozen=True)
+class _View:
+    """Pixels of the image for a length along the shafts, and across them for a displacement."""
+
+    origin: Array
+    scale: float
+    across: float
+
+    def at(self, z: Array) -> Array:
+        """Points of the axis (m, 2)."""
+        return np.asarray(self.origin + self.scale * np.asarray(z)[:, None] * ALONG)
+
+    def moved(self, x: ComplexArray, y: ComplexArray) -> ComplexArray:
+        """Displacements (m, 2) as complex pixels."""
+        return np.asarray(self.across * (x[:, None] * RIGHT + y[:, None] * UP))
+
+
+# the image's x (right) and y (down) of the three axes: x away from the viewer, y up, z right
+RIGHT = np.array([math.sin(YAW), -math.sin(PITCH) * math.cos(YAW)])
+UP = np.array([0.0, -math.cos(PITCH)])
+ALONG = np.array([math.cos(YAW), math.sin(PITCH) * math.sin(YAW)])
+
+
+def whirl(w: Whirl) -> Markup:
+    """A panel for each mode, a bar that gives the scale, and what the marks are."""
+    columns = 1 if len(w.modes) < 3 else 2
+    wide = (WIDTH - 2 * EDGE - GAP * (columns - 1)) / columns
+    first, last = _ends(w)
+    scale = LENGTH * wide / ((last - first) * ALONG[0])
+    thick = scale * max((float(np.max(r)) for _, r in w.outlines), default=0.0)
+    above = NAME + max(thick, REACH * wide) + 6
+    high = above + scale * (last - first) * ALONG[1] + max(thick, REACH * wide) + 16
+    body = []
+    for k, mode in enumerate(w.modes):
+        left, top = EDGE + (k % columns) * (wide + GAP), EDGE + (k // columns) * high
+        largest = max(
+            float(np.sqrt(np.abs(x) ** 2 + np.abs(y) ** 2).max()) for _, x, y in mode.lines
+        )
+        start = np.array([left + (1 - LENGTH) / 2 * wide, top + above])
+        view = _View(start - scale * first * ALONG, scale, REACH * wide / (largest or 1.0))
+        body.append(svg.text(left + wide / 2, top + 12, mode.name, "named", "middle"))
+        body += [*_still(w, view, first, last), *_moving(mode, view)]
+    end = EDGE + high * -(-len(w.modes) // columns)
+    return svg.drawing(WIDTH, end + 26, [*body, *_key(w, scale, end)], w.title, "chart whirl")
+
+
+def _ends(w: Whirl) -> tuple[float, float]:
+    z = np.concatenate([np.asarray(z) for mode in w.modes for z, _, _ in mode.lines]
+                       + [np.asarray(z) for z, _ in w.outlines])  # fmt: skip
+    first, last = float(z.min()), float(z.max())
+    return first, last if last > first else first + 1.0
+
+
+def _still(w: Whirl, view: _View, first: float, last: float) -> list[Markup]:
+    """The shafts as they are, their axis, and the bearings on it."""
+    body = []
+    for z, r in w.outlines:
+        middle, up = view.at(np.asarray(z)), np.outer(view.scale * np.asarray(r), (0.0, 1.0))
+        body.append(svg.polyline([*(middle - up), *(middle + up)[::-1]], "outline", closed=True))
+    axis = view.at(np.array([first, last]))
+    body.append(svg.polyline(axis, "centre"))
+    body += [_support(*p) for p in view.at(np.array(w.supports))] if w.supports else []
+    body += [_link(*p) for p in view.at(np.array(w.links))] if w.links else []
+    return body
+
+
+def _support(x: float, y: float) -> Markup:
+    return svg.polyline([(x, y), (x - 4, y + 8), (x + 4, y + 8)], "support", closed=True)
+
+
+def _link(x: float, y: float) -> Markup:
+    return svg.marker(x, y, 3.2, "link", 3)
+
+
+def _moving(mode: Mode, view: _View) -> list[Markup]:
+    """Orbits of all shafts, then their centre lines with dots, at the phase zero."""
+    orbits, lines, widest = [], [], (0.0, Markup(""))
+    for k, (z, x, y) in enumerate(mode.lines):
+        colour = COLOURS[k % len(COLOURS)]
+        base, moved = view.at(z), view.moved(np.asarray(x), np.asarray(y))
+        some = _some(len(z), ORBITS)
+        for p, d in zip(base[some], moved[some], strict=True):
+            orbit, size, arrow = _orbit(p, d, colour)
+            orbits.append(orbit)
+            widest = max(widest, (size, arrow), key=lambda found: found[0])
+        fine = _some(len(z), FINE)
+        lines += [
+            _path(base[fine], moved[fine], f"fit s{colour} strokes bent"),
+            _path(base[some], moved[some], f"orbit-dot s{colour}"),
+        ]
+    return [*orbits, *lines, widest[1]]
+
+
+def _some(count: int, most: int) -> list[int]:
+    """At most so many of the places, the first and the last among them."""
+    places = np.linspace(0, count - 1, min(count, most))
+    return [int(i) for i in np.unique(np.rint(places).astype(int))]
+
+
+def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Markup]:
+    """An ellipse around p, how wide it is, and an arrow's head that says which way it is run."""
+    axes, (a, b), _ = np.linalg.svd(np.column_stack([d.real, -d.imag]))
+    end = a * axes[:, 0]
+    if a < SMALL:
+        return Markup(""), 0.0, Markup("")
+    if b < FLAT * a:
+        return svg.polyline([p - end, p + end], f"orbit s{colour}"), float(a), Markup("")
+    angle = math.degrees(math.atan2(end[1], end[0]))
+    half = Markup("A{} {} {:.0f} 0 0 {},{}")
+    (x0, y0), (x1, y1) = ([svg.short(v) for v in q] for q in (p + end, p - end))
+    radii = svg.short(float(a)), svg.short(float(b))
+    path = Markup('<path class="orbit s{}" d="M{},{}{}{}"/>').format(
+        colour, x0, y0, half.format(*radii, angle, x1, y1), half.format(*radii, angle, x0, y0)
+    )
+    turn = complex(math.cos(ARROW), math.sin(ARROW))
+    ahead, way = p + (d * turn).real, (d * turn * 1j).real
+    return (
+        path,
+        float(a),
+        svg.arrow_head(ahead[0], ahead[1], way[0], way[1], f"sense s{colour}", 7.0),
+    )
+
+
+def _path(base: Array, moved: ComplexArray, css: str) -> Markup:
+    """Points at the phase zero; what moves them is told as x, y and their parts at both phases."""
+    shown = base + moved.real
+    dots = css.startswith("orbit-dot")
+    if dots:
+        d = "".join(f"M{svg.short(x)},{svg.short(y)}h0" for x, y in shown)
+    else:
+        d = "M" + "L".join(f"{svg.short(x)},{svg.short(y)}" for x, y in shown)
+    rows = np.column_stack([base, moved.real, -moved.imag])
+    data = " ".join(",".join(svg.short(float(v) + 0.0) for v in row) for row in rows)
+    return Markup('<path class="{}" d="{}" data-{}="{}"/>').format(
+        css, d, "dots" if dots else "line", data
+    )
+
+
+def _key(w: Whirl, scale: float, top: float) -> list[Markup]:
+    """A bar of a round length, and the marks of bearings."""
+    length = svg.ticks(0.0, 0.2 * WIDTH / scale, 2)[-1]
+    y, right = top + 10, EDGE + scale * length
+    body = [
+        svg.line(EDGE, y, right, y, "base"),
+        *(svg.line(x, y - 3, x, y + 3, "base") for x in (EDGE, right)),
+        svg.text(right + 6, y + 4, f"{svg.plain(length)} {w.unit}", "tick"),
+    ]
+    left = right + 28 + LETTER * len(f"{svg.plain(length)} {w.unit}")
+    for there, mark, name in (
+        (w.supports, _support(left, y - 4), "bearing to ground"),
+        (w.links, None, "bearing between shafts"),
+    ):
+        if there:
+            body += [mark or _link(left, y), svg.text(left + 9, y + 4, name, "tick")]
+            left += 26 + LETTER * len(name)
+    return body
