@@ -35,7 +35,7 @@ from fem.fourier.vibration_parts import by_body, gyroscopic_form, mass_matrix, m
 from fem.plane.discretisation import Array
 
 RESIDUAL_LIMIT = 1e-5  # of a mode, in the energy's norm: its frequency errs by the square
-TOLERANCE = 1e-13  # Lanczos', of 1/w
+TOLERANCE = 1e-12  # Lanczos', of 1/w
 NO_SPEED = 1e-12  # 1/W^2 of the lowest speed: below, roots are zero but for round-off
 SEED = 1
 
@@ -126,15 +126,19 @@ class RotatingSolid:
         if not np.isfinite(speed) or not 1 <= count < size // 2:
             raise ValueError(f"modes need a finite speed and count >= 1, got {speed:g}, {count}")
 
+        last = np.zeros(size)
+
         def right(x: Array) -> Array:
             q, y = x[:size], x[size:]
+            last[:] = q
             return np.concatenate([M @ y - speed * (G @ q), M @ q])
 
         def left(x: Array) -> Array:
             return np.concatenate([K @ x[:size], M @ x[size:]])
 
         def solved(x: Array) -> Array:
-            return np.concatenate([self.factor.solve(x[:size]), self._mass_factor.solve(x[size:])])
+            # ARPACK asks for this right after `right`: the second half is M q, and its solution q
+            return np.concatenate([self.factor.solve(x[:size]), last])
 
         found, x = eigsh(
             _operator(right, 2 * size), 2 * count, M=_operator(left, 2 * size),
@@ -171,10 +175,6 @@ class RotatingSolid:
     def motion(self, boundary: str, shapes: Array) -> Array:
         """Mean displacement across and tilt (2, ...) of `boundary` in `shapes` (unknowns, ...)."""
         return np.asarray(mean_motion(self.solid.basis, boundary).T @ shapes)
-
-    @cached_property
-    def _mass_factor(self) -> SuperLU:
-        return splu(csc_array(self.M), **SUPERLU)
 
     def _inertia(self, density: Array, form: Array) -> csr_array:
         whole = mass_matrix(self.solid.cells, self.solid.basis, self.n, density, form)

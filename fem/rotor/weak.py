@@ -11,7 +11,8 @@ K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points a 
 derivative of a quadratic meets a linear function: at more it locks slender shafts.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -65,6 +66,14 @@ class WeakShaft:
         if nodes.size != 1:
             raise ValueError(f"the mesh has no node at z={z:g} m")
         return int(self.basis.nodal_dofs[0, nodes[0]])
+
+    def on_springs(self, springs: Mapping[float, float]) -> "WeakShaft":
+        """The same shaft on springs to the ground: place [m] -> stiffness across [N/m]."""
+        K = self.K.tolil(copy=True)
+        for z, k in springs.items():
+            place = self.deflection_at(z)
+            K[place, place] += k
+        return replace(self, K=csr_array(K))
 
     def whirl(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> tuple[Array, Array]:
         """Lowest frequencies (count,) [rad/s] that run forward and backward at `speed`, positive.

@@ -73,6 +73,15 @@ def test_a_stepped_shaft_whirls_as_the_closed_form_elements_do(theory, order):
     assert np.sort(beam[:4]) == pytest.approx(np.sort(np.ravel(found)), rel=2e-5)
 
 
+def test_a_stout_shaft_on_springs_bounces_and_rocks_as_if_rigid():
+    """Two springs k at the ends: w^2 = 2 k/m, and k L^2/2 over m L^2/12 + rho I L."""
+    s, k = uniform(0.2), 1e3
+    found = weak(s, 8).on_springs({0.0: k, L: k}).whirl(0.0, count=2)[0]
+    m = RHO * s.A * L
+    rocking = np.sqrt(k * L**2 / 2 / (m * L**2 / 12 + RHO * s.I * L))
+    assert found == pytest.approx([np.sqrt(2 * k / m), rocking], rel=1e-5)
+
+
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [

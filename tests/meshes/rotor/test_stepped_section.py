@@ -1,0 +1,75 @@
+"""Half-sections of stepped shafts: areas, boundaries, fine corners, refusals."""
+
+import numpy as np
+import pytest
+
+from meshes.rotor.stepped import stepped_section
+
+PARTS = [(0.1, 0.04, 0.0), (0.2, 0.08, 0.02), (0.15, 0.05, 0.02)]
+
+
+def areas(mesh):
+    x, y = mesh.p[:, mesh.t]
+    return 0.5 * abs((x[2] - x[0]) * (y[3] - y[1]) - (x[3] - x[1]) * (y[2] - y[0]))
+
+
+def lengths(mesh, name):
+    a, b = mesh.p[:, mesh.facets[:, mesh.boundaries[name]]].swapaxes(0, 1)
+    return np.linalg.norm(a - b, axis=0)
+
+
+@pytest.mark.parametrize("refine", [1, 3])
+def test_areas_and_boundaries_are_those_of_the_parts(refine):
+    mesh = stepped_section(PARTS, bands={"seat": (0.02, 0.05)}, first=2e-3, refine=refine)
+    assert areas(mesh).sum() == pytest.approx(0.1 * 0.02 + 0.2 * 0.03 + 0.15 * 0.015)
+    expected = {
+        "axis": 0.1, "rim": 0.45, "bore": 0.35, "seat": 0.03, "start": 0.02, "end": 0.015,
+    }  # fmt: skip
+    assert {name: lengths(mesh, name).sum() for name in expected} == pytest.approx(expected)
+    assert np.all(mesh.subdomains["body"] == np.arange(mesh.nelements))
+
+
+def test_boundaries_lie_where_their_names_say():
+    mesh = stepped_section(PARTS, bands={"left": (0.0, 0.03), "right": (0.3, 0.45)}, first=2e-3)
+
+    def places(name):
+        return mesh.p[:, mesh.facets[:, mesh.boundaries[name]]].reshape(2, -1)
+
+    assert np.allclose(places("left")[0], 0.02)
+    assert np.allclose(places("right")[0], 0.025)
+    assert places("right")[1].min() == pytest.approx(0.3)
+    assert places("right")[1].max() == pytest.approx(0.45)
+    assert np.allclose(places("bore")[0], 0.01)
+    assert np.allclose(places("end")[1], 0.45)
+
+
+def test_cells_are_fine_at_the_corners_and_halve():
+    coarse, fine = (stepped_section(PARTS, first=1e-3, refine=n) for n in (1, 2))
+    assert fine.nelements == 4 * coarse.nelements
+    for corner in ([0.02, 0.1], [0.025, 0.3], [0.04, 0.3]):
+        node = np.argmin(np.linalg.norm(coarse.p - np.array(corner)[:, None], axis=0))
+        assert np.allclose(coarse.p[:, node], corner)
+        beside = areas(coarse)[np.any(coarse.t == node, axis=0)]
+        assert np.sqrt(beside.max()) < 1.5e-3
+
+
+def test_a_uniform_shaft_is_one_part():
+    mesh = stepped_section([(0.5, 0.04, 0.0)], bands={"end half": (0.25, 0.5)}, first=5e-3)
+    assert areas(mesh).sum() == pytest.approx(0.01)
+    assert "bore" not in mesh.boundaries
+
+
+@pytest.mark.parametrize(
+    ("parts", "bands", "said"),
+    [
+        ([], {}, "needs a part"),
+        ([(0.1, 0.04, 0.04)], {}, "0 <= d_i < d_o"),
+        ([(-0.1, 0.04, 0.0)], {}, "length > 0"),
+        ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.04)], {}, "no section in common"),
+        (PARTS, {"seat": (0.4, 0.5)}, "lies on the shaft"),
+        (PARTS, {"seat": (0.2, 0.1)}, "from low to high"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(parts, bands, said):
+    with pytest.raises(ValueError, match=said):
+        stepped_section(parts, bands=bands, first=2e-3)
