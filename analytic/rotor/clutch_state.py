@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from analytic.rotor.clutch import Array, Clutch
 
 STEPS = 200
+ROUND_OFF = 1e-15
 TOLERANCE = 1e-12  # of the twist, or of the loads
 HALVINGS = 60
 
@@ -33,7 +34,7 @@ def preload_twist(
     ValueError
         If a torque is not positive, or the offset not four finite numbers.
     ArithmeticError
-        If the twist is not found to 1e-12 of that of a uniform clutch.
+        If the twist is not found to 1e-12 of that of a uniform clutch, or to round-off.
     """
     T, offset = np.asarray(T, dtype=np.float64), np.asarray(offset, dtype=np.float64)
     if not (np.isfinite(T).all() and (T > 0).all()):
@@ -45,11 +46,11 @@ def preload_twist(
     g = (needed - least) / clutch.d_t
     for _ in range(STEPS):
         q = np.concatenate([np.broadcast_to(offset, (*g.shape, 4)), g[..., None]], axis=-1)
-        excess = clutch.loads(q)[..., 4] - T
-        step = excess / clutch.stiffness(q)[..., 4, 4]
+        excess = clutch.d_t * clutch.forces(q).sum((-2, -1)) - T
+        step = excess / (clutch.d_t**2 * clutch.slopes(q).sum((-2, -1)))
         g = g - step
         # steps shorten quadratically, so that an error is far below the last one
-        if (np.abs(step) <= TOLERANCE * needed / clutch.d_t).all():
+        if (np.abs(step) <= TOLERANCE * needed / clutch.d_t + ROUND_OFF * np.abs(g)).all():
             return np.asarray(g)
     raise ArithmeticError(f"the twist under {np.max(T):g} N m was not found in {STEPS} steps")
 

@@ -21,7 +21,7 @@ from verify.case import Values
 from verify.cases.rotor_clutch_inputs import ClutchInputs
 
 n = LINE_CONTACT
-FINE = 2001  # slices that stand for none
+FINE = 401  # slices that stand for none
 ENTRIES = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (3, 3), "K_zz": (4, 4), "K_xz": (0, 4)}
 
 

@@ -1,0 +1,272 @@
+"""General clutch: loads and tangent follow from its potential, and agree with closed forms."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from analytic.contact import crown as profiles
+from analytic.rotor import clutch_uniform as uniform
+from analytic.rotor.clutch import Clutch, even_angles, slice_middles, with_axial
+from analytic.rotor.clutch_state import preload_twist, under_torque
+
+fixed = settings(deadline=None, derandomize=True, max_examples=25)
+
+# about those of Huang 2018 with Palmgren's yield of both contacts
+SPRAG = {"R_i": 11.11e-3, "nu": math.radians(3.15), "L": 9e-3, "k_n": 5.7e8}
+T = 15.0
+
+
+def clutch(Z=12, *, missing=(), psi_0=0.0, **more):
+    return Clutch(psi=even_angles(Z=Z, psi_0=psi_0, missing=missing), **SPRAG | {"n_s": 11} | more)
+
+
+def uneven(**more):
+    """Crowned, one sprag missing, one pressed more: nothing about it is symmetric."""
+    tight = np.zeros(11)
+    tight[4] = 1e-6
+    return clutch(missing=(0,), psi_0=0.2, crown=lambda x: 2e-6 * (2 * x / 9e-3) ** 2,
+                  interference=tight, **more)  # fmt: skip
+
+
+def size_of(one):
+    return np.array([1.0, 1.0, one.L, one.L, one.d_t])
+
+
+# Equations 3 to 8, one by one, written out here with numbers of one's own.
+
+
+def test_eq_3_a_radial_displacement_counts_with_the_cosine_of_its_angle_to_the_sprag():
+    delta_r, direction = 2e-6, 0.7
+    q = np.array([delta_r * math.cos(direction), delta_r * math.sin(direction), 0, 0, 0])
+    one = clutch(n_s=1)
+    expected = delta_r * np.cos(one.psi - direction)
+    assert one.deformation(q)[:, 0] == pytest.approx(expected, abs=1e-20)
+
+
+def test_eq_4_a_twist_presses_all_sprags_by_d_t_of_it():
+    one = clutch()
+    # 11.11 mm tan 3.15 deg = 11.11 * 0.0550333 by a pocket calculator
+    assert one.d_t == pytest.approx(0.61142e-3, rel=1e-5)
+    assert one.deformation([0, 0, 0, 0, 0.01]) == pytest.approx(0.01 * one.d_t, rel=1e-14)
+
+
+def test_eq_5_slices_have_their_middles_a_slice_apart_from_one_end_to_the_other():
+    x = slice_middles(L=9.0, n_s=6)
+    assert x.tolist() == pytest.approx([3.75, 2.25, 0.75, -0.75, -2.25, -3.75], rel=1e-15)
+
+
+def test_eq_6_a_crown_takes_twice_its_drop():
+    one = clutch(crown=lambda x: 1e-6 * np.abs(x) / 4.5e-3)
+    lost = one.deformation(np.zeros(5))[3]
+    assert lost == pytest.approx(-2e-6 * np.abs(one.x) / 4.5e-3, rel=1e-14)
+
+
+def test_eq_6_takes_the_logarithmic_crown_of_the_paper_s_ref_9():
+    def crown(x):
+        return profiles.lundberg(x, load=2000.0, length=9.2e-3, E_star=113e9)
+
+    one = clutch(crown=crown)
+    assert one.deformation(np.zeros(5))[0] == pytest.approx(-2 * crown(one.x), rel=1e-14)
+    K, plain = (c.stiffness(under_torque(c, T=T)) for c in (one, clutch()))
+    assert K[2, 2] < plain[2, 2]  # a crown takes load from the ends
+
+
+def test_eq_7_a_tilt_presses_slices_by_their_height_and_the_cosine_from_its_plane():
+    theta, direction = 1e-4, 0.4  # the plane that holds the axis and the tilt
+    q = np.array([0, 0, -theta * math.sin(direction), theta * math.cos(direction), 0])
+    one = clutch()
+    expected = np.outer(np.cos(one.psi - direction), theta * one.x)
+    assert one.deformation(q) == pytest.approx(expected, abs=1e-20)
+
+
+def test_eq_8_sums_the_parts():
+    one = uneven()
+    parts = [np.array(q) for q in np.diag([1e-6, 2e-6, 1e-4, -2e-4, 0.02])]
+    at_rest = one.deformation(np.zeros(5))
+    total = at_rest + sum(one.deformation(q) - at_rest for q in parts)
+    assert one.deformation(sum(parts)) == pytest.approx(total, abs=1e-18)
+
+
+def test_eq_2_a_slice_bears_its_share_of_the_power_of_its_deformation_and_nothing_in_a_gap():
+    one = clutch(n_s=4)
+    q = [0.0, 0.0, 0.0, 0.0, 10e-6 / one.d_t]
+    # (1e-5 m)^(10/9) = 10^(-50/9)
+    assert one.forces(q).sum(-1) == pytest.approx(5.7e8 * 10 ** (-50 / 9), rel=1e-12)
+    assert not one.forces([0, 0, 0, 0, -0.01]).any()
+    assert not one.slopes([0, 0, 0, 0, -0.01]).any()
+
+
+displaced = st.tuples(
+    st.floats(-8e-6, 8e-6), st.floats(-8e-6, 8e-6), st.floats(-1e-3, 1e-3), st.floats(-1e-3, 1e-3)
+)
+
+
+@fixed
+@given(displaced)
+def test_eq_9_loads_are_the_slopes_of_the_potential(offset):
+    one = uneven()
+    q = under_torque(one, T=T, offset=offset)
+    size = size_of(one)
+    h = np.diag(3e-9 / size)
+    found = (one.energy(q + h) - one.energy(q - h)) / (2 * h.diagonal())
+    assert found / size == pytest.approx(one.loads(q) / size, abs=2e-6 * T / one.d_t)
+
+
+def test_eq_9_the_torque_has_the_lever_of_eq_4():
+    one = clutch()
+    q = under_torque(one, T=T)
+    # T = Z N R_i tan nu
+    N = float(one.forces(q).sum(-1)[0])
+    assert 12 * N * 11.11e-3 * math.tan(math.radians(3.15)) == pytest.approx(T, rel=1e-12)
+
+
+@fixed
+@given(displaced)
+def test_eq_11_the_tangent_is_that_of_the_loads_and_symmetric(offset):
+    one = uneven(n=2.0, k_n=1e13)  # smooth where slices open, so that differences say 1e-8
+    q, size = under_torque(one, T=T, offset=offset), size_of(one)
+    h = np.diag(1e-9 / size)
+    found = (one.loads(q + h) - one.loads(q - h)) / (2 * h.diagonal()[:, None])
+    K = one.stiffness(q)
+    scaled = np.abs(found - K) / np.outer(size, size)
+    assert scaled.max() < 2e-8 * K[0, 0]
+    assert np.abs((K - K.T) / np.outer(size, size)).max() < 1e-14 * K[0, 0]
+    assert (np.linalg.eigvalsh(K / np.outer(size, size)) > 0).all()
+
+
+def test_eq_11_the_axial_row_and_column_are_zero():
+    K = uneven().stiffness(under_torque(uneven(), T=T))
+    six = with_axial(K)
+    assert not six[2].any()
+    assert not six[:, 2].any()
+    assert six[np.ix_([0, 1, 3, 4, 5], [0, 1, 3, 4, 5])] == pytest.approx(K)
+
+
+def test_eq_10_many_displacements_at_once_give_what_each_gives():
+    one = uneven()
+    q = under_torque(one, T=np.array([5.0, 15.0, 40.0]), offset=(1e-6, 0, 1e-4, 0))
+    assert q.shape == (3, 5)
+    for function in (one.loads, one.stiffness, one.energy):
+        each = np.array([function(p) for p in q])
+        assert np.abs(function(q) - each).max() < 1e-13 * np.abs(each).max()
+
+
+# The uniform clutch.
+
+
+@pytest.mark.parametrize("Z", [3, 5, 12, 24])
+def test_a_uniform_clutch_is_isotropic_and_that_of_the_closed_forms(Z):
+    one = clutch(Z, psi_0=0.3)
+    q = under_torque(one, T=T)
+    N = uniform.normal_force(T=T, Z=Z, d_t=one.d_t)
+    delta_0 = uniform.approach(N=N, k_n=one.k_n)
+    k = uniform.contact_stiffness(N=N, k_n=one.k_n)
+    assert q[4] == pytest.approx(float(delta_0) / one.d_t, rel=1e-12)
+    radial = uniform.radial_stiffness(Z=Z, k=k)
+    tilting = uniform.tilting_stiffness(Z=Z, k=k, L=one.L, n_s=11)
+    torsional = uniform.torsional_stiffness(Z=Z, k=k, d_t=one.d_t)
+    K, size = one.stiffness(q), size_of(one)
+    expected = np.diag([radial, radial, tilting, tilting, torsional])
+    assert np.abs((K - expected) / np.outer(size, size)).max() < 1e-12 * radial
+
+
+def test_the_stiffness_goes_with_the_tenth_root_of_the_torque():
+    one = clutch()
+    K = one.stiffness(under_torque(one, T=np.array([1.5, 15.0])))
+    assert K[1, 0, 0] / K[0, 0, 0] == pytest.approx(10**0.1, rel=1e-12)
+
+
+def test_the_energy_is_the_torque_s_work_over_n_plus_one():
+    # U = T g0/(n + 1), P being homogeneous of degree n
+    one = clutch()
+    q = under_torque(one, T=T)
+    assert one.energy(q) == pytest.approx(T * q[4] / (10 / 9 + 1), rel=1e-12)
+
+
+def test_an_offset_couples_bending_and_torsion_in_proportion_to_it():
+    one = clutch()
+    N = uniform.normal_force(T=T, Z=12, d_t=one.d_t)
+    delta_0 = float(uniform.approach(N=N, k_n=one.k_n))
+    k = uniform.contact_stiffness(N=N, k_n=one.k_n)
+    dx = delta_0 / 1000
+    K = one.stiffness(under_torque(one, T=T, offset=(dx, 0, 0, 0)))
+    expected = uniform.offset_coupling(Z=12, k=k, d_t=one.d_t, dx=dx, delta_0=delta_0)
+    assert K[0, 4] == pytest.approx(float(expected), rel=1e-6)
+
+
+@pytest.mark.parametrize("missing", [0, 5])
+def test_a_missing_sprag_takes_its_share(missing):
+    one, psi = clutch(missing=(missing,)), 2 * math.pi * missing / 12
+    K = one.stiffness(under_torque(one, T=T))
+    N = uniform.normal_force(T=T, Z=11, d_t=one.d_t)
+    k = float(uniform.contact_stiffness(N=N, k_n=one.k_n))
+    c, s = math.cos(psi), math.sin(psi)
+    assert K[0, 0] == pytest.approx(k * (6 - c**2), rel=1e-11)
+    assert K[1, 1] == pytest.approx(k * (6 - s**2), rel=1e-11)
+    assert K[0, 1] == pytest.approx(-k * c * s, rel=1e-11, abs=1e-11 * k)
+    assert K[0, 4] == pytest.approx(-k * c * one.d_t, rel=1e-11)
+    assert K[4, 4] == pytest.approx(11 * k * one.d_t**2, rel=1e-11)
+
+
+@pytest.mark.parametrize("mm", [1.0, 1000.0])
+def test_the_clutch_is_dimensionally_homogeneous(mm):
+    """Metres and newtons, or millimetres and newtons."""
+    one = Clutch(
+        psi=even_angles(Z=5), R_i=SPRAG["R_i"] * mm, nu=SPRAG["nu"], L=SPRAG["L"] * mm,
+        k_n=SPRAG["k_n"] / mm ** (10 / 9), n_s=3, crown=lambda x: 1e-6 * mm * (x / 4e-3 / mm) ** 2,
+    )  # fmt: skip
+    g = preload_twist(one, T=T * mm, offset=(1e-6 * mm, 0, 1e-4, 0))
+    K = one.stiffness(np.array([1e-6 * mm, 0, 1e-4, 0, g]))
+    reference = clutch(5, n_s=3, crown=lambda x: 1e-6 * (x / 4e-3) ** 2)
+    q = under_torque(reference, T=T, offset=(1e-6, 0, 1e-4, 0))
+    unit = np.array([1 / mm, 1 / mm, 1, 1, 1])
+    size = size_of(reference)
+    scaled = K / np.outer(unit, unit) / mm
+    assert scaled / np.outer(size, size) == pytest.approx(
+        reference.stiffness(q) / np.outer(size, size), abs=1e-10 * reference.stiffness(q)[0, 0]
+    )
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"R_i": 0.0}, "R_i must be positive and finite, got 0 m"),
+        ({"L": -1.0}, "L must be positive and finite, got -1 m"),
+        ({"k_n": math.nan}, "k_n must be positive"),
+        ({"nu": 0.0}, "nu must lie between 0 and pi/2"),
+        ({"nu": 1.6}, "nu must lie between 0 and pi/2"),
+        ({"n": 0.5}, "n must be at least 1"),
+        ({"n_s": 0}, "n_s must be at least 1 slice, got 0"),
+        ({"psi": np.array([0.0, math.pi])}, "two sprags hold nothing across"),
+        ({"psi": np.array([0.0, 1.0, 1.0 + 2 * math.pi])}, "two sprags hold nothing across"),
+        ({"psi": np.array([0.0, 1.0, math.nan])}, "one finite angle"),
+        ({"crown": lambda x: np.zeros(7)}, "a finite drop"),
+        ({"crown": lambda x: np.full(11, math.inf)}, "a finite drop"),
+        ({"interference": np.zeros(5)}, "for each of 12 sprags"),
+    ],
+)
+def test_a_clutch_without_sense_is_refused_in_words(wrong, said):
+    with pytest.raises(ValueError, match=said):
+        Clutch(**{"psi": even_angles(Z=12), "n_s": 11} | SPRAG | wrong)
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: even_angles(Z=2), "Z must be at least 3, got 2"),
+        (lambda: even_angles(Z=5, missing=(5,)), "counted from 0 to 4, got 5"),
+        (lambda: clutch().loads([0.0] * 6), "q needs 5 displacements"),
+        (lambda: with_axial(np.eye(6)), "5 x 5"),
+        (lambda: uniform.normal_force(T=0.0, Z=12, d_t=1e-3), "T must be positive"),
+        (lambda: uniform.normal_force(T=1.0, Z=2, d_t=1e-3), "Z must be at least 3, got 2"),
+        (lambda: uniform.radial_stiffness(Z=2, k=1.0), "Z must be at least 3, got 2"),
+        (lambda: uniform.tilting_stiffness(Z=3, k=1.0, L=1.0, n_s=0.5), "n_s must be"),
+        (lambda: uniform.approach(N=1.0, k_n=-1.0), "k_n must be positive"),
+    ],
+)
+def test_arguments_without_sense_are_refused_in_words(call, said):
+    with pytest.raises(ValueError, match=said):
+        call()
