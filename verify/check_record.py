@@ -29,7 +29,7 @@ def check_record(
         "case": case.id,
         **case.summary(inputs, values),
         **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),
-        "inputs": {i.name: {"value": i.value, "unit": i.unit} for i in result.inputs},
+        "inputs": inputs.record(),
         "values": _values(case.outputs, values),
         "findings": list(_findings(result, dynamic)),
         "warnings": list(result.warnings),

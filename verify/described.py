@@ -44,6 +44,6 @@ def _inputs(q: Inputs, *, is_paper: bool) -> tuple[InputValue, ...]:
         return q.display()
     claims = {name: meta(field)["claims"] for name, field in type(q).model_fields.items()}
     return tuple(
-        replace(shown, source=published(claims[shown.name]).place if claims[shown.name] else "")
+        replace(shown, source=published(claims[shown.name]).place if claims.get(shown.name) else "")
         for shown in q.display()
     )

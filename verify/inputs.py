@@ -6,6 +6,8 @@ A parameter file is TOML:
     [inputs]
     r_i = "60 mm"
     nu = 0.3
+
+An input may be a list of tables, [[inputs.supports]], each entry of which is a model of its own.
 """
 
 import math
@@ -25,11 +27,23 @@ MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15
 LONGEST_NAME = 120
 LONGEST_RULE = 400  # of what a case says of its own inputs
+MOST_ENTRIES = 1000  # of a table
 TOP_LEVEL = ("case", "name", "inputs")
 
 
 class InputError(ValueError):
     """Wrong input; the message is one line that names file, key, rule and value."""
+
+
+class EntryError(ValueError):
+    """A rule that a model's own validator finds broken in one entry of a table.
+
+    `entry` counts from 1; `key` is the input there, empty where the rule is of the whole entry.
+    """
+
+    def __init__(self, table: str, entry: int, key: str, rule: str) -> None:
+        self.place = f"{table}[{entry}]" + (f".{key}" if key else "")
+        super().__init__(f"{self.place}: {rule}")
 
 
 class Inputs(BaseModel):
@@ -41,18 +55,44 @@ class Inputs(BaseModel):
     instead: ClassVar[tuple[str, Mapping[str, str]]] = ("", {})
 
     def display(self) -> tuple[InputValue, ...]:
-        """Every input in its own unit, in the order of the model."""
-        return tuple(
-            InputValue(
-                name=name,
-                symbol=meta(field)["symbol"] or name,
-                what=meta(field)["what"],
-                value=_shown(getattr(self, name), meta(field)["unit"]),
-                unit=meta(field)["unit"],
-            )
-            for name, field in type(self).model_fields.items()
-            if getattr(self, name) is not None
-        )
+        """Every input in its own unit, in the order of the model; an entry of a table is a line."""
+        found: list[InputValue] = []
+        for name, field in type(self).model_fields.items():
+            value, about = getattr(self, name), meta(field)
+            if isinstance(value, tuple):
+                found += [_entry(name, k, entry) for k, entry in enumerate(value, start=1)]
+            elif value is not None:
+                found.append(
+                    InputValue(
+                        name=name, symbol=about["symbol"] or name, what=about["what"],
+                        value=_shown(value, about["unit"]), unit=about["unit"],
+                    )
+                )  # fmt: skip
+        return tuple(found)
+
+    def record(self) -> dict[str, Any]:
+        """Values and units by name for other programs, each entry of a table as such a record."""
+        found: dict[str, Any] = {}
+        for name, field in type(self).model_fields.items():
+            value, unit = getattr(self, name), meta(field)["unit"]
+            if isinstance(value, tuple):
+                found[name] = [entry.record() for entry in value]
+            elif value is not None:
+                found[name] = {"value": _shown(value, unit), "unit": unit}
+        return found
+
+
+def _entry(table: str, number: int, entry: Inputs) -> InputValue:
+    """One entry of a table as a line: what differs from what is meant by leaving it out."""
+    told = [
+        f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
+        for name, field in type(entry).model_fields.items()
+        if (value := getattr(entry, name)) is not None and value != meta(field)["omitted"]
+    ]
+    return InputValue(
+        name=f"{table}[{number}]", symbol=f"{table}[{number}]", what=", ".join(told), value="",
+        unit="1",
+    )  # fmt: skip
 
 
 REQUIRED = "required"
@@ -91,6 +131,20 @@ def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: i
     return Field(
         default=default, json_schema_extra=_extra("1", symbol, what, claims, REQUIRED), **limits
     )
+
+
+def text(default: str | None, what: str, *, omitted: str | None = REQUIRED) -> Any:
+    """A name that the user chooses, printable and short."""
+    return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))
+
+
+def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> Any:
+    """A list of tables, of the model that the annotation tuple[Model, ...] names.
+
+    Left out, it is empty, unless it is `required`.
+    """
+    omitted: Any = REQUIRED if required else ()
+    return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))
 
 
 def word(default: str, what: str) -> Any:
@@ -157,20 +211,41 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
 
 def build(model: type[Inputs], raw: Mapping[str, Any], where: str) -> Inputs:
     """Inputs from the raw values of a parameter file; InputError for the first fault."""
+    return _built(model, raw, where, "inputs")
+
+
+def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) -> Inputs:
+    """The inputs at `place`: "inputs" itself or an entry of a table, "inputs.supports[2]"."""
     fields = model.model_fields
     if unknown := [key for key in raw if key not in fields]:
         raise InputError(
-            f"{where}: inputs.{_one_line(unknown[0])}: unknown key; known are {', '.join(fields)}"
+            f"{where}: {place}.{_one_line(unknown[0])}: unknown key; known are {', '.join(fields)}"
         )
     left_out = {k: meta(f)["omitted"] for k, f in fields.items() if k not in raw}
     if needed := [k for k, omitted in left_out.items() if omitted == REQUIRED]:
-        raise InputError(f"{where}: inputs: missing {', '.join(needed)}")
-    values = {key: _value(fields[key], raw[key], f"{where}: inputs.{key}") for key in raw}
+        raise InputError(f"{where}: {place}: missing {', '.join(needed)}")
+    values = {
+        key: _entries(entry_model(fields[key]), raw[key], where, f"{place}.{key}")
+        if is_table(fields[key])
+        else _value(fields[key], raw[key], f"{where}: {place}.{key}")
+        for key in raw
+    }
     try:
         return model(**values, **left_out)
     except ValidationError as error:
         first = error.errors(include_url=False)[0]
-        raise InputError(f"{where}: {_rule(model, first)}") from error
+        raise InputError(f"{where}: {_rule(model, first, place)}") from error
+
+
+def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inputs, ...]:
+    """The entries of a table, counted from 1 in messages."""
+    if not isinstance(raw, list) or not all(isinstance(entry, dict) for entry in raw):
+        raise InputError(f"{where}: {place}: needs tables [[{place}]], {_got(raw)}")
+    if len(raw) > MOST_ENTRIES:
+        raise InputError(f"{where}: {place}: has {len(raw)} entries, at most {MOST_ENTRIES}")
+    return tuple(
+        _built(model, entry, where, f"{place}[{k}]") for k, entry in enumerate(raw, start=1)
+    )
 
 
 def _value(field: FieldInfo, raw: Any, where: str) -> Any:
@@ -196,13 +271,30 @@ def _value(field: FieldInfo, raw: Any, where: str) -> Any:
         return float(raw)
     if kind is int and (isinstance(raw, bool) or not isinstance(raw, int)):
         raise InputError(f"{where}: needs a whole number, {_got(raw)}")
-    if kind is str and raw not in choices(field):
+    if kind is str and choices(field) and raw not in choices(field):
         raise InputError(f"{where}: needs one of {', '.join(choices(field))}, {_got(raw)}")
+    if kind is str and not (isinstance(raw, str) and raw.strip() and raw.isprintable()):
+        raise InputError(f"{where}: needs a printable text, {_got(raw)}")
+    if kind is str and len(raw) > LONGEST_NAME:
+        raise InputError(f"{where}: needs at most {LONGEST_NAME} characters, {_got(raw)}")
     return raw
+
+
+def is_table(field: FieldInfo) -> bool:
+    """Whether an input is a list of tables."""
+    return get_origin(field.annotation) is tuple
+
+
+def entry_model(field: FieldInfo) -> type[Inputs]:
+    """The model of the entries of a table."""
+    found: type[Inputs] = get_args(field.annotation)[0]
+    return found
 
 
 def _kind(field: FieldInfo) -> type:
     annotation = field.annotation
+    if get_origin(annotation) is tuple:
+        return tuple
     if get_origin(annotation) in (Union, types.UnionType):
         annotation = next(a for a in get_args(annotation) if a is not type(None))
     if get_origin(annotation) is Literal:
@@ -213,21 +305,22 @@ def _kind(field: FieldInfo) -> type:
 
 def choices(field: FieldInfo) -> tuple[str, ...]:
     """What an input that is a word may be; nothing for numbers."""
-    return tuple(get_args(field.annotation)) if _kind(field) is str else ()
+    return tuple(get_args(field.annotation)) if get_origin(field.annotation) is Literal else ()
 
 
-def _rule(model: type[Inputs], error: Any) -> str:
+def _rule(model: type[Inputs], error: Any, place: str) -> str:
     """A pydantic error as `key = value unit: rule`, in the unit of the input."""
     message = str(error["msg"]).removeprefix("Value error, ")
     if not error["loc"]:
-        return f"inputs: {_one_line(message, longest=LONGEST_RULE)}"
+        named = isinstance((error.get("ctx") or {}).get("error"), EntryError)
+        return f"{place}{'.' if named else ': '}{_one_line(message, longest=LONGEST_RULE)}"
     name = str(error["loc"][0])
     unit = meta(model.model_fields[name])["unit"]
     for rule, bound in (error.get("ctx") or {}).items():
         if rule in BOUNDS:
             given, shown = _with_unit(error["input"], unit), _with_unit(bound, unit)
-            return f"inputs.{name} = {given}: must be {BOUNDS[rule]} {shown}"
-    return f"inputs.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
+            return f"{place}.{name} = {given}: must be {BOUNDS[rule]} {shown}"
+    return f"{place}.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
 
 
 def _with_unit(value: Any, unit: str) -> str:

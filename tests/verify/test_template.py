@@ -11,11 +11,12 @@ import pytest
 
 from verify.cases.registry import CASES
 from verify.cli import run
-from verify.inputs import REQUIRED, Inputs, build, choices, meta, quantity
+from verify.inputs import REQUIRED, Inputs, build, choices, entry_model, is_table, meta, quantity
 from verify.template import template
 
 EACH = pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
 LINE = re.compile(r'^(# )?(\w+) = (".+"|[-+.e0-9]+) +# (.+)$')
+TABLE = re.compile(r"\[\[inputs\.(\w+)\]\]\n")
 
 
 def inputs_of(text):
@@ -23,9 +24,26 @@ def inputs_of(text):
 
 
 def lines_of(case):
-    """Commented out or not, name, value and comment of every input's line."""
-    body = template(case).partition("[inputs]\n")[2]
-    return [LINE.fullmatch(line).groups() for line in body.partition("\n# Or ")[0].splitlines()]
+    """Commented out or not, name, value and comment of every input's line, tables left out."""
+    body = template(case).partition("[inputs]\n")[2].partition("\n# Or ")[0]
+    return lines_in(TABLE.split(body)[0].partition("\n\n")[0])
+
+
+def lines_in(text):
+    return [LINE.fullmatch(line).groups() for line in text.splitlines()]
+
+
+def inputs_in(case):
+    """Fields and lines of the case, and of the first entry of each of its tables."""
+    fields = case.inputs.model_fields
+    yield {n: f for n, f in fields.items() if not is_table(f)}, lines_of(case)
+    parts = TABLE.split(template(case))[1:]
+    first = {}
+    for name, text in zip(parts[::2], parts[1::2], strict=True):
+        first.setdefault(name, text.partition("\n\n")[0].rstrip("\n"))
+    assert list(first) == [n for n, f in fields.items() if is_table(f)]
+    for name, text in first.items():
+        yield entry_model(fields[name]).model_fields, lines_in(text)
 
 
 @EACH
@@ -46,23 +64,27 @@ def test_with_every_optional_line_it_still_builds(case):
 
 @EACH
 def test_every_line_has_a_unit_a_description_a_range_and_a_source(case):
-    fields = case.inputs.model_fields
-    assert [name for _, name, _, _ in lines_of(case)] == list(fields)
-    for hidden, name, value, comment in lines_of(case):
-        about = meta(fields[name])
-        assert about["what"] in comment
-        if words := choices(fields[name]):
-            assert f"one of {', '.join(words)}" in comment
-        elif about["unit"] == "1":
-            assert "number" in comment
-        else:
-            assert value.strip('"').endswith(about["unit"])
-        if fields[name].metadata:
-            assert re.search(r"at (least|most)|(greater|less) than", comment)
-        assert ("optional" in comment) == (about["omitted"] != REQUIRED)
-        assert not hidden or about["omitted"] != REQUIRED
-        if about["claims"]:
-            assert about["claims"].partition(":")[0] in comment
+    for fields, lines in inputs_in(case):
+        assert [name for _, name, _, _ in lines] == list(fields)
+        for line in lines:
+            check_line(fields, *line)
+
+
+def check_line(fields, hidden, name, value, comment):
+    about = meta(fields[name])
+    assert about["what"] in comment
+    if words := choices(fields[name]):
+        assert f"one of {', '.join(words)}" in comment
+    elif about["unit"] == "1":
+        assert ("text" if fields[name].annotation is str else "number") in comment
+    else:
+        assert value.strip('"').endswith(about["unit"])
+    if fields[name].metadata:
+        assert re.search(r"at (least|most)|(greater|less) than", comment)
+    assert ("optional" in comment) == (about["omitted"] != REQUIRED)
+    assert not hidden or about["omitted"] != REQUIRED
+    if about["claims"]:
+        assert about["claims"].partition(":")[0] in comment
 
 
 @EACH
