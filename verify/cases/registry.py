@@ -31,6 +31,8 @@ from verify.cases.ring_loads import INNER, OUTER
 from verify.cases.ring_loads_map import MAP
 from verify.cases.ring_rotation import ROTATION
 from verify.cases.rotor_shaft import SHAFT
+from verify.cases.rotor_step import STEP
+from verify.cases.rotor_system import SYSTEM
 from verify.cases.sprag_clutch import CLUTCH as SPRAG
 from verify.cases.sprag_crown import CROWN
 from verify.cases.sprag_engagement import ENGAGEMENT
@@ -56,7 +58,7 @@ CASES: tuple[Case, ...] = (
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
-    SHAFT,
+    SHAFT, STEP, SYSTEM,
 )  # fmt: skip
 
 

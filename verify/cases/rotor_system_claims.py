@@ -1,0 +1,92 @@
+"""What transfer matrices and beams say of one rotor, side by side."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from verify.case import Context
+from verify.cases.rotor_system_model import CRITICALS, FREQUENCIES
+from verify.checks import Accepted, Fact, Identity, Order
+from verify.claims import Claim
+from verify.results import Row
+
+SHARP = "both sides solve the same beam: only the elements' size lies between them"
+COARSE, FINE = 2e-4, 5e-6
+FINER = 8
+
+
+@dataclass(frozen=True, kw_only=True)
+class Present(Identity):
+    """An identity of rotors that have the quantity: a critical speed, a link, an unbalance."""
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if self.analytic in context.analytic else []
+
+
+def identity(key: str, name: str, symbol: str, unit: str, demand: float = 1e-5) -> Present:
+    return Present(
+        name=name, symbol=symbol, unit=unit, fem=key, analytic=key, formal=2, demand=demand,
+        demand_reason=SHARP,
+    )  # fmt: skip
+
+
+def frequency_keys(context: Context) -> list[str]:
+    """Undamped frequencies and critical speeds that both sides have."""
+    return [k for k in context.analytic if k.startswith(("frequency", "critical"))]
+
+
+def largest_error(context: Context, level: int) -> float:
+    """Of all frequencies and critical speeds on a level, relative."""
+    keys = frequency_keys(context)
+    return max(abs(context.fem[level].values[k] / context.analytic[k] - 1) for k in keys)
+
+
+def accepted(name: str, level: int, figure: float) -> Accepted:
+    def margin(context: Context) -> tuple[float, float, str]:
+        found = largest_error(context, level)
+        return 1 - found / figure, 0.0, f"at most {found:.1e} apart, {figure:.0e} accepted"
+
+    return Accepted(name=name, symbol="Δω/ω", unit="1", margin=margin)
+
+
+def senses(context: Context) -> tuple[float, float]:
+    """Positive where both sides name the whirl of each mode alike."""
+    keys = [k for k in context.analytic if k.startswith("whirl")]
+    alike = all(context.fem[-1].values[k] == context.analytic[k] for k in keys)
+    return (1.0 if alike else -1.0), 0.0
+
+
+def slender_errors(context: Context) -> tuple[list[float], list[float]]:
+    """Relative errors of the highest frequency by Euler's theory, per level."""
+    key = f"euler {FREQUENCIES}"
+    h, v = context.series(key)
+    return h, [abs(value / context.analytic[key] - 1) for value in v]
+
+
+def _criticals() -> list[Claim]:
+    which = {1: "the first shaft's unbalance", 2: "unbalance of another speed"}
+    return [
+        identity(f"critical {g}.{k}", f"critical speed {k}, {what}", "n_c", "r/min")
+        for g, what in which.items()
+        for k in range(1, CRITICALS + 1)
+    ]
+
+
+CHECKS: tuple[Any, ...] = (
+    *(
+        identity(f"frequency {k}", f"natural frequency {k} at the speed", f"f_{k}", "Hz")
+        for k in range(1, FREQUENCIES + 1)
+    ),
+    Fact(name="sense of each whirl", symbol="", unit="1", margin=senses),
+    *_criticals(),
+    identity("torsion", "torsional frequency", "f_t", "Hz"),
+    identity("amplitude", "amplitude at the probe", "|r|", "µm", 1e-4),
+    identity("support load", "load of the first support", "F", "N", 1e-4),
+    identity("link load", "load of the first link", "F", "N", 1e-4),
+    accepted("frequencies with an element a segment", 0, COARSE),
+    accepted(f"frequencies with {FINER} elements a segment", -1, FINE),
+    Order(
+        name="order of a frequency by Euler's theory", symbol="p", unit="1",
+        errors=slender_errors, order=4, demand=0.05,
+        demand_reason="the coarsest level still has terms of higher order",
+    ),
+)  # fmt: skip
