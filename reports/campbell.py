@@ -35,10 +35,11 @@ def campbell(c: Campbell) -> Markup:
     axes.body.append(svg.text(12, 16, c.y_label, "label"))
     axes.titles(c.x_label, "")
     ends = _rays(axes, c)
-    for k, whirl in enumerate(c.whirl):
-        end = _branch(axes, speeds, np.asarray(c.frequencies, dtype=float)[:, k], whirl)
-        if end is not None and k < len(c.names):
-            ends.append((*end, c.names[k]))
+    branches = np.asarray(c.frequencies, dtype=float).T
+    for y, whirl, name in zip(branches, c.whirl, c.names or [""] * len(branches), strict=True):
+        end = _branch(axes, speeds, y, whirl)
+        if end is not None and name:
+            ends.append((*end, name))
     _names(axes, ends)
     if c.peers is not None:
         axes.body += [_cross(axes.X(a), axes.Y(b)) for a, b in zip(*c.peers, strict=True)]

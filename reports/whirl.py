@@ -16,7 +16,8 @@ from verify.shown import Array, ComplexArray, Mode, Whirl
 YAW, PITCH = math.radians(26), math.radians(20)  # of the viewer, from beside the shafts
 EDGE, GAP, NAME = 8.0, 20.0, 18.0  # around all, between panels, for a panel's name
 LENGTH = 0.94  # of a panel that the shafts take
-REACH = 0.17  # of a panel that the largest displacement takes
+REACH, MOST = 0.16, 34.0  # of a panel that the largest displacement takes, and pixels
+TALLEST = 380.0  # panels in one column
 LETTER = 6.2  # about the width of a letter
 ORBITS = 8  # drawn of a shaft
 FINE = 40  # points of a centre line at most
@@ -49,27 +50,47 @@ UP = np.array([0.0, -math.cos(PITCH)])
 ALONG = np.array([math.cos(YAW), math.sin(PITCH) * math.sin(YAW)])
 
 
+@dataclass(frozen=True)
+class _Panels:
+    """Panels in so many columns: their width and height, and the axis's place and scale in them."""
+
+    columns: int
+    wide: float
+    high: float
+    above: float
+    scale: float
+    reach: float
+
+
 def whirl(w: Whirl) -> Markup:
     """A panel for each mode, a bar that gives the scale, and what the marks are."""
-    columns = 1 if len(w.modes) < 3 else 2
-    wide = (WIDTH - 2 * EDGE - GAP * (columns - 1)) / columns
     first, last = _ends(w)
-    scale = LENGTH * wide / ((last - first) * ALONG[0])
-    thick = scale * max((float(np.max(r)) for _, r in w.outlines), default=0.0)
-    above = NAME + max(thick, REACH * wide) + 6
-    high = above + scale * (last - first) * ALONG[1] + max(thick, REACH * wide) + 16
+    p = _panels(w, last - first, 1)
+    if len(w.modes) > 1 and len(w.modes) * p.high > TALLEST:
+        p = _panels(w, last - first, 2)
     body = []
     for k, mode in enumerate(w.modes):
-        left, top = EDGE + (k % columns) * (wide + GAP), EDGE + (k // columns) * high
+        row, column = divmod(k, p.columns)
+        left, top = EDGE + column * (p.wide + GAP), EDGE + row * p.high
+        start = np.array([left + (1 - LENGTH) / 2 * p.wide, top + p.above])
         largest = max(
             float(np.sqrt(np.abs(x) ** 2 + np.abs(y) ** 2).max()) for _, x, y in mode.lines
         )
-        start = np.array([left + (1 - LENGTH) / 2 * wide, top + above])
-        view = _View(start - scale * first * ALONG, scale, REACH * wide / (largest or 1.0))
-        body.append(svg.text(left + wide / 2, top + 12, mode.name, "named", "middle"))
+        view = _View(start - p.scale * first * ALONG, p.scale, p.reach / (largest or 1.0))
+        body.append(svg.text(left + p.wide / 2, top + 12, mode.name, "named", "middle"))
         body += [*_still(w, view, first, last), *_moving(mode, view)]
-    end = EDGE + high * -(-len(w.modes) // columns)
-    return svg.drawing(WIDTH, end + 26, [*body, *_key(w, scale, end)], w.title, "chart whirl")
+    end = EDGE + p.high * -(-len(w.modes) // p.columns)
+    return svg.drawing(WIDTH, end + 26, [*body, *_key(w, p.scale, end)], w.title, "chart whirl")
+
+
+def _panels(w: Whirl, length: float, columns: int) -> _Panels:
+    """As wide as the columns allow, as high as displacements and shafts need."""
+    wide = (WIDTH - 2 * EDGE - GAP * (columns - 1)) / columns
+    scale, reach = LENGTH * wide / (length * ALONG[0]), min(REACH * wide, MOST)
+    thick = scale * max((float(np.max(r)) for _, r in w.outlines), default=0.0)
+    above = NAME + max(thick, reach) + 6
+    high = above + scale * length * ALONG[1] + max(thick, reach) + 16
+    return _Panels(columns, wide, high, above, scale, reach)
 
 
 def _ends(w: Whirl) -> tuple[float, float]:

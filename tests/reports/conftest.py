@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from verify.cases.registry import CASES
 from verify.commands import make_report
 from verify.results import Kind, Partner, Published, Report, Row, Status
+from verify.shown import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
 NAME = " ".join(["word"] * 18)  # 90 letters
@@ -48,3 +50,28 @@ def wordy(of_paper) -> Report:
     rows = tuple(replace(other, quantity=f"{NAME} {s}", status=s) for s in Status)
     case = replace(result, rows=rows, name="mine", figures=(), tables=())
     return replace(make_report([case], CASES[:1], 1.0), name="mine")
+
+
+@pytest.fixture(scope="session")
+def turning(wordy) -> Report:
+    """One case that shows whirling shafts, a Campbell diagram, a band and parallel axes."""
+    z, n = np.linspace(0.0, 0.9, 13), np.linspace(0.0, 6000.0, 13)
+    bow, names = np.sin(np.pi * z / 0.9).astype(complex), {"title": "T", "x_label": "n [r/min]"}
+    modes = tuple(
+        Mode(name=f"{k}F 169.2 Hz", lines=((z, bow, -1j * bow), (z[3:9], bow[3:9], bow[3:9])))
+        for k in range(5)
+    )
+    axis = {"unit": "N/m", "low": 1e6, "high": 1e9, "log": True}
+    figures = (
+        Whirl(title="Modes", unit="m", modes=modes, outlines=((z, 0.02 + 0 * z),),
+              supports=(0.0, 0.9), links=(0.3,)),
+        Campbell(**names, y_label="f [Hz]", speeds=n, frequencies=100 + n[:, None] / [200, -200],
+                 whirl=(1, -1), names=("1F", "1B"), excitations=(("1×", 1 / 60), ("9×", 9 / 60)),
+                 critical=((4615.4, 76.9, "4615 r/min"),), range=(2000.0, 3000.0)),
+        Curves(**names, y_label="µm", curves=(Curve(name="mean", x=n, y=10 + n),), y_log=True,
+               bands=(Band(name="90 %", x=n, lower=5 + n, upper=20 + 2 * n),)),
+        Parallel(title="Sets", axes=tuple(ParallelAxis(name=f"k_{k}", **axis) for k in range(9)),
+                 members=np.geomspace(1e6, 1e9, 90).reshape(10, 9), members_name="sets",
+                 highlighted=((4, "best", 0),)),
+    )  # fmt: skip
+    return replace(wordy, cases=(replace(wordy.cases[0], figures=figures),))

@@ -8,6 +8,7 @@ import subprocess
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from reports.frames import frames
@@ -112,3 +113,48 @@ def test_it_prints(folder):
     data = target.read_bytes()
     assert data.startswith(b"%PDF")
     assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 280
+
+
+@pytest.fixture(scope="module")
+def turning_folder(tmp_path_factory, turning) -> Path:
+    place = tmp_path_factory.mktemp("turning")
+    (place / "turning.html").write_text(page(turning, {}, picture_folder()), "utf-8")
+    return place
+
+
+@pytest.mark.parametrize(("width", "flags"), [(390, ()), (1280, ()), (1280, (DARK,))])
+def test_shafts_in_motion_stay_in_their_frames_and_stand_out(turning_folder, width, flags):
+    seen = looked_at(turning_folder, "turning", width, *flags)
+    assert seen["overflow"] <= 0, seen["widest"]
+    assert seen["console"] == seen["spilled"] == seen["requests"] == []
+    assert seen["contrast"] >= 4.5, seen["faintest"]
+
+
+FIVE_FRAMES = """<script>
+const asked = []
+window.requestAnimationFrame = draw => asked.push(draw)
+window.IntersectionObserver = class { constructor(f) { this.f = f } observe() { this.f([{ isIntersecting: true }]) } }
+performance.now = () => 0
+addEventListener("load", () => { for (let k = 1; k < 6; k++) for (const draw of asked.splice(0)) draw(52 * k) })
+</script>"""  # noqa: E501 - a tenth of the period of 2600 ms
+
+
+@pytest.mark.parametrize(
+    ("flags", "offers", "phase"),
+    [((), "Pause", 0.1), (("--force-prefers-reduced-motion",), "Play", 0.0)],
+)
+def test_shafts_whirl_unless_motion_is_unwanted(turning_folder, flags, offers, phase):
+    """The line after 260 ms, beside what its data say: x + a cos + e sin, y + b cos + f sin."""
+    drawn = (turning_folder / "turning.html").read_text("utf-8")
+    free = re.sub('<meta http-equiv="Content-Security-Policy"[^>]*>', FIVE_FRAMES, drawn)
+    (turning_folder / "frames.html").write_text(free, "utf-8")
+    address = (turning_folder / "frames.html").as_uri()
+    shown = browse(turning_folder, *flags, "--dump-dom", address).stdout
+    assert f'<button type="button">{offers}</button>' in shown
+    line, data = re.search(r'd="M([^"]*)" data-line="([^"]*)"', shown).groups()
+    points = np.array([p.split(",") for p in line.split("L")], float)
+    x, y, a, b, e, f = np.array([row.split(",") for row in data.split(" ")], float).T
+    c, s = np.cos(2 * np.pi * phase), np.sin(2 * np.pi * phase)
+    assert points == pytest.approx(
+        np.column_stack([x + a * c + e * s, y + b * c + f * s]), abs=0.11
+    )

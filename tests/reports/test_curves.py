@@ -7,11 +7,12 @@ import pytest
 
 from reports import formats
 from reports.curves import curves
+from reports.html import plot as html_plot
 from reports.rows import HEADER, cells
 from reports.standalone import HERE
 from verify.derivation.steps import derive
 from verify.results import Status
-from verify.shown import Curve, Curves
+from verify.shown import Band, Curve, Curves
 
 X = np.linspace(0.0, 4.0, 5)
 
@@ -114,3 +115,45 @@ def test_its_judging_names_it(by_half_space):
     assert "half-space" in steps
     assert "formula/half-space" in steps["m"]
     assert derive(by_half_space).verdict.status is Status.PASS
+
+
+BAND = Band(name="ensemble", x=X, lower=X + 1, upper=X + 3, colour=1)
+
+
+def test_a_band_lies_between_its_curves_and_is_named():
+    drawn = plot(bands=(BAND,))
+    assert drawn.count('class="area s1"') == 2  # and in the key
+    assert ">ensemble<" in drawn
+    assert drawn.index('class="area s1"') < drawn.index('class="fit s0 strokes"')  # behind
+    (area,) = re.findall(r'<path class="area s1" d="M([^"]*)z"', drawn)
+    line = re.search(r'class="fit s0 strokes" d="M([^"]*)"', drawn)[1]
+    points = {tuple(p.split(",")) for p in area.split("L")}
+    assert {tuple(p.split(",")) for p in line.split("L")} <= points  # x + 1 is its lower edge
+
+
+def test_a_band_alone_is_drawn_and_cut_at_the_top():
+    drawn = str(html_plot(Curves(title="T", x_label="x", y_label="y", curves=(), bands=(BAND,),
+                                 y_top=4.0)))  # fmt: skip
+    (area,) = re.findall(r'<path class="area s1" d="M([^"]*)z"', drawn)
+    assert min(float(p.split(",")[1]) for p in area.split("L")) == 28
+
+
+def test_on_a_logarithmic_axis_decades_are_equally_far_and_zero_is_left_out():
+    y = np.array([0.0, 1.0, 10.0, 100.0, 1000.0])
+    drawn = plot(curves=(Curve(name="a", x=X, y=y, style="dots", colour=0),), y_log=True)
+    at = [float(v) for v in re.findall(r'class="dot s0" cx="[\d.]+" cy="([\d.]+)"', drawn)[:-1]]
+    assert len(at) == 4
+    assert np.ptp(np.diff(at)) < 0.21
+    assert np.diff(at).max() < -40  # upwards
+    assert drawn.count("</tspan></text>") == 4  # 1 to 1000 as powers of ten
+
+
+def test_less_than_two_decades_have_numbers_between_them():
+    drawn = plot(curves=(Curve(name="a", x=X, y=X + 1),), y_log=True)
+    assert all(f">{v}<" in drawn for v in ("1", "2", "5"))
+
+
+def test_nothing_positive_on_a_logarithmic_axis_says_so():
+    none = Curves(title="T", x_label="x", y_label="y", curves=(Curve(name="a", x=X, y=-X),),
+                  y_log=True)  # fmt: skip
+    assert "nothing to draw" in html_plot(none)

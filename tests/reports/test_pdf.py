@@ -1,5 +1,6 @@
 """report.pdf: everything is on it, literally; without typst the rest is written."""
 
+import base64
 import json
 import re
 import shutil
@@ -7,9 +8,11 @@ import subprocess
 import sys
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import typst
 
+from reports.bitmaps import FINER, webp
 from reports.frames import Frame
 from reports.html import anchors
 from reports.pdf import NotSet, _cleaned, pdf
@@ -105,18 +108,16 @@ def test_every_status_and_control_characters_make_a_pdf(hostile):
 
 
 def test_pictures_with_a_bitmap_and_a_gradient_are_drawn(own):
-    dot = (
-        "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5"
-        "ErkJggg=="
-    )
+    dot = base64.b64encode(webp(np.full((FINER, FINER, 4), 200, dtype=np.uint8))).decode()
     svg = (
         '<svg class="frame" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 30" aria-label="x">'
         '<defs><linearGradient id="r"><stop offset="0" stop-color="red"/></linearGradient></defs>'
-        f'<image href="data:image/png;base64,{dot}" width="40" height="20"/>'
+        f'<image href="data:image/webp;base64,{dot}" width="40" height="20"/>'
         '<rect fill="url(#r)" width="9" height="9"/></svg>'
     )
     frames = {own.cases[0].id: [Frame("caption", "note", svg=svg)]}
-    assert len(pdf(own, frames)) > len(pdf(own, {}))
+    images = [len(re.findall(rb"/Subtype\s*/Image", pdf(own, drawn))) for drawn in ({}, frames)]
+    assert images[1] > images[0]
 
 
 def test_the_same_report_gives_the_same_bytes(own):
