@@ -7,18 +7,14 @@ the unbalance response, on isotropic and on unlike supports, damped and not. Mat
 before the clock starts; ours is the best of three, the other runs once. One thread.
 """
 
-import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
 from fem.rotor.campbell import campbell
 from fem.rotor.response import unbalance_response
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "fem" / "rotor"))
-from rotor_ross import kappas, ours, theirs  # the same rotors as the tests
+from tests.fem.rotor.rotor_ross import kappas, ours, theirs  # the same rotors as the tests
 
 try:
     import ross

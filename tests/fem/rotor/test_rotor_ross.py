@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from rotor_ross import bending, kappas, ours, theirs
 
 from fem.rotor.campbell import campbell
 from fem.rotor.modes import modes
 from fem.rotor.response import unbalance_response
+from tests.fem.rotor.rotor_ross import bending, kappas, ours, theirs
 
 ross = pytest.importorskip("ross", reason="ROSS is not installed")
 
