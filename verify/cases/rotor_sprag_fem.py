@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from verify.case import FemResult
-from verify.cases.rotor_sprag_ensemble_fem import critical_speeds_fem, ensemble_fem
+from verify.cases.rotor_sprag_ensemble_fem import Ensemble, critical_speeds_fem, ensemble_fem
 from verify.cases.rotor_sprag_inputs import RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_layout import CENTRAL, DISCS
 from verify.cases.rotor_sprag_response_fem import responses_fem
@@ -26,11 +26,16 @@ def fem(q: SpragRotorInputs, level: int) -> FemResult:
     arrays: dict[str, Any] = {}
     if level == LEVELS[0]:
         ensemble = ensemble_fem(q.members)
-        arrays = {"members": ensemble.members, "start met": ensemble.met,
-                  "start kept": ensemble.kept, **critical_fem(ensemble.members)}  # fmt: skip
+        arrays = ensemble_arrays_fem(ensemble)
         arrays |= responses_fem(q, ensemble.members) | drawn_fem(q) | solid_fem(q)
     u_it = {key: ROUND_OFF * abs(value) for key, value in values.items()}
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
+
+
+def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
+    """The members, what became of each start, and critical speeds of the members."""
+    starts = {"start met": found.met, "start kept": found.kept}
+    return {"members": found.members, **starts, **critical_fem(found.members)}
 
 
 def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:

@@ -25,7 +25,7 @@ from verify.shown import Array
 
 ROUND_OFF = 1e-10
 LINEAR = 0.01  # of the exponent 1 of torsion over the offset
-FREE = 1e-3  # of the inner rotor's angular momentum, for a drive of 0.1 N m/rad
+FREE = 3e-4  # of the inner rotor's angular momentum: 0.1 N m/rad over J_out Ω², J_out > 3e-4
 NODES = {
     "outer-rotor-elements": OUTER - 1, "outer-rotor-first-node": 1, "outer-rotor-last-node": OUTER,
     "inner-rotor-elements": len(PARTS) - OUTER + 1, "inner-rotor-first-node": OUTER + 1,
@@ -165,7 +165,7 @@ LINEAR_ROWS = (
             bound=1e-12, scale_name="torsion with offset", bound_reason="round-off"),
     Rounded(name="angular momenta of both rotors balance", symbol="ΣJθ_z", unit="1",
             residual=momentum, bound=FREE, scale_name="inner rotor's",
-            bound_reason="the drive's 0.1 N m/rad over J Ω²"),
+            bound_reason="the drive's 0.1 N m/rad over J_out Ω² at critical speed 1"),
     Fact(name="torsion is linear in small offsets", symbol="p", unit="1", margin=linear),
     *(Spread(name=f"critical speed {k} without the clutch {what}", symbol=f"Δn_{k}/n_{k}",
              unit="%", values=of_speed(key, i))
