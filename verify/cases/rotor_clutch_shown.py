@@ -92,7 +92,7 @@ def _over_torque(context: Context) -> Curves:
     T = np.geomspace(0.01, 2.0, 81) * q.T
     k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
     curves = [
-        Curve(name="K_xx and K_yy, as K_zz and K_tilt: T^0.1", x=T, y=k / v["k"]),
+        Curve(name="K_xx and K_yy, as K_zz and K_tilt: its tenth root", x=T, y=k / v["k"]),
         Curve(name="the torque taken here", x=np.array([q.T]), y=np.ones(1), style="dots"),
     ]
     if context.fem:

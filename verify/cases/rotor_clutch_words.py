@@ -29,8 +29,8 @@ def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
         "under the torque alone it couples no bending with torsion; an offset of "
         f"{q.e * 1e6:g} µm couples {abs(v['coupling, offset']):.2%} of √(K_xx K_zz), "
         f"{q.missing} missing of {q.Z} sprags {abs(v['coupling, gap']):.2%}",
-        f"the stiffness goes with T^0.1: half the torque takes {1 - 0.5**0.1:.1%} of it; Eq. 3 "
-        f"leaves out tan²ν = {math.tan(q.nu) ** 2:.2%}",
+        "the stiffness goes with the tenth root of the torque, half of it takes "
+        f"{1 - 0.5**0.1:.1%}; Eq. 3 leaves out tan²ν = {math.tan(q.nu) ** 2:.2%}",
         f"d_t = R_i tan ν stays the same only as sprags roll: struts held in both races {rolled}",
     )
 
