@@ -47,6 +47,12 @@ def test_a_sprag_with_interference_bears_more():
     assert np.delete(N, 3) == pytest.approx(N[0], rel=1e-12)
 
 
+def test_a_gap_all_around_is_twisted_away_first():
+    one = clutch(interference=-50e-6)
+    g = preload_twist(one, T=15.0)
+    assert g == pytest.approx(preload_twist(clutch(), T=15.0) + 50e-6 / one.d_t, rel=1e-12)
+
+
 def test_loads_of_a_known_place_lead_back_to_it():
     one = clutch(missing=(1,), crown=lambda x: 1e-6 * (x / 4.5e-3) ** 2)
     q = np.array([3e-6, -2e-6, 2e-4, 3e-4, 0.021])
