@@ -58,7 +58,10 @@ def turning(wordy) -> Report:
     z, n = np.linspace(0.0, 0.9, 13), np.linspace(0.0, 6000.0, 13)
     bow, names = np.sin(np.pi * z / 0.9).astype(complex), {"title": "T", "x_label": "n [r/min]"}
     modes = tuple(
-        Mode(name=f"{k}F 169.2 Hz", lines=((z, bow, -1j * bow), (z[3:9], bow[3:9], bow[3:9])))
+        Mode(
+            name=f"{k}F 169.2 Hz",
+            lines=((z, (1 + 0.5j) * bow, -1j * bow), (z[3:9], bow[3:9], bow[3:9])),
+        )
         for k in range(5)
     )
     axis = {"unit": "N/m", "low": 1e6, "high": 1e9, "log": True}

@@ -60,7 +60,7 @@ def test_a_glyph_of_several_pieces_is_kept_whole():
 
 def test_glyphs_stand_where_they_were_drawn():
     """Corners of ziamath's boxes and of the glyphs put in their place, of one size and of two."""
-    tex = r"x^2 + \frac{a}{b}\ \mathrm{mm}"
+    tex = r"A^2 + \frac{a}{b}\ \mathrm{mm}"
     drawn = ziamath.Latex(tex, size=15, color="currentColor").svg()
     boxes = dict(re.findall(r'<symbol id="([^"]+)" viewBox="([^"]+)">', drawn))  # of one equation
     glyphs = Glyphs()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from reports.html import plot
-from reports.plots import convergence, distances, profile
+from reports.plots import Axes, convergence, distances, profile
 from reports.refinement import refinement
 from verify.cases.registry import CASES
 from verify.results import Grid, Kind, Partner, Row, Status
@@ -42,6 +42,20 @@ def test_a_difference_is_named_by_what_divides_it(changed, told):
     drawn = words(profile(replace(PROFILE, **changed)))
     assert told in drawn
     assert ("/" in drawn) == ("/" in told)
+
+
+def test_a_line_of_many_points_is_told_by_few_and_looks_the_same():
+    """Four hundred points of a bend and of two straight parts."""
+    axes = Axes((52, 28, 390, 262), (0.0, 4.0), (0.0, 1.0))
+    x = np.linspace(0.0, 4.0, 400)
+    y = np.clip(x - 1, 0, 1) ** 2
+    axes.curve(x, y, "fit")
+    (path,) = re.findall(r'd="M([^"]*)"', str(axes.body[0]))
+    u, v = np.array([point.split(",") for point in path.split("L")], float).T
+    assert u.size < 40
+    assert np.interp(52 + x * 338 / 4, u, v) == pytest.approx(
+        262 - 234 * y, abs=0.4
+    )  # x is to a tenth
 
 
 def test_errors_of_theory_lie_on_their_lines_and_the_line_has_the_order():
