@@ -88,7 +88,7 @@ def _tables(model: type[Inputs]) -> str:
         if not is_table(field):
             continue
         own, about = entry_model(field), meta(field)
-        optional = "" if about["omitted"] == REQUIRED else "; optional"
+        optional = "" if about["omitted"] == REQUIRED else " Optional."
         found += f"\n# {about['what']}{optional}\n"
         entries = field.default or (own(),)
         hidden = "" if field.default else "# "

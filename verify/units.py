@@ -54,7 +54,8 @@ DIMENSIONS = {
     "kg": "a mass", "kg m^2": "a moment of inertia", "N m/rad": "a stiffness against turning",
     "N m s/rad": "a damping of turning", "1/mm": "a curvature", "Hz": "a frequency",
     "GPa": "a pressure or stress", "µm": "a length", "rad": "an angle",
-    "N/m": "a stiffness", "N s/m": "a damping", "g mm": "an unbalance, mass times eccentricity",
+    "N/m": "a stiffness", "N/µm": "a stiffness", "N s/m": "a damping",
+    "g mm": "an unbalance, mass times eccentricity",
 }  # fmt: skip
 
 # Units that people write for these, for messages; all of them with n, µ, m, c, k, M, G before.
@@ -66,7 +67,8 @@ TAKEN = {
     "N m": "N m, N mm, kN m, lbf in or lbf ft",
     "kg": "kg, g, lb, oz or slug", "kg m^2": "kg m^2, g mm^2, lb in^2 or lb ft^2",
     "N m/rad": "N m/rad, N m/deg or lbf in/rad", "N m s/rad": "N m s/rad or lbf in s/rad",
-    "N/m": "N/m, N/mm, N/µm, MN/m or lbf/in", "N/mm": "N/m, N/mm, N/µm, MN/m or lbf/in",
+    "N/m": "N/m, N/mm, N/µm, MN/m or lbf/in", "N/µm": "N/m, N/mm, N/µm, MN/m or lbf/in",
+    "N/mm": "N/m, N/mm, N/µm, MN/m or lbf/in",
     "N s/m": "N s/m, N s/mm or lbf s/in", "g mm": "g mm, kg m or oz in",
     "kg/m^3": "kg/m^3, g/cm^3 or lb/in^3", "Hz": "Hz, kHz or 1/s",
     "m/s": "m/s, mm/s or ft/s", "s/m": "s/m, s/mm or s/ft", "s": "s, ms or min",

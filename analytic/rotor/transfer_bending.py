@@ -94,16 +94,20 @@ class Bending:
             D[:, phi, phi] -= (disc.diametral * w**2 - disc.polar * spin * w) / self.length**2
         return D
 
-    def coupled(self, w: ArrayLike, Omega: ArrayLike, *, damped: bool = False) -> Complex:
-        """The same of (r+, r-) (m, 2n, 2n), Hermitian but for damping."""
+    def coupled(self, w: ArrayLike, Omega: ArrayLike, *, damped: bool = False) -> Array | Complex:
+        """The same of (r+, r-) (m, 2n, 2n), Hermitian but for damping; real where it can be."""
         w = np.atleast_1d(np.asarray(w, dtype=np.float64))
         n = 2 * self.nodes
-        D = np.empty((w.size, 2 * n, 2 * n), dtype=np.complex128)
+        turned = damped or self.deviator.imag.any()
+        other = self.deviator if turned else self.deviator.real
+        D: Array | Complex = np.empty((w.size, 2 * n, 2 * n))
+        if turned:
+            D = D.astype(np.complex128)
         D[:, :n, :n], D[:, n:, n:] = self.stiffness(w, Omega), self.stiffness(-w, Omega)
-        D[:, :n, n:], D[:, n:, :n] = self.deviator, self.deviator.conj()
+        D[:, :n, n:], D[:, n:, :n] = other, other.conj()
         if damped:
-            mean, other = self.dampers
-            C = np.block([[mean, other], [other.conj(), mean]])
+            c, e = self.dampers
+            C = np.block([[c, e], [e.conj(), c]])
             D += 1j * w[:, None, None] * C
         return D
 

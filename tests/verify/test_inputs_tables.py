@@ -129,7 +129,7 @@ def test_a_template_has_every_table_with_its_comments_once():
     assert build(Fence, tomllib.loads(written)["inputs"], "t") == Fence()
     assert written.count("[[inputs.posts]]\n") == 2
     assert written.count("stiffness; greater than 0 N/mm") == 2  # of a post, of the rail behind #
-    assert "\n# Rails.; optional\n# [[inputs.rails]]\n# at = 1 " in written
+    assert "\n# Rails. Optional.\n# [[inputs.rails]]\n# at = 1 " in written
     assert '\n# # c = "0 N s/m"' in written
 
 

@@ -34,10 +34,21 @@ class SegmentInputs(Inputs):
     rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density", omitted=7850.0, gt=0, le=1e5)
 
 
-class DiscInputs(Inputs):
-    """A rigid disc at a node, by mass and moments or, what of them is left out, as a cylinder."""
+class NodeInputs(Inputs):
+    """What is at a node."""
 
     node: int = count(1, "", "node", ge=1, le=10_000)
+
+
+class BetweenInputs(NodeInputs):
+    """What is between two nodes."""
+
+    to: int = count(2, "", "the other shaft's node", ge=1, le=10_000)
+
+
+class DiscInputs(NodeInputs):
+    """A rigid disc at a node, by mass and moments or, what of them is left out, as a cylinder."""
+
     mass: float | None = quantity(
         None, "kg", "m", "mass", omitted=None, example="5 kg", ge=0, le=1e6
     )
@@ -81,17 +92,17 @@ class DiscInputs(Inputs):
 class SpringInputs(Inputs):
     """Stiffness and damping of a bearing; what is left out is zero, or alike in x and y."""
 
-    k: float = quantity("1e8 N/m", "N/m", "k", "stiffness across", ge=0, le=1e15)
+    k: float = quantity("100 N/µm", "N/µm", "k", "stiffness across", ge=0, le=1e9)
     kyy: float | None = quantity(
-        None, "N/m", "k_yy", "stiffness along y, k being along x", omitted=None,
-        example="1e8 N/m", ge=0, le=1e15,
+        None, "N/µm", "k_yy", "stiffness along y where it is not k", omitted=None,
+        example="100 N/µm", ge=0, le=1e9,
     )  # fmt: skip
     kxy: float = quantity(
-        "0 N/m", "N/m", "k_xy", "coupling of x and y", omitted=0.0, ge=-1e15, le=1e15
+        "0 N/µm", "N/µm", "k_xy", "coupling of x and y", omitted=0.0, ge=-1e9, le=1e9
     )
     c: float = quantity("0 N s/m", "N s/m", "c", "damping", omitted=0.0, ge=0, le=1e12)
     cyy: float | None = quantity(
-        None, "N s/m", "c_yy", "damping along y, c being along x", omitted=None,
+        None, "N s/m", "c_yy", "damping along y where it is not c", omitted=None,
         example="500 N s/m", ge=0, le=1e12,
     )  # fmt: skip
     k_tilt: float = quantity(
@@ -112,23 +123,17 @@ class SpringInputs(Inputs):
         }  # fmt: skip
 
 
-class SupportInputs(SpringInputs):
+class SupportInputs(SpringInputs, NodeInputs):
     """A bearing to the ground."""
 
-    node: int = count(1, "", "node", ge=1, le=10_000)
 
-
-class LinkInputs(SpringInputs):
+class LinkInputs(SpringInputs, BetweenInputs):
     """A bearing or a clutch between two shafts."""
 
-    node: int = count(1, "", "node of one shaft", ge=1, le=10_000)
-    to: int = count(2, "", "node of the other", ge=1, le=10_000)
 
-
-class UnbalanceInputs(Inputs):
+class UnbalanceInputs(NodeInputs):
     """Mass times eccentricity at a node."""
 
-    node: int = count(1, "", "node", ge=1, le=10_000)
     value: float = quantity("50 g mm", "g mm", "U", "mass times eccentricity", gt=0, le=1e9)
     angle: float = quantity("0 deg", "deg", "α", "its angle", omitted=0.0, ge=-360, le=360)
 

@@ -7,6 +7,7 @@ from pydantic import model_validator
 
 from analytic.rotor.transfer_model import Rotor
 from analytic.rotor.transfer_supported import check_supported
+from verify import units
 from verify.cases import rotor_description as description
 from verify.cases.rotor_description import (
     DiscInputs,
@@ -84,8 +85,8 @@ class SystemInputs(Inputs):
     )
     unbalances: tuple[UnbalanceInputs, ...] = table(
         (
-            UnbalanceInputs(node=4, value=14e-6),
-            UnbalanceInputs(node=13, value=50e-6, angle=np.pi / 2),
+            UnbalanceInputs(node=4, value=units.parse("14 g mm", "g mm")),
+            UnbalanceInputs(node=13, value=units.parse("50 g mm", "g mm"), angle=np.pi / 2),
         ),
         "Unbalances, each turning with its shaft.",
     )
