@@ -16,6 +16,7 @@ from verify.shown import Curve, Curves, Equation, Figure, Shape, Sketch
 from verify.tex import tex
 
 mm, um = 1e-3, 1e-6
+THIN = 401  # slices, so that a curve shows no single one leave contact
 
 
 def sketch(q: ClutchInputs) -> Sketch:
@@ -39,15 +40,16 @@ def sketch(q: ClutchInputs) -> Sketch:
         Shape(style="axis", points=np.vstack([np.zeros(2), R * out])),
         Shape(style="axis", points=np.vstack([first[0], beyond])),
         Shape(style="text", points=np.array([[1.55 * q.R_e, 0.0]]), label="x"),
-        Shape(style="text", points=np.array([1.5 * q.R_e * out]), label="ψ_j"),
+        Shape(style="text", points=np.array([1.55 * q.R_e * out]), label="ψ_j"),
         Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, 1.1 * q.R_e],
               q.R_e * ray(-0.8)]), label=label("R_e", q.R_e)),
         Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, 0.4 * q.R_e],
               q.R_i * ray(-1.0)]), label=label("R_i", q.R_i)),
         Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, -0.7 * q.R_e],
               ends[-len(ends) // 3].mean(axis=0)]), label=f"ν = {math.degrees(q.nu):.4g}°"),
-        Shape(style="load", points=arc(0.55 * q.R_i, 2.4, 0.6),
-              label=f"T = {q.T:.4g} N m"),
+        Shape(style="load", points=arc(0.6 * q.R_i, 2.4, 0.6)),
+        Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, -0.15 * q.R_e],
+              0.6 * q.R_i * ray(2.3)]), label=f"T = {q.T:.4g} N m"),
     )  # fmt: skip
     return Sketch(
         title=f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "
@@ -125,8 +127,8 @@ def _over_offset(context: Context) -> Curves:
     return Curves(
         title="Coupling of bending and torsion over a static offset", x_label="Δx [µm]",
         y_label="K_xz [N]", curves=tuple(curves),
-        note=f"Zero where the load is even. Beyond the yield of {v['delta_0'] / um:.4g} µm sprags "
-        "leave contact.",
+        note=f"Zero where the load is even. From the yield of {v['delta_0'] / um:.4g} µm on sprags "
+        "leave contact one after the other: K_xz steps up, as none of them pulls against the rest.",
     )  # fmt: skip
 
 
@@ -140,12 +142,14 @@ def _relative(K: Any, whole: Any) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _entries(q: ClutchInputs, changed: Sequence[ClutchInputs], **parts: bool) -> dict[str, Any]:
-    plain = q.clutch()
+def _entries(
+    q: ClutchInputs, changed: Sequence[ClutchInputs], *, n_s: int | None = None, **parts: bool
+) -> dict[str, Any]:
+    plain = q.clutch(n_s=n_s)
     whole = plain.stiffness(under_torque(plain, T=q.T))
     rows = []
     for one in changed:
-        clutch = one.clutch(**parts)
+        clutch = one.clutch(n_s=n_s, **parts)
         rows.append(_relative(clutch.stiffness(under_torque(clutch, T=q.T)), whole))
     return {name: np.array([row[name] for row in rows]) for name in rows[0]}
 
@@ -153,7 +157,8 @@ def _entries(q: ClutchInputs, changed: Sequence[ClutchInputs], **parts: bool) ->
 def _over_crown(context: Context) -> Curves:
     q, v = context.inputs, context.analytic
     drop = np.linspace(0, max(2 * q.drop, v["delta_0"]), 41)
-    found = _entries(q, [q.model_copy(update={"drop": float(d)}) for d in drop], crowned=True)
+    changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
+    found = _entries(q, changed, n_s=THIN, crowned=True)
     names = ("K_xx", "K_tilt", "K_zz")
     return Curves(
         title="Stiffness over the crown", x_label="drop at the ends [µm]", y_label="K/K(no crown)",
