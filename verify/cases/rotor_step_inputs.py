@@ -49,6 +49,8 @@ class StepInputs(Inputs):
             )
         if 4 * self.d_1 > self.L:
             raise ValueError(f"L = {self.L * 1e3:g} mm is below 4 d_1: a block, not a shaft")
+        if 10 * self.b > self.L:
+            raise ValueError(f"b = {self.b * 1e3:g} mm is above L/10: no short bearing")
         if not self.b < min(self.start, self.L - self.start - self.L_2):
             raise ValueError(
                 f"bearings of b = {self.b * 1e3:g} mm do not fit beside the thick part, which "
