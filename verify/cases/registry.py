@@ -30,6 +30,7 @@ from verify.cases.ring import LAME
 from verify.cases.ring_loads import INNER, OUTER
 from verify.cases.ring_loads_map import MAP
 from verify.cases.ring_rotation import ROTATION
+from verify.cases.rotor_clutch import CLUTCH as ROTOR_CLUTCH
 from verify.cases.rotor_shaft import SHAFT
 from verify.cases.rotor_sprag import SPRAG_ROTOR
 from verify.cases.rotor_step import STEP
@@ -59,7 +60,7 @@ CASES: tuple[Case, ...] = (
     ACCORDION, CONTINUUM, STAGES, WIDTH, CURVE, BUCKLING, SPRING_MAP,
     FLAT, PAIR, RING, SLIP, SPHERE, PRESS_FIT,
     ROLLER, TILTED, UNCROWNED, CROWNS, END,
-    SHAFT, STEP, SYSTEM, SPRAG_ROTOR,
+    ROTOR_CLUTCH, SHAFT, STEP, SYSTEM, SPRAG_ROTOR,
 )  # fmt: skip
 
 
