@@ -86,7 +86,7 @@ def figures(context: Context) -> Sequence[Figure]:
     return (
         over_slenderness(context),
         campbell(context),
-        *((refinement(context),) if context.converging else ()),
+        *((refinement(context, p) for p in (4, 2)) if context.converging else ()),
     )
 
 
@@ -146,23 +146,29 @@ def campbell(context: Context) -> Campbell:
     )  # fmt: skip
 
 
-def refinement(context: Context) -> Refinement:
+def refinement(context: Context, order: int) -> Refinement:
+    """Errors of mode 1 forward against each model's own exact value, of one order."""
     v = context.analytic
-    series = (
-        ("Euler's elements", "beam euler 1 forward", "euler 1 forward"),
-        ("Timoshenko's elements", "beam timoshenko 1 forward", "timoshenko 1 forward"),
-        ("weak form, Timoshenko", "weak timoshenko 1 forward", "timoshenko 1 forward"),
-        ("elastic body", "solid 1 forward", "exact 1 forward"),
-    )
+    series = {
+        4: (("Euler", "beam euler 1 forward", "euler 1 forward"),
+            ("weak form", "weak timoshenko 1 forward", "timoshenko 1 forward"),
+            ("body", "solid 1 forward", "exact 1 forward")),
+        2: (("mode 1", "beam timoshenko 1 forward", "timoshenko 1 forward"),
+            ("mode 3", "beam timoshenko 3 forward", "timoshenko 3 forward")),
+    }[order]  # fmt: skip
     errors = tuple(
         (name, abs(np.array(context.series(key)[1]) / v[of] - 1)) for name, key, of in series
     )
-    cells = BEAMS / np.array([r.h for r in context.fem])
+    notes = {
+        4: "Euler's elements, the weak form of Timoshenko's beam, and the elastic body, which has "
+        "half as many cells again along the shaft.",
+        2: "Timoshenko's closed-form elements leave inertia out of their shape functions, and "
+        "with it the shear that it makes.",
+    }
     return Refinement(
-        title="Mode 1 forward: error against the same theory's exact value",
-        x_label="beam elements along the shaft", y_label="relative error", cells=cells,
-        errors=errors, order=4,
-        note="Timoshenko's closed-form elements are of order two: their shape functions leave out "
-        "inertia, and shear with it. Lines have slope 4. Of the elastic body, as many cells and "
-        "half as many again.",
+        title="Error against the same theory's exact value, "
+        + ("mode 1 forward" if order == 4 else "Timoshenko's elements"),
+        x_label="beam elements along the shaft", y_label="relative error",
+        cells=BEAMS / np.array([r.h for r in context.fem]), errors=errors, order=order,
+        note=f"{notes[order]} Lines: slope {order}.",
     )  # fmt: skip
