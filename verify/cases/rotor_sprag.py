@@ -12,6 +12,7 @@ from verify.cases.rotor_sprag_inputs import RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_linear import LINEAR_ROWS
 from verify.cases.rotor_sprag_model import MODES, ORDERS, analytic
 from verify.shown import Equation
+from verify.tex import tex
 
 
 def findings(q: SpragRotorInputs, v: Values) -> Sequence[str]:
@@ -47,7 +48,7 @@ def equations(_q: SpragRotorInputs, v: Values) -> Sequence[Equation]:
         Equation(tex=r"C = \alpha M + \beta K, \quad \zeta = \frac{1}{2}\left("
                      r"\frac{\alpha}{\omega} + \beta \omega\right)", place="Sec. 1, before Fig. 6"),
         Equation(tex=r"K_{xz} = (n - 1) K_{xx} d_t \frac{\Delta x}{\delta_0}",
-                 numbers=f"= {v['coupling']:.4g}" + r"\ \mathrm{N}",
+                 numbers=rf"= {tex(v['coupling'])}\ \mathrm{{N}}",
                  place="coupling by an offset, first order"),
     )  # fmt: skip
 

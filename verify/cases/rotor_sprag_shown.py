@@ -52,8 +52,8 @@ def figures(context: Context) -> Sequence[Figure]:
         return ()
     a = arrays(context)
     return (
-        campbell(a), shapes(context, a), *responses(a), loads(a), over_unbalance(context, a),
-        torsion(context, a), orbits(context, a), parallel(a),
+        campbell(a), shapes(context, a), *responses(a), *over_unbalance(context, a), loads(a),
+        torsion(context, a), *orbits(context, a), parallel(a),
     )  # fmt: skip
 
 
@@ -129,23 +129,26 @@ def _banded(title: str, y_label: str, a: Arrays, named: list[tuple[str, Array]])
     )  # fmt: skip
 
 
-def over_unbalance(context: Context, a: Arrays) -> Curves:
+def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
     """Medians of nodes 4 and 19 for the three unbalances (Fig. 11)."""
-    styles = ("dots", "dashes", "line")
-    curves = [
-        Curve(name=f"node {SHOWN_NODES[i]}, {U * 1e5:.3g}e-5 kg m", x=a["grid"] / RPM,
-              y=a["nodes over speed"][1, k, i] / um, style=styles[k], colour=colour)
-        for colour, i in enumerate((0, 4)) for k, U in enumerate(context.inputs.unbalances_2)
-    ]  # fmt: skip
-    return Curves(
-        title="Response over unbalance 2 (Fig. 11)", x_label="n [r/min]", y_label="|x| [µm]",
-        curves=tuple(curves), y_log=True, note="medians of the members",
+    x = a["grid"] / RPM
+    return tuple(
+        Curves(
+            title=f"Response of node {SHOWN_NODES[i]} over unbalance 2 (Fig. 11)",
+            x_label="n [r/min]", y_label="|x| [µm]", y_log=True, note="medians of the members",
+            curves=tuple(
+                Curve(name=f"{U * 1e5:.3g}e-5 kg m", x=x, y=a["nodes over speed"][1, k, i] / um,
+                      colour=k)
+                for k, U in enumerate(context.inputs.unbalances_2)
+            ),
+        )
+        for i in (SHOWN_NODES.index(node) for node in DISCS)
     )  # fmt: skip
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
     """Torsion of node 19 at the critical speeds over the offset, from its slope at small ones."""
-    offsets = np.linspace(0, max(context.inputs.offset, SMALL_OFFSETS[-1]), 6)
+    offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)
     return Curves(
@@ -159,27 +162,33 @@ def torsion(context: Context, a: Arrays) -> Curves:
             Band(name="", x=offsets, lower=low[i] * offsets, upper=high[i] * offsets, colour=i)
             for i in range(len(ORDERS))
         ),
-        note=f"{BANDS}. Without offset there is none",
+        y_log=True,
+        note=f"{BANDS}. Linear in the offset: without it there is none",
     )  # fmt: skip
 
 
-def orbits(context: Context, a: Arrays) -> Shapes:
-    panels = []
-    for i, node in enumerate(DISCS):
-        for name, stiffer in (("isotropic", 1.0), ("anisotropic", 1 + context.inputs.anisotropy)):
-            orbit: Any = a[f"orbit, {name}"][:, i] / um
-            lines = [np.column_stack([(x * TURN).real, (y * TURN).real]) for x, y in orbit]
-            size = np.abs(orbit).max(axis=1)
-            middle = int(np.argsort(size)[size.size // 2])
-            near = np.argsort(np.abs(np.log(size / size[middle])))[1:10]
-            panel = f"node {node}, k_y = {stiffer:.3g} k_x"
-            faint = tuple(lines[j] for j in near)
-            panels.append(Panel(name=panel, lines=(lines[middle],), faint=faint))
-    return Shapes(
-        title=f"Orbits at {context.inputs.rig_speed / RPM:.5g} r/min (Fig. 15)", unit="µm",
-        panels=tuple(panels),
-        note="the member of median size, with the nine nearest in size behind it",
-    )  # fmt: skip
+def orbits(context: Context, a: Arrays) -> tuple[Shapes, ...]:
+    stiffer = (("isotropic", 1.0), ("anisotropic", 1 + context.inputs.anisotropy))
+    return tuple(
+        Shapes(
+            title=f"Orbits of node {node} at {context.inputs.rig_speed / RPM:.5g} r/min (Fig. 15)",
+            unit="µm",
+            panels=tuple(
+                _orbit(f"k_y = {times:.3g} k_x", a[f"orbit, {key}"][:, i]) for key, times in stiffer
+            ),
+            note="the member of median size, with the nine nearest in size behind it",
+        )
+        for i, node in enumerate(DISCS)
+    )
+
+
+def _orbit(name: str, members: Any) -> Panel:
+    """Orbits x, y (m, 2) of members."""
+    lines = [np.column_stack([(x * TURN).real, (y * TURN).real]) / um for x, y in members]
+    size = np.abs(members).max(axis=1)
+    middle = int(np.argsort(size)[size.size // 2])
+    near = np.argsort(np.abs(np.log(size / size[middle])))[1:10]
+    return Panel(name=name, lines=(lines[middle],), faint=tuple(lines[j] for j in near))
 
 
 def parallel(a: Arrays) -> Parallel:

@@ -10,19 +10,17 @@ from verify.cases.rotor_sprag_facts import STATEMENTS
 from verify.cases.rotor_sprag_inputs import RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_layout import (
     BETWEEN,
-    CENTRAL,
     CLUTCH,
     DISCS,
     GROUNDED,
     INNER,
     OUTER,
     PARAMETERS,
-    layout,
 )
 from verify.cases.rotor_sprag_model import MODES
 from verify.shown import Array, Shape, Sketch, Table
 
-NODE_ROW = 1.35  # of the largest radius: where numbers stand
+UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
 
 
 def tables(context: Context) -> Sequence[Table]:
@@ -86,33 +84,36 @@ def unknowns(members: Array | None) -> Table:
 
 
 def sketch(_: SpragRotorInputs) -> Sketch:
-    """Fig. 1 as the central system, to scale."""
-    s = layout(CENTRAL)
-    z = s.z[0]
-    largest = float(s.d_o[0].max()) / 2
-    shapes = [_piece(s.d_o[0, e], s.d_i[0, e], z[node], z[node + 1], side)
-              for e, node in enumerate(n for n in range(OUTER + INNER - 1) if n != OUTER - 1)
-              for side in (1, -1)]  # fmt: skip
-    shapes.append(Shape(style="axis", points=np.array([[z.min(), 0], [z.max(), 0]]) * [[1.03, 1]]))
-    for n in range(1, OUTER + INNER + 1):
-        height = NODE_ROW * largest if n <= OUTER else -NODE_ROW * largest
-        shapes.append(Shape(style="text", points=np.array([[z[n - 1], height]]), label=str(n)))
-    for label, n, m in (
-        *((f"bearing {k}", n, 0) for k, n in zip((1, 2, 5), GROUNDED, strict=True)),
-        *((f"bearing {k}", a, b) for k, (a, b) in zip((3, 4), BETWEEN, strict=True)),
-        ("clutch", *CLUTCH), *((f"disc, unbalance {k}", n, 0) for k, n in enumerate(DISCS, 1)),
-    ):  # fmt: skip
-        up = 1 if n <= OUTER else -1
-        far = 1.7 + 0.35 * ((n + (m > 0)) % 3)
-        shapes.append(
-            Shape(style="leader", label=label,
-                  points=up * largest * np.array([[0, far], [0, 1.0]])
-                  + np.array([[z[n - 1], 0.0], [z[n - 1], 0.0]]))
-        )  # fmt: skip
-    return Sketch(title="central system, to scale, the paper's nodes", shapes=tuple(shapes))
+    """Fig. 1, one step a node: the outer rotor above, the inner one below."""
+    x = {n: n - 1.0 for n in range(1, OUTER + 1)}
+    x |= {n: n - CLUTCH[1] + x[CLUTCH[0]] for n in range(OUTER + 1, OUTER + INNER + 1)}
+    up = {n: UPPER if n <= OUTER else 0.0 for n in x}
+    drum = [_box(x[7], x[8], UPPER, 1.0)]
+    drum += [_box(x[8], x[OUTER], UPPER + side * 0.8, 0.2) for side in (1, -1)]
+    shapes = [_box(x[1], x[7], UPPER, 0.45), *drum, _box(x[13], x[22], 0.0, 0.4)]
+    for n in x:
+        at = [x[n], up[n] + (1.25 if n <= OUTER else -1.1)]
+        shapes.append(Shape(style="text", points=np.array([at]), label=str(n)))
+    for k, n in zip((1, 2, 5), GROUNDED, strict=True):
+        foot, head = up[n] - 1.7, up[n] - 0.5
+        shapes += [Shape(style="leader", points=np.array([[x[n], foot], [x[n], head]]),
+                         label=f"bearing {k}")]  # fmt: skip
+    for a, b in (*BETWEEN, CLUTCH):
+        shapes.append(Shape(style="dimension", points=np.array([[x[a], UPPER - 1], [x[b], 0.4]])))
+    first, high = x[BETWEEN[0][0]], UPPER / 2 - 0.4
+    line = np.array([[first - 2.5, high - 0.7], [first - 0.2, high]])
+    shapes.append(Shape(style="leader", points=line, label="bearing 3, clutch, bearing 4"))
+    for k, n in enumerate(DISCS, 1):
+        high = 0.45 if n <= OUTER else 0.4
+        shapes += [_box(x[n] - 0.15, x[n] + 0.15, up[n] + side * (high + 0.2), 0.2)
+                   for side in (1, -1)]  # fmt: skip
+        tip = np.array([[x[n], up[n] + 2.7], [x[n], up[n] + (1.9 if n <= OUTER else 0.9)]])
+        shapes.append(Shape(style="load", points=tip, label=f"unbalance {k}"))
+    return Sketch(title="nodes of Fig. 1, one step each: no length is printed",
+                  shapes=tuple(shapes))  # fmt: skip
 
 
-def _piece(d_o: float, d_i: float, start: float, end: float, side: int) -> Shape:
-    low, high = side * d_i / 2, side * d_o / 2
-    corners = [[start, low], [end, low], [end, high], [start, high]]
+def _box(left: float, right: float, middle: float, half: float) -> Shape:
+    low, high = middle - half, middle + half
+    corners = [[left, low], [right, low], [right, high], [left, high]]
     return Shape(style="body", points=np.array(corners))
