@@ -79,7 +79,8 @@ class Clutch:
     n_s: int = 1
     crown: Callable[[Array], ArrayLike] | None = None
     interference: ArrayLike = 0.0
-    lost: Array = field(init=False, repr=False)
+    lost: Array = field(init=False, repr=False)  # (Z, n_s), by crowns and gaps
+    gradient: Array = field(init=False, repr=False)  # J (Z, n_s, 5): delta_jk by Eq. 1
 
     def __post_init__(self) -> None:
         psi = np.atleast_1d(np.asarray(self.psi, dtype=np.float64))
@@ -102,6 +103,10 @@ class Clutch:
         object.__setattr__(self, "psi", psi)
         # Eq. 6 for both contacts, less what one sprag is pressed more
         object.__setattr__(self, "lost", 2 * drop - np.broadcast_to(tight, psi.shape)[:, None])
+        c, s = np.cos(psi)[:, None], np.sin(psi)[:, None]
+        one, x = np.ones((psi.size, self.n_s)), self.x
+        J = np.stack([c * one, s * one, -x * s, x * c, self.d_t * one], axis=-1)
+        object.__setattr__(self, "gradient", J)
 
     @property
     def Z(self) -> int:
@@ -118,32 +123,29 @@ class Clutch:
         """Yield per twist [m/rad] (Eq. 4), and so the lever of Q in the torque: R_i tan(nu)."""
         return self.R_i * math.tan(self.nu)
 
-    @property
-    def gradient(self) -> Array:
-        """J (Z, n_s, 5): delta_jk by the displacements of Eq. 1."""
-        c, s = np.cos(self.psi)[:, None], np.sin(self.psi)[:, None]
-        one, x = np.ones((self.Z, self.n_s)), self.x
-        return np.stack([c * one, s * one, -x * s, x * c, self.d_t * one], axis=-1)
-
     def deformation(self, q: ArrayLike) -> Array:
         """delta_jk (..., Z, n_s) [m] at displacements q (..., 5), negative where there is a gap."""
         return np.asarray(np.einsum("jki,...i->...jk", self.gradient, _five(q)) - self.lost)
 
     def energy(self, q: ArrayLike) -> Array:
         """Potential U (...,) [J] at displacements q (..., 5) [m, rad]."""
-        pressed = np.maximum(self.deformation(q), 0.0)
-        return np.asarray((pressed ** (self.n + 1)).sum((-2, -1)) * self._slice / (self.n + 1))
+        delta = self.deformation(q)
+        stored = self.law(delta)[0] * np.maximum(delta, 0.0) / (self.n + 1)
+        return np.asarray(stored.sum((-2, -1)))
+
+    def law(self, delta: Array) -> tuple[Array, Array]:
+        """Force Q [N] of a slice and its slope [N/m] at `delta` [m], zero in a gap (Eq. 2)."""
+        pressed = np.where(delta > 0, delta, 1.0)
+        force = np.where(delta > 0, self.k_n / self.n_s * pressed**self.n, 0.0)
+        return force, self.n * force / pressed
 
     def forces(self, q: ArrayLike) -> Array:
-        """Normal forces Q_jk (..., Z, n_s) [N] of the slices (Eq. 2)."""
-        return np.asarray(self._slice * np.maximum(self.deformation(q), 0.0) ** self.n)
+        """Normal forces Q_jk (..., Z, n_s) [N] of the slices at displacements q (..., 5)."""
+        return self.law(self.deformation(q))[0]
 
     def slopes(self, q: ArrayLike) -> Array:
-        """dQ_jk/d delta_jk (..., Z, n_s) [N/m], zero where nothing is pressed."""
-        delta = self.deformation(q)
-        pressed = np.where(delta > 0, delta, 1.0)
-        slope = self._slice * self.n * pressed ** (self.n - 1)
-        return np.asarray(np.where(delta > 0, slope, 0.0))
+        """dQ_jk/d delta_jk (..., Z, n_s) [N/m] at displacements q (..., 5)."""
+        return self.law(self.deformation(q))[1]
 
     def loads(self, q: ArrayLike) -> Array:
         """(F_x, F_y, M_x, M_y, M_z) (..., 5) [N, N m] that hold displacements q (..., 5) (Eq. 9).
@@ -165,10 +167,6 @@ class Clutch:
         """
         J = self.gradient
         return np.asarray(np.einsum("...jk,jka,jkb->...ab", self.slopes(q), J, J, optimize=True))
-
-    @property
-    def _slice(self) -> float:
-        return self.k_n / self.n_s
 
 
 def with_axial(K: ArrayLike) -> Array:

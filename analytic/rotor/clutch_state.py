@@ -42,12 +42,12 @@ def preload_twist(
     if offset.shape != (4,) or not np.isfinite(offset).all():
         raise ValueError(f"offset needs four finite numbers (dx, dy, gx, gy), got {offset}")
     needed = (T / (clutch.Z * clutch.d_t * clutch.k_n)) ** (1 / clutch.n)
-    least = clutch.deformation(np.append(offset, 0.0)).min()
-    g = (needed - least) / clutch.d_t
+    untwisted = clutch.deformation(np.append(offset, 0.0))
+    g = (needed - untwisted.min()) / clutch.d_t
     for _ in range(STEPS):
-        q = np.concatenate([np.broadcast_to(offset, (*g.shape, 4)), g[..., None]], axis=-1)
-        excess = clutch.d_t * clutch.forces(q).sum((-2, -1)) - T
-        step = excess / (clutch.d_t**2 * clutch.slopes(q).sum((-2, -1)))
+        force, slope = clutch.law(untwisted + clutch.d_t * g[..., None, None])
+        excess = clutch.d_t * force.sum((-2, -1)) - T
+        step = excess / (clutch.d_t**2 * slope.sum((-2, -1)))
         g = g - step
         # steps shorten quadratically, so that an error is far below the last one
         if (np.abs(step) <= TOLERANCE * needed / clutch.d_t + ROUND_OFF * np.abs(g)).all():

@@ -142,9 +142,8 @@ def test_a_yield_of_one_s_own_takes_palmgren_s_place():
     "own",
     [
         {"Z": 24, "R_i": 40e-3, "R_e": 50e-3, "L": 20e-3, "T": 150.0},
-        {"missing": 5, "nu": 0.1},
         {"e": 30e-6, "drop": 0.0},
-        {"a": 20e-6, "n_s": 7, "T": 40.0},
+        {"a": 20e-6, "n_s": 7, "T": 40.0, "missing": 5, "nu": 0.1},
     ],
     ids=str,
 )

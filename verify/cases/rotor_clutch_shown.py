@@ -16,7 +16,7 @@ from verify.shown import Curve, Curves, Equation, Figure, Shape, Sketch
 from verify.tex import tex
 
 mm, um = 1e-3, 1e-6
-THIN = 401  # slices, so that a curve shows no single one leave contact
+THIN = 201  # slices, so that a curve shows no single one leave contact
 
 
 def sketch(q: ClutchInputs) -> Sketch:
@@ -156,7 +156,7 @@ def _entries(
 
 def _over_crown(context: Context) -> Curves:
     q, v = context.inputs, context.analytic
-    drop = np.linspace(0, max(2 * q.drop, v["delta_0"]), 41)
+    drop = np.linspace(0, max(2 * q.drop, v["delta_0"]), 31)
     changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
     found = _entries(q, changed, n_s=THIN, crowned=True)
     names = ("K_xx", "K_tilt", "K_zz")
