@@ -16,8 +16,8 @@ from verify.shown import Array, ComplexArray, Mode, Whirl
 YAW, PITCH = math.radians(26), math.radians(20)  # of the viewer, from beside the shafts
 EDGE, GAP, NAME = 8.0, 20.0, 18.0  # around all, between panels, for a panel's name
 LENGTH = 0.94  # of a panel that the shafts take
-REACH, MOST = 0.16, 34.0  # of a panel that the largest displacement takes, and pixels
-TALLEST = 380.0  # panels in one column
+REACH, MOST = 0.16, 45.0  # of a panel that the largest displacement takes, and pixels
+TALLEST = 390.0  # panels in one column
 LETTER = 6.2  # about the width of a letter
 ORBITS = 8  # drawn of a shaft
 FINE = 40  # points of a centre line at most
