@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 Law = Callable[[Array], tuple[Array, Array]]
 LARGEST_TURN = 0.1  # rad of one step
 STEPS = 100
+HALVINGS = 40
 
 
 def power_law(k: Array | float, n: float) -> Law:
@@ -59,16 +60,17 @@ class Joint:
 
     def forces(self) -> Array:
         """Forces (m,) [N] of the struts."""
-        return self.law(self.struts.state(self.d, self.R).s)[0]
+        return self.law(self.struts.state(self.d, self.R, second=False).s)[0]
 
     def loads(self) -> Array:
         """Force and moment (6,) [N, N m] that hold the inner hub."""
-        state = self.struts.state(self.d, self.R)
+        state = self.struts.state(self.d, self.R, second=False)
         return np.asarray(self.law(state.s)[0] @ state.J)
 
     def tangent(self) -> Array:
         """Loads by displacement and rotation vector (6, 6), exact and symmetric."""
         state = self.struts.state(self.d, self.R)
+        assert state.H is not None
         force, slope = self.law(state.s)
         K = np.einsum("m,ma,mb->ab", slope, state.J, state.J)
         return np.asarray(K + np.einsum("m,mab->ab", force, state.H))
@@ -85,20 +87,20 @@ class Joint:
             If no equilibrium is found.
         """
         now, at = self, list(free)
-        size = np.repeat([1.0, np.abs(self.struts.state(self.d, self.R).J[:, 3:]).max()], 3)[at]
+        levers = self.struts.state(self.d, self.R, second=False).J[:, 3:]
+        size = np.repeat([1.0, np.abs(levers).max()], 3)[at]
         bound = tolerance * np.abs(loads[at] / size).max()
         for _ in range(STEPS):
-            off = now.loads()[at] - loads[at]
-            if np.abs(off / size).max() <= bound:
+            off = (now.loads()[at] - loads[at]) / size
+            if np.abs(off).max() <= bound:
                 return now
+            K = now.tangent()[np.ix_(at, at)] / np.outer(size, size)
             step = np.zeros(6)
-            step[at] = -np.linalg.lstsq(now.tangent()[np.ix_(at, at)] / np.outer(size, size),
-                                        off / size, rcond=1e-13)[0] / size  # fmt: skip
+            step[at] = -np.linalg.lstsq(K, off, rcond=1e-13)[0] / size
             step *= min(1.0, LARGEST_TURN / max(np.abs(step[3:]).max(), 1e-300))
-            for _ in range(40):
+            for _ in range(HALVINGS):
                 tried = now.moved(step)
-                left = np.linalg.norm((tried.loads()[at] - loads[at]) / size)
-                if left < np.linalg.norm(off / size):
+                if np.linalg.norm((tried.loads()[at] - loads[at]) / size) < np.linalg.norm(off):
                     break
                 step /= 2
             else:

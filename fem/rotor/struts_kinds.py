@@ -21,7 +21,7 @@ class State:
 
     s: Array
     J: Array  # (m, 6)
-    H: Array  # (m, 6, 6)
+    H: Array | None  # (m, 6, 6), where asked for
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,7 +41,7 @@ class Pinned:
         if (np.linalg.norm(self.a - self.b, axis=1) == 0).any():
             raise ValueError("a strut needs a length above 0 m: both its ends coincide")
 
-    def state(self, d: Array, R: Array) -> State:
+    def state(self, d: Array, R: Array, *, second: bool = True) -> State:
         y, at_first = self.a @ R.T, self.a - self.b
         shift = d + self.a @ (R - np.eye(3)).T
         across = at_first + shift
@@ -50,6 +50,8 @@ class Pinned:
         # a difference of lengths that keeps its digits
         grown = np.einsum("mi,mi->m", shift, at_first + across)
         s = np.asarray(self.s_0 - grown / (length + np.linalg.norm(at_first, axis=1)))
+        if not second:
+            return State(s, _gradient(e, y), None)
         moved = np.concatenate([np.broadcast_to(np.eye(3), (len(y), 3, 3)), -cross(y)], axis=2)
         plane = np.eye(3) - e[:, :, None] * e[:, None, :]
         bent = np.einsum("mia,mij,mjb->mab", moved, plane, moved) / length[:, None, None]
@@ -74,7 +76,7 @@ class Rolling:
         if self.angle.ndim != 1 or self.angle.shape != self.z.shape:
             raise ValueError(f"angle {self.angle.shape} and z {self.z.shape} need one for each cam")
 
-    def state(self, d: Array, R: Array) -> State:
+    def state(self, d: Array, R: Array, *, second: bool = True) -> State:
         zero = np.zeros_like(self.angle)
         e = np.stack([np.cos(self.angle), np.sin(self.angle), zero], axis=1)
         shift = e @ (R - np.eye(3))
@@ -93,6 +95,8 @@ class Rolling:
         # flat p - reach, without the digits that cancel: flat^2 = 1 - seen_z^2
         sunk = -self.lever * turned - p * seen[:, 2] ** 2 / (1 + flat)
         s = np.asarray(self.s_0 + e @ d + sunk + self.z * seen[:, 2])
+        if not second:
+            return State(s, _gradient(e, y), None)
         H = _turned(e, y)
         lean = np.cross(e, t)
         H[:, 3:, 3:] += (p / flat)[:, None, None] * lean[:, :, None] * lean[:, None, :]
