@@ -110,8 +110,7 @@ def _tracked(chosen: list[Chosen], sense: int) -> Branches:
         match = abs(states.conj().T @ state) ** 2
         jump = abs(values.imag[:, None] - own.imag[None, :])
         scale = 1 + abs(values.imag[:, None]) + abs(own.imag[None, :])
-        turned = np.sign(values.imag[:, None]) * np.sign(own.imag[None, :]) < 0
-        branch, to = linear_sum_assignment(jump / scale + turned - match)
+        branch, to = linear_sum_assignment(jump / scale - match)
         now = np.full(values.size, complex(np.nan, np.nan))
         now[branch] = own[to]
         values, states = values.copy(), states.copy()

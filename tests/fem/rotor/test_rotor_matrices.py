@@ -138,3 +138,21 @@ def test_matrices_scale_with_the_unit_of_length():
     scale = np.tile([1, 1, 1, 1e3, 1e3, 1e3], 4)  # forces agree in newtons, moments in N mm
     np.testing.assert_allclose(mm.K * 1e3, m.K * np.outer(scale, scale), rtol=1e-11, atol=1e-3)
     np.testing.assert_allclose(mm.M * 1e3, m.M * np.outer(scale, scale), rtol=1e-11, atol=1e-12)
+
+
+def test_a_link_damps_the_difference_alone():
+    rotor = Rotor(ROTOR.shafts, links=[Link.bearing(1, 4, 5e6, cxx=300.0, c_tilt=2.0, c_turn=1.0)])
+    assert abs(rotor.C @ np.tile(np.eye(6), 7).T).max() == 0
+    assert rotor.C[6, 6] == -rotor.C[6, 24] == 300.0
+    np.testing.assert_array_equal(rotor.C, rotor.C.T)
+
+
+def test_a_homogeneous_disc():
+    """Against the sum over thin rings of a 300 x 120 mm disc, 20 mm wide."""
+    disc = Disc.cylinder(0, 0.3, 0.12, 0.02, 7800.0)
+    r, dr = np.linspace(0.06, 0.15, 20001, retstep=True)
+    m = 7800.0 * 0.02 * 2 * np.pi * np.trapezoid(r, dx=dr)
+    square = 7800.0 * 0.02 * 2 * np.pi * np.trapezoid(r**3, dx=dr)
+    assert disc.mass == pytest.approx(m, rel=1e-7)
+    assert disc.polar == pytest.approx(square, rel=1e-7)
+    assert disc.diametral == pytest.approx(square / 2 + m * 0.02**2 / 12, rel=1e-7)
