@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from analytic.contact import palmgren
 from analytic.rotor import clutch, clutch_uniform
 from fem.rotor import struts, struts_kinds
 from verify.case import Context
@@ -69,6 +70,8 @@ FORMULA_FAULTS = [
                  id="secant for tangent"),
     pytest.param(clutch_uniform, "approach", times(2), "stiffness along y, uniform",
                  id="each contact yields as both"),
+    pytest.param(palmgren, "approach", times(1.0001), "torsional stiffness, uniform",
+                 id="Palmgren's number"),
     pytest.param(clutch, "slice_middles", in_slices(1.01), "tilting stiffness, with a crown",
                  id="Eq. 5, slices beyond the ends"),
     pytest.param(clutch.Clutch, "d_t", lever_of(1.001), "torsional stiffness, with sprags missing",

@@ -30,6 +30,15 @@ def slices_for_fem(q: ClutchInputs, psi: Array, count: int) -> tuple[Array, Arra
     return np.repeat(psi, count), np.tile(z, psi.size)
 
 
+def law_for_fem(q: ClutchInputs) -> float:
+    """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)], from what 1 kN does to it.
+
+    Palmgren's yield of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
+    """
+    yields = 2 * 3.84e-8 * 1e3**0.9 / (1e3 * q.L) ** 0.8 if q.a is None else q.a
+    return float(1e3 / yields**POWER)
+
+
 def rolling_by_fem(
     q: ClutchInputs, count: int, *, T: float | None = None, nu: float | None = None,
     dx: float = 0.0, drop: float = 0.0, missing: int = 0, stiffer: float = 1.0,
@@ -42,7 +51,7 @@ def rolling_by_fem(
     step = 2 * math.pi / q.Z
     psi = step * (np.arange(missing, q.Z) - (q.missing - 1) / 2)
     angle, z = slices_for_fem(q, psi, count)
-    law = power_law(q.k_n * stiffer**POWER / count / math.cos(nu) ** (POWER + 1), POWER)
+    law = power_law(law_for_fem(q) * stiffer**POWER / count / math.cos(nu) ** (POWER + 1), POWER)
     cams = Rolling(
         angle=angle + nu, z=z, lever=q.R_i * math.sin(nu), reach=q.R_i * math.cos(nu),
         s_0=-2 * drop * (2 * z / q.L) ** 2 * math.cos(nu),
@@ -62,7 +71,7 @@ def pinned_by_fem(q: ClutchInputs, count: int, *, stiffer: float = 1.0) -> "Join
     psi, z = slices_for_fem(q, 2 * math.pi * np.arange(q.Z) / q.Z, count)
     h = q.R_i * math.sin(q.nu)
     away = psi + q.nu - math.asin(h / q.R_e)
-    k = q.k_n * stiffer**POWER / math.cos(q.nu) ** (POWER + 1)
+    k = law_for_fem(q) * stiffer**POWER / math.cos(q.nu) ** (POWER + 1)
     struts = Pinned(
         a=np.stack([q.R_i * np.cos(psi), q.R_i * np.sin(psi), z], axis=1),
         b=np.stack([q.R_e * np.cos(away), q.R_e * np.sin(away), z], axis=1),
@@ -112,7 +121,7 @@ def series_by_fem(q: ClutchInputs) -> dict[str, Array]:
         for share, T in zip(ANGLES, torques, strict=True)
     ]
     aside = [rolling_by_fem(q, COARSE, dx=share * q.e).tangent()[0, 5] for share in OFFSETS]
-    yields = float((q.T / q.Z / q.R_i / math.tan(q.nu) / q.k_n) ** (1 / POWER))
+    yields = float((q.T / q.Z / q.R_i / math.tan(q.nu) / law_for_fem(q)) ** (1 / POWER))
     small = [rolling_by_fem(q, COARSE, dx=s * yields).tangent()[0, 5] for s in SMALL]
     stiff = [pinned_by_fem(q, COARSE, stiffer=s).tangent()[5, 5] for s in STIFFER]
     return {
