@@ -1,7 +1,7 @@
 """Whirling of elastic bodies of revolution that spin about their axis, each at its own speed.
 
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
-found = RotatingSolid(solid, 7850.0, springs=(Spring(boundary="rim", k=1e8),)).modes(1000.0)
+found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)
 
 Harmonic n of amplitudes u = (U, V, W) at the speed W and the angular frequency w, w > 0 being a
 wave that runs forward, in the sense of W > 0:
@@ -25,8 +25,8 @@ from fem.fourier.solid import SUPERLU, FourierSolid
 from fem.fourier.supports import free_unknowns
 from fem.fourier.vibration_held import check_held_or_sprung
 from fem.fourier.vibration_mounts import (
+    Mount,
     RigidDisc,
-    Spring,
     inertias,
     pulls_of,
     squares,
@@ -67,7 +67,7 @@ class RotatingSolid:
     solid: FourierSolid
     rho: float | Mapping[str, float]
     ratio: float | Mapping[str, float] = 1.0
-    springs: tuple[Spring, ...] = ()
+    springs: tuple[Mount, ...] = ()
     discs: tuple[RigidDisc, ...] = ()
     n: int = 1
 

@@ -12,7 +12,7 @@ from fem.plane.discretisation import Array
 
 
 @dataclass(frozen=True, kw_only=True)
-class Spring:
+class Mount:
     """Isotropic spring on the mean motion of `boundary`, to the ground or to the boundary `to`.
 
     `k` acts across [force/length], `k_tilt` against tilting [force x length/rad].
@@ -27,6 +27,9 @@ class Spring:
         for name, value in (("k", self.k), ("k_tilt", self.k_tilt)):
             if not 0 <= value < np.inf:
                 raise ValueError(f"a spring's stiffness is not negative, got {name}={value:g}")
+
+
+Spring = Mount  # its other name
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,14 +54,14 @@ class RigidDisc:
             )
 
 
-def pulls_of(basis: Basis, T: csr_array, springs: Sequence[Spring]) -> list[Array]:
+def pulls_of(basis: Basis, T: csr_array, mounts: Sequence[Mount]) -> list[Array]:
     """Functionals (free,) of q in u = T q whose squares are the springs' energies, twice."""
     found = []
-    for spring in springs:
-        c = mean_motion(basis, spring.boundary)
-        if spring.to:
-            c = c - mean_motion(basis, spring.to)
-        stiffness = (spring.k, spring.k_tilt)
+    for mount in mounts:
+        c = mean_motion(basis, mount.boundary)
+        if mount.to:
+            c = c - mean_motion(basis, mount.to)
+        stiffness = (mount.k, mount.k_tilt)
         found += [
             np.sqrt(k) * row for k, row in zip(stiffness, np.asarray(T.T @ c).T, strict=True) if k
         ]

@@ -83,7 +83,7 @@ def fem_body(q: StepInputs, level: int, first: float, *, half: bool = False) -> 
     """The elastic body, its seats' mean motions on springs; `half` with symmetry at L/2."""
     from fem.fourier.solid import FourierSolid
     from fem.fourier.vibration import RotatingSolid
-    from fem.fourier.vibration_mounts import Spring
+    from fem.fourier.vibration_mounts import Mount
     from fem.plane.material import Elastic
     from meshes.rotor.stepped import stepped_section
 
@@ -93,7 +93,7 @@ def fem_body(q: StepInputs, level: int, first: float, *, half: bool = False) -> 
     solid = FourierSolid(
         mesh, Elastic(E=q.E, nu=q.nu), {"end": "z"} if half else {}, degree=2
     )  # fmt: skip
-    return RotatingSolid(solid, q.rho, springs=tuple(Spring(boundary=s, k=q.k) for s in seats))
+    return RotatingSolid(solid, q.rho, springs=tuple(Mount(boundary=s, k=q.k) for s in seats))
 
 
 def fem_solid(q: StepInputs, body: "RotatingSolid", values: dict[str, float]) -> tuple[Field, ...]:

@@ -11,7 +11,7 @@ from fem.fourier import vibration
 from fem.fourier.solid import FourierSolid
 from fem.fourier.supports import rigid_motions
 from fem.fourier.vibration import RotatingSolid
-from fem.fourier.vibration_mounts import RigidDisc, Spring
+from fem.fourier.vibration_mounts import Mount, RigidDisc
 from fem.fourier.vibration_parts import SWAP, mass_matrix, mean_motion
 from fem.plane.material import Elastic
 from meshes.join import join
@@ -44,7 +44,7 @@ def whirl(K, M, G, speed):
 
 def held(**more):
     """The tube on a spring at each end face, which differ."""
-    springs = (Spring(boundary="start", k=2e7, k_tilt=1e4), Spring(boundary="end", k=3e7))
+    springs = (Mount(boundary="start", k=2e7, k_tilt=1e4), Mount(boundary="end", k=3e7))
     return RotatingSolid(solid(tube()), RHO, springs=springs, **more)
 
 
@@ -119,7 +119,7 @@ def test_a_critical_speed_is_met_by_the_mode_at_that_speed():
 
 
 def test_a_disc_that_hardly_anything_holds_nutates_at_polar_over_diametral():
-    soft = (Spring(boundary="rim", k=1e9, k_tilt=2e3),)
+    soft = (Mount(boundary="rim", k=1e9, k_tilt=2e3),)
     found = RotatingSolid(solid(tube()), RHO, springs=soft).modes(2000.0, 1)
     assert found.forward[0] == pytest.approx(2000.0 * POLAR / DIAMETRAL, rel=5e-4)
 
@@ -144,9 +144,9 @@ def test_two_rotors_in_one_another_whirl_as_their_eight_unknowns_do():
     found = RotatingSolid(
         solid(mesh), RHO, {"outer": 1.0, "inner": -1.5},
         springs=(
-            Spring(boundary="outer.rim", k=4e7, k_tilt=2e5),
-            Spring(boundary="inner.rim", k=1e7, k_tilt=1e5),
-            Spring(boundary="inner.rim", to="outer.bore", k=2e7, k_tilt=3e4),
+            Mount(boundary="outer.rim", k=4e7, k_tilt=2e5),
+            Mount(boundary="inner.rim", k=1e7, k_tilt=1e5),
+            Mount(boundary="inner.rim", to="outer.bore", k=2e7, k_tilt=3e4),
         ),
     ).modes(180.0, 4)  # fmt: skip
     K = np.zeros((4, 4))  # x outer, x inner, slopes
@@ -158,6 +158,19 @@ def test_two_rotors_in_one_another_whirl_as_their_eight_unknowns_do():
     ahead, behind = whirl(K, M, G, 180.0)
     assert found.forward == pytest.approx(ahead, rel=1e-5)
     assert found.backward == pytest.approx(behind, rel=1e-5)
+
+
+def test_what_joins_two_rotors_resists_only_where_they_move_apart():
+    mesh = join({"outer": tube(), "inner": tube(r_i=0.0, r_o=0.04)})
+    springs = (
+        Mount(boundary="outer.rim", k=4e7, k_tilt=2e5),
+        Mount(boundary="inner.rim", k=1e7, k_tilt=1e5),
+        Mount(boundary="inner.rim", to="outer.bore", k=2e7, k_tilt=3e4),
+    )
+    body = RotatingSolid(solid(mesh, STEEL), RHO, springs=springs)
+    twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()  # U = -V on the axis
+    motions = (body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]
+    assert np.diag(motions.T @ body.K @ motions) == pytest.approx([5e7, 3e5], rel=1e-6)
 
 
 @pytest.mark.parametrize("n", [2, 3, 5])
@@ -230,14 +243,14 @@ def test_the_mean_motion_of_a_boundary_is_that_of_a_rigid_body():
     ],
 )
 def test_what_makes_no_sense_is_refused(more, said):
-    wanted = {"rho": RHO, "springs": (Spring(boundary="rim", k=1.0),)} | more
+    wanted = {"rho": RHO, "springs": (Mount(boundary="rim", k=1.0),)} | more
     with pytest.raises(ValueError, match=said):
         RotatingSolid(solid(tube()), **wanted)
 
 
 def test_parts_of_the_rotor_that_make_no_sense_are_refused():
     with pytest.raises(ValueError, match="not negative, got k=-1"):
-        Spring(boundary="rim", k=-1.0)
+        Mount(boundary="rim", k=-1.0)
     with pytest.raises(ValueError, match="polar <= 2 diametral"):
         RigidDisc(boundary="rim", mass=1.0, polar=1.0, diametral=0.4)
     with pytest.raises(ValueError, match="lies on the axis"):
@@ -247,7 +260,7 @@ def test_parts_of_the_rotor_that_make_no_sense_are_refused():
 
 
 @pytest.mark.parametrize(
-    "springs", [(), (Spring(boundary="start", k=1e6),), (Spring(boundary="start", k_tilt=1e6),)]
+    "springs", [(), (Mount(boundary="start", k=1e6),), (Mount(boundary="start", k_tilt=1e6),)]
 )
 def test_a_body_that_can_move_rigidly_is_refused(springs):
     with pytest.raises(ValueError, match="rigid motions are left"):
