@@ -68,7 +68,7 @@ def fem(q: SystemInputs, level: int) -> FemResult:
     values["torsion"] = turning[turning > RIGID * turning.max()][0] / TURN
     slender = modes(fem_rotor(still(q), level, "euler"), q.speed, FREQUENCIES).frequencies
     values |= {f"euler {k}": w / TURN for k, w in enumerate(slender, start=1)}
-    values |= _response(q, fem_rotor(q, level))
+    values |= _fem_response(q, fem_rotor(q, level))
     return FemResult(h=1 / level, values={k: float(v) for k, v in values.items()})
 
 
@@ -82,7 +82,7 @@ def still(q: SystemInputs) -> SystemInputs:
     return q.model_copy(update=bearings)
 
 
-def _response(q: SystemInputs, rotor: Any) -> dict[str, float]:
+def _fem_response(q: SystemInputs, rotor: Any) -> dict[str, float]:
     """Amplitude and loads at the speed; unbalances of different speeds add where they align."""
     from fem.rotor.response import unbalance_response
 
