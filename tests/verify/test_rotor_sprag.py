@@ -16,7 +16,13 @@ from verify.cases.rotor_sprag_claims import FITTED_SPEEDS, IDENTITIES, FittedTo,
 from verify.cases.rotor_sprag_fem import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor_sprag_inputs import PRINTED, RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_model import ORDERS, analytic
-from verify.cases.rotor_sprag_response_fem import damped, damping_ratios, responses_fem
+from verify.cases.rotor_sprag_response_fem import (
+    above_chord,
+    damped,
+    damping_ratios,
+    responses_fem,
+    windows,
+)
 from verify.cases.rotor_sprag_system_fem import rotor_fem, uneven_clutch
 from verify.inputs import InputError, build
 from verify.published.ledger import erratum, published
@@ -179,6 +185,25 @@ def test_unbalances_are_superposed_as_if_they_acted_together(members):
     x, F = np.abs(together.at(10)[:, 0]), np.abs(together.link_load(1)[:, 0])
     assert one["nodes over speed"][1, 1, 2] == pytest.approx(x, rel=1e-9)
     assert one["bearings over speed"][1, 1, 1] == pytest.approx(F, rel=1e-9)
+
+
+def test_an_unbalance_moved_to_node_11_is_one_there(members):
+    from fem.rotor.response import unbalance_response
+
+    one = responses_fem(Q, members[:1])
+    zeta = one["zeta"][0]
+    rotor = rotor_fem(members[0], damping=damped(zeta))
+    both = unbalance_response(rotor, windows(zeta).ravel(), {10: 1.4e-5, 18: 1e-5})
+    peak = np.abs(both.at(3)[:, 0]).reshape(3, -1).max(axis=1)
+    assert one["peaks, moved"][0, :, 3] == pytest.approx(peak, rel=1e-9)
+
+
+def test_what_is_above_a_chord_counts_the_spacing_of_unbalances():
+    u = np.array([1.0, 2.0, 5.0])
+    line = (3 + 2 * u)[:, None, None]  # f = 3 + 2u: 5, 7, 13
+    assert above_chord(line, u) == pytest.approx(0, abs=1e-15)
+    assert above_chord(line * [[[1]], [[1.1]], [[1]]], u) == pytest.approx(0.1, rel=1e-12)
+    assert above_chord(u[:, None, None] ** 2, u) < -0.4  # 4 against a chord of 7
 
 
 def test_peaks_stand_above_what_is_seen_over_the_speed(responses):

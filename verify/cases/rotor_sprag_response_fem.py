@@ -59,10 +59,10 @@ def responses_fem(q: SpragRotorInputs, members: Array) -> dict[str, Array]:
 
 
 def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
-    return _bending(q, p, zeta) | _torsion(q, p, zeta) | _orbits(q, p, zeta)
+    return bending_fem(q, p, zeta) | torsion_fem(q, p, zeta) | orbits_fem(q, p, zeta)
 
 
-def _bending(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+def bending_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     """Amplitudes: peaks (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), and over the speed."""
     from fem.rotor.response import unbalance_response
 
@@ -80,7 +80,7 @@ def _bending(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
 
     nodes, bearings = combined(x), combined(loads)  # U_2, nodes or bearings, speeds
     at_peaks = (3, WINDOW.size)
-    chord = _above_chord(nodes[:, [node - 1 for node in DISCS]], q.unbalances_2)
+    chord = above_chord(nodes[:, [node - 1 for node in DISCS]], q.unbalances_2)
     return {
         "peaks": _peaks(nodes, at_peaks), "peaks, moved": _peaks(combined(x[::-1]), at_peaks)[0],
         "loads": _peaks(bearings, at_peaks), "convex": chord,
@@ -95,14 +95,14 @@ def _peaks(f: Array, windows_shape: tuple[int, int]) -> Array:
     return np.asarray(near.max(axis=-1).swapaxes(1, 2))
 
 
-def _above_chord(f: Array, u: Array) -> Array:
+def above_chord(f: Array, u: Array) -> Array:
     """Largest f of the middle unbalance over the chord of the others, over the latter."""
     share = (u[1] - u[0]) / (u[2] - u[0])
     chord = (1 - share) * f[0] + share * f[2]
     return np.asarray(((f[1] - chord) / chord).max())
 
 
-def _torsion(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     """Amplitudes of theta_z (3, 22) at the critical speeds, with offset and without; momentum."""
     from fem.rotor.response import unbalance_response
 
@@ -127,7 +127,7 @@ def _torsion(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     }  # fmt: skip
 
 
-def _orbits(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     """X and y (2, 2) of nodes 4 and 19 at the rig's speed, supports alike in x and y and not."""
     from fem.rotor.response import unbalance_response
 
