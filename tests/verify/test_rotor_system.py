@@ -10,6 +10,7 @@ import pytest
 
 from analytic.rotor import transfer_bending, transfer_model, transfer_torsion
 from verify import units
+from verify.case import Context
 from verify.cases import rotor_system_model
 from verify.cases.registry import find
 from verify.cases.rotor_system import SYSTEM
@@ -18,7 +19,7 @@ from verify.cases.rotor_system_inputs import RPM, SystemInputs
 from verify.cases.rotor_system_model import analytic, campbell, study
 from verify.cli import run
 from verify.inputs import InputError, build
-from verify.run import Job, judge_case
+from verify.run import Job, Solved, judge_case
 from verify.template import template
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
@@ -178,8 +179,6 @@ def beams():
 
 
 def as_solved(result):
-    from verify.run import Solved
-
     return Solved(result, "", 0.0, cached=False)
 
 
@@ -335,8 +334,6 @@ def test_check_prints_findings_and_json_has_every_entry(tmp_path, capsys):
 
 
 def test_figures_are_made_without_beams(judged):
-    from verify.case import Context
-
     q = unlike_bearings()
     figures = SYSTEM.figures(Context(SYSTEM.id, q, analytic(q), (), is_paper=False))
     assert [type(f).__name__ for f in figures] == ["Campbell", "Whirl", "Curves"]
@@ -355,6 +352,18 @@ def test_a_rotor_without_links_or_unbalances_has_fewer_rows(red):
     quantities = {row.quantity for row in result.rows}
     assert "critical speed 1, the first shaft's unbalance" in quantities
     assert not {"amplitude at the probe", "load of the first link"} & quantities
+
+
+def test_shafts_that_stand_still_have_frequencies_and_no_critical_speed():
+    raw = changed("shafts", 1, ratio=0.0)
+    raw["shafts"][1]["ratio"] = 0.0
+    q = built(raw)
+    v = analytic(q)
+    assert "frequency 6" in v
+    assert not [key for key in v if key.startswith(("critical", "amplitude"))]
+    assert SYSTEM.findings(q, v)[0].startswith("clear")
+    figures = SYSTEM.figures(Context(SYSTEM.id, q, v, (), is_paper=False))
+    assert [type(f).__name__ for f in figures] == ["Campbell"]
 
 
 def test_units_of_a_rotor_are_known():

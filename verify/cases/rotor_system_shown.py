@@ -96,8 +96,10 @@ def equations(q: SystemInputs, v: Values) -> Sequence[Equation]:
 
 def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
-    found: list[Figure] = [_campbell(q), _modes(q)]
-    if q.unbalanced():
+    found: list[Figure] = [_campbell(q)]
+    if criticals(q):
+        found.append(_modes(q))
+    if any(q.unbalanced()):  # on a shaft that turns
         found.append(_response(q))
     return (*found, *(_refinement(context) if context.converging else ()))
 
