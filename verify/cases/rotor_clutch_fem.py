@@ -49,7 +49,7 @@ def rolling_by_fem(
 
     nu, T = q.nu if nu is None else nu, q.T if T is None else T
     step = 2 * math.pi / q.Z
-    psi = step * (np.arange(missing, q.Z) - (q.missing - 1) / 2)
+    psi = step * (np.arange(missing, q.Z, dtype=float) - (q.missing - 1) / 2)
     angle, z = slices_for_fem(q, psi, count)
     law = power_law(law_for_fem(q) * stiffer**POWER / count / math.cos(nu) ** (POWER + 1), POWER)
     cams = Rolling(

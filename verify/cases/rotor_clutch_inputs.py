@@ -58,7 +58,7 @@ class ClutchInputs(Inputs):
     def k_n(self) -> float:
         """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)] (Eq. 2)."""
         both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
-        return REFERENCE / (both if self.a is None else self.a) ** LINE_CONTACT
+        return float(REFERENCE / (both if self.a is None else self.a) ** LINE_CONTACT)
 
     @property
     def d_t(self) -> float:

@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -77,7 +78,7 @@ def analytic(q: ClutchInputs) -> Values:
     N = uniform.normal_force(T=q.T, Z=q.Z, d_t=q.d_t)
     delta_0 = uniform.approach(N=N, k_n=q.k_n)
     k = uniform.contact_stiffness(N=N, k_n=q.k_n)
-    values = {
+    values: dict[str, Any] = {
         "N": N,
         "delta_0": delta_0,
         "twist": delta_0 / q.d_t,
