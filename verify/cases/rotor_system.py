@@ -39,11 +39,11 @@ SYSTEM = Case(
         Output(key="link load", symbol="F", unit="N", what="load of links[1]"),
     ),
     readings=(
-        "nodes are the ends of segments; bearings and discs act at a node",
-        "a clutch is a link: stiffness across, against tilting and, where shafts turn alike, "
-        "against turning",
+        "an unbalance turns with the shaft that bears it, not with the first one",
+        "critical speeds are the rotor's, whichever shaft's unbalance meets them",
     ),
     assumptions=(
+        "nodes are the ends of segments; bearings, discs and clutches act at a node",
         "Timoshenko's beams with Hutchinson's shear coefficient; rigid discs",
         "linear bearings, which do not change with the speed",
         "frequencies and critical speeds without damping; the response with it",
