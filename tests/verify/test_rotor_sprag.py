@@ -281,6 +281,14 @@ def test_backward_whirl_is_no_reading_of_orders_1_3_and_5(context, values):
     assert [c.rows(other)[0].status for c in fitted] == [Status.FAIL] * 3
 
 
+def test_members_fitted_on_another_mesh_than_the_paper_s_miss_its_speeds(context, found):
+    from fem.rotor.critical import critical_speeds
+
+    finer = [critical_speeds(rotor_fem(p, refine=2), 3).speeds for p in found.members]
+    other = changed(context, **{"critical, forward": np.array(finer)})
+    assert named("every member has the three printed speeds").rows(other)[0].status is Status.FAIL
+
+
 def changed(context, **arrays):
     run = replace(context.fem[0], arrays={**context.fem[0].arrays, **arrays})
     return replace(context, fem=[run, *context.fem[1:]])
@@ -343,6 +351,12 @@ def test_claims_about_the_paper_s_words_are_silent_on_own_inputs(context):
         assert named(name).rows(own) == []
 
 
+@pytest.mark.parametrize("check", SPRAG_ROTOR.checks, ids=lambda c: c.name)
+def test_own_loads_turn_no_claim_red(context, check):
+    own = replace(context, is_paper=False)
+    assert all(row.status is not Status.FAIL for row in check.rows(own))
+
+
 def test_every_result_and_claim_of_the_paper_has_a_row(context):
     said = {ref for c in SPRAG_ROTOR.checks for ref in getattr(c, "printed", ())}
     from verify.published.ledger import papers
@@ -389,6 +403,7 @@ def test_without_finite_elements_it_says_what_is_unknown(values):
         ({"U_2": "4e-5 kg m"}, "unbalances 2 rise"),
         ({"members": 4}, "at least 8"),
         ({"offset": 1.5}, "at most 0.9"),
+        ({"offset": 0}, "at least 0.001"),
         ({"rig_speed": "0 r/min"}, "at least 2000 r/min"),
     ],
 )

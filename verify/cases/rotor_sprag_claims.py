@@ -55,7 +55,8 @@ class Share(Claim):
         verdict = judge.Verdict(Status.CALIBRATED, said)
         return [
             self._row(
-                context.case, Kind.FACT, verdict, fem=float(held.mean()),
+                context.case, Kind.FACT, verdict,
+                partner=Partner(by=f"share of {self.of}", value=float(held.mean())),
                 published=self._printed(context),
             )
         ]  # fmt: skip
@@ -79,7 +80,8 @@ class Spread(Claim):
         verdict = judge.Verdict(Status.CALIBRATED, f"{said}{self.words}; {FITTED}")
         return [
             self._row(
-                context.case, Kind.FACT, verdict, fem=float(np.median(values)),
+                context.case, Kind.FACT, verdict,
+                partner=Partner(by="median of members", value=float(np.median(values))),
                 published=self._printed(context),
             )
         ]  # fmt: skip

@@ -61,7 +61,7 @@ class SpragRotorInputs(Inputs):
     )  # fmt: skip
     offset: float = quantity(
         0.2, "1", "Δx/δ_0", "static offset of the clutch's rings over the sprags' deformation "
-        "(none is printed)", ge=0, le=0.9,
+        "(none is printed)", ge=0.001, le=0.9,
     )  # fmt: skip
     anisotropy: float = quantity(
         0.2, "1", "k_y/k_x − 1", "how much stiffer bearings to the ground are along y "
