@@ -126,6 +126,20 @@ def test_gradients_are_those_of_the_speeds():
         assert J[:, :, i] == pytest.approx((up - down) / 2e-4, rel=1e-5, abs=1e-6)
 
 
+def test_stiffer_supports_raise_critical_speeds():
+    """Rayleigh: stiffness never lowers a frequency, and raises it by its share of the energy."""
+    J = ensemble.elasticities_fem(ensemble.parameters(ANYWHERE))
+    stiffness = J[:, :, [fig_1.K_G, fig_1.K_S, fig_1.K_C]]
+    assert np.all(stiffness >= -1e-9)
+    assert np.all(stiffness.sum(axis=2) <= 0.5)  # their share of the elastic energy, halved
+    up = ensemble.parameters(ANYWHERE)
+    up[:, fig_1.K_G] *= 1.01
+    raised, _ = ensemble.critical_speeds_fem(up, 3)
+    before, _ = ensemble.critical_speeds_fem(ensemble.parameters(ANYWHERE), 3)
+    expected = np.log(raised / before) / np.log(1.01)
+    assert J[:, :, fig_1.K_G] == pytest.approx(expected, rel=0.01, abs=1e-4)
+
+
 def test_the_central_system_is_where_the_middle_of_the_ranges_leads_to():
     x, hit = ensemble.calibrated_fem(np.full((1, 12), 0.5))
     assert hit.all()
@@ -381,9 +395,9 @@ def test_it_draws_bands_and_tables(context):
     assert {type(f).__name__ for f in figures} == {
         "Campbell", "Whirl", "Curves", "Shapes", "Parallel",
     }  # fmt: skip
-    table_1, facts, unknowns = SPRAG_ROTOR.tables(context)
+    table_1, facts, unknowns, slopes = SPRAG_ROTOR.tables(context)
     assert len(table_1.rows) == 6
-    assert len(unknowns.rows) == 12
+    assert len(unknowns.rows) == len(slopes.rows) == 12
     assert all(" of " in str(row[2]) for row in facts.rows)
 
 

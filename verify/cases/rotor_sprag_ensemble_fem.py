@@ -86,6 +86,12 @@ def critical_speeds_fem(p: Array, count: int, **left_out: bool) -> tuple[Array, 
     return speeds, inverse.swapaxes(1, 2) @ v
 
 
+def elasticities_fem(p: Array) -> Array:
+    """Relative change (m, 3, 12) of each critical speed over that of each parameter (m, 12)."""
+    _, shapes = critical_speeds_fem(p, COUNT)
+    return np.asarray(gradients_fem(np.log(p / LOW) / WIDTH, shapes) / WIDTH)
+
+
 def gradients_fem(x: Array, v: Array) -> Array:
     """Derivatives (m, 3, 12) of the logarithms of the speeds by the places x, at shapes v."""
     made = []

@@ -6,7 +6,12 @@ from typing import Any
 import numpy as np
 
 from verify.case import FemResult
-from verify.cases.rotor_sprag_ensemble_fem import Ensemble, critical_speeds_fem, ensemble_fem
+from verify.cases.rotor_sprag_ensemble_fem import (
+    Ensemble,
+    critical_speeds_fem,
+    elasticities_fem,
+    ensemble_fem,
+)
 from verify.cases.rotor_sprag_inputs import RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_layout import CENTRAL, DISCS
 from verify.cases.rotor_sprag_response_fem import responses_fem
@@ -35,7 +40,10 @@ def fem(q: SpragRotorInputs, level: int) -> FemResult:
 def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
     """The members, what became of each start, and critical speeds of the members."""
     starts = {"start met": found.met, "start kept": found.kept}
-    return {"members": found.members, **starts, **critical_fem(found.members)}
+    slopes = elasticities_fem(found.members)
+    return {
+        "members": found.members, "elasticities": slopes, **starts, **critical_fem(found.members),
+    }  # fmt: skip
 
 
 def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:

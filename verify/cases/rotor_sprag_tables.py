@@ -17,7 +17,7 @@ from verify.cases.rotor_sprag_layout import (
     OUTER,
     PARAMETERS,
 )
-from verify.cases.rotor_sprag_model import MODES
+from verify.cases.rotor_sprag_model import MODES, ORDERS
 from verify.shown import Array, Shape, Sketch, Table
 
 UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
@@ -26,7 +26,8 @@ UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
 def tables(context: Context) -> Sequence[Table]:
     if not context.fem or not arrays(context)["members"].size:
         return (unknowns(None),)
-    return (table_1(context), facts(context), unknowns(arrays(context)["members"]))
+    a = arrays(context)
+    return (table_1(context), facts(context), unknowns(a["members"]), slopes(a["elasticities"]))
 
 
 def table_1(context: Context) -> Table:
@@ -80,6 +81,23 @@ def unknowns(members: Array | None) -> Table:
         rows=tuple(rows),
         note="even over the logarithm; discs 20 mm wide, a drum with the walls of Ref. 9's outer "
         "race; steel",
+    )  # fmt: skip
+
+
+def slopes(elasticities: Array) -> Table:
+    """Medians of relative changes (m, 3, 12), and what combinations the speeds leave alone."""
+    middle = np.median(elasticities, axis=0)
+    stiff = np.linalg.svd(middle, compute_uv=False)
+    rows = tuple(
+        (p.symbol, p.what, *(f"{float(x):+.3f}" for x in middle[:, i]))
+        for i, p in enumerate(PARAMETERS)
+    )
+    return Table(
+        title="Change of a critical speed in % for 1 % more of a parameter",
+        header=("symbol", "what", *(f"n_{k}" for k in ORDERS)), rows=rows,
+        note="medians of the members. Three combinations of the parameters are held, a step of 1 % "
+        "along them changes the speeds by " + ", ".join(f"{float(x):.2g}" for x in stiff)
+        + f" %; along {len(PARAMETERS) - len(stiff)} others nothing changes",
     )  # fmt: skip
 
 
