@@ -12,9 +12,10 @@ from verify.cases import rotor_sprag_ensemble_fem as ensemble
 from verify.cases import rotor_sprag_layout as fig_1
 from verify.cases import rotor_sprag_solid_fem as solid
 from verify.cases.rotor_sprag import SPRAG_ROTOR
-from verify.cases.rotor_sprag_claims import FITTED_SPEEDS, IDENTITIES, FittedTo, Share
+from verify.cases.rotor_sprag_claims import FITTED_SPEEDS, IDENTITIES
 from verify.cases.rotor_sprag_fem import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor_sprag_inputs import PRINTED, RPM, SpragRotorInputs
+from verify.cases.rotor_sprag_kinds import FittedTo, Share
 from verify.cases.rotor_sprag_model import ORDERS, analytic
 from verify.cases.rotor_sprag_response_fem import (
     above_chord,

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 from verify import judge
 from verify.case import Context
-from verify.cases.rotor_sprag_claims import WITHIN_PRINTED, arrays
+from verify.cases.rotor_sprag_claims import WITHIN_PRINTED
+from verify.cases.rotor_sprag_kinds import arrays
 from verify.cases.rotor_sprag_model import MODES
 from verify.cases.rotor_sprag_solid_fem import REFINED
 from verify.claims import Claim

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 
 from verify.case import Context
-from verify.cases.rotor_sprag_claims import Noted, Rounded, Spread, arrays
 from verify.cases.rotor_sprag_facts import anomaly, outer
 from verify.cases.rotor_sprag_inputs import PRINTED
+from verify.cases.rotor_sprag_kinds import Noted, Rounded, Spread, arrays
 from verify.cases.rotor_sprag_layout import (
     BETWEEN,
     CENTRAL,

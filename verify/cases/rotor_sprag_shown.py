@@ -8,8 +8,8 @@ import numpy as np
 
 from analytic.rotor.transfer_modes import natural_frequencies
 from verify.case import Context
-from verify.cases.rotor_sprag_claims import Arrays, arrays
 from verify.cases.rotor_sprag_inputs import PRINTED, RPM
+from verify.cases.rotor_sprag_kinds import Arrays, arrays
 from verify.cases.rotor_sprag_layout import (
     BETWEEN,
     CENTRAL,

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from verify.case import Context
-from verify.cases.rotor_sprag_claims import arrays
 from verify.cases.rotor_sprag_facts import STATEMENTS
 from verify.cases.rotor_sprag_inputs import RPM, SpragRotorInputs
+from verify.cases.rotor_sprag_kinds import arrays
 from verify.cases.rotor_sprag_layout import (
     BETWEEN,
     CLUTCH,
