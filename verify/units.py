@@ -56,6 +56,7 @@ DIMENSIONS = {
     "GPa": "a pressure or stress", "µm": "a length", "rad": "an angle",
     "N/m": "a stiffness", "N/µm": "a stiffness", "N s/m": "a damping",
     "g mm": "an unbalance, mass times eccentricity",
+    "kg m": "an unbalance, mass times eccentricity", "%": "a share",
 }  # fmt: skip
 
 # Units that people write for these, for messages; all of them with n, µ, m, c, k, M, G before.

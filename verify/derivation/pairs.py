@@ -136,7 +136,8 @@ def shown(row: Row) -> Derivation:
     assert row.analytic is not None
     assert row.difference is not None
     reference = row.analytic - row.difference
-    by = row.partner.by if row.partner else f"printed {row.published[0].printed}"
+    printed = f"printed {row.published[0].printed}" if row.published else "finite elements"
+    by = row.partner.by if row.partner else printed
     found = (
         ("formula", amount(row.analytic, row.unit, long)),
         ("reference", f"{amount(reference, row.unit)}, {by}"),
