@@ -33,7 +33,7 @@ class Bodies(Claim):
         m, U = formula / values[-1] - 1, judge.expanded(u) / values[-1]
         within = "within" if abs(m) + U < WITHIN_PRINTED else "not surely within"
         said = f"beams {m:+.2%} ± {100 * U:.1g} %: {within} the 0.3 % of beam against beam"
-        verdict = judge.Verdict(Status.SHOWN, said, formula - values[-1], judge.expanded(u))
+        verdict = judge.Verdict(Status.SHOWN, said, formula - values[-1])
         return [
             self._row(
                 context.case, Kind.APPROXIMATION, verdict, analytic=formula, fem=values[-1],
