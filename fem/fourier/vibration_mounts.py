@@ -29,9 +29,6 @@ class Mount:
                 raise ValueError(f"a spring's stiffness is not negative, got {name}={value:g}")
 
 
-Spring = Mount  # its other name
-
-
 @dataclass(frozen=True, kw_only=True)
 class RigidDisc:
     """A rigid disc whose centre follows the mean motion of `boundary`.

@@ -29,7 +29,7 @@ def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
     """Frequencies (3, 6) [Hz] on three meshes at the speed of comparison, both whirls by size."""
     from fem.fourier.solid import FourierSolid
     from fem.fourier.vibration import RotatingSolid
-    from fem.fourier.vibration_mounts import RigidDisc, Spring
+    from fem.fourier.vibration_mounts import Mount, RigidDisc
     from fem.plane.material import Elastic
     from meshes.join import join
     from meshes.rotor.stepped import stepped_section
@@ -42,11 +42,11 @@ def solid_fem(q: SpragRotorInputs) -> dict[str, Array]:
         )  # fmt: skip
         inner = stepped_section(parts(s, 1), bands=bands(s, 1), first=COARSEST, refine=refine)
         mesh = join({"outer": outer, "inner": inner.translated((0.0, float(s.z[0, OUTER])))})
-        springs = [Spring(boundary=band(n), k=float(s.k_g[0])) for n in GROUNDED]
-        springs += [Spring(boundary=band(a), to=band(b), k=float(s.k_s[0])) for a, b in BETWEEN]
+        springs = [Mount(boundary=band(n), k=float(s.k_g[0])) for n in GROUNDED]
+        springs += [Mount(boundary=band(a), to=band(b), k=float(s.k_s[0])) for a, b in BETWEEN]
         a, b = CLUTCH
         springs.append(
-            Spring(boundary=band(a), to=band(b), k=float(s.k_c[0]), k_tilt=float(s.k_tilt[0]))
+            Mount(boundary=band(a), to=band(b), k=float(s.k_c[0]), k_tilt=float(s.k_tilt[0]))
         )
         discs = tuple(
             RigidDisc(boundary=band(n), mass=float(s.mass[0, i]), polar=float(s.polar[0, i]),
