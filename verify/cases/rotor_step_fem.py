@@ -1,5 +1,6 @@
 """Finite elements of a stepped shaft: two kinds of beams, and the elastic body of revolution."""
 
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,9 +15,10 @@ if TYPE_CHECKING:
 MODES = (1, 2, 3)
 ELEMENTS = 4  # in each piece of the shaft, times the level
 CELLS = 10  # of the weak form along the shaft, at least, times the level
+CONE = 8  # of it in a cone of the 45° rule, times the level
 FIRST = 0.03  # cells at the corners over d_1, coarsest mesh
 MAPPED = 2  # level of the map
-MAP_FIRST, MAP_SLICES = 0.06, 8
+MAP_FIRST = 0.06
 NEAR_ONE = (1.01, 1.02, 1.04, 1.07, 1.1)  # d_2/d_1 towards the shaft without a step
 RATIOS = (1.1, 1.25, 1.5, 2.0, 2.5, 3.0)  # d_2/d_1 of the map
 SHARES = (0.05, 0.1, 0.2, 0.35, 0.5, 0.7)  # L_2/L of the map
@@ -27,9 +29,10 @@ ROUND = 1e-9  # of a frequency: what the factors of slender shafts lose
 def fem(q: StepInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
     fem_elements(q, level, values)
-    ahead, behind = fem_weak(q, level).whirl(q.n, count=len(MODES))
-    for j in MODES:
-        values[f"weak {j} forward"], values[f"weak {j} backward"] = ahead[j - 1], behind[j - 1]
+    for name, cone in (("weak", False), ("weak 45°", True)):
+        ahead, behind = fem_weak(q, level, cone=cone).whirl(q.n, count=len(MODES))
+        for j in MODES:
+            values |= {f"{name} {j} forward": ahead[j - 1], f"{name} {j} backward": behind[j - 1]}
     body = fem_body(q, level, FIRST)
     fields = fem_solid(q, body, values)
     arrays: dict[str, Any] = {
@@ -38,6 +41,8 @@ def fem(q: StepInputs, level: int) -> FemResult:
     if level == MAPPED:
         arrays["map"] = np.array([[_errors(q, r, share) for r in RATIOS] for share in SHARES])
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
+    values["weak 45° split"] = values["weak 45° 2 forward"] - values["weak 45° 2 backward"]
+    u_it["weak 45° split"] = ROUND * values["weak 45° 2 forward"]
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
@@ -60,23 +65,32 @@ def fem_elements(q: StepInputs, level: int, values: dict[str, float]) -> None:
 
 
 def fem_weak(q: StepInputs, level: int, *, cone: bool = False) -> Any:
-    """The same as a weak form; with `cone`, stiff as the 45° rule says."""
+    """The same as a weak form; with `cone`, stiff as the 45° rule says, over the steps' cones.
+
+    Cells are of their middle's diameter: rotary inertia stays where it is, without lumps.
+    """
     from skfem import MeshLine
 
     from fem.rotor.weak import weak_shaft
 
-    pieces = q.pieces(cone=cone, slices=MAP_SLICES)
-    n = np.array([level * int(np.ceil(CELLS * p.length / q.L)) for p in pieces])
-    each = np.array([[p.length, p.d, p.d_stiff] for p in pieces])
-    z = np.cumsum([0.0, *np.repeat(each[:, 0] / n, n)])
-    d, stiff = np.repeat(each[:, 1:], n, axis=0).T
+    first, last, seats = q.start, q.start + q.L_2, (q.b / 2, q.L - q.b / 2)
+    reach = min((q.d_2 - q.d_1) / 2, q.L_2 / 2)
+    cones = (first + reach, last - reach) if cone else ()
+    z = [0.0]
+    for low, high in pairwise(sorted({0.0, *seats, first, last, *cones, q.L})):
+        slope = cone and (low == first or high == last)
+        n = CONE if slope else int(np.ceil(CELLS * (high - low) / q.L))
+        z += np.linspace(low, high, level * n + 1)[1:].tolist()
+    inwards = np.minimum(m := (np.array(z[1:]) + z[:-1]) / 2, first + last - m) - first
+    d = np.where(inwards > 0, q.d_2, q.d_1)
+    stiff = np.where(inwards > 0, np.minimum(d, q.d_1 + 2 * inwards), d) if cone else d
     kappa = 6 * (1 + q.nu) ** 2 / (7 + 12 * q.nu + 4 * q.nu**2)  # Hutchinson's, solid
     own = weak_shaft(
-        MeshLine(z), bending=q.E * np.pi / 64 * stiff**4,
+        MeshLine(np.array(z)), bending=q.E * np.pi / 64 * stiff**4,
         shear=kappa * q.E / (2 * (1 + q.nu)) * np.pi / 4 * stiff**2,
         mass=q.rho * np.pi / 4 * d**2, rotary=q.rho * np.pi / 64 * d**4,
     )  # fmt: skip
-    return own.on_springs({float(z[n[0]]): q.k, float(z[-1 - n[-1]]): q.k})
+    return own.on_springs(dict.fromkeys(seats, q.k))
 
 
 def fem_body(q: StepInputs, level: int, first: float, *, half: bool = False) -> "RotatingSolid":
