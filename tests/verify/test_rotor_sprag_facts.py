@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from verify.cases.rotor_sprag_facts import STATEMENTS
+from verify.cases.rotor_sprag_facts import STATEMENTS, opposite
+from verify.cases.rotor_sprag_kinds import held_of
+from verify.cases.rotor_sprag_response_fem import GRID, WINDOW, peaks
 
 RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks
 
@@ -100,6 +102,38 @@ def test_a_statement_is_told_from_its_opposite(name, holds, fails):
     statement = next(s for s in STATEMENTS if s.name == name)
     assert statement.holds(holds).tolist() == [True]
     assert statement.holds(fails).tolist() == [False]
+    assert statement.asked(holds).tolist() == [True]
+    blind = {key: np.full_like(of, np.nan) for key, of in holds.items()}
+    assert statement.asked(blind).tolist() == [False]
+
+
+def windows_of(*rows):
+    """Responses (1, k, speeds) that are zero but in the window of critical speed 1."""
+    f = np.zeros((1, len(rows), GRID.size + 3 * WINDOW.size))
+    f[0, :, GRID.size : GRID.size + WINDOW.size] = rows
+    return f
+
+
+def test_a_peak_is_no_flank_of_another_one():
+    rising = np.linspace(0, 5, WINDOW.size)
+    humped = rising + np.where(np.arange(WINDOW.size) == 10, 1.0, 0.0)
+    found = peaks(windows_of(rising, rising[::-1], humped, np.ones_like(rising)))[0, 0]
+    assert np.isnan(found).tolist() == [True, True, False, True]
+    assert found[2] == pytest.approx(1 + 5 * 10 / 24, rel=1e-14)  # not 5, at the window's edge
+
+
+def test_sets_without_a_peak_are_not_asked():
+    two = np.concatenate([at_nodes(n11=2)["peaks"]] * 2)
+    two[1, 0, 0, 4] = np.nan
+    first_ = next(s for s in STATEMENTS if s.name.endswith("nodes 1 to 11 at critical speed 1"))
+    assert held_of(first_, {"peaks": two}) == "1 of 1 sets with a peak"
+    assert held_of(first_, {"peaks": two[:1]}) == "1 of 1 sets"
+
+
+def test_opposite_unbalances_take_the_place_of_those_in_phase():
+    a = {"peaks": np.ones(1), "peaks, opposite": np.zeros(1), "torsion": np.ones(2)}
+    assert opposite(a)["peaks"].tolist() == [0]
+    assert opposite(a)["torsion"].tolist() == [1, 1]
 
 
 def test_every_statement_has_such_members():

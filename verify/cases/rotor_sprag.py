@@ -59,9 +59,10 @@ SPRAG_ROTOR = Case(
     paper="huang2022",
     place="Sec. 1, Fig. 1; Secs. 2.1 to 2.3",
     lead="The paper's 22 nodes with twelve unknown dimensions and stiffnesses: none is printed, "
-    "only three critical speeds are. An ensemble of systems has all three; what else the paper "
-    "says is asked of every one of them. One system is computed by exact transfer matrices, by "
-    "finer and finer beams and as elastic bodies.",
+    "only three critical speeds are. Many sets of parameters have all three; what else the paper "
+    "says is asked of every one of them. One set, reached from the middle of all ranges (the "
+    "central system), is computed by exact transfer matrices, by finer and finer beams and as "
+    "elastic bodies.",
     inputs=SpragRotorInputs,
     analytic=analytic,
     fem=fem,
@@ -93,7 +94,8 @@ SPRAG_ROTOR = Case(
         "linear vibration about the preloaded state; isotropic bearings unless told otherwise",
         "both rotors turn at one speed (engaged clutch); steel; Hutchinson's shear coefficients",
         "Rayleigh damping acts on absolute motion: damping ratios at critical speeds 1 and 5 are "
-        "parameters of the ensemble",
+        "even over their range in the sets of parameters",
+        "both unbalances in phase (no angle is printed); shares with them opposite stand beside",
         "a clutch load uneven in space (offset of the rings), all sprags on one contact law",
     ),
     quick=False,

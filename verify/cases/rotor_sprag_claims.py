@@ -5,7 +5,7 @@ import numpy as np
 from verify.case import Context
 from verify.cases.rotor_sprag_facts import STATEMENTS, Statement
 from verify.cases.rotor_sprag_inputs import PRINTED
-from verify.cases.rotor_sprag_kinds import COARSE, FittedTo, Rounded, Share, arrays
+from verify.cases.rotor_sprag_kinds import COARSE, FittedTo, Rounded, Share, Told, arrays
 from verify.cases.rotor_sprag_model import MODES, ORDERS
 from verify.checks import Accepted, Identity
 
@@ -40,10 +40,10 @@ def identity(name: str, symbol: str, unit: str, key: str, demand: float = BEAMS)
     )  # fmt: skip
 
 
-def shares(statement: Statement) -> Share:
-    return Share(
-        name=statement.name, symbol=statement.symbol, unit="1", holds=statement.holds,
-        printed=statement.printed,
+def shares(statement: Statement) -> Told:
+    return Told(
+        name=statement.name, symbol=statement.symbol, unit="%", holds=statement.holds,
+        printed=statement.printed, statement=statement,
     )  # fmt: skip
 
 
@@ -74,12 +74,13 @@ FITTED_SPEEDS = (
     *(FittedTo(name=f"critical speed {k}, central system", symbol=f"n_{k}", unit="r/min",
                analytic=f"forward critical {k}", printed=(f"huang2022:critical-speed-{k}",))
       for k in ORDERS),
-    Rounded(name="every member has the three printed speeds", symbol="Δn/n", unit="1",
+    Rounded(name="every set of parameters has the three printed speeds", symbol="Δn/n", unit="1",
             residual=hit, bound=1.1e-8, scale_name="printed speed",
-            bound_reason="where members are accepted, and round-off of another assembly"),
-    Share(name="starts that meet all three speeds", symbol="", unit="1", of="starts",
+            bound_reason="where sets are accepted, and round-off of another assembly"),
+    Share(name="starts of the fit that meet all three speeds", symbol="", unit="%", of="starts",
           holds=lambda a: a["start met"] > 0),
-    Share(name="starts that meet them inside the ranges", symbol="", unit="1", of="starts",
+    Share(name="starts of the fit that meet them inside the ranges", symbol="", unit="%",
+          of="starts",
           holds=lambda a: a["start kept"] > 0),
 )  # fmt: skip
 SHARES = tuple(map(shares, STATEMENTS))

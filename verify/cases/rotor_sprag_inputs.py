@@ -19,7 +19,7 @@ class SpragRotorInputs(Inputs):
         "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
         ge=0, le=40_000, claims="huang2022:comparison-speed",
     )  # fmt: skip
-    members: int = count(48, "N", "sets of parameters that the ensemble aims at", ge=8, le=MOST)
+    members: int = count(48, "N", "sets of parameters wanted", ge=8, le=MOST)
     zeta_low: float = quantity(
         "0.5 %", "%", "ζ_min", "least damping ratio at critical speeds 1 and 5 (none is printed)",
         ge=0.05, le=20,

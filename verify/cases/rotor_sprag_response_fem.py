@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from verify.cases.rotor_sprag_facts import OPPOSITE
 from verify.cases.rotor_sprag_inputs import PRINTED, RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_layout import DISCS, INNER, OUTER
 from verify.cases.rotor_sprag_system_fem import Damped, rotor_fem
@@ -75,24 +76,39 @@ def bending_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     ]
     loads = [np.stack([r.link_load(k)[:, 0] for k in range(2)]) for r in (one, two)]
 
-    def combined(unit: list[Any]) -> Array:
-        return np.asarray(np.abs(q.U_1 * unit[0] + q.unbalances_2[:, None, None] * unit[1]))
+    def combined(unit: list[Any], sense: int = 1) -> Array:
+        U_2 = sense * q.unbalances_2[:, None, None]
+        return np.asarray(np.abs(q.U_1 * unit[0] + U_2 * unit[1]))
 
     nodes, bearings = combined(x), combined(loads)  # U_2, nodes or bearings, speeds
-    at_peaks = (3, WINDOW.size)
-    chord = above_chord(nodes[:, [node - 1 for node in DISCS]], q.unbalances_2)
     return {
-        "peaks": _peaks(nodes, at_peaks), "peaks, moved": _peaks(combined(x[::-1]), at_peaks)[0],
-        "loads": _peaks(bearings, at_peaks), "convex": chord,
+        "peaks": peaks(nodes), "peaks, moved": peaks(combined(x[::-1]))[0],
+        "loads": peaks(bearings), "convex": above_chord(together_fem(q, rotor), q.unbalances_2),
+        "peaks" + OPPOSITE: peaks(combined(x, -1)), "loads" + OPPOSITE: peaks(combined(loads, -1)),
         "nodes over speed": nodes[:, [n - 1 for n in SHOWN_NODES], : GRID.size],
         "bearings over speed": bearings[:, :, : GRID.size],
     }  # fmt: skip
 
 
-def _peaks(f: Array, windows_shape: tuple[int, int]) -> Array:
-    """Highest values (U_2, 3, k) in the windows of f (U_2, k, speeds)."""
-    near = f[:, :, GRID.size :].reshape(*f.shape[:2], *windows_shape)
-    return np.asarray(near.max(axis=-1).swapaxes(1, 2))
+def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
+    """Amplitudes (U_2, 2, speeds) of nodes 4 and 19, each solved with both unbalances acting."""
+    from fem.rotor.response import unbalance_response
+
+    solved = [unbalance_response(rotor, NEAR, {DISCS[0] - 1: q.U_1, DISCS[1] - 1: U_2})
+              for U_2 in q.unbalances_2.tolist()]  # fmt: skip
+    return np.array([[np.abs(r.at(node - 1)[:, 0]) for node in DISCS] for r in solved])
+
+
+def peaks(f: Array) -> Array:
+    """Highest local maxima (U_2, 3, k) in the windows of f (U_2, k, speeds); NaN where none is.
+
+    What is highest at a window's edge is the flank of another peak.
+    """
+    near = f[:, :, GRID.size :].reshape(*f.shape[:2], len(PRINTED), WINDOW.size)
+    inside = near[..., 1:-1]
+    is_peak = (inside > near[..., :-2]) & (inside > near[..., 2:])
+    highest = np.where(is_peak, inside, -np.inf).max(axis=-1).swapaxes(1, 2)
+    return np.asarray(np.where(np.isfinite(highest), highest, np.nan))
 
 
 def above_chord(f: Array, u: Array) -> Array:
@@ -106,23 +122,25 @@ def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
     """Amplitudes of theta_z (3, 22) at the critical speeds, with offset and without; momentum."""
     from fem.rotor.response import unbalance_response
 
-    U = {DISCS[0] - 1: q.U_1, DISCS[1] - 1: q.U_2}
-
-    def turned(offset: float) -> Any:
+    def turned(offset: float, sense: int = 1) -> Any:
         rotor = rotor_fem(p, damping=damped(zeta), offset=offset)
+        U = {DISCS[0] - 1: q.U_1, DISCS[1] - 1: sense * q.U_2}
         q_all = unbalance_response(rotor, PRINTED, U).q
         return rotor, q_all.reshape(3, -1, 6)[:, :, THETA_Z]
 
     rotor, with_offset = turned(q.offset)
+    other = turned(q.offset, -1)[1]
     small = np.stack([np.abs(turned(offset)[1]) for offset in SMALL_OFFSETS])
     M = rotor.M[THETA_Z::6, THETA_Z::6]
     split = np.arange(OUTER + INNER) < OUTER
     momenta = [with_offset @ M @ part for part in (split, ~split)]
     return {
-        "torsion": np.abs(with_offset), "torsion, small offsets": small,
+        "torsion": np.abs(with_offset), "torsion" + OPPOSITE: np.abs(other),
+        "torsion, small offsets": small,
         "torsion, no offset": np.abs(turned(0.0)[1]),
         "momenta": np.abs(np.array([momenta[0] + momenta[1], momenta[1]])),
         "turned": np.stack([with_offset[:, n - 1] for n in DISCS]),
+        "turned" + OPPOSITE: np.stack([other[:, n - 1] for n in DISCS]),
         "inertia": np.array([part @ M @ part for part in (1.0 * split, 1.0 * ~split)]),
     }  # fmt: skip
 

@@ -43,7 +43,7 @@ um, mm = 1e-6, 1e-3
 PEERS = np.array([0, 10_000, 20_000, 30_000, 40_000]) * RPM
 FORWARD, BACKWARD = 1, -1
 TURN = np.exp(2j * pi * np.linspace(0, 1, 91))
-BANDS = "line: median of the members, band: 5 to 95 %"
+BANDS = "line: median of the sets of parameters, band: 5 to 95 %"
 CRITICAL = tuple((n / RPM, f"n_{k}") for k, n in zip(ORDERS, PRINTED, strict=True))
 
 
@@ -135,7 +135,8 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
     return tuple(
         Curves(
             title=f"Response of node {SHOWN_NODES[i]} over unbalance 2 (Fig. 11)",
-            x_label="n [r/min]", y_label="|x| [µm]", y_log=True, note="medians of the members",
+            x_label="n [r/min]", y_label="|x| [µm]", y_log=True,
+            note="medians of the sets of parameters",
             curves=tuple(
                 Curve(name=f"{U * 1e5:.3g}e-5 kg m", x=x, y=a["nodes over speed"][1, k, i] / um,
                       colour=k)
@@ -176,7 +177,7 @@ def orbits(context: Context, a: Arrays) -> tuple[Shapes, ...]:
             panels=tuple(
                 _orbit(f"k_y = {times:.3g} k_x", a[f"orbit, {key}"][:, i]) for key, times in stiffer
             ),
-            note="the member of median size, with the nine nearest in size behind it",
+            note="the set of median size, with the nine nearest in size behind it",
         )
         for i, node in enumerate(DISCS)
     )
@@ -201,5 +202,6 @@ def parallel(a: Arrays) -> Parallel:
     return Parallel(
         title="Sets of parameters that all have the three printed critical speeds", axes=axes,
         members=members, highlighted=((len(members) - 1, "central system", 0),),
-        members_name="members", note="every line hits all three speeds: they fix none of the axes",
+        members_name="sets of parameters",
+        note="every line hits all three speeds: they fix none of the axes",
     )  # fmt: skip

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from verify.case import Context
-from verify.cases.rotor_sprag_facts import STATEMENTS
+from verify.cases.rotor_sprag_facts import STATEMENTS, Statement, opposite
 from verify.cases.rotor_sprag_inputs import RPM, SpragRotorInputs
-from verify.cases.rotor_sprag_kinds import arrays
+from verify.cases.rotor_sprag_kinds import Arrays, arrays, held_of
 from verify.cases.rotor_sprag_layout import (
     BETWEEN,
     CLUTCH,
@@ -52,18 +52,25 @@ def table_1(context: Context) -> Table:
 
 def facts(context: Context) -> Table:
     a = arrays(context)
-    held = [statement.holds(a) for statement in STATEMENTS]
-    most = np.sum(held, axis=0)
+    other = opposite(a)
+    most = np.sum([s.holds(a) & s.asked(a) for s in STATEMENTS], axis=0)
     rows = tuple(
-        (s.name, s.place, f"{int(h.sum())} of {h.size}", f"{100 * float(h.mean()):.0f}")
-        for s, h in zip(STATEMENTS, held, strict=True)
+        (s.name, s.place, held_of(s, a), _share(s, a), held_of(s, other), _share(s, other))
+        for s in STATEMENTS
     )
     return Table(
-        title="What was not fitted: statements of the paper in the members",
-        header=("statement", "place", "holds in", "%"), rows=rows,
-        note=f"no member was chosen by them; the one that holds most holds {int(most.max())} of "
-        f"{len(STATEMENTS)}",
+        title="What was not fitted: statements of the paper in the sets of parameters",
+        header=("statement", "place", "holds in", "%", "unbalances opposite: holds in", "%"),
+        rows=rows,
+        note=f"no set was chosen by them; the one that holds most holds {int(most.max())} of "
+        f"{len(STATEMENTS)}. Sets where something compared has no peak about a critical speed are "
+        "not asked",
     )  # fmt: skip
+
+
+def _share(statement: Statement, a: Arrays) -> str:
+    asked = statement.asked(a)
+    return f"{100 * float(statement.holds(a)[asked].mean()):.0f}" if asked.any() else "none asked"
 
 
 def unknowns(members: Array | None) -> Table:
@@ -95,7 +102,7 @@ def slopes(elasticities: Array) -> Table:
     return Table(
         title="Change of a critical speed in % for 1 % more of a parameter",
         header=("symbol", "what", *(f"n_{k}" for k in ORDERS)), rows=rows,
-        note="medians of the members. Three combinations of the parameters are held, a step of 1 % "
+        note="medians of the sets. Three combinations of the parameters are held, a step of 1 % "
         "along them changes the speeds by " + ", ".join(f"{float(x):.2g}" for x in stiff)
         + f" %; along {len(PARAMETERS) - len(stiff)} others nothing changes",
     )  # fmt: skip
@@ -110,10 +117,11 @@ def sketch(_: SpragRotorInputs) -> Sketch:
     drum += [_box(x[8], x[OUTER], UPPER + side * 0.8, 0.2) for side in (1, -1)]
     shapes = [_box(x[1], x[7], UPPER, 0.45), *drum, _box(x[13], x[22], 0.0, 0.4)]
     for n in x:
-        at = [x[n], up[n] + (1.25 if n <= OUTER else -1.1)]
+        at = [x[n], up[n] + (1.25 if n <= OUTER else -1.4)]
         shapes.append(Shape(style="text", points=np.array([at]), label=str(n)))
     for k, n in zip((1, 2, 5), GROUNDED, strict=True):
-        foot, head = up[n] - 1.7, up[n] - 0.5
+        away = -1 if n <= OUTER else 1  # from the numbers
+        foot, head = up[n] + 1.7 * away, up[n] + 0.5 * away
         shapes += [Shape(style="leader", points=np.array([[x[n], foot], [x[n], head]]),
                          label=f"bearing {k}")]  # fmt: skip
     for a, b in (*BETWEEN, CLUTCH):
