@@ -11,6 +11,7 @@ from analytic.contact import palmgren
 from analytic.rotor import clutch, clutch_uniform
 from fem.rotor import struts, struts_kinds
 from verify.case import Context
+from verify.cases import rotor_clutch_model, rotor_clutch_tilted
 from verify.cases.rotor_clutch import CLUTCH
 from verify.cases.rotor_clutch_inputs import ClutchInputs
 from verify.cases.rotor_clutch_model import corrected
@@ -57,6 +58,19 @@ def lever_of(power):
     return lambda f: property(lambda self: f.fget(self) * power)
 
 
+def with_gradient(factors):
+    """Columns of the deformation's gradient times factors."""
+
+    def fault(f):
+        def post_init(self):
+            f(self)
+            object.__setattr__(self, "gradient", self.gradient * factors)
+
+        return post_init
+
+    return fault
+
+
 FORMULA_FAULTS = [
     pytest.param(clutch_uniform, "radial_stiffness", times(2), "stiffness along x, uniform",
                  id="Z for Z/2"),
@@ -81,6 +95,15 @@ FORMULA_FAULTS = [
                  "coupling of bending and torsion, with an offset", id="Eq. 3, sign"),
     pytest.param(ClutchInputs, "crown", times(2), "stiffness along x, with a "
                  "crown", id="Eq. 6, four drops for two"),
+    pytest.param(clutch.Clutch, "__post_init__", with_gradient([1, 1, -1, 1, 1]),
+                 "coupling of y and the tilt about x, aside and tilted", id="Eq. 7, tilt about x"),
+    pytest.param(clutch.Clutch, "__post_init__", with_gradient([1, 1, 1, -1, 1]),
+                 "coupling of y and the tilt about x, aside and tilted", id="Eq. 7, tilt about y"),
+    pytest.param(rotor_clutch_model, "replace", lambda f: lambda c, psi: f(c, psi=2 * c.psi - psi),
+                 "coupling of x and y by the wedge angle, with offset, crown and gap",
+                 id="forces inclined the other way"),
+    pytest.param(rotor_clutch_tilted, "aside", lambda f: lambda *a: (f(*a)[0], f(*a)[1] / 2),
+                 "coupling of x and the tilt about y, aside and tilted", id="half the tilt"),
     pytest.param(clutch.Clutch, "slopes", times(1.001), "tangent against differences of the loads, "
                  "1e-8", id="Eq. 11, a tangent of other loads"),
 ]  # fmt: skip
@@ -110,6 +133,11 @@ def test_a_wrong_formula_turns_its_row_red(owner, name, fault, row, judged, red,
         pytest.param(struts_kinds, "Rolling", lambda f: lambda **k: f(**k | {"angle": k["angle"]
                      - 0.055}), "coupling of bending and torsion, with sprags missing",
                      id="radial struts"),
+        pytest.param(struts_kinds, "Rolling", lambda f: lambda **k: f(**k | {"angle": k["angle"]
+                     - 0.11}), "coupling of x and y by the wedge angle, with sprags missing",
+                     id="struts inclined the other way"),
+        pytest.param(struts_kinds, "Rolling", lambda f: lambda **k: f(**k | {"z": 1.01 * k["z"]}),
+                     "coupling of y and the tilt about x, aside and tilted", id="longer struts"),
     ],
 )  # fmt: skip
 def test_wrong_struts_turn_their_row_red(owner, name, fault, row, monkeypatch, red):
@@ -147,6 +175,8 @@ def test_a_yield_of_one_s_own_takes_palmgren_s_place():
         {"Z": 24, "R_i": 40e-3, "R_e": 50e-3, "L": 20e-3, "T": 150.0},
         {"e": 30e-6, "drop": 0.0},
         {"a": 20e-6, "n_s": 7, "T": 40.0, "missing": 5, "nu": 0.1},
+        {"Z": 4},
+        {"missing": 6},
     ],
     ids=str,
 )
@@ -165,6 +195,7 @@ def test_an_engineer_s_own_clutch_passes_too(own, red):
         ({"drop": 20e-6}, "under the crown .* of the contacts are open"),
         ({"nu": 0.15}, "the clutch slips"),
         ({"T": 600.0}, "farther than sprags roll"),
+        ({"Z": 18, "R_i": 30e-3, "R_e": 38.33e-3, "T": 150.0}, "lean .* is 12.* too large"),
     ],
 )
 def test_an_engineer_is_warned(own, said):
@@ -204,6 +235,7 @@ def test_findings_say_how_much_is_coupled_and_what_eq_3_leaves_out():
     q = ClutchInputs()
     words = " ".join(CLUTCH.findings(q, CLUTCH.analytic(q)))
     for said in ("2044 N", "12.6 µm", "couples no bending with torsion", "0.62%", "tan²ν = 0.30%",
+                 "tan ν = 5.50%", "x is coupled with y by -1.10% of K_xx",
                  "keep 21% of the torsional stiffness"):  # fmt: skip
         assert said in words
 

@@ -21,7 +21,8 @@ OFFSETS = (0.25, 0.5, 1.0, 1.5, 2.0)  # shares of the offset
 SMALL = (2e-3, 4e-3, 8e-3, 0.014, 0.02)  # offsets over the yield
 HARD = 1e3  # the same where twists are to stay small
 COARSE = 8  # slices where tilts do not matter
-SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz": (0, 5)}
+SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz": (0, 5),
+       "K_xy": (0, 1), "K_yz": (1, 5)}  # fmt: skip
 
 
 def slices_for_fem(q: ClutchInputs, psi: Array, count: int) -> tuple[Array, Array]:
@@ -61,6 +62,31 @@ def rolling_by_fem(
     twist = START + lost / (q.R_i * math.tan(nu))
     started = Joint.at_rest(cams, law).moved(np.array([dx, 0, 0, 0, 0, twist]))
     return started.under(np.array([0, 0, 0, 0, 0, T]), (5,))
+
+
+def tilted_by_fem(q: ClutchInputs, count: int) -> "Joint":
+    """Struts from half a pitch on under T, the inner hub held aside at one end, twice as far."""
+    from fem.rotor.struts import Joint, power_law
+    from fem.rotor.struts_kinds import Rolling
+
+    angle, z = slices_for_fem(q, 2 * math.pi * (np.arange(q.Z) + 0.5) / q.Z, count)
+    yields = yields_for_fem(q)
+    cams = Rolling(
+        angle=angle + q.nu, z=z, lever=q.R_i * math.sin(q.nu), reach=q.R_i * math.cos(q.nu)
+    )
+    law = power_law(law_for_fem(q) / count / math.cos(q.nu) ** (POWER + 1), POWER)
+    # the twist first: what is left to turn about z then hardly turns the axis of the tilt
+    twisted = Joint.at_rest(cams, law).moved(
+        np.array([0, 0, 0, 0, 0, yields / (q.R_i * math.tan(q.nu))])
+    )
+    dx = min(q.e, yields / 4)
+    held = twisted.moved(np.array([dx, 0, 0, 0, 2 * dx / q.L, 0]))
+    return held.under(np.array([0, 0, 0, 0, 0, q.T]), (5,))
+
+
+def yields_for_fem(q: ClutchInputs) -> float:
+    """Yield [m] of every sprag's contacts under T alone."""
+    return float((q.T / q.Z / q.R_i / math.tan(q.nu) / law_for_fem(q)) ** (1 / POWER))
 
 
 def pinned_by_fem(q: ClutchInputs, count: int, *, stiffer: float = 1.0) -> "Joint":
@@ -105,10 +131,25 @@ def fem(q: ClutchInputs, level: int) -> FemResult:
         "off-diagonal": off_diagonal(q, K), "off-diagonal, pinned": off_diagonal(q, P),
         "K_xx, pinned": float(P[0, 0]), "K_zz, pinned": float(P[5, 5]),
         "axial, pinned": float(P[2, 2]), "axial": float(K[2, 2]),
+        "exponent": exponent_by_fem(q, level, uniform),
         "torque": float(uniform.loads()[5]) - q.T, "torque, pinned": float(pinned.loads()[5]) - q.T,
     }  # fmt: skip
     u_it = {key: 1e-12 * abs(value) for key, value in values.items() if key.startswith("K")}
+    for name in joints:  # sums whose terms cancel
+        u_it[f"K_xy, {name}"] = 1e-12 * values[f"K_xx, {name}"]
+        u_it[f"K_yz, {name}"] = 1e-12 * math.sqrt(values[f"K_yy, {name}"] * values[f"K_zz, {name}"])
+    aside = tilted_by_fem(q, level).tangent()
+    values |= {"K_y,γx, tilted": float(aside[1, 3]), "K_x,γy, tilted": float(aside[0, 4])}
+    across = 1e-12 * math.sqrt(aside[1, 1] * aside[3, 3])
+    u_it |= {"K_y,γx, tilted": across, "K_x,γy, tilted": across}
+    u_it["exponent"] = 1e-12
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=series_by_fem(q))
+
+
+def exponent_by_fem(q: ClutchInputs, count: int, whole: "Joint") -> float:
+    """Exponent of K_xx over the torque, from the least of the torques to T."""
+    least = rolling_by_fem(q, count, T=TORQUES[0] * q.T)
+    return -math.log(whole.tangent()[0, 0] / least.tangent()[0, 0]) / math.log(TORQUES[0])
 
 
 def series_by_fem(q: ClutchInputs) -> dict[str, Array]:
@@ -121,7 +162,7 @@ def series_by_fem(q: ClutchInputs) -> dict[str, Array]:
         for share, T in zip(ANGLES, torques, strict=True)
     ]
     aside = [rolling_by_fem(q, COARSE, dx=share * q.e).tangent()[0, 5] for share in OFFSETS]
-    yields = float((q.T / q.Z / q.R_i / math.tan(q.nu) / law_for_fem(q)) ** (1 / POWER))
+    yields = yields_for_fem(q)
     small = [rolling_by_fem(q, COARSE, dx=s * yields).tangent()[0, 5] for s in SMALL]
     stiff = [pinned_by_fem(q, COARSE, stiffer=s).tangent()[5, 5] for s in STIFFER]
     return {

@@ -20,10 +20,12 @@ from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch
 from analytic.rotor.clutch_state import under_torque
 from verify.case import Values
 from verify.cases.rotor_clutch_inputs import ClutchInputs
+from verify.cases.rotor_clutch_tilted import couplings
 
 n = LINE_CONTACT
 FINE = 401  # slices that stand for none
 ENTRIES = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (3, 3), "K_zz": (4, 4), "K_xz": (0, 4)}
+ACROSS = {"K_xy": (0, 1), "K_yz": (1, 4)}  # zero by Eq. 3 wherever the x-axis halves a clutch
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,11 +96,29 @@ def analytic(q: ClutchInputs) -> Values:
         ),
         "T": q.T,
     }
+    values |= along_struts(q) | couplings(q) | {"exponent": 1 - 1 / n}
     for name, state in STATES.items():
         K = tangent(q, state)
         values |= {f"{entry}, {name}": K[at] for entry, at in ENTRIES.items()}
         values[f"coupling, {name}"] = K[0, 4] / math.sqrt(K[0, 0] * K[4, 4])
     return {key: float(value) for key, value in values.items()}
+
+
+def along_struts(q: ClutchInputs) -> dict[str, float]:
+    """K_xy [N/m] and K_yz [N] of forces along the struts, zero by Eq. 3; "gap" in closed form.
+
+    Sprags missing at psi_g leave K_xy = -k tan(nu) sum cos(2 psi_g), and K_yz = tan(nu) K_xz.
+    """
+    k = uniform.contact_stiffness(
+        N=uniform.normal_force(T=q.T, Z=q.Z - q.missing, d_t=q.d_t), k_n=q.k_n
+    )
+    gone = q.angles()[: q.missing]
+    K = corrected(q, STATES["together"])
+    return {
+        "K_xy, gap, along struts": float(-k * math.tan(q.nu) * np.cos(2 * gone).sum()),
+        "K_yz, gap, along struts": float(-k * q.d_t * math.tan(q.nu) * np.cos(gone).sum()),
+        **{f"{entry}, together, along struts": float(K[at]) for entry, at in ACROSS.items()},
+    }
 
 
 def tilted(q: ClutchInputs, state: State) -> float:

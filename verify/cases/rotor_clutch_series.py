@@ -1,18 +1,13 @@
-"""How struts' stiffness goes with torque, wedge angle, yield and offset, for fits."""
+"""How struts' stiffness goes with wedge angle, yield and offset, for fits."""
 
 import math
 
 import numpy as np
 
 from verify.case import Context
-from verify.cases.rotor_clutch_fem import ANGLES, HARD, SMALL, STIFFER, TORQUES
+from verify.cases.rotor_clutch_fem import ANGLES, HARD, SMALL, STIFFER
 
 Points = tuple[list[float], list[float], list[float]]
-
-
-def over_torque(context: Context) -> tuple[list[float], list[float]]:
-    K = context.fem[-1].arrays["K_xx over T"]
-    return [context.inputs.T * share for share in reversed(TORQUES)], K[::-1].tolist()
 
 
 def over_angle(context: Context) -> Points:

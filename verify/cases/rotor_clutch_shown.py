@@ -31,6 +31,13 @@ def sketch(q: ClutchInputs) -> Sketch:
     first, R = ends[1], 1.35 * q.R_e
     beyond = first[0] + (first[1] - first[0]) * (R - q.R_i) / (q.R_e - q.R_i)
     out = first[0] / np.hypot(*first[0])
+    # names above and below: beside the races a narrow page has no room for them
+    named = (
+        ((-0.85, 1.5), q.R_e * ray(-0.6), label("R_e", q.R_e)),
+        ((0.1, 1.5), ends[q.Z // 4].mean(axis=0), f"ν = {math.degrees(q.nu):.4g}°"),
+        ((-0.7, -1.5), q.R_i * ray(-2.5), label("R_i", q.R_i)),
+        ((0.5, -1.5), 0.6 * q.R_i * ray(2.4), f"T = {q.T:.4g} N m"),
+    )
     shapes = (
         Shape(style="body", points=arc(1.25 * q.R_e, 0, 2 * math.pi)),
         Shape(style="hole", points=arc(q.R_e, 0, 2 * math.pi)),
@@ -41,15 +48,9 @@ def sketch(q: ClutchInputs) -> Sketch:
         Shape(style="axis", points=np.vstack([first[0], beyond])),
         Shape(style="text", points=np.array([[1.55 * q.R_e, 0.0]]), label="x"),
         Shape(style="text", points=np.array([1.55 * q.R_e * out]), label="ψ_j"),
-        Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, 1.1 * q.R_e],
-              q.R_e * ray(-0.8)]), label=label("R_e", q.R_e)),
-        Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, 0.4 * q.R_e],
-              q.R_i * ray(-1.0)]), label=label("R_i", q.R_i)),
-        Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, -0.7 * q.R_e],
-              ends[-len(ends) // 3].mean(axis=0)]), label=f"ν = {math.degrees(q.nu):.4g}°"),
         Shape(style="load", points=arc(0.6 * q.R_i, 2.4, 0.6)),
-        Shape(style="leader", points=np.vstack([[-1.7 * q.R_e, -0.15 * q.R_e],
-              0.6 * q.R_i * ray(2.3)]), label=f"T = {q.T:.4g} N m"),
+        *(Shape(style="leader", points=np.vstack([q.R_e * np.array(start), tip]), label=said)
+          for start, tip, said in named),
     )  # fmt: skip
     return Sketch(
         title=f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "
@@ -159,13 +160,15 @@ def _over_crown(context: Context) -> Curves:
     drop = np.linspace(0, max(2 * q.drop, v["delta_0"]), 31)
     changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
     found = _entries(q, changed, n_s=THIN, crowned=True)
-    names = ("K_xx", "K_tilt", "K_zz")
+    curves = (
+        Curve(name="K_xx", x=drop / um, y=found["K_xx"]),
+        Curve(name="K_tilt", x=drop / um, y=found["K_tilt"], colour=1),
+        # dots, as the curve lies on that of K_xx
+        Curve(name="K_zz", x=drop[::3] / um, y=found["K_zz"][::3], style="dots", colour=2),
+    )
     return Curves(
         title="Stiffness over the crown", x_label="drop at the ends [µm]", y_label="K/K(no crown)",
-        curves=tuple(
-            Curve(name=name, x=drop / um, y=found[name], colour=number)
-            for number, name in enumerate(names)
-        ),
+        curves=curves,
         note="Under the same torque. A crown takes from the tilting stiffness first, as it takes "
         "load from the ends.",
     )  # fmt: skip
@@ -180,7 +183,9 @@ def _over_gap(context: Context) -> Curves:
         title="Stiffness without some neighbouring sprags", x_label="missing sprags",
         y_label="K/K(all sprags)",
         curves=tuple(
-            Curve(name=name, x=counts.astype(float), y=y, colour=number)
+            Curve(name=name, x=counts.astype(float), y=y, colour=number,
+                  # dots, as the curve lies on that of K_xx
+                  style="dots" if name == "K_tilt" else "line")
             for number, (name, y) in enumerate(found.items())
         ),
         note="The gap lies on the x-axis, the inner race is held in the middle by its bearings.",

@@ -7,11 +7,12 @@ from typing import Any
 from analytic.rotor.clutch_state import preload_twist, under_torque
 from verify.case import Values
 from verify.cases.rotor_clutch_inputs import ClutchInputs
-from verify.cases.rotor_clutch_model import STATES, pinned_torsion
+from verify.cases.rotor_clutch_model import STATES, pinned_torsion, tilted
 
 FRICTION = 0.1  # what oiled steel hardly exceeds
 LARGEST_TWIST = 0.35  # rad, 20 deg
 ROUGH = 0.5e-6  # m, roughness of ground races: yields below it follow no contact law
+LEANS = 0.02  # of K_tilt, that leaning forces take without a warning
 WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
 
 
@@ -30,7 +31,11 @@ def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
         f"{q.e * 1e6:g} µm couples {abs(v['coupling, offset']):.2%} of √(K_xx K_zz), "
         f"{q.missing} missing of {q.Z} sprags {abs(v['coupling, gap']):.2%}",
         "the stiffness goes with the tenth root of the torque, half of it takes "
-        f"{1 - 0.5**0.1:.1%}; Eq. 3 leaves out tan²ν = {math.tan(q.nu) ** 2:.2%}",
+        f"{1 - 0.5**0.1:.1%}; Eq. 3 leaves out tan²ν = {math.tan(q.nu) ** 2:.2%} of an even "
+        f"load's stiffnesses, and tan ν = {math.tan(q.nu):.2%} where the load is uneven: with "
+        f"{q.missing} missing, x is coupled with y by "
+        f"{v['K_xy, gap, along struts'] / v['K_xx, gap']:.2%} of K_xx, y with torsion by tan ν "
+        "of K_xz, both none by Eq. 3",
         f"d_t = R_i tan ν stays the same only as sprags roll: struts held in both races {rolled}",
     )
 
@@ -76,12 +81,22 @@ def too_large(q: ClutchInputs) -> str:
     return ""
 
 
+def _above(K: float, leaning: float) -> str:
+    return f"{leaning / (K - leaning):.2%} too large" if leaning < K else "no stiffness at all"
+
+
 def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
     found = []
     if v["delta_0"] < ROUGH:
         found.append(
             f"T = {q.T:g} N m presses the sprags by {v['delta_0'] * 1e6:.3g} µm, less than races "
             f"are rough ({ROUGH * 1e6:g} µm): nearly no preload, the stiffness is a guess"
+        )
+    leaning = tilted(q, STATES["uniform"])
+    if leaning > LEANS * abs(v["K_tilt"] - leaning):
+        found.append(
+            f"K_tilt = {v['K_tilt']:.4g} N m/rad leaves out that the sprags' forces lean as the "
+            f"race tilts, which takes {leaning:.4g} N m/rad: it is {_above(v['K_tilt'], leaning)}"
         )
     for name, what in WORDS.items():
         if count := open_slices(q, name):
