@@ -13,6 +13,7 @@ from verify.cases import rotor_sprag_layout as fig_1
 from verify.cases import rotor_sprag_solid_fem as solid
 from verify.cases.rotor_sprag import SPRAG_ROTOR
 from verify.cases.rotor_sprag_claims import FITTED_SPEEDS, IDENTITIES
+from verify.cases.rotor_sprag_elastic import drawn
 from verify.cases.rotor_sprag_fem import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor_sprag_inputs import PRINTED, RPM, SpragRotorInputs
 from verify.cases.rotor_sprag_kinds import FittedTo, Share
@@ -260,6 +261,18 @@ def test_elastic_bodies_with_the_same_springs_and_discs_have_about_the_beams_fre
     assert found == pytest.approx(beams, rel=0.005)
 
 
+def test_beams_and_elastic_bodies_lose_the_same_inertia_with_a_disc(monkeypatch):
+    """A disc of 1.1 kg that only the bodies lack: 1.1 of 6.8 kg, and polar moment of it."""
+    s = fig_1.layout(fig_1.CENTRAL)
+    whole = solid.inertia_fem(solid.body_fem(1, 0.01))
+    assert whole == pytest.approx(drawn(), rel=1e-11)
+    monkeypatch.setattr(solid, "DISCS", ())
+    bare = solid.inertia_fem(solid.body_fem(1, 0.01))
+    z = s.z[0, [n - 1 for n in fig_1.DISCS]]
+    lost = [s.mass.sum(), s.polar.sum(), (s.diametral + s.mass * z**2).sum()]
+    assert whole - bare == pytest.approx(lost, rel=1e-10)
+
+
 # The case.
 
 
@@ -349,6 +362,11 @@ def larger(array, at, by):
         ("angular momenta of both rotors balance", "momenta", lambda a: larger(a, (0, 0), 300)),
         ("torsion is linear in small offsets", "torsion, small offsets",
          lambda a: larger(a, (0, 1), 1.02)),
+        *((f"{what} of the elastic bodies with discs", "solid, inertia",
+           lambda a, i=i: larger(a, i, 1 + 1e-10))
+          for i, what in ((0, "mass"), (1, "polar moment of inertia"))),
+        ("diametral moment of inertia about node 1 of the elastic bodies with discs",
+         "solid, inertia", lambda a: larger(a, 2, 1 + 1e-10)),
         ("peak 3 of node 19 over unbalance 2", "peaks",
          lambda a: larger(a, (slice(None), 2, 1, 18), 0.1)),
         ("elliptical orbits", "axes, isotropic", lambda a: larger(a, (..., 1), 0.9)),
