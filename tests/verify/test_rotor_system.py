@@ -16,7 +16,8 @@ from verify.cases.registry import find
 from verify.cases.rotor_system import SYSTEM
 from verify.cases.rotor_system_fem import fem
 from verify.cases.rotor_system_inputs import RPM, SystemInputs
-from verify.cases.rotor_system_model import analytic, campbell, study
+from verify.cases.rotor_system_model import analytic, campbell, shown_to, study
+from verify.cases.rotor_system_warnings import warnings
 from verify.cli import run
 from verify.inputs import InputError, build
 from verify.run import Job, Solved, judge_case
@@ -221,6 +222,13 @@ def as_solved(result):
         (changed(speed_from="9500 r/min"), "inputs: the operating speeds need speed_from < speed"),
         (changed(probe=15), "inputs: probe = 15: there are nodes 1 to 14"),
         (changed(segments=RAW["segments"] * 13), "inputs: segments have 158 nodes, at most 150"),
+        (changed("shafts", 1, ratio=0.5),
+         "inputs.shafts[1].ratio = 0.5: the first shaft has the ratio 1, as all speeds are its"),
+        (changed("discs", 1, polar="0.0102 kg m^2"),
+         "inputs.discs[1].polar = 0.0102 kg m^2: no body has more than twice its diametral "
+         "moment, 0.01 kg m^2"),
+        (changed("links", 1, to=3),
+         "inputs.links[1].to = 3: node 5 is on shaft outer too: a link joins two shafts"),
         (changed(speed="150 mm"), 'inputs.speed: "150 mm" is not a speed of rotation'),
     ],
 )  # fmt: skip
@@ -257,9 +265,9 @@ def test_a_cylinder_has_its_mass_and_moments_and_what_is_given_counts_instead():
     assert mass == pytest.approx(7850 * np.pi / 4 * (0.2**2 - 0.03**2) * 0.02)
     assert polar == pytest.approx(mass * ring / 8)
     assert diametral == pytest.approx(mass * (ring / 16 + 0.02**2 / 12))
-    raw = changed("discs", 3, mass="10 kg", polar="0.1 kg m^2")
+    raw = changed("discs", 3, mass="10 kg", polar="0.05 kg m^2")
     mass, polar, diametral = built(raw).discs[2].inertia()
-    assert (mass, polar) == (10.0, 0.1)
+    assert (mass, polar) == (10.0, 0.05)
     assert diametral == pytest.approx(10 * (ring / 16 + 0.02**2 / 12))
     assert fem(built(raw), 1).values["frequency 3"] == pytest.approx(
         analytic(built(raw))["frequency 3"], rel=2e-4
@@ -313,8 +321,42 @@ def test_warnings_say_what_is_odd():
     raw["supports"] = [s | {"c": "0 N s/m"} for s in raw["supports"]]
     assert any("no bearing is damped" in w for w in told(raw)[3])
     assert any("steps by half" in w for w in told(changed("segments", 3, d_o="120 mm"))[3])
-    assert any("no beam there" in w for w in told(changed("segments", 1, length="6 mm"))[3])
+    narrow = changed("segments", 4, length="5 mm", d_o="65 mm")
+    assert any("no beam there" in w for w in told(narrow)[3])
     assert any("is not among the operating" in w for w in told(changed(speed="100 r/min"))[3])
+
+
+def test_shafts_that_pass_through_each_other_are_told():
+    """The tube's bore is 50 mm; segment 7 of the core lies in its first two segments."""
+    (warned,) = told(changed("segments", 7, d_o="52 mm"))[3]
+    assert warned == (
+        "shafts pass through each other: segments[7], d_o = 52 mm, in the bore of segments[1], "
+        "d_i = 50 mm, over 60 mm; segments[7], d_o = 52 mm, in the bore of segments[2], "
+        "d_i = 50 mm, over 60 mm"
+    )
+    assert not told(changed("segments", 7, d_o="50 mm"))[3]  # fits
+
+
+def test_damping_that_holds_a_shaft_is_told():
+    """Half of 60 N/µm over 9000 r/min is 31.8 kN s/m."""
+    assert not told(changed("supports", 1, c="31.7 kN s/m"))[3]
+    for name in ("c", "cyy"):
+        (warned,) = told(changed("supports", 1, **{name: "32 kN s/m"}))[3]
+        assert warned.startswith("supports[1]: damping times the highest operating speed is above")
+
+
+def test_short_segments_of_one_diameter_are_judged_together():
+    short = changed("segments", 1, length="3 mm")["segments"][0]
+    cut = [short] * 20 + RAW["segments"][1:4]  # 60 mm again
+    alone = {"shafts": RAW["shafts"][:1], "discs": [], "links": [], "unbalances": [], "probe": 1,
+             "supports": [{"node": 1, "k": "60 N/µm"}, {"node": 24, "k": "60 N/µm"}]}  # fmt: skip
+    assert not warnings(built(changed(**alone, segments=cut)), {})
+    cut[:9] = [short | {"d_o": f"{70 + k} mm"} for k in range(9)]
+    (warned,) = warnings(built(changed(**alone, segments=cut)), {})
+    assert warned == (
+        "segments[1], segments[2], segments[3], segments[4] and 5 more are shorter than a tenth "
+        "of the diameter: no beam there"
+    )
 
 
 def test_check_prints_findings_and_json_has_every_entry(tmp_path, capsys):
@@ -354,16 +396,39 @@ def test_a_rotor_without_links_or_unbalances_has_fewer_rows(red):
     assert not {"amplitude at the probe", "load of the first link"} & quantities
 
 
-def test_shafts_that_stand_still_have_frequencies_and_no_critical_speed():
-    raw = changed("shafts", 1, ratio=0.0)
-    raw["shafts"][1]["ratio"] = 0.0
-    q = built(raw)
+def test_a_shaft_that_stands_still_meets_no_critical_speed():
+    q = built(changed("shafts", 2, ratio=0.0))
     v = analytic(q)
-    assert "frequency 6" in v
-    assert not [key for key in v if key.startswith(("critical", "amplitude"))]
-    assert SYSTEM.findings(q, v)[0].startswith("clear")
-    figures = SYSTEM.figures(Context(SYSTEM.id, q, v, (), is_paper=False))
-    assert [type(f).__name__ for f in figures] == ["Campbell"]
+    assert [e.shafts for e in study(q).excited] == [("outer",)]
+    assert not [key for key in v if key.startswith("critical 2")]
+    assert "amplitude" in v
+
+
+def test_axes_of_the_speed_reach_the_nearest_critical_speed_above():
+    """And a fifth beyond the highest speed asked for, where that is further."""
+    q = SystemInputs()
+    above = min(w for e in study(q).excited for w in e.speeds if w > q.speed_to)
+    assert shown_to(q) == pytest.approx(max(1.1 * above, 1.2 * q.speed_to))
+    far = built(changed(speed_to="6000 r/min", speed="6000 r/min"))
+    assert shown_to(far) == pytest.approx(1.1 * above)
+    assert campbell(far)[0][-1] == shown_to(far)
+
+
+def test_bearings_stand_at_their_shaft_s_radius_and_links_are_drawn():
+    drawn = SYSTEM.sketch(SystemInputs()).shapes
+    numbers = {s.label: s.points[0] for s in drawn if s.style == "text"}
+    closed = [s.points for s in drawn if s.style == "body"]
+    triangles = [p for p in closed if len(p) == 3]
+    assert set(numbers) == {"1", "6", "14"}
+    length = 0.8  # of the inner shaft, the longer one
+    tops = [p[0] for p in triangles]
+    scale = length / 6 / 0.035  # the largest radius is drawn as a sixth of it
+    expected = [(0.16, 0.035), (0.0, 0.015), (0.8, 0.015)]
+    assert tops == [pytest.approx((z, -scale * r)) for z, r in expected]
+    for number, triangle in zip(numbers.values(), triangles, strict=True):
+        assert number[1] < triangle[:, 1].min() - 0.02 * length
+    (diamond,) = (p for p in closed if len(p) == 4 and p[0, 1] < 0)
+    assert diamond[:, 0].mean() == pytest.approx(0.52)
 
 
 def test_units_of_a_rotor_are_known():

@@ -10,13 +10,15 @@ from itertools import pairwise
 from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Spring, Support
 from verify.inputs import EntryError, Inputs, count, quantity, text
 
+ROUNDED = 0.01  # what numbers of few digits may exceed a bound by
+
 
 class ShaftInputs(Inputs):
     """A shaft by its name."""
 
     name: str = text("shaft", "name, by which segments are told apart")
     ratio: float = quantity(
-        1.0, "1", "q", "its speed over the rotor's, negative: against it", omitted=1.0,
+        1.0, "1", "q", "its speed over the first shaft's, negative: against it", omitted=1.0,
         ge=-100, le=100,
     )  # fmt: skip
     start: float = quantity("0 mm", "mm", "z_0", "place of its first node", omitted=0.0)
@@ -153,6 +155,11 @@ def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs
         if not segment.d_i < segment.d_o:
             given = f"d_i = {segment.d_i * 1e3:g} mm"
             raise EntryError("segments", k, given, f"must be below d_o = {segment.d_o * 1e3:g} mm")
+    if shafts and shafts[0].ratio != 1:
+        raise EntryError(
+            "shafts", 1, f"ratio = {shafts[0].ratio:g}",
+            "the first shaft has the ratio 1, as all speeds are its own",
+        )  # fmt: skip
     for k, name in enumerate(names, start=1):
         if name not in [segment.shaft for segment in segments]:
             raise EntryError("shafts", k, "", f"shaft {name} has no segments")
@@ -194,6 +201,11 @@ def discs_of(discs: Sequence[DiscInputs]) -> tuple[Disc, ...]:
             mass, polar, diametral = disc.inertia()
         except ValueError as error:
             raise EntryError("discs", k, "", str(error)) from error
+        if polar > 2 * diametral * (1 + ROUNDED):
+            raise EntryError(
+                "discs", k, f"polar = {polar:.6g} kg m^2",
+                f"no body has more than twice its diametral moment, {2 * diametral:.6g} kg m^2",
+            )  # fmt: skip
         found.append(Disc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
     return tuple(found)
 

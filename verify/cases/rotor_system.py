@@ -6,7 +6,9 @@ from verify.cases.rotor_system_claims import CHECKS
 from verify.cases.rotor_system_fem import fem
 from verify.cases.rotor_system_inputs import SystemInputs
 from verify.cases.rotor_system_model import CRITICALS, FREQUENCIES, analytic
-from verify.cases.rotor_system_words import findings, summary, too_large, warnings
+from verify.cases.rotor_system_sketch import sketch
+from verify.cases.rotor_system_warnings import warnings
+from verify.cases.rotor_system_words import findings, summary, too_large
 
 SYSTEM = Case(
     id="rotor-system",
@@ -54,6 +56,6 @@ SYSTEM = Case(
     warnings=warnings,
     equations=shown.equations,
     too_large=too_large,
-    sketch=shown.sketch,
+    sketch=sketch,
     figures=shown.figures,
 )  # fmt: skip

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from verify.case import Context
+from verify.cases.rotor_system_companion import JUDGED, NAMED
 from verify.cases.rotor_system_model import CRITICALS, FREQUENCIES
 from verify.checks import Accepted, Fact, Identity, Order
 from verify.claims import Claim
@@ -12,6 +13,11 @@ from verify.results import Row
 SHARP = "both sides solve the same beam: only the elements' size lies between them"
 COARSE, FINE = 2e-4, 5e-6
 FINER = 8
+SPOKEN = {
+    **{f"critical {g}.{k}": f"critical speed {k}, the {shaft} shaft's unbalance"
+       for g, shaft in ((1, "outer"), (2, "inner")) for k in (1, 2)},
+    "support load": "load of the first support", "link load": "load of the link",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +33,30 @@ def identity(key: str, name: str, symbol: str, unit: str, demand: float = 1e-5) 
         name=name, symbol=symbol, unit=unit, fem=key, analytic=key, formal=2, demand=demand,
         demand_reason=SHARP,
     )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Companion(Present):
+    """An identity of the companion, which is judged beside the default rotor alone."""
+
+    paper_only = True
+
+
+def companion_claims() -> list[Claim]:
+    """Every judged value of the companion."""
+    found: list[Claim] = []
+    for key in JUDGED:
+        what, _, number = key.partition(" ")
+        symbol, unit = {"frequency": (f"f_{number}", "Hz"), "critical": ("n_c", "r/min"),
+                        "amplitude": ("|r|", "µm")}.get(what, ("F", "N"))  # fmt: skip
+        found.append(
+            Companion(
+                name=f"companion with unlike bearings: {SPOKEN.get(key, key)}", symbol=symbol,
+                unit=unit, fem=f"{NAMED} {key}", analytic=f"{NAMED} {key}", formal=2,
+                demand=1e-5 if what in ("frequency", "critical") else 1e-4, demand_reason=SHARP,
+            )
+        )  # fmt: skip
+    return found
 
 
 def frequency_keys(context: Context) -> list[str]:
@@ -82,6 +112,7 @@ CHECKS: tuple[Any, ...] = (
     identity("amplitude", "amplitude at the probe", "|r|", "µm", 1e-4),
     identity("support load", "load of the first support", "F", "N", 1e-4),
     identity("link load", "load of the first link", "F", "N", 1e-4),
+    *companion_claims(),
     accepted("frequencies with an element a segment", 0, COARSE),
     accepted(f"frequencies with {FINER} elements a segment", -1, FINE),
     Order(

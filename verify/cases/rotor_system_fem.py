@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from verify.case import FemResult
+from verify.cases.rotor_system_companion import JUDGED, NAMED, companion, has_companion
 from verify.cases.rotor_system_inputs import SystemInputs
 
 FREQUENCIES, CRITICALS = 6, 3
@@ -51,6 +52,14 @@ def _bearing(spring: Any) -> dict[str, Any]:
 
 
 def fem(q: SystemInputs, level: int) -> FemResult:
+    values = _fem_values(q, level)
+    if has_companion(q):
+        other = _fem_values(companion(), level)
+        values |= {f"{NAMED} {key}": other[key] for key in JUDGED}
+    return FemResult(h=1 / level, values=values)
+
+
+def _fem_values(q: SystemInputs, level: int) -> dict[str, float]:
     from fem.rotor.critical import critical_speeds
     from fem.rotor.modes import modes
 
@@ -69,7 +78,7 @@ def fem(q: SystemInputs, level: int) -> FemResult:
     slender = modes(fem_rotor(still(q), level, "euler"), q.speed, FREQUENCIES).frequencies
     values |= {f"euler {k}": w / TURN for k, w in enumerate(slender, start=1)}
     values |= _fem_response(q, fem_rotor(q, level))
-    return FemResult(h=1 / level, values={k: float(v) for k, v in values.items()})
+    return {key: float(value) for key, value in values.items()}
 
 
 def still(q: SystemInputs) -> SystemInputs:

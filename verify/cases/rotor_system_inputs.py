@@ -51,7 +51,7 @@ class SystemInputs(Inputs):
     probe: int = count(4, "", "node whose amplitude is told", ge=1, le=10_000)
     shafts: tuple[ShaftInputs, ...] = table(
         (ShaftInputs(name="outer", ratio=1.0, start=0.16), ShaftInputs(name="inner", ratio=1.4)),
-        "Shafts; the rotor's speed is that of a shaft with the ratio 1.",
+        "Shafts; speeds are the first one's, whose ratio is 1.",
         required=True,
     )
     segments: tuple[SegmentInputs, ...] = table(
@@ -109,13 +109,18 @@ class SystemInputs(Inputs):
         if self.probe > nodes:
             raise ValueError(f"probe = {self.probe}: there are nodes 1 to {nodes}")
         description.check_widths(self.discs, self.rotor)
-        self._clutches_join_equal_speeds()
+        self._links_join_shafts()
         check_supported(self.rotor, tuple(shaft.name for shaft in self.shafts))
         return self
 
-    def _clutches_join_equal_speeds(self) -> None:
+    def _links_join_shafts(self) -> None:
         for k, link in enumerate(self.links, start=1):
             a, b = (self.shafts[self.rotor.shaft_of[n - 1]] for n in (link.node, link.to))
+            if a == b:
+                raise EntryError(
+                    "links", k, f"to = {link.to}",
+                    f"node {link.node} is on shaft {a.name} too: a link joins two shafts",
+                )  # fmt: skip
             if link.k_turn > 0 and a.ratio != b.ratio:
                 raise EntryError(
                     "links", k, f"k_turn = {link.k_turn:g} N m/rad",

@@ -16,6 +16,7 @@ from analytic.rotor.transfer_modes import (
 from analytic.rotor.transfer_response import Response, unbalance_response
 from analytic.rotor.transfer_torsion import torsional_frequencies
 from verify.case import Values
+from verify.cases.rotor_system_companion import JUDGED, NAMED, companion, has_companion
 from verify.cases.rotor_system_inputs import SystemInputs
 
 FREQUENCIES = 6
@@ -82,6 +83,15 @@ def _excited(q: SystemInputs, ratio: float) -> Excited:
 
 
 def analytic(q: SystemInputs) -> Values:
+    """By key, in SI units; those of the companion beside the default rotor's."""
+    values = _values(q)
+    if has_companion(q):
+        other = _values(companion())
+        values |= {f"{NAMED} {key}": other[key] for key in JUDGED}
+    return values
+
+
+def _values(q: SystemInputs) -> dict[str, float]:
     found = study(q)
     values = {f"frequency {k}": w / TURN for k, w in enumerate(found.modes.w, start=1)}
     values |= {f"whirl {k}": float(s) for k, s in enumerate(found.modes.whirl, start=1)}
@@ -98,10 +108,17 @@ def analytic(q: SystemInputs) -> Values:
     return {key: float(value) for key, value in values.items()}
 
 
+def shown_to(q: SystemInputs) -> float:
+    """Where axes of the speed end [rad/s]: with the nearest critical speed above on them."""
+    top = max(q.speed_to, q.speed)
+    above = [w for excited in study(q).excited for w in excited.speeds if w > top]
+    return float(max(1.2 * top, 1.1 * min(above, default=0.0)))
+
+
 @lru_cache(maxsize=2)
 def campbell(q: SystemInputs) -> tuple[Array, Array, tuple[int, ...]]:
     """Speeds (n,), natural frequencies (n, branches) [rad/s] and the sense of each branch."""
-    speeds = np.linspace(0, 1.2 * max(q.speed_to, q.speed), CAMPBELL)
+    speeds = np.linspace(0, shown_to(q), CAMPBELL)
     if not q.rotor.isotropic:
         return speeds, natural_frequencies(q.rotor, speeds, count=FREQUENCIES), (0,) * FREQUENCIES
     half = FREQUENCIES // 2

@@ -1,7 +1,6 @@
-"""What the report shows of a rotor: sketch, Campbell diagram, modes, response, convergence."""
+"""What the report shows of a rotor: Campbell diagram, modes, response, convergence."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -10,7 +9,8 @@ from analytic.rotor.transfer_shapes import mode_lines
 from verify.case import Context, Values
 from verify.cases.rotor_system_claims import frequency_keys
 from verify.cases.rotor_system_inputs import RPM, SystemInputs
-from verify.cases.rotor_system_model import CRITICALS, campbell, study
+from verify.cases.rotor_system_model import CRITICALS, campbell, shown_to, study
+from verify.cases.rotor_system_sketch import outlines
 from verify.cases.rotor_system_words import SENSE, criticals
 from verify.shown import (
     Campbell,
@@ -20,8 +20,6 @@ from verify.shown import (
     Figure,
     Mode,
     Refinement,
-    Shape,
-    Sketch,
     Whirl,
 )
 from verify.tex import tex
@@ -29,51 +27,6 @@ from verify.tex import tex
 Hz, mm, um = 2 * np.pi, 1e-3, 1e-6
 SPEEDS = 400  # of the response
 DRAWN = 4  # critical speeds in motion
-
-
-def outlines(q: SystemInputs) -> list[tuple[Any, Any]]:
-    """Places and radii (m,) [m] of each shaft, a step as two points of one place."""
-    found = []
-    for shaft in q.shafts:
-        z, r, at = [], [], shaft.start
-        for s in (s for s in q.segments if s.shaft == shaft.name):
-            z += [at, at + s.length]
-            r += [s.d_o / 2] * 2
-            at += s.length
-        found.append((np.array(z), np.array(r)))
-    return found
-
-
-def sketch(q: SystemInputs) -> Sketch:
-    """Half a section above the axis; discs as upright lines, bearings below."""
-    lines = outlines(q)
-    length = max(z.max() for z, _ in lines)
-    tall = length / 6  # radii are drawn larger than lengths
-    k = tall / max(r.max() for _, r in lines)
-    shapes = [
-        Shape(style="axis", points=np.array([[-0.05 * length, 0.0], [1.05 * length, 0.0]])),
-    ]
-    for (z, r), shaft in zip(lines, q.shafts, strict=True):
-        bore = [s.d_i / 2 for s in q.segments if s.shaft == shaft.name for _ in range(2)]
-        points = np.vstack([
-            np.column_stack([z, k * r]), np.column_stack([z, k * np.array(bore)])[::-1],
-        ])  # fmt: skip
-        shapes.append(Shape(style="body", points=points))
-    shaft_of = q.rotor.shaft_of
-    for disc in q.discs:
-        z = q.places[disc.node - 1]
-        foot = k * float(np.interp(z, *lines[shaft_of[disc.node - 1]]))
-        top = 1.45 * tall
-        line = np.array([[z, foot], [z, top]])
-        shapes.append(Shape(style="line", points=line, label=str(disc.node)))
-    for support in q.supports:
-        z, a = q.places[support.node - 1], 0.03 * length
-        wedge = np.array([[z, 0.0], [z - a, -1.7 * a], [z + a, -1.7 * a]])
-        shapes.append(Shape(style="body", points=wedge))
-        shapes.append(Shape(style="text", points=wedge[1:2] - [0, a], label=str(support.node)))
-    names = ", ".join(s.name for s in q.shafts)
-    title = f"shafts {names}, radii drawn larger; nodes of discs above, of bearings below"
-    return Sketch(title=title, shapes=tuple(shapes))
 
 
 def equations(q: SystemInputs, v: Values) -> Sequence[Equation]:
@@ -153,7 +106,7 @@ def _modes(q: SystemInputs) -> Whirl:
 
 
 def _response(q: SystemInputs) -> Curves:
-    speeds = np.linspace(0.02, 1.0, SPEEDS) * 1.2 * max(q.speed_to, q.speed)
+    speeds = np.linspace(0.02, 1.0, SPEEDS) * shown_to(q)
     curves = []
     for k, (ratio, group) in enumerate(q.unbalanced().items()):
         if ratio:

@@ -1,7 +1,6 @@
 """What a rotor's critical speeds mean for its operating speeds, in words, the verdict first."""
 
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +10,6 @@ from verify.cases.rotor_system_inputs import RPM, SystemInputs
 from verify.cases.rotor_system_model import study
 
 SENSE = {1: "forward", -1: "backward", 0: "to and fro"}
-APART = 1e-4  # m: what a bearing between two shafts may span along the axis
 
 
 class Critical(NamedTuple):
@@ -114,34 +112,6 @@ def summary(q: SystemInputs, _: Values) -> Mapping[str, Any]:
         ],
         "whirl": [SENSE[int(s)] for s in study(q).modes.whirl],
     }  # fmt: skip
-
-
-def warnings(q: SystemInputs, _: Values) -> Sequence[str]:
-    found = []
-    for k, link in enumerate(q.links, start=1):
-        gap = q.places[link.node - 1] - q.places[link.to - 1]
-        if abs(gap) > APART:
-            found.append(
-                f"links[{k}] joins nodes {abs(gap) * 1e3:.4g} mm apart along the axis: set the "
-                "shafts' start"
-            )
-    if q.unbalances and not any(s.c or s.c_tilt for s in (*q.supports, *q.links)):
-        found.append("no bearing is damped: amplitudes at critical speeds have no bound")
-    for k, segment in enumerate(q.segments, start=1):
-        if segment.length < segment.d_o / 10:
-            found.append(f"segments[{k}] is shorter than a tenth of its diameter: no beam there")
-    steps = [
-        k for k, (a, b) in enumerate(pairwise(q.segments), start=1)
-        if a.shaft == b.shaft and max(a.d_o, b.d_o) > 1.5 * min(a.d_o, b.d_o)
-    ]  # fmt: skip
-    if steps:
-        found.append(
-            f"the diameter steps by half or more after segments[{steps[0]}]: beam theory is too "
-            "stiff there, by up to some 9 % of a frequency"
-        )
-    if q.speed > 1.2 * q.speed_to or q.speed < 0.8 * q.speed_from:
-        found.append(f"speed = {q.speed / RPM:.5g} r/min is not among the operating speeds")
-    return found
 
 
 def too_large(q: SystemInputs) -> str:
