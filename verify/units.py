@@ -26,6 +26,7 @@ radian = [angle] = rad
 revolution = 2 * 3.14159265358979323846 * radian = r = rev
 degree = 3.14159265358979323846 / 180 * radian = deg = °
 minute = 60 * second = min
+rpm = revolution / minute
 inch = 0.0254 * meter = in = inches
 foot = 0.3048 * meter = ft = feet
 mil = 2.54e-5 * meter = thou
@@ -64,7 +65,7 @@ TAKEN = {
     "mm": "mm, m, in, ft or mil", "MPa": "MPa, Pa, bar, psi or ksi", "N": "N, lbf or kgf",
     "GPa": "GPa, MPa, psi or ksi", "deg": "deg or rad", "rad": "deg or rad",
     "µm": "µm, mm, m, in, ft or mil",
-    "r/min": "r/min, rad/s or deg/s", "rad/s": "r/min, rad/s or deg/s",
+    "r/min": "r/min, rpm, rad/s or deg/s", "rad/s": "r/min, rpm, rad/s or deg/s",
     "N m": "N m, N mm, kN m, lbf in or lbf ft",
     "kg": "kg, g, lb, oz or slug", "kg m^2": "kg m^2, g mm^2, lb in^2 or lb ft^2",
     "N m/rad": "N m/rad, N m/deg or lbf in/rad", "N m s/rad": "N m s/rad or lbf in s/rad",

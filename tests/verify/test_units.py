@@ -334,3 +334,7 @@ def test_every_unit_of_an_input_has_words_for_its_dimension():
 def test_units_that_a_message_offers_are_taken(unit):
     for offered in re.split(", | or ", units.TAKEN[unit]):
         assert math.isfinite(units.parse(f"1 {offered}", unit))
+
+
+def test_rpm_is_a_revolution_a_minute():
+    assert units.parse("60 rpm", "r/min") == pytest.approx(2 * math.pi)
