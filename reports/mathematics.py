@@ -45,6 +45,10 @@ def _row(elements: Sequence[Element]) -> Node:
         closes = elements[-1].get("form") == "postfix" or _is_closing(elements)
         inner = elements[1:-1] if closes else elements[1:]
         return ["fenced", _text(elements[0]), _row(inner), _text(elements[-1]) if closes else ""]
+    for at in range(len(elements) - 2):
+        if len(elements) > 3 and _is_closing(elements[at : at + 3]):  # a matrix among others
+            parts = elements[:at], elements[at : at + 3], elements[at + 3 :]
+            return ["row", *(_row(part) for part in parts if part)]
     nodes: list[Node] = []
     for upright, group in groupby(elements, lambda e: e.get("mathvariant") == "normal"):
         if upright:

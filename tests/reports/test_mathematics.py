@@ -33,6 +33,12 @@ def letters(word):
                 [["letter", "a"], ["letter", "b"]], [["letter", "c"], ["letter", "d"]]]], "]"],
         ),
         (
+            r"a\begin{pmatrix} b\end{pmatrix}\begin{pmatrix} c\end{pmatrix}",
+            ["row", ["letter", "a"],
+             ["fenced", "(", ["table", "center", [[["letter", "b"]]]], ")"],
+             ["fenced", "(", ["table", "center", [[["letter", "c"]]]], ")"]],
+        ),
+        (
             r"\begin{cases} a & b \end{cases}",
             ["fenced", "{", ["table", "left", [[["letter", "a"], ["letter", "b"]]]], ""],
         ),

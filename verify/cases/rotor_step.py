@@ -185,7 +185,8 @@ STEP = Case(
         "are as drawn",
     ),
     assumptions=(
-        "linear elasticity, no damping, sharp corners",
+        "linear elasticity, no damping, sharp corners: at 270° the energy of finite elements "
+        "converges with order 2 · 0.5445 = 1.089 at least (Williams), faster on graded meshes",
         "one body: nothing shrunk on",
         "Timoshenko's beam with Hutchinson's shear coefficient",
     ),
