@@ -12,6 +12,7 @@ from reports.plots import WIDTH, Axes
 from verify.shown import Array, Band, Campbell, Curve
 
 TOP, BOTTOM, KEY = 44.0, 292.0, 346.0
+APART = 5.0  # clear of a name, for the next one
 LETTER = 6.2  # about the width of a letter of a name
 APART = 12.5  # between lines of names
 LEADER = 10.0  # from the end of a branch to its name
@@ -114,7 +115,8 @@ def _critical(axes: Axes, c: Campbell) -> None:
         axes.body.append(svg.circle(x, y, 3.6, "mark"))
         place, box = beside(x, y, LETTER * len(name), axes.box, taken)
         if name:
-            taken.append(box)
+            left, bottom, right, top = box
+            taken.append((left - APART, bottom - APART, right + APART, top + APART))
             axes.body.append(svg.text(*place[:2], name, "named", place[2]))
 
 

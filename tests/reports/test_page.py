@@ -16,6 +16,7 @@ from verify.cache import picture_folder
 from verify.cases.sprag_crown import CROWN
 from verify.commands import make_report
 from verify.results import Kind, Row, Status
+from verify.shown import Whirl
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}
 SVG_EMPTY = {"path", "circle", "rect", "line", "use", "image", "stop"}  # close themselves
@@ -101,8 +102,9 @@ def test_one_script_runs_and_the_policy_names_it(which, request):
 
 
 def test_a_page_without_views_runs_no_script(report):
+    still = [c for c in report.cases if not any(isinstance(f, Whirl) for f in c.figures)]
     reader = Reader()
-    reader.feed(page(report, {}, picture_folder()))
+    reader.feed(page(replace(report, cases=tuple(still)), {}, picture_folder()))
     assert "script-src 'none'" in reader.policy
     assert reader.scripts == []
 
@@ -172,7 +174,7 @@ def test_nothing_that_is_not_known_is_told(text):
 def test_warnings_stand_in_the_head_once_each(report, text):
     head = text[: text.index("</header>")]
     warnings = {w for case in report.cases for w in case.warnings}
-    assert len(warnings) == 15
+    assert len(warnings) == 16
     assert head.count("<li>") == len(warnings)
 
 
