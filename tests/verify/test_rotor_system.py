@@ -113,6 +113,12 @@ def test_a_campbell_diagram_takes_a_second_at_most_and_meets_the_critical_speeds
     assert speeds[k - 1] <= first <= speeds[k]
 
 
+def test_on_unlike_bearings_a_branch_has_the_sense_that_is_told():
+    _, w, whirl = campbell(unlike_bearings())
+    assert w.shape[1] == len(whirl) == 6
+    assert set(whirl) == {1, -1}
+
+
 # Faults of either side turn a row red.
 
 FAULTS = [
@@ -379,7 +385,7 @@ def test_figures_are_made_without_beams(judged):
     q = unlike_bearings()
     figures = SYSTEM.figures(Context(SYSTEM.id, q, analytic(q), (), is_paper=False))
     assert [type(f).__name__ for f in figures] == ["Campbell", "Whirl", "Curves"]
-    assert figures[0].whirl == (0,) * 6
+    assert list(figures[0].whirl) == [int(sense) for sense in study(q).modes.whirl]
     for mode in figures[1].modes:
         assert len(mode.lines) == 2
 

@@ -117,10 +117,15 @@ def shown_to(q: SystemInputs) -> float:
 
 @lru_cache(maxsize=2)
 def campbell(q: SystemInputs) -> tuple[Array, Array, tuple[int, ...]]:
-    """Speeds (n,), natural frequencies (n, branches) [rad/s] and the sense of each branch."""
+    """Speeds (n,), natural frequencies (n, branches) [rad/s] and the sense of each branch.
+
+    On unlike bearings, where whirl is elliptical, a branch has the sense that it has at the speed
+    that frequencies are told at.
+    """
     speeds = np.linspace(0, shown_to(q), CAMPBELL)
     if not q.rotor.isotropic:
-        return speeds, natural_frequencies(q.rotor, speeds, count=FREQUENCIES), (0,) * FREQUENCIES
+        told = tuple(int(sense) for sense in study(q).modes.whirl[:FREQUENCIES])
+        return speeds, natural_frequencies(q.rotor, speeds, count=len(told)), told
     half = FREQUENCIES // 2
     forward = whirl_frequencies(q.rotor, speeds, count=half, whirl="forward")
     backward = whirl_frequencies(q.rotor, speeds, count=half, whirl="backward")

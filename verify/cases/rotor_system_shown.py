@@ -66,7 +66,7 @@ def _campbell(q: SystemInputs) -> Campbell:
     )
     ratio = {" and ".join(e.shafts): abs(e.ratio) for e in study(q).excited}
     met = tuple(
-        (c.speed / RPM, c.speed * ratio[c.shafts] / Hz, f"{c.speed / RPM:.4g}")
+        (c.speed / RPM, c.speed * ratio[c.shafts] / Hz, f"{c.speed / RPM:.0f}")
         for c in criticals(q)
         if c.speed <= speeds[-1] and c.speed * ratio[c.shafts] / Hz <= top
     )
@@ -74,9 +74,17 @@ def _campbell(q: SystemInputs) -> Campbell:
         title="Natural frequencies over the speed", x_label="n [r/min]", y_label="f [Hz]",
         speeds=speeds / RPM, frequencies=w / Hz, whirl=whirl, excitations=lines, critical=met,
         range=(q.speed_from / RPM, q.speed_to / RPM), y_top=top,
-        note="By transfer matrices, damping left out. Unbalance meets whirl of its own sense where "
-        "its line crosses a branch.",
+        note=f"By transfer matrices, damping left out. {_sense(q)}",
     )  # fmt: skip
+
+
+def _sense(q: SystemInputs) -> str:
+    if q.rotor.isotropic:
+        return "Unbalance meets whirl of its own sense where its line crosses a branch."
+    return (
+        "On bearings unlike in x and y whirl is elliptical and unbalance meets every branch; "
+        f"the sense is that at {q.speed / RPM:.5g} r/min."
+    )
 
 
 def _modes(q: SystemInputs) -> Whirl:
