@@ -19,6 +19,7 @@ LENGTH = 0.94  # of a panel that the shafts take
 REACH, MOST = 0.16, 45.0  # of a panel that the largest displacement takes, and pixels
 TALLEST = 390.0  # panels in one column
 LETTER = 6.2  # about the width of a letter
+LINE = 16  # of the key
 ORBITS = 8  # drawn of a shaft
 FINE = 40  # points of a centre line at most
 SMALL = 0.5  # pixels that no orbit shows
@@ -80,7 +81,9 @@ def whirl(w: Whirl) -> Markup:
         body.append(svg.text(left + p.wide / 2, top + 12, mode.name, "named", "middle"))
         body += [*_still(w, view, first, last), *_moving(mode, view)]
     end = EDGE + p.high * -(-len(w.modes) // p.columns)
-    return svg.drawing(WIDTH, end + 26, [*body, *_key(w, p.scale, end)], w.title, "chart whirl")
+    body += [*_key(w, p.scale, end), *_shafts(w.names, end + LINE)]
+    high = end + 26 + (LINE if w.names else 0)
+    return svg.drawing(WIDTH, high, body, w.title, "chart whirl")
 
 
 def _panels(w: Whirl, length: float, columns: int) -> _Panels:
@@ -202,4 +205,17 @@ def _key(w: Whirl, scale: float, top: float) -> list[Markup]:
         if there:
             body += [mark or _link(left, y), svg.text(left + 9, y + 4, name, "tick")]
             left += 26 + LETTER * len(name)
+    return body
+
+
+def _shafts(names: tuple[str, ...], top: float) -> list[Markup]:
+    """Whose line has which colour."""
+    body, left, y = [], EDGE, top + 10
+    for k, name in enumerate(names):
+        colour = COLOURS[k % len(COLOURS)]
+        body += [
+            svg.line(left, y, left + 22, y, f"fit s{colour} strokes"),
+            svg.text(left + 28, y + 4, name, "tick"),
+        ]
+        left += 46 + LETTER * len(name)
     return body

@@ -271,8 +271,9 @@ class Mode:
 class Whirl:
     """Modes of coaxial shafts in space and, on the page, in motion; all to one scale along z.
 
-    `outlines` are z and radius (m,) of each shaft, a step as two points of one z. `supports` are
-    the places z of bearings to ground, `links` those between shafts. Lengths are in `unit`.
+    `outlines` are z and radius (m,) of each shaft, a step as two points of one z; `names` call the
+    shafts. `supports` are the places z of bearings to ground, `links` those between shafts.
+    Lengths are in `unit`.
     """
 
     title: str
@@ -281,6 +282,7 @@ class Whirl:
     outlines: tuple[tuple[Array, Array], ...]
     supports: tuple[float, ...] = ()
     links: tuple[float, ...] = ()
+    names: tuple[str, ...] = ()
     note: str = ""
 
 

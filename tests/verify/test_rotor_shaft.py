@@ -137,6 +137,7 @@ def test_a_solid_shaft_of_one_s_own_has_no_row_in_red(judged, red):
         ({"L": 0.4}, "take Timoshenko's"),
         ({"L": 0.2, "d_i": 0.056}, "too stubby or thin"),
         ({"n": 2300.0}, "of the critical speed"),
+        ({"n": 25000.0}, "rim runs at 750 m/s"),
     ],
 )
 def test_an_engineer_is_warned(more, said):

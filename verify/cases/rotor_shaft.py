@@ -128,6 +128,9 @@ CHECKS = (
 )  # fmt: skip
 
 
+FASTEST = 600.0  # rim speed [m/s] that hardly any steel bears
+
+
 def warnings(q: ShaftInputs, v: Values) -> Sequence[str]:
     found = []
     if (error := v["euler 1 at rest"] / v["exact 1 at rest"] - 1) > 0.02:
@@ -139,6 +142,8 @@ def warnings(q: ShaftInputs, v: Values) -> Sequence[str]:
     near = min(abs(q.n / v["exact critical"] - 1), 1.0)
     if near < 0.1:
         found.append(f"{q.n * 30 / np.pi:.5g} r/min is within {near:.0%} of the critical speed")
+    if (rim := q.n * q.d_o / 2) > FASTEST:
+        found.append(f"its rim runs at {rim:.0f} m/s: steel bursts at some {FASTEST:.0f} m/s")
     return found
 
 

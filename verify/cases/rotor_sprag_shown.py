@@ -87,6 +87,7 @@ def shapes(context: Context, a: Arrays) -> Whirl:
         unit="m", modes=tuple(modes), outlines=tuple(_outline(k) for k in range(2)),
         supports=tuple(float(z[n - 1]) for n in GROUNDED),
         links=tuple(float(z[a_ - 1]) for a_, _ in (*BETWEEN, CLUTCH)),
+        names=("outer rotor", "inner rotor"),
     )  # fmt: skip
 
 

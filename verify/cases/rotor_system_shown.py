@@ -110,6 +110,7 @@ def _modes(q: SystemInputs) -> Whirl:
         outlines=tuple((z / mm, r / mm) for z, r in outlines(q)),
         supports=tuple(q.places[s.node - 1] / mm for s in q.supports),
         links=tuple(q.places[s.node - 1] / mm for s in q.links),
+        names=tuple(shaft.name for shaft in q.shafts),
     )  # fmt: skip
 
 
