@@ -23,7 +23,8 @@ def check_supported(rotor: Rotor, names: tuple[str, ...] = ()) -> None:
     share = (np.abs(free) ** 2).sum(axis=1).reshape(-1, 2, 2)  # shaft, shift or tilt, x or y
     shaft = int(share.sum(axis=(1, 2)).argmax())
     shift, tilt = share[shaft].sum(axis=1)
-    along = "xy"[int(share[shaft].sum(axis=0).argmax())]
+    x, y = share[shaft].sum(axis=0)
+    along = "x and y" if min(x, y) > 0.5 * max(x, y) else "x" if x > y else "y"
     moved = "shifts and tilts" if min(shift, tilt) > 0.99 else "shifts" if shift > tilt else "tilts"
     name = names[shaft] if names else str(shaft + 1)
     raise ValueError(f"an unsupported rotor: shaft {name} {moved} freely in {along}")

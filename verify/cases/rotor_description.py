@@ -141,7 +141,12 @@ class UnbalanceInputs(NodeInputs):
 
 
 def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs]) -> None:
-    """EntryError: a name given twice, a segment of no shaft, a shaft without segments."""
+    """EntryError: a name given twice, a segment of no shaft, a shaft without segments.
+
+    ValueError where there is neither.
+    """
+    if not shafts or not segments:
+        raise ValueError("a rotor has at least one shaft with one segment")
     names = [shaft.name for shaft in shafts]
     for k, name in enumerate(names, start=1):
         if name in names[: k - 1]:
