@@ -135,3 +135,9 @@ def whirl_sense(shapes: Complex) -> NDArray[np.int64]:
     forward, backward = np.moveaxis(np.where(size > 0, across, tilt), -1, 0)
     even = abs(forward - backward) <= ROUND * (forward + backward)
     return np.where(even, 0, np.sign(forward - backward)).astype(int)
+
+
+def damping_ratios(values: Complex) -> Array:
+    """-Re lambda/|lambda|, zero for a motion at rest."""
+    size = abs(values)
+    return np.asarray(-values.real / np.where(size > 0, size, 1))

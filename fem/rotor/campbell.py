@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from fem.rotor.blocks import Complex
-from fem.rotor.branches import branches, check_count, check_speeds
+from fem.rotor.branches import branches, check_count, check_speeds, damping_ratios
 from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 
@@ -30,8 +30,7 @@ class Campbell:
     @property
     def damping(self) -> Array:
         """Damping ratios -Re lambda/|lambda| (m, k)."""
-        size = abs(self.eigenvalues)
-        return np.asarray(-self.eigenvalues.real / np.where(size > 0, size, 1))
+        return damping_ratios(self.eigenvalues)
 
     def crossings(self, ratio: float = 1.0) -> Array:
         """Speeds (j,) [rad/s] where a branch meets `ratio` times the speed, by interpolation.

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fem.rotor.blocks import Complex
-from fem.rotor.branches import branches, check_count, check_speeds
+from fem.rotor.branches import branches, check_count, check_speeds, damping_ratios
 from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.parts import UNKNOWNS
@@ -32,8 +32,7 @@ class Modes:
     @property
     def damping(self) -> Array:
         """Damping ratios -Re lambda/|lambda| (k,); negative where the motion grows."""
-        size = abs(self.eigenvalues)
-        return np.asarray(-self.eigenvalues.real / np.where(size > 0, size, 1))
+        return damping_ratios(self.eigenvalues)
 
 
 def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bending") -> Modes:
