@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from verify.cases.rotor_sprag_inputs import PRINTED
 from verify.cases.rotor_sprag_layout import HIGH, LOW, PARAMETERS, layout
@@ -37,6 +36,8 @@ class Ensemble:
 
 def ensemble_fem(members: int) -> Ensemble:
     """At least `members` sets, unless 32 batches of starts give fewer."""
+    from scipy.stats import qmc
+
     sobol = qmc.Sobol(len(PARAMETERS), scramble=True, rng=np.random.default_rng(2022))
     x = np.zeros((0, len(PARAMETERS)))
     met = kept = np.zeros(0, bool)
