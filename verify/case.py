@@ -93,6 +93,33 @@ class Dynamic:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Portion:
+    """Some of a case's finite-element values for less time, for sweeps that need no others.
+
+    `fem(inputs, level)` gives the values `keys`, each as the case's own `fem` has them on the same
+    mesh; `levels` are at least three, coarse to fine.
+    """
+
+    name: str
+    fem: Callable[[Any, int], FemResult]
+    levels: tuple[int, ...]
+    keys: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scan:
+    """A region about the default inputs over which a case's formulas are measured for the report.
+
+    `vary` holds axes as `freewheel sweep` takes them, "z=3:12:4"; `only` parts of the names of the
+    rows that are swept, all where empty. `star` varies one input at a time instead of all together.
+    """
+
+    vary: tuple[str, ...]
+    only: tuple[str, ...] = ()
+    star: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
 class Case:
     """One subject of one paper.
 
@@ -127,3 +154,5 @@ class Case:
     figures: Callable[[Context], Sequence[Figure]] = lambda _context: ()
     pictures: Callable[[Any], Sequence[Picture]] = lambda _inputs: ()
     dynamic: Dynamic | None = None
+    portions: tuple[Portion, ...] = ()
+    scans: tuple[Scan, ...] = ()

@@ -233,8 +233,7 @@ def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) 
     try:
         return model(**values, **left_out)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        raise InputError(f"{where}: {_rule(model, first, place)}") from error
+        raise InputError(f"{where}: {broken_rule(model, error, place)}") from error
 
 
 def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inputs, ...]:
@@ -308,8 +307,9 @@ def choices(field: FieldInfo) -> tuple[str, ...]:
     return tuple(get_args(field.annotation)) if get_origin(field.annotation) is Literal else ()
 
 
-def _rule(model: type[Inputs], error: Any, place: str) -> str:
-    """A pydantic error as `key = value unit: rule`, in the unit of the input."""
+def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
+    """The first fault in inputs at `place` as `key = value unit: rule`, in the input's unit."""
+    error: Any = wrong.errors(include_url=False)[0]
     message = str(error["msg"]).removeprefix("Value error, ")
     if not error["loc"]:
         named = isinstance((error.get("ctx") or {}).get("error"), EntryError)
