@@ -8,7 +8,7 @@ import numpy as np
 from analytic.polyhedral import bore_pressure, expansion, wall_stress
 from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.sector import Sector
-from verify.case import Case, FemResult, Output, Values
+from verify.case import Case, FemResult, Output, Portion, Values
 from verify.cases import polyhedral_ring_shown as shown
 from verify.cases.polyhedral_fem import (
     ARC,
@@ -71,12 +71,10 @@ def analytic(q: HubRing) -> Values:
 
 def fem(q: HubRing, level: int) -> FemResult:
     ring, long = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
-    thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
-    per = {k: UNIT / 2 / thin / u for k, u in factors(q, ring).items()}
-    p = UNIT * q.j_D / 2 / factors(q, ring)["mid"]
-    values = {
-        "K mid": per["mid"], "K mean": per["mean"], "1/K corner": 1 / per["corner"],
-        "K mid, strain": UNIT / 2 / thin / factors(q, long)["mid"],
+    outward = factors(q, ring)
+    p = UNIT * q.j_D / 2 / outward["mid"]
+    values = stiffness(q, outward) | {
+        "K mid, strain": stiffness(q, factors(q, long))["K mid"],
         "pressure": p, "fillet": fillet_fem(q, level),
     }  # fmt: skip
     # forces of half a sector: the pressure's resultant turns the chord of the bore
@@ -88,14 +86,32 @@ def fem(q: HubRing, level: int) -> FemResult:
     for name, hub in zip(("e", "corner"), pushed_fem(q, level), strict=True):
         mid, corner = radial(hub, q.d_e / 2, np.array([0.0, q.half_angle]))
         values |= {f"hub at {name}, mid": float(mid), f"hub at {name}, corner": float(corner)}
-    round_off = max(ring.residual**0.5, 1e-11)
     arrays = {"outside": radial(ring, q.d_e / 2, stations(q)) * p / UNIT}
     drawn = dict.fromkeys((*DRAWN, q.z)) if level == LEVELS[-1] else ()
     fields = tuple(expanded(q, z) for z in drawn)
     return FemResult(
-        h=1 / level, values=values, u_it={k: round_off * abs(v) for k, v in values.items()},
-        arrays=arrays, fields=fields,
+        h=1 / level, values=values, u_it=round_off(values, ring.residual), arrays=arrays,
+        fields=fields,
     )  # fmt: skip
+
+
+def stiffness_fem(q: HubRing, level: int) -> FemResult:
+    """K by its three definitions, in plane stress."""
+    ring = pressed_fem(q, level, "plane stress", ARC)
+    values = stiffness(q, factors(q, ring))
+    return FemResult(h=1 / level, values=values, u_it=round_off(values, ring.residual))
+
+
+def stiffness(q: HubRing, outward: Values) -> dict[str, float]:
+    """K from the displacements `outward` [m] under `UNIT`; 1/K at corners, which may draw in."""
+    thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
+    per = {where: UNIT / 2 / thin / u for where, u in outward.items()}
+    return {"K mid": per["mid"], "K mean": per["mean"], "1/K corner": 1 / per["corner"]}
+
+
+def round_off(values: Values, residual: float) -> dict[str, float]:
+    """Uncertainty of values after a linear solve that left a `residual` of the energy."""
+    return {key: max(residual**0.5, 1e-11) * abs(value) for key, value in values.items()}
 
 
 def fillet_fem(q: HubRing, level: int) -> float:
@@ -171,6 +187,11 @@ RING = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    portions=(
+        Portion(
+            name="K", fem=stiffness_fem, levels=(1, 2, 3), keys=("K mid", "K mean", "1/K corner")
+        ),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="p_1", symbol="p_1", unit="MPa", what="pressure of the round ring (Eq. 10)",

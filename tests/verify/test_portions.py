@@ -1,0 +1,54 @@
+"""Portions give what their cases' finite elements give on the same mesh, and nothing else."""
+
+import pytest
+
+from verify.cases import polyhedral_ring, spring_accordion
+from verify.cases.polyhedral_inputs import HubRing
+from verify.cases.polyhedral_ring import RING
+from verify.cases.spring_accordion import ACCORDION
+from verify.cases.spring_inputs import AccordionInputs
+
+PORTIONS = [pytest.param(case, part, id=case.id) for case in (RING, ACCORDION)
+            for part in case.portions]  # fmt: skip
+
+
+@pytest.mark.parametrize(("case", "portion"), PORTIONS)
+def test_a_portion_has_the_values_of_its_case_on_the_same_mesh(case, portion):
+    level = portion.levels[0]
+    part, whole = (fem(case.inputs(), level) for fem in (portion.fem, case.fem))
+    assert set(part.values) == set(portion.keys)
+    assert part.h == whole.h
+    assert part.values == {key: whole.values[key] for key in portion.keys}
+    assert part.u_it == {key: whole.u_it[key] for key in portion.keys}
+
+
+@pytest.mark.parametrize(("case", "portion"), PORTIONS)
+def test_what_a_portion_gives_is_what_rows_of_its_case_ask_for(case, portion):
+    judged = {getattr(check, "fem", None) for check in case.checks}
+    assert set(portion.keys) <= judged
+    assert len(portion.levels) >= 3
+    assert list(portion.levels) == sorted(portion.levels)
+
+
+def test_a_ring_s_portion_solves_one_problem_and_a_spring_s_too(monkeypatch):
+    solved = counted(monkeypatch, "fem.plane.solve.solve_plane")
+    stiff = polyhedral_ring.stiffness_fem(HubRing(), 1)
+    assert len(solved) == 1
+    assert stiff.values["K mid"] == pytest.approx(1.1, rel=1e-3)
+    solved = counted(monkeypatch, "fem.beam.curved.solve_curved_frame")
+    spring_accordion.stiffness_fem(AccordionInputs(), 4)
+    assert len(solved) == 1
+
+
+def counted(monkeypatch, name):
+    """Calls of the function `name`, from here on."""
+    module, _, function = name.rpartition(".")
+    calls = []
+    own = getattr(__import__(module, fromlist=[function]), function)
+
+    def counting(*args, **more):
+        calls.append(args)
+        return own(*args, **more)
+
+    monkeypatch.setattr(name, counting)
+    return calls
