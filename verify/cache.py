@@ -151,6 +151,15 @@ def source_of(function: Any) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
+@cache
+def whole_source_of(function: Any) -> str:
+    """Hash of a function, the names of its module it uses, and all formulas these reach."""
+    used, start = _used(function, whole=True)
+    reached = sorted(_reached(start, whole=True))
+    text = "\n".join([*(used[n] for n in sorted(used)), *(f"{m} {_read(m)[0]}" for m in reached)])
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
     """Code of a `fem` function and of the names of its module it uses, and modules it reaches.
 

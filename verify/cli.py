@@ -49,6 +49,7 @@ def _templates(_context: Any) -> list[str]:
 
 Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=_whole)]
 Number = Annotated[int, Parameter(converter=_whole)]
+Engine = Literal["local", "dask"]
 CaseId = Annotated[str, Parameter(completer=_case_ids)]
 
 
@@ -57,6 +58,8 @@ def verify(
     *cases: CaseId,
     quick: bool = False,
     jobs: Jobs = 0,
+    engine: Engine = "local",
+    scheduler: str = "",
     out: Path | None = None,
     cache: bool = True,
 ) -> int:
@@ -70,14 +73,20 @@ def verify(
         Only the cheap cases, at full sharpness; the others are skipped.
     jobs
         Processes, 0 for one a core.
+    engine
+        Processes of this machine, or a dask cluster.
+    scheduler
+        Address of the cluster's scheduler, tcp://host:8786; without it dask makes a cluster here.
     out
         Folder for the report, by default reports/out of this checkout.
     cache
         Reuse finite-element results of earlier runs.
     """
     from verify.commands import run_verify
+    from verify.engines import Where
 
-    return run_verify(cases, quick=quick, jobs=jobs, out=out, use_cache=cache)
+    where = Where(jobs, engine, scheduler)
+    return run_verify(cases, quick=quick, where=where, out=out, use_cache=cache)
 
 
 @app.command

@@ -19,6 +19,7 @@ from verify.check_record import check_record
 from verify.design.inputs import CASE as DESIGN
 from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.dynamic import asked_for, run_dynamic, with_dynamic
+from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
 from verify.results import CaseResult, Report, Status
@@ -47,7 +48,7 @@ def run_list() -> int:
 
 
 def run_verify(
-    names: Sequence[str], *, quick: bool, jobs: int, out: Path | None, use_cache: bool
+    names: Sequence[str], *, quick: bool, where: Where, out: Path | None, use_cache: bool
 ) -> int:
     """Run the cases on the paper's numbers, write the report and print the verdicts."""
     cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
@@ -57,7 +58,7 @@ def run_verify(
     work = [
         Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
     ]
-    results = solve(work, jobs, use_cache)
+    results = solve(work, where, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
     print_verdicts(report)
     page = _write(report, out, use_cache)
@@ -99,7 +100,7 @@ def run_check(
             case, inputs, values, where=str(path), drawn=out is not None, quiet=as_json
         )
     job = Job(case, inputs, use_fem=use_fem, values=values, drawn=out is not None)
-    (result,) = solve([job], jobs, use_cache, quiet=as_json)
+    (result,) = solve([job], Where(jobs), use_cache, quiet=as_json)
     flags = "--fem " * use_fem + "--dynamic " * use_dynamic
     result = replace(result, name=name, command=f"freewheel check {flags}{shlex.quote(path.name)}")
     if not use_fem:

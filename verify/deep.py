@@ -17,6 +17,7 @@ import numpy as np
 
 from verify import cache
 from verify.case import Case, FemResult
+from verify.engines import Where
 from verify.files import write_whole
 from verify.inputs import InputError
 from verify.results import Status
@@ -86,7 +87,7 @@ def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
     for case in chosen:
         if case not in missing:
             print(f"{case.id}: measured already, --again measures it anew")
-    results = solve([Job(case, case.inputs(), drawn=False) for case in missing], jobs, True)
+    results = solve([Job(case, case.inputs(), drawn=False) for case in missing], Where(jobs), True)
     failed = False
     for case, result in zip(missing, results, strict=True):
         bad = [row.reason for row in result.rows if row.status is Status.FAIL]

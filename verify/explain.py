@@ -10,6 +10,7 @@ from verify.case import Case, Context
 from verify.cases.registry import CASES
 from verify.commands import load
 from verify.derivation.steps import derive
+from verify.engines import Where
 from verify.inputs import InputError, Inputs
 from verify.results import Row, Status
 from verify.run import Job
@@ -31,7 +32,7 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
         _, case, inputs, _ = load(path)
         paper = Job(case, inputs).is_paper
         row_id = find_row(wanted, row_ids(case, inputs, paper=paper), f" with {path}")
-    (result,) = solve([Job(case, inputs)], jobs, use_cache, quiet=as_json)
+    (result,) = solve([Job(case, inputs)], Where(jobs), use_cache, quiet=as_json)
     row = next(row for row in result.rows if row.id == row_id)
     print(_json(row) if as_json else _text(row))
     return 1 if row.status in (Status.FAIL, Status.SKIP) else 0

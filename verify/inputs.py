@@ -249,7 +249,7 @@ def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inp
 
 def _value(field: FieldInfo, raw: Any, where: str) -> Any:
     """One raw TOML value as what the model expects."""
-    unit, kind = meta(field)["unit"], _kind(field)
+    unit, kind = meta(field)["unit"], kind_of(field)
     if kind is float and isinstance(raw, str):
         try:
             return units.parse(raw, unit)
@@ -290,7 +290,8 @@ def entry_model(field: FieldInfo) -> type[Inputs]:
     return found
 
 
-def _kind(field: FieldInfo) -> type:
+def kind_of(field: FieldInfo) -> type:
+    """The type of an input: float, int, str for words and texts, tuple for tables."""
     annotation = field.annotation
     if get_origin(annotation) is tuple:
         return tuple

@@ -104,11 +104,12 @@ def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> 
         failure, trace = f"level {level}: {named(error)}", traceback.format_exc()
         return Solved(None, failure, seconds, cached=False, trace=trace)
     seconds = time.perf_counter() - start
-    unstored = "" if folder is None else _stored(folder, case, inputs, level, result)
+    unstored = "" if folder is None else keep_level(folder, case, inputs, level, result)
     return Solved(result, "", seconds, cached=False, unstored=unstored)
 
 
-def _stored(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> str:
+def keep_level(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> str:
+    """Put a result into the cache: "" or in a word why it could not be stored."""
     try:
         cache.store(folder, case, inputs, level, result)
     except OSError as error:

@@ -1,33 +1,35 @@
 """The levels of all jobs: from the cache, or on processes with the longest first, then judged."""
 
 import time
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import AbstractContextManager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from verify import cache, durations
 from verify.case import Case
+from verify.engines import Drive, Engine, Lost, local
 from verify.environment import require_gmsh
 from verify.inputs import Inputs
 from verify.progress import Show, State
 from verify.results import CaseResult
-from verify.run import Job, Solved, judge_case, solve_level
-from verify.workers import Here, Lost, Pool
+from verify.run import Job, Solved, judge_case, keep_level, solve_level
 
 
 @dataclass(frozen=True)
 class Task:
-    """One level to solve; it reaches another process by the name of its case."""
+    """One level to solve, the `number`th; it reaches another process by the name of its case."""
 
     case: Case
     inputs: Inputs
     level: int
     folder: Path | None
+    number: int = 0
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _named_task, (self.case.id, self.inputs, self.level, self.folder)
+        return _named_task, (self.case.id, self.inputs, self.level, self.folder, self.number)
 
 
 def _named_task(case_id: str, *rest: Any) -> Task:
@@ -44,7 +46,7 @@ def solve_task(task: Task) -> Solved:
 def run(
     jobs: Sequence[Job],
     *,
-    processes: int = 1,
+    engine: AbstractContextManager[Engine] | None = None,
     cache_folder: Path | None = None,
     show: Show = lambda _state: None,
     warn: Callable[[str], None] = lambda _message: None,
@@ -52,8 +54,8 @@ def run(
     """Solve what the cache does not hold and judge every job; results in the order of `jobs`.
 
     OSError names what is missing where gmsh cannot start and something is to be solved.
-    `processes` 0 solves in this process. `show` follows the state, `warn` takes what the user
-    should know of at once.
+    `engine` is entered where something is to be solved; without one this process does. `show`
+    follows the state, `warn` takes what the user should know of at once.
     """
     wanted = [
         (i, level) for i, job in enumerate(jobs) if job.use_fem and not job.skip
@@ -61,11 +63,15 @@ def run(
     ]  # fmt: skip
     solved = {n: found for n in wanted if (found := _stored(jobs[n[0]], n[1], cache_folder))}
     missing = [n for n in wanted if n not in solved]
-    tasks = [Task(jobs[i].case, jobs[i].inputs, level, cache_folder) for i, level in missing]
+    tasks = [
+        Task(jobs[i].case, jobs[i].inputs, level, cache_folder, n)
+        for n, (i, level) in enumerate(missing)
+    ]
     if tasks:
         require_gmsh()  # a machine without its libraries is no red row
-    remaining = Round(tasks, processes=processes, done=len(solved), show=show, warn=warn)
-    solved |= {missing[n]: answer for n, answer in remaining.solve()}
+        with engine or local(0) as entered:
+            remaining = Round(tasks, engine=entered, done=len(solved), show=show, warn=warn)
+            solved |= {missing[n]: answer for n, answer in remaining.solve()}
     return [
         judge_case(job, [solved[i, level] for level in job.case.levels if (i, level) in solved])
         for i, job in enumerate(jobs)
@@ -86,7 +92,7 @@ class Round:
     """Solves tasks, longest first, and learns from each how long the others will take."""
 
     def __init__(
-        self, tasks: Sequence[Task], *, processes: int, done: int, show: Show,
+        self, tasks: Sequence[Task], *, engine: Engine, done: int, show: Show,
         warn: Callable[[str], None],
     ) -> None:  # fmt: skip
         self.tasks, self.show, self.warn = tasks, show, warn
@@ -94,31 +100,36 @@ class Round:
         self.folder = tasks[0].folder if tasks else None
         self.earlier = durations.load(self.folder) if self.folder else {}
         self.measured: dict[durations.Level, float] = {}
-        self.processes = max(1, min(processes, len(tasks)))
-        self.pool = Pool(solve_task, self.processes) if processes else Here(solve_task)
+        self.drive = Drive(engine, solve_task)
 
     def solve(self) -> Iterator[tuple[int, Solved]]:
         """Position and answer of each task as they come."""
         seconds = self._expected()
         order = sorted(range(len(self.tasks)), key=lambda n: -seconds[self._level(n)])
-        waiting = dict.fromkeys(order)
+        waiting = deque(order)
 
-        def take(turn: int) -> Task:
-            waiting.pop(order[turn], None)  # asked for once more where its process died
-            return replace(self.tasks[order[turn]], folder=self.folder)
+        def turns() -> Iterator[Task]:
+            while waiting:
+                yield replace(
+                    self.tasks[waiting.popleft()],
+                    folder=None if self.drive.engine.remote else self.folder,
+                )
 
-        for event in self.pool.answers(len(order), take):
+        for event in self.drive.answers(turns()):
             if event is not None:
-                n = order[event[0]]
+                task, answer = event
                 self.done += 1
-                yield n, self._learnt(n, event[1])
-            self.show(self._state([order[turn] for turn in self.pool.running], waiting))
+                yield task.number, self._learnt(task.number, answer)
+            self.show(self._state(waiting))
 
     def _learnt(self, n: int, answer: Solved | Lost) -> Solved:
         task = self.tasks[n]
         if isinstance(answer, Lost):
             failure = f"level {task.level}: {answer.reason}"
             return Solved(None, failure, 0.0, cached=False, trace=answer.trace)
+        if self.drive.engine.remote and answer.result is not None and self.folder is not None:
+            stored = keep_level(self.folder, task.case, task.inputs, task.level, answer.result)
+            answer = replace(answer, unstored=stored)
         if not answer.cached and not answer.failure:
             self.measured[self._level(n)] = answer.seconds
             if self.folder is not None:
@@ -136,14 +147,15 @@ class Round:
         known = durations.refined(self.earlier, self.measured)
         return durations.expected_seconds(map(self._level, range(len(self.tasks))), known)
 
-    def _state(self, running: Iterable[int], waiting: Iterable[int]) -> State:
+    def _state(self, waiting: Iterable[int]) -> State:
         seconds, now = self._expected(), time.monotonic()
-        starts = self.pool.running.values()
+        running = [task.number for task, _ in self.drive.running.values()]
         under_way = [
-            (seconds[self._level(n)], now - start) for n, start in zip(running, starts, strict=True)
+            (seconds[self._level(task.number)], now - start)
+            for task, start in self.drive.running.values()
         ]
         left = durations.remaining_seconds(
-            under_way, [seconds[self._level(n)] for n in waiting], self.processes
+            under_way, [seconds[self._level(n)] for n in waiting], self.drive.engine.workers()
         )
         names = tuple("{} level {}".format(*self._level(n)) for n in running)
         return State(self.done, self.total, names, left)

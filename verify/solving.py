@@ -1,6 +1,5 @@
 """Run jobs for a command: cache, processes, progress, and a clean end when stopped."""
 
-import os
 import sys
 import tempfile
 from collections.abc import Sequence
@@ -9,34 +8,33 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from verify import cache
+from verify.engines import GoneError, Where
 from verify.files import remove_abandoned
-from verify.inputs import InputError
 from verify.progress import State, shown
 from verify.results import CaseResult
 from verify.run import Job
 from verify.schedule import run
 
-MOST_JOBS = 256
 
+def solve(
+    work: list[Job], where: Where, use_cache: bool, *, quiet: bool = False
+) -> list[CaseResult]:
+    """Run the jobs where it is said, with the cache and progress on stderr.
 
-def solve(work: list[Job], jobs: int, use_cache: bool, *, quiet: bool = False) -> list[CaseResult]:
-    """Run the jobs in `jobs` processes (0: one a core), with the cache and progress on stderr.
-
-    KeyboardInterrupt says how much of the work is kept.
+    KeyboardInterrupt says how much of the work is kept, GoneError why there is no more of it.
     """
-    if not 0 <= jobs <= MOST_JOBS:
-        raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {jobs}")
     folder = _writable_cache(work) if use_cache and any(job.use_fem for job in work) else None
-    processes = jobs if jobs > 0 else os.cpu_count() or 1
     done = Done(stored=folder is not None)
     try:
         with shown(quiet=quiet) as show:
             return run(
-                work, processes=processes, cache_folder=folder,
+                work, engine=where.entered(), cache_folder=folder,
                 show=lambda state: show(done.follow(state)), warn=done.warned,
             )  # fmt: skip
     except KeyboardInterrupt:
         raise KeyboardInterrupt(f"interrupted; {done}") from None
+    except GoneError as error:
+        raise GoneError(f"{error}; {done}") from error
 
 
 @dataclass

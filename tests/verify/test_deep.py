@@ -27,7 +27,7 @@ def folder(tmp_path, monkeypatch):
 
     def in_this_process(work, _jobs, _use_cache):
         """A spawned process would not know the case of the tests."""
-        return run(work, processes=0, cache_folder=cache.default_folder())
+        return run(work, cache_folder=cache.default_folder())
 
     monkeypatch.setattr(deep, "solve", in_this_process)
     return tmp_path / "measured"

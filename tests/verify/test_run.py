@@ -1,19 +1,21 @@
 """One case that goes wrong is red; the others are judged as usual, and nothing is solved twice."""
 
 import os
+from concurrent.futures import Future
+from contextlib import nullcontext
 from dataclasses import replace
 
 import pytest
 
-from verify import schedule
 from verify.case import Case, FemResult
 from verify.cases.ring import LAME
 from verify.checks import Fact
+from verify.engines import Engine, GoneError, Here, local
 from verify.inputs import Inputs, quantity
 from verify.results import Status
 from verify.run import Job
 from verify.schedule import run
-from verify.workers import Lost
+from verify.workers import WorkerDiedError
 
 
 class Beam(Inputs):
@@ -51,7 +53,7 @@ def rows_of(result):
 
 def here(case, **more):
     """The case beside a healthy one, solved in this process."""
-    bad, good = run([Job(case, Beam()), Job(OTHER, Beam())], processes=0, **more)
+    bad, good = run([Job(case, Beam()), Job(OTHER, Beam())], **more)
     assert {row.status for row in good.rows} == {Status.PASS}
     assert good.errors == ()
     return bad
@@ -142,33 +144,45 @@ def test_ctrl_c_is_no_fault_of_a_case():
 
     for part in ("fem", "analytic", "tables"):
         with pytest.raises(KeyboardInterrupt):
-            run([Job(replace(CASE, **{part: stop}), Beam())], processes=0)
+            run([Job(replace(CASE, **{part: stop}), Beam())])
 
 
-class Dying:
-    """In place of the processes: the finest level's dies whenever it is tried."""
+class Dying(Here):
+    """In place of processes: the finest level's dies whenever it is tried."""
 
-    def __init__(self, function, _processes):
-        self.function, self.running = function, {}
-
-    def answers(self, count, task):
-        for n in range(count):
-            asked = task(n)
-            died = asked.case is CASE and asked.level == 4
-            yield n, Lost("the process died (signal 9)") if died else self.function(asked)
+    def submit(self, function, /, task):
+        if task.case is CASE and task.level == 4:
+            future = Future()
+            future.set_exception(WorkerDiedError("the process died (signal 9)"))
+            return future
+        return super().submit(function, task)
 
 
-def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone(monkeypatch):
-    monkeypatch.setattr(schedule, "Pool", Dying)
-    bad, good = run([Job(CASE, Beam()), Job(OTHER, Beam())], processes=2)
+def test_a_level_whose_process_died_is_a_red_row_of_its_case_alone():
+    engine = nullcontext(Engine(Dying(), lambda: 2))
+    bad, good = run([Job(CASE, Beam()), Job(OTHER, Beam())], engine=engine)
     assert rows_of(bad)["with elements"] == ("FAIL", "level 4: the process died (signal 9)")
     assert rows_of(bad)["formula alone"] == ("PASS", "held")
     assert {row.status for row in good.rows} == {Status.PASS}
 
 
+def test_an_engine_that_is_gone_ends_the_run_and_what_was_solved_is_kept(tmp_path):
+    engine = nullcontext(Engine(Dying(), lambda: 1, gone=lambda: "it is gone"))
+    with pytest.raises(GoneError, match="it is gone"):
+        run([Job(CASE, Beam())], engine=engine, cache_folder=tmp_path)
+
+
+def test_where_tasks_see_no_files_the_results_are_stored_here(tmp_path):
+    away = nullcontext(Engine(Here(), lambda: 1, remote=True))  # may be entered again
+    solved = []
+    for _ in range(2):
+        run([Job(counting(CASE, solved), Beam())], engine=away, cache_folder=tmp_path)
+    assert len(solved) == len(CASE.levels)
+
+
 def test_a_case_that_another_process_does_not_know_is_red():
     case = replace(CASE, analytic=lambda _q: {})
-    (result,) = run([Job(case, LAME.inputs())], processes=1)
+    (result,) = run([Job(case, LAME.inputs())], engine=local(1))
     assert "unknown case 'ring-made-up'" in rows_of(result)["with elements"][1]
 
 
@@ -187,9 +201,9 @@ def counting(case, solved):
 def test_what_is_stored_is_not_solved_again(tmp_path):
     solved = []
     case = counting(CASE, solved)
-    run([Job(replace(case, levels=(1, 4)), Beam())], processes=0, cache_folder=tmp_path)
+    run([Job(replace(case, levels=(1, 4)), Beam())], cache_folder=tmp_path)
     assert solved == [("ring-made-up", 4), ("ring-made-up", 1)]
-    run([Job(case, Beam())], processes=0, cache_folder=tmp_path)
+    run([Job(case, Beam())], cache_folder=tmp_path)
     assert solved[2:] == [("ring-made-up", 2)]
 
 
@@ -197,7 +211,7 @@ def test_without_a_cache_everything_is_solved_and_nothing_stored(tmp_path, monke
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
     solved = []
     for _ in range(2):
-        run([Job(counting(CASE, solved), Beam())], processes=0)
+        run([Job(counting(CASE, solved), Beam())])
     assert len(solved) == 6
     assert list(tmp_path.iterdir()) == []
 
@@ -208,7 +222,7 @@ def test_the_longest_levels_come_first_as_measured_in_earlier_runs(tmp_path):
     durations.store(tmp_path, {("ring-made-up", 4): 1.0, ("ring-other", 4): 9.0})
     solved = []
     jobs = [Job(counting(case, solved), Beam()) for case in (CASE, OTHER)]
-    run(jobs, processes=0, cache_folder=tmp_path)
+    run(jobs, cache_folder=tmp_path)
     short, long = "ring-made-up", "ring-other"  # 9, 9/4, 1, 9/16, 1/4, 1/16
     assert solved == [(long, 4), (long, 2), (short, 4), (long, 1), (short, 2), (short, 1)]
     assert set(durations.load(tmp_path)) == set(solved)
@@ -233,10 +247,10 @@ def test_a_disk_that_fills_is_mentioned_once_and_the_run_goes_on(tmp_path, monke
 
 
 def test_the_state_counts_what_the_cache_held(tmp_path):
-    run([Job(replace(CASE, levels=(1, 4)), Beam())], processes=0, cache_folder=tmp_path)
+    run([Job(replace(CASE, levels=(1, 4)), Beam())], cache_folder=tmp_path)
     states = []
-    run([Job(CASE, Beam())], processes=0, cache_folder=tmp_path, show=states.append)
-    assert [(s.done, s.total) for s in states] == [(3, 3)]
+    run([Job(CASE, Beam())], cache_folder=tmp_path, show=states.append)
+    assert {(s.done, s.total) for s in states} == {(3, 3)}
     states.clear()
-    run([Job(CASE, Beam())], processes=0, cache_folder=tmp_path, show=states.append)
+    run([Job(CASE, Beam())], cache_folder=tmp_path, show=states.append)
     assert states == []  # nothing to say when all is there

@@ -23,8 +23,8 @@ from verify.cases.sprag_clutch_model import Built, built
 from verify.cases.sprag_clutch_run_fem import AHEAD, engaged_fem
 from verify.cases.sprag_engagement_model import crowned_for, gap
 from verify.cases.sprag_inputs import EngagementInputs
+from verify.engines import Drive, Lost, local
 from verify.shown import Array
-from verify.workers import Here, Lost, Pool
 
 CHUNK = 5  # crowns that a process takes at a time
 STRIPS = 81  # along a sprag; where its ends carry nothing 161 of them change the peak by 0.1 %
@@ -167,19 +167,19 @@ def peaks_fem(
         tuple((float(a), float(b), float(c)) for a, b, c in crowns[k : k + CHUNK])
         for k in range(0, n, CHUNK)
     ]
-    pool = Here(some_fem) if jobs == 1 or len(tasks) == 1 else Pool(some_fem, min(jobs, len(tasks)))
-    found: dict[int, list[tuple[Array, Array]]] = {}
-    for said in pool.answers(len(tasks), lambda k: (q, torques, tasks[k], by)):
-        if said is None:
-            continue
-        number, answer = said
-        if isinstance(answer, Lost):
-            raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
-        if isinstance(answer, str):
-            raise NoLockError(answer)
-        found[number] = answer
-        progress(sum(map(len, found.values())))
-    whole = [one for k in range(len(tasks)) for one in found[k]]
+    found: dict[tuple[Crown, ...], list[tuple[Array, Array]]] = {}
+    with local(0 if jobs == 1 or len(tasks) == 1 else min(jobs, len(tasks))) as engine:
+        for said in Drive(engine, some_fem).answers((q, torques, task, by) for task in tasks):
+            if said is None:
+                continue
+            (_, _, task, _), answer = said
+            if isinstance(answer, Lost):
+                raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+            if isinstance(answer, str):
+                raise NoLockError(answer)
+            found[task] = answer
+            progress(sum(map(len, found.values())))
+    whole = [one for task in tasks for one in found[task]]
     return Peaks(
         np.asarray(crowns, dtype=np.float64), np.array(torques),
         np.array([N for N, _ in whole]), np.array([p for _, p in whole]), by,

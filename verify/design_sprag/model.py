@@ -23,9 +23,9 @@ from verify.cases.sprag_clutch_model import Built, built
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.cases.sprag_peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
 from verify.design_sprag.known import Known
+from verify.engines import Drive, Lost, local
 from verify.files import write_whole
 from verify.shown import Array
-from verify.workers import Here, Lost, Pool
 
 PER_HALF_WIDTH = 3  # strips: where ends carry more of them matter, where they don't these do
 FEWEST, MOST = 41, 401
@@ -103,33 +103,33 @@ class Model:
             for k in range(0, len(crowns), CHUNK)
         ]
         whole: list[Task] = [(self.q, self.torques, task, "slices") for task in tasks]
-        found = {k: one for k, task in enumerate(whole) if (one := load(self.folder, task))}
-        missing = [k for k in range(len(whole)) if k not in found]
-        alone = self.jobs == 1 or len(missing) < 2
-        pool = Here(some_fem) if alone else Pool(some_fem, min(self.jobs, len(missing)))
+        found = {task[2]: one for task in whole if (one := load(self.folder, task))}
+        missing = {task[2]: task for task in whole if task[2] not in found}
+        alone, kept = self.jobs == 1 or len(missing) < 2, len(found)
         start = time.monotonic()
         try:
-            for said in pool.answers(len(missing), lambda k: whole[missing[k]]):
-                made = len(found) - (len(whole) - len(missing))
-                left = (len(missing) - made) * (time.monotonic() - start) / max(made, 1)
-                if len(whole) > 1 and made:
-                    self.tell(sum(map(len, found.values())), len(crowns), left)
-                if said is None:
-                    continue
-                number, answer = said
-                if isinstance(answer, Lost):
-                    raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
-                if isinstance(answer, str):
-                    raise NoLockError(answer)
-                found[missing[number]] = answer
-                store(self.folder, whole[missing[number]], answer)
+            with local(0 if alone else min(self.jobs, len(missing))) as engine:
+                for said in Drive(engine, some_fem).answers(missing.values()):
+                    made = len(found) - kept
+                    left = (len(missing) - made) * (time.monotonic() - start) / max(made, 1)
+                    if len(whole) > 1 and made:
+                        self.tell(sum(map(len, found.values())), len(crowns), left)
+                    if said is None:
+                        continue
+                    task, answer = said
+                    if isinstance(answer, Lost):
+                        raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+                    if isinstance(answer, str):
+                        raise NoLockError(answer)
+                    found[task[2]] = answer
+                    store(self.folder, task, answer)
         except KeyboardInterrupt as stop:
-            done = self.engaged.union(*(whole[k][2] for k in found))
+            done = self.engaged.union(*found)
             raise KeyboardInterrupt(
                 f"interrupted: {len(done)} crowns are kept, the same command goes on"
             ) from stop
         self.engaged.update(*tasks)
-        return [one for k in range(len(whole)) for one in found[k]]
+        return [one for task in tasks for one in found[task]]
 
 
 def key(task: Task) -> str:

@@ -1,0 +1,1 @@
+"""Formulas and finite elements over ranges of the inputs."""
