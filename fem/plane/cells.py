@@ -17,7 +17,7 @@ their turn, 2 pi r dA, and the hoop strain u_r/r joins eps and its trace: with N
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array, csr_array
+from scipy.sparse import coo_array, csc_array, csr_array
 from skfem import Basis
 
 from fem.plane.axis import depth
@@ -59,11 +59,21 @@ class Cells:
             dx, around = dx * depth(x, turn), N.T / x[0][:, :, None]
         return cls(slope=slope, dx=dx, dofs=dofs, lam=lam, mu=mu, count=basis.N, around=around)
 
-    def stiffness(self, place: Indices | None = None) -> csr_array:
+    def reduced(self, T: csr_array) -> csc_array:
+        """T' K T (n, n) for displacements u = T q, T (unknowns, n)."""
+        held = np.diff(T.indptr)
+        if np.any(held > 1):
+            return (T.T @ self.stiffness() @ T).tocsc()
+        place, weight = np.full(self.count, -1), np.zeros(self.count)
+        place[held == 1], weight[held == 1] = T.indices, T.data
+        return self.stiffness(place, weight).T
+
+    def stiffness(self, place: Indices | None = None, weight: Array | None = None) -> csr_array:
         """K (unknowns, unknowns) of a(u, v) = v . K u.
 
         With `place` (unknowns,), a number for every unknown that is kept and -1 for the others,
-        K has the rows and columns of these alone.
+        K has the rows and columns of these alone. Unknowns of one number are shares of one, each
+        with its `weight` (unknowns,).
         """
         m, _, n = self.slope.shape
         K = np.empty((m, 2 * n, 2 * n))
@@ -75,6 +85,10 @@ class Cells:
             count = int(place.max()) + 1
             dofs = place.astype(np.int32)[dofs]
             left = dofs < 0
+            if weight is not None:
+                share = weight[self.dofs.reshape(m, 2 * n)]
+                shared = np.any((share != 1) & ~left, axis=1)
+                K[shared] *= share[shared, :, None] * share[shared, None]
             K[left] = 0.0
             K.swapaxes(1, 2)[left] = 0.0
             # nothing, added where the cell has entries anyway: the pattern stays as it is
@@ -104,6 +118,19 @@ class Cells:
             K[:, :, :, :, 0] += lam[..., None] * G.transpose(0, 2, 3, 1)
             K[:, :, 0, :, 0] += (lam + 2 * mu) * H
         return K
+
+    def diagonal(self) -> Array:
+        """K[a i, a i] (m, n, 2) of every cell."""
+        m, rows, n = self.slope.shape
+        dx = self.dx[..., None, None]
+        square = (self.slope.reshape(m, rows // 2, 2, n) ** 2 * dx).sum(axis=1).swapaxes(1, 2)
+        lam, mu = self.lam[:, None, None], self.mu[:, None, None]
+        found = (lam + mu) * square + mu * square.sum(axis=2, keepdims=True)
+        if self.around is not None:
+            x = self.slope[:, ::2]
+            both = (2 * self.lam[:, None, None] * x + (lam + 2 * mu) * self.around) * self.around
+            found[..., 0] += (both * self.dx[..., None]).sum(axis=1)
+        return np.asarray(found)
 
     def gradient(self, u: Array) -> Array:
         """d_i u_j (m, points, 2, 2) at the quadrature points, component j last."""

@@ -1,6 +1,6 @@
 """Bases on the cells and boundaries of a plane mesh, with quadrature that costs no order."""
 
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,15 +12,17 @@ from skfem import (
     ElementTriP1,
     ElementTriP2,
     ElementVector,
-    FacetBasis,
     MeshQuad1,
     MeshTri1,
 )
+from skfem.assembly.basis.abstract_basis import AbstractBasis
+from skfem.element import DiscreteField
 from skfem.mesh import Mesh2D
 from skfem.quadrature import get_quadrature
 
 from fem.plane.axis import check_radii
-from fem.plane.geometry import check_unfolded
+from fem.plane.geometry import check_unfolded, jacobians
+from fem.plane.traces import Trace
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -36,6 +38,24 @@ ELEMENTS: dict[tuple[type, int], type[Element]] = {
 def is_curved(mesh: Mesh2D) -> bool:
     """Whether the cells of `mesh` have quadratic edges."""
     return mesh.doflocs.shape[1] > mesh.nvertices
+
+
+class LateBasis(Basis):
+    """scikit-fem's basis, whose shape functions are evaluated where one of its forms asks."""
+
+    def __init__(self, mesh: Mesh2D, elem: Element, quadrature: tuple[Array, Array]) -> None:
+        AbstractBasis.__init__(self, mesh, elem, quadrature=quadrature)
+        self.tind, self.nelems = None, mesh.nelements
+
+    @cached_property
+    def basis(self) -> list[tuple[DiscreteField]]:
+        """The shape functions and their slopes at the quadrature points."""
+        return [self.elem.gbasis(self.mapping, self.X, k) for k in range(self.Nbfun)]
+
+    @cached_property
+    def dx(self) -> Array:
+        """Areas (m, q) that the quadrature points stand for."""
+        return np.abs(jacobians(self.mesh, self.X)[1]) * self.W
 
 
 def vector_basis(mesh: Mesh2D, degree: int | None = None, *, turn: bool = False) -> Basis:
@@ -57,45 +77,19 @@ def vector_basis(mesh: Mesh2D, degree: int | None = None, *, turn: bool = False)
     check_unfolded(mesh, quadrature[0])
     if turn:
         check_radii(mesh)
-    return Basis(mesh, ElementVector(ELEMENTS[shape, degree]()), quadrature=quadrature)
-
-
-class _TraceMapping:
-    """The mesh's own mapping, but facet points find their cell coordinates without iteration.
-
-    scikit-fem inverts the curved mapping by Newton's method to 1e-12 of a cell, which round-off
-    forbids where cells are small against their distance from the origin.
-    """
-
-    def __init__(self, mesh: Mesh2D, facets: Indices, X: Array) -> None:
-        self._own = mesh.mapping()
-        self._mesh, self._facets, self._X = mesh, facets, X
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._own, name)
-
-    def invF(self, _x: Array, tind: Indices) -> Array:
-        ends = self._mesh.facets[:, self._facets]  # the facet parameter runs from row 0 to row 1
-        corner = self._mesh.t[:, tind]
-        reference = self._mesh.elem.refdom.p
-        a, b = (reference[:, np.argmax(corner == end, axis=0)] for end in ends)
-        return a[:, :, None] * (1 - self._X[0]) + b[:, :, None] * self._X[0]
+    return LateBasis(mesh, ElementVector(ELEMENTS[shape, degree]()), quadrature)
 
 
 def facet_basis(
     basis: Basis, facets: Indices, *, side: int = 0, points: Array | None = None
-) -> FacetBasis:
+) -> Trace:
     """`basis` restricted to `facets`, at Gauss points or at given facet parameters in [0, 1]."""
     if points is None:
         t, w = np.polynomial.legendre.leggauss(4)
         X, W = (t[None] + 1) / 2, w / 2
     else:
         X, W = points[None], np.full(points.size, 1 / points.size)
-    mapping = _TraceMapping(basis.mesh, np.asarray(facets), X)
-    return FacetBasis(
-        basis.mesh, basis.elem, mapping=mapping, quadrature=(X, W), facets=facets,
-        dofs=basis.dofs, side=side,
-    )  # fmt: skip
+    return Trace(basis, np.asarray(facets), side, X, W)
 
 
 def named_facets(mesh: Mesh2D, name: str) -> Indices:

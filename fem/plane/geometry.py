@@ -2,33 +2,60 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from skfem import Element
+from skfem import Element, ElementQuad1, ElementQuad2
 from skfem.mesh import Mesh2D
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
+TENSOR = {ElementQuad1: 1, ElementQuad2: 2}  # products of polynomials of this degree
 FLAT = 1e-9  # of a cell's largest determinant: below, it vanishes to round-off
 
 
 def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
     """Values (n, ...) and slopes (2, n, ...) of the shape functions of `elem` at `X` (2, ...)."""
+    if degree := TENSOR.get(type(elem), 0):
+        i, j = np.rint(degree * elem.doflocs.T).astype(int)
+        (x, y), (dx, dy) = (np.moveaxis(a, 1, 0) for a in _on_line(X, degree))
+        return x[i] * y[j], np.array([dx[i] * y[j], x[i] * dy[j]])
     pairs = [elem.lbasis(X, k) for k in range(len(elem.doflocs))]
     phi = np.array([np.broadcast_to(value, X.shape[1:]) for value, _ in pairs])
     slope = [[np.broadcast_to(d, X.shape[1:]) for d in slopes] for _, slopes in pairs]
     return phi, np.array(slope).swapaxes(0, 1)
 
 
-def jacobians(mesh: Mesh2D, X: Array) -> tuple[Array, Array]:
+def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
+    """Lagrange's polynomials (degree + 1, ...) of equal steps on [0, 1], and their slopes."""
+    if degree == 1:
+        return np.array([1 - x, x]), np.array([np.full(x.shape, -1.0), np.ones(x.shape)])
+    values = np.array([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)])
+    return values, np.array([4 * x - 3, 4 - 8 * x, 4 * x - 1])
+
+
+def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
     """dx_i / dX_j (m, q, 2, 2) at reference points `X` (2, q), and determinants (m, q).
 
-    Coordinates count from a node of their own cell: round-off stays small against a cell however
-    far it lies from the origin.
+    Of all cells or of `cells` (m,), whose points may be their own, `X` (2, m, q). Coordinates count
+    from a node of their own cell: round-off stays small against a cell however far it lies from
+    the origin.
     """
-    nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)]
+    t = np.asarray(mesh.dofs.element_dofs)
+    nodes = mesh.doflocs[:, t if cells is None else t[:, cells]]
     nodes = nodes - nodes[:, :1]
     _, slope = shapes(mesh.elem(), X)
-    J = np.einsum("inm,jnq->mqij", nodes, slope, optimize=True)
+    if X.ndim == 3:
+        J = np.einsum("inm,jnmq->mqij", nodes, slope)
+    else:
+        J = np.einsum("inm,jnq->mqij", nodes, slope, optimize=True)
     return J, J[..., 0, 0] * J[..., 1, 1] - J[..., 0, 1] * J[..., 1, 0]
+
+
+def shapes_in(mesh: Mesh2D, cells: Indices, elem: Element, X: Array) -> tuple[Array, Array]:
+    """Values (n, m, q) and d/dx_i (2, n, m, q) of `elem` in `cells` (m,) at their `X` (2, m, q)."""
+    J, det = jacobians(mesh, X, cells)
+    N, (along, across) = shapes(elem, X)
+    (a, b), (c, d) = J.transpose(2, 3, 0, 1)
+    return N, np.array([d * along - c * across, a * across - b * along]) / det
 
 
 def check_unfolded(mesh: Mesh2D, quadrature: Array) -> None:

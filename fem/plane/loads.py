@@ -7,7 +7,7 @@ x being the radius.
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from skfem import Basis, FacetBasis, LinearForm
+from skfem import Basis, LinearForm
 from skfem.helpers import dot
 from skfem.mesh import Mesh2D
 
@@ -22,19 +22,20 @@ from fem.plane.discretisation import (
 )
 from fem.plane.material import Assumption, Elastic
 from fem.plane.supports import nearest_node
+from fem.plane.traces import Trace
 
 Pressure = float | Callable[[Array], Array]
 Vector = tuple[float, float] | Callable[[Array], Array]
 
 
 @LinearForm
-def push(v, w):
-    return -w.p * dot(w.n, v)
-
-
-@LinearForm
 def pull(v, w):
     return dot(w.t, v)
+
+
+def push(side: Trace, p: Array) -> Array:
+    """Forces (unknowns,) of the pressure `p` (m, q) on facets, per length of them."""
+    return -side.load(p * np.asarray(side.normals))
 
 
 def moduli(
@@ -67,11 +68,11 @@ def surface_load(
         p = pressure(x) if callable(pressure) else pressure
         if not np.all(np.isfinite(p)):
             raise ValueError(f"the pressure on {name!r} is not finite")
-        f += push.assemble(side, p=np.broadcast_to(p, x.shape[1:]) * depth(x, turn))
+        f += push(side, p * depth(x, turn))
     for name, traction in tractions.items():
         side = _wall(basis, name, named_facets(basis.mesh, name), turn)
         x = np.asarray(side.global_coordinates())
-        f += pull.assemble(side, t=_vector(traction, x) * depth(x, turn))
+        f += side.load(_vector(traction, x) * depth(x, turn))
     return f
 
 
@@ -94,7 +95,7 @@ def force_load(
         x = np.asarray(side.global_coordinates())
         around = depth(x, turn)
         area = float((side.dx * around).sum())
-        f += pull.assemble(side, t=_vector((force[0] / area, force[1] / area), x) * around)
+        f += side.load(_vector((force[0] / area, force[1] / area), x) * around)
     return f
 
 
@@ -139,7 +140,7 @@ def point_load(
     return f
 
 
-def _wall(basis: Basis, name: str, facets: Indices, turn: bool) -> FacetBasis:
+def _wall(basis: Basis, name: str, facets: Indices, turn: bool) -> Trace:
     """`basis` on the `facets` of boundary `name`; ValueError where a turn gives them no area."""
     if turn and not has_area(basis.mesh, facets):
         raise ValueError(f"a load on {name!r} has no area to act on: it lies on the axis, r = 0")

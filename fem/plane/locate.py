@@ -54,6 +54,8 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
         row, column = np.nonzero(_within(points[:, left, None], low[:, near], high[:, near]))
         settle(left[row], near[row, column], gap, starts[:1])
     left = np.flatnonzero(cell < 0)
+    if not left.size:
+        return cell, X
     for part in np.array_split(left, 1 + left.size * mesh.nelements // PAIRS):
         row, tried = np.nonzero(_within(points[:, part, None], low[:, None], high[:, None]))
         settle(part[row], tried, INSIDE, starts)

@@ -11,16 +11,18 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
-from skfem import Basis, FacetBasis
+from skfem import Basis
 
 from fem.plane.axis import depth, has_area, hoop_strain, on_axis
 from fem.plane.cells import Cells
 from fem.plane.discretisation import Array, Indices, facet_basis, named_cells, named_facets
+from fem.plane.geometry import shapes, shapes_in
 from fem.plane.locate import locate
 from fem.plane.means import Mean
 from fem.plane.samples import Samples
 from fem.plane.supports import Conditions, nearest_node
 from fem.plane.ties import Tied
+from fem.plane.traces import Trace
 
 
 @dataclass(frozen=True)
@@ -126,11 +128,10 @@ class PlaneSolution:
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):
             raise ValueError(f"points are finite, of shape (2, m), got shape {points.shape}")
         cells, X = locate(self.basis.mesh, points)
-        u, grad = np.zeros((2, cells.size)), np.zeros((2, 2, cells.size))
-        for k, dofs in enumerate(self.basis.element_dofs[:, cells]):
-            shape = self.basis.elem.gbasis(self.basis.mapping, X[:, :, None], k, tind=cells)[0]
-            u += self.u[dofs] * np.asarray(shape)[..., 0]
-            grad += self.u[dofs] * shape.grad[..., 0]
+        N, slope = shapes_in(self.basis.mesh, cells, self.basis.elem.elem, X[:, :, None])
+        local = self.u[np.asarray(self.basis.element_dofs)[:, cells]].reshape(len(N), 2, cells.size)
+        u = np.einsum("nim,nm->im", local, N[..., 0])
+        grad = np.einsum("nim,jnm->ijm", local, slope[..., 0])
         one, no_side = np.ones(cells.size), np.zeros((2, 0))
         return Samples(points.copy(), u, self._stress(points, u, grad, cells), one, no_side)
 
@@ -155,7 +156,8 @@ class PlaneSolution:
         own = self._cells()
         grad = own.gradient(self.u)[cells].transpose(3, 2, 0, 1)
         x = np.asarray(self.basis.global_coordinates())[:, cells]
-        u = np.asarray(self.basis.interpolate(self.u))[:, cells]
+        N, _ = shapes(self.basis.elem.elem, self.basis.X)
+        u = np.einsum("mni,nq->imq", self.u[own.dofs[cells]], N)
         return Samples(
             x.reshape(2, -1),
             u.reshape(2, -1),
@@ -197,15 +199,15 @@ class PlaneSolution:
     def _cells(self) -> Cells:
         return Cells.of(self.basis, self.lam, self.mu, turn=self.turn)
 
-    def _along(self, side: FacetBasis) -> Samples:
+    def _along(self, side: Trace) -> Samples:
         """Samples of the cells on one side of facets."""
-        field = side.interpolate(self.u)
-        x, u = np.asarray(side.global_coordinates()), np.asarray(field)
+        x = np.asarray(side.global_coordinates())
+        u, grad = side.displacement(self.u)
         swept = self.turn and has_area(self.basis.mesh, side.find)
         return Samples(
             x.reshape(2, -1),
             u.reshape(2, -1),
-            self._stress(x, u, field.grad, side.tind).reshape(4, -1),
+            self._stress(x, u, grad, side.tind).reshape(4, -1),
             (np.asarray(side.dx) * depth(x, swept)).ravel(),
             np.asarray(side.normals).reshape(2, -1),
         )

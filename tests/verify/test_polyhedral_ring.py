@@ -157,9 +157,7 @@ FEM_FAULTS = [
                  STRAIN, id="plane stress for plane strain"),
     pytest.param(solve, "vector_basis", lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k),
                  FILLET, id="linear elements"),
-    pytest.param(loads, "push",
-                 lambda _: loads.LinearForm(lambda v, w: w.p * loads.dot(w.n, v)), MIDDLE,
-                 id="pressure pulls"),
+    pytest.param(loads, "push", lambda f: lambda *a: -f(*a), MIDDLE, id="pressure pulls"),
     pytest.param(half_sector, "Outline", lambda f: lambda z, d_e, d_i, rho: f(
         z, d_e, d_i, 1.05 * rho), FILLET, id="fillets 5 % larger"),
     pytest.param(polyhedral_ring, "pushed_fem", with_hub(R_b=2), HUB, id="forces not halved"),

@@ -1,0 +1,54 @@
+"""Results of the last few arguments, found again by the arguments' content.
+
+What is found again is what would be made anew, to the last bit, so that no result depends on what
+the process did before.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from fem.plane.geometry import Array, Indices
+
+V = TypeVar("V")
+Key = tuple[type | int | Array | Indices, ...]
+
+
+@dataclass
+class Recent(Generic[V]):
+    """At most `most` results, the latest first, and `room` in all by what each is said to take."""
+
+    most: int
+    room: float = np.inf
+    kept: list[tuple[Key, V, float]] = field(default_factory=list)
+
+    def get(self, key: Key, make: Callable[[], V], size: Callable[[V], float] = lambda _: 0) -> V:
+        """The result of the arguments `key`, kept or from `make`; it takes `size` of the room."""
+        for k, entry in enumerate(self.kept):
+            if same(entry[0], key):
+                self.kept.insert(0, self.kept.pop(k))
+                return entry[1]
+        value = make()
+        taken = size(value)
+        if taken > self.room:
+            return value
+        # arrays of the caller's may change in place
+        own = tuple(part.copy() if isinstance(part, np.ndarray) else part for part in key)
+        self.kept.insert(0, (own, value, taken))
+        while len(self.kept) > self.most or sum(entry[2] for entry in self.kept) > self.room:
+            self.kept.pop()
+        return value
+
+    def clear(self) -> None:
+        """Forget all."""
+        self.kept.clear()
+
+
+def same(one: Key, other: Key) -> bool:
+    """Whether two keys are equal, arrays by their entries."""
+    return len(one) == len(other) and all(
+        np.array_equal(a, b) if isinstance(a, np.ndarray) and isinstance(b, np.ndarray) else a == b
+        for a, b in zip(one, other, strict=True)
+    )
