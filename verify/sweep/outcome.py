@@ -49,12 +49,13 @@ def outcome(solved: Solved) -> Outcome:
 def _course(pair: Pair, solutions: tuple[Solution, ...]) -> Course:
     found = [_compared(pair, one) for one in solutions]
     return Course(
-        pair,
-        *(
-            np.array([getattr(one, name) for one in found])
-            for name in ("formula", "fe", "U", "error", "U_error")
-        ),
-        tuple(one.problem for one in found),
+        pair=pair,
+        formula=np.array([one.formula for one in found]),
+        fe=np.array([one.fe for one in found]),
+        U=np.array([one.U for one in found]),
+        error=np.array([one.error for one in found]),
+        U_error=np.array([one.U_error for one in found]),
+        problems=tuple(one.problem for one in found),
     )
 
 
