@@ -28,7 +28,7 @@ _UNIT = re.compile(r"[A-Za-zµμ°].*$")
 
 @dataclass(frozen=True)
 class Axis:
-    """One input and the values [SI] that it takes; `name` is that of the parameter file."""
+    """One input and the values [SI] that it takes, rising; `name` is that of the parameter file."""
 
     name: str
     symbol: str
@@ -37,6 +37,7 @@ class Axis:
     values: tuple[float, ...]
     nominal: float | None
     spacing: str = "even"
+    whole: bool = False  # whole numbers only
 
     def shown(self, value: float) -> float:
         """`value` in the axis's unit, without the digits of a conversion."""
@@ -74,7 +75,8 @@ def axis(inputs: Inputs, text: str) -> Axis:
         raise InputError(f"{where}: a value appears twice")
     return Axis(
         name=name.strip(), symbol=about["symbol"] or name.strip(), unit=about["unit"],
-        what=about["what"], values=tuple(values), nominal=nominal, spacing=spacing,
+        what=about["what"], values=tuple(sorted(values)), nominal=nominal, spacing=spacing,
+        whole=whole,
     )  # fmt: skip
 
 

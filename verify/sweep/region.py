@@ -1,45 +1,104 @@
-"""Where a formula may be used: the points of a grid at which its error stays within a limit.
+"""Where a formula may be used: the points at which its error stays within a limit.
 
 A point is inside a limit where the whole error bar is, outside where all of it is beyond, and
-undecided between. A box is a product of ranges of the axes, all of whose points are inside.
+undecided between; unsolved where there are no two values to compare. A box is a product of ranges
+of the axes, all of whose points are inside.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from verify.shown import Array
+from verify.sweep.axes import Axis
+from verify.sweep.boxes import largest_box
+from verify.sweep.outcome import Course
+from verify.sweep.plan import Plan
 
 LIMITS = (0.02, 0.05, 0.10)  # of the error
 INSIDE, OUTSIDE, UNDECIDED, UNSOLVED = 1, -1, 0, -9
-MOST_BOXES = 2_000_000  # that are looked at; beyond, boxes grow from the base point alone
+NAMES = {INSIDE: "inside", OUTSIDE: "outside", UNDECIDED: "undecided", UNSOLVED: "unsolved"}
 
 Verdicts = NDArray[np.int8]
+Points = NDArray[np.intp]
 
 
 @dataclass(frozen=True)
-class Box:
-    """Ranges of indices, both ends included, one for each axis, and how many points they hold."""
+class Range:
+    """Values [SI] of an axis from `low` to `high`; `whole` where these are the axis's ends."""
 
-    ranges: tuple[tuple[int, int], ...]
-    points: int
+    axis: Axis
+    low: float
+    high: float
+    whole: bool
 
 
 @dataclass(frozen=True)
-class Step:
-    """What takes the formula out of a limit soonest from a base point: an axis and a direction.
+class Break:
+    """What takes the formula out of a limit soonest, from the base point along one axis.
 
-    `last` is the index of the last value inside, `first` that of the first value that isn't, and
-    `share` how far that is of the way to the axis's end.
+    `last` is the last value [SI] inside and `first` the next one, which is not; `at` where the
+    end of the error bar passes the limit between them, by straight interpolation, None where
+    `first` is unsolved or the axis has whole numbers only. `why` says why it is unsolved.
     """
 
-    axis: int
-    last: int
-    first: int
-    share: float
+    axis: Axis
+    last: float
+    first: float
+    at: float | None
+    verdict: int
+    why: str
+
+    @property
+    def up(self) -> bool:
+        """Whether larger values break it."""
+        return self.first > self.last
+
+
+@dataclass(frozen=True)
+class Region:
+    """The points of a sweep inside one `limit`, for one formula.
+
+    `box` is the largest box, with `held` points, empty where no point is inside; of a star, whose
+    axes vary one at a time, the longest range on each axis that has one. `base` [SI] is the point
+    from which `breaks` is looked for: the inputs' own values (`nominal`), or the grid point next
+    to them, where they are inside, else the middle of the box. `at_nominal` is the verdict at the
+    inputs' own values, None where the grid doesn't hold them.
+    """
+
+    limit: float
+    inside: int
+    outside: int
+    undecided: int
+    unsolved: int
+    box: tuple[Range, ...]
+    held: int
+    base: tuple[float, ...] | None
+    nominal: bool
+    at_nominal: int | None
+    breaks: Break | None
+
+    @property
+    def points(self) -> int:
+        """All points of the sweep."""
+        return self.inside + self.outside + self.undecided + self.unsolved
+
+    @property
+    def everywhere(self) -> bool:
+        """Whether every point is inside."""
+        return self.inside == self.points
+
+
+@dataclass(frozen=True)
+class Line:
+    """Points along one axis, all other inputs held: their values `x` [SI], rising, and rows."""
+
+    axis: Axis
+    x: Array
+    points: Points
+    base: int  # index in x
 
 
 def verdicts(error: Array, U_error: Array, limit: float) -> Verdicts:
@@ -53,78 +112,131 @@ def verdicts(error: Array, U_error: Array, limit: float) -> Verdicts:
     return found
 
 
-def largest_box(inside: NDArray[np.bool_]) -> Box | None:
-    """The box with the most points, all inside, in a grid of any dimension; None where none is.
-
-    Of boxes alike, the one that reaches furthest on the first axes.
-    """
-    ends = [[(i, j) for i in range(n) for j in range(i, n)] for n in inside.shape]
-    if np.prod([len(e) for e in ends], dtype=float) > MOST_BOXES:
-        return _grown(inside)
-    whole = np.pad(inside.astype(np.int64), [(1, 0)] * inside.ndim)
-    for axis in range(inside.ndim):
-        whole = whole.cumsum(axis=axis)
-    # the sum over each box from the running sums at its corners
-    for axis, pairs in enumerate(ends):
-        low, high = (np.array(side) for side in zip(*pairs, strict=True))
-        whole = np.take(whole, high + 1, axis=axis) - np.take(whole, low, axis=axis)
-    lengths = [np.array([j - i + 1 for i, j in e]) for e in ends]
-    volume = lengths[0]
-    for one in lengths[1:]:
-        volume = np.multiply.outer(volume, one)
-    full = np.where(whole == volume, volume, 0)
-    if not full.any():
-        return None
-    best = np.unravel_index(int(full.argmax()), full.shape)
-    return Box(tuple(ends[k][n] for k, n in enumerate(best)), int(full.max()))
-
-
-def _grown(inside: NDArray[np.bool_]) -> Box | None:
-    """A box that grows from the point with the most neighbours inside, side by side."""
-    if not inside.any():
-        return None
-    near = inside.astype(np.float64)
-    for axis in range(inside.ndim):
-        near = near + np.roll(near, 1, axis) + np.roll(near, -1, axis)
-    start = np.unravel_index(int(np.where(inside, near, -1).argmax()), inside.shape)
-    ranges = [(int(i), int(i)) for i in start]
-    growing = True
-    while growing:
-        growing = False
-        for axis, side in product(range(inside.ndim), (-1, 1)):
-            low, high = ranges[axis]
-            wider = (low - 1, high) if side < 0 else (low, high + 1)
-            if wider[0] < 0 or wider[1] >= inside.shape[axis]:
-                continue
-            tried = [*ranges[:axis], wider, *ranges[axis + 1 :]]
-            if inside[tuple(slice(i, j + 1) for i, j in tried)].all():
-                ranges, growing = tried, True
-    return Box(tuple(ranges), int(np.prod([j - i + 1 for i, j in ranges])))
-
-
-def first_break(inside: NDArray[np.bool_], base: Sequence[int]) -> Step | None:
-    """The axis along which the limit is left soonest from `base`, all others held; None if never.
-
-    Soonest is by the share of the way to the end of the axis.
-    """
-    found: list[Step] = []
-    for axis, n in enumerate(inside.shape):
-        line = inside[tuple(slice(None) if k == axis else i for k, i in enumerate(base))]
-        for step, end in ((1, n - 1), (-1, 0)):
-            way = range(base[axis] + step, end + step, step)
-            out = next((i for i in way if not line[i]), None)
-            if out is not None:
-                share = abs(out - base[axis]) / abs(end - base[axis])
-                found.append(Step(axis, out - step, out, share))
-    return min(found, key=lambda s: s.share, default=None)
-
-
 def crossing(x: Array, error: Array, limit: float) -> tuple[float, ...]:
-    """Where |error| passes `limit` along sorted values `x` (n,), between solved neighbours."""
-    size = np.abs(error) - limit
+    """Where |error| passes `limit` along sorted values `x` (n,), straight between solved points."""
     found = []
     for k in range(len(x) - 1):
-        a, b = size[k], size[k + 1]
-        if np.isfinite(a) and np.isfinite(b) and (a > 0) != (b > 0):
-            found.append(float(x[k] + (x[k + 1] - x[k]) * a / (a - b)))
+        a, b = float(error[k]), float(error[k + 1])
+        levels = (limit, -limit) if a > b else (-limit, limit)  # in the order they are met
+        found += [
+            float(x[k] + (x[k + 1] - x[k]) * (a - level) / (a - b))
+            for level in levels if (a > level) != (b > level) and np.isfinite(a - b)
+        ]  # fmt: skip
     return tuple(found)
+
+
+def regions(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> tuple[Region, ...]:
+    """The region of a course within each limit; ValueError for a sample, which has no axes."""
+    if not plan.axes:
+        raise ValueError("a region needs axes, got a sample")
+    return tuple(_region(plan, course, limit) for limit in limits)
+
+
+def _region(plan: Plan, course: Course, limit: float) -> Region:
+    found = verdicts(course.error, course.U_error, limit)
+    counts = {name: int((found == verdict).sum()) for verdict, name in NAMES.items()}
+    ranges, middle, held = (_of_star if plan.star else _of_grid)(plan, found)
+    nominal = nominal_point(plan)
+    at_nominal = None if nominal is None else int(found[nominal])
+    base = nominal if at_nominal == INSIDE else middle
+    return Region(
+        limit=limit, **counts, box=ranges, held=held,
+        base=None if base is None else tuple(float(v) for v in plan.points[base]),
+        nominal=base is not None and base == nominal, at_nominal=at_nominal,
+        breaks=None if base is None else _first_break(course, found, lines(plan, base), limit),
+    )  # fmt: skip
+
+
+def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
+    """The largest box, the row of its middle, and how many points it holds."""
+    box = largest_box((found == INSIDE).reshape(plan.shape))
+    if box is None:
+        return (), None, 0
+    middle = [(i + j) // 2 for i, j in box.ranges]
+    ranges = tuple(
+        _range(one, one.values[i], one.values[j])
+        for one, (i, j) in zip(plan.axes, box.ranges, strict=True)
+    )
+    return ranges, int(np.ravel_multi_index(middle, plan.shape)), box.points
+
+
+def _of_star(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
+    """The longest range of each axis, and how many points they hold; a star has no other middle."""
+    ranges, rows = [], set[int]()
+    for line in lines(plan, 0):
+        if box := largest_box(found[line.points] == INSIDE):
+            i, j = box.ranges[0]
+            ranges.append(_range(line.axis, line.x[i], line.x[j]))
+            rows |= set(line.points[i : j + 1].tolist())
+    return tuple(ranges), None, len(rows)
+
+
+def _range(axis: Axis, low: float, high: float) -> Range:
+    whole = low <= axis.values[0] and high >= axis.values[-1]
+    return Range(axis, float(low), float(high), bool(whole))
+
+
+def nominal_point(plan: Plan) -> int | None:
+    """The row with the inputs' own values, or of a grid the next to them; None outside of it."""
+    if plan.star:
+        return 0
+    near = []
+    for one in plan.axes:
+        room = 1e-9 * (one.values[-1] - one.values[0])
+        if one.nominal is None or not (
+            one.values[0] - room <= one.nominal <= one.values[-1] + room
+        ):
+            return None
+        place = _places(one, np.array([*one.values, one.nominal]))
+        near.append(int(np.abs(place[:-1] - place[-1]).argmin()))
+    return int(np.ravel_multi_index(near, plan.shape))
+
+
+def lines(plan: Plan, base: int) -> Iterator[Line]:
+    """The line along each axis through the point in row `base`; a star has those of its middle."""
+    at = plan.points[base]
+    for k, axis in enumerate(plan.axes):
+        rows = np.flatnonzero((np.delete(plan.points, k, axis=1) == np.delete(at, k)).all(axis=1))
+        rows = rows[np.argsort(plan.points[rows, k], kind="stable")]
+        x = plan.points[rows, k]
+        yield Line(axis, x, rows, int(np.flatnonzero(x == at[k])[0]))
+
+
+def _first_break(
+    course: Course, found: Verdicts, every: Iterator[Line], limit: float
+) -> Break | None:
+    """Soonest is by the share of the axis's length that lies between; None if it never breaks."""
+    best, least = None, np.inf
+    for line in every:
+        for way in (range(line.base + 1, len(line.x)), range(line.base - 1, -1, -1)):
+            out = next((i for i in way if found[line.points[i]] != INSIDE), None)
+            if out is None:
+                continue
+            one = _break(course, found, line, out - way.step, out, limit)
+            reached = one.first if one.at is None else one.at
+            place = _places(line.axis, np.array([line.x[line.base], reached, *line.x[[0, -1]]]))
+            share = abs(place[1] - place[0]) / (place[3] - place[2])
+            if share < least:
+                best, least = one, share
+    return best
+
+
+def _break(
+    course: Course, found: Verdicts, line: Line, last: int, out: int, limit: float
+) -> Break:  # fmt: skip
+    inner, outer = line.points[last], line.points[out]
+    at = None
+    if found[outer] != UNSOLVED and not line.axis.whole:
+        # the end of the bar that lies beyond, as a straight line between the two points
+        sign = np.sign(course.error[outer]) or 1.0
+        a, b = (sign * course.error[k] + course.U_error[k] - limit for k in (inner, outer))
+        at = float(line.x[last] + (line.x[out] - line.x[last]) * a / (a - b))
+    return Break(
+        line.axis, float(line.x[last]), float(line.x[out]), at, int(found[outer]),
+        course.problems[outer],
+    )  # fmt: skip
+
+
+def _places(axis: Axis, values: Array) -> Array:
+    """Where values lie along the axis as it is spaced."""
+    return np.log(np.maximum(values, np.finfo(float).tiny)) if axis.spacing == "log" else values
