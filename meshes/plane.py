@@ -1,5 +1,7 @@
 """Hand the plane mesh of the current gmsh model to scikit-fem, in memory."""
 
+from dataclasses import dataclass
+
 import gmsh
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +26,34 @@ def plane_mesh(*, straight: bool = False) -> Mesh2D:
     are renumbered compactly, vertices first. `straight` keeps only the corners of curved cells.
     Raises ValueError where the model mixes triangles and quadrilaterals or has no cells.
     """
+    read = nodes_and_cells(straight=straight)
+    mesh = read.shape(read.p, read.t)
+    vertex = np.full(int(max(read.node_tags.max(), read.cell_nodes.max())) + 1, -1)
+    # MeshTri1 sorts the corners of a cell, so vertices are matched by place, not by order in t
+    corners = len(mesh.t)
+    if len(read.t) == corners:
+        vertex[read.node_tags] = np.arange(read.node_tags.size)
+    else:
+        vertex[read.cell_nodes[:, :corners].T] = mesh.t
+    bodies = _bodies(read.kind, read.cell_tags)
+    return mesh.with_boundaries(_boundaries(mesh, vertex)).with_subdomains(bodies)
+
+
+@dataclass(frozen=True)
+class Read:
+    """Nodes `p` (2, n) and cells `t` (k, m) of the current gmsh model, and its numbers of both."""
+
+    shape: type[Mesh2D]
+    kind: int
+    p: NDArray[np.float64]
+    t: Indices
+    node_tags: Indices
+    cell_tags: Indices
+    cell_nodes: Indices
+
+
+def nodes_and_cells(*, straight: bool = False) -> Read:
+    """The cells of the current gmsh model; ValueError unless they are of one kind."""
     kinds = [k for k in gmsh.model.mesh.getElementTypes(2) if k in KINDS]
     if len(kinds) != 1:
         names = [gmsh.model.mesh.getElementProperties(k)[0] for k in kinds]
@@ -40,15 +70,8 @@ def plane_mesh(*, straight: bool = False) -> Mesh2D:
         shape = MeshTri1 if corners == 3 else MeshQuad1
     used, t = np.unique(row[cell_nodes[:, :keep]], return_inverse=True)
     p = np.ascontiguousarray(coordinates.reshape(-1, 3)[used, :2].T)
-    mesh = shape(p, np.ascontiguousarray(t.reshape(-1, keep).T))
-
-    vertex = np.full(row.size, -1)
-    # MeshTri1 sorts the corners of a cell, so vertices are matched by place, not by order in t
-    if keep == corners:
-        vertex[tags[used]] = np.arange(used.size)
-    else:
-        vertex[cell_nodes[:, :corners].T] = mesh.t
-    return mesh.with_boundaries(_boundaries(mesh, vertex)).with_subdomains(_bodies(kind, cell_tags))
+    t = np.ascontiguousarray(t.reshape(-1, keep).T)
+    return Read(shape, kind, p, t, tags[used], cell_tags, cell_nodes)
 
 
 def _boundaries(mesh: Mesh2D, vertex: Indices) -> dict[str, Indices]:

@@ -15,6 +15,7 @@ from skfem import (
     MeshQuad1,
     MeshTri1,
 )
+from skfem.assembly import Dofs
 from skfem.assembly.basis.abstract_basis import AbstractBasis
 from skfem.element import DiscreteField
 from skfem.mesh import Mesh2D
@@ -22,6 +23,7 @@ from skfem.quadrature import get_quadrature
 
 from fem.plane.axis import check_radii
 from fem.plane.geometry import check_unfolded, jacobians
+from fem.plane.recent import Recent
 from fem.plane.traces import Trace
 
 Array = NDArray[np.float64]
@@ -40,11 +42,16 @@ def is_curved(mesh: Mesh2D) -> bool:
     return mesh.doflocs.shape[1] > mesh.nvertices
 
 
+NUMBERS: Recent[Dofs] = Recent(most=96, room=4e6)  # by cells; entries of the tables
+
+
 class LateBasis(Basis):
     """scikit-fem's basis, whose shape functions are evaluated where one of its forms asks."""
 
-    def __init__(self, mesh: Mesh2D, elem: Element, quadrature: tuple[Array, Array]) -> None:
-        AbstractBasis.__init__(self, mesh, elem, quadrature=quadrature)
+    def __init__(self, mesh: Mesh2D, elem: ElementVector, quadrature: tuple[Array, Array]) -> None:
+        key = (type(mesh), type(elem.elem), mesh.t)
+        dofs = NUMBERS.get(key, lambda: Dofs(mesh, elem), lambda dofs: dofs.element_dofs.size)
+        AbstractBasis.__init__(self, mesh, elem, quadrature=quadrature, dofs=dofs)
         self.tind, self.nelems = None, mesh.nelements
 
     @cached_property

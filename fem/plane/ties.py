@@ -94,6 +94,8 @@ class Tied:
     @cached_property
     def rows(self) -> csr_array:
         """Rows (k, unknowns) that vanish where followers follow."""
+        if not self.angle.size:
+            return csr_array((0, self.count))
         apart = (diags_array(np.ones(self.count)) - self.P).tocsr()
         return apart[self.follower.ravel()]
 

@@ -1,19 +1,22 @@
 """Four-sided blocks of mapped quadrilaterals, and gmsh's mesh of them."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import gmsh
+import numpy as np
 from skfem.mesh import Mesh2D
 
-from meshes.plane import plane_mesh
+from meshes.plane import nodes_and_cells, plane_mesh
 from meshes.session import gmsh_session
+from meshes.topology import Topologies, Topology
 
 Point = tuple[float, float]
 Place = Callable[[Point], Point]
 Cells = Literal["quad", "tri"]
+TOPOLOGIES = Topologies()
 
 
 @dataclass(frozen=True)
@@ -86,12 +89,14 @@ def mesh_blocks(
     cells: Cells = "quad",
     order: int = 2,
     straight: bool = False,
+    whole: Mapping[str, tuple[str, ...]] | None = None,
 ) -> Mesh2D:
     """The mesh of `blocks`, with the names of their edges and bodies.
 
     Quadrilaterals, or triangles that halve them. `order` 1 or 2; `straight` cells keep
-    straight edges.
+    straight edges. Each boundary of `whole` is made of those of its parts that there are.
     """
+    whole = whole or {}
     with gmsh_session():
         drawing = _Drawing(cells)
         for block in blocks:
@@ -103,7 +108,25 @@ def mesh_blocks(
             gmsh.model.addPhysicalGroup(2, surfaces, name=name)
         gmsh.model.mesh.generate(2)
         gmsh.model.mesh.setOrder(order)
-        return plane_mesh(straight=straight)
+        if cells == "tri":  # scikit-fem renumbers the nodes of triangles
+            return _named(plane_mesh(straight=straight), whole)
+        read = nodes_and_cells(straight=straight)
+        # where the drawing is the same, so are the names of curves and surfaces
+        key = (drawing.structure, tuple(whole.items()), read.t.shape, read.t.tobytes())
+        topology = TOPOLOGIES.get(
+            key, lambda: Topology.of(_named(plane_mesh(straight=straight), whole), read.t)
+        )
+    return topology.at(read.p)
+
+
+def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
+    """The mesh with each boundary of `whole` under its name."""
+    own = mesh.boundaries
+    found = {
+        name: np.concatenate([own[part] for part in parts if part in own])
+        for name, parts in whole.items()
+    }
+    return replace(mesh, _boundaries=own | found)
 
 
 @dataclass
@@ -115,6 +138,13 @@ class _Drawing:
     curves: dict[frozenset[Point], tuple[int, Point]] = field(default_factory=dict)
     boundaries: dict[str, list[int]] = field(default_factory=dict)
     bodies: dict[str, list[int]] = field(default_factory=dict)
+    drawn: list[tuple[object, ...]] = field(default_factory=list)
+
+    @property
+    def structure(self) -> tuple[object, ...]:
+        """All but the places of the points: two drawings of one have meshes of one topology."""
+        names = tuple((name, tuple(curves)) for name, curves in self.boundaries.items())
+        return self.cells, names, tuple(self.drawn)
 
     def add(self, block: Block) -> None:
         """A mapped surface of gmsh."""
@@ -128,6 +158,7 @@ class _Drawing:
         if self.cells == "quad":
             geo.mesh.setRecombine(2, surface)
         self.bodies.setdefault(block.body, []).append(surface)
+        self.drawn.append((block.body, *loop))
 
     def curve(self, edge: Edge) -> tuple[int, Point]:
         """The curve of `edge` and where it starts, drawn at its first use."""
@@ -144,6 +175,7 @@ class _Drawing:
             else:
                 geo.mesh.setTransfiniteCurve(curve, edge.cells + 1, "Beta", edge.beta)
             self.curves[ends] = curve, edge.start
+            self.drawn.append((curve, a, b, edge.cells))
             if edge.name:
                 self.boundaries.setdefault(edge.name, []).append(curve)
         return self.curves[ends]

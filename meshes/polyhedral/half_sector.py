@@ -4,10 +4,8 @@ The middle of the side lies on the x axis, the corner at the angle pi/z.
 """
 
 import math
-from dataclasses import replace
 from itertools import pairwise
 
-import numpy as np
 from skfem.mesh import Mesh2D
 
 from meshes.contact.blocks import Block, Edge, mesh_blocks
@@ -71,7 +69,7 @@ def half_sector(
         blocks.append(corner_column(ring, rows, refine, arc))
     else:
         blocks += corner_fan(ring, stops[-1], rows, refine, arc)
-    return _named(mesh_blocks(blocks, order=order, straight=straight))
+    return mesh_blocks(blocks, order=order, straight=straight, whole=PARTS)
 
 
 def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) -> list[float]:
@@ -107,13 +105,3 @@ def _column(
     inside = Edge(a, c, n, name="hub" if hub else "flat")
     outside = Edge(b, d, n, (0.0, 0.0), name="rim")
     return Block((inside, right, outside, left), BODY)
-
-
-def _named(mesh: Mesh2D) -> Mesh2D:
-    """The mesh with the whole of each boundary under its name."""
-    own = mesh.boundaries
-    whole = {
-        name: np.concatenate([own[part] for part in parts if part in own])
-        for name, parts in PARTS.items()
-    }
-    return replace(mesh, _boundaries=own | whole)

@@ -1,0 +1,64 @@
+"""What a mesh keeps while its nodes move: cells, facets, boundaries, bodies and numbers of nodes.
+
+The last few are kept by their content, and what is found again is what would be made anew: no mesh
+depends on those that were made before.
+"""
+
+from collections.abc import Callable, Hashable
+from copy import copy
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem.mesh import Mesh2D
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+MOST = 96  # kept: a sweep over a ring's shape comes back to some of three times thirty
+NODES = 500_000  # of all that are kept, with 200 bytes each
+
+
+@dataclass(frozen=True)
+class Topology:
+    """A `mesh`, and from where (n,) among the nodes that it was read from its own come."""
+
+    mesh: Mesh2D
+    source: Indices
+
+    @classmethod
+    def of(cls, mesh: Mesh2D, t: Indices) -> "Topology":
+        """That of `mesh`, whose cells were read as nodes `t` (k, m) in scikit-fem's order."""
+        own = np.asarray(mesh.dofs.element_dofs)
+        source = np.empty(mesh.doflocs.shape[1], np.int64)
+        source[own] = t
+        _ = mesh.facets, mesh.f2t  # made once, and handed on to every mesh
+        return cls(mesh, source)
+
+    def at(self, p: Array) -> Mesh2D:
+        """The mesh whose nodes were read at `p` (2, n)."""
+        mesh = copy(self.mesh)
+        mesh.__dict__.pop("_cached_mapping", None)  # it maps to the other nodes
+        mesh.doflocs = np.ascontiguousarray(p[:, self.source])
+        return mesh
+
+
+class Topologies:
+    """The last few topologies, by content: at most `most`, with `nodes` in all."""
+
+    def __init__(self, most: int = MOST, nodes: int = NODES) -> None:
+        self.most, self.nodes = most, nodes
+        self.kept: dict[Hashable, Topology] = {}
+
+    def get(self, key: Hashable, make: Callable[[], Topology]) -> Topology:
+        """That of `key`, kept or from `make`."""
+        found = self.kept.pop(key, None) or make()
+        if found.source.size <= self.nodes:
+            self.kept[key] = found
+        while len(self.kept) > self.most or self._size > self.nodes:
+            self.kept.pop(next(iter(self.kept)))
+        return found
+
+    @property
+    def _size(self) -> int:
+        return sum(topology.source.size for topology in self.kept.values())
