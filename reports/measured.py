@@ -1,0 +1,63 @@
+"""A formula's error as measured over one or two inputs, as data for a figure."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.shown import Array
+
+LIMITS = (0.02, 0.05, 0.10)
+TINY = 5e-4  # errors below are all alike in a figure
+
+
+@dataclass(frozen=True, kw_only=True)
+class Measured:
+    """A formula's error (formula - FE)/scale and its expanded uncertainty `U`, measured on a grid.
+
+    `x` (n,) and `y` (m,) in the units of their labels, `error` and `U` (n, m), NaN where nothing is
+    solved; without `y` both are (n,). `nominal` is where the inputs of the file are, `box` the
+    first and last x and y of the region that `box_name` names. `log` says of x and y whether they
+    are spaced in equal ratios.
+    """
+
+    title: str
+    x: Array
+    x_label: str
+    error: Array
+    U: Array
+    y: Array | None = None
+    y_label: str = ""
+    limits: tuple[float, ...] = LIMITS
+    nominal: tuple[float, ...] | None = None
+    box: tuple[tuple[float, float], tuple[float, float]] | None = None
+    box_name: str = ""
+    log: tuple[bool, ...] = (False, False)
+    note: str = ""
+
+
+def all_within(error: Array) -> str:
+    """What holds all errors, in words, where they are too small for a figure; else nothing."""
+    known = np.abs(error[np.isfinite(error)])
+    if not known.size or known.max() >= TINY:
+        return ""
+    if known.max() == 0:
+        return "no difference"
+    exponent = math.floor(math.log10(known.max()))
+    bound = math.ceil(known.max() / 10.0**exponent - 1e-9) * 10.0**exponent
+    words = np.format_float_positional(100 * bound, precision=1, fractional=False, trim="-")
+    return f"all within {words} %"
+
+
+def inside(error: Array, U: Array, limit: float) -> NDArray[np.bool_]:
+    """Whether the whole error bar is within a limit."""
+    return np.asarray(np.abs(error) + U <= limit)
+
+
+def undecided(error: Array, U: Array, limits: Sequence[float]) -> NDArray[np.bool_]:
+    """Whether an error bar reaches across one of the limits, so that it isn't known to hold."""
+    size = np.abs(error)
+    across = [(size - U <= limit) & (size + U > limit) for limit in limits]
+    return np.asarray(np.any(across, axis=0))

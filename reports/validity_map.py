@@ -1,0 +1,189 @@
+"""Where a formula may be used: its signed error over one or two inputs, with its bar."""
+
+import numpy as np
+from markupsafe import Markup
+from numpy.typing import NDArray
+
+from reports import svg
+from reports.error_cells import Cells
+from reports.error_map import percent
+from reports.error_scale import UNSOLVED, classes, css, scale
+from reports.measured import LIMITS, Measured, all_within, undecided
+from reports.plots import WIDTH
+from reports.validity_line import validity_line
+from verify.shown import Array
+
+SMALL = 320.0, 200.0
+LINE, LETTER = 18.0, 6.2
+TALL = 236.0  # of a map's cells
+LIGHT = 6  # the last class that black letters can be read on
+MANY = 16  # cells, more of which are not named one by one
+DIGIT = 6.4  # about the width of a digit in a cell
+
+
+def validity_map(m: Measured) -> Markup:
+    """A small figure without a key: cells for two inputs, the curve in its band for one."""
+    if m.y is None:
+        return validity_line(m, *SMALL)
+    wide, tall = SMALL
+    cells = Cells((52.0, 20.0, wide - 8.0, tall - 34.0), *m.error.shape)
+    return svg.drawing(wide, tall, _drawn(m, m.y, cells), m.title, "chart validity")
+
+
+def measured(m: Measured) -> Markup:
+    """The figure at full size, with the key of its colours and marks."""
+    if m.y is None:
+        return validity_line(m, WIDTH, 330.0)
+    n = m.error.shape[1]
+    tall = n * min(28.0, TALL / n)
+    cells = Cells((62.0, 26.0, WIDTH - 8.0, 26.0 + tall), *m.error.shape)
+    key, height = _key(m, cells.box[3] + 46)
+    return svg.drawing(
+        WIDTH, height, [*_drawn(m, m.y, cells), *key], m.title, "chart validity"
+    )  # fmt: skip
+
+
+def scale_key(limits: tuple[float, ...] = LIMITS) -> Markup:
+    """What the colours and marks of small figures mean, once for many."""
+    empty = np.zeros((2, 2))
+    m = Measured(title="Key", x=empty[0], y=empty[0], x_label="", error=empty, U=empty,
+                 limits=limits)  # fmt: skip
+    key, height = _key(m, 16.0, every=True)
+    return svg.drawing(
+        WIDTH, height, key, "Colours: formula less finite elements", "chart validity"
+    )
+
+
+def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
+    """Cells, what they say, lines of equal error, marks, and the axes."""
+    left, top, right, bottom = cells.box
+    number = classes(m.error, m.limits)
+    body = [cells.filled(number == k, css(int(k))) for k in np.unique(number)]
+    body.append(cells.hatched(undecided(m.error, m.U, m.limits)))
+    body.append(cells.crossed(number == UNSOLVED))
+    body += [
+        cells.line(m.error, sign * limit, f"iso i{k}")
+        for k, limit in enumerate(m.limits) for sign in (1, -1)
+    ]  # fmt: skip
+    body.append(svg.rectangle(left, top, right - left, bottom - top, "border"))
+    body += _numbers(m, cells, number)
+    if m.box is not None:
+        body.append(_outlined(m, y, cells))
+    if m.nominal is not None:
+        i, j = (_place(at, v) for at, v in zip((m.x, y), m.nominal, strict=True))
+        if i is not None and j is not None:
+            body.append(svg.circle(cells.X(i + 0.5), cells.Y(j + 0.5), 4.2, "at"))
+    return [*body, *_axes(m, y, cells)]
+
+
+def _numbers(m: Measured, cells: Cells, number: NDArray[np.int64]) -> list[Markup]:
+    """The error in each cell, in per cent, where every one has room."""
+    words = [[percent(v) if np.isfinite(v) else "" for v in row] for row in m.error]
+    if within := all_within(m.error):
+        x, y = (m.error.shape[0] / 2, m.error.shape[1] / 2)
+        return [svg.text(cells.X(x), cells.Y(y) + 4, within, "label", "middle")]
+    longest = max(len(w) for row in words for w in row)
+    if cells.high < 12 or cells.wide < DIGIT * longest + 3:
+        return []
+    return [
+        svg.text(cells.X(i + 0.5), cells.Y(j + 0.5) + 3.5, words[i][j],
+                 "cell" if abs(number[i, j]) <= LIGHT else "cell deep", "middle")
+        for i, j in np.argwhere(number != UNSOLVED)
+    ]  # fmt: skip
+
+
+def _outlined(m: Measured, y: Array, cells: Cells) -> Markup:
+    assert m.box is not None
+    (x0, x1), (y0, y1) = m.box
+    i, k = sorted(int(np.abs(m.x - v).argmin()) for v in (x0, x1))
+    j, n = sorted(int(np.abs(y - v).argmin()) for v in (y0, y1))
+    corners = [
+        (cells.X(a), cells.Y(b)) for a, b in ((i, j), (k + 1, j), (k + 1, n + 1), (i, n + 1))
+    ]
+    return svg.polyline(corners, "region", closed=True)
+
+
+def _place(values: Array, wanted: float) -> float | None:
+    """Where a value lies among `values`, in any order, as an index; None beyond their ends."""
+    order = np.argsort(values)
+    if not values[order[0]] <= wanted <= values[order[-1]]:
+        return None
+    return float(np.interp(wanted, values[order], order))
+
+
+def _axes(m: Measured, y: Array, cells: Cells) -> list[Markup]:
+    left, top, right, bottom = cells.box
+    body = [
+        svg.text(cells.X(i + 0.5), bottom + 14, words, "tick", "middle")
+        for i, words in _ticks(m.x, cells.wide, log=m.log[0])
+    ]
+    body += [
+        svg.text(left - 6, cells.Y(j + 0.5) + 4, words, "tick", "end")
+        for j, words in _ticks(y, cells.high, log=m.log[1], upright=True)
+    ]
+    body.append(svg.text(left - 46, top - 8, m.y_label, "label"))
+    body.append(svg.text(right, bottom + 29, m.x_label, "label", "end"))
+    return body
+
+
+def _ticks(
+    values: Array, step: float, *, log: bool, upright: bool = False
+) -> list[tuple[float, str]]:
+    """Places, as indices, and their numbers: those of the cells, or round ones of many cells."""
+    if len(values) > MANY and not log:
+        about = max(2, round(len(values) * step / 50))
+        round_ones = svg.ticks(float(values.min()), float(values.max()), about)
+        places = [(_place(values, v), svg.plain(v)) for v in round_ones]
+        return [(i, words) for i, words in places if i is not None]
+    words = [svg.plain(float(f"{v:.3g}")) for v in values]
+    room = 14.0 if upright else 7.0 * max(len(w) for w in words) + 4
+    every = max(1, int(np.ceil(room / step)))
+    return [(i, words[i]) for i in range(0, len(words), every)]
+
+
+def _key(m: Measured, top: float, *, every: bool = False) -> tuple[list[Markup], float]:
+    """The scale and what each mark means, those that are there; and where the drawing ends."""
+    drawn = scale(12.0, top, WIDTH - 24.0, m.limits)
+    said: list[tuple[str, str]] = []
+    names = [f"{100 * limit:.4g}" for limit in m.limits]
+    lines = [any(isolated(m, limit)) for limit in m.limits]
+    said += [(f"iso i{k}", f"{name} %") for k, name in enumerate(names) if lines[k] or every]
+    if every or undecided(m.error, m.U, m.limits).any():
+        said.append(("hatch", "error bar across a limit"))
+    if every or not np.isfinite(m.error).all():
+        said.append(("unsolved", "no solution"))
+    if m.box is not None:
+        said.append(("region", m.box_name))
+    if m.nominal is not None or every:
+        said.append(("at", "inputs of the file"))
+    left, y = 12.0, top + 48
+    for style, words in said:
+        wide = 24 + LETTER * len(words) + 14
+        if left > 12.0 and left + wide > WIDTH:
+            left, y = 12.0, y + LINE
+        drawn += [*_swatch(style, left, y), svg.text(left + 24, y, words, "tick")]
+        left += wide
+    return drawn, y + 8 if said else top + 32
+
+
+def isolated(m: Measured, limit: float) -> list[bool]:
+    """Whether some errors, of either sign, are within a limit and others not."""
+    known = m.error[np.isfinite(m.error)]
+    return [
+        bool(known.size) and bool((known > level).any()) and not bool((known > level).all())
+        for level in (limit, -limit)
+    ]
+
+
+def _swatch(style: str, x: float, y: float) -> list[Markup]:
+    cell = Cells((x, y - 10, x + 18, y + 1), 1, 1)
+    one = np.ones((1, 1), dtype=bool)
+    if style == "at":
+        return [svg.circle(x + 9, y - 4, 4.2, "at")]
+    if style.startswith("iso"):
+        return [svg.line(x, y - 4, x + 18, y - 4, style)]
+    corners = [(x, y - 10), (x + 18, y - 10), (x + 18, y + 1), (x, y + 1)]
+    if style == "region":
+        return [svg.polyline(corners, style, closed=True)]
+    marked = cell.hatched(one) if style == "hatch" else cell.filled(one, style) + cell.crossed(one)
+    return [marked, svg.polyline(corners, "border", closed=True)]
