@@ -106,8 +106,11 @@ def convergence_verdict(
 class FemClaim(Claim):
     """A claim about finite-element values `fem`, whose order in theory is `formal`.
 
-    `by` names another method, refined like a mesh, whose values these are.
+    `by` names another method, refined like a mesh, whose values these are. A sweep takes the claim
+    with it where it can be judged by values alone, which `swept` says.
     """
+
+    swept: ClassVar[bool] = True
 
     fem: str
     by: str = ""

@@ -1,15 +1,16 @@
 """A dask cluster as an engine: one that listens somewhere, or one of processes made for the run."""
 
 import logging
+import time
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
 from typing import Any
 
 from verify.engines import Engine, GoneError
-from verify.inputs import InputError
 
-PATIENCE = 30.0  # s for a scheduler to answer, and for its first worker
+PATIENCE = 10.0  # s for a scheduler to answer, and for its first worker
+EVERY = 1.0  # s between two questions for the workers
 AHEAD = 1  # task that waits on the cluster for each that is solved
 
 
@@ -23,7 +24,8 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
     from distributed import Client, LocalCluster
     from distributed.scheduler import KilledWorker
 
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what matters is said here
+    for name in [n for n in logging.root.manager.loggerDict if n.startswith("distributed")]:
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters is said here
     with dask.config.set({"distributed.comm.timeouts.connect": f"{PATIENCE}s"}):
         cluster: Any = None
         if not scheduler:
@@ -33,9 +35,7 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
             )  # fmt: skip
         try:
             client: Any = Client(cluster or scheduler, timeout=PATIENCE, set_as_default=False)
-        except (OSError, ValueError) as error:
-            if isinstance(error, ValueError):
-                raise InputError(f"--scheduler {scheduler}: {error}") from error
+        except OSError as error:
             raise GoneError(
                 f"no dask scheduler answers at {scheduler} within {PATIENCE:g} s"
             ) from error
@@ -47,7 +47,7 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
                 raise GoneError(f"the scheduler at {place} has no workers") from error
             yield Engine(
                 client.get_executor(pure=False),
-                lambda: max(1, sum(client.nthreads().values())) if _listens(client) else 1,
+                _Threads(client),
                 deadly=(KilledWorker, CancelledError),
                 gone=lambda: "" if _listens(client) else f"the scheduler at {place} is gone",
                 ahead=AHEAD,
@@ -59,6 +59,20 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
             if cluster is not None:
                 with suppress(Exception):
                     cluster.close(timeout=5)
+
+
+class _Threads:
+    """How many threads the workers have, asked for now and then: they come and go."""
+
+    def __init__(self, client: Any) -> None:
+        self.client, self.asked, self.count = client, 0.0, 1
+
+    def __call__(self) -> int:
+        if _listens(self.client) and time.monotonic() > self.asked + EVERY:
+            self.asked = time.monotonic()
+            with suppress(OSError, TimeoutError):  # it may die while it is asked
+                self.count = max(1, sum(self.client.nthreads().values()))
+        return self.count
 
 
 def _listens(client: Any) -> bool:

@@ -5,6 +5,7 @@ drives any of them: a few tasks ahead, what died done once more, the caller woke
 """
 
 import os
+import re
 import time
 import traceback
 from collections import deque
@@ -21,6 +22,7 @@ from verify.workers import Processes, RemoteTraceback
 TICK = 0.25  # s between two looks of the caller at a run in which nothing happens
 MOST_JOBS = 256
 ENGINES = ("local", "dask")
+ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
 
 
 @dataclass(frozen=True)
@@ -80,7 +82,7 @@ class Where:
             raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {self.jobs}")
         if self.scheduler and self.engine != "dask":
             raise InputError("--scheduler belongs to --engine dask")
-        if self.scheduler and not self.scheduler.startswith(("tcp://", "tls://")):
+        if self.scheduler and not ADDRESS.fullmatch(self.scheduler):
             raise InputError(
                 f"--scheduler is an address such as tcp://host:8786, got {self.scheduler!r}"
             )

@@ -47,6 +47,8 @@ def about(
 class ProfileError(Identity):
     """The L2 distance of a profile from the exact one vanishes with the mesh, as its order says."""
 
+    swept = False  # needs the pressures of every integration point
+
     errors: Callable[[Context], list[float]]
 
     def rows(self, context: Context) -> list[Row]:

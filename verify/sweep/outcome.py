@@ -1,11 +1,13 @@
 """A solved sweep as numbers to judge: per point and pair the error of the formula, and its bar."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from verify.guard import named
 from verify.shown import Array
-from verify.sweep.pairs import Compared, Pair, compared
+from verify.sweep.pairs import Compared, Known, Pair, compared
 from verify.sweep.point import Solution
 from verify.sweep.run import Solved
 
@@ -42,12 +44,15 @@ class Outcome:
 
 def outcome(solved: Solved) -> Outcome:
     """The courses of a solved sweep."""
-    chosen = solved.plan.chosen
-    return Outcome(solved, tuple(_course(pair, solved.solutions) for pair in chosen))
+    points = [
+        Known(solved.plan.case.id, inputs, one.formulas, one.h, one.fe, one.u_it)
+        for inputs, one in zip(solved.inputs, solved.solutions, strict=True)
+    ]
+    return Outcome(solved, tuple(_course(pair, solved, points) for pair in solved.plan.chosen))
 
 
-def _course(pair: Pair, solutions: tuple[Solution, ...]) -> Course:
-    found = [_compared(pair, one) for one in solutions]
+def _course(pair: Pair, solved: Solved, points: Sequence[Known]) -> Course:
+    found = [_compared(pair, *both) for both in zip(solved.solutions, points, strict=True)]
     return Course(
         pair=pair,
         formula=np.array([one.formula for one in found]),
@@ -59,8 +64,11 @@ def _course(pair: Pair, solutions: tuple[Solution, ...]) -> Course:
     )
 
 
-def _compared(pair: Pair, one: Solution) -> Compared:
+def _compared(pair: Pair, one: Solution, point: Known) -> Compared:
     if problem := one.problem_fe or one.problem_formulas:
         formula = one.formulas.get(pair.analytic, np.nan)
         return Compared(formula, np.nan, np.nan, np.nan, np.nan, problem)
-    return compared(pair, one.formulas, one.h, one.fe, one.u_it)
+    try:
+        return compared(pair, point)
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        return Compared(np.nan, np.nan, np.nan, np.nan, np.nan, named(error))

@@ -2,14 +2,16 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
-from verify import judge
-from verify.case import Case, Portion
+from verify import judge, units
+from verify.case import Case, Context, FemResult, Portion
 from verify.checks import Approximation, Identity
-from verify.convergence import grid_convergence
+from verify.claims import FemClaim
+from verify.convergence import GridConvergence, grid_convergence
 from verify.inputs import InputError
-from verify.results import Kind
+from verify.results import Kind, Row
 
 LEVELS = 3  # that an error bar needs
 DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter and still count
@@ -17,7 +19,7 @@ DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter a
 
 @dataclass(frozen=True)
 class Pair:
-    """A formula's value `analytic` and the finite-element value `fem`, by their keys.
+    """A row that sets the formula's value `analytic` beside the finite elements' `fem`, by keys.
 
     `scale` is the key of the natural magnitude that a difference is related to; the finite-element
     value itself where empty. `by` names what stands in the place of finite elements, if anything.
@@ -30,8 +32,13 @@ class Pair:
     analytic: str
     fem: str
     scale: str
-    formal: float | None
     by: str
+    claim: FemClaim
+
+    @property
+    def plain(self) -> bool:
+        """Whether the claim compares the two values as they are, and does not derive others."""
+        return type(self.claim).rows in (Identity.rows, Approximation.rows)
 
 
 @dataclass(frozen=True)
@@ -51,15 +58,15 @@ class Compared:
 
 
 def pairs(case: Case) -> tuple[Pair, ...]:
-    """All pairs of a case, in the order of its rows."""
+    """All pairs of a case, in the order of its rows, but for what is true of the paper alone."""
     return tuple(
         Pair(
-            name=check.name, symbol=check.symbol, unit=check.unit, kind=check.kind,
-            analytic=check.analytic, fem=check.fem, scale=check.scale, formal=check.formal,
-            by=check.by,
+            name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
+            analytic=claim.analytic, fem=claim.fem, scale=claim.scale, by=claim.by, claim=claim,
         )
-        for check in case.checks
-        if isinstance(check, Identity | Approximation)
+        for claim in case.checks
+        if isinstance(claim, FemClaim) and hasattr(claim, "analytic")
+        and claim.swept and not claim.paper_only
     )  # fmt: skip
 
 
@@ -96,34 +103,89 @@ def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
     return next((p for p in case.portions if keys <= set(p.keys)), whole(case))
 
 
-def compared(
-    pair: Pair,
-    formulas: Mapping[str, float],
-    h: Sequence[float],
-    values: Mapping[str, Sequence[float]],
-    u_it: Mapping[str, float],
-) -> Compared:
-    """The pair at a point from the formulas' values and those of the levels, coarse to fine [SI].
+@dataclass(frozen=True)
+class Known:
+    """What is known of a point [SI]: the formulas' values, and those of the levels by key.
 
-    A series whose differences grow counts with three times its scatter while that is small.
+    A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the largest iteration uncertainty of all levels.
     """
-    r, v = formulas.get(pair.analytic, math.nan), values.get(pair.fem, ())
+
+    case: str
+    inputs: Any
+    formulas: Mapping[str, float]
+    h: Sequence[float]
+    fe: Mapping[str, Sequence[float]]
+    u_it: Mapping[str, float]
+
+
+def compared(pair: Pair, point: Known) -> Compared:
+    """The pair at a point. A series whose differences grow counts while its scatter is small."""
+    return _plainly(pair, point) if pair.plain else _by_its_row(pair, point)
+
+
+def _plainly(pair: Pair, point: Known) -> Compared:
+    r, v = point.formulas.get(pair.analytic, math.nan), point.fe.get(pair.fem, ())
+    scale = abs(point.formulas[pair.scale]) if pair.scale else abs(v[-1]) if v else math.nan
+    residual = getattr(pair.claim, "residual", "")
+    of_reference = abs(r) if not pair.scale else scale
+    u_ref = point.formulas[residual] * of_reference if residual else 0.0
+    u_it = point.u_it.get(pair.fem, 0.0)
+    return _judged(pair, r, point.h, v, scale, u_it, u_ref)
+
+
+def _by_its_row(pair: Pair, point: Known) -> Compared:
+    """The pair from the row that its claim makes, which may derive the values that it compares."""
+    levels = [
+        FemResult(
+            h=h,
+            values={key: v[k] for key, v in point.fe.items() if not math.isnan(v[k])},
+            u_it=point.u_it,
+        )
+        for k, h in enumerate(point.h)
+    ]
+    context = Context(point.case, point.inputs, point.formulas, levels, is_paper=False)
+    claim = pair.claim
+    if isinstance(claim, Approximation):
+        claim = replace(claim, interval=None)  # may cost more than the point
+    rows: list[Row] = claim.rows(context)
+    row = next((row for row in rows if row.levels and row.analytic is not None), None)
+    if row is None or row.grid is None or row.analytic is None:
+        return _none(math.nan, math.nan, "no such row with these inputs")
+    f = units.factor(pair.unit)
+    v = [value * f for _, value in row.levels]
+    scale = (row.scale or math.nan) * f if pair.scale else abs(v[-1])
+    return _judged(
+        pair, row.analytic * f, point.h, v, scale, row.grid.u_it * f, (row.u_ref or 0.0) * f
+    )
+
+
+def _judged(
+    pair: Pair, r: float, h: Sequence[float], v: Sequence[float], scale: float, u_it: float,
+    u_ref: float,
+) -> Compared:  # fmt: skip
     if not v or not all(map(math.isfinite, (*v, r))):
-        what = "the formula" if v and all(map(math.isfinite, v)) else "finite elements"
-        return Compared(r, v[-1] if v else math.nan, math.nan, math.nan, math.nan,
-                        f"{what}: no finite value")  # fmt: skip
-    scale = abs(formulas[pair.scale]) if pair.scale else abs(v[-1])
+        what = "the formula has" if v and all(map(math.isfinite, v)) else "finite elements have"
+        return _none(r, v[-1] if v else math.nan, f"{what} no finite value")
     if not (scale > 0 and math.isfinite(scale)):
-        return Compared(r, v[-1], math.nan, math.nan, math.nan, "nothing to relate it to")
-    of_it = u_it.get(pair.fem, 0.0)
-    grid = grid_convergence(h, v, formal=pair.formal, scale=scale, u_it=of_it)
-    gci = grid.gci
-    if not grid.converges:
-        gci = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))
-        if not (len(v) >= LEVELS and gci <= DOUBTFUL * scale):
-            return Compared(r, v[-1], math.nan, math.nan, math.nan, "does not converge")
-    U = judge.expanded(math.hypot(gci / 2, of_it))
-    error = (r - v[-1]) / scale
+        return _none(r, v[-1], "nothing to relate a difference to")
+    natural = scale if pair.scale else abs(r)  # as rows have it
+    gci = _index(grid_convergence(h, v, formal=pair.claim.formal, scale=natural, u_it=u_it), v)
+    if not math.isfinite(gci):
+        return _none(r, v[-1], "does not converge")
+    U = judge.expanded(math.hypot(gci / 2, u_it), u_ref)
     # where the value itself is the scale, formula/FE - 1 carries the quotient's own size
-    U_error = U / scale * (1.0 if pair.scale else abs(r / v[-1]))
-    return Compared(r, v[-1], U, error, U_error)
+    wide = 1.0 if pair.scale else abs(r / v[-1])
+    return Compared(r, v[-1], U, (r - v[-1]) / scale, U / scale * wide)
+
+
+def _index(grid: GridConvergence, v: Sequence[float]) -> float:
+    """Grid convergence index; three times the scatter where no order can be told, inf if large."""
+    if grid.converges:
+        return grid.gci
+    scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))
+    small = len(v) >= LEVELS and scatter <= DOUBTFUL * abs(v[-1])
+    return scatter if small else math.inf
+
+
+def _none(r: float, v: float, problem: str) -> Compared:
+    return Compared(r, v, math.nan, math.nan, math.nan, problem)

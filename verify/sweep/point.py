@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from verify import cache as sources
 from verify.case import Case, Portion
 from verify.guard import named
 from verify.inputs import Inputs
-from verify.sweep.pairs import LEVELS, pairs, whole
+from verify.sweep.pairs import LEVELS, whole
 
 
 class OtherCodeError(RuntimeError):
@@ -62,7 +63,7 @@ def solve_point(task: Task) -> Solution:
     """The solution of a point; whatever goes wrong there is told in it. OtherCodeError."""
     case, part = _known(task.case, task.portion)
     if code_of(case, part) != task.code:
-        raise OtherCodeError(f"the code of {task.case} differs from the one that asks")
+        raise OtherCodeError(f"their code of {task.case} is not that of the sweep")
     start = time.perf_counter()
     found = Solution({}, (), {}, {})
     with np.errstate(all="ignore"):
@@ -89,8 +90,7 @@ def _known(case: str, portion: str) -> tuple[Case, Portion]:
 def _with_formulas(found: Solution, case: Case, inputs: Any) -> Solution:
     try:
         values = case.analytic(inputs)
-        keys = {key for pair in pairs(case) for key in (pair.analytic, pair.scale) if key}
-        return replace(found, formulas={k: float(values[k]) for k in sorted(keys) if k in values})
+        return replace(found, formulas={key: float(value) for key, value in values.items()})
     except Exception as error:  # whatever it is, it is this point's alone
         return replace(found, problem_formulas=_said("formulas", error))
 
@@ -104,11 +104,11 @@ def _with_fe(found: Solution, case: Case, part: Portion, inputs: Any) -> Solutio
             levels.append(part.fem(inputs, level))
         except Exception as error:  # gmsh raises Exception itself
             return replace(found, problem_fe=_said(f"level {level}", error))
-    keys = [key for key in part.keys if all(key in one.values for one in levels)]
+    keys = dict.fromkeys(key for one in levels for key in one.values)
     return replace(
         found,
         h=tuple(float(one.h) for one in levels),
-        fe={key: tuple(float(one.values[key]) for one in levels) for key in keys},
+        fe={key: tuple(float(one.values.get(key, nan)) for one in levels) for key in keys},
         u_it={key: max(float(one.u_it.get(key, 0.0)) for one in levels) for key in keys},
     )
 

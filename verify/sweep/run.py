@@ -16,7 +16,7 @@ from verify.progress import Show, State
 from verify.sweep.axes import changed
 from verify.sweep.pairs import portion
 from verify.sweep.plan import Plan
-from verify.sweep.point import OtherCodeError, Solution, Task, code_of, solve_batch
+from verify.sweep.point import Solution, Task, code_of, solve_batch
 from verify.sweep.store import Store, joined, lacking
 
 BATCH = 1.0  # s that a batch takes: what handing it over costs is a few ms, what a kill loses this
@@ -46,10 +46,14 @@ class Timing:
 
 @dataclass(frozen=True)
 class Solved:
-    """A solution for each point of a plan, in its order, or why there is none."""
+    """A solution for each point of a plan, in its order, or why there is none.
+
+    `inputs` are those of each point, None where the inputs' rules refuse it.
+    """
 
     plan: Plan
     part: Portion
+    inputs: tuple[Inputs | None, ...]
     solutions: tuple[Solution, ...]
     timing: Timing
 
@@ -76,7 +80,8 @@ def solve(
     todo = points.missing()
     timing = Timing(0, 0.0, 0.0, 0, len(plan.points) - len(todo))
     if todo:
-        require_gmsh()
+        if not where.scheduler:  # its workers say themselves what they lack
+            require_gmsh()
         run = _Run(points, show, known=timing.known)
         start = time.monotonic()
         try:
@@ -91,7 +96,8 @@ def solve(
             timing, points=len(todo), wall=time.monotonic() - start, busy=run.busy,
             workers=min(workers, len(todo)),
         )  # fmt: skip
-    return Solved(plan, part, points.solutions(), timing)
+    inputs = tuple(points.inputs.get(key) for key in points.keys)
+    return Solved(plan, part, inputs, points.solutions(), timing)
 
 
 def versions(part: Portion) -> str:
@@ -119,12 +125,13 @@ class _Points:
                 continue
             self.keys.append(store.key(one))
             self.inputs[self.keys[-1]] = one
+        self.names = list(self.inputs)
         self.known = store.load(list(self.inputs))
         if again:
             self.known = {k: _without_problems(one) for k, one in self.known.items()}
 
     def missing(self) -> list[Task]:
-        """What is to be solved, numbered by the order of `inputs`."""
+        """What is to be solved, numbered by the order of `names`."""
         code = code_of(self.plan.case, self.part)
         todo = []
         for n, (key, inputs) in enumerate(self.inputs.items()):
@@ -135,7 +142,7 @@ class _Points:
 
     def keep(self, tasks: Sequence[Task], answers: Sequence[Solution]) -> None:
         """Store what has been solved."""
-        keys = list(self.inputs)
+        keys = self.names
         found = {
             keys[task.number]: joined(self.known.get(keys[task.number]), answer)
             for task, answer in zip(tasks, answers, strict=True)
@@ -167,11 +174,12 @@ class _Run:
     done: int = 0
     total: int = 0
     busy: float = 0.0
+    pace: float = 0.0  # s a point of the last batch: the first ones import what they need
     waiting: deque[Task] = field(default_factory=deque)
     start: float = field(default_factory=time.monotonic)
 
     def work(self, engine: Engine, todo: Sequence[Task]) -> None:
-        """Solve all; RuntimeError where the engine's processes have other code."""
+        """Solve all; GoneError where the engine's processes cannot, as with other code."""
         self.total = len(todo)
         self.waiting.extend(todo)
         self.start = time.monotonic()
@@ -198,16 +206,18 @@ class _Run:
         if not self.done:
             return 1
         fair = len(self.waiting) // (4 * workers)
-        return max(1, min(MOST, int(BATCH / max(self.busy / self.done, 1e-6)), fair))
+        return max(1, min(MOST, int(BATCH / max(self.pace, 1e-6)), fair))
 
     def _keep(self, batch: tuple[Task, ...], answer: list[Solution] | Lost) -> None:
         if isinstance(answer, Lost):
-            if answer.reason.startswith(OtherCodeError.__name__):
-                raise InputError(f"{answer.reason}: the workers need this checkout")
+            if answer.trace:  # what goes wrong in a point is told in its solution
+                raise GoneError(f"the workers cannot solve points here: {answer.reason}")
             answer = [_lost(task, answer) for task in batch]
         self.points.keep(batch, answer)
         self.done += len(batch)
-        self.busy += sum(one.seconds for one in answer)
+        busy = sum(one.seconds for one in answer)
+        self.busy += busy
+        self.pace = busy / len(batch)
 
     def _state(self, drive: Drive) -> State:
         left = self.total - self.done

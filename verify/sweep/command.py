@@ -1,0 +1,125 @@
+"""The command `sweep`, apart from reading the command line."""
+
+import json
+import shlex
+import sys
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import IO
+
+from verify.commands import ROOT, load, writable
+from verify.engines import Where
+from verify.files import write_whole
+from verify.inputs import InputError
+from verify.progress import shown
+from verify.sweep import plan as plans
+from verify.sweep.outcome import Outcome, outcome
+from verify.sweep.pairs import portion, selected
+from verify.sweep.plan import Plan
+from verify.sweep.records import record
+from verify.sweep.run import solve
+from verify.sweep.tables import points_csv, sensitivity_csv, validity_csv
+from verify.sweep.told import print_outcome
+
+PAGE = "sweep.html"
+
+
+def run_sweep(
+    path: Path, *, vary: Sequence[str], sample: str, tolerances: Sequence[str],
+    only: Sequence[str], where: Where, out: Path | None, as_json: bool, again: bool,
+) -> int:  # fmt: skip
+    """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
+
+    A point that the inputs' rules refuse has not failed. Both are told; the rest is there.
+    """
+    plan = planned(path, vary=vary, sample=sample, tolerances=tolerances, only=only)
+    folder = out or ROOT / "reports" / "out" / f"sweep-{path.stem}"
+    writable(folder)
+    if not as_json:
+        announce(plan)
+    with shown(quiet=as_json) as show:
+        solved = solve(plan, where, again=again, show=show)
+    found = outcome(solved)
+    made = files(found, command(path, vary, sample, tolerances, only))
+    _write(made, folder)
+    if as_json:
+        print(made["sweep.json"].decode(), end="")
+    else:
+        print_outcome(found)
+    told = f"written: {', '.join(str(folder / name) for name in made)}"
+    print(told, file=sys.stderr if as_json else sys.stdout)
+    return 1 if any(p and not p.startswith("refused") for p in found.problems) else 0
+
+
+def planned(
+    path: Path, *, vary: Sequence[str], sample: str, tolerances: Sequence[str], only: Sequence[str]
+) -> Plan:
+    """The sweep that a parameter file and the options ask for; InputError."""
+    if bool(vary) == bool(sample):
+        raise InputError("sweep needs --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
+    if tolerances and not sample:
+        raise InputError("--tolerance belongs to --sample")
+    name, case, inputs, _ = load(path)
+    chosen = selected(case, only)
+    if sample:
+        return plans.sample(case, name, inputs, chosen, sample, tolerances)
+    return plans.grid(case, name, inputs, chosen, vary)
+
+
+def announce(plan: Plan) -> None:
+    """Say what is about to be solved, and how it would cost less."""
+    part = portion(plan.case, plan.chosen)
+    rows = f"{len(plan.chosen)} row{'s' if len(plan.chosen) != 1 else ''}"
+    print(f"{plan.name}: {len(plan.points):,} points of {plan.case.id}, {rows}", file=sys.stderr)
+    if not part.name and plan.case.portions:
+        names = ", ".join(f"{p.name} ({_rows(plan, p.keys)})" for p in plan.case.portions)
+        print(f"a part alone is much cheaper, with --only: {names}", file=sys.stderr, flush=True)
+
+
+def _rows(plan: Plan, keys: Sequence[str]) -> str:
+    return "; ".join(pair.name for pair in plan.chosen if pair.fem in keys)
+
+
+def command(
+    path: Path, vary: Sequence[str], sample: str, tolerances: Sequence[str], only: Sequence[str]
+) -> str:
+    """What repeats this."""
+    parts = ["freewheel", "sweep", path.name]
+    parts += [part for text in vary for part in ("--vary", text)]
+    parts += ["--sample", sample] if sample else []
+    parts += [part for text in tolerances for part in ("--tolerance", text)]
+    parts += [part for text in only for part in ("--only", text)]
+    return shlex.join(parts)
+
+
+def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
+    """What goes into the folder, by name."""
+    from reports.sweep import page as drawn
+
+    from verify.sweep.page import page
+
+    tables = (
+        {"sensitivity.csv": sensitivity_csv(found)}
+        if found.solved.plan.tolerances
+        else {"validity.csv": validity_csv(found)}
+    )
+    texts = {
+        PAGE: drawn(page(found, repeat)),
+        "points.csv": points_csv(found),
+        **tables,
+        "sweep.json": json.dumps(record(found, repeat), ensure_ascii=False, indent=1) + "\n",
+    }
+    return {name: text.encode() for name, text in texts.items()}
+
+
+def _write(made: Mapping[str, bytes], folder: Path) -> None:
+    for name, content in made.items():
+        try:
+            write_whole(folder / name, partial(_fill, content))
+        except OSError as error:
+            raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
+
+
+def _fill(content: bytes, file: IO[bytes]) -> None:
+    file.write(content)
