@@ -16,7 +16,7 @@ from verify.sweep.boxes import Flags
 from verify.sweep.outcome import Course
 from verify.sweep.pairs import Pair
 from verify.sweep.plan import Plan
-from verify.sweep.region import INSIDE, LIMITS, OUTSIDE, UNDECIDED, UNSOLVED, verdicts
+from verify.sweep.region import INSIDE, LIMITS, OUTSIDE, UNDECIDED, UNSOLVED, Points, verdicts
 
 LEAST_ROWS = 8  # of the base sample, for indices
 RESAMPLES = 999
@@ -100,26 +100,26 @@ def indices(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> Ind
     """The scatter of a pair and its causes; ValueError for a grid, which is no sample."""
     if not plan.base:
         raise ValueError("sensitivity indices need a sample, got a grid")
-    solved = np.isfinite(course.error) & np.isfinite(course.U_error)
-    rows = solved.reshape(-1, plan.base).all(axis=0)
-    independent: Flags = np.arange(len(solved)) < 2 * plan.base  # A and B
-    exact, of = np.zeros_like(course.U), solved & independent
+    solved = np.isfinite(course.error + course.U_error)
+    rows: Flags = np.all(solved.reshape(-1, plan.base), axis=0)
+    of = np.flatnonzero(solved[: 2 * plan.base])  # of A and B, which are independent
+    exact = np.zeros_like(course.U)
     return Indices(
         course.pair, int(rows.sum()), int((~rows).sum()),
         formula=_scatter(plan, course.formula, exact, of, rows),
         fe=_scatter(plan, course.fe, course.U, of, rows),
         error=_scatter(plan, course.error, course.U_error, of, rows),
-        within=tuple(_within(course, independent, limit) for limit in limits),
+        within=tuple(_within(course, 2 * plan.base, limit) for limit in limits),
     )  # fmt: skip
 
 
-def _within(course: Course, of: Flags, limit: float) -> Within:
-    found = verdicts(course.error[of], course.U_error[of], limit)
+def _within(course: Course, first: int, limit: float) -> Within:
+    found = verdicts(course.error[:first], course.U_error[:first], limit)
     counts = (int((found == one).sum()) for one in (INSIDE, OUTSIDE, UNDECIDED, UNSOLVED))
     return Within(limit, *counts)
 
 
-def _scatter(plan: Plan, values: Array, U: Array, of: Flags, rows: Flags) -> Scatter:
+def _scatter(plan: Plan, values: Array, U: Array, of: Points, rows: Flags) -> Scatter:
     """`of` are the points to take moments of, `rows` the base rows to take indices of."""
     y = values[of]
     if not len(y):

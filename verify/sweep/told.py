@@ -1,0 +1,175 @@
+"""What `freewheel sweep` prints: what was solved, how wrong each formula is, and where or why."""
+
+import math
+import re
+import textwrap
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from verify import units
+from verify.sweep.axes import Axis, Tolerance
+from verify.sweep.indices import NOISY, Scatter, Within, indices
+from verify.sweep.outcome import Course, Outcome
+from verify.sweep.plan import Plan
+from verify.sweep.region import Region, regions
+from verify.sweep.tables import SOLVED, largest, quantities, reasons, statuses
+from verify.sweep.words import box_in_words, break_in_words, error_with_bar, ranked
+from verify.told import aligned, raised
+
+WIDE = 80
+MOST_ROWS = 10  # the worst ones
+LINES = 30  # from which on no further row is told in full
+MOST_REASONS = 3
+MOST_INPUTS = 6
+_NUMBER = re.compile(r"\d[\d.,]*(?:e[-+]?\d+)?")
+
+
+def print_outcome(found: Outcome) -> None:
+    """Points and what became of them, the rows that are furthest off, regions or indices."""
+    for line in told(found):
+        print(line)
+
+
+def told(found: Outcome) -> list[str]:
+    """The lines of `print_outcome`, no wider than WIDE; rows in full until there are LINES."""
+    lines = [part for line in (*_points(found), *_table(found)) for part in _wrapped(line)]
+    of = _of_sample if found.solved.plan.base else _of_grid
+    detailed = 0
+    for course in worst(found):
+        more = [part for line in of(found.solved.plan, course) for part in _wrapped(line)]
+        if detailed and len(lines) + len(more) > LINES:
+            break
+        lines += more
+        detailed += 1
+    if left := len(found.courses) - detailed:
+        where = "sensitivity.csv" if found.solved.plan.base else "validity.csv"
+        lines.append(f"({_count(left, 'more row')} in {where})")
+    return lines
+
+
+def worst(found: Outcome) -> list[Course]:
+    """The courses, the one with the largest error first, those without any last."""
+    sizes = {id(c): -1.0 if (n := largest(c)) is None else abs(float(c.error[n]))
+             for c in found.courses}  # fmt: skip
+    return sorted(found.courses, key=lambda c: -sizes[id(c)])
+
+
+def _points(found: Outcome) -> Iterator[str]:
+    counts = Counter(statuses(found))
+    whole = len(found.solved.plan.points)
+    others = [f"{n:,} {name}" for name, n in counts.most_common() if name != SOLVED]
+    yield f"{counts[SOLVED]:,} of {whole:,} points solved" + "".join(f", {o}" for o in others)
+    alike: dict[str, list[str]] = {}
+    for reason in filter(None, reasons(found)):
+        alike.setdefault(_NUMBER.sub("#", reason), []).append(reason.removeprefix("inputs: "))
+    why = sorted(alike.values(), key=len, reverse=True)
+    for some in why[:MOST_REASONS]:
+        such = "such as: " if len(set(some)) > 1 else ""
+        yield f"  {_count(len(some), 'point')}: {such}{some[0]}"
+    if len(why) > MOST_REASONS:
+        yield f"  and {_count(len(why) - MOST_REASONS, 'more reason')} in points.csv"
+
+
+def _table(found: Outcome) -> Iterator[str]:
+    """A line a row: its largest error with the bar and where, and shares inside the limits."""
+    shown, plan = worst(found)[:MOST_ROWS], found.solved.plan
+    inside = [_inside(plan, course) for course in shown]
+    varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
+    where = ", ".join(f"{o.symbol}{f'/{o.unit}' if o.unit != '1' else ''}" for o in varied)
+    limits = [f"≤{100 * limit:g} %" for limit, _ in inside[0]]
+    lines = [("", "largest error", *limits, f"at {where}")]
+    for course, shares in zip(shown, inside, strict=True):
+        n = largest(course)
+        error, at = "none", ""
+        if n is not None:
+            error = error_with_bar(course, n)
+            values = zip(varied, plan.points[n], strict=True)
+            at = ", ".join(f"{one.shown(v):.4g}" for one, v in values)
+        cells = (_percent(share) for _, share in shares)
+        lines.append((_short(course.pair.name), error, *cells, at))
+    yield from aligned(lines)
+    if (more := len(found.courses) - len(shown)) > 0:
+        yield f"({_count(more, 'more row')} with smaller errors in points.csv)"
+
+
+def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
+    """Shares of the solved points inside each limit, NaN where none is."""
+    of: Sequence[Within | Region]
+    of = indices(plan, course).within if plan.base else regions(plan, course)
+    return [
+        (one.limit, one.inside / solved if solved else math.nan)
+        for one in of for solved in [one.inside + one.outside + one.undecided]
+    ]  # fmt: skip
+
+
+def _of_grid(plan: Plan, course: Course) -> Iterator[str]:
+    """The regions in words, limits alike together."""
+    yield course.pair.name
+    alike: dict[tuple[str, str], list[str]] = {}
+    for one in regions(plan, course):
+        words = box_in_words(plan, one), break_in_words(plan, one)
+        alike.setdefault(words, []).append(f"{100 * one.limit:g}")
+    for (box, breaks), limits in alike.items():
+        yield f"  within {_listed(limits)} %: {box}"
+        if breaks:
+            yield f"    {breaks}"
+
+
+def _of_sample(plan: Plan, course: Course) -> Iterator[str]:
+    """Finite elements and the error, how they scatter and through what."""
+    one = indices(plan, course)
+    lost = f" ({_count(one.dropped, 'row')} of the sample left out: not solved)"
+    yield f"{course.pair.name}{lost if one.dropped else ''}"
+    for what, scatter, unit in quantities(one)[1:]:
+        if scatter.n:
+            yield f"  {what} {_moments(scatter, unit)}"
+        if scatter.why:
+            yield f"    no indices: {scatter.why}"
+        else:
+            yield from (f"    {line}" for line in aligned(ranked(scatter)[:MOST_INPUTS]))
+            if (more := len(scatter.indices) - MOST_INPUTS) > 0:
+                yield f"    ({more} more in sensitivity.csv)"
+        if not scatter.why and scatter.noise > NOISY:
+            yield (
+                f"    doubtful: {100 * scatter.noise:.0f} % of the variance may be the finite "
+                "elements' own uncertainty"
+            )
+
+
+def _moments(scatter: Scatter, unit: str) -> str:
+    size = units.factor(unit)
+    mean, sd, low, median, high = (
+        v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
+    )
+    told_unit = "" if unit == "1" else f" {unit}"
+    return (
+        f"{mean:.5g} ± {sd:.2g}{told_unit}; 2.5 % {low:.5g}, 50 % {median:.5g}, 97.5 % {high:.5g}"
+    )
+
+
+def _percent(share: float) -> str:
+    """Whole percent, 100 only for all, nothing where none is known."""
+    if math.isnan(share):
+        return ""
+    return f"{min(100 * share, 99) if share < 1 else 100:.0f} %"
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number:,} {what}{'s' if number > 1 else ''}"
+
+
+def _listed(words: Sequence[str]) -> str:
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
+
+
+def _short(name: str, *, longest: int = 30) -> str:
+    return name if len(name) <= longest else name[: longest - 1] + "…"
+
+
+def _wrapped(line: str) -> list[str]:
+    """At most WIDE characters, what goes on set in further than its beginning."""
+    line = raised(line)
+    if len(line) <= WIDE:
+        return [line]
+    inset = " " * (len(line) - len(line.lstrip()) + 4)
+    return textwrap.wrap(line, WIDE, subsequent_indent=inset, break_on_hyphens=False)
