@@ -107,7 +107,8 @@ def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
 class Known:
     """What is known of a point [SI]: the formulas' values, and those of the levels by key.
 
-    A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the largest iteration uncertainty of all levels.
+    A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the
+    largest iteration uncertainty of all levels.
     """
 
     case: str
