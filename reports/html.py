@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, plots, signature
+from reports import formats, plots, signature, validity
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -24,6 +24,7 @@ from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.sketch import sketch
+from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
 from reports.zones import zones
@@ -100,6 +101,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
+        subjects=validity.subjects(report.validity), scale_key=scale_key,
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
         warnings=warnings(report.cases), verdicts=verdicts(report),
@@ -262,6 +264,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "sketch": sketch, "plot": plot, "claims": claims,
         "causes": causes,
         "columns": columns,
+        "validity_figure": validity.figure, "validity_limits": validity.limits,
+        "signed": validity.signed,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,

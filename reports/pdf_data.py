@@ -13,6 +13,7 @@ from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
 from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_tables import Data, prose
+from reports.pdf_validity import validity_data
 from reports.richtext import runs
 from reports.sheets import Sheets
 from reports.standalone import HERE, standalone
@@ -48,6 +49,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             case_data(case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper])
             for i, case in enumerate(report.cases)
         ],
+        "validity": validity_data(report.validity),
         "ledgers": None if own else _ledgers(report, places),
     }
 

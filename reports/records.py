@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from verify.results import SCHEMA_VERSION, CaseResult, Report, Row
+from verify.results import SCHEMA_VERSION, CaseResult, Report, Row, Validity
 
 
 def report_record(report: Report) -> dict[str, Any]:
@@ -19,6 +19,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "errata": list(report.errata),
         "published": list(report.published),
         "paper_tables": [_plain(asdict(table)) for table in report.tables],
+        "validity": [_validity(one) for one in report.validity],
         "provenance": report.provenance,
     }
 
@@ -38,6 +39,16 @@ def _case(case: CaseResult) -> dict[str, Any]:
         "warnings": list(case.warnings),
         "tables": [asdict(t) for t in case.tables], "command": case.command,
     }  # fmt: skip
+
+
+def _validity(one: Validity) -> dict[str, Any]:
+    """What is said of a case's formulas; the measured errors stay in their own files."""
+    record: dict[str, Any] = _plain(asdict(one))
+    for card in record["cards"]:
+        for region in card["regions"]:
+            for drawn in ("axes", "error", "U"):
+                del region[drawn]
+    return record
 
 
 def _plain(value: Any) -> Any:

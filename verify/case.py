@@ -111,12 +111,14 @@ class Scan:
     """A region about the default inputs over which a case's formulas are measured for the report.
 
     `vary` holds axes as `freewheel sweep` takes them, "z=3:12:4"; `only` parts of the names of the
-    rows that are swept, all where empty. `star` varies one input at a time instead of all together.
+    rows that are swept, all where empty. `star` varies one input at a time instead of all together,
+    `at` holds others elsewhere than by default, "e=2mm".
     """
 
     vary: tuple[str, ...]
     only: tuple[str, ...] = ()
     star: bool = False
+    at: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,7 +22,7 @@ from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
-from verify.results import CaseResult, Report, Status
+from verify.results import CaseResult, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts
@@ -194,5 +194,13 @@ def make_report(
         cases=tuple(results),
         provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
         name=name,
+        validity=() if name else _validity(results, cases),
         **ledgers(results, cases),
     )
+
+
+def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:
+    """The cards, which are about the papers' own inputs."""
+    from verify.validity.cards import validity  # scipy's statistics, which `check` does without
+
+    return validity(results, cases)

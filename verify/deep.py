@@ -20,6 +20,7 @@ from verify.case import Case, FemResult
 from verify.engines import Where
 from verify.files import write_whole
 from verify.inputs import InputError
+from verify.progress import shown
 from verify.results import Status
 from verify.run import Job
 from verify.solving import solve
@@ -78,11 +79,16 @@ def keep(case: Case, parts: Sequence[FemResult], folder: Path | None = None) -> 
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
     """Measure the named deep cases, or all that are not measured for the present code.
 
+    "validity" and "validity:CASE" measure where formulas hold (verify.validity), as does no name.
     0 where everything was measured, 1 where a part failed.
     """
-    from verify.cases.registry import DEEP, find
+    from verify.cases.registry import CASES, DEEP, find
+    from verify.validity import measuring
 
-    chosen = [find(name, DEEP) for name in dict.fromkeys(names)] or list(DEEP)
+    of_validity = [name for name in names if name.partition(":")[0] == measuring.NAME]
+    regions = measuring.chosen(of_validity if names else (measuring.NAME,), CASES)
+    chosen = [find(name, DEEP) for name in dict.fromkeys(names) if name not in of_validity]
+    chosen = chosen if names else list(DEEP)
     missing = [case for case in chosen if again or measured(case) is None]
     for case in chosen:
         if case not in missing:
@@ -103,4 +109,6 @@ def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
         except OSError as error:
             raise InputError(f"{FOLDER}: cannot be written: {error.strerror}") from error
         print(f"{case.id}: {len(whole)} parts measured in {result.seconds:.0f} s")
+    with shown(quiet=False) as show:
+        measuring.measure(regions, Where(jobs), again=again, show=show)
     return 1 if failed else 0

@@ -205,6 +205,105 @@ class PaperTable:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ValidityAxis:
+    """An input that was varied, with its values in `unit` and the nominal one."""
+
+    name: str
+    symbol: str
+    unit: str
+    values: tuple[float, ...]
+    nominal: float | None
+    log: bool = False  # spaced in equal ratios
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityLimit:
+    """Where a formula's error stays within `limit`: points by their verdict, and it in words.
+
+    `words` names the largest box of points that are all inside, whole error bars included; `box`
+    has its ranges, an input's name and two values in its unit each.
+    """
+
+    limit: float
+    inside: int
+    outside: int
+    undecided: int
+    words: str
+    box: tuple[tuple[str, float, float], ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityRegion:
+    """What was measured of a formula over some inputs: errors (points,) and their bars, relative.
+
+    Over a grid of one or two `axes`, the last one fastest; of a star the one along which the error
+    changes most. `breaks` says what takes the formula out of the middle limit first.
+    """
+
+    over: str
+    points: int
+    unsolved: int
+    problems: tuple[str, ...]
+    limits: tuple[ValidityLimit, ...]
+    breaks: str
+    axes: tuple[ValidityAxis, ...] = ()
+    error: tuple[float, ...] = ()
+    U: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityCard:
+    """Where one formula may be used; `error`, `U` are those of its row at the case's own inputs.
+
+    `tex` is the formula where the case shows it, `place` where it stands in the paper.
+    """
+
+    case: str
+    quantity: str
+    symbol: str
+    place: str
+    tex: str
+    error: float | None
+    U: float | None
+    regions: tuple[ValidityRegion, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityExact:
+    """A formula and finite elements that solve the same problem: how far apart they were at most.
+
+    `U` is the error bar of that point; both are relative. None where no point was solved.
+    """
+
+    quantity: str
+    symbol: str
+    largest: float | None
+    U: float | None
+    points: int
+    unsolved: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Validity:
+    """The cards of one case; without a measurement `missing` says why.
+
+    `over` says what the exact ones were measured over, `others` which formulas were left out, and
+    `maps` which cases show more.
+    """
+
+    case: str
+    title: str
+    subject: str
+    date: str = ""
+    missing: str = ""
+    cards: tuple[ValidityCard, ...] = ()
+    exact: tuple[ValidityExact, ...] = ()
+    over: str = ""
+    others: tuple[str, ...] = ()
+    maps: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
@@ -219,6 +318,7 @@ class Report:
     provenance: Mapping[str, Any]
     tables: tuple[PaperTable, ...] = ()
     name: str = ""
+    validity: tuple[Validity, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:

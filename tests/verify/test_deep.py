@@ -23,6 +23,7 @@ FAST = replace(ACCORDION, id="spring-deep", levels=(2, 4), checks=())
 def folder(tmp_path, monkeypatch):
     monkeypatch.setattr(deep, "FOLDER", tmp_path / "measured")
     monkeypatch.setattr(registry, "DEEP", (FAST,))
+    monkeypatch.setattr(registry, "CASES", ())
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
     def in_this_process(work, _jobs, _use_cache):

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.polyhedral import bore_pressure, expansion, wall_stress
 from analytic.polyhedral.hub_force import hub_force
 from analytic.polyhedral.sector import Sector
-from verify.case import Case, FemResult, Output, Portion, Values
+from verify.case import Case, FemResult, Output, Portion, Scan, Values
 from verify.cases import polyhedral_ring_shown as shown
 from verify.cases.polyhedral_fem import (
     ARC,
@@ -191,6 +191,13 @@ RING = Case(
         Portion(
             name="K", fem=stiffness_fem, levels=(1, 2, 3), keys=("K mid", "K mean", "1/K corner")
         ),
+    ),
+    scans=(
+        Scan(
+            vary=("z=3:12:10", "delta_1=2mm,3mm,4mm,5mm,6mm,8mm"),
+            only=("K of the paper", "K in the middle of the flats", "K in the mean"), at=("e=2mm",),
+        ),
+        Scan(vary=("rho=0.5mm,1mm,2mm,4mm", "delta_1=2mm,4mm,8mm"), star=True),
     ),
     checks=CHECKS,
     outputs=(

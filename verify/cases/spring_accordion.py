@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from analytic.spring import energy, frame
-from verify.case import Case, Context, FemResult, Output, Portion, Values
+from verify.case import Case, Context, FemResult, Output, Portion, Scan, Values
 from verify.cases import spring_readings, spring_shown
 from verify.cases.spring_inputs import AccordionInputs, SpringInputs, strip_of
 from verify.checks import Approximation, Identity, Order
@@ -345,6 +345,17 @@ ACCORDION = Case(
     levels=(4, 8, 16, 32),
     portions=(
         Portion(name="k_1", fem=stiffness_fem, levels=(4, 8, 16), keys=(f"{OWN}, curved",)),
+    ),
+    scans=(
+        Scan(vary=("n=4:16:7", "b=0.05mm,0.1mm,0.2mm,0.3mm,0.4mm"), only=("Eqs. 1-9",)),
+        Scan(
+            vary=("r=0.2mm,0.45mm,0.8mm,1.2mm", "alpha=65deg:85deg:5", "L1=6mm,9mm,11.6mm,16mm"),
+            only=("Eqs. 1-9",), star=True,
+        ),
+        Scan(
+            vary=("n=4,10,16", "b=0.05mm,0.1mm,0.4mm", "alpha=65deg,80deg"),
+            only=("straight elements", "curved elements"), star=True,
+        ),
     ),
     checks=CHECKS,
     outputs=OUTPUTS,

@@ -1,0 +1,103 @@
+"""The validity cards of a run: what was measured of each formula, beside the row of the run."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from verify.case import Case
+from verify.judge import expanded
+from verify.results import CaseResult, Kind, Row, Validity, ValidityCard, ValidityExact
+from verify.sweep.outcome import Course
+from verify.sweep.pairs import Pair, pairs
+from verify.sweep.plan import Plan
+from verify.validity import words
+from verify.validity.equations import place, tex
+from verify.validity.kept import Measured, measured
+from verify.validity.left_out import LEFT_OUT, MAPS, SUBJECTS
+from verify.validity.regions import region
+
+STALE = "not measured for this code: freewheel deep validity:{} does it"
+
+
+def validity(
+    results: Sequence[CaseResult], cases: Sequence[Case], folder: Path | None = None
+) -> tuple[Validity, ...]:
+    """What is known of each case that sets formulas beside finite elements, in their order."""
+    known = {case.id: case for case in cases}
+    return tuple(
+        of_case(known[result.id], result, folder)
+        for result in results
+        if result.id in known and pairs(known[result.id])
+    )
+
+
+def of_case(case: Case, result: CaseResult, folder: Path | None = None) -> Validity:
+    """The cards of one case, from the file that `folder` has of it."""
+    head = Validity(
+        case=case.id, title=case.title, subject=SUBJECTS[case.id.partition("-")[0]],
+        maps=MAPS.get(case.id, ()),
+    )  # fmt: skip
+    every = pairs(case)
+    found = measured(case, folder) if case.scans else None
+    if found is None:
+        missing = STALE.format(case.id) if case.scans else LEFT_OUT.get(case.id, "")
+        return replace(head, missing=missing, others=_names(every))
+    courses = [(plan, course) for plan, kept in found.scans for course in kept]
+    swept = {course.pair.name for _, course in courses}
+    exact = [p for p in every if p.kind is Kind.IDENTITY and p.name in swept]
+    return replace(
+        head, date=found.date, missing=LEFT_OUT.get(case.id, ""),
+        cards=tuple(
+            _card(case, pair, result, [(p, c) for p, c in courses if c.pair == pair])
+            for pair in every if pair.kind is not Kind.IDENTITY and pair.name in swept
+        ),
+        exact=tuple(_exact(p, [c for _, c in courses if c.pair == p]) for p in exact),
+        over=_over(found, exact), others=_names([p for p in every if p.name not in swept]),
+    )  # fmt: skip
+
+
+def _card(
+    case: Case, pair: Pair, result: CaseResult, courses: Sequence[tuple[Plan, Course]]
+) -> ValidityCard:
+    row = next((row for row in result.rows if row.quantity == pair.name), None)
+    error, U = _at_paper(row)
+    return ValidityCard(
+        case=case.id, quantity=pair.name, symbol=pair.symbol, place=place(case, pair),
+        tex=tex(case, pair, result.equations), error=error, U=U,
+        regions=tuple(region(plan, course) for plan, course in courses),
+    )  # fmt: skip
+
+
+def _at_paper(row: Row | None) -> tuple[float | None, float | None]:
+    """The row's relative error, formula/FE - 1, and its bar; None where it was not solved."""
+    if row is None or row.analytic is None or row.fem is None or not row.scale:
+        return None, None
+    error = (row.analytic - row.fem) / row.scale
+    return error, None if row.u_num is None else expanded(row.u_num) / row.scale
+
+
+def _exact(pair: Pair, courses: Sequence[Course]) -> ValidityExact:
+    error, U = (
+        np.concatenate([getattr(c, name) for c in courses]) for name in ("error", "U_error")
+    )
+    solved = np.isfinite(error)
+    largest = int(np.abs(np.where(solved, error, 0.0)).argmax()) if solved.any() else None
+    return ValidityExact(
+        quantity=pair.name, symbol=pair.symbol, points=len(error), unsolved=int((~solved).sum()),
+        largest=None if largest is None else float(error[largest]),
+        U=None if largest is None else float(U[largest]),
+    )  # fmt: skip
+
+
+def _over(found: Measured, exact: Sequence[Pair]) -> str:
+    names = {pair.name for pair in exact}
+    return "; ".join(dict.fromkeys(
+        words.over(plan) for plan, kept in found.scans
+        if names & {course.pair.name for course in kept}
+    ))  # fmt: skip
+
+
+def _names(left: Sequence[Pair]) -> tuple[str, ...]:
+    return tuple(pair.name for pair in left)
