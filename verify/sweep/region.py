@@ -112,19 +112,6 @@ def verdicts(error: Array, U_error: Array, limit: float) -> Verdicts:
     return found
 
 
-def crossing(x: Array, error: Array, limit: float) -> tuple[float, ...]:
-    """Where |error| passes `limit` along sorted values `x` (n,), straight between solved points."""
-    found = []
-    for k in range(len(x) - 1):
-        a, b = float(error[k]), float(error[k + 1])
-        levels = (limit, -limit) if a > b else (-limit, limit)  # in the order they are met
-        found += [
-            float(x[k] + (x[k + 1] - x[k]) * (a - level) / (a - b))
-            for level in levels if (a > level) != (b > level) and np.isfinite(a - b)
-        ]  # fmt: skip
-    return tuple(found)
-
-
 def regions(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> tuple[Region, ...]:
     """The region of a course within each limit; ValueError for a sample, which has no axes."""
     if not plan.axes:

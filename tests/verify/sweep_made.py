@@ -1,0 +1,86 @@
+"""Sweeps of a made-up case: a plan with courses that a test writes down itself."""
+
+from contextlib import contextmanager
+
+import numpy as np
+
+from verify.case import Case, FemResult
+from verify.checks import Approximation
+from verify.engines import local
+from verify.inputs import Inputs, count, quantity
+from verify.sweep.outcome import Course, Outcome
+from verify.sweep.pairs import portion, selected
+from verify.sweep.point import Solution
+from verify.sweep.run import Solved, Timing
+
+
+class Plate(Inputs):
+    a: float = quantity("4 mm", "mm", "a", "length", gt=0)
+    b: float = quantity("2 mm", "mm", "b", "width", gt=0)
+    n: int = count(3, "n", "holes", ge=1)
+
+
+def formulas(q):
+    return {"k": 1e3 * q.a / q.b, "s": 1e6 * (q.n - 3)}
+
+
+def fem(q, level):
+    """The stiffness is off by 10 of (a / 40 mm)², second order; nothing fits more than 8 holes."""
+    if q.n > 8:
+        raise ValueError(f"{q.n} holes do not fit")
+    h = 1 / level
+    exact = 1e3 * q.a / q.b / (1 + 10 * (q.a / 0.04) ** 2)
+    return FemResult(h=h, values={"k": exact * (1 + 1e-4 * h**2), "s": 1e6})
+
+
+def row(name, symbol, unit, key):
+    return Approximation(
+        name=name, symbol=symbol, unit=unit, analytic=key, fem=key, formal=2, interval=None,
+        source="",
+    )  # fmt: skip
+
+
+CASE = Case(
+    id="made-up-plate", title="", paper="", place="", lead="", inputs=Plate, analytic=formulas,
+    fem=fem, levels=(1, 2, 4),
+    checks=(row("stiffness", "k", "N/mm", "k"), row("stress", "σ", "MPa", "s")), outputs=(),
+)  # fmt: skip
+
+
+def chosen(*only):
+    return selected(CASE, only or ("stiffness",))
+
+
+class Here:
+    """Solves in this process."""
+
+    @contextmanager
+    def entered(self):
+        with local(0) as engine:
+            yield engine
+
+
+def course(plan, error, U_error=0.0, *, pair=0, fe=2000.0, problems=None):
+    """A course with errors at the points of the plan, shares; NaN is unsolved."""
+    m = len(plan.points)
+    error = np.broadcast_to(np.asarray(error, float), m).copy()
+    U_error = np.where(np.isnan(error), np.nan, np.broadcast_to(U_error, m))
+    fe = np.where(np.isnan(error), np.nan, np.broadcast_to(np.asarray(fe, float), m))
+    why = problems or tuple("does not converge" if np.isnan(e) else "" for e in error)
+    return Course(
+        pair=plan.chosen[pair], formula=fe * (1 + error), fe=fe, U=fe * U_error, error=error,
+        U_error=U_error, problems=why,
+    )  # fmt: skip
+
+
+def outcome(plan, *courses, problems=None, timing=None):
+    """The outcome with these courses; `problems` of whole points by row."""
+    problems = problems or {}
+    solutions = tuple(
+        Solution({}, (), {}, {}, problem_fe=problems.get(n, "")) for n in range(len(plan.points))
+    )
+    part = portion(plan.case, plan.chosen)
+    solved = Solved(
+        plan, part, (None,) * len(plan.points), solutions, timing or Timing(4, 2.0, 3.0, 2, 1)
+    )
+    return Outcome(solved, courses)
