@@ -38,7 +38,6 @@ class Topology:
     def at(self, p: Array) -> Mesh2D:
         """The mesh whose nodes were read at `p` (2, n)."""
         mesh = copy(self.mesh)
-        mesh.__dict__.pop("_cached_mapping", None)  # it maps to the other nodes
         mesh.doflocs = np.ascontiguousarray(p[:, self.source])
         return mesh
 

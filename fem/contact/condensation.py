@@ -13,7 +13,7 @@ from scipy.sparse import csc_array, csr_array, diags_array
 from scipy.sparse.linalg import SuperLU, splu
 
 from fem.plane.discretisation import Array, Indices
-from fem.plane.solve import SUPERLU
+from fem.plane.factors import SUPERLU
 
 
 @dataclass(frozen=True)

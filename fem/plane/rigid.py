@@ -79,15 +79,18 @@ def free_motions(
         blocks.append(rows)
     nodes = node_dofs(basis)
     of_node = of_dof[nodes[0]]
-    shapes = motion(tied.x[:, nodes[0]], of_node)
     # a row's size must not depend on the unit of length
     size_of = np.abs(means).sum(axis=1)
     also = vstack([tied.rows, diags_array(1 / size_of) @ means]).tocsr()
     if also.shape[0]:
+        shapes = motion(tied.x[:, nodes[0]], of_node)
         blocks.append(_compressed(also, nodes, of_node, shapes, count))
     _, s, v = np.linalg.svd(np.vstack(blocks), full_matrices=False)
     # a basis with as many zeros as it can have: single motions of single bodies, where there are
     free = lu(v[s < 1e-9].T, permute_l=True)[0].T.reshape(-1, count, n)
+    if not len(free):
+        return Motions(np.zeros((basis.N, 0)), ())
+    shapes = motion(tied.x[:, nodes[0]], of_node)
     fields = np.zeros((basis.N, len(free)))
     for i, amplitudes in enumerate(free):
         fields[nodes, i] = np.einsum("mij,mj->im", shapes, amplitudes[of_node])

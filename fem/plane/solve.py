@@ -9,12 +9,11 @@ from dataclasses import replace
 from typing import get_args
 
 import numpy as np
-from scipy.sparse import csc_array
-from scipy.sparse.linalg import SuperLU, splu
 from skfem.mesh import Mesh2D
 
 from fem.plane.cells import Cells
-from fem.plane.discretisation import Array, vector_basis
+from fem.plane.discretisation import vector_basis
+from fem.plane.factors import factorised, short
 from fem.plane.loads import (
     Pressure,
     Vector,
@@ -27,7 +26,6 @@ from fem.plane.loads import (
 from fem.plane.material import Assumption, Elastic
 from fem.plane.means import Mean, held_means, mean_rows
 from fem.plane.ordering import nested_dissection
-from fem.plane.recent import Recent
 from fem.plane.rigid import check_rigid_motions
 from fem.plane.solution import Held, PlaneSolution
 from fem.plane.supports import Anchors, Support, collect
@@ -37,17 +35,6 @@ MAX_CORRECTIONS = 60
 CONVERGED = 1e-24  # relative energy, the square of relative displacements
 ROUND_OFF = 1e-18
 RESIDUAL_LIMIT = 1e-12
-# The matrix is symmetric, positive definite and handed over in its order of elimination. Panels
-# and relaxed supernodes of 10 are 1.3 times as fast as the defaults; SuperLU counts them in a
-# table of 13 entries or more by version, beyond which larger ones would write.
-SUPERLU = {
-    "permc_spec": "NATURAL", "diag_pivot_thresh": 0.0, "relax": 10, "panel_size": 10,
-    "options": {"SymmetricMode": True},
-}  # fmt: skip
-# Bodies that differ by the unit or the size of E alone have one matrix, to this many bits of its
-# moduli: the corrections leave 1e-12 of what they correct.
-BITS = 40
-FACTORS: Recent[SuperLU] = Recent(most=8, room=8e6)  # entries of the factors, 100 MB
 
 
 def solve_plane(
@@ -143,18 +130,6 @@ def solve_plane(
         basis, u, internal, f, lam, mu, ratio, thickness, residual, conditions, turn,
         Held(held, C, means or {}),
     )  # fmt: skip
-
-
-def factorised(A: csc_array) -> SuperLU:
-    """Factors of the symmetric, positive definite `A`; the last few are kept, if they are small."""
-    key = (A.shape[0], A.data, A.indices, A.indptr)
-    return FACTORS.get(key, lambda: splu(A, **SUPERLU), lambda factors: factors.nnz)
-
-
-def short(x: Array) -> Array:
-    """`x` rounded to `BITS` bits."""
-    digits, power = np.frexp(x)
-    return np.ldexp(np.round(np.ldexp(digits, BITS)), power - BITS)
 
 
 def _solve(cells, f, T, u0):

@@ -10,8 +10,9 @@ import numpy as np
 from scipy.sparse.linalg import splu
 from skfem.mesh import Mesh3D
 
+from fem.plane.factors import SUPERLU
 from fem.plane.material import Elastic
-from fem.plane.solve import CONVERGED, MAX_CORRECTIONS, RESIDUAL_LIMIT, ROUND_OFF, SUPERLU
+from fem.plane.solve import CONVERGED, MAX_CORRECTIONS, RESIDUAL_LIMIT, ROUND_OFF
 from fem.solid.cells import Cells
 from fem.solid.geometry import check_unfolded, degree
 from fem.solid.loads import (

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from skfem import MeshQuad1, MeshQuad2
 
-from fem.plane import discretisation, solve
+from fem.plane import discretisation, factors
+from fem.plane.factors import FACTORS
 from fem.plane.material import Elastic
 from fem.plane.recent import Recent
-from fem.plane.solve import FACTORS, solve_plane
+from fem.plane.solve import solve_plane
 
 STEEL = Elastic(E=210e9, nu=0.3)
 
@@ -25,13 +26,13 @@ def forgotten():
 def factorisations(monkeypatch):
     """The matrices that are factorised."""
     seen = []
-    own = solve.splu
+    own = factors.splu
 
     def counting(A, **options):
         seen.append(A)
         return own(A, **options)
 
-    monkeypatch.setattr(solve, "splu", counting)
+    monkeypatch.setattr(factors, "splu", counting)
     return seen
 
 

@@ -1,0 +1,143 @@
+"""What finite-element points of sweeps cost, and what each kind of reuse saves, in one run.
+
+    OPENBLAS_NUM_THREADS=1 python -m benchmarks.points [points]
+
+A point is solved on the three meshes of its portion. Every sweep runs with what earlier solves
+leave in the process, and without, in turns. Seconds are of the processor; the numbers of both are
+compared to the last bit.
+"""
+
+import itertools
+import sys
+import time
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from fem.plane import discretisation, factors
+from meshes.contact import blocks
+from verify.case import Portion
+from verify.cases import polyhedral_fem
+from verify.cases.polyhedral_inputs import HubRing
+from verify.cases.polyhedral_ring import RING
+from verify.cases.spring_accordion import ACCORDION, OWN, line_fem, shapes
+from verify.cases.spring_inputs import AccordionInputs
+
+Run = Callable[[Any], Any]
+POINTS = 40
+KEPT: dict[str, Any] = {
+    "topologies": blocks.TOPOLOGIES,
+    "numbers of unknowns": discretisation.NUMBERS,
+    "factors": factors.FACTORS,
+}
+
+
+def main() -> None:
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else POINTS
+    (ring,), (spring,) = RING.portions, ACCORDION.portions
+    print(f"{count} points of each sweep, seconds of one processor a point of three meshes")
+    shape, load, modulus = rings(count), loads(count), moduli(count)
+    table = (
+        ("ring's K: wall, fillet", shape, solved(ring), ("topologies", "numbers of unknowns")),
+        ("ring's K: E", modulus, solved(ring), ("factors",)),
+        ("ring's K: E", modulus, solved(ring), tuple(KEPT)),
+        ("hub's force: R_b and tan φ", load, pushed, ("factors",)),
+    )
+    for name, points, run, what in table:
+        kept, cleared = both(points, run, what)
+        print(f"{name:28} {kept:.3f} s, {cleared:.3f} s without {', '.join(what)}: "
+              f"{cleared / kept:.2f} times as long")  # fmt: skip
+    springs = [spring_of(n, b) for n, b in grid(count, (4, 10, 16), np.linspace(6e-5, 2e-4, 9))]
+    print_levels(ring, shape, unknowns)
+    print_levels(spring, springs, frame_unknowns)
+
+
+def print_levels(portion: Portion, points: Sequence[Any], size: Callable[[Any, int], int]) -> None:
+    """Median seconds of a portion's levels over `points`, and unknowns of the first point."""
+    for level in portion.levels:
+        seconds = []
+        for q in points:
+            start = time.process_time()
+            portion.fem(q, level)
+            seconds.append(time.process_time() - start)
+        print(f"{portion.name:4} level {level:2}: {np.median(seconds) * 1e3:6.1f} ms, "
+              f"{size(points[0], level)} unknowns")  # fmt: skip
+
+
+def grid(count: int, *axes: Iterable[float]) -> list[tuple[Any, ...]]:
+    """`count` points of the grid over `axes`, spread evenly."""
+    whole = list(itertools.product(*axes))
+    return [whole[k] for k in np.linspace(0, len(whole) - 1, count).astype(int)]
+
+
+def rings(count: int) -> list[HubRing]:
+    """Rings that differ in wall and fillet by little, as neighbours of a sweep do."""
+    walls, fillets = np.linspace(3.8e-3, 4.2e-3, 5), np.linspace(1.8e-3, 2.2e-3, count)
+    return [ring_of(delta_1=wall, rho=rho) for wall, rho in grid(count, walls, fillets)]
+
+
+def moduli(count: int) -> list[HubRing]:
+    """One ring of several materials."""
+    return [ring_of(E=E) for E in np.linspace(70e9, 210e9, count)]
+
+
+def loads(count: int) -> list[HubRing]:
+    """One ring under several forces of its hub."""
+    return [ring_of(R_b=R, tan_phi=t) for R, t in grid(count, (1e5, 2e5, 3e5), (0.0, 0.03, 0.06))]
+
+
+def ring_of(**changes: Any) -> HubRing:
+    return HubRing().model_copy(update=changes)
+
+
+def spring_of(n: int, b: float) -> AccordionInputs:
+    return AccordionInputs().model_copy(update={"n": n, "b": b})
+
+
+def solved(portion: Portion) -> Run:
+    """All levels of a portion at a point."""
+    return lambda q: [portion.fem(q, level).values for level in portion.levels]
+
+
+def pushed(q: HubRing) -> list[list[float]]:
+    """Displacements of the hub's two loads on three meshes."""
+    return [s.u.tolist() for level in (1, 2, 3) for s in polyhedral_fem.pushed_fem(q, level)]
+
+
+def both(points: Sequence[Any], run: Run, what: Sequence[str]) -> tuple[float, float]:
+    """Mean seconds a point with what earlier solves leave, and without `what`, run in turns."""
+    with_all, without, without_too, with_all_too = (
+        sweep(points, run, names) for names in ((), what, what, ())
+    )
+    if with_all[1] != without[1]:
+        raise RuntimeError(f"another result without {what}")
+    kept, cleared = with_all[0] + with_all_too[0], without[0] + without_too[0]
+    return kept / 2 / len(points), cleared / 2 / len(points)
+
+
+def sweep(points: Sequence[Any], run: Run, without: Sequence[str]) -> tuple[float, list[Any]]:
+    """Seconds and values of all points, where nothing of `without` is kept."""
+    most = {name: KEPT[name].most for name in without}
+    for kept in KEPT.values():
+        kept.kept.clear()
+    for name in without:
+        KEPT[name].most = 0
+    start = time.process_time()
+    values = [run(q) for q in points]
+    seconds = time.process_time() - start
+    for name in without:
+        KEPT[name].most = most[name]
+    return seconds, values
+
+
+def unknowns(q: HubRing, level: int) -> int:
+    return int(polyhedral_fem.pressed_fem(q, level, "plane stress", polyhedral_fem.ARC).u.size)
+
+
+def frame_unknowns(q: AccordionInputs, level: int) -> int:
+    return 3 * len(line_fem(shapes(q)[OWN], level).points)
+
+
+if __name__ == "__main__":
+    main()
