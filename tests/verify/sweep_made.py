@@ -6,7 +6,7 @@ import numpy as np
 
 from verify.case import Case, FemResult
 from verify.checks import Approximation
-from verify.engines import local
+from verify.engines import Where, local
 from verify.inputs import Inputs, count, quantity
 from verify.sweep.outcome import Course, Outcome
 from verify.sweep.pairs import portion, selected
@@ -17,6 +17,7 @@ from verify.sweep.run import Solved, Timing
 class Plate(Inputs):
     a: float = quantity("4 mm", "mm", "a", "length", gt=0)
     b: float = quantity("2 mm", "mm", "b", "width", gt=0)
+    c: float = quantity("1 mm", "mm", "c", "thickness, which nothing depends on", gt=0)
     n: int = count(3, "n", "holes", ge=1)
 
 
@@ -51,8 +52,8 @@ def chosen(*only):
     return selected(CASE, only or ("stiffness",))
 
 
-class Here:
-    """Solves in this process."""
+class Here(Where):
+    """Solves where it is asked, in one process."""
 
     @contextmanager
     def entered(self):

@@ -1,0 +1,225 @@
+"""Sensitivity indices of a sample: closed forms, confidence, noise, points that are missing."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.stats import sobol_indices
+
+from tests.verify.sweep_made import CASE, Here, Plate, chosen, course
+from verify.cases import registry
+from verify.sweep import point
+from verify.sweep.indices import estimates, indices, terms
+from verify.sweep.outcome import outcome
+from verify.sweep.plan import grid, sample
+from verify.sweep.run import solve
+
+ALL = ("a=±1mm", "b=±0.5mm")
+
+
+def planned(count=256, tolerances=ALL, **more):
+    return sample(CASE, "plate", Plate(), chosen(), f"sobol:{count}", tolerances, **more)
+
+
+def unit(plan):
+    """The inputs of each point as shares (m, d) of their tolerances, -1 to 1."""
+    mid, off = zip(*((t.nominal, t.off) for t in plan.tolerances), strict=True)
+    return (plan.points - np.array(mid)) / np.array(off)
+
+
+def found(plan, error, U_error=0.0, **more):
+    return indices(plan, course(plan, error, U_error, **more))
+
+
+def values(scatter, which="first"):
+    return [getattr(index, which).value for index in scatter.indices]
+
+
+# Closed forms
+
+
+def test_a_sum_has_the_shares_of_its_terms_as_both_indices():
+    plan = planned(1024)
+    x = unit(plan)
+    of = found(plan, 0.03 + 0.02 * x[:, 0] - 0.01 * x[:, 1]).error
+    # variances of c x, x even in -1..1: c²/3
+    assert values(of) == pytest.approx([0.8, 0.2], abs=0.01)
+    assert values(of, "total") == pytest.approx([0.8, 0.2], abs=0.01)
+    assert of.mean == pytest.approx(0.03, abs=1e-4)
+    assert of.sd == pytest.approx(math.sqrt(5 / 3) * 0.01, rel=0.01)
+    assert [index.tolerance.name for index in of.indices] == ["a", "b"]
+
+
+def test_a_product_is_caused_by_both_inputs_together_alone():
+    plan = planned(1024)
+    of = found(plan, 0.1 * unit(plan).prod(axis=1)).error
+    assert values(of) == pytest.approx([0, 0], abs=0.05)
+    assert values(of, "total") == pytest.approx([1, 1], abs=0.05)
+
+
+def test_the_indices_of_ishigamis_function():
+    plan = planned(2048, [*ALL, "c=±0.5mm"])
+    x = np.pi * unit(plan).T
+    # T. Ishigami and T. Homma, ISUMA 1990: with a = 7 and b = 0.1
+    of = found(plan, np.sin(x[0]) + 7 * np.sin(x[1]) ** 2 + 0.1 * x[2] ** 4 * np.sin(x[0])).error
+    # V_1 = (1 + b π⁴/5)²/2, V_2 = a²/8, V_13 = b² π⁸ (1/18 - 1/50)
+    v1, v2 = (1 + 0.1 * np.pi**4 / 5) ** 2 / 2, 49 / 8
+    v13 = 0.01 * np.pi**8 * (1 / 18 - 1 / 50)
+    v = v1 + v2 + v13
+    assert values(of) == pytest.approx([v1 / v, v2 / v, 0], abs=0.02)
+    assert values(of, "total") == pytest.approx([(v1 + v13) / v, v2 / v, v13 / v], abs=0.02)
+    assert of.sd**2 == pytest.approx(v, rel=0.02)
+    assert [index.tolerance.name for index in of.ranked] == ["a", "b", "c"]
+
+
+def test_another_implementation_gives_the_same_from_the_same_results():
+    plan = planned(64)
+    x = unit(plan)
+    y = np.exp(x[:, 0]) * (2 + x[:, 1])
+    a, b, *mixed = y.reshape(-1, 64)
+    theirs = sobol_indices(
+        func={"f_A": a[None], "f_B": b[None], "f_AB": np.array(mixed)[:, None]}, n=64
+    )
+    ours = found(plan, y).error
+    assert values(ours) == pytest.approx(theirs.first_order, rel=1e-12)
+    assert values(ours, "total") == pytest.approx(theirs.total_order, rel=1e-12)
+
+
+def test_one_tolerance_causes_everything():
+    plan = planned(64, ["a=±1mm"])
+    of = found(plan, 0.1 * unit(plan)[:, 0]).error
+    assert values(of) == pytest.approx([1], abs=0.02)
+    assert values(of, "total") == pytest.approx([1], abs=0.02)
+
+
+# Confidence
+
+
+def test_intervals_hold_the_true_index_about_as_often_as_they_say():
+    hits = trials = 0
+    for seed in range(30):
+        plan = planned(64, seed=seed)
+        x = unit(plan)
+        of = found(plan, 0.02 * x[:, 0] + 0.01 * x[:, 1] + 0.01 * x[:, 0] * x[:, 1]).error
+        # V = 4/3, 1/3 and 1/9 of 1e-4
+        for index, first, total in zip(of.indices, (12, 3), (13, 4), strict=True):
+            for of_index, true in ((index.first, first / 16), (index.total, total / 16)):
+                trials += 1
+                hits += of_index.low <= true <= of_index.high
+                assert of_index.low < of_index.value < of_index.high
+    assert hits >= 0.9 * trials
+
+
+def test_intervals_shrink_with_the_root_of_the_sample():
+    wide = []
+    for count in (64, 1024):
+        plan = planned(count)
+        x = unit(plan)
+        (index, _) = found(plan, x[:, 0] + x[:, 1] ** 3).error.indices
+        wide.append(index.first.high - index.first.low)
+    assert wide[0] / wide[1] == pytest.approx(4, rel=0.4)
+
+
+def test_the_same_sample_gives_the_same_intervals():
+    plan = planned(16)
+    x = unit(plan)[:, 0]
+    assert found(plan, x) == found(plan, x)
+
+
+# What has no indices
+
+
+def test_what_does_not_vary_has_no_indices():
+    plan = planned(16)
+    of = found(plan, 0.03, fe=np.linspace(1, 2, len(plan.points)))
+    assert of.error.why == "does not vary"
+    assert of.error.indices == ()
+    assert (of.error.mean, of.error.n) == (pytest.approx(0.03), 32)
+    assert of.fe.indices
+    assert of.formula.indices
+
+
+def test_an_error_that_varies_within_its_bars_has_no_indices_of_its_noise():
+    plan = planned(64)
+    error = 0.01 * unit(plan)[:, 0]  # standard deviation 0.01/√3
+    u = 0.01 / math.sqrt(3)
+    drowned = found(plan, error, 2 * 1.01 * u).error
+    assert drowned.why == "varies no more than the finite elements are uncertain"
+    assert drowned.indices == ()
+    assert drowned.noise == pytest.approx(1.01**2, rel=0.02)
+    told = found(plan, error, 2 * 0.5 * u).error
+    assert told.indices
+    assert told.noise == pytest.approx(0.25, rel=0.02)
+    assert found(plan, error, 2 * u).formula.noise == 0
+
+
+def test_rows_with_an_unsolved_point_drop_out_and_are_counted():
+    plan = planned(16)
+    error = 0.02 * unit(plan)[:, 0] + 0.01
+    error[[3, 16 + 5, 2 * 16 + 3, 3 * 16 + 9]] = np.nan  # rows 3, 5, 3 and 9
+    of = found(plan, error)
+    assert (of.rows, of.dropped) == (13, 3)
+    assert of.error.n == 30  # of A and B
+    keep = np.setdiff1d(np.arange(16), [3, 5, 9])
+    a, b, *mixed = error.reshape(-1, 16)[:, keep]
+    first, _ = estimates(terms(a, b, np.array(mixed)).mean(axis=0))
+    assert values(of.error) == list(first)
+
+
+def test_too_few_rows_have_no_indices():
+    plan = planned(8)
+    error = unit(plan)[:, 0]
+    assert found(plan, error).error.indices
+    error[2] = np.nan
+    of = found(plan, error)
+    assert of.error.why == "7 complete rows of the sample are too few, it takes 8"
+    assert (of.rows, of.dropped, of.error.n) == (7, 1, 15)
+    nothing = found(plan, np.nan)
+    assert (nothing.rows, nothing.error.n) == (0, 0)
+    assert nothing.error.why == nothing.fe.why == "no point has an answer"
+    assert [(w.inside, w.unsolved) for w in nothing.within] == [(0, 16)] * 3
+
+
+def test_a_grid_has_no_indices():
+    plan = grid(CASE, "plate", Plate(), chosen(), ["a=1:4mm:4"])
+    with pytest.raises(ValueError, match="need a sample"):
+        indices(plan, course(plan, 0.0))
+
+
+# Moments and shares
+
+
+def test_moments_and_shares_are_those_of_the_independent_points():
+    plan = planned(256)
+    x = unit(plan)[:, 0]
+    error = 0.05 * (x + 1)  # even in 0..10 %
+    error[512:] = 7.0  # the mixed rows are no part of them
+    of = found(plan, error, 0.001)
+    assert (of.error.n, of.error.mean) == (512, pytest.approx(0.05, abs=1e-4))
+    quantiles = of.error.low, of.error.median, of.error.high
+    assert quantiles == pytest.approx((0.0025, 0.05, 0.0975), abs=5e-4)
+    shares = [(w.limit, w.inside / 512, w.undecided / 512, w.outside / 512) for w in of.within]
+    assert np.array(shares) == pytest.approx(
+        np.array([(0.02, 0.19, 0.02, 0.79), (0.05, 0.49, 0.02, 0.49), (0.1, 0.99, 0.01, 0)]),
+        abs=0.005,
+    )
+
+
+# From the command's plan to the indices
+
+
+def test_a_solved_sample_has_the_indices_of_its_formulas(tmp_path, monkeypatch):
+    monkeypatch.setattr(registry, "CASES", (*registry.CASES, CASE))
+    point._known.cache_clear()
+    plan = planned(256, ["a=±1mm", "b=±5%"])
+    (of,) = outcome(solve(plan, Here(), folder=tmp_path)).courses
+    got = indices(plan, of)
+    assert (got.rows, got.dropped) == (256, 0)
+    # k = a/b: ln k to first order has variances (0.25² and 0.05²)/3
+    assert values(got.formula) == pytest.approx([0.96, 0.04], abs=0.01)
+    # the error 10 (a / 40 mm)² is a's alone, 10 % at the nominal point
+    assert values(got.error) == pytest.approx([1, 0], abs=0.01)
+    assert values(got.error, "total") == pytest.approx([1, 0], abs=0.01)
+    assert [index.tolerance.name for index in got.fe.ranked] == ["a", "b"]
+    assert got.error.mean == pytest.approx(10 * (4**2 + 1 / 3) / 40**2, rel=2e-3)
+    assert got.error.noise < 1e-4
