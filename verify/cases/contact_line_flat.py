@@ -8,7 +8,7 @@ import numpy as np
 from analytic.contact import disc_stress, hertz_line, hertz_line_approach
 from analytic.contact.disc import disc_under_load
 from analytic.contact.hertz_line_stress import largest_shear_stress
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_line_shown
 from verify.cases.contact_line_checks import (
     BALANCES,
@@ -238,6 +238,7 @@ FLAT = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 3, 4, 6),
+    scans=(Scan(vary=("F=100N:30000N:6:log", "nu=0,0.3,0.45"), star=True),),
     checks=CHECKS,
     outputs=OUTPUTS,
     readings=(

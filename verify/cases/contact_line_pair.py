@@ -6,7 +6,7 @@ from typing import Any
 from analytic.contact import hertz_line, hertz_line_approach, pair_series
 from analytic.contact.disc_stress import shear_excess
 from analytic.contact.hertz_line_stress import largest_shear_stress, tilted_shear_excess
-from verify.case import Case, FemResult, Output, Values
+from verify.case import Case, FemResult, Output, Scan, Values
 from verify.cases import contact_line_shown
 from verify.cases.contact_line_checks import BALANCES, about, hertz_profile
 from verify.cases.contact_line_fem import Pressed
@@ -147,6 +147,7 @@ PAIR = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 3, 4, 6),
+    scans=(Scan(vary=("F=300N,1000N,3407N,10000N,20000N", "R_2=4.02mm,11.11mm,50mm"), star=True),),
     checks=CHECKS,
     outputs=(
         *TWO_BODY_OUTPUTS,

@@ -10,7 +10,7 @@ from analytic.contact.disc_stress import shear_excess
 from analytic.contact.hertz_line_stress import largest_shear_stress, tilted_shear_excess
 from analytic.contact.pair_series import CATALAN, meeting_curvature
 from analytic.contact.partial_slip import dundurs_beta
-from verify.case import Case, FemResult, Output, Values
+from verify.case import Case, FemResult, Output, Scan, Values
 from verify.cases import contact_line_shown
 from verify.cases.contact_line_checks import BALANCES, about, hertz_profile
 from verify.cases.contact_line_fem import Pressed
@@ -154,6 +154,12 @@ RING = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 3, 4, 6),
+    scans=(
+        Scan(
+            vary=("F=1000N,3407N,10000N,20000N", "r_i=8mm,12mm,19.44mm", "r_o=22mm,26.23mm,40mm"),
+            star=True,
+        ),
+    ),
     checks=CHECKS,
     outputs=(
         *(replace(o, symbol="R'") if o.key == "R" else o for o in TWO_BODY_OUTPUTS),

@@ -8,7 +8,7 @@ from pydantic import model_validator
 
 from analytic.contact.checks import Assumption
 from analytic.contact.press_fit import Wall, contact_pressures, pressure_of_overlap
-from verify.case import Case, FemResult, Output, Values
+from verify.case import Case, FemResult, Output, Scan, Values
 from verify.cases import contact_press_fit_shown as shown
 from verify.checks import Exact, Identity
 from verify.inputs import Inputs, quantity
@@ -357,6 +357,9 @@ PRESS_FIT = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("r_i=5mm,12mm,19.44mm", "E_o=70GPa,206GPa", "nu_i=0.2,0.3"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="rings, plane stress: p", symbol="p", unit="MPa",

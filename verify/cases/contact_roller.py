@@ -8,7 +8,7 @@ import numpy as np
 from analytic.contact import strips
 from analytic.contact.best_crown import BestCrown, best_crown
 from analytic.contact.crown import logarithmic
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
 from verify.cases.contact_line_checks import about
@@ -328,6 +328,7 @@ ROLLER = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(Scan(vary=("F=1500N,3407N,6000N", "L=6mm,9mm"), star=True),),
     checks=CHECKS,
     outputs=(*OUTPUTS, *BEST),
     readings=READINGS,

@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.contact import hertz_line
 from analytic.contact.crown import johns_gohar, lundberg
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
 from verify.cases.contact_roller import (
@@ -386,6 +386,7 @@ CROWNS = Case(
     analytic=analytic,
     fem=fem,
     levels=(16, 24, 32),
+    scans=(Scan(vary=("F=1500N,3407N,6000N", "L=6mm,9mm"), star=True),),
     checks=CHECKS,
     outputs=OUTPUTS,
     readings=READINGS[:2],

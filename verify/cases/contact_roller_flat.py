@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.contact import strips
-from verify.case import Case, Context, FemResult, Values
+from verify.case import Case, Context, FemResult, Scan, Values
 from verify.cases import contact_roller_shown as shown
 from verify.cases.contact_roller import (
     ASSUMPTIONS,
@@ -118,6 +118,7 @@ UNCROWNED = Case(
     analytic=analytic,
     fem=fem,
     levels=(8, 11, 16, 22, 32),
+    scans=(Scan(vary=("F=1000N,3407N,10000N", "L=4mm,9mm,18mm", "R_1=2mm,4.02mm,8mm"), star=True),),
     checks=CHECKS,
     outputs=OUTPUTS,
     readings=(COUPLED,),

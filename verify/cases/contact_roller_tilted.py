@@ -8,7 +8,7 @@ import numpy as np
 
 from analytic.contact import strips
 from analytic.contact.best_crown import BestCrown, best_crown
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
 from verify.cases.contact_roller import (
@@ -118,6 +118,9 @@ TILTED = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("theta=0.01deg,0.03deg,0.06deg",), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         *OUTPUTS,

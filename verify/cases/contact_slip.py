@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from analytic.contact import hertz_line, partial_slip, tangential_cycle
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import contact_slip_shown
 from verify.cases.contact_slip_claims import (
     HALF_PLANES,
@@ -143,6 +143,7 @@ SLIP = Case(
     analytic=analytic,
     fem=fem,
     levels=(24, 40, 56),
+    scans=(Scan(vary=("share=0.3,0.6,0.9", "mu=0.1,0.2"), star=True),),
     checks=CHECKS,
     outputs=(
         Output(key="half-width", symbol="a", unit="µm", what="half-width of the contact",

@@ -6,7 +6,7 @@ from scipy.optimize import brentq
 
 from analytic.contact import hertz_point
 from analytic.contact.sphere_series import Sphere, pressed_spheres
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import contact_sphere_shown as shown
 from verify.cases.contact_sphere_fem import fem
 from verify.cases.contact_sphere_inputs import PAIRS, WORDS, SphereInputs
@@ -175,6 +175,9 @@ SPHERE = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 4, 8),
+    scans=(
+        Scan(vary=("P=2N,16N,100N,500N,2000N", "R_2=4.02mm,11.11mm"), star=True),
+    ),
     checks=CHECKS,
     outputs=tuple(
         Output(key=f"{pair}: {key}", symbol=symbol, unit=unit, what=f"{what}, {WORDS[pair]}",

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from analytic.freewheel import criterion
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import freewheel_friction_shown, freewheel_torque
 from verify.cases.freewheel_friction_claims import CHECKS
 from verify.cases.freewheel_friction_fem import LEVELS, fem
@@ -74,6 +74,9 @@ FRICTION = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         output("mu_req", "μ_req", "1", "required friction (Eqs. 8, 9)"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import freewheel_torque_shown as shown
 from verify.cases.freewheel_inputs import StarInputs
 from verify.cases.freewheel_torque_claims import CHECKS
@@ -75,6 +75,9 @@ TORQUE = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("T=6.5N m,13N m,26N m,39N m", "R_a=19mm,21mm,30mm"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         output("alpha_0", "α_0", "deg", "clamping angle without load (Eq. 4, corrected)"),

@@ -14,7 +14,7 @@ from analytic.polyhedral.locking import Roller, RollerContact
 from analytic.polyhedral.parts import Parts
 from analytic.polyhedral.rim_slope import steepest
 from analytic.polyhedral.sector import Sector
-from verify.case import Case, FemResult, Values
+from verify.case import Case, FemResult, Scan, Values
 from verify.cases import polyhedral_clutch_shown as shown
 from verify.cases.polyhedral_clutch_claims import CHECKS, slack
 from verify.cases.polyhedral_clutch_fem import DrivenRing
@@ -230,6 +230,12 @@ CLUTCH = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(
+            vary=("p_t=25MPa,30MPa,45MPa,60MPa", "delta_1=3mm,4mm,5mm", "mu=0.06,0.08,0.1"),
+            star=True,
+        ),
+    ),
     checks=CHECKS,
     outputs=shown.OUTPUTS,
     readings=(

@@ -12,7 +12,7 @@ from analytic.polyhedral.locking import Locked, Roller, locked
 from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.polyhedral.wall_stress import bore_stress
-from verify.case import Case, FemResult, Output, Values
+from verify.case import Case, FemResult, Output, Scan, Values
 from verify.cases import polyhedral_locking_shown as shown
 from verify.cases.polyhedral_fem import largest_in_fillet, pressed_fem, whole
 from verify.cases.polyhedral_locking_bounds import fillet_blur
@@ -188,6 +188,9 @@ LOCKING = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("p_t=15MPa,30MPa,60MPa,100MPa", "delta_1=3mm,4mm,6mm", "z=4,6,8"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="p_1r", symbol="p_1r", unit="MPa",

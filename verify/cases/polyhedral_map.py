@@ -10,7 +10,7 @@ from pydantic import model_validator
 from analytic.polyhedral import bore_pressure, expansion
 from analytic.polyhedral.locking import Roller, locked
 from analytic.polyhedral.sector import Sector
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import polyhedral_map_shown as shown
 from verify.cases.polyhedral_fem import UNIT, factors, largest_in_fillet, pressed_fem
 from verify.cases.polyhedral_inputs import PolygonRing, RoundRing
@@ -266,6 +266,9 @@ MAP = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("delta_1=3mm,4mm", "rho=2mm,3mm"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="K many", symbol="K_∞", unit="1", what="K of ever more flats (Lamé)",

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.polyhedral import expansion
 from analytic.ring import lame
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import polyhedral_pressure_shown as shown
 from verify.cases.polyhedral_inputs import RoundRing
 from verify.cases.polyhedral_pressure_shown import WALLS
@@ -187,6 +187,9 @@ PRESSURE = Case(
     analytic=analytic,
     fem=fem,
     levels=(1, 2, 3, 4),
+    scans=(
+        Scan(vary=("delta_1=1mm,2mm,4mm,6mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="d_m", symbol="d_m", unit="mm", what="mean diameter (Eq. 6)", judged=False),

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import polyhedral_wedge_shown
 from verify.cases.polyhedral_wedge_claims import CHECKS
 from verify.cases.polyhedral_wedge_fem import LEVELS, fem
@@ -92,6 +92,9 @@ WEDGE = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("alpha=4deg,6deg,8deg", "N=500N,1500N,4000N"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         output("M_free", "M_t", "N m", "torque of z free rollers under N"),

@@ -7,7 +7,7 @@ import numpy as np
 from pydantic import model_validator
 
 from analytic.ring import lame
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import ring_shown
 from verify.checks import Exact, Identity, Order
 from verify.inputs import Inputs, quantity
@@ -277,6 +277,12 @@ LAME = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 4, 8, 16),
+    scans=(
+        Scan(
+            vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45", "p_o=0MPa,30MPa,90MPa"),
+            star=True,
+        ),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="bore displacement, plane stress", symbol="u_r(r_i)", unit="µm",

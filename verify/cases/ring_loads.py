@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import ring_loads_shown as shown
 from verify.cases.ring_loads_claims import checks
 from verify.cases.ring_loads_fem import fem
@@ -95,6 +95,7 @@ OUTER = Case(
     "a Fourier ring, which agree, say what that costs at a load and between loads, with the local "
     "dent and without it.",
     inputs=OuterInputs,
+    scans=(Scan(vary=("n=6,12,24,48", "r_o=22mm,26.23mm,32mm,45mm")),),
     checks=tuple(checks("bore", "rim", "δ_BE")),
     outputs=outputs("δ_BE", "bore"),
     readings=(
@@ -111,6 +112,7 @@ INNER = Case(
     lead="The inner race is pushed in on its rim. It is the thicker ring, and what Eq. 6 smears is "
     "more of what happens there.",
     inputs=InnerInputs,
+    scans=(Scan(vary=("n=6,12,24,48", "r_i=4mm,7.21mm,8.5mm,9.5mm")),),
     checks=tuple(checks("rim", "bore", "δ_BI")),
     outputs=outputs("δ_BI", "rim"),
     readings=READINGS,

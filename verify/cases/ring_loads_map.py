@@ -7,7 +7,7 @@ from pydantic import model_validator
 
 from analytic.ring.loaded_race import LoadedRace
 from analytic.ring.smeared import race_deflection, smeared_error
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases.ring_loads_claims import AWAY, EDGE
 from verify.cases.ring_loads_fem import CELLS, ROUND, fem_sector
 from verify.cases.ring_loads_inputs import Wall
@@ -135,6 +135,9 @@ MAP = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 3, 5),
+    scans=(
+        Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),
+    ),
     checks=CHECKS,
     outputs=tuple(
         Output(key=f"{name(n, ratio)}: error", symbol="m", unit="1",

@@ -9,7 +9,7 @@ import numpy as np
 from analytic.ring import rotating
 from analytic.ring.smeared import race_deflection
 from verify import judge
-from verify.case import Case, Context, FemResult, Output, Values
+from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import ring_rotation_shown as shown
 from verify.cases.ring import ASSUMPTIONS, FAST, hoop_stress
 from verify.cases.ring_rotation_inputs import RotationInputs
@@ -197,6 +197,9 @@ ROTATION = Case(
     analytic=analytic,
     fem=fem,
     levels=(2, 4, 8, 12),
+    scans=(
+        Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="bore growth, plane stress", symbol="δ_ce", unit="µm",

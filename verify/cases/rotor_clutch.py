@@ -1,6 +1,6 @@
 """Stiffness of a sprag clutch between two rotors (Eqs. 1-11), beside struts between rigid hubs."""
 
-from verify.case import Case, Output
+from verify.case import Case, Output, Scan
 from verify.cases import rotor_clutch_shown as shown
 from verify.cases.rotor_clutch_claims import CHECKS
 from verify.cases.rotor_clutch_fem import fem
@@ -20,6 +20,15 @@ CLUTCH = Case(
     analytic=analytic,
     fem=fem,
     levels=(16, 32, 64, 128),
+    scans=(
+        Scan(
+            vary=(
+                "T=5N m,15N m,40N m", "Z=8,12,24", "nu=2.5deg,3.15deg,5deg", "n_s=11,41",
+                "e=0.3µm,1µm", "drop=0.3µm,1µm",
+            ),
+            star=True,
+        ),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="N", symbol="N", unit="N", what="normal force of a sprag", judged=False),

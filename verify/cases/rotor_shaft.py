@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.rotor.pochhammer import bending_frequency
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import rotor_shaft_shown as shown
 from verify.cases.rotor_shaft_claims import (
     CEILING,
@@ -165,6 +165,15 @@ SHAFT = Case(
     analytic=analytic,
     fem=fem,
     levels=(1, 2, 4, 8),
+    scans=(
+        Scan(
+            vary=(
+                "L=200mm,300mm,400mm,600mm,1200mm", "d_i=0mm,30mm,50mm",
+                "n=2000r/min,10000r/min,30000r/min",
+            ),
+            star=True,
+        ),
+    ),
     checks=CHECKS,
     outputs=(
         *(output(f"timoshenko {j} {way}", f"mode {j} {way}, Timoshenko", judged=j != 2)

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import rotor_sprag_shown as shown
 from verify.cases import rotor_sprag_tables as tables
 from verify.cases.rotor_sprag_claims import FITTED_SPEEDS, IDENTITIES, SHARES
@@ -67,6 +67,12 @@ SPRAG_ROTOR = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(
+            vary=("speed=2000r/min,5000r/min,10000r/min", "T=8N m,15N m,25N m", "offset=0.1,0.2"),
+            star=True,
+        ),
+    ),
     checks=(*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES),
     outputs=(
         *(Output(key=f"forward critical {k}", symbol=f"n_{k}", unit="r/min",

@@ -1,6 +1,6 @@
 """Any rotor of coaxial shafts: exact transfer matrices beside beams, on an engineer's own file."""
 
-from verify.case import Case, Output
+from verify.case import Case, Output, Scan
 from verify.cases import rotor_system_shown as shown
 from verify.cases.rotor_system_claims import CHECKS
 from verify.cases.rotor_system_fem import fem
@@ -22,6 +22,9 @@ SYSTEM = Case(
     analytic=analytic,
     fem=fem,
     levels=(1, 2, 4, 8),
+    scans=(
+        Scan(vary=("speed=5000r/min,9000r/min", "supports[1].k=1e7N/m,6e7N/m,3e8N/m"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         *(

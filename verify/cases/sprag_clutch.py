@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from verify.case import Case, Output
+from verify.case import Case, Output, Scan
 from verify.cases.sprag_clutch_claims import CHECKS
 from verify.cases.sprag_clutch_dynamic import DYNAMIC
 from verify.cases.sprag_clutch_fem import LEVELS, fem
@@ -114,6 +114,9 @@ CLUTCH = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("T=12N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm"), star=True),
+    ),
     checks=CHECKS,
     outputs=OUTPUTS,
     readings=(

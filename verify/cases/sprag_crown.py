@@ -1,6 +1,6 @@
 """What the crown's three parameters do to a sprag clutch's pressures (Secs. 4.1 and 4.2)."""
 
-from verify.case import Case, Context, Output
+from verify.case import Case, Context, Output, Scan
 from verify.cases.sprag_clutch import too_large as too_large_at_rest
 from verify.cases.sprag_crown_claims import CHECKS
 from verify.cases.sprag_crown_fem import LEVELS, fem
@@ -41,6 +41,9 @@ CROWN = Case(
     fem=fem,
     levels=LEVELS,
     quick=False,
+    scans=(
+        Scan(vary=("T=20N m,25N m,30N m",), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         output("A", "A", "µm", "depth of the logarithm in Eq. 1"),

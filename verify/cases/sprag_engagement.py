@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import sprag_engagement_shown as shown
 from verify.cases.sprag_engagement_claims import CHECKS
 from verify.cases.sprag_engagement_fem import LEVELS, fem
@@ -83,6 +83,9 @@ ENGAGEMENT = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("T=15N m,25N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         output("N_max", "N_max", "N", "largest normal force: two races on the clutch as a spring"),

@@ -1,6 +1,6 @@
 """A logarithmic sprag wedged between its races (Huang, Zhao, Liu, Eqs. 6, 7, 9, 10)."""
 
-from verify.case import Case, Output
+from verify.case import Case, Output, Scan
 from verify.cases import sprag_wedge_shown as shown
 from verify.cases import sprag_wedge_words as words
 from verify.cases.sprag_inputs import WedgeInputs
@@ -27,6 +27,21 @@ WEDGE = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(
+            vary=("T=12.5N m,25N m,37.5N m", "R_ed=23mm,26.23mm,32mm"),
+            only=(
+                "T_i/N_i against the strut's tan ν (Eq. 10), at N_0",
+                "normal force (Eq. 10), at T", "rotation of the sprags, at T",
+                "rotation as the paper has it", "torque n_s N tan(ν) OA, at N_0",
+                "all yields of elastic bodies, at N_0", "Eq. 6 alone for the outer race",
+                "mean displacement of the outer race (Eq. 6 as printed",
+                "peak pressure on the inner race (Hertz), at N_0",
+                "peak pressure on the outer race (Hertz), at N_0", "excess of N_e over N_i",
+            ),
+            star=True,
+        ),
+    ),
     checks=CHECKS,
     outputs=(
         output("nu_0", "ν_0", "deg", "wedge angle at the inner contact without load",

@@ -10,7 +10,7 @@ import numpy as np
 
 from analytic.spring import column, frame, stability
 from analytic.spring.elastica import Elastica
-from verify.case import Case, Context, Output, Values
+from verify.case import Case, Context, Output, Scan, Values
 from verify.cases import spring_buckling_shown as shown
 from verify.cases.spring_buckling_fem import SWEPT, fem
 from verify.cases.spring_buckling_inputs import DRIFT, MANY, RATIO, TAILS, BucklingInputs
@@ -265,6 +265,7 @@ BUCKLING = Case(
     analytic=analytic,
     fem=fem,
     levels=(4, SWEPT, 16),
+    scans=(Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),),
     checks=CHECKS,
     outputs=(
         Output(

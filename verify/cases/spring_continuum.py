@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from analytic.spring import frame
-from verify.case import Case, FemResult, Values
+from verify.case import Case, FemResult, Scan, Values
 from verify.cases import spring_shown
 from verify.cases.spring_accordion import OUTPUTS, ROUND_OFF, warnings
 from verify.cases.spring_accordion import analytic as accordion_values
@@ -127,6 +127,12 @@ CONTINUUM = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(
+            vary=("b=0.05mm,0.1mm,0.2mm,0.4mm", "r=0.3mm,0.45mm,0.9mm", "nu=0.2,0.3,0.4"),
+            star=True,
+        ),
+    ),
     checks=tuple(
         Approximation(
             name=f"stiffness, {words}, {assumption}", symbol="k", unit="N/mm",

@@ -8,7 +8,7 @@ import numpy as np
 
 from analytic.spring import energy, frame
 from analytic.spring.elastica import Elastica
-from verify.case import Case, Context, Output, Values
+from verify.case import Case, Context, Output, Scan, Values
 from verify.cases import spring_map_shown as shown
 from verify.cases.spring_map_fem import MAPPED, deep_fem, fem
 from verify.cases.spring_map_inputs import (
@@ -213,6 +213,9 @@ MAP = Case(
     analytic=analytic,
     fem=fem,
     levels=(4, MAPPED, 16),
+    scans=(
+        Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="k1", symbol="k_1", unit="N/mm", what="stiffness by Eqs. 1-9", judged=False),

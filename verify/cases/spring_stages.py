@@ -7,7 +7,7 @@ from typing import Any
 from analytic.spring import energy, frame
 from analytic.spring.stages import stages
 from analytic.spring.wide_leaf import width_factor
-from verify.case import Case, Context, Output, Values
+from verify.case import Case, Context, Output, Scan, Values
 from verify.cases import spring_stages_shown
 from verify.cases.spring_accordion import too_large
 from verify.cases.spring_stages_fem import ENDS, Ends, fem
@@ -204,6 +204,9 @@ STAGES = Case(
     analytic=analytic,
     fem=fem,
     levels=(4, 8, 16, 32),
+    scans=(
+        Scan(vary=("n=6,10,14", "b=0.05mm,0.1mm,0.2mm", "alpha=70deg,80deg"), star=True),
+    ),
     checks=CHECKS,
     outputs=OUTPUTS,
     readings=(

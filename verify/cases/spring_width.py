@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from analytic.spring import frame
 from analytic.spring.wide_leaf import TERMS, width_factor
-from verify.case import Case, Output, Values
+from verify.case import Case, Output, Scan, Values
 from verify.cases import spring_width_claims as claims
 from verify.cases import spring_width_shown as shown
 from verify.cases.spring_inputs import strip_of
@@ -145,6 +145,9 @@ WIDTH = Case(
     analytic=analytic,
     fem=fem,
     levels=LEVELS,
+    scans=(
+        Scan(vary=("h=14mm,28mm,56mm", "n=6,10"), star=True),
+    ),
     checks=CHECKS,
     outputs=(
         Output(key="f", symbol="f", unit="1", what="factor of one leaf, the estimate"),

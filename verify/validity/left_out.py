@@ -2,22 +2,44 @@
 
 from collections.abc import Mapping
 
-LEFT_OUT: Mapping[str, str] = {}
+LEFT_OUT: Mapping[str, str] = {
+    "freewheel-cup": "a point takes a minute: its figures follow the same formulas over the torque",
+    "freewheel-paths": "a point takes a minute, a course in time: freewheel-friction measures the "
+    "same formulas",
+    "freewheel-clutch": "the same formulas as freewheel-torque, which measures them",
+    "sprag-friction": "a point takes five minutes, courses in time: its rows alone compare them",
+    "sprag-optimum": "its first level is the search itself: its own maps show pressures over the "
+    "crowns",
+    "sprag-optimum-40": "its first level is the search itself: its own maps show pressures over "
+    "the crowns",
+    "spring-curve": "a point takes a minute: spring-stages measures the same stiffness",
+    "contact-roller-end": "a point takes two minutes, bodies in space: contact-roller measures the "
+    "same formulas away from the ends",
+    "rotor-step": "a point takes three minutes, bodies in space: its own map shows the step",
+}
 
-# cases that map a formula over its inputs, for the cases about the same formula
+# cases with maps or curves of the same formula over its inputs, their own among them
 MAPS: Mapping[str, tuple[str, ...]] = {
     "ring-loads-outer": ("ring-loads-map",),
     "ring-loads-inner": ("ring-loads-map",),
+    "ring-loads-map": ("ring-loads-map",),
     "polyhedral-ring": ("polyhedral-map",),
-    "polyhedral-pressure": ("polyhedral-map",),
-    "polyhedral-locking": ("polyhedral-clutch",),
-    "spring-accordion": ("spring-map", "spring-width"),
-    "spring-stages": ("spring-curve", "spring-map"),
-    "spring-curve": ("spring-map",),
-    "rotor-shaft": ("rotor-step",),
+    "polyhedral-map": ("polyhedral-map",),
+    "polyhedral-locking": ("polyhedral-map",),
     "freewheel-torque": ("freewheel-cup",),
+    "freewheel-cup": ("freewheel-cup",),
+    "freewheel-paths": ("freewheel-paths",),
+    "sprag-friction": ("sprag-friction",),
     "sprag-crown": ("sprag-optimum",),
-    "contact-roller": ("contact-roller-end", "sprag-optimum"),
+    "sprag-optimum": ("sprag-optimum",),
+    "sprag-optimum-40": ("sprag-optimum-40",),
+    "spring-accordion": ("spring-map",),
+    "spring-stages": ("spring-map", "spring-curve"),
+    "spring-curve": ("spring-curve", "spring-map"),
+    "spring-buckling": ("spring-buckling",),
+    "spring-map": ("spring-map",),
+    "rotor-shaft": ("rotor-step",),
+    "rotor-step": ("rotor-step",),
 }
 
 SUBJECTS: Mapping[str, str] = {
