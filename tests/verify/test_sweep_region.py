@@ -108,6 +108,7 @@ def test_a_box_grows_where_a_grid_is_inside_deepest(monkeypatch):
     inside[0, :] = inside[:, 0] = inside[8, :] = True  # the edges, not across the grid's ends
     inside[3:7, 3:8] = True
     assert largest_box(inside) == Box(((3, 6), (3, 7)), 20)
+    assert largest_box(np.array([inside, inside])) == Box(((0, 1), (3, 6), (3, 7)), 40)
     assert largest_box(np.ones((4, 5), bool)) == Box(((0, 3), (0, 4)), 20)
 
 
@@ -162,6 +163,8 @@ def test_an_error_that_changes_its_sign_is_followed_through_zero():
     plan = planned("a=1:3mm:3", a=2e-3)
     found = region(plan, 0.05, [-0.04, -0.03, 0.07], 0.01)
     # from -3 % to 7 %, the bar's upper end from -2 % to 8 %
+    assert [found.breaks.last, found.breaks.first, found.breaks.at] == mm(2, 3, 2.7)
+    found = region(plan, 0.05, [0.04, 0.03, -0.07], 0.01)
     assert [found.breaks.last, found.breaks.first, found.breaks.at] == mm(2, 3, 2.7)
 
 

@@ -67,7 +67,8 @@ def axis(inputs: Inputs, text: str) -> Axis:
     field, nominal = _field(inputs, name.strip(), where)
     about, whole = meta(field), kind_of(field) is int
     if "," in given:
-        values = [_number(part, about["unit"], where, whole=whole) for part in given.split(",")]
+        parts = _with_units([part.strip() for part in given.split(",")])
+        values = [_number(part, about["unit"], where, whole=whole) for part in parts]
         spacing = "as given"
     else:
         values, spacing = _spaced(given, about["unit"], where, whole=whole)
@@ -161,9 +162,8 @@ def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[flo
         raise InputError(f"{where}: needs NAME=a:b:n, such as z=3:12:10, or a:b:n:log, or a,b,c")
     if not parts[2].isdecimal() or not 2 <= int(parts[2]) <= MOST_VALUES:
         raise InputError(f"{where}: n is a whole number from 2 to {MOST_VALUES}, got {parts[2]!r}")
-    if not _UNIT.search(parts[0]) and (of_second := _UNIT.search(parts[1])):
-        parts[0] += of_second[0]  # 2:6mm is 2mm:6mm
-    a, b = (_number(part, unit, where, whole=whole) for part in parts[:2])
+    ends = _with_units(parts[:2])
+    a, b = (_number(part, unit, where, whole=whole) for part in ends)
     if len(parts) == 4 and min(a, b) <= 0:
         raise InputError(f"{where}: equal ratios need values above zero")
     spread = np.geomspace if len(parts) == 4 else np.linspace
@@ -174,6 +174,12 @@ def _spaced(given: str, unit: str, where: str, *, whole: bool) -> tuple[list[flo
             f"{where}: {parts[2]} values from {a:g} to {b:g} are not all whole numbers"
         )
     return [float(round(v)) if whole else v for v in values], "log" if len(parts) == 4 else "even"
+
+
+def _with_units(parts: Sequence[str]) -> Sequence[str]:
+    """Numbers without a unit take that of the last one: 2:6mm is 2mm:6mm."""
+    of_last = _UNIT.search(parts[-1])
+    return [part if _UNIT.search(part) or not of_last else part + of_last[0] for part in parts]
 
 
 def _number(text: str, unit: str, where: str, *, whole: bool) -> float:

@@ -37,7 +37,7 @@ def record(found: Outcome, repeat: str) -> dict[str, Any]:
     validity     for each limit: inside, outside, undecided, unsolved; box: low, high, whole by
                  input, held (its points); base by input, nominal (whether that is the inputs' own
                  point), at_nominal; breaks: input, last, first, at, verdict, why
-    sensitivity  rows, dropped; scatter of formula, fe (or `by`) and error: n, mean, sd, q025, q500,
+    sensitivity  rows, dropped; scatter of formula, fe and error: n, mean, sd, q025, q500,
                  q975, noise, why, indices: S1 and ST by input, [value, low, high]; within: points
                  of A and B for each limit
     solved_by    portion, levels, code (hashes of the sources of formulas and fe), versions
@@ -132,7 +132,7 @@ def _region(axes: Sequence[Axis], one: Region) -> dict[str, Any]:
 
 def _sensitivity(one: Indices) -> dict[str, Any]:
     scatter = {}
-    for what, of, unit in quantities(one):
+    for what, (_, of, unit) in zip(("formula", "fe", "error"), quantities(one), strict=True):
         size = 1.0 if what == "error" else units.factor(unit)
         moments = zip(("mean", "sd", "q025", "q500", "q975"),
                       (of.mean, of.sd, of.low, of.median, of.high), strict=True)  # fmt: skip

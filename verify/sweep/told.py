@@ -13,7 +13,7 @@ from verify.sweep.outcome import Course, Outcome
 from verify.sweep.plan import Plan
 from verify.sweep.region import Region, regions
 from verify.sweep.tables import SOLVED, largest, quantities, reasons, statuses
-from verify.sweep.words import box_in_words, break_in_words, error_with_bar, ranked
+from verify.sweep.words import bare, box_in_words, break_in_words, error_with_bar, place, ranked
 from verify.told import aligned, raised
 
 WIDE = 80
@@ -21,6 +21,7 @@ MOST_ROWS = 10  # the worst ones
 LINES = 30  # from which on no further row is told in full
 MOST_REASONS = 3
 MOST_INPUTS = 6
+MOST_DIGITS = 6  # after the point
 _NUMBER = re.compile(r"\d[\d.,]*(?:e[-+]?\d+)?")
 
 
@@ -32,17 +33,19 @@ def print_outcome(found: Outcome) -> None:
 
 def told(found: Outcome) -> list[str]:
     """The lines of `print_outcome`, no wider than WIDE; rows in full until there are LINES."""
-    lines = [part for line in (*_points(found), *_table(found)) for part in _wrapped(line)]
-    of = _of_sample if found.solved.plan.base else _of_grid
-    detailed = 0
+    table, placed = _table(found)
+    lines = [part for line in (*_points(found), *table) for part in _wrapped(line)]
+    plan, detailed = found.solved.plan, 0
     for course in worst(found):
-        more = [part for line in of(found.solved.plan, course) for part in _wrapped(line)]
-        if detailed and len(lines) + len(more) > LINES:
+        at = "" if placed else _furthest(plan, course)
+        of = _of_sample(plan, course, at) if plan.base else _of_grid(plan, course, at)
+        more = [part for line in of for part in _wrapped(line)]
+        if detailed and len(lines) + len(more) >= LINES:
             break
         lines += more
         detailed += 1
     if left := len(found.courses) - detailed:
-        where = "sensitivity.csv" if found.solved.plan.base else "validity.csv"
+        where = "sensitivity.csv" if plan.base else "validity.csv"
         lines.append(f"({_count(left, 'more row')} in {where})")
     return lines
 
@@ -61,7 +64,7 @@ def _points(found: Outcome) -> Iterator[str]:
     yield f"{counts[SOLVED]:,} of {whole:,} points solved" + "".join(f", {o}" for o in others)
     alike: dict[str, list[str]] = {}
     for reason in filter(None, reasons(found)):
-        alike.setdefault(_NUMBER.sub("#", reason), []).append(reason.removeprefix("inputs: "))
+        alike.setdefault(_NUMBER.sub("#", reason), []).append(bare(reason))
     why = sorted(alike.values(), key=len, reverse=True)
     for some in why[:MOST_REASONS]:
         such = "such as: " if len(set(some)) > 1 else ""
@@ -70,8 +73,8 @@ def _points(found: Outcome) -> Iterator[str]:
         yield f"  and {_count(len(why) - MOST_REASONS, 'more reason')} in points.csv"
 
 
-def _table(found: Outcome) -> Iterator[str]:
-    """A line a row: its largest error with the bar and where, and shares inside the limits."""
+def _table(found: Outcome) -> tuple[list[str], bool]:
+    """A line a row: largest error, shares inside the limits, and where if there is room for it."""
     shown, plan = worst(found)[:MOST_ROWS], found.solved.plan
     inside = [_inside(plan, course) for course in shown]
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
@@ -80,16 +83,23 @@ def _table(found: Outcome) -> Iterator[str]:
     lines = [("", "largest error", *limits, f"at {where}")]
     for course, shares in zip(shown, inside, strict=True):
         n = largest(course)
-        error, at = "none", ""
-        if n is not None:
-            error = error_with_bar(course, n)
-            values = zip(varied, plan.points[n], strict=True)
-            at = ", ".join(f"{one.shown(v):.4g}" for one, v in values)
+        error = "none" if n is None else error_with_bar(course, n)
+        values = () if n is None else zip(varied, plan.points[n], strict=True)
         cells = (_percent(share) for _, share in shares)
+        at = ", ".join(f"{one.shown(v):.4g}" for one, v in values)
         lines.append((_short(course.pair.name), error, *cells, at))
-    yield from aligned(lines)
+    told_of = aligned(lines)
+    if not (placed := max(map(len, told_of)) <= WIDE):
+        told_of = aligned([line[:-1] for line in lines])
     if (more := len(found.courses) - len(shown)) > 0:
-        yield f"({_count(more, 'more row')} with smaller errors in points.csv)"
+        told_of.append(f"({_count(more, 'more row')} with smaller errors in points.csv)")
+    return told_of, placed
+
+
+def _furthest(plan: Plan, course: Course) -> str:
+    n = largest(course)
+    varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
+    return "" if n is None else f", furthest off at {place(varied, plan.points[n])}"
 
 
 def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
@@ -102,9 +112,9 @@ def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
     ]  # fmt: skip
 
 
-def _of_grid(plan: Plan, course: Course) -> Iterator[str]:
+def _of_grid(plan: Plan, course: Course, at: str) -> Iterator[str]:
     """The regions in words, limits alike together."""
-    yield course.pair.name
+    yield f"{course.pair.name}{at}"
     alike: dict[tuple[str, str], list[str]] = {}
     for one in regions(plan, course):
         words = box_in_words(plan, one), break_in_words(plan, one)
@@ -115,11 +125,11 @@ def _of_grid(plan: Plan, course: Course) -> Iterator[str]:
             yield f"    {breaks}"
 
 
-def _of_sample(plan: Plan, course: Course) -> Iterator[str]:
+def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
     """Finite elements and the error, how they scatter and through what."""
     one = indices(plan, course)
     lost = f" ({_count(one.dropped, 'row')} of the sample left out: not solved)"
-    yield f"{course.pair.name}{lost if one.dropped else ''}"
+    yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
     for what, scatter, unit in quantities(one)[1:]:
         if scatter.n:
             yield f"  {what} {_moments(scatter, unit)}"
@@ -137,13 +147,17 @@ def _of_sample(plan: Plan, course: Course) -> Iterator[str]:
 
 
 def _moments(scatter: Scatter, unit: str) -> str:
+    """Mean and standard deviation to two digits of the latter, and quantiles."""
     size = units.factor(unit)
     mean, sd, low, median, high = (
         v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
     )
+    digits = 1 - math.floor(math.log10(sd)) if sd > 0 else 99
+    shown = f".{max(digits, 0)}f" if digits <= MOST_DIGITS else ".5g"
     told_unit = "" if unit == "1" else f" {unit}"
     return (
-        f"{mean:.5g} ± {sd:.2g}{told_unit}; 2.5 % {low:.5g}, 50 % {median:.5g}, 97.5 % {high:.5g}"
+        f"{mean:{shown}} ± {sd:.2g}{told_unit}; 2.5 % {low:{shown}}, 50 % {median:{shown}}, "
+        f"97.5 % {high:{shown}}"
     )
 
 
@@ -162,7 +176,7 @@ def _listed(words: Sequence[str]) -> str:
     return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
 
 
-def _short(name: str, *, longest: int = 30) -> str:
+def _short(name: str, *, longest: int = 28) -> str:
     return name if len(name) <= longest else name[: longest - 1] + "…"
 
 

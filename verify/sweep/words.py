@@ -1,7 +1,8 @@
 """Regions, breaks, errors and indices of a sweep in words."""
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 
 from verify.sweep.axes import Axis, Tolerance
 from verify.sweep.indices import Estimate, Scatter
@@ -33,7 +34,7 @@ def break_in_words(plan: Plan, one: Region) -> str:
     """What takes the formula out of the limit first; "" where nothing does, or it never is in."""
     if one.base is None:
         return ""
-    start = "" if one.nominal else f"from {_place(plan.axes, one.base)}, "
+    start = "" if one.nominal else f"from {place(plan.axes, one.base)}, "
     if not one.nominal and one.at_nominal is not None:
         start = f"not at the inputs' own values; {start}"
     if (by := one.breaks) is None:
@@ -45,11 +46,9 @@ def _broken(by: Break) -> str:
     axis = by.axis
     way = f"{axis.symbol} {'above' if by.up else 'below'}"
     if by.verdict == UNSOLVED:
-        rule = by.why.removeprefix(f"{REFUSED}: ")
-        what = "not solved" if rule == by.why else "refused"
+        what = "refused" if by.why.startswith(REFUSED) else "not solved"
         return (
-            f"{way} {_valued(axis, by.last)}: {_valued(axis, by.first)} is {what} "
-            f"({rule.removeprefix('inputs: ')})"
+            f"{way} {_valued(axis, by.last)}: {_valued(axis, by.first)} is {what} ({bare(by.why)})"
         )
     doubt = ", where the error bar reaches beyond" if by.verdict == UNDECIDED else ""
     if by.at is None:
@@ -57,6 +56,11 @@ def _broken(by: Break) -> str:
     low, high = sorted((by.last, by.first))
     between = f"between {axis.shown(low):.4g} and {_valued(axis, high)}"
     return f"{way} {_valued(axis, by.at)} ({between}){doubt}"
+
+
+def bare(why: str) -> str:
+    """A reason without saying again that inputs are refused."""
+    return re.sub(rf"^({REFUSED}: )?(inputs(: |\.))?", "", why)
 
 
 def error_with_bar(course: Course, n: int) -> str:
@@ -82,8 +86,9 @@ def _index(of: Estimate) -> str:
     return f"{of.value:.2f} ({of.low:.2f} to {of.high:.2f})"
 
 
-def _place(axes: Sequence[Axis], values: Sequence[float]) -> str:
-    return ", ".join(f"{a.symbol} {_valued(a, v)}" for a, v in zip(axes, values, strict=True))
+def place(varied: Sequence[Axis | Tolerance], values: Iterable[float]) -> str:
+    """The values [SI] of the inputs that vary, with their symbols and units."""
+    return ", ".join(f"{a.symbol} {_valued(a, v)}" for a, v in zip(varied, values, strict=True))
 
 
 def _valued(one: Axis | Tolerance, value: float) -> str:
