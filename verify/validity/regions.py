@@ -9,7 +9,6 @@ from verify.sweep.axes import Axis
 from verify.sweep.outcome import Course
 from verify.sweep.plan import Plan
 from verify.sweep.region import (
-    INSIDE,
     NAMES,
     OUTSIDE,
     UNDECIDED,
@@ -65,7 +64,8 @@ def breaks(found: Region) -> str:
     """What takes the formula out of the limit first, and from where, in words."""
     limit = f"{found.limit:.0%}".replace("%", " %")
     if found.base is None:
-        return f"{_at_nominal(found)}; no point is within {limit}"
+        nowhere = "" if found.inside else f", and no point is within {limit}"
+        return f"{_at_nominal(found)}{nowhere}"
     start = "" if found.nominal else f"{_at_nominal(found)}; from the middle of the region, "
     step = found.breaks
     if step is None:
@@ -89,9 +89,8 @@ def _next(step: Break) -> str:
 
 def _at_nominal(found: Region) -> str:
     if found.at_nominal is None:
-        return "the case's own inputs lie outside of what was measured"
-    state = "within" if found.at_nominal == INSIDE else NAMES[found.at_nominal]
-    return f"{state} at the case's own inputs already"
+        return "the case's own inputs are not among what was measured"
+    return f"{NAMES[found.at_nominal]} at the case's own inputs already"
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:

@@ -1,0 +1,175 @@
+"""The cards on the page and in the PDF: what they say, how limits join, which have a figure."""
+
+import json
+from dataclasses import replace
+
+import pytest
+from markupsafe import Markup
+
+from reports.html import page
+from reports.pdf_data import document
+from reports.records import report_record
+from reports.validity import figure, limits, signed, subjects
+from verify.results import (
+    Report,
+    Validity,
+    ValidityAxis,
+    ValidityCard,
+    ValidityExact,
+    ValidityLimit,
+    ValidityRegion,
+)
+
+Z = ValidityAxis(name="z", symbol="z", unit="1", values=(3.0, 6.0, 12.0), nominal=6.0)
+D = ValidityAxis(name="d", symbol="δ_1", unit="mm", values=(2.0, 4.0), nominal=4.0)
+LIMITS = (
+    ValidityLimit(limit=0.02, inside=1, outside=3, undecided=1, words="z = 3, δ_1 = 2 mm",
+                  box=(("z", 3.0, 3.0), ("d", 2.0, 2.0))),
+    ValidityLimit(limit=0.05, inside=2, outside=3, undecided=0, words="z = 3, all δ_1",
+                  box=(("z", 3.0, 3.0), ("d", 2.0, 4.0))),
+    ValidityLimit(limit=0.10, inside=2, outside=3, undecided=0, words="z = 3, all δ_1",
+                  box=(("z", 3.0, 3.0), ("d", 2.0, 4.0))),
+)  # fmt: skip
+REGION = ValidityRegion(
+    over="z 3 to 12 (3 values), δ_1 2 to 4 mm (2 values)", points=6, unsolved=1,
+    problems=("1 × refused: <b>too thin</b>",), limits=LIMITS,
+    breaks="larger z: within 5 % to 3, beyond it at 6", axes=(Z, D),
+    error=(0.01, 0.03, 0.3, 0.2, 0.15, float("nan")), U=(1e-3,) * 5 + (float("nan"),),
+)  # fmt: skip
+EVERYWHERE = replace(
+    REGION, unsolved=0, problems=(), error=(0.01,) * 6, U=(1e-3,) * 6,
+    limits=tuple(
+        replace(one, inside=6, outside=0, undecided=0, words="all that was measured", box=())
+        for one in LIMITS
+    ),
+)  # fmt: skip
+CARD = ValidityCard(
+    case="polyhedral-ring", quantity="K of the paper", symbol="K", place="Eq. 11, Belcin",
+    tex=r"K = \frac{a}{b}", error=-0.0123, U=0.0004, regions=(REGION, EVERYWHERE),
+)  # fmt: skip
+KNOWN = Validity(
+    case="polyhedral-ring", title="Polyhedral ring", subject="Polyhedral rings", date="2026-11-22",
+    cards=(CARD,), over="z 3 to 12 (3 values)", others=("hub at e",), maps=("polyhedral-ring",),
+    exact=(ValidityExact(quantity="K in the mean", symbol="K", largest=-2.9e-6, U=1e-7, points=6,
+                         unsolved=1),),
+)  # fmt: skip
+MISSING = Validity(
+    case="polyhedral-ring", title="Polyhedral ring", subject="Polyhedral rings",
+    missing="not measured for this code: freewheel deep validity:polyhedral-ring does it",
+    others=("K of the paper",),
+)  # fmt: skip
+
+
+OVER = REGION.over.replace("_", "")
+
+
+def said(runs) -> str:
+    """The words of a cell of the PDF, without its marks."""
+    return "".join(run if isinstance(run, str) else said(run[1:]) for run in runs)
+
+
+def section(report: Report) -> str:
+    text = page(report, {})
+    return text[text.index('<section id="validity">') : text.index('<div id="cases">')]
+
+
+@pytest.fixture(scope="module")
+def one(wordy) -> Report:
+    """A report on one case with a card, and none of a user's own."""
+    case = replace(wordy.cases[0], id="polyhedral-ring", name="", rows=(), title="Ring")
+    return replace(wordy, name="", cases=(case,), validity=(KNOWN,), tables=(), errata=())
+
+
+def test_a_card_stands_on_the_page(one):
+    text = section(one)
+    assert "K of the paper" in text
+    assert "Eq. 11, Belcin; −1.2 ± 0.04 % at the case's own inputs" in text
+    assert "1/6, 1 undecided" in text
+    assert ">5, 10 %<" in text
+    assert "Larger z: within 5" in text
+    assert "1 of 6 points without an error: 1 × refused: &lt;b&gt;too thin" in text
+    assert text.count("all that was measured") == 1  # one line for all three limits
+    assert "2, 5, 10 %" in text
+    assert "Exact in its model: 1 formula " in text
+    assert "−2.9<small>×10<sup>−6</sup></small>" in text
+    assert "5 of 6" in text
+    assert "Not measured over its inputs: hub at e." in text
+    assert 'href="#case-polyhedral-ring"' in text
+
+
+def test_what_is_not_measured_says_so_and_how_to(one):
+    text = section(replace(one, validity=(MISSING,)))
+    assert "Not measured for this code: freewheel deep validity:polyhedral-ring does it." in text
+    assert "holds" not in text.replace("thresholds", "")
+    assert "K of the paper" not in text
+
+
+def test_a_report_without_cards_has_no_section(one):
+    text = page(replace(one, validity=()), {})
+    assert 'id="validity"' not in text
+    assert 'href="#validity"' not in text
+
+
+def test_a_figure_is_drawn_where_a_limit_is_left():
+    assert "<svg" in figure(REGION, "K")
+    assert figure(EVERYWHERE, "K") == Markup("")
+    assert figure(replace(REGION, axes=(), error=(), U=()), "K") == Markup("")
+    assert figure(replace(REGION, unsolved=6), "K") == Markup("")
+    line = replace(REGION, axes=(Z,), points=3, error=(0.01, 0.03, 0.3), U=(1e-3,) * 3, unsolved=0)
+    assert "<svg" in figure(line, "K")
+
+
+def test_a_map_has_each_error_in_its_own_cell():
+    """30 % is at z = 6 and δ_1 = 2 mm: the middle column, the lower row."""
+    places = {}
+    for piece in str(figure(REGION, "K")).split("<text")[1:]:
+        attributes, _, words = piece.partition(">")
+        if 'class="cell' in attributes:
+            x, y = (float(attributes.split(f' {k}="')[1].split('"')[0]) for k in "xy")
+            places[words.partition("<")[0]] = (x, y)
+    assert places["1.0"][0] < places["30"][0] < places["15"][0]
+    assert places["1.0"][1] == places["30"][1] > places["3.0"][1]
+    assert places["1.0"][0] == places["3.0"][0]
+
+
+def test_limits_that_hold_the_same_points_stand_in_one_line():
+    assert [name for name, _ in limits(REGION)] == ["2", "5, 10"]
+    assert [name for name, _ in limits(EVERYWHERE)] == ["2, 5, 10"]
+
+
+@pytest.mark.parametrize(
+    ("error", "U", "words"),
+    [
+        (None, None, "–"), (0.05, None, "+5 %"), (-0.0123, 0.0004, "−1.2 ± 0.04 %"),
+        (0.254, 0.01, "+25 ± 1 %"), (2e-6, 1e-7, "+0.0002 ± 0.00001 %"),
+    ],
+)  # fmt: skip
+def test_errors_in_per_cent(error, U, words):
+    assert signed(error, U) == words
+
+
+def test_cases_stand_under_their_subjects():
+    other = replace(KNOWN, case="ring-lame", subject="Rings")
+    assert subjects([KNOWN, other, MISSING]) == [
+        ("Polyhedral rings", [KNOWN, MISSING]), ("Rings", [other]),
+    ]  # fmt: skip
+
+
+def test_the_pdf_has_a_line_for_each_region(one):
+    (subject,) = document(one, {})["validity"]
+    (case,) = subject["cases"]
+    first, second = ([said(cell) for cell in row] for row in case["rows"])
+    assert first == [
+        f"K of the paper{OVER}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
+        "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 without an error",
+    ]  # fmt: skip
+    assert second[:2] == [OVER, ""]
+    assert "largest difference −2.9×10−6" in said(case["exact"])
+
+
+def test_the_record_holds_words_and_boxes_without_what_is_drawn(one):
+    (case,) = report_record(one)["validity"]
+    region = case["cards"][0]["regions"][0]
+    assert region["limits"][1]["box"] == [["z", 3.0, 3.0], ["d", 2.0, 4.0]]
+    assert "error" not in region
+    json.dumps(case, allow_nan=False)

@@ -1,0 +1,300 @@
+"""Where formulas hold: what is measured, kept while its code stands, and told on cards."""
+
+import json
+from dataclasses import replace
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+
+from tests.verify.sweep_made import CASE, Here
+from verify import cache
+from verify.case import Scan
+from verify.cases import registry
+from verify.checks import Identity
+from verify.inputs import InputError
+from verify.results import CaseResult, Kind, Row, Status
+from verify.shown import Equation
+from verify.sweep import point
+from verify.sweep.outcome import outcome
+from verify.sweep.pairs import pairs
+from verify.sweep.run import solve
+from verify.validity import kept, measuring
+from verify.validity.cards import of_case, validity
+from verify.validity.equations import numbers, place, tex
+from verify.validity.left_out import LEFT_OUT, MAPS
+
+GRID = Scan(vary=("a=1mm,2mm,3mm,4mm", "n=3,6,9"), only=("stiffness",))
+STAR = Scan(vary=("a=1mm,2mm,4mm,5mm", "b=1mm,2mm"), only=("stiffness",), star=True)
+HELD = Scan(vary=("b=1mm,2mm",), only=("stiffness",), at=("a=1mm",))
+PLATE = replace(CASE, paper="wang2023", place="Sec. 1", scans=(GRID, STAR, HELD))
+# 10 (a / 40 mm)² and 1e-4/16 more, by hand: the made-up case's own error
+ERROR = {a: 10 * (a / 40) ** 2 for a in (1, 2, 3, 4, 5)}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setattr(kept, "FOLDER", tmp_path / "measured")
+    monkeypatch.setattr(registry, "CASES", (PLATE,))
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+    point._known.cache_clear()
+    yield tmp_path / "measured"
+    point._known.cache_clear()
+
+
+@pytest.fixture
+def known(folder):
+    measuring.measure([PLATE], Here())
+    return of_case(PLATE, result())
+
+
+def result(*rows):
+    return CaseResult(
+        id=PLATE.id, title="", paper="wang2023", place="", lead="", inputs=(), equations=(),
+        assumptions=(), readings=(), rows=rows,
+    )  # fmt: skip
+
+
+def limits(region):
+    return [(one.limit, one.inside, one.outside, one.undecided, one.words) for one in region.limits]
+
+
+def test_a_card_says_where_the_error_stays_within_each_limit(known):
+    (card,) = known.cards
+    grid = card.regions[0]
+    assert grid.over == "a 1 to 4 mm (4 values), n 3 to 9 (3 values)"
+    assert (grid.points, grid.unsolved) == (12, 4)
+    # 0.6, 2.5, 5.6 and just below 10 %: nothing is solved with 9 holes
+    assert limits(grid) == [
+        (0.02, 2, 6, 0, "a = 1 mm, n 3 to 6"),
+        (0.05, 4, 4, 0, "a 1 to 2 mm, n 3 to 6"),
+        (0.10, 8, 0, 0, "all a, n 3 to 6"),
+    ]
+    assert grid.problems == ("4 × level 1: ValueError: 9 holes do not fit",)
+    assert [(a.name, a.values, a.nominal) for a in grid.axes] == [
+        ("a", (1.0, 2.0, 3.0, 4.0), 4.0), ("n", (3.0, 6.0, 9.0), 3.0),
+    ]  # fmt: skip
+    assert grid.error[0] == pytest.approx(ERROR[1], abs=1e-5)
+    assert grid.error[3 * 3] == pytest.approx(ERROR[4], abs=1e-4)  # a = 4 mm, n = 3
+    assert all(np.isnan(grid.error[k]) for k in (2, 5, 8, 11))
+
+
+def test_a_card_says_what_breaks_the_formula_first(known):
+    grid, star, held = known.cards[0].regions
+    assert grid.breaks.startswith("outside at the case's own inputs already; from the middle of ")
+    assert "larger a: within 5 % to 2 mm, beyond it at 3 mm, the limit near 2.8" in grid.breaks
+    assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one at a time"
+    assert star.breaks == "outside at the case's own inputs already"
+    assert limits(star)[1] == (0.05, 2, 3, 0, "a 1 to 2 mm")
+    assert held.over == "b 1 to 2 mm (2 values), at a = 1 mm"
+    assert limits(held) == [
+        (limit, 2, 0, 0, "all that was measured") for limit in (0.02, 0.05, 0.1)
+    ]
+    assert held.breaks == "nothing in what was measured takes it beyond 5 %"
+
+
+def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder):
+    measuring.measure([PLATE], Here())
+    row = Row(
+        case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
+        status=Status.PASS, analytic=2.0, fem=2.5, scale=2.5, u_num=0.01,
+    )  # fmt: skip
+    (card,) = of_case(PLATE, result(row)).cards
+    assert [card.error, card.U] == pytest.approx([-0.2, 2 * 0.01 / 2.5])
+
+
+def test_a_measurement_is_made_once_and_again_where_it_no_longer_stands(folder, capsys):
+    measuring.measure([PLATE], Here())
+    assert "validity:made-up-plate: 19 points" in capsys.readouterr().out
+    measuring.measure([PLATE], Here())
+    assert "measured already" in capsys.readouterr().out
+    before = (folder / "made-up-plate.json").read_text("utf-8")
+    (folder / "made-up-plate.json").write_text("{}", "utf-8")
+    measuring.measure([PLATE], Here())  # from the points that are kept
+    assert (folder / "made-up-plate.json").read_text("utf-8") == before
+
+
+@pytest.mark.parametrize("side", ["whole_source_of", "source_of"])
+def test_what_another_code_made_of_either_side_is_not_told(folder, monkeypatch, side):
+    measuring.measure([PLATE], Here())
+    assert not of_case(PLATE, result()).missing
+    monkeypatch.setattr(cache, side, lambda _function: "other")
+    found = of_case(PLATE, result())
+    assert found.missing.startswith("not measured for this code: freewheel deep validity:made-up")
+    assert not found.cards
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"scans": (replace(GRID, star=True), STAR, HELD)},
+        {"scans": (GRID, STAR, replace(HELD, at=("a=2mm",)))},
+        {"checks": (replace(CASE.checks[0], formal=1), CASE.checks[1])},
+        {"checks": (replace(CASE.checks[0], analytic="s"), CASE.checks[1])},
+    ],
+)
+def test_other_scans_or_other_comparisons_are_not_measured(folder, changed):
+    measuring.measure([PLATE], Here())
+    assert kept.measured(PLATE) is not None
+    assert kept.measured(replace(PLATE, **changed)) is None
+
+
+@pytest.mark.parametrize("spoil", ["", "[]", "{", '{"made by": 1}'])
+def test_a_torn_file_is_not_measured(folder, spoil):
+    measuring.measure([PLATE], Here())
+    (folder / "made-up-plate.json").write_text(spoil, "utf-8")
+    assert kept.measured(PLATE) is None
+
+
+def test_too_few_errors_are_not_measured(folder):
+    measuring.measure([PLATE], Here())
+    path = folder / "made-up-plate.json"
+    data = json.loads(path.read_text("utf-8"))
+    data["scans"][0]["stiffness"]["error"].pop()
+    path.write_text(json.dumps(data), "utf-8")
+    assert kept.measured(PLATE) is None
+
+
+def test_what_is_kept_has_four_digits_and_reads_back(folder):
+    plan = kept.plans(PLATE)[0]
+    (solved,) = outcome(solve(plan, Here())).courses
+    measuring.measure([PLATE], Here())
+    (course,) = kept.measured(PLATE).scans[0][1]
+    np.testing.assert_allclose(course.error, solved.error, rtol=5e-4)
+    np.testing.assert_allclose(course.U_error, solved.U_error, rtol=5e-4)
+    assert course.problems == solved.problems
+
+
+def test_measurements_go_by_their_names(folder):
+    other = replace(PLATE, id="other", scans=())
+    assert measuring.chosen(["validity"], (PLATE, other)) == [PLATE]
+    assert measuring.chosen(["validity:made-up-plate"], (PLATE, other)) == [PLATE]
+    assert measuring.chosen([], (PLATE, other)) == []
+    with pytest.raises(InputError, match="validity:other: no such measurement, there are made-up"):
+        measuring.chosen(["validity:other"], (PLATE, other))
+
+
+def test_exact_formulas_stand_in_a_table_with_their_largest_difference(folder):
+    exact = Identity(name="stiffness", symbol="k", unit="N/mm", analytic="k", fem="k", formal=2)
+    plate = replace(PLATE, checks=(exact, CASE.checks[1]))
+    registry.CASES = (plate,)
+    point._known.cache_clear()
+    measuring.measure([plate], Here())
+    found = of_case(plate, result())
+    (line,) = found.exact
+    assert not found.cards
+    assert found.others == ("stress",)
+    assert found.over.startswith("a 1 to 4 mm (4 values), n 3 to 9 (3 values); a 1 to 5 mm")
+    assert (line.quantity, line.points, line.unsolved) == ("stiffness", 19, 4)
+    assert line.largest == pytest.approx(ERROR[5], rel=1e-3)  # of the star
+
+
+def test_what_no_case_of_the_run_shows_is_not_linked(folder):
+    case = registry.CASES[0]
+    assert not validity([result()], [case])[0].maps
+    assert validity([result()], []) == ()
+
+
+# Every case of the suite
+
+
+def test_every_case_with_pairs_has_scans_or_says_why_not():
+    for case in registry.CASES:
+        if pairs(case):
+            assert bool(case.scans) != (case.id in LEFT_OUT), case.id
+        else:
+            assert not case.scans, case.id
+
+
+def test_the_scans_of_every_case_make_sense():
+    for case in registry.CASES:
+        for scan, plan in zip(case.scans, kept.plans(case), strict=True):
+            assert plan.chosen, case.id
+            assert 1 < len(plan.points) <= 80, case.id
+            for axis in plan.axes:  # around the paper's own inputs
+                assert axis.nominal is not None, (case.id, axis.name)
+                held = any(text.startswith(f"{axis.name}=") for text in scan.at)
+                inside = axis.values[0] <= axis.nominal <= axis.values[-1]
+                assert inside or held, (case.id, axis.name)
+
+
+def test_links_to_maps_lead_to_cases():
+    ids = {case.id for case in registry.CASES}
+    assert set(MAPS) <= ids
+    assert {name for names in MAPS.values() for name in names} <= ids
+    assert set(LEFT_OUT) <= ids
+
+
+def test_files_of_measurements_stay_small():
+    assert sum(path.stat().st_size for path in kept.FOLDER.glob("*.json")) < 600e3
+
+
+# The same statements from the stored numbers, by other means
+
+
+@pytest.mark.parametrize("name", ["ring-loads-outer", "polyhedral-ring", "spring-accordion"])
+def test_cards_say_what_the_stored_numbers_say(name, monkeypatch):
+    case = registry.find(name, registry.CASES)
+    data = json.loads((kept.FOLDER / f"{name}.json").read_text("utf-8"))
+    monkeypatch.setattr(kept, "_made_by", lambda *_: data["made by"])
+    told = {card.quantity: card.regions[0] for card in of_case(case, result()).cards}
+    axes = [axis.values for axis in kept.plans(case)[0].axes]  # a grid of two, the last one fastest
+    assert told
+    for quantity, region in told.items():
+        stored = data["scans"][0][quantity]
+        ends = [
+            (abs(e) - u, abs(e) + u) if u is not None else (np.nan, np.nan)
+            for e, u in zip(stored["error"], stored["U"], strict=True)
+        ]
+        for one in region.limits:
+            inside = [high <= one.limit for _, high in ends]
+            assert one.inside == sum(inside)
+            assert one.outside == sum(low > one.limit for low, _ in ends)
+            grid = np.array(inside).reshape([len(values) for values in axes])
+            assert held(one, region) == largest(grid)
+
+
+def largest(inside):
+    """How many points the largest box of a grid of two axes holds: all boxes are tried."""
+    rows, columns = ([*combinations(range(n + 1), 2)] for n in inside.shape)
+    boxes = [inside[i:j, k:m] for (i, j), (k, m) in product(rows, columns)]
+    return max(box.size * bool(box.all()) for box in boxes)
+
+
+def held(limit, region):
+    """How many points lie in the ranges that are told of a limit, all of which are inside."""
+    if not limit.box:
+        return 0
+    grid = np.array(region.error).reshape([len(axis.values) for axis in region.axes])
+    U = np.array(region.U).reshape(grid.shape)
+    within = np.ix_(*(
+        [low <= v <= high for v in axis.values]
+        for axis, (_, low, high) in zip(region.axes, limit.box, strict=True)
+    ))  # fmt: skip
+    assert (np.abs(grid[within]) + U[within] <= limit.limit).all()
+    return grid[within].size
+
+
+# Which equation it is
+
+
+def test_the_equations_that_a_text_names():
+    assert numbers("Eqs. 6, 8-10") == {6, 8, 9, 10}
+    assert numbers("torque, Eq. 3 as printed") == {3}
+    assert numbers("nothing of the kind") == frozenset()
+
+
+def test_a_formula_is_shown_where_it_is_certain_which():
+    case = registry.find("ring-loads-outer", registry.CASES)
+    shown = case.equations(case.inputs(), case.analytic(case.inputs()))
+    by_name = {pair.name: pair for pair in pairs(case)}
+    at_load = by_name["Eq. 6 at a load"]
+    assert tex(case, at_load, shown).startswith(r"\delta_{BE} = \frac{N n}{2\pi l E}")
+    assert place(case, at_load) == "Eq. 6, Huang 2018"
+    assert tex(case, by_name["rim displacement opposite a load"], shown) == ""
+    clutch = registry.find("polyhedral-wedge", registry.CASES)
+    printed = next(p for p in pairs(clutch) if p.name.endswith("Eq. 3 as printed"))
+    assert tex(clutch, printed, [Equation(tex="M_t = x", place="Eq. 3")]) == ""
+    stress = next(p for p in pairs(PLATE) if p.name == "stress")
+    assert tex(PLATE, stress, [Equation(tex=r"\sigma = E")]) == r"\sigma = E"
+    assert tex(PLATE, stress, [Equation(tex=r"\sigma = E"), Equation(tex=r"\sigma = F")]) == ""
