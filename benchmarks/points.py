@@ -25,7 +25,7 @@ from verify.cases.spring_accordion import ACCORDION, OWN, line_fem, shapes
 from verify.cases.spring_inputs import AccordionInputs
 
 Run = Callable[[Any], Any]
-POINTS = 40
+POINTS = 20
 KEPT: dict[str, Any] = {
     "topologies": blocks.TOPOLOGIES,
     "numbers of unknowns": discretisation.NUMBERS,
