@@ -162,5 +162,5 @@ def test_a_table_without_room_for_the_place_tells_it_with_the_row():
     lines = told(outcome(plan, course(plan, 12.34 * plan.points[:, 0], 0.0123)))
     assert lines[1].endswith("≤10 %")
     assert max(map(len, lines)) <= 80
-    assert lines[3] == f"{name}, furthest off at a 8.125 mm, b 1 mm, c"
-    assert lines[4] == "    1.125 mm, n 2"
+    assert lines[3] == f"{name}, furthest off at a 8.125 mm, b 1 mm, c 1.125 mm,"
+    assert lines[4] == "    n 2"
