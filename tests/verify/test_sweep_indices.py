@@ -85,6 +85,14 @@ def test_another_implementation_gives_the_same_from_the_same_results():
     assert values(ours, "total") == pytest.approx(theirs.total_order, rel=1e-12)
 
 
+def test_means_over_some_rows_have_the_variance_of_those_rows():
+    a, b, c = np.random.default_rng(5).exponential(size=(3, 16))
+    some = a > 1  # whose mean is not that of all
+    found = estimates(terms(a, b, c[None])[some].mean(axis=0))
+    both = np.concatenate([a[some], b[some]])
+    assert found[1, 0] == pytest.approx(np.mean((a - c)[some] ** 2) / 2 / both.var(), rel=1e-12)
+
+
 def test_one_tolerance_causes_everything():
     plan = planned(64, ["a=±1mm"])
     of = found(plan, 0.1 * unit(plan)[:, 0]).error
