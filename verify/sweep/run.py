@@ -175,14 +175,13 @@ class _Run:
     total: int = 0
     busy: float = 0.0
     pace: float = 0.0  # s a point of the last batch: the first ones import what they need
+    workers: int = 1
     waiting: deque[Task] = field(default_factory=deque)
-    start: float = field(default_factory=time.monotonic)
 
     def work(self, engine: Engine, todo: Sequence[Task]) -> None:
         """Solve all; GoneError where the engine's processes cannot, as with other code."""
         self.total = len(todo)
         self.waiting.extend(todo)
-        self.start = time.monotonic()
         drive = Drive(engine, solve_batch, split=lambda batch: [(task,) for task in batch])
         for event in drive.answers(self._batches(engine)):
             if event is not None:
@@ -198,7 +197,8 @@ class _Run:
 
     def _batches(self, engine: Engine) -> Iterator[tuple[Task, ...]]:
         while self.waiting:
-            size = self._size(engine.workers())
+            self.workers = engine.workers()
+            size = self._size(self.workers)
             yield tuple(self.waiting.popleft() for _ in range(min(size, len(self.waiting))))
 
     def _size(self, workers: int) -> int:
@@ -220,13 +220,10 @@ class _Run:
         self.pace = busy / len(batch)
 
     def _state(self, drive: Drive) -> State:
-        left = self.total - self.done
-        pace = (time.monotonic() - self.start) / self.done if self.done else 0.0
+        left = (self.total - self.done) * self.pace / self.workers
         under_way = sum(len(batch) for batch, _ in drive.running.values())
         names = (f"{under_way} under way",) if under_way and self.done else ()
-        return State(
-            self.known + self.done, self.known + self.total, names, left * pace, what="points"
-        )
+        return State(self.known + self.done, self.known + self.total, names, left, what="points")
 
 
 def _lost(task: Task, lost: Lost) -> Solution:
