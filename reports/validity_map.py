@@ -17,6 +17,7 @@ SMALL = 320.0, 200.0
 LINE, LETTER = 18.0, 6.2
 TALL = 236.0  # of a map's cells
 LIGHT = 6  # the last class that black letters can be read on
+LEAST = 5  # rows and columns, fewer of which have no lines of equal error
 MANY = 16  # cells, more of which are not named one by one
 DIGIT = 6.4  # about the width of a digit in a cell
 
@@ -61,18 +62,19 @@ def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
     body = [cells.filled(number == k, css(int(k))) for k in np.unique(number)]
     body.append(cells.hatched(undecided(m.error, m.U, m.limits)))
     body.append(cells.crossed(number == UNSOLVED))
-    body += [
-        cells.line(m.error, sign * limit, f"iso i{k}")
-        for k, limit in enumerate(m.limits) for sign in (1, -1)
-    ]  # fmt: skip
+    if min(m.error.shape) >= LEAST:
+        body += [
+            cells.line(m.error, sign * limit, f"iso i{k}")
+            for k, limit in enumerate(m.limits) for sign in (1, -1)
+        ]  # fmt: skip
     body.append(svg.rectangle(left, top, right - left, bottom - top, "border"))
-    body += _numbers(m, cells, number)
+    numbers = _numbers(m, cells, number)
+    body += numbers
     if m.box is not None:
         body.append(_outlined(m, y, cells))
-    if m.nominal is not None:
-        i, j = (_place(at, v) for at, v in zip((m.x, y), m.nominal, strict=True))
-        if i is not None and j is not None:
-            body.append(svg.circle(cells.X(i + 0.5), cells.Y(j + 0.5), 4.2, "at"))
+    if at := _nominal(m, y):
+        r = 9.0 if len(numbers) > 1 else 4.2  # round a number, not across it
+        body.append(svg.circle(cells.X(at[0] + 0.5), cells.Y(at[1] + 0.5), r, "at"))
     return [*body, *_axes(m, y, cells)]
 
 
@@ -101,6 +103,14 @@ def _outlined(m: Measured, y: Array, cells: Cells) -> Markup:
         (cells.X(a), cells.Y(b)) for a, b in ((i, j), (k + 1, j), (k + 1, n + 1), (i, n + 1))
     ]
     return svg.polyline(corners, "region", closed=True)
+
+
+def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
+    """Where the inputs of the file lie, as indices; None outside of the map."""
+    if m.nominal is None:
+        return None
+    i, j = (_place(at, v) for at, v in zip((m.x, y), m.nominal, strict=True))
+    return None if i is None or j is None else (i, j)
 
 
 def _place(values: Array, wanted: float) -> float | None:
@@ -146,7 +156,7 @@ def _key(m: Measured, top: float, *, every: bool = False) -> tuple[list[Markup],
     drawn = scale(12.0, top, WIDTH - 24.0, m.limits)
     said: list[tuple[str, str]] = []
     names = [f"{100 * limit:.4g}" for limit in m.limits]
-    lines = [any(isolated(m, limit)) for limit in m.limits]
+    lines = [min(m.error.shape) >= LEAST and _passed(m, limit) for limit in m.limits]
     said += [(f"iso i{k}", f"{name} %") for k, name in enumerate(names) if lines[k] or every]
     if every or undecided(m.error, m.U, m.limits).any():
         said.append(("hatch", "error bar across a limit"))
@@ -154,7 +164,7 @@ def _key(m: Measured, top: float, *, every: bool = False) -> tuple[list[Markup],
         said.append(("unsolved", "no solution"))
     if m.box is not None:
         said.append(("region", m.box_name))
-    if m.nominal is not None or every:
+    if every or (m.y is not None and _nominal(m, m.y)):
         said.append(("at", "inputs of the file"))
     left, y = 12.0, top + 48
     for style, words in said:
@@ -166,13 +176,10 @@ def _key(m: Measured, top: float, *, every: bool = False) -> tuple[list[Markup],
     return drawn, y + 8 if said else top + 32
 
 
-def isolated(m: Measured, limit: float) -> list[bool]:
-    """Whether some errors, of either sign, are within a limit and others not."""
+def _passed(m: Measured, limit: float) -> bool:
+    """Whether some errors are on one side of the limit, of either sign, and some on the other."""
     known = m.error[np.isfinite(m.error)]
-    return [
-        bool(known.size) and bool((known > level).any()) and not bool((known > level).all())
-        for level in (limit, -limit)
-    ]
+    return any(0 < int((known > level).sum()) < known.size for level in (limit, -limit))
 
 
 def _swatch(style: str, x: float, y: float) -> list[Markup]:

@@ -1,0 +1,103 @@
+"""The page of a sweep: self-contained, and nothing in it runs."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import jinja2
+from markupsafe import Markup
+
+from reports import formats, html
+from reports.design import Tile
+from reports.measured import Measured
+from reports.sweep_plots import Causes, Histogram, causes, histogram
+from reports.validity_map import measured, scale_key, validity_map
+from verify.shown import Figure, Table
+
+
+@dataclass(frozen=True, kw_only=True)
+class Panels:
+    """Small maps or curves side by side, each named by its title, and their key once."""
+
+    title: str
+    maps: tuple[Measured, ...]
+    note: str = ""
+
+
+Picture = Figure | Measured | Histogram | Causes
+
+
+@dataclass(frozen=True, kw_only=True)
+class Formula:
+    """What a sweep says of one formula: a sentence, tables and pictures; `more` are small ones.
+
+    `kind` and `scale` say in words what is compared, `opened` whether it is shown at once.
+    """
+
+    anchor: str
+    name: str
+    symbol: str
+    kind: str
+    verdict: str
+    tables: Sequence[Table]
+    figures: Sequence[Picture]
+    panels: Sequence[Panels] = ()
+    note: str = ""
+    opened: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class SweepPage:
+    """Everything on the page, in words and numbers.
+
+    `overview` is a table with a line for each of `formulas`, in their order; `problems` tell how
+    many points have no answer and why. `points` is the table of points, `facts` and `varied` are
+    symbol or name, what it is, and value.
+    """
+
+    name: str
+    kicker: str
+    meta: str
+    tiles: Sequence[Tile]
+    problems: Sequence[str]
+    lead: str
+    overview: Table
+    formulas: Sequence[Formula]
+    points: Table
+    varied: Sequence[tuple[str, str, str]]
+    inputs: Sequence[tuple[str, str, str]]
+    facts: Sequence[tuple[str, str]]
+    command: str
+    files: Sequence[tuple[str, str]]
+
+
+def page(sweep: SweepPage) -> str:
+    """HTML of the page."""
+    env = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(html.HERE), autoescape=True, trim_blocks=True,
+        lstrip_blocks=True, undefined=jinja2.StrictUndefined,
+    )  # fmt: skip
+    env.filters |= {
+        "symbol": formats.symbol, "prose": prose, "plot": plot, "columns": html.columns,
+        "small": validity_map,
+    }  # fmt: skip
+    css = Markup(html.styles())  # noqa: S704 - the project's own files
+    drawn = env.get_template("sweep.html.j2").render(page=sweep, css=css, key=scale_key)
+    return drawn.replace(html.NAMESPACE, "")
+
+
+def prose(text: str) -> Markup:
+    """Running text in which no number stands apart from its per cent."""
+    return formats.prose(text.replace(" %", "\u202f%"))
+
+
+def plot(figure: Picture) -> Markup:
+    """The drawing of a figure."""
+    match figure:
+        case Measured():
+            return measured(figure)
+        case Histogram():
+            return histogram(figure)
+        case Causes():
+            return causes(figure)
+        case _:
+            return html.plot(figure)
