@@ -62,7 +62,7 @@ class Cells:
     def reduced(self, T: csr_array) -> csc_array:
         """T' K T (n, n) for displacements u = T q, T (unknowns, n)."""
         held = np.diff(T.indptr)
-        if np.any(held > 1):
+        if not T.shape[1] or np.any(held > 1):
             return (T.T @ self.stiffness() @ T).tocsc()
         place, weight = np.full(self.count, -1), np.zeros(self.count)
         place[held == 1], weight[held == 1] = T.indices, T.data
