@@ -100,16 +100,17 @@ def isoline(field: Array, level: float) -> Array:
     values = [z[i : i + n, j : j + m] for i, j in corners]
     origin = np.stack(np.meshgrid(np.arange(n), np.arange(m), indexing="ij"), axis=-1)
     points = [origin + np.array(c, dtype=float) for c in corners]
-    middle, centre = sum(values) / 4, origin + 0.5
+    middle, centre = np.mean(values, axis=0), origin + 0.5
     found = []
     for k in range(4):
         p, q = k, (k + 1) % 4
-        sides = [
-            (points[a], values[a], b, c)
-            for a, b, c in ((p, points[q], values[q]), (q, centre, middle))
-        ]
-        sides.append((centre, middle, points[p], values[p]))
-        found += _through(sides)
+        found += _through(
+            [
+                (points[p], values[p], points[q], values[q]),
+                (points[q], values[q], centre, middle),
+                (centre, middle, points[p], values[p]),
+            ]
+        )
     return np.concatenate(found)
 
 

@@ -28,9 +28,9 @@ Picture = Figure | Measured | Histogram | Causes
 
 @dataclass(frozen=True, kw_only=True)
 class Formula:
-    """What a sweep says of one formula: a sentence, tables and pictures; `more` are small ones.
+    """What a sweep says of one formula: a sentence, tables and pictures, `panels` of small ones.
 
-    `kind` and `scale` say in words what is compared, `opened` whether it is shown at once.
+    `kind` says in words what is compared, `opened` whether all of it is shown at once.
     """
 
     anchor: str
@@ -50,8 +50,8 @@ class SweepPage:
     """Everything on the page, in words and numbers.
 
     `overview` is a table with a line for each of `formulas`, in their order; `problems` tell how
-    many points have no answer and why. `points` is the table of points, `facts` and `varied` are
-    symbol or name, what it is, and value.
+    many points have no answer and why. `varied` and `inputs` are symbol, what it is, and value;
+    `facts` and `files` name and what is there.
     """
 
     name: str

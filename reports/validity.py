@@ -23,10 +23,10 @@ def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:
 
 
 def figure(region: ValidityRegion, title: str) -> Markup:
-    """The error over what was measured; nothing where all of it is within the least limit."""
+    """The error over what was measured; nothing where each limit holds for all points or none."""
     shape = [len(axis.values) for axis in region.axes]
-    solved = region.points - region.unsolved
-    if not shape or not solved or region.limits[0].inside == region.points:
+    mixed = any(max(one.inside, one.outside) < region.points for one in region.limits)
+    if not shape or not mixed or region.unsolved == region.points:
         return Markup("")
     x, *rest = region.axes
     y = rest[0] if rest else None

@@ -121,7 +121,8 @@ def test_errors_too_small_for_a_picture_are_told_in_words(largest, words):
     error = np.zeros((3, 2))
     error[1, 1] = largest
     assert all_within(error) == words
-    assert (words in measured(grid(error=error))) and (words in validity_map(line(error[:, 1])))
+    assert words in measured(grid(error=error))
+    assert words in validity_map(line(error[:, 1]))
     assert not re.search(r'"(over|under)\d"', str(validity_map(grid(error=error))))
 
 

@@ -113,6 +113,8 @@ def test_a_report_without_cards_has_no_section(one):
 def test_a_figure_is_drawn_where_a_limit_is_left():
     assert "<svg" in figure(REGION, "K")
     assert figure(EVERYWHERE, "K") == Markup("")
+    nowhere = tuple(replace(one, inside=0, outside=6, undecided=0) for one in LIMITS)
+    assert figure(replace(REGION, unsolved=0, limits=nowhere), "K") == Markup("")
     assert figure(replace(REGION, axes=(), error=(), U=()), "K") == Markup("")
     assert figure(replace(REGION, unsolved=6), "K") == Markup("")
     line = replace(REGION, axes=(Z,), points=3, error=(0.01, 0.03, 0.3), U=(1e-3,) * 3, unsolved=0)

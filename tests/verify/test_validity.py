@@ -7,7 +7,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from tests.verify.sweep_made import CASE, Here
+from tests.verify.sweep_made import CASE, Here, course
 from verify import cache
 from verify.case import Scan
 from verify.cases import registry
@@ -23,6 +23,7 @@ from verify.validity import kept, measuring
 from verify.validity.cards import of_case, validity
 from verify.validity.equations import numbers, place, tex
 from verify.validity.left_out import LEFT_OUT, MAPS
+from verify.validity.regions import region
 
 GRID = Scan(vary=("a=1mm,2mm,3mm,4mm", "n=3,6,9"), only=("stiffness",))
 STAR = Scan(vary=("a=1mm,2mm,4mm,5mm", "b=1mm,2mm"), only=("stiffness",), star=True)
@@ -93,6 +94,23 @@ def test_a_card_says_what_breaks_the_formula_first(known):
     assert held.breaks == "nothing in what was measured takes it beyond 5 %"
 
 
+@pytest.mark.parametrize(
+    ("error", "U", "counts", "words"),
+    [
+        (0.04, 0.02, (1, 0, 1, 0), "undecided at 1 mm: the error bar reaches across"),
+        (0.08, 0.01, (1, 1, 0, 0), "beyond it at 1 mm, the limit near 1.506 mm"),
+        (np.nan, np.nan, (1, 0, 0, 1), "not solved at 1 mm (does not converge)"),
+    ],
+)
+def test_a_point_that_is_not_surely_inside_is_told_for_what_it_is(error, U, counts, words):
+    plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
+    found = region(plan, course(plan, [error, 0.01], [U, 0.001]))
+    middle = found.limits[1]
+    assert (middle.inside, middle.outside, middle.undecided, found.unsolved) == counts
+    assert middle.words == "b = 2 mm"
+    assert found.breaks == f"smaller b: within 5 % to 2 mm, {words}"
+
+
 def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder):
     measuring.measure([PLATE], Here())
     row = Row(
@@ -159,10 +177,10 @@ def test_what_is_kept_has_four_digits_and_reads_back(folder):
     plan = kept.plans(PLATE)[0]
     (solved,) = outcome(solve(plan, Here())).courses
     measuring.measure([PLATE], Here())
-    (course,) = kept.measured(PLATE).scans[0][1]
-    np.testing.assert_allclose(course.error, solved.error, rtol=5e-4)
-    np.testing.assert_allclose(course.U_error, solved.U_error, rtol=5e-4)
-    assert course.problems == solved.problems
+    (read,) = kept.measured(PLATE).scans[0][1]
+    np.testing.assert_allclose(read.error, solved.error, rtol=5e-4)
+    np.testing.assert_allclose(read.U_error, solved.U_error, rtol=5e-4)
+    assert read.problems == solved.problems
 
 
 def test_measurements_go_by_their_names(folder):
@@ -240,18 +258,18 @@ def test_cards_say_what_the_stored_numbers_say(name, monkeypatch):
     told = {card.quantity: card.regions[0] for card in of_case(case, result()).cards}
     axes = [axis.values for axis in kept.plans(case)[0].axes]  # a grid of two, the last one fastest
     assert told
-    for quantity, region in told.items():
+    for quantity, drawn in told.items():
         stored = data["scans"][0][quantity]
         ends = [
             (abs(e) - u, abs(e) + u) if u is not None else (np.nan, np.nan)
             for e, u in zip(stored["error"], stored["U"], strict=True)
         ]
-        for one in region.limits:
+        for one in drawn.limits:
             inside = [high <= one.limit for _, high in ends]
             assert one.inside == sum(inside)
             assert one.outside == sum(low > one.limit for low, _ in ends)
             grid = np.array(inside).reshape([len(values) for values in axes])
-            assert held(one, region) == largest(grid)
+            assert held(one, drawn) == largest(grid)
 
 
 def largest(inside):
@@ -261,15 +279,15 @@ def largest(inside):
     return max(box.size * bool(box.all()) for box in boxes)
 
 
-def held(limit, region):
+def held(limit, drawn):
     """How many points lie in the ranges that are told of a limit, all of which are inside."""
     if not limit.box:
         return 0
-    grid = np.array(region.error).reshape([len(axis.values) for axis in region.axes])
-    U = np.array(region.U).reshape(grid.shape)
+    grid = np.array(drawn.error).reshape([len(axis.values) for axis in drawn.axes])
+    U = np.array(drawn.U).reshape(grid.shape)
     within = np.ix_(*(
         [low <= v <= high for v in axis.values]
-        for axis, (_, low, high) in zip(region.axes, limit.box, strict=True)
+        for axis, (_, low, high) in zip(drawn.axes, limit.box, strict=True)
     ))  # fmt: skip
     assert (np.abs(grid[within]) + U[within] <= limit.limit).all()
     return grid[within].size

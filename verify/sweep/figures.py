@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from itertools import combinations, product
 
 import numpy as np
+from numpy.typing import NDArray
 
 from reports.measured import LIMITS, Measured
 from reports.sweep import Panels, Picture
@@ -149,7 +150,7 @@ def _values_2d(plan: Plan, course: Course) -> Curves:
 
 
 def _curves(
-    course: Course, x: Array, label: str, rows: Sequence[tuple[slice | Array, str]]
+    course: Course, x: Array, label: str, rows: Sequence[tuple[slice | NDArray[np.int_], str]]
 ) -> Curves:
     """Formula and finite elements over one axis, for each of some values of another."""
     factor, by = units.factor(course.pair.unit), course.pair.by or "finite elements"
@@ -197,9 +198,9 @@ def _histogram(
     )  # fmt: skip
 
 
-def _dots(plan: Plan, course: Course, one: Tolerance, independent: Array) -> Curves:
+def _dots(plan: Plan, course: Course, one: Tolerance, independent: NDArray[np.bool_]) -> Curves:
     k = plan.names.index(one.name)
-    known = np.flatnonzero(independent.astype(bool) & np.isfinite(course.error))
+    known = np.flatnonzero(independent & np.isfinite(course.error))
     some = known[list(_evenly(len(known), MOST_DOTS))]
     x = plan.points[some, k] / units.factor(one.unit)
     y = 100 * course.error[some]
