@@ -35,7 +35,7 @@ KEPT: dict[str, Any] = {
 
 def main() -> None:
     count = int(sys.argv[1]) if len(sys.argv) > 1 else POINTS
-    (ring,), (spring,) = RING.portions, ACCORDION.portions
+    ring, spring = RING.portions[0], ACCORDION.portions[0]
     print(f"{count} points of each sweep, seconds of one processor a point of three meshes")
     shape, load, modulus = rings(count), loads(count), moduli(count)
     table = (

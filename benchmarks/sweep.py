@@ -41,7 +41,7 @@ def spring_plan(count: int) -> Plan:
     """k_1 over n and b; about `count` points."""
     case = find("spring-accordion", CASES)
     chosen = [p for p in selected(case, []) if p.fem in case.portions[0].keys][:1]
-    vary = ["n=2:20:10", f"b=0.3mm:1.5mm:{max(2, count // 10)}"]
+    vary = ["n=4:22:10", f"b=0.05mm:0.2mm:{max(2, count // 10)}"]
     return grid(case, "spring", case.inputs(), tuple(chosen), vary)
 
 

@@ -16,6 +16,7 @@ from multiprocessing import connection, get_context, parent_process, resource_tr
 from typing import Any
 
 SPAWN = get_context("spawn")  # a forked child would share gmsh's state
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class WorkerDiedError(BrokenExecutor):
@@ -29,10 +30,13 @@ class RemoteTraceback(Exception):  # noqa: N818 - the cause of another exception
 class Processes(ThreadPoolExecutor):
     """`count` spawned processes, each with one task at a time; functions go by their names.
 
-    A task whose process dies raises WorkerDiedError; the next one finds a fresh process.
+    A task whose process dies raises WorkerDiedError; the next one finds a fresh process. Each has
+    one BLAS thread unless the environment says otherwise.
     """
 
     def __init__(self, count: int) -> None:
+        for name in THREADS:  # inherited: two processes of two threads each wait for each other
+            os.environ.setdefault(name, "1")
         resource_tracker.ensure_running()  # started by a thread it would let Ctrl-C through there
         super().__init__(count, initializer=_without_interrupts)
         self._own = threading.local()

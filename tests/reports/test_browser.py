@@ -112,7 +112,7 @@ def test_it_prints(folder):
            (folder / "report.html").as_uri())  # fmt: skip
     data = target.read_bytes()
     assert data.startswith(b"%PDF")
-    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 280
+    assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 300
 
 
 @pytest.fixture(scope="module")

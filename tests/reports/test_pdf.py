@@ -55,7 +55,8 @@ def words(data):
 def own(report):
     """A user's report: one case with a name, no ledgers."""
     case = replace(report.cases[0], name=NASTY, title=NASTY, lead=NASTY, warnings=(NASTY,))
-    return replace(report, cases=(case,), name=NASTY)
+    cards = tuple(one for one in report.validity if one.case == case.id)
+    return replace(report, cases=(case,), name=NASTY, validity=cards)
 
 
 def test_hostile_texts_are_printed_as_they_are(own):

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from verify.engines import Drive, Engine, GoneError, Here, Lost, Where
+from verify.engines import Drive, Engine, GoneError, Here, Lost, Where, local
 from verify.inputs import InputError
 from verify.workers import WorkerDiedError
 
@@ -34,6 +34,17 @@ def test_what_is_no_engine_is_told(asked, said):
 def test_an_address_of_a_cluster_may_be_of_either_kind():
     for scheduler in ("tcp://host:8786", "tls://10.0.0.1:1", "tcp://[::1]:8786"):
         assert Where(engine="dask", scheduler=scheduler).scheduler == scheduler
+
+
+def test_a_process_has_one_blas_thread_unless_it_is_told(monkeypatch):
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
+    with local(1) as engine:
+        asked = [
+            engine.executor.submit(os.getenv, f"{name}_NUM_THREADS").result()
+            for name in ("OMP", "OPENBLAS")
+        ]
+    assert asked == ["3", "1"]
 
 
 class Deadly(Here):

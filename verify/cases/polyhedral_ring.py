@@ -102,6 +102,19 @@ def stiffness_fem(q: HubRing, level: int) -> FemResult:
     return FemResult(h=1 / level, values=values, u_it=round_off(values, ring.residual))
 
 
+def both_fem(q: HubRing, level: int) -> FemResult:
+    """K by its three definitions in plane stress, and in the middle of the flats in plane strain.
+
+    The residual of either solve is that of all values.
+    """
+    narrow, wide = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
+    values = stiffness(q, factors(q, narrow)) | {
+        "K mid, strain": stiffness(q, factors(q, wide))["K mid"]
+    }
+    residual = max(narrow.residual, wide.residual)
+    return FemResult(h=1 / level, values=values, u_it=round_off(values, residual))
+
+
 def stiffness(q: HubRing, outward: Values) -> dict[str, float]:
     """K from the displacements `outward` [m] under `UNIT`; 1/K at corners, which may draw in."""
     thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
@@ -191,7 +204,11 @@ RING = Case(
         Portion(
             name="K", fem=stiffness_fem, levels=(1, 2, 3), keys=("K mid", "K mean", "1/K corner")
         ),
-    ),
+        Portion(
+            name="K in both planes", fem=both_fem, levels=(1, 2, 3),
+            keys=("K mid", "K mean", "1/K corner", "K mid, strain"),
+        ),
+    ),  # fmt: skip
     scans=(
         Scan(
             vary=("z=3:12:10", "delta_1=2mm,3mm,4mm,5mm,6mm,8mm"),
