@@ -208,7 +208,7 @@ RING = Case(
             name="K in both planes", fem=both_fem, levels=(1, 2, 3),
             keys=("K mid", "K mean", "1/K corner", "K mid, strain"),
         ),
-    ),  # fmt: skip
+    ),
     scans=(
         Scan(
             vary=("z=3:12:10", "delta_1=2mm,3mm,4mm,5mm,6mm,8mm"),
