@@ -20,6 +20,7 @@ from verify.sweep.point import Solution, Task, code_of, solve_batch
 from verify.sweep.store import Store, joined, lacking
 
 BATCH = 1.0  # s that a batch takes: what handing it over costs is a few ms, what a kill loses this
+ANSWERED = 50  # batches a second that a scheduler and this process keep up with easily
 MOST = 256  # points of a batch
 FOLDER = "sweeps"  # in the cache
 
@@ -206,7 +207,8 @@ class _Run:
         if not self.done:
             return 1
         fair = len(self.waiting) // (4 * workers)
-        return max(1, min(MOST, int(BATCH / max(self.pace, 1e-6)), fair))
+        seconds = max(BATCH, workers / ANSWERED)
+        return max(1, min(MOST, int(seconds / max(self.pace, 1e-6)), fair))
 
     def _keep(self, batch: tuple[Task, ...], answer: list[Solution] | Lost) -> None:
         if isinstance(answer, Lost):

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
+from sys import intern
 from typing import Any
 
 from verify.case import Portion
@@ -84,6 +85,8 @@ class Store:
         database = sqlite3.connect(self.path, timeout=PATIENCE)
         try:
             database.execute("PRAGMA journal_mode = WAL")
+            # a process that is killed loses nothing; a power failure may lose the last commits
+            database.execute("PRAGMA synchronous = NORMAL")
             with database:
                 yield database
         except sqlite3.Error as error:
@@ -93,11 +96,12 @@ class Store:
 
 
 def _solution(data: Mapping[str, Any]) -> Solution:
+    # all points have the same names: one of each serves them all
     return Solution(
-        formulas={str(k): float(v) for k, v in data["formulas"].items()},
+        formulas={intern(k): float(v) for k, v in data["formulas"].items()},
         h=tuple(map(float, data["h"])),
-        fe={str(k): tuple(map(float, v)) for k, v in data["fe"].items()},
-        u_it={str(k): float(v) for k, v in data["u_it"].items()},
+        fe={intern(k): tuple(map(float, v)) for k, v in data["fe"].items()},
+        u_it={intern(k): float(v) for k, v in data["u_it"].items()},
         problem_formulas=str(data["problem_formulas"]), problem_fe=str(data["problem_fe"]),
         seconds=float(data["seconds"]),
     )  # fmt: skip
