@@ -33,6 +33,8 @@ bench: .venv/.ready
 	$(BIN)/python -m benchmarks.half_space
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.engagement
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.optimum
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.points
+	$(BIN)/python -m benchmarks.sweep
 
 # The table of verdicts in README.md, from the last run of `make verify`.
 readme: verify
