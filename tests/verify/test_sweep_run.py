@@ -85,6 +85,21 @@ def test_a_point_that_fails_keeps_its_reason_until_it_is_asked_for_again(tmp_pat
     ]
 
 
+def test_refused_points_are_neither_solved_nor_known(tmp_path, called):
+    plan = planned("n=0,3,4")
+    timings = [solve(plan, Here(), folder=tmp_path).timing for _ in range(2)]
+    assert [(one.points, one.known) for one in timings] == [(2, 0), (0, 2)]
+
+
+def test_an_engine_that_never_comes_leaves_all_points_to_do(tmp_path, called):
+    class Nowhere(Here):
+        def entered(self):
+            raise GoneError("nothing answers")
+
+    with pytest.raises(GoneError, match="nothing answers; 0 of 2 points are kept"):
+        solve(planned("a=2mm,4mm"), Nowhere(), folder=tmp_path)
+
+
 def test_points_of_the_same_inputs_are_solved_once(tmp_path, called):
     plan = planned("a=2mm,4mm")
     twice = replace(plan, points=plan.points[[0, 1, 0, 1]])

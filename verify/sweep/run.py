@@ -79,11 +79,12 @@ def solve(
     )  # fmt: skip
     points = _Points(plan, part, store, again=again)
     todo = points.missing()
-    timing = Timing(0, 0.0, 0.0, 0, len(plan.points) - len(todo))
+    # points of the same inputs are one; refused ones have none
+    timing = Timing(0, 0.0, 0.0, 0, len(points.inputs) - len(todo))
     if todo:
         if not where.scheduler:  # its workers say themselves what they lack
             require_gmsh()
-        run = _Run(points, show, known=timing.known)
+        run = _Run(points, show, known=timing.known, total=len(todo))
         start = time.monotonic()
         try:
             with where.entered() as engine:
@@ -181,7 +182,6 @@ class _Run:
 
     def work(self, engine: Engine, todo: Sequence[Task]) -> None:
         """Solve all; GoneError where the engine's processes cannot, as with other code."""
-        self.total = len(todo)
         self.waiting.extend(todo)
         drive = Drive(engine, solve_batch, split=lambda batch: [(task,) for task in batch])
         for event in drive.answers(self._batches(engine)):
