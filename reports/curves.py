@@ -35,7 +35,7 @@ def curves(c: Curves) -> Markup:
         names = dict(c.x_names)
         axes.base(list(names), names.__getitem__)
     else:
-        axes.base(svg.ticks(*axes.x, 6), svg.plain)
+        axes.base(svg.log_ticks(*axes.x) if c.x_log else svg.ticks(*axes.x, 6), svg.plain)
     axes.titles(c.x_label, c.y_label)
     for band, (u, low, high) in bands:
         axes.ribbon(u, np.clip(low, *axes.y), np.clip(high, *axes.y), f"area s{band.colour}")
@@ -55,6 +55,8 @@ def _kept(c: Curves, *lines: Array) -> list[Array]:
     finite = np.all([np.isfinite(a) for a in arrays], axis=0)
     if c.y_log:
         finite &= np.all([a > 0 for a in arrays[1:]], axis=0)
+    if c.x_log:
+        finite &= arrays[0] > 0
     return [a[finite] for a in arrays]
 
 
@@ -69,7 +71,7 @@ def _axes(c: Curves, x: list[Array], y: list[Array]) -> Axes:
         low, over = low / 2, low * 2
     axes = Axes(
         (52, 28, 390, 262), (left, right if right > left else left + 1.0),
-        (float(low), float(over)), y_log=c.y_log,
+        (float(low), float(over)), y_log=c.y_log, x_log=c.x_log,
     )  # fmt: skip
     if c.y_log:
         _decades(axes)

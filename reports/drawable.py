@@ -63,11 +63,15 @@ def drawable(figure: Figure) -> bool:
 
 def _some_points(figure: Curves) -> bool:
     """Whether any curve or band has a point, on a logarithmic axis a positive one."""
-    least = 0.0 if figure.y_log else -np.inf
+    least, first = (0.0 if log else -np.inf for log in (figure.y_log, figure.x_log))
     lines = [(c.x, [c.y]) for c in figure.curves]
     lines += [(b.x, [b.lower, b.upper]) for b in figure.bands]
     return any(
-        np.any(np.all([np.isfinite(x), *(np.isfinite(v) & (v > least) for v in y)], axis=0))
+        np.any(
+            np.all(
+                [np.isfinite(x) & (x > first), *(np.isfinite(v) & (v > least) for v in y)], axis=0
+            )
+        )
         for x, y in lines
     )
 

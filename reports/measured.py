@@ -18,8 +18,9 @@ class Measured:
     """A formula's error (formula - FE)/scale and its expanded uncertainty `U`, measured on a grid.
 
     `x` (n,) and `y` (m,) in the units of their labels, `error` and `U` (n, m), NaN where nothing is
-    solved; without `y` both are (n,). `nominal` is where the inputs of the file are, `box` the
-    first and last x and y of the region that `box_name` names. `log` says of x and y whether they
+    solved; without `y` both are (n,). `nominal` is where the inputs of the file are, None where
+    inputs that are not shown differ from them; `box` are the first and last x and y of the region
+    that `box_name` names. `log` says of x and y whether they
     are spaced in equal ratios.
     """
 
@@ -38,15 +39,15 @@ class Measured:
     note: str = ""
 
 
-def all_within(error: Array) -> str:
-    """What holds all errors, in words, where they are too small for a figure; else nothing."""
-    known = np.abs(error[np.isfinite(error)])
-    if not known.size or known.max() >= TINY:
+def all_within(error: Array, U: Array) -> str:
+    """What holds all errors, bars included, in words, where too small for a figure; else ""."""
+    reach = (np.abs(error) + U)[np.isfinite(error)]
+    if not reach.size or not (largest := float(reach.max())) < TINY:
         return ""
-    if known.max() == 0:
+    if largest == 0:
         return "no difference"
-    exponent = math.floor(math.log10(known.max()))
-    bound = math.ceil(known.max() / 10.0**exponent - 1e-9) * 10.0**exponent
+    exponent = math.floor(math.log10(largest))
+    bound = math.ceil(largest / 10.0**exponent - 1e-9) * 10.0**exponent
     words = np.format_float_positional(100 * bound, precision=1, fractional=False, trim="-")
     return f"all within {words} %"
 

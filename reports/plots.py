@@ -28,10 +28,11 @@ class Axes:
     log: bool = False
     body: list[Markup] = field(default_factory=list)
     y_log: bool = False
+    x_log: bool = False
 
     def X(self, value: float) -> float:
         """Where x is in the image."""
-        return _between(value, self.x, (self.box[0], self.box[2]), self.log)
+        return _between(value, self.x, (self.box[0], self.box[2]), self.log or self.x_log)
 
     def Y(self, value: float) -> float:
         """Where y is in the image."""

@@ -120,6 +120,26 @@ def decade(exponent: int) -> Markup:
     return Markup('10<tspan class="sup" dy="-4">{}{}</tspan>').format(sign, abs(exponent))
 
 
+def log_ticks(low: float, high: float, apart: float = 0.09) -> list[float]:
+    """Numbers in [low, high] for a logarithmic axis, no two closer than `apart` of its length.
+
+    Powers of ten come first, then their 2 and 5 times; a range that holds fewer than three has
+    round numbers.
+    """
+    if not high > low > 0:
+        return [low]
+    decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    nearest = apart * math.log(high / low)
+    taken: list[float] = []
+    for factor in (1, 2, 5):
+        for v in (float(f"{factor}e{k}") for k in decades):
+            if low * (1 - 1e-9) <= v <= high * (1 + 1e-9) and all(
+                abs(math.log(v / other)) >= nearest for other in taken
+            ):
+                taken.append(v)
+    return sorted(taken) if len(taken) > 2 else ticks(low, high)
+
+
 def ticks(low: float, high: float, about: int = 5) -> list[float]:
     """Round numbers in [low, high]."""
     if not high > low:

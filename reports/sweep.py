@@ -78,7 +78,7 @@ def page(sweep: SweepPage) -> str:
     )  # fmt: skip
     env.filters |= {
         "symbol": formats.symbol, "prose": prose, "plot": plot, "columns": html.columns,
-        "small": validity_map,
+        "small": validity_map, "flat": flat,
     }  # fmt: skip
     css = Markup(html.styles())  # noqa: S704 - the project's own files
     drawn = env.get_template("sweep.html.j2").render(page=sweep, css=css, key=scale_key)
@@ -87,7 +87,12 @@ def page(sweep: SweepPage) -> str:
 
 def prose(text: str) -> Markup:
     """Running text in which no number stands apart from its per cent."""
-    return formats.prose(text.replace(" %", "\u202f%"))
+    return formats.prose(flat(text))
+
+
+def flat(text: str) -> str:
+    """Text where there is no room for markup: an attribute."""
+    return text.replace(" %", "\u202f%")
 
 
 def plot(figure: Picture) -> Markup:

@@ -45,12 +45,11 @@ def histogram(h: Histogram) -> Markup:
     """Bars of equal width, and lines at the quantiles."""
     values = h.values[np.isfinite(h.values)]
     low, high = float(values.min()), float(values.max())
-    margin = 0.04 * (high - low) or 0.01 * abs(high) or 1.0
+    span = reach(values)
     bins = int(np.clip(np.sqrt(len(values)), 5, MOST_BINS))
-    within = (low, high) if high > low else (low - margin, high + margin)
+    within = (low, high) if high > low else span
     counts, ends = np.histogram(values, bins=bins, range=within)
     most = int(counts.max())
-    span = min(low, float(ends[0])) - margin, max(high, float(ends[-1])) + margin
     axes = Axes((46, 42, 390, 190), span, (0.0, 1.05 * most))
     axes.grid([v for v in svg.ticks(0, most, 4) if v == round(v)], svg.plain)
     for count, a, b in zip(counts, ends[:-1], ends[1:], strict=True):
@@ -65,8 +64,16 @@ def histogram(h: Histogram) -> Markup:
                 axes.body.append(svg.line(x, axes.box[1], x, axes.box[3], "limit"))
     _quantiles(axes, h)
     axes.base(svg.ticks(*axes.x, 5), svg.plain)
-    axes.titles(h.label, "points")
+    axes.titles(h.label, "")
+    axes.body.append(svg.text(6, 12, "points", "label"))  # above the names of the quantiles
     return svg.drawing(WIDTH, 226.0, axes.body, h.title, "chart bars validity")
+
+
+def reach(values: Array) -> tuple[float, float]:
+    """What the axis of a histogram of `values` spans: all of them, and a margin."""
+    low, high = float(values.min()), float(values.max())
+    margin = 0.04 * (high - low) or 0.01 * abs(high) or 1.0
+    return low - margin, high + margin
 
 
 def _quantiles(axes: Axes, h: Histogram) -> None:

@@ -48,12 +48,11 @@ def validity_line(m: Measured, width: float, height: float) -> Markup:
         axes.dots(at[known], m.error[known] if even else _bent(m.error[known]), "dot", 2.2)
     for x in at[~known]:
         axes.body.append(svg.cross(axes.X(x), axes.box[3] - 6, 3.0, "none"))
-    if m.nominal is not None and known.any():
-        _marked(axes, m, at, known, even=even)
-    if within := all_within(m.error):
+    if within := all_within(m.error, m.U):
         middle = (axes.box[0] + axes.box[2]) / 2
         axes.body.append(svg.text(middle, axes.Y(0.0) - 12, within, "label", "middle"))
     _base(axes, m)
+    _marked(axes, m)
     _strips(axes, m, at, known)
     axes.titles("", "error [%]")
     axes.body.append(svg.text(axes.box[2], height - 3, m.x_label, "label", "end"))
@@ -104,15 +103,12 @@ def _pieces(known: NDArray[np.bool_]) -> Iterator[NDArray[np.int64]]:
             yield some
 
 
-def _marked(axes: Axes, m: Measured, at: Array, known: NDArray[np.bool_], *, even: bool) -> None:
-    """A ring on the curve where the inputs of the file are."""
-    assert m.nominal is not None
+def _marked(axes: Axes, m: Measured) -> None:
+    """A ring on the axis at the value in the file: nothing need be solved just there."""
+    if m.nominal is None or not m.x.min() <= m.nominal[0] <= m.x.max():
+        return
     x = math.log10(m.nominal[0]) if m.log[0] else m.nominal[0]
-    order = np.argsort(at[known])
-    known_at, error = at[known][order], m.error[known][order]
-    if known_at[0] <= x <= known_at[-1]:
-        e = float(np.interp(x, known_at, error))
-        axes.body.append(svg.circle(axes.X(x), axes.Y(e if even else float(_bent(e))), 4.2, "at"))
+    axes.body.append(svg.circle(axes.X(x), axes.box[3], 4.2, "at"))
 
 
 def _base(axes: Axes, m: Measured) -> None:
@@ -122,8 +118,7 @@ def _base(axes: Axes, m: Measured) -> None:
     axes.body.append(svg.line(left, bottom, right, bottom, "axis"))
     values = svg.ticks(float(m.x.min()), float(m.x.max()), max(3, round((right - left) / 55)))
     if m.log[0]:
-        values = [v for k in range(-12, 13) for v in (10.0**k, 2 * 10.0**k, 5 * 10.0**k)
-                  if m.x.min() <= v * (1 + 1e-9) and v <= m.x.max() * (1 + 1e-9)]  # fmt: skip
+        values = svg.log_ticks(float(m.x.min()), float(m.x.max()))
     last = -math.inf
     for v in values:
         x = axes.X(math.log10(v) if m.log[0] else v)

@@ -81,7 +81,7 @@ def _drawn(m: Measured, y: Array, cells: Cells) -> list[Markup]:
 def _numbers(m: Measured, cells: Cells, number: NDArray[np.int64]) -> list[Markup]:
     """The error in each cell, in per cent, where every one has room."""
     words = [[percent(v) if np.isfinite(v) else "" for v in row] for row in m.error]
-    if within := all_within(m.error):
+    if within := all_within(m.error, m.U):
         x, y = (m.error.shape[0] / 2, m.error.shape[1] / 2)
         return [svg.text(cells.X(x), cells.Y(y) + 4, within, "label", "middle")]
     longest = max(len(w) for row in words for w in row)
@@ -109,7 +109,9 @@ def _nominal(m: Measured, y: Array) -> tuple[float, float] | None:
     """Where the inputs of the file lie, as indices; None outside of the map."""
     if m.nominal is None:
         return None
-    i, j = (_place(at, v) for at, v in zip((m.x, y), m.nominal, strict=True))
+    spaced = [np.log10 if log else np.asarray for log in m.log]
+    i, j = (_place(f(at), float(f(v)))
+            for f, at, v in zip(spaced, (m.x, y), m.nominal, strict=True))  # fmt: skip
     return None if i is None or j is None else (i, j)
 
 

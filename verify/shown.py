@@ -135,8 +135,8 @@ class Curves:
     """Several curves on the same axes, named below, from `y_bottom` on (zero, or the lowest).
 
     `y_top` cuts what runs off to infinity. `x_names` puts names where x has the values given.
-    `bands` lie behind the curves. `y_log` spaces y by its logarithm, from the lowest on; what is
-    not positive is left out.
+    `bands` lie behind the curves. `y_log` spaces y by its logarithm, from the lowest on, `x_log`
+    x; what is not positive is left out.
     """
 
     title: str
@@ -149,6 +149,7 @@ class Curves:
     x_names: tuple[tuple[float, str], ...] = ()
     bands: tuple[Band, ...] = ()
     y_log: bool = False
+    x_log: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

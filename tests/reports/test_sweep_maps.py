@@ -5,10 +5,13 @@ import re
 import numpy as np
 import pytest
 
+from reports import svg
+from reports.curves import curves
 from reports.error_cells import Cells, isoline
 from reports.error_scale import UNSOLVED, classes, css, edges, scale
 from reports.measured import LIMITS, Measured, all_within, undecided
 from reports.validity_map import measured, scale_key, validity_map
+from verify.shown import Curve, Curves
 
 X, Y = np.array([3.0, 6.0, 12.0]), np.array([1.0, 2.0])
 ERROR = np.array([[0.03, -0.3], [0.0, 0.0], [0.0, np.nan]])
@@ -120,10 +123,49 @@ def test_the_region_takes_its_cells_whole():
 def test_errors_too_small_for_a_picture_are_told_in_words(largest, words):
     error = np.zeros((3, 2))
     error[1, 1] = largest
-    assert all_within(error) == words
+    assert all_within(error, NONE) == words
     assert words in measured(grid(error=error))
     assert words in validity_map(line(error[:, 1]))
     assert not re.search(r'"(over|under)\d"', str(validity_map(grid(error=error))))
+
+
+def test_bars_count_among_errors_too_small_for_a_picture():
+    error, U = np.array([2e-6, np.nan]), np.array([5e-6, np.nan])
+    assert all_within(error, U) == "all within 0.0007 %"
+    assert not all_within(error, np.array([0.03, np.nan]))
+    assert not all_within(error, np.array([np.nan, np.nan]))
+
+
+def test_the_value_in_the_file_is_marked_on_the_axis_of_a_curve():
+    error = [0.0, 0.01, np.nan]
+    inner, outer = (measured(line(error, nominal=(v,))) for v in (1.5, 2.5))
+    x, y = re.search(r'<circle class="at" cx="([\d.]+)" cy="([\d.]+)"', str(inner)).groups()
+    assert float(x) == pytest.approx(46 + 0.75 * (400 - 46 - 10), abs=0.1)
+    assert float(y) == pytest.approx(330 - 38 - 30, abs=0.1)  # not on the curve
+    assert 'class="at"' not in outer
+
+
+def test_a_place_between_equal_ratios_is_told_by_ratio():
+    where = grid(x=np.array([1.0, 10.0, 100.0]), log=(True, False), nominal=(10**0.5, 1.0))
+    at = re.search(r'class="at" cx="([\d.]+)"', str(validity_map(where)))
+    assert float(at[1]) == pytest.approx(Cells((52.0, 0.0, 312.0, 1.0), 3, 2).X(1.0), abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "values"),
+    [(1, 1000, [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000]), (35, 60, [35, 40, 45, 50, 55, 60]),
+     (1e-3, 1e9, [10.0**k for k in (-3, -1, 1, 3, 5, 7, 9)])],
+)  # fmt: skip
+def test_ticks_of_a_logarithmic_axis(low, high, values):
+    assert svg.log_ticks(low, high) == pytest.approx(values)
+
+
+def test_points_of_equal_ratios_are_evenly_apart():
+    x = np.array([1.0, 10.0, 100.0])
+    page = str(curves(Curves(title="", x_label="F", y_label="", x_log=True,
+                             curves=(Curve(name="", x=x, y=x, style="dots"),))))  # fmt: skip
+    places = [float(v) for v in re.findall(r'<circle class="dot s0" cx="([\d.]+)"', page)]
+    assert places == pytest.approx([52, 221, 390], abs=0.1)
 
 
 def test_strips_are_filled_where_the_whole_band_is_within():

@@ -171,6 +171,85 @@ def test_a_sample_tells_how_the_error_scatters_and_through_what():
     assert "nan" not in text(html).lower()
 
 
+@pytest.mark.parametrize(
+    ("vary", "error", "U", "words"),
+    [("z=3:12:2", 0.25, 0.001, "Outside 10 % at both solved points"),
+     ("z=3:12:4", 0.25, 0.001, "Outside 10 % at all 4 solved points"),
+     ("z=3:12:2", 0.25, 0.2, "Not known to be within 10 % at any point")],
+)  # fmt: skip
+def test_outside_everywhere_is_said_where_it_is_known(vary, error, U, words):
+    assert page(swept([vary], lambda c: (error, U)), COMMAND).formulas[0].verdict.startswith(words)
+
+
+def test_maps_mark_the_inputs_of_the_file_where_all_of_them_match():
+    vary = ["z=3:12:4", "delta_1=2:6mm:3", "rho=1:3mm:2"]
+    worst, cuts = page(swept(vary, over_z), COMMAND).formulas[0].panels
+    assert [m.nominal is None for m in cuts.maps] == [True, False, True, True]  # z = 6
+    assert all(m.nominal is None for m in worst.maps)  # of whatever value is worst
+
+
+def test_the_value_in_the_file_has_its_unit_and_is_said_to_be_outside():
+    value = page(swept(["delta_1=5mm:8mm:2"], over_z), COMMAND)
+    assert value.varied[0][2] == "5 to 8 mm, 2 values; in the file 4 mm, outside"
+    assert "Ring" not in value.formulas[0].figures[0].note
+    inner = page(swept(["delta_1=2mm:8mm:2"], over_z), COMMAND)
+    assert inner.varied[0][2].endswith("in the file 4 mm")
+    assert "Ring on the axis: value in the file." in inner.formulas[0].figures[0].note
+
+
+def test_equal_ratios_are_drawn_on_a_logarithmic_axis():
+    for swept_as, log in (("delta_1=2mm:8mm:4:log", True), ("delta_1=2mm:8mm:4", False)):
+        line, values = page(swept([swept_as], over_z), COMMAND).formulas[0].figures
+        assert (line.log[0], values.x_log) == (log, log)
+
+
+def test_what_ends_a_region_has_a_column_where_something_does():
+    header = [
+        t.header[-1]
+        for error in (1e-6, 0.03 * np.arange(10))
+        for t in page(swept(["z=3:12:10"], lambda _, e=error: (e, 1e-7)), COMMAND)
+        .formulas[0]
+        .tables
+    ]
+    assert header == ["where all points are inside", "what ends it"]
+
+
+def test_a_small_sample_is_said_to_be_small():
+    def error(columns):
+        return 30 * (columns[0] - 4e-3) + 3 * (columns[1] - 2e-3), 1e-5
+
+    def verdict(count, **lost):
+        found = swept(["delta_1=±0.5mm", "rho=±0.5mm"], error, sample=f"sobol:{count}", **lost)
+        return page(found, COMMAND).formulas[0].verdict
+
+    few, many = verdict(16), verdict(4096)
+    assert "The sample is small" in few
+    assert "(sobol:64)" in few
+    assert "small" not in many
+    assert "Of the points 100 %" in many
+    assert "Of the solved points 100 %" in verdict(16, refused=(3,))
+
+
+def test_limits_are_told_of_in_a_histogram_that_shows_one():
+    def note(size):
+        found = swept(["delta_1=±0.5mm"], lambda c: (size * (c[0] - 4e-3), 1e-5), sample="sobol:64")
+        return page(found, COMMAND).formulas[0].figures[1]
+
+    assert "Dashed" not in note(10).note  # ± 0.5 %
+    assert note(10).limits == ()
+    assert "Dashed" in note(70).note  # ± 3.5 %
+    assert note(70).limits == (2.0,)
+
+
+def test_small_screens_and_print_lose_nothing(of_two):
+    html = drawn(of_two[1])
+    assert '<td data-label="largest error">' in html
+    assert "or take the PDF" not in html.split("@media print")[-1].split("</style>")[0]
+    assert "pre { white-space: pre-wrap" in html
+    for jargon in ("row's scale", "handing over", "Held", "in closed form"):
+        assert jargon not in text(html)
+
+
 def test_the_worst_row_comes_first_and_alone_is_open():
     found = swept(VARY, over_z, names=(EXACT, PAPER))
     value = page(found, COMMAND)
@@ -186,9 +265,10 @@ def test_the_worst_row_comes_first_and_alone_is_open():
 def test_an_exact_formula_looks_exact():
     found = swept(VARY, lambda c: (1e-6 * np.sin(c[0]), 1e-7), names=(EXACT,))
     value = page(found, COMMAND)
-    assert "all within 0.0001 %" in value.formulas[0].verdict
+    bound = "all within 0.0002 %"  # 1e-6 and its bar of 1e-7
+    assert bound in value.formulas[0].verdict
     html = drawn(value)
-    assert "all within 0.0001 %" in html
+    assert bound in html
     cells = html.split('<div class="figures">')[1].split("</figure>")[0].split("aria-label")[1]
     assert not re.search(r'path class="(over|under)', cells)
 

@@ -1,5 +1,6 @@
 """Pictures of a sweep: the error over what was varied, formula and finite elements beside it."""
 
+import math
 from collections.abc import Sequence
 from itertools import combinations, product
 
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from reports.measured import LIMITS, Measured
 from reports.sweep import Panels, Picture
-from reports.sweep_plots import Causes, Histogram
+from reports.sweep_plots import Causes, Histogram, reach
 from verify import units
 from verify.shown import Array, Band, Curve, Curves
 from verify.sweep.axes import Axis, Tolerance
@@ -20,6 +21,7 @@ from verify.sweep.tables import quantities, with_unit
 
 MIDDLE = LIMITS[1]  # whose region maps outline
 MOST_PANELS, MOST_PAIRS, MOST_CURVES, MOST_DOTS = 12, 6, 4, 500
+ERROR = "Formula less finite elements, in %."
 MATTERS = 0.1  # share of the points whose bar reaches across a limit, from which on it is drawn
 QUANTILES = ("2.5 %", "50 %", "97.5 %")
 
@@ -37,8 +39,8 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     error, U = (v.reshape(plan.shape) for v in (course.error, course.U_error))
     found: list[Picture] = [
         _map((x, y), error, U, title="Error of the formula",
-            note="(formula − FE)/scale in %; lines where it passes a limit, straight between "
-            "points.",
+            note=f"{ERROR} Each cell stands for the point in its middle; lines where the error "
+            "passes a limit, straight between points.", own=True,
             box=tuple((r.axis.shown(r.low), r.axis.shown(r.high)) for r in box),
         ),
         _values_2d(plan, course),
@@ -47,7 +49,8 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     if across > MATTERS * len(plan.points):
         found.append(
             _map((x, y), U, np.zeros_like(U), title="Error bar",
-                 note="Half-width of the error bar in %: what finite elements don't know better.")
+                 note="Half-width of the error bar in %: what finite elements don't know better.",
+                 own=True)
         )  # fmt: skip
     return found
 
@@ -65,7 +68,7 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
         _map(last, error[places[k]], U[places[k]], title=", ".join(
             f"{a.symbol} = {_valued(a, a.values[i])}"
             for a, i in zip(others, places[k], strict=True)
-        ))
+        ), own=all(_at_nominal(a, a.values[i]) for a, i in zip(others, places[k], strict=True)))
         for k in some
     )  # fmt: skip
     left_out = "" if len(some) == len(places) else (
@@ -75,9 +78,11 @@ def panels(plan: Plan, course: Course) -> Sequence[Panels]:
     worst = tuple(_worst(plan.axes, error, U, pair) for pair in pairs)
     return (
         Panels(title="The largest error over all other axes", maps=worst,
-               note="Where a cell is within a limit, all points behind it that are solved are."),
+               note="Each cell stands for all points with these two values: where it is within a "
+               "limit, all of them that are solved are."),
         Panels(title=f"Cuts: error over {last[0].symbol} and {last[1].symbol}", maps=cuts,
-               note=f"Each at values of the other axes.{left_out}"),
+               note=f"Each at values of the other axes; a cell stands for the point in its middle."
+               f"{left_out}"),
     )  # fmt: skip
 
 
@@ -111,12 +116,14 @@ def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
 
 def _map(
     axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
-    box: tuple[tuple[float, float], ...] = (),
+    box: tuple[tuple[float, float], ...] = (), own: bool = False,
 ) -> Measured:  # fmt: skip
+    """A map over two axes; `own` says that all other inputs are as in the file."""
     x, y = axes
     return Measured(
         title=title, x=_shown(x), x_label=_label(x), y=_shown(y), y_label=_label(y), error=error,
-        U=U, nominal=_nominal(axes), box=(box[0], box[1]) if len(box) == 2 else None,
+        U=U, nominal=_nominal(axes) if own else None,
+        box=(box[0], box[1]) if len(box) == 2 else None,
         box_name=f"largest region within {100 * MIDDLE:g} %", note=note,
         log=(x.spacing == "log", y.spacing == "log"),
     )  # fmt: skip
@@ -129,14 +136,15 @@ def _of_line(plan: Plan, course: Course, k: int) -> Measured:
         title=f"Error over {a.symbol}", x=line.x / units.factor(a.unit), x_label=_label(a),
         error=course.error[line.points], U=course.U_error[line.points], nominal=_nominal([a]),
         log=(a.spacing == "log", False),
-        note="(formula − FE)/scale with its band; below, where the whole band is within a limit."
-        + " All other inputs as in the file." * plan.star,
+        note=f"{ERROR} Shaded: the error bar. Below, where the whole bar is within a limit, to "
+        "halfway between points." + " All other inputs as in the file." * plan.star
+        + " Ring on the axis: value in the file." * _reached(a),
     )  # fmt: skip
 
 
 def _values_1d(plan: Plan, course: Course) -> Curves:
     (a,) = plan.axes
-    return _curves(course, _shown(a), _label(a), [(slice(None), "")])
+    return _curves(course, a, [(slice(None), "")])
 
 
 def _values_2d(plan: Plan, course: Course) -> Curves:
@@ -146,13 +154,14 @@ def _values_2d(plan: Plan, course: Course) -> Curves:
         (table[:, j], f"{y.symbol} = {_valued(y, y.values[j])}")
         for j in _evenly(len(y.values), MOST_CURVES)
     ]
-    return _curves(course, _shown(x), _label(x), rows)
+    return _curves(course, x, rows)
 
 
 def _curves(
-    course: Course, x: Array, label: str, rows: Sequence[tuple[slice | NDArray[np.int_], str]]
+    course: Course, a: Axis, rows: Sequence[tuple[slice | NDArray[np.int_], str]]
 ) -> Curves:
     """Formula and finite elements over one axis, for each of some values of another."""
+    x = _shown(a)
     factor, by = units.factor(course.pair.unit), course.pair.by or "finite elements"
     drawn, bands = [], []
     for k, (points, name) in enumerate(rows):
@@ -167,7 +176,7 @@ def _curves(
     low, high = (float(every.min()), float(every.max())) if every.size else (0.0, 1.0)
     near = low > 0.4 * high > 0
     return Curves(
-        title="Formula and finite elements", x_label=label,
+        title="Formula and finite elements", x_label=_label(a), x_log=a.spacing == "log",
         y_label=with_unit(course.pair.symbol, course.pair.unit), curves=tuple(drawn),
         bands=tuple(bands), y_bottom=low - 0.1 * (high - low) if near and high > low else None,
         note="Lines: formula; dots: finite elements on the finest mesh, with their error bar.",
@@ -190,11 +199,14 @@ def _histogram(
     label: str, values: Array, scatter: Scatter, factor: float, title: str, *, limits: bool = False
 ) -> Histogram:
     ends = (scatter.low / factor, scatter.median / factor, scatter.high / factor)
+    known = values[np.isfinite(values)]
+    left, right = reach(known)
+    seen = tuple(100 * v for v in LIMITS if limits
+                 and (left < 100 * v < right or left < -100 * v < right))  # fmt: skip
     return Histogram(
-        title=title, label=label, values=values[np.isfinite(values)],
+        title=title, label=label, values=known,
         quantiles=tuple(zip(ends, QUANTILES, strict=True)),
-        limits=tuple(100 * v for v in LIMITS) if limits else (),
-        note="Dotted: quantiles." + " Dashed: the limits." * limits,
+        limits=seen, note="Dotted: quantiles." + " Dashed: the limits." * bool(seen),
     )  # fmt: skip
 
 
@@ -215,6 +227,16 @@ def _dots(plan: Plan, course: Course, one: Tolerance, independent: NDArray[np.bo
 def _nominal(axes: Sequence[Axis]) -> tuple[float, ...] | None:
     found = [None if a.nominal is None else a.shown(a.nominal) for a in axes]
     return None if None in found else tuple(v for v in found if v is not None)
+
+
+def _at_nominal(a: Axis, value: float) -> bool:
+    """Whether a value is the file's own."""
+    return a.nominal is not None and math.isclose(a.shown(a.nominal), a.shown(value))
+
+
+def _reached(a: Axis) -> bool:
+    """Whether the file's own value lies between the ends of the axis."""
+    return a.nominal is not None and a.values[0] <= a.nominal <= a.values[-1]
 
 
 def _shown(a: Axis) -> Array:

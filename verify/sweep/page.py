@@ -27,8 +27,8 @@ MOST_REASONS = 6
 MOST_DRAWN, ROOM = 20, 40_000  # rows with pictures, and points in all of them: a page has its size
 _NUMBER = re.compile(r"\d[\d.,]*(?:e[-+]?\d+)?")
 KINDS = {
-    Kind.IDENTITY: "the same problem in closed form",
-    Kind.APPROXIMATION: "an approximation of what is solved",
+    Kind.IDENTITY: "an exact solution of the same model",
+    Kind.APPROXIMATION: "an approximation: its error is measured",
 }
 
 
@@ -107,9 +107,9 @@ def _lead(plan: Plan) -> str:
         else "All combinations"
     )
     return (
-        f"{kind}. An error is formula less finite elements over the row's scale; a point is "
-        "within a limit where the whole error bar is (95 %), undecided where the bar reaches "
-        "across."
+        f"{kind}. An error is formula less finite elements, in per cent of the finite elements' "
+        "value or of another that is named below a formula. A point is within a limit where the "
+        "whole error bar is (95 %), undecided where the bar reaches across."
     )
 
 
@@ -128,13 +128,13 @@ def _formula(
         tables = [regions_table(plan, about)]
         shown = figures.of_grid(plan, course, about) if some else ()
         more = figures.panels(plan, course) if some else ()
-    scale = "Errors are related to a magnitude of the case's own, " + pair.scale if (
-        pair.scale
-    ) else f"Errors are related to the value of {pair.by or 'finite elements'} itself"  # fmt: skip
+    of = f"the case's reference value “{pair.scale}”" if pair.scale else (
+        f"the value of {pair.by or 'finite elements'} itself"
+    )  # fmt: skip
     return Formula(
         anchor=f"row-{number}", name=pair.name,
         symbol=pair.symbol, kind=KINDS[pair.kind], verdict=verdict, tables=tables, figures=shown,
-        panels=more, note=f"{scale}.", opened=number == 1,
+        panels=more, note=f"Errors are in per cent of {of}.", opened=number == 1,
     )  # fmt: skip
 
 
@@ -142,7 +142,9 @@ def _spread(v: Axis | Tolerance) -> str:
     if isinstance(v, Tolerance):
         return f"{v.shown(v.nominal):.6g} ± {v.shown(v.off):.4g}{unit_after(v.unit)}"
     ends = f"{v.shown(v.values[0]):.4g} to {v.shown(v.values[-1]):.4g}{unit_after(v.unit)}"
-    own = "" if v.nominal is None else f"; in the file {v.shown(v.nominal):.4g}"
+    own = "" if v.nominal is None else f"; in the file {v.shown(v.nominal):.4g}{unit_after(v.unit)}"
+    if v.nominal is not None and not v.values[0] <= v.nominal <= v.values[-1]:
+        own += ", outside"
     ratios = " in equal ratios" * (v.spacing == "log")
     return f"{ends}, {len(v.values)} values{ratios}{own}"
 
@@ -170,7 +172,7 @@ def _facts(found: Outcome) -> Iterator[tuple[str, str]]:
                 f"{timing.busy / timing.points:.3g} s a point"
             ),
         )
-        yield "of which for handing over", f"{100 * max(timing.overhead, 0):.2g} %"
+        yield "share of the time not spent solving", f"{100 * max(timing.overhead, 0):.2g} %"
     formulas, fe = code_of(solved.plan.case, part)
     yield "code of the formulas", formulas[:12]
     yield "code of the finite elements", fe[:12]

@@ -31,7 +31,7 @@ def overview(plan: Plan, said: Sequence[tuple[Course, About, str]], room: int) -
             "" if n is None else place(plan, n),
             *(share(one.inside, one.inside + one.outside + one.undecided) for one in counts),
         ))  # fmt: skip
-    note = "The row that is furthest off first; shares are of the solved points."
+    note = "The formula that is furthest off first; shares are of the solved points."
     if len(said) > room:
         note += (
             f" Pictures are drawn for the first {room} of {len(said)}; all numbers are in "
@@ -39,21 +39,21 @@ def overview(plan: Plan, said: Sequence[tuple[Course, About, str]], room: int) -
         )
     heads = tuple(f"within {100 * limit:g} %" for limit in LIMITS)
     return Table(
-        title="Rows", header=("formula", "largest error", "at", *heads), rows=tuple(rows),
+        title="Formulas", header=("formula", "largest error", "at", *heads), rows=tuple(rows),
         note=note if len(said) > 1 else "Shares are of the solved points.",
     )  # fmt: skip
 
 
 def regions_table(plan: Plan, found: Sequence[Region]) -> Table:
-    rows = tuple(
-        (limit_named(r), r.inside, r.undecided, r.outside, r.unsolved, box_in_words(plan, r),
-         break_in_words(plan, r))
-        for r in found
-    )  # fmt: skip
+    header = ("limit", "inside", "undecided", "outside", "no answer", "where all points are inside")
+    rows = [(limit_named(r), r.inside, r.undecided, r.outside, r.unsolved, box_in_words(plan, r))
+            for r in found]  # fmt: skip
+    ends = [break_in_words(plan, r) for r in found]
+    if not any(ends):
+        return Table(title="Where it may be used", header=header, rows=tuple(rows))
     return Table(
-        title="Where it may be used", rows=rows,
-        header=("limit", "inside", "undecided", "outside", "no answer",
-                "where all points are inside", "what breaks it"),
+        title="Where it may be used", header=(*header, "what ends it"),
+        rows=tuple((*row, end) for row, end in zip(rows, ends, strict=True)),
     )  # fmt: skip
 
 
@@ -63,7 +63,11 @@ def moments(about: Indices) -> Table:
         values = (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
         told = (f"{v / units.factor(unit):.5g}" if np.isfinite(v) else "–" for v in values)
         rows.append((with_unit(what, unit), *told))
-    lost = f" {about.dropped} rows of the sample lack a point." if about.dropped else ""
+    some = any(one.unsolved for one in about.within)
+    lost = "Of the solved points." * some
+    if about.dropped:
+        lost += (f" {about.dropped} of {about.dropped + about.rows} base points have no answer, or "
+                 "lack it with an input changed: sensitivity leaves them out.")  # fmt: skip
     return Table(
         title="How it scatters", rows=tuple(rows), note=lost.strip(),
         header=("", "mean", "standard deviation", "2.5 %", "50 %", "97.5 %"),
@@ -114,7 +118,7 @@ def points(found: Outcome, order: Sequence[Course]) -> Table:
     many = (
         f"The first {len(rows)} of {len(plan.points):,}. " if len(plan.points) > len(rows) else ""
     )
-    some = f"Errors of the {len(shown)} rows furthest off. " if len(order) > len(shown) else ""
+    some = f"Errors of the {len(shown)} formulas furthest off. " if len(order) > len(shown) else ""
     return Table(
         title="Points", header=(*heads, "state"), rows=tuple(rows),
         note=f"{many}{some}All points with all values are in points.csv.",

@@ -14,6 +14,8 @@ from verify.sweep.region import Region
 from verify.sweep.tables import largest
 from verify.sweep.words import box_in_words, break_in_words, error_with_bar
 
+WIDE = 0.2  # of an index's interval, beyond which a sample is small
+
 
 def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
     """Where the formula may be used, and how wrong it is at most."""
@@ -35,11 +37,20 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
         if why := break_in_words(plan, part):
             sentences.append(why)
     elif not whole:
-        sentences.append(f"Not known to be within {limit_named(found[-1])} at any point")
+        sentences.append(_nowhere(found[-1]))
     told = "; ".join(sentences)
-    small = all_within(course.error)
+    small = all_within(course.error, course.U_error)
     most = f"; {small}" if small else f". The largest error is {_at(plan, course, n)}"
     return f"{told[0].upper()}{told[1:]}{most}{_side(course)}."
+
+
+def _nowhere(r: Region) -> str:
+    """That no point is inside: all of them outside, or some not known to be."""
+    solved = r.points - r.unsolved
+    if r.outside < solved:
+        return f"Not known to be within {limit_named(r)} at any point"
+    every = {1: "the only solved point", 2: "both solved points"}
+    return f"Outside {limit_named(r)} at {every.get(solved, f'all {solved:,} solved points')}"
 
 
 def _side(course: Course) -> str:
@@ -59,18 +70,34 @@ def sample_in_words(about: Indices) -> str:
     error = about.error
     if not error.n:
         return "Nothing could be compared."
+    solved = "solved " * any(one.unsolved for one in about.within)
     told = (
         f"The error is {_moments_of(error)} (mean and standard deviation), from "
-        f"{100 * error.low:+.3g} to {100 * error.high:+.3g} % in 95 % of the sample. "
+        f"{100 * error.low:+.3g} to {100 * error.high:+.3g} % in 95 % of the {solved}points. "
     )
     shares = [f"{share(one.inside, error.n)} within {100 * one.limit:g} %" for one in about.within]
-    told += f"Of the points {', '.join(shares)}."
+    told += f"Of the {solved}points {', '.join(shares)}."
     if error.why:
-        return f"{told} No sensitivity indices of the error: {error.why}."
-    first = error.ranked[0]
+        told += f" No sensitivity indices of the error: {error.why}."
+    else:
+        first = error.ranked[0]
+        told += (
+            f" The error depends most on {first.tolerance.symbol} (total index "
+            f"{first.total.value:.2f}{_noisy(error.noise)})."
+        )
+    return f"{told} {small_sample(about)}".rstrip()
+
+
+def small_sample(about: Indices) -> str:
+    """That intervals of the indices are too wide to rank inputs by; "" where none is."""
+    widths = [e.high - e.low for s in (about.formula, about.fe, about.error) for i in s.indices
+              for e in (i.first, i.total)]  # fmt: skip
+    if not widths or not (widest := max(widths)) > WIDE:
+        return ""
+    rows = about.rows + about.dropped
     return (
-        f"{told} The error depends most on {first.tolerance.symbol} (total index "
-        f"{first.total.value:.2f}{_noisy(error.noise)})."
+        f"The sample is small: intervals of indices are up to {widest:.2g} wide. Four times as "
+        f"many base points (sobol:{4 * rows}) would about halve them."
     )
 
 
