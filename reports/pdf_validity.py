@@ -2,10 +2,9 @@
 
 from collections.abc import Sequence
 
-from reports import formats
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run, runs
-from reports.validity import signed, subjects
+from reports.validity import common, signed, subjects
 from verify.results import Validity, ValidityCard, ValidityRegion
 
 
@@ -17,25 +16,28 @@ def validity_data(known: Sequence[Validity]) -> list[Data]:
 
 
 def _case(one: Validity) -> Data:
+    over = common(one)
     others = f"Not measured over its inputs: {'; '.join(one.others)}." if one.others else ""
     return {
         "id": one.case,
         "title": runs(one.title),
         "date": one.date,
         "said": prose(f"{one.missing[:1].upper()}{one.missing[1:]}." if one.missing else others),
+        "over": prose(f"Measured over {over}.") if over else [],
         "rows": [
-            _line(card, region, first=region is card.regions[0])
+            _line(card, region, first=region is card.regions[0], over="" if over else region.over)
             for card in one.cards for region in card.regions
         ],
         "exact": _exact(one),
     }  # fmt: skip
 
 
-def _line(card: ValidityCard, region: ValidityRegion, *, first: bool) -> list[list[Run]]:
-    named: list[Run] = [*prose(card.quantity), ["br"]] if first else []
-    unsolved = f"; {region.unsolved} of {region.points} without an error" * bool(region.unsolved)
+def _line(card: ValidityCard, region: ValidityRegion, *, first: bool, over: str) -> list[list[Run]]:
+    named = prose(card.quantity) if first else []
+    small: list[Run] = [*([["br"]] if first else []), ["small", *prose(over)]] if over else []
+    unsolved = f"; {region.unsolved} of {region.points} without an answer" * bool(region.unsolved)
     return [
-        [*named, ["small", *prose(region.over)]], [signed(card.error, card.U)] if first else [],
+        [*named, *small], [signed(card.error, card.U)] if first else [],
         *(prose(one.words) for one in region.limits), prose(region.breaks + unsolved),
     ]  # fmt: skip
 
@@ -48,7 +50,6 @@ def _exact(one: Validity) -> list[Run]:
     worst = max(solved, key=lambda e: abs(e.largest or 0.0))
     return [
         f"Exact in its model: {len(solved)} of {len(one.exact)} formulas solved; ",
-        "largest difference ", *runs(formats.power(worst.largest)), " ± ",
-        *runs(formats.power(worst.U)), " (", *prose(worst.quantity), "), over ",
-        *prose(one.over), ".",
+        f"largest difference {signed(worst.largest, worst.U)} (", *prose(worst.quantity),
+        "), over ", *prose(one.over), ".",
     ]  # fmt: skip

@@ -1,5 +1,6 @@
 """The cards that say where each formula may be used: grouped by subject, each with its figure."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -12,6 +13,7 @@ from reports.validity_map import validity_map
 from verify.results import Validity, ValidityAxis, ValidityLimit, ValidityRegion
 
 DRAWN_LIMIT = 1  # whose region is outlined
+LEAST = 1e-6  # per cent, below which a number says nothing more
 
 
 def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:
@@ -25,8 +27,7 @@ def subjects(known: Sequence[Validity]) -> list[tuple[str, list[Validity]]]:
 def figure(region: ValidityRegion, title: str) -> Markup:
     """The error over what was measured; nothing where each limit holds for all points or none."""
     shape = [len(axis.values) for axis in region.axes]
-    mixed = any(max(one.inside, one.outside) < region.points for one in region.limits)
-    if not shape or not mixed or region.unsolved == region.points:
+    if not shape or not _left(region):
         return Markup("")
     x, *rest = region.axes
     y = rest[0] if rest else None
@@ -44,6 +45,27 @@ def figure(region: ValidityRegion, title: str) -> Markup:
     ))  # fmt: skip
 
 
+def _left(region: ValidityRegion) -> bool:
+    """Whether some limit holds at some points and not at others."""
+    mixed = any(max(one.inside, one.outside) < region.points for one in region.limits)
+    return mixed and region.unsolved < region.points
+
+
+def mapped(known: Sequence[Validity]) -> bool:
+    """Whether one of the cards has a map, whose colours need a key."""
+    return any(
+        len(region.axes) > 1 and _left(region)
+        for one in known for card in one.cards for region in card.regions
+    )  # fmt: skip
+
+
+def common(one: Validity) -> str:
+    """What all cards of a case were measured over; empty where they differ or there is but one."""
+    over = {region.over for card in one.cards for region in card.regions}
+    alike = len(one.cards) > 1 and len(over) == 1
+    return over.pop() if alike else ""
+
+
 def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
     """The limits as one reads them, "2, 5", those that hold the same points together."""
     found: list[tuple[str, ValidityLimit]] = []
@@ -56,17 +78,24 @@ def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
 
 
 def signed(error: float | None, U: float | None) -> str:
-    """A relative error in per cent with its bar: "−1.23 ± 0.02 %"; a dash where there is none."""
+    """A relative error in per cent with its bar: "−1.2 ± 0.02 %"; a dash where there is none.
+
+    A bar below a hundredth of the error's first digit is "<" that; both below LEAST are one "<".
+    """
     if error is None:
         return "–"
-    if U is None:
-        return f"{_percent(error)} %"
-    return f"{_percent(error)} ± {_digits(100 * U)} %"
+    size = abs(100 * error)
+    floor = max(LEAST, 10.0 ** (math.floor(math.log10(size)) - 2) if size else 0.0)
+    told = f"<{_digits(LEAST)}" if 0 < size < LEAST else _percent(error)
+    if U is None or (size < LEAST and 100 * U < LEAST):
+        return f"{told} %"
+    bar = _digits(100 * U) if floor <= 100 * U else f"<{_digits(floor)}"
+    return f"{told} ± {bar} %"
 
 
 def _percent(error: float) -> str:
     text = _digits(100 * error)
-    return text if text.startswith(MINUS) else f"+{text}"
+    return text if text.startswith(MINUS) or not error else f"+{text}"
 
 
 def _digits(value: float) -> str:

@@ -220,8 +220,9 @@ class ValidityAxis:
 class ValidityLimit:
     """Where a formula's error stays within `limit`: points by their verdict, and it in words.
 
-    `words` names the largest box of points that are all inside, whole error bars included; `box`
-    has its ranges, an input's name and two values in its unit each.
+    `words` names the largest box of points that are all inside, whole error bars included, or of a
+    star the range of each input alone; `box` has the ranges, an input's name and two values in its
+    unit each.
     """
 
     limit: float

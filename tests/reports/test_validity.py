@@ -9,7 +9,7 @@ from markupsafe import Markup
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
-from reports.validity import figure, limits, signed, subjects
+from reports.validity import common, figure, limits, mapped, signed, subjects
 from verify.results import (
     Report,
     Validity,
@@ -87,11 +87,11 @@ def test_a_card_stands_on_the_page(one):
     assert "1/6, 1 undecided" in text
     assert ">5, 10 %<" in text
     assert "Larger z: within 5" in text
-    assert "1 of 6 points without an error: 1 × refused: &lt;b&gt;too thin" in text
+    assert "1 of 6 points without an answer</summary>1 × refused: &lt;b&gt;too thin" in text
     assert text.count("all that was measured") == 1  # one line for all three limits
     assert "2, 5, 10 %" in text
     assert "Exact in its model: 1 formula " in text
-    assert "−2.9<small>×10<sup>−6</sup></small>" in text
+    assert "−0.00029 ± 0.00001 %" in text
     assert "5 of 6" in text
     assert "Not measured over its inputs: hub at e." in text
     assert 'href="#case-polyhedral-ring"' in text
@@ -117,7 +117,7 @@ def test_a_figure_is_drawn_where_a_limit_is_left():
     assert figure(replace(REGION, unsolved=0, limits=nowhere), "K") == Markup("")
     assert figure(replace(REGION, axes=(), error=(), U=()), "K") == Markup("")
     assert figure(replace(REGION, unsolved=6), "K") == Markup("")
-    line = replace(REGION, axes=(Z,), points=3, error=(0.01, 0.03, 0.3), U=(1e-3,) * 3, unsolved=0)
+    line = replace(REGION, axes=(Z,), error=(0.01, 0.03, 0.3), U=(1e-3,) * 3, unsolved=0)
     assert "<svg" in figure(line, "K")
 
 
@@ -144,10 +144,37 @@ def test_limits_that_hold_the_same_points_stand_in_one_line():
     [
         (None, None, "–"), (0.05, None, "+5 %"), (-0.0123, 0.0004, "−1.2 ± 0.04 %"),
         (0.254, 0.01, "+25 ± 1 %"), (2e-6, 1e-7, "+0.0002 ± 0.00001 %"),
+        (-1.255e-4, 1.6e-4, "−0.013 ± 0.016 %"), (-0.003, 2e-14, "−0.3 ± <0.001 %"),
+        (4e-14, 2e-12, "<0.000001 %"), (1e-10, 4e-8, "<0.000001 ± 0.000004 %"), (0.0, 0.0, "0 %"),
+        (5e-10, None, "<0.000001 %"),
     ],
 )  # fmt: skip
 def test_errors_in_per_cent(error, U, words):
     assert signed(error, U) == words
+
+
+def test_the_colours_have_a_key_where_there_is_a_map(one):
+    line = replace(REGION, axes=(Z,), error=(0.01, 0.03, 0.3), U=(1e-3,) * 3)
+    curve = replace(KNOWN, cards=(replace(CARD, regions=(line,)),))
+    even = replace(KNOWN, cards=(replace(CARD, regions=(EVERYWHERE,)),))
+    assert mapped([curve, KNOWN])
+    assert 'class="scale"' in section(one)
+    for none in (curve, even, MISSING):
+        assert not mapped([none])
+        assert 'class="scale"' not in section(replace(one, validity=(none,)))
+
+
+def test_what_all_cards_were_measured_over_is_said_once(one):
+    first = replace(CARD, regions=(REGION,))
+    both = replace(KNOWN, cards=(first, replace(first, quantity="K of others")))
+    assert common(both) == REGION.over
+    assert common(KNOWN) == ""
+    text = section(replace(one, validity=(both,)))
+    assert text.count("3 to 12 (3 values), <") == text.count("Measured over") == 1
+    (subject,) = document(replace(one, validity=(both,)), {})["validity"]
+    (case,) = subject["cases"]
+    assert said(case["over"]) == f"Measured over {OVER}."
+    assert [said(row[0]) for row in case["rows"]] == ["K of the paper", "K of others"]
 
 
 def test_cases_stand_under_their_subjects():
@@ -163,10 +190,10 @@ def test_the_pdf_has_a_line_for_each_region(one):
     first, second = ([said(cell) for cell in row] for row in case["rows"])
     assert first == [
         f"K of the paper{OVER}", "−1.2 ± 0.04 %", "z = 3, δ1 = 2 mm", "z = 3, all δ1",
-        "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 without an error",
+        "z = 3, all δ1", "larger z: within 5 % to 3, beyond it at 6; 1 of 6 without an answer",
     ]  # fmt: skip
     assert second[:2] == [OVER, ""]
-    assert "largest difference −2.9×10−6" in said(case["exact"])
+    assert "largest difference −0.00029 ± 0.00001 %" in said(case["exact"])
 
 
 def test_the_record_holds_words_and_boxes_without_what_is_drawn(one):

@@ -19,7 +19,7 @@ from verify.sweep import point
 from verify.sweep.outcome import outcome
 from verify.sweep.pairs import pairs
 from verify.sweep.run import solve
-from verify.validity import kept, measuring
+from verify.validity import kept, measuring, words
 from verify.validity.cards import of_case, validity
 from verify.validity.equations import numbers, place, tex
 from verify.validity.left_out import LEFT_OUT, MAPS
@@ -82,11 +82,13 @@ def test_a_card_says_where_the_error_stays_within_each_limit(known):
 
 def test_a_card_says_what_breaks_the_formula_first(known):
     grid, star, held = known.cards[0].regions
-    assert grid.breaks.startswith("outside at the case's own inputs already; from the middle of ")
-    assert "larger a: within 5 % to 2 mm, beyond it at 3 mm, the limit near 2.8" in grid.breaks
+    assert grid.breaks == (
+        "beyond 5 % at the case's own inputs already; from the middle of the box, "
+        "larger a takes it beyond 5 % between 2 and 3 mm (about 2.8)"
+    )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one at a time"
-    assert star.breaks == "outside at the case's own inputs already"
-    assert limits(star)[1] == (0.05, 2, 3, 0, "a 1 to 2 mm")
+    assert star.breaks == "beyond 5 % at the case's own inputs already"
+    assert limits(star)[1] == (0.05, 2, 3, 0, "a alone 1 to 2 mm")
     assert held.over == "b 1 to 2 mm (2 values), at a = 1 mm"
     assert limits(held) == [
         (limit, 2, 0, 0, "all that was measured") for limit in (0.02, 0.05, 0.1)
@@ -95,20 +97,64 @@ def test_a_card_says_what_breaks_the_formula_first(known):
 
 
 @pytest.mark.parametrize(
-    ("error", "U", "counts", "words"),
+    ("error", "U", "counts", "said"),
     [
-        (0.04, 0.02, (1, 0, 1, 0), "undecided at 1 mm: the error bar reaches across"),
-        (0.08, 0.01, (1, 1, 0, 0), "beyond it at 1 mm, the limit near 1.506 mm"),
-        (np.nan, np.nan, (1, 0, 0, 1), "not solved at 1 mm (does not converge)"),
+        (0.04, 0.02, (1, 0, 1, 0),
+         "smaller b: within 5 % to 2 mm, undecided at 1 mm: the error bar reaches across"),
+        (0.08, 0.01, (1, 1, 0, 0), "smaller b takes it beyond 5 % between 1 and 2 mm (about 1.5)"),
+        (np.nan, np.nan, (1, 0, 0, 1),
+         "nothing that was solved takes it beyond 5 %; smaller b: no answer beyond 2 mm (none at "
+         "1)"),
     ],
-)
-def test_a_point_that_is_not_surely_inside_is_told_for_what_it_is(error, U, counts, words):
+)  # fmt: skip
+def test_a_point_that_is_not_surely_inside_is_told_for_what_it_is(error, U, counts, said):
     plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
     found = region(plan, course(plan, [error, 0.01], [U, 0.001]))
     middle = found.limits[1]
     assert (middle.inside, middle.outside, middle.undecided, found.unsolved) == counts
     assert middle.words == "b = 2 mm"
-    assert found.breaks == f"smaller b: within 5 % to 2 mm, {words}"
+    assert found.breaks == said
+
+
+@pytest.mark.parametrize(
+    ("errors", "said"),
+    [
+        ((0.01, 0.01, 0.03, 0.2, 0.2), "a alone 1 to 4 mm; b alone at 2 mm"),
+        ((0.01, 0.2, 0.01, 0.2, 0.01), "a alone 2 to 4 mm; b alone throughout"),
+    ],
+)
+def test_inputs_varied_one_at_a_time_are_no_box(errors, said):
+    plan = kept.plans(PLATE)[1]  # the case's own a = 4 mm and b = 2 mm, then a = 1, 2, 5 and b = 1
+    rows = [(v[0], v[1]) for v in plan.points.tolist()]
+    of = dict(zip([(4e-3, 2e-3), (1e-3, 2e-3), (2e-3, 2e-3), (5e-3, 2e-3), (4e-3, 1e-3)], errors,
+                  strict=True))  # fmt: skip
+    found = region(plan, course(plan, [of[row] for row in rows], [1e-4] * 5))
+    assert found.limits[1].words == said
+
+
+def test_an_answer_that_is_missing_does_not_hide_a_formula_that_breaks():
+    plan = kept.plans(PLATE)[1]
+    errors = [0.2 if v[0] == 1e-3 else np.nan if v[0] == 5e-3 else 0.01 for v in plan.points]
+    found = region(plan, course(plan, errors, [1e-4] * 5))
+    assert found.breaks == (
+        "within 5 % to 4 mm; larger a: no answer beyond 4 mm (none at 5); elsewhere 1 point is "
+        "not within it"
+    )
+
+
+def test_a_value_between_two_is_told_where_two_digits_still_lie_between():
+    a = kept.plans(PLATE)[0].axes[0]
+    assert words.near(a, 15e-3, 40e-3, 31.97e-3) == " (about 32)"
+    assert words.near(a, 40e-3, 15e-3, 31.97e-3) == " (about 32)"
+    assert words.near(a, 0.1e-3, 0.2e-3, 0.1034e-3) == ""
+    assert words.between(a, 40e-3, 15e-3) == "15 and 40 mm"
+
+
+def test_advice_for_a_single_point_is_no_reason_on_a_card():
+    plan = kept.plans(PLATE)[2]
+    made = course(plan, [np.nan, 0.01], [np.nan, 1e-3])
+    told = replace(made, problems=("refused: too thin, check it without --fem", ""))
+    assert region(plan, told).problems == ("1 × refused: too thin",)
 
 
 def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder):

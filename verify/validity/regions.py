@@ -1,6 +1,7 @@
 """Where the error of one formula stays within the limits, and what takes it out of them first."""
 
 from collections import Counter
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -9,9 +10,9 @@ from verify.sweep.axes import Axis
 from verify.sweep.outcome import Course
 from verify.sweep.plan import Plan
 from verify.sweep.region import (
-    NAMES,
     OUTSIDE,
     UNDECIDED,
+    UNSOLVED,
     Break,
     Range,
     Region,
@@ -22,42 +23,58 @@ from verify.validity import words
 
 MIDDLE = 1  # of LIMITS: the one whose loss is told
 MOST_DRAWN = 2  # axes
+ALREADY = {
+    OUTSIDE: "beyond {} at the case's own inputs already",
+    UNDECIDED: "undecided at the case's own inputs already: the error bar reaches across {}",
+    UNSOLVED: "no answer at the case's own inputs",
+}
+COMMAND = ", check it without --fem"  # advice to one who asks for that point
 
 
 def region(plan: Plan, course: Course) -> ValidityRegion:
     """All that is told of a formula over one plan, with the errors that are drawn."""
     found = regions(plan, course)
-    reasons = Counter(reason for reason in course.problems if reason)
+    reasons = Counter(reason.removesuffix(COMMAND) for reason in course.problems if reason)
     drawn, rows = _drawn(plan, course)
     return ValidityRegion(
         over=words.over(plan), points=len(plan.points), unsolved=found[0].unsolved,
         problems=tuple(f"{count} × {reason}" for reason, count in reasons.most_common()),
-        limits=tuple(_limit(one) for one in found), breaks=breaks(found[MIDDLE]),
+        limits=tuple(_limit(one, star=plan.star) for one in found), breaks=breaks(found[MIDDLE]),
         axes=drawn, error=tuple(course.error[rows].tolist()),
         U=tuple(course.U_error[rows].tolist()),
     )  # fmt: skip
 
 
-def _limit(found: Region) -> ValidityLimit:
+def _limit(found: Region, *, star: bool) -> ValidityLimit:
     return ValidityLimit(
         limit=found.limit, inside=found.inside, outside=found.outside, undecided=found.undecided,
-        words=box_words(found),
+        words=box_words(found, star=star),
         box=tuple((one.axis.name, one.axis.shown(one.low), one.axis.shown(one.high))
                   for one in found.box),
     )  # fmt: skip
 
 
-def box_words(found: Region) -> str:
-    """The largest box: a range for each axis; "all", "none" where that is what it is."""
+def box_words(found: Region, *, star: bool) -> str:
+    """The largest box, a range for each axis, or of a star the range of each input alone.
+
+    "All", "none" where that is what it is.
+    """
     if found.everywhere:
         return "all that was measured"
     if not found.box:
         return "none of what was measured"
-    return ", ".join(_range(one) for one in found.box)
+    return _alone(found.box) if star else ", ".join(_range(one) for one in found.box)
 
 
 def _range(one: Range) -> str:
     return f"all {one.axis.symbol}" if one.whole else words.span(one.axis, one.low, one.high)
+
+
+def _alone(ranges: Sequence[Range]) -> str:
+    """Ranges that hold one at a time, those of a whole axis together at the end."""
+    told = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
+    whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
+    return "; ".join([*told, f"{whole} alone throughout"] if whole else told)
 
 
 def breaks(found: Region) -> str:
@@ -65,32 +82,54 @@ def breaks(found: Region) -> str:
     limit = f"{found.limit:.0%}".replace("%", " %")
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"
-        return f"{_at_nominal(found)}{nowhere}"
-    start = "" if found.nominal else f"{_at_nominal(found)}; from the middle of the region, "
+        return f"{_at_nominal(found, limit)}{nowhere}"
+    start = "" if found.nominal else f"{_at_nominal(found, limit)}; from the middle of the box, "
     step = found.breaks
     if step is None:
         kept = "nothing in what was measured" if found.everywhere else "no input alone"
         more = "" if found.everywhere else ", several together do"
         return f"{start}{kept} takes it beyond {limit}{more}"
-    towards = f"{'larger' if step.up else 'smaller'} {step.axis.symbol}"
-    last = words.quantity(step.axis, step.last)
-    return f"{start}{towards}: within {limit} to {last}, {_next(step)}"
+    if step.verdict == UNSOLVED and found.inside + found.unsolved == found.points:
+        # inputs that a rule refuses, or a run that ends, don't break a formula
+        return f"{start}nothing that was solved takes it beyond {limit}; {_unsolved(step)}"
+    more = ""
+    if step.verdict == UNSOLVED:
+        # the step that comes first must not hide what breaks the formula elsewhere
+        count = found.outside + found.undecided
+        more = f"; elsewhere {count} point{'s are' if count > 1 else ' is'} not within it"
+    return start + _broken(step, limit) + more
 
 
-def _next(step: Break) -> str:
-    first = words.quantity(step.axis, step.first)
+def _broken(step: Break, limit: str) -> str:
+    axis, towards = step.axis, _towards(step)
     if step.verdict == OUTSIDE:
-        near = "" if step.at is None else f", the limit near {words.quantity(step.axis, step.at)}"
-        return f"beyond it at {first}{near}"
+        ends = words.between(axis, step.last, step.first)
+        near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
+        return f"{towards} takes it beyond {limit} between {ends}{near}"
+    last, first = (words.quantity(axis, v) for v in (step.last, step.first))
     if step.verdict == UNDECIDED:
-        return f"undecided at {first}: the error bar reaches across"
-    return f"not solved at {first} ({step.why})" if step.why else f"not solved at {first}"
+        return (
+            f"{towards}: within {limit} to {last}, undecided at {first}: the error bar reaches "
+            "across"
+        )
+    return f"within {limit} to {last}; {_unsolved(step)}"
 
 
-def _at_nominal(found: Region) -> str:
+def _unsolved(step: Break) -> str:
+    return (
+        f"{_towards(step)}: no answer beyond {words.quantity(step.axis, step.last)} "
+        f"(none at {words.number(step.axis.shown(step.first))})"
+    )
+
+
+def _towards(step: Break) -> str:
+    return f"{'larger' if step.up else 'smaller'} {step.axis.symbol}"
+
+
+def _at_nominal(found: Region, limit: str) -> str:
     if found.at_nominal is None:
         return "the case's own inputs are not among what was measured"
-    return f"{NAMES[found.at_nominal]} at the case's own inputs already"
+    return ALREADY[found.at_nominal].format(limit)
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:

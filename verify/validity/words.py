@@ -18,8 +18,27 @@ def span(axis: Axis, low: float, high: float) -> str:
     """From one value [SI] to another: "δ_1 3 to 8 mm", "z = 12" for one alone."""
     if low == high:
         return f"{axis.symbol} = {quantity(axis, low)}"
-    ends = (number(axis.shown(v)) for v in (low, high))
-    return f"{axis.symbol} {' to '.join(ends)}{_unit(axis)}"
+    return f"{axis.symbol} {_ends(axis, low, high)}"
+
+
+def alone(axis: Axis, low: float, high: float) -> str:
+    """The range [SI] of an input with all others held: "T alone 5 to 15 N m"."""
+    if low == high:
+        return f"{axis.symbol} alone at {quantity(axis, low)}"
+    return f"{axis.symbol} alone {_ends(axis, low, high)}"
+
+
+def between(axis: Axis, last: float, first: float) -> str:
+    """Two neighbouring values [SI], the smaller one first: "15 and 40 N m"."""
+    low, high = sorted((last, first))
+    return f"{number(axis.shown(low))} and {quantity(axis, high)}"
+
+
+def near(axis: Axis, last: float, first: float, at: float) -> str:
+    """An interpolated value [SI], two digits of it; nothing where these are no longer between."""
+    low, high = sorted(axis.shown(v) for v in (last, first))
+    about = float(f"{axis.shown(at):.2g}")
+    return f" (about {number(about)})" if low < about < high else ""
 
 
 def over(plan: Plan) -> str:
@@ -37,6 +56,10 @@ def over(plan: Plan) -> str:
         ", ".join(parts) + ", one at a time" * (plan.star and len(parts) > 1)
         + f", at {', '.join(held)}" * bool(held)
     )  # fmt: skip
+
+
+def _ends(axis: Axis, low: float, high: float) -> str:
+    return f"{number(axis.shown(low))} to {quantity(axis, high)}"
 
 
 def _unit(axis: Axis) -> str:
