@@ -132,6 +132,14 @@ def test_inputs_varied_one_at_a_time_are_no_box(errors, said):
     assert found.limits[1].words == said
 
 
+def test_a_break_that_starts_beside_the_largest_box_says_from_where():
+    plan = kept.plans(PLATE)[0]  # the case's own a = 4 mm and n = 3
+    errors = [0.2 if v[0] > 2.5e-3 and (v[0], v[1]) != (4e-3, 3) else 0.01 for v in plan.points]
+    found = region(plan, course(plan, errors, [1e-4] * 12))
+    assert found.limits[1].words == "a 1 to 2 mm, all n"
+    assert found.breaks.startswith("from the case's own inputs, which are not in that box, ")
+
+
 def test_an_answer_that_is_missing_does_not_hide_a_formula_that_breaks():
     plan = kept.plans(PLATE)[1]
     errors = [0.2 if v[0] == 1e-3 else np.nan if v[0] == 5e-3 else 0.01 for v in plan.points]

@@ -83,7 +83,7 @@ def breaks(found: Region) -> str:
     if found.base is None:
         nowhere = "" if found.inside else f", and no point is within {limit}"
         return f"{_at_nominal(found, limit)}{nowhere}"
-    start = "" if found.nominal else f"{_at_nominal(found, limit)}; from the middle of the box, "
+    start = _start(found, limit)
     step = found.breaks
     if step is None:
         kept = "nothing in what was measured" if found.everywhere else "no input alone"
@@ -98,6 +98,15 @@ def breaks(found: Region) -> str:
         count = found.outside + found.undecided
         more = f"; elsewhere {count} point{'s are' if count > 1 else ' is'} not within it"
     return start + _broken(step, limit) + more
+
+
+def _start(found: Region, limit: str) -> str:
+    """From where the first break is looked for, unless that is as one expects."""
+    if not found.nominal:
+        return f"{_at_nominal(found, limit)}; from the middle of the box, "
+    nominal = [(one, one.axis.nominal) for one in found.box]
+    inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
+    return "" if inside else "from the case's own inputs, which are not in that box, "
 
 
 def _broken(step: Break, limit: str) -> str:
