@@ -13,7 +13,7 @@ from verify.case import Scan
 from verify.cases import registry
 from verify.checks import Identity
 from verify.inputs import InputError
-from verify.results import CaseResult, Kind, Row, Status
+from verify.results import CaseResult, Kind, Partner, Row, Status
 from verify.shown import Equation
 from verify.sweep import point
 from verify.sweep.outcome import outcome
@@ -103,8 +103,7 @@ def test_a_card_says_what_breaks_the_formula_first(known):
          "smaller b: within 5 % to 2 mm, undecided at 1 mm: the error bar reaches across"),
         (0.08, 0.01, (1, 1, 0, 0), "smaller b takes it beyond 5 % between 1 and 2 mm (about 1.5)"),
         (np.nan, np.nan, (1, 0, 0, 1),
-         "nothing that was solved takes it beyond 5 %; smaller b: no answer beyond 2 mm (none at "
-         "1)"),
+         "nothing that was solved takes it beyond 5 %; no answer at b = 1 mm"),
     ],
 )  # fmt: skip
 def test_a_point_that_is_not_surely_inside_is_told_for_what_it_is(error, U, counts, said):
@@ -145,8 +144,7 @@ def test_an_answer_that_is_missing_does_not_hide_a_formula_that_breaks():
     errors = [0.2 if v[0] == 1e-3 else np.nan if v[0] == 5e-3 else 0.01 for v in plan.points]
     found = region(plan, course(plan, errors, [1e-4] * 5))
     assert found.breaks == (
-        "within 5 % to 4 mm; larger a: no answer beyond 4 mm (none at 5); elsewhere 1 point is "
-        "not within it"
+        "larger a: within 5 % to 4 mm, no answer at a = 5 mm; elsewhere 1 point is not within it"
     )
 
 
@@ -170,6 +168,17 @@ def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder):
     row = Row(
         case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
         status=Status.PASS, analytic=2.0, fem=2.5, scale=2.5, u_num=0.01,
+    )  # fmt: skip
+    (card,) = of_case(PLATE, result(row)).cards
+    assert [card.error, card.U] == pytest.approx([-0.2, 2 * 0.01 / 2.5])
+
+
+def test_another_numerical_model_than_finite_elements_gives_that_error_too(folder):
+    measuring.measure([PLATE], Here())
+    row = Row(
+        case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
+        status=Status.PASS, analytic=2.0, scale=2.5, u_num=0.01,
+        partner=Partner(by="strips", value=2.5),
     )  # fmt: skip
     (card,) = of_case(PLATE, result(row)).cards
     assert [card.error, card.U] == pytest.approx([-0.2, 2 * 0.01 / 2.5])

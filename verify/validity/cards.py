@@ -77,10 +77,10 @@ def _card(
 
 
 def _at_paper(row: Row | None) -> tuple[float | None, float | None]:
-    """The row's relative error, formula/FE - 1, and its bar; None where it was not solved."""
-    if row is None or row.analytic is None or row.fem is None or not row.scale:
+    """The row's relative error against FE or its partner, and its bar; None where not solved."""
+    if row is None or row.analytic is None or row.reference is None or not row.scale:
         return None, None
-    error = (row.analytic - row.fem) / row.scale
+    error = (row.analytic - row.reference) / row.scale
     return error, None if row.u_num is None else expanded(row.u_num) / row.scale
 
 

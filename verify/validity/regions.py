@@ -110,29 +110,19 @@ def _start(found: Region, limit: str) -> str:
 
 
 def _broken(step: Break, limit: str) -> str:
-    axis, towards = step.axis, _towards(step)
+    axis, towards = step.axis, f"{'larger' if step.up else 'smaller'} {step.axis.symbol}"
     if step.verdict == OUTSIDE:
         ends = words.between(axis, step.last, step.first)
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
         return f"{towards} takes it beyond {limit} between {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    if step.verdict == UNDECIDED:
-        return (
-            f"{towards}: within {limit} to {last}, undecided at {first}: the error bar reaches "
-            "across"
-        )
-    return f"within {limit} to {last}; {_unsolved(step)}"
+    doubt = f"undecided at {first}: the error bar reaches across"
+    then = doubt if step.verdict == UNDECIDED else _unsolved(step)
+    return f"{towards}: within {limit} to {last}, {then}"
 
 
 def _unsolved(step: Break) -> str:
-    return (
-        f"{_towards(step)}: no answer beyond {words.quantity(step.axis, step.last)} "
-        f"(none at {words.number(step.axis.shown(step.first))})"
-    )
-
-
-def _towards(step: Break) -> str:
-    return f"{'larger' if step.up else 'smaller'} {step.axis.symbol}"
+    return f"no answer at {words.span(step.axis, step.first, step.first)}"
 
 
 def _at_nominal(found: Region, limit: str) -> str:
