@@ -10,7 +10,7 @@ from reports import formats, html
 from reports.design import Tile
 from reports.measured import Measured
 from reports.sweep_plots import Causes, Histogram, causes, histogram
-from reports.validity_map import measured, scale_key, validity_map
+from reports.validity_map import has_nominal, measured, scale_key, validity_map
 from verify.shown import Figure, Table
 
 
@@ -78,10 +78,10 @@ def page(sweep: SweepPage) -> str:
     )  # fmt: skip
     env.filters |= {
         "symbol": formats.symbol, "prose": prose, "plot": plot, "columns": html.columns,
-        "small": validity_map, "flat": flat,
+        "small": validity_map, "flat": flat, "key": key,
     }  # fmt: skip
     css = Markup(html.styles())  # noqa: S704 - the project's own files
-    drawn = env.get_template("sweep.html.j2").render(page=sweep, css=css, key=scale_key)
+    drawn = env.get_template("sweep.html.j2").render(page=sweep, css=css)
     return drawn.replace(html.NAMESPACE, "")
 
 
@@ -93,6 +93,12 @@ def prose(text: str) -> Markup:
 def flat(text: str) -> str:
     """Text where there is no room for markup: an attribute."""
     return text.replace(" %", "\u202f%")
+
+
+def key(panels: Sequence[Panels]) -> Markup:
+    """What the colours and marks of all these maps mean."""
+    maps = [m for one in panels for m in one.maps]
+    return scale_key(maps[0].limits, marked=any(has_nominal(m) for m in maps))
 
 
 def plot(figure: Picture) -> Markup:

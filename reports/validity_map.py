@@ -44,12 +44,15 @@ def measured(m: Measured) -> Markup:
     )  # fmt: skip
 
 
-def scale_key(limits: tuple[float, ...] = LIMITS) -> Markup:
-    """What the colours and marks of small figures mean, once for many."""
+def scale_key(limits: tuple[float, ...] = LIMITS, *, marked: bool = True) -> Markup:
+    """What the colours and marks of small figures mean, once for many.
+
+    `marked` says whether one of them has the inputs of the file.
+    """
     empty = np.zeros((2, 2))
     m = Measured(title="Key", x=empty[0], y=empty[0], x_label="", error=empty, U=empty,
                  limits=limits)  # fmt: skip
-    key, height = _key(m, 16.0, every=True)
+    key, height = _key(m, 16.0, every=True, marked=marked)
     return svg.drawing(
         WIDTH, height, key, "Colours: formula less finite elements", "chart validity"
     )
@@ -153,7 +156,14 @@ def _ticks(
     return [(i, words[i]) for i in range(0, len(words), every)]
 
 
-def _key(m: Measured, top: float, *, every: bool = False) -> tuple[list[Markup], float]:
+def has_nominal(m: Measured) -> bool:
+    """Whether a map holds the inputs of the file."""
+    return m.y is not None and _nominal(m, m.y) is not None
+
+
+def _key(
+    m: Measured, top: float, *, every: bool = False, marked: bool = False
+) -> tuple[list[Markup], float]:
     """The scale and what each mark means, those that are there; and where the drawing ends."""
     drawn = scale(12.0, top, WIDTH - 24.0, m.limits)
     said: list[tuple[str, str]] = []
@@ -166,7 +176,7 @@ def _key(m: Measured, top: float, *, every: bool = False) -> tuple[list[Markup],
         said.append(("unsolved", "no solution"))
     if m.box is not None:
         said.append(("region", m.box_name))
-    if every or (m.y is not None and _nominal(m, m.y)):
+    if marked or has_nominal(m):
         said.append(("at", "inputs of the file"))
     left, y = 12.0, top + 48
     for style, words in said:
