@@ -167,7 +167,8 @@ def load(path: Path) -> tuple[str, Case, Inputs, Values]:
         case = find(case_id)
     except ValueError as error:
         if case_id in (DESIGN, DESIGN_SPRAG):
-            raise InputError(f"{path}: case: a task for freewheel design") from error
+            said = f"a task for freewheel design: freewheel design {shlex.quote(str(path))}"
+            raise InputError(f"{path}: case: {said}") from error
         raise InputError(f"{path}: case: {error}") from error
     inputs = build(case.inputs, raw, str(path))
     try:

@@ -18,6 +18,7 @@ class Bearing(Inputs):
 class Shaft(Plate):
     p: float = quantity("0 mm", "mm", "p", "shift")
     q: float | None = quantity(None, "mm", "q", "gap")
+    h: float = quantity(0.9, "1", "h", "share", ge=0, le=1)
     kind: str = word("plain", "kind")
     supports: tuple[Bearing, ...] = table((Bearing(), Bearing(k=3e3)), "bearings")
 
@@ -68,7 +69,8 @@ def test_an_axis_ends_exactly_where_it_is_said_to(text):
         ("a=-1mm:2mm:3:log", "equal ratios need values above zero"),
         ("n=3:12:5", "5 values from 3 to 12 are not all whole numbers"),
         ("n=3.5:12:5", "needs whole numbers, got 3.5"),
-        ("z=1:2:2", "unknown input z; numbers are a, b, c, n, p, q, supports[1].k"),
+        ("=1mm:2mm:2", "the input's name is missing"),
+        ("z=1:2:2", "unknown input z; numbers are a, b, c, n, p, q, h, supports[1].k"),
         ("kind=1:2:2", "kind is a word"),
         ("supports=1:2:2", "unknown input supports"),
         ("supports[3].k=1:2kN/m:2", "there is no supports[3] in the file"),
@@ -91,6 +93,7 @@ def test_an_axis_knows_its_input():
     assert axis(Shaft(), "n=1:2:2").whole
     assert axis(Shaft(), "q=1:2mm:2").nominal is None
     assert axis(Shaft(), "supports[2].k=1:2kN/m:2").nominal == 3e3
+    assert axis(Shaft(), "supports[2].k=1:2kN/m:2").symbol == "k of supports[2]"
     assert of.shown(0.3e-3) == 0.3  # not 0.29999999999999993
 
 
@@ -121,6 +124,13 @@ def test_a_tolerance_is_read(text, off):
         ("p=±5%", "a tolerance is above zero"),  # of zero
         ("b=±1", "has no unit"),
         ("b=", "is not a length"),
+        ("b=±-1%", "a tolerance is above zero, got ±-1%"),
+        ("b=±1.2.3%", 'is not a length, such as "1.5 mm", nor a share of b, such as "5 %"'),
+        ("=±1mm", "the input's name is missing"),
+        ("b=±3mm", "reaches inputs.b = -1 mm: must be greater than 0 mm"),
+        ("b=±150%", "reaches inputs.b = -1 mm: must be greater than 0 mm"),
+        ("supports[2].k=±4kN/m", "reaches inputs.supports[2].k = -1000 N/m: must be greater than"),
+        ("h=±0.2", "reaches inputs.h = 1.1: must be at most 1"),
         ("z=±1mm", "unknown input z"),
     ],
 )
@@ -135,9 +145,9 @@ def test_inputs_are_changed_by_name_in_tables_too():
     assert (of.a, of.n, of.b) == (5e-3, 4, 2e-3)
     assert isinstance(of.n, int)
     assert [entry.k for entry in of.supports] == [1e3, 7.0]
-    with pytest.raises(InputError, match="a"):
+    with pytest.raises(InputError, match=r"^inputs\.a = -1 mm"):
         changed(Shaft(), {"a": -1e-3})
-    assert names(Shaft()) == ["a", "b", "c", "n", "p", "q", "supports[1].k"]
+    assert names(Shaft()) == ["a", "b", "c", "n", "p", "q", "h", "supports[1].k"]
 
 
 # Points

@@ -63,6 +63,13 @@ def test_rows_are_chosen_by_parts_of_their_names_or_a_whole_one():
         assert tuple(p.name for p in selected(of, only)) == expected
     with pytest.raises(InputError, match="--only torque: no row of made-up-plate is called so: K;"):
         selected(of, ("force", "torque"))
+    with pytest.raises(InputError, match=r"is called so: near it are force$"):
+        selected(of, ("forse",))
+    with pytest.raises(InputError, match=r"is called so: near it are K in the mean$"):
+        selected(of, ("maen",))
+    many = case(*(identity(name=f"row {k}") for k in range(7)))
+    with pytest.raises(InputError, match="called so: row 0; row 1; row 2; row 3; row 4 and 2 more"):
+        selected(many, ("torque",))
     with pytest.raises(InputError, match="has no row that sets a formula"):
         selected(case(), ())
 

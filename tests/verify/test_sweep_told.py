@@ -1,5 +1,6 @@
 """What the terminal says of a sweep."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -7,7 +8,8 @@ import pytest
 
 from tests.verify.sweep_made import CASE, Plate, chosen, course, outcome
 from verify.sweep.plan import grid, sample
-from verify.sweep.told import told
+from verify.sweep.told import shortened, told
+from verify.sweep.words import error_with_bar
 
 NAN = np.nan
 
@@ -40,13 +42,14 @@ def test_a_grid_says_where_the_formula_holds_and_what_breaks_it():
         "  within 5 %: a 1..4 mm, n 2..3 (all); 8 of 16 points",
         "    first broken by a above 4.8 mm (between 4 and 5 mm), where the error bar",
         "        reaches beyond",
-        "  within 10 %: all 16 points",
+        "  within 10 %: all 16 points: a 1..8 mm, n 2..3",
     ]
 
 
 def test_limits_alike_are_told_together():
     plan = planned("a=1:4mm:4")
-    assert told(outcome(plan, course(plan, 1e-6, 0)))[-1] == "  within 2, 5 and 10 %: all 4 points"
+    lines = told(outcome(plan, course(plan, 1e-6, 0)))
+    assert lines[-1] == "  within 2, 5 and 10 %: all 4 points: a 1..4 mm"
     assert told(outcome(plan, course(plan, 0.3, 0)))[-1] == "  within 2, 5 and 10 %: nowhere"
     assert told(outcome(plan, course(plan, 0.3, 0.3)))[-1].endswith("nowhere, 4 undecided")
     assert told(outcome(plan, course(plan, NAN)))[-1].endswith("nothing is solved")
@@ -72,8 +75,8 @@ def test_points_that_are_refused_or_failed_are_counted_with_their_reasons():
     ]
     assert lines[5] == "stiffness  +1 %           100 %  100 %  100 %  1"
     assert lines[7:] == [
-        "  within 2, 5 and 10 %: all 4 points that are solved; a 1..4 mm",
-        "    first broken by a above 4 mm: 5 mm is refused (b must be at most 2 mm, got 5",
+        "  within 2, 5 and 10 %: all 4 points that are solved: a 1..4 mm",
+        "    no answer beyond a = 4 mm: 5 mm is refused (b must be at most 2 mm, got 5",
         "        mm)",
     ]
 
@@ -98,7 +101,52 @@ def test_a_star_says_that_inputs_vary_one_at_a_time():
 def test_a_formula_that_only_both_inputs_together_break():
     plan = planned("a=4:5mm:2", "b=2:3mm:2")
     lines = told(outcome(plan, course(plan, [0.0, 0.0, 0.0, 0.3])))
-    assert lines[-1] == "    nothing breaks it along one axis"
+    assert lines[-1] == "    nothing breaks it along one axis, several inputs together do"
+
+
+def test_a_box_that_is_not_all_that_is_inside_says_how_many_points_it_holds():
+    plan = planned("a=3:5mm:3", "b=1:3mm:3")
+    lines = told(outcome(plan, course(plan, [0, 0, 0, 0, 0, 0, 0, 0.3, 0])))
+    text = re.sub(r"\s+", " ", "\n".join(lines))
+    assert "10 %: a box of 6 points, a 3..4 mm, b 1..3 mm (all); 8 of 9 points in all" in text
+    star = planned("a=1:7mm:4", "b=1:4mm:4", star=True)
+    lines = told(outcome(star, course(star, [0, 0, 0, 0.3, 0, 0, 0, 0])))
+    text = re.sub(r"\s+", " ", "\n".join(lines))
+    assert "ranges of 6 points, a 1..4 mm, b 1..4 mm (all), one input at a time; 7 of 8" in text
+
+
+def test_no_answer_below_a_value_is_told_like_one_above():
+    plan = planned("a=1:4mm:4")
+    lines = told(outcome(plan, course(plan, [NAN, NAN, 0, 0])))
+    assert lines[-1] == ("    no answer beyond a = 3 mm: 2 mm is not solved (does not converge)")
+
+
+def test_a_file_whose_own_value_is_not_swept_is_told_so():
+    said = "the file's own a 4 mm lies outside of 5..8 mm"
+    for vary, expected in (("a=5:8mm:4", True), ("a=4:8mm:5", False), ("a=1:4mm:4", False)):
+        plan = planned(vary)
+        assert (said in told(outcome(plan, course(plan, 0.0)))) is expected
+    plan = planned("n=1:2:2")
+    assert "the file's own n 3 lies outside of 1..2" in told(outcome(plan, course(plan, 0.0)))
+
+
+@pytest.mark.parametrize(
+    ("error", "bar", "said"),
+    [
+        (-25.754, 0.034, "-25.754 ± 0.034 %"),
+        (16.8560, 0.0013, "+16.86 ± < 0.01 %"),
+        (0.017, 4.2e-8, "+0.0170 ± < 0.0001 %"),
+        (-0.0000002, 1e-6, "< 0.0001 %"),
+        (8.0, 0.2, "+8.00 ± 0.20 %"),
+        (0.0003, 0.0021, "+0.0003 ± 0.0021 %"),
+        (1234.0, 0.3, "+1234 ± < 1 %"),
+        (1234.0, 25.0, "+1234 ± 25 %"),
+        (0.5, 0.0, "+0.5 %"),
+    ],
+)
+def test_a_bar_is_told_to_what_matters_beside_the_error(error, bar, said):
+    plan = planned("a=1:2mm:2")
+    assert error_with_bar(course(plan, error / 100, bar / 100), 0) == said
 
 
 def test_a_sample_says_scatter_and_ranked_indices():
@@ -114,16 +162,26 @@ def test_a_sample_says_scatter_and_ranked_indices():
     assert lines[7].startswith("    b  S1 0.90 (0.8")
     assert lines[8].startswith("    a  S1 0.10 (0.0")
     assert "ST 0.90" in lines[7]
-    assert len(lines) == 9
+    assert lines[9].startswith("S1 is the share of the variance that an input causes alone, ST")
+    assert len(lines) == 12
+    assert "the sample is small" not in "\n".join(lines)
+
+
+def test_a_small_sample_is_called_so_with_what_would_halve_its_intervals():
+    plan = sampled(8)
+    y = share(plan) * (plan.points[:, 1] - 2e-3) / 0.5e-3
+    lines = told(outcome(plan, course(plan, 0.05 + 0.01 * y, 0.0001)))
+    last = re.sub(r"\s+", " ", " ".join(lines)).partition("the sample is small: ")[2]
+    assert re.fullmatch(r"intervals are up to ±\d\.\d\d wide; sobol:32 would halve them", last)
 
 
 def test_indices_that_may_be_of_noise_are_doubtful():
     plan = sampled()
     lines = told(outcome(plan, course(plan, 0.01 * share(plan), 0.006)))
     # (0.6 %/2)² of 1 %²/3
-    assert lines[-1] == (
+    assert (
         "    doubtful: 27 % of the variance may be the finite elements' own uncertainty"
-    )
+    ) in lines
     lines = told(outcome(plan, course(plan, 0.01 * share(plan), 0.02)))
     assert lines[-1] == "    no indices: varies no more than the finite elements are uncertain"
 
@@ -134,6 +192,8 @@ def test_rows_of_a_sample_that_are_left_out_are_counted():
     error[[1, 18]] = NAN
     lines = told(outcome(plan, course(plan, error)))
     assert "stiffness (2 rows of the sample left out: not solved)" in lines
+    assert any(line.startswith("  error of the solved points ") for line in lines)
+    assert "of the solved" not in "\n".join(told(outcome(plan, course(plan, 0.01 * share(plan)))))
 
 
 @pytest.mark.parametrize("error", [1e-9, 0.01, 0.3, NAN])
@@ -149,18 +209,55 @@ def test_many_rows_are_the_worst_ten_and_a_pointer_to_the_table(error):
     lines = told(outcome(plan, *courses))
     assert len(lines) <= 30
     assert max(map(len, lines)) <= 80
-    assert "(33 more rows with smaller errors in points.csv)" in lines
+    what = "smaller errors" if np.isfinite(error) else "no error"
+    assert f"(33 more rows with {what} in points.csv)" in lines
     assert lines[-1].endswith("more rows in validity.csv)")
     if np.isfinite(error):
         assert "row 42" in lines[2]
 
 
 def test_a_table_without_room_for_the_place_tells_it_with_the_row():
-    plan = planned("a=1.125:8.125mm:3", "b=1:2mm:2", "c=1.125:2.125mm:2", "n=2:3:2")
+    plan = planned("a=1.125:8.125mm:3", "b=1:2mm:2", "c=0.125:2.125mm:2", "n=2:3:2")
     name = "stiffness of a rather long name"
     plan = replace(plan, chosen=(replace(plan.chosen[0], name=name),))
     lines = told(outcome(plan, course(plan, 12.34 * plan.points[:, 0], 0.0123)))
     assert lines[1].endswith("≤10 %")
     assert max(map(len, lines)) <= 80
-    assert lines[3] == f"{name}, furthest off at a 8.125 mm, b 1 mm, c 1.125 mm,"
+    assert lines[3] == f"{name}, furthest off at a 8.125 mm, b 1 mm, c 0.125 mm,"
     assert lines[4] == "    n 2"
+
+
+HEADS = [
+    f"stiffness, head {head}: {elements} elements"
+    for head in ("guided by the roller", "free") for elements in ("straight", "curved")
+]  # fmt: skip
+
+
+def test_names_lose_the_words_that_most_of_them_have():
+    for room in (28, 34, 40):
+        short = shortened(HEADS, room)
+        assert len(set(short)) == len(HEADS)
+        assert max(map(len, short)) <= room
+    assert shortened(HEADS, 99) == HEADS
+    assert shortened(["stiffness against the rather curved beam"], 28) == [
+        "stiffness … curved beam"
+    ]
+    assert shortened(["one-word-that-is-too-long"], 10) == ["one-word-…"]
+
+
+def test_names_are_whole_where_a_line_has_room():
+    plan = planned("a=1:8mm:8")
+    name = "stiffness, a name of 32 letters"
+    plan = replace(plan, chosen=(replace(plan.chosen[0], name=name),))
+    line = told(outcome(plan, course(plan, 0.01, 0.001)))[2]
+    assert line.startswith(f"{name}  +1.00 ± 0.10 %")
+    assert len(line) <= 80
+
+
+def test_rows_left_out_of_the_table_are_not_all_said_to_have_an_error():
+    plan = planned("a=1:2mm:2")
+    plan = replace(plan, chosen=tuple(replace(plan.chosen[0], name=f"{k}") for k in range(12)))
+    courses = [course(plan, 0.01 if k < 11 else NAN, pair=k) for k in range(12)]
+    assert "(2 more rows with smaller errors or none in points.csv)" in told(
+        outcome(plan, *courses)
+    )

@@ -24,6 +24,7 @@ from verify.inputs import InputError, Inputs, broken_rule, entry_model, is_table
 MOST_VALUES = 1000  # of one axis
 _PLACE = re.compile(r"(?P<table>\w+)\[(?P<entry>\d+)\]\.(?P<key>\w+)")
 _UNIT = re.compile(r"[A-Za-zµμ°].*$")
+_SHARE = re.compile(r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*%")
 
 
 @dataclass(frozen=True)
@@ -75,7 +76,7 @@ def axis(inputs: Inputs, text: str) -> Axis:
     if len(set(values)) < len(values):
         raise InputError(f"{where}: a value appears twice")
     return Axis(
-        name=name.strip(), symbol=about["symbol"] or name.strip(), unit=about["unit"],
+        name=name.strip(), symbol=_symbol(name.strip(), about["symbol"]), unit=about["unit"],
         what=about["what"], values=tuple(sorted(values)), nominal=nominal, spacing=spacing,
         whole=whole,
     )  # fmt: skip
@@ -92,27 +93,46 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
         raise InputError(f"{where}: {name.strip()} has no value in the file to be off from")
     about = meta(field)
     bare = re.sub(r"^\s*(±|\+-|\+/-)?\s*", "", given)
-    if share := re.fullmatch(r"([\d.]+(?:[eE][-+]?\d+)?)\s*%", bare):
+    if share := _SHARE.fullmatch(bare.strip()):
         off = abs(nominal) * float(share[1]) / 100
     else:
-        off = _number(bare, about["unit"], where, whole=False)
+        try:
+            off = _number(bare, about["unit"], where, whole=False)
+        except InputError as error:
+            raise InputError(f'{error}, nor a share of {name.strip()}, such as "5 %"') from error
     if not 0 < off < math.inf:
         raise InputError(f"{where}: a tolerance is above zero, got {given.strip()}")
+    for end in (nominal - off, nominal + off):
+        try:
+            changed(inputs, {name.strip(): end})
+        except InputError as error:
+            raise InputError(f"{where}: reaches {error}") from error
     return Tolerance(
-        name=name.strip(), symbol=about["symbol"] or name.strip(), unit=about["unit"],
+        name=name.strip(), symbol=_symbol(name.strip(), about["symbol"]), unit=about["unit"],
         what=about["what"], nominal=nominal, off=off,
     )  # fmt: skip
 
 
-def changed(inputs: Inputs, values: Mapping[str, float]) -> Inputs:
-    """The inputs with other values [SI] by name; InputError where they then make no sense."""
+def _symbol(name: str, symbol: str) -> str:
+    """That of the input, with its part: "k of supports[2]"."""
+    if place := _PLACE.fullmatch(name):
+        return f"{symbol or place['key']} of {place['table']}[{place['entry']}]"
+    return symbol or name
+
+
+def changed(inputs: Inputs, values: Mapping[str, float], at: str = "inputs") -> Inputs:
+    """The inputs with other values [SI] by name; InputError where they then make no sense.
+
+    `at` says in its message where the inputs stand.
+    """
     model = type(inputs)
     given: dict[str, Any] = {name: getattr(inputs, name) for name in model.model_fields}
     for name, value in values.items():
         if place := _PLACE.fullmatch(name):
             entries = list(given[place["table"]])
             k = int(place["entry"]) - 1
-            entries[k] = changed(entries[k], {place["key"]: value})
+            there = f"{at}.{place['table']}[{place['entry']}]"
+            entries[k] = changed(entries[k], {place["key"]: value}, there)
             given[place["table"]] = tuple(entries)
         else:
             whole = kind_of(model.model_fields[name]) is int
@@ -120,11 +140,13 @@ def changed(inputs: Inputs, values: Mapping[str, float]) -> Inputs:
     try:
         return model(**given)
     except ValidationError as error:
-        raise InputError(broken_rule(model, error, "inputs")) from error
+        raise InputError(broken_rule(model, error, at)) from error
 
 
 def _field(inputs: Inputs, name: str, where: str) -> tuple[FieldInfo, float | None]:
     """The input called `name`, which is a number, and its value in the file."""
+    if not name:
+        raise InputError(f"{where}: the input's name is missing, as z in z=3:12:10 or b in b=±5%")
     place = _PLACE.fullmatch(name)
     holder: Inputs = inputs
     if place:
@@ -136,7 +158,7 @@ def _field(inputs: Inputs, name: str, where: str) -> tuple[FieldInfo, float | No
     fields = type(holder).model_fields
     if key not in fields or is_table(fields[key]):
         known = ", ".join(names(inputs))
-        raise InputError(f"{where}: unknown input {name or '(none)'}; numbers are {known}")
+        raise InputError(f"{where}: unknown input {name}; numbers are {known}")
     if kind_of(fields[key]) not in (int, float):
         raise InputError(f"{where}: {name} is a word, and only numbers can be varied")
     value = getattr(holder, key)

@@ -4,6 +4,7 @@ import json
 import shlex
 import sys
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from functools import partial
 from pathlib import Path
 from typing import IO
@@ -12,15 +13,17 @@ from verify.commands import ROOT, load, writable
 from verify.engines import Where
 from verify.files import write_whole
 from verify.inputs import InputError
-from verify.progress import shown
+from verify.progress import Lines, shown
 from verify.sweep import plan as plans
+from verify.sweep.axes import changed
 from verify.sweep.outcome import Outcome, outcome
 from verify.sweep.pairs import portion, selected
 from verify.sweep.plan import Plan
 from verify.sweep.records import record
 from verify.sweep.run import solve
-from verify.sweep.tables import points_csv, sensitivity_csv, validity_csv
+from verify.sweep.tables import REFUSED, points_csv, sensitivity_csv, validity_csv
 from verify.sweep.told import print_outcome
+from verify.sweep.words import bare
 
 PAGE = "sweep.html"
 
@@ -32,15 +35,17 @@ def run_sweep(
     """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
 
     A point that the inputs' rules refuse has not failed. Both are told; the rest is there.
+    InputError where all are refused.
     """
     plan = planned(path, vary=vary, sample=sample, tolerances=tolerances, only=only)
+    _some_possible(plan)
     folder = out or ROOT / "reports" / "out" / f"sweep-{path.stem}"
     writable(folder)
-    if not as_json:
-        announce(plan)
-    with shown(quiet=as_json) as show:
+    announce(plan)
+    with nullcontext(Lines()) if as_json else shown(quiet=False) as show:
         solved = solve(plan, where, again=again, show=show)
     found = outcome(solved)
+    _some_accepted(found.problems)
     made = files(found, command(path, vary, sample, tolerances, only))
     _write(made, folder)
     if as_json:
@@ -49,14 +54,35 @@ def run_sweep(
         print_outcome(found)
     told = f"written: {', '.join(str(folder / name) for name in made)}"
     print(told, file=sys.stderr if as_json else sys.stdout)
-    return 1 if any(p and not p.startswith("refused") for p in found.problems) else 0
+    return 1 if any(p and not p.startswith(REFUSED) for p in found.problems) else 0
+
+
+def _some_possible(plan: Plan) -> None:
+    """InputError where the inputs' rules refuse every point; most plans pass at the first."""
+    refused = []
+    for row in plan.points:
+        try:
+            changed(plan.inputs, dict(zip(plan.names, row, strict=True)))
+        except InputError as error:
+            refused.append(f"{REFUSED}: {error}")
+        else:
+            return
+    _some_accepted(refused)
+
+
+def _some_accepted(problems: Sequence[str]) -> None:
+    """InputError where each is a refusal, which a solver may be the first to say."""
+    if all(problem.startswith(f"{REFUSED}:") for problem in problems):
+        raise InputError(f"every point is refused, such as: {bare(problems[0])}")
 
 
 def planned(
     path: Path, *, vary: Sequence[str], sample: str, tolerances: Sequence[str], only: Sequence[str]
 ) -> Plan:
     """The sweep that a parameter file and the options ask for; InputError."""
-    if bool(vary) == bool(sample):
+    if vary and sample:
+        raise InputError("--vary, which makes a grid, and --sample exclude each other")
+    if not vary and not sample:
         raise InputError("sweep needs --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
     if tolerances and not sample:
         raise InputError("--tolerance belongs to --sample")
@@ -96,7 +122,6 @@ def command(
 def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
     """What goes into the folder, by name."""
     from reports.sweep import page as drawn
-
     from verify.sweep.page import page
 
     tables = (

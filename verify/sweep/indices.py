@@ -22,6 +22,7 @@ LEAST_ROWS = 8  # of the base sample, for indices
 RESAMPLES = 999
 CONFIDENCE = 0.95
 STEADY = 1e-12  # standard deviation, of the largest value, below which it is round-off
+LOOSE = 0.2  # width of an index's interval, from which on the sample is called small
 NOISY = 0.1  # share of a variance that may be numerical noise, from which on it is told
 AT_ONCE = 2**22  # numbers drawn at a time
 
@@ -67,6 +68,12 @@ class Scatter:
     def ranked(self) -> tuple[Index, ...]:
         """The indices, the largest total one first."""
         return tuple(sorted(self.indices, key=lambda one: -one.total.value))
+
+    @property
+    def widest(self) -> float:
+        """The width of the widest interval of all indices, 0 where there are none."""
+        every = (e for one in self.indices for e in (one.first, one.total))
+        return max((e.high - e.low for e in every), default=0.0)
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """What a sweep compares: the rows of a case that set a formula beside finite elements."""
 
+import difflib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -14,6 +15,7 @@ from verify.inputs import InputError
 from verify.results import Kind, Row
 
 LEVELS = 3  # that an error bar needs
+MOST_NAMES = 5  # that are offered for one that fits nothing
 DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter and still count
 
 
@@ -81,7 +83,9 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
     names = [pair.name for pair in every]
     for text in only:
         if not any(text.lower() in name.lower() for name in names):
-            raise InputError(f"--only {text}: no row of {case.id} is called so: {'; '.join(names)}")
+            raise InputError(
+                f"--only {text}: no row of {case.id} is called so: {_offered(text, names)}"
+            )
     wanted = [
         name for name in names
         if not only or any(
@@ -89,6 +93,21 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
         )
     ]  # fmt: skip
     return tuple(pair for pair in every if pair.name in wanted)
+
+
+def _offered(text: str, names: Sequence[str]) -> str:
+    """The names that are like the text, or else the first and how many there are."""
+    lower = {name.lower(): name for name in names}
+    near = difflib.get_close_matches(text.lower(), lower, MOST_NAMES)
+    # a word of a name that was mistyped, where the name is much longer
+    near += [
+        low for low in lower
+        if low not in near and difflib.get_close_matches(text.lower(), low.split(), 1, 0.75)
+    ]  # fmt: skip
+    if near:
+        return f"near it are {'; '.join(lower[low] for low in near[:MOST_NAMES])}"
+    more = len(names) - MOST_NAMES
+    return "; ".join(names[:MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def whole(case: Case) -> Portion:

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import qmc
 
 from verify.case import Case
 from verify.inputs import InputError, Inputs
@@ -70,6 +69,8 @@ def sample(
 
     Saltelli's design: the rows of matrices A and B, then of A with one column of B for each input.
     """
+    from scipy.stats import qmc  # half a second, which a grid does without
+
     base = _base(count)
     off = tuple(tolerance(inputs, text) for text in tolerances)
     if not off:

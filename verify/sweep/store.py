@@ -32,7 +32,7 @@ class Store:
 
     def __init__(self, path: Path, part: Portion, code: tuple[str, str], versions: str) -> None:
         self.path, self.part, self.code, self.versions = path, part, code, versions
-        path.parent.mkdir(parents=True, exist_ok=True)
+        _made(path.parent)
         with self._open() as database:
             database.execute(TABLE)
 
@@ -90,9 +90,23 @@ class Store:
             with database:
                 yield database
         except sqlite3.Error as error:
-            raise OSError(f"{self.path}: {error}: solved points cannot be kept there") from error
+            # others of its kind, such as a locked one, are subclasses
+            corrupt = type(error) is sqlite3.DatabaseError
+            hint = "; move it away to start anew" if corrupt else ""
+            said = f"{self.path}: {error}: solved points cannot be kept there{hint}"
+            raise OSError(said) from error
         finally:
             database.close()
+
+
+def _made(folder: Path) -> None:
+    """The folder is there; OSError that names what is in its way."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        file = next((p for p in (folder, *folder.parents) if p.exists() and not p.is_dir()), None)
+        why = f"{file}: is a file, expected a folder" if file else f"{folder}: {error.strerror}"
+        raise OSError(f"{why}: solved points cannot be kept there") from error
 
 
 def _solution(data: Mapping[str, Any]) -> Solution:

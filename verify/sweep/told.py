@@ -4,25 +4,40 @@ import math
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
+from itertools import groupby
 
 from verify import units
 from verify.sweep.axes import Axis, Tolerance
-from verify.sweep.indices import NOISY, Scatter, Within, indices
+from verify.sweep.indices import LOOSE, NOISY, Scatter, Within, indices
 from verify.sweep.outcome import Course, Outcome
 from verify.sweep.plan import Plan
 from verify.sweep.region import Region, regions
 from verify.sweep.tables import SOLVED, largest, quantities, reasons, statuses
-from verify.sweep.words import bare, box_in_words, break_in_words, error_with_bar, place, ranked
+from verify.sweep.words import (
+    bare,
+    box_in_words,
+    break_in_words,
+    ends,
+    error_with_bar,
+    place,
+    ranked,
+    valued,
+)
 from verify.told import aligned, raised
 
 WIDE = 80
+NAME = 28  # characters of a row's name that there is always room for
 MOST_ROWS = 10  # the worst ones
 LINES = 30  # from which on no further row is told in full
 MOST_REASONS = 3
 MOST_INPUTS = 6
 MOST_DIGITS = 6  # after the point
 _NUMBER = re.compile(r"\d[\d.,]*(?:e[-+]?\d+)?")
+INDICES = (
+    "S1 is the share of the variance that an input causes alone, ST with its interactions, in "
+    "brackets the intervals of 95 %; ± is the standard deviation there"
+)
 
 
 def print_outcome(found: Outcome) -> None:
@@ -34,20 +49,49 @@ def print_outcome(found: Outcome) -> None:
 def told(found: Outcome) -> list[str]:
     """The lines of `print_outcome`, no wider than WIDE; rows in full until there are LINES."""
     table, placed = _table(found)
-    lines = [part for line in (*_points(found), *table) for part in _wrapped(line)]
     plan, detailed = found.solved.plan, 0
+    first = (*_points(found), *_own_values(plan), *table)
+    lines = [part for line in first for part in _wrapped(line)]
+    explained = [part for line in _explained(found) for part in _wrapped(line)]
     for course in worst(found):
         at = "" if placed else _furthest(plan, course)
         of = _of_sample(plan, course, at) if plan.base else _of_grid(plan, course, at)
         more = [part for line in of for part in _wrapped(line)]
-        if detailed and len(lines) + len(more) >= LINES:
+        if detailed and len(lines) + len(more) + len(explained) >= LINES:
             break
         lines += more
         detailed += 1
+    lines += explained
     if left := len(found.courses) - detailed:
         where = "sensitivity.csv" if plan.base else "validity.csv"
         lines.append(f"({_count(left, 'more row')} in {where})")
     return lines
+
+
+def _own_values(plan: Plan) -> Iterator[str]:
+    """The axes that leave out what the file itself has."""
+    for one in plan.axes:
+        low, high = one.values[0], one.values[-1]
+        room = 1e-9 * (high - low)
+        if one.nominal is not None and not low - room <= one.nominal <= high + room:
+            own = f"{one.symbol} {valued(one, one.nominal)}"
+            yield f"the file's own {own} lies outside of {ends(one, low, high)}"
+
+
+def _explained(found: Outcome) -> Iterator[str]:
+    """What indices are, and whether the sample is too small for them; nothing of a grid."""
+    plan = found.solved.plan
+    if not plan.base:
+        return
+    shown = [indices(plan, course) for course in worst(found)[:MOST_ROWS]]
+    scatters = [s for one in shown for s in (one.fe, one.error)]
+    if any(s.indices for s in scatters):
+        yield INDICES
+    if (widest := max(s.widest for s in scatters)) > LOOSE:
+        yield (
+            f"the sample is small: intervals are up to ±{widest / 2:.2f} wide; "
+            f"sobol:{4 * plan.base} would halve them"
+        )
 
 
 def worst(found: Outcome) -> list[Course]:
@@ -87,13 +131,54 @@ def _table(found: Outcome) -> tuple[list[str], bool]:
         values = () if n is None else zip(varied, plan.points[n], strict=True)
         cells = (_percent(share) for _, share in shares)
         at = ", ".join(f"{one.shown(v):.4g}" for one, v in values)
-        lines.append((_short(course.pair.name), error, *cells, at))
-    told_of = aligned(lines)
-    if not (placed := max(map(len, told_of)) <= WIDE):
-        told_of = aligned([line[:-1] for line in lines])
-    if (more := len(found.courses) - len(shown)) > 0:
-        told_of.append(f"({_count(more, 'more row')} with smaller errors in points.csv)")
+        lines.append(("", error, *cells, at))
+    names = [course.pair.name for course in shown]
+    # names that can be told apart go before the place, which is with the row then
+    short = shortened(names, max(NAME, _room(lines)))
+    placed = _room(lines) >= max(map(len, short)) and len({*short}) == len({*names})
+    if not placed:
+        lines = [line[:-1] for line in lines]
+        short = shortened(names, max(NAME, _room(lines)))
+    heads = ("", *short)
+    told_of = aligned([(head, *line[1:]) for head, line in zip(heads, lines, strict=True)])
+    if more := worst(found)[len(shown) :]:
+        errors = [largest(course) is not None for course in more]
+        what = "smaller errors" + " or none" * (not all(errors)) if any(errors) else "no error"
+        told_of.append(f"({_count(len(more), 'more row')} with {what} in points.csv)")
     return told_of, placed
+
+
+def _room(lines: Sequence[tuple[str, ...]]) -> int:
+    """Characters of a line that the columns but the first leave."""
+    return WIDE - max(map(len, aligned([("", *line[1:]) for line in lines])))
+
+
+def shortened(names: Sequence[str], room: int) -> list[str]:
+    """Names of at most `room` characters: longer ones lose words, those first that most have."""
+    common = Counter(word for name in names for word in set(name.split()))
+    return [name if len(name) <= room else _cut(name, common, room) for name in names]
+
+
+def _cut(name: str, common: Mapping[str, int], room: int) -> str:
+    """The name without words that most others have too, those in its middle first."""
+    words = name.split()
+    middle = (len(words) - 1) / 2
+    order = sorted(range(len(words)), key=lambda k: (-common[words[k]], abs(k - middle)))
+    kept = set(range(len(words)))
+    for k in order:
+        if len(_gapped(words, kept)) <= room:
+            break
+        kept.remove(k)
+    for k in reversed(order):  # a gap is as long as a short word
+        if len(_gapped(words, kept | {k})) <= room:
+            kept.add(k)
+    return _gapped(words, kept) if kept else f"{name[: room - 1]}…"
+
+
+def _gapped(words: Sequence[str], kept: Set[int]) -> str:
+    """The words that are kept, "…" where some are not."""
+    shown = (word if k in kept else "…" for k, word in enumerate(words))
+    return " ".join(word for word, _ in groupby(shown))
 
 
 def _furthest(plan: Plan, course: Course) -> str:
@@ -132,7 +217,8 @@ def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
     yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
     for what, scatter, unit in quantities(one)[1:]:
         if scatter.n:
-            yield f"  {what} {_moments(scatter, unit)}"
+            of = " of the solved points" * (scatter.n < 2 * plan.base)
+            yield f"  {what}{of} {_moments(scatter, unit)}"
         if scatter.why:
             yield f"    no indices: {scatter.why}"
         else:
@@ -174,10 +260,6 @@ def _count(number: int, what: str) -> str:
 
 def _listed(words: Sequence[str]) -> str:
     return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
-
-
-def _short(name: str, *, longest: int = 28) -> str:
-    return name if len(name) <= longest else name[: longest - 1] + "…"
 
 
 def _wrapped(line: str) -> list[str]:

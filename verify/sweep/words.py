@@ -11,23 +11,29 @@ from verify.sweep.plan import Plan
 from verify.sweep.region import UNDECIDED, UNSOLVED, Break, Region
 from verify.sweep.tables import REFUSED
 
+SMALL = 1e-4  # per cent: nobody asks which part of it
+
 
 def box_in_words(plan: Plan, one: Region) -> str:
     """Where the formula stays within the limit."""
-    if one.everywhere:
-        return f"all {one.points:,} points"
     if not one.inside:
         between = f", {one.undecided:,} undecided" if one.undecided else ""
         return f"nowhere{between}" if one.unsolved < one.points else "nothing is solved"
     solved = one.points - one.unsolved
-    ranges = ", ".join(
-        f"{r.axis.symbol} {_ends(r.axis, r.low, r.high)}{' (all)' if r.whole else ''}"
-        for r in one.box
+    ranges = (
+        ", ".join(
+            f"{r.axis.symbol} {ends(r.axis, r.low, r.high)}"
+            f"{' (all)' if r.whole and not one.everywhere else ''}"
+            for r in one.box
+        )
+        + ", one input at a time" * plan.star
     )
-    alone = ", one input at a time" if plan.star else ""
+    held = f"{'ranges' if plan.star else 'a box'} of {one.held:,} points, "
+    box = ranges if one.held == one.inside else f"{held}{ranges}"
     if one.inside == solved:
-        return f"all {solved:,} points that are solved; {ranges}{alone}"
-    return f"{ranges}{alone}; {one.inside:,} of {solved:,} points"
+        return f"all {solved:,} points{' that are solved' if one.unsolved else ''}: {box}"
+    of = f"{one.inside:,} of {solved:,} points"
+    return f"{box}; {of}{'' if one.held == one.inside else ' in all'}"
 
 
 def break_in_words(plan: Plan, one: Region) -> str:
@@ -38,24 +44,26 @@ def break_in_words(plan: Plan, one: Region) -> str:
     if not one.nominal and one.at_nominal is not None:
         start = f"not at the inputs' own values; {start}"
     if (by := one.breaks) is None:
-        return f"{start}nothing breaks it along one axis" if not one.everywhere else ""
-    return f"{start}first broken by {_broken(by)}"
+        together = ", several inputs together do" if one.outside else ""
+        return "" if one.everywhere else f"{start}nothing breaks it along one axis{together}"
+    return f"{start}{_broken(by)}"
 
 
 def _broken(by: Break) -> str:
     axis = by.axis
-    way = f"{axis.symbol} {'above' if by.up else 'below'}"
-    if by.verdict == UNSOLVED:
+    if by.verdict == UNSOLVED:  # which says nothing about the formula
         what = "refused" if by.why.startswith(REFUSED) else "not solved"
         return (
-            f"{way} {_valued(axis, by.last)}: {_valued(axis, by.first)} is {what} ({bare(by.why)})"
+            f"no answer beyond {axis.symbol} = {valued(axis, by.last)}: "
+            f"{valued(axis, by.first)} is {what} ({bare(by.why)})"
         )
+    way = f"first broken by {axis.symbol} {'above' if by.up else 'below'}"
     doubt = ", where the error bar reaches beyond" if by.verdict == UNDECIDED else ""
     if by.at is None:
-        return f"{way} {_valued(axis, by.last)}{doubt}"
+        return f"{way} {valued(axis, by.last)}{doubt}"
     low, high = sorted((by.last, by.first))
-    between = f"between {axis.shown(low):.4g} and {_valued(axis, high)}"
-    return f"{way} {_valued(axis, by.at)} ({between}){doubt}"
+    between = f"between {axis.shown(low):.4g} and {valued(axis, high)}"
+    return f"{way} {valued(axis, by.at)} ({between}){doubt}"
 
 
 def bare(why: str) -> str:
@@ -64,14 +72,20 @@ def bare(why: str) -> str:
 
 
 def error_with_bar(course: Course, n: int) -> str:
-    """The error of a point in percent with its expanded uncertainty, to the latter's digits."""
+    """The error of a point in percent with its expanded uncertainty, to two digits of the latter.
+
+    Of a bar below a thousandth of the error, or below SMALL, no more than that is told.
+    """
     error, bar = 100 * float(course.error[n]), 100 * float(course.U_error[n])
     if not bar > 0:
         return f"{error:+.3g} %"
-    digits = min(max(0, 1 - math.floor(math.log10(bar))), 6)
-    if bar < 0.5 * 10**-digits:
-        return f"{error:+.3g} % ± {bar:.1g} %"
-    return f"{error:+.{digits}f} ± {bar:.{digits}f} %"
+    power = math.floor(math.log10(max(abs(error) / 1000, SMALL)))
+    if bar >= 10**power:
+        digits = max(0, 1 - math.floor(math.log10(bar)))
+        return f"{error:+.{digits}f} ± {bar:.{digits}f} %"
+    digits = max(0, -power)
+    least = f"< {10**power:.{digits}f} %"
+    return f"{error:+.{digits}f} ± {least}" if abs(error) + bar >= 10**power else least
 
 
 def ranked(scatter: Scatter) -> list[tuple[str, str, str]]:
@@ -88,16 +102,18 @@ def _index(of: Estimate) -> str:
 
 def place(varied: Sequence[Axis | Tolerance], values: Iterable[float]) -> str:
     """The values [SI] of the inputs that vary, with their symbols and units."""
-    return ", ".join(f"{a.symbol} {_valued(a, v)}" for a, v in zip(varied, values, strict=True))
+    return ", ".join(f"{a.symbol} {valued(a, v)}" for a, v in zip(varied, values, strict=True))
 
 
-def _valued(one: Axis | Tolerance, value: float) -> str:
+def valued(one: Axis | Tolerance, value: float) -> str:
+    """A value [SI] in the input's unit, with it."""
     unit = "" if one.unit == "1" else f" {one.unit}"
     return f"{one.shown(value):.4g}{unit}"
 
 
-def _ends(axis: Axis, low: float, high: float) -> str:
+def ends(axis: Axis, low: float, high: float) -> str:
+    """A range of values [SI] in the axis's unit: "2..6 mm"."""
     unit = "" if axis.unit == "1" else f" {axis.unit}"
     if low == high:
-        return _valued(axis, low)
+        return valued(axis, low)
     return f"{axis.shown(low):.4g}..{axis.shown(high):.4g}{unit}"
