@@ -148,6 +148,20 @@ def test_an_answer_that_is_missing_does_not_hide_a_formula_that_breaks():
     )
 
 
+@pytest.mark.parametrize(
+    ("error", "said"),
+    [
+        (np.nan, "nothing that was solved takes it beyond 5 %"),
+        (0.2, "no input alone takes it beyond 5 %, several together do"),
+    ],
+)
+def test_two_inputs_at_once_that_break_it_or_have_no_answer(error, said):
+    plan = kept.plans(PLATE)[0]  # the case's own a = 4 mm and n = 3
+    errors = [error if v[0] < 1.5e-3 and v[1] > 8 else 0.01 for v in plan.points]
+    found = region(plan, course(plan, errors, [1e-4] * 12))
+    assert found.breaks.endswith(said)
+
+
 def test_a_value_between_two_is_told_where_two_digits_still_lie_between():
     a = kept.plans(PLATE)[0].axes[0]
     assert words.near(a, 15e-3, 40e-3, 31.97e-3) == " (about 32)"

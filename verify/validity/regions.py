@@ -1,4 +1,4 @@
-"""Where the error of one formula stays within the limits, and what takes it out of them first."""
+"""Where the error of one formula stays within the limits, and the errors that are drawn."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -9,25 +9,12 @@ from verify.results import ValidityAxis, ValidityLimit, ValidityRegion
 from verify.sweep.axes import Axis
 from verify.sweep.outcome import Course
 from verify.sweep.plan import Plan
-from verify.sweep.region import (
-    OUTSIDE,
-    UNDECIDED,
-    UNSOLVED,
-    Break,
-    Range,
-    Region,
-    lines,
-    regions,
-)
+from verify.sweep.region import Range, Region, lines, regions
 from verify.validity import words
+from verify.validity.breaks import breaks
 
 MIDDLE = 1  # of LIMITS: the one whose loss is told
 MOST_DRAWN = 2  # axes
-ALREADY = {
-    OUTSIDE: "beyond {} at the case's own inputs already",
-    UNDECIDED: "undecided at the case's own inputs already: the error bar reaches across {}",
-    UNSOLVED: "no answer at the case's own inputs",
-}
 COMMAND = ", check it without --fem"  # advice to one who asks for that point
 
 
@@ -75,60 +62,6 @@ def _alone(ranges: Sequence[Range]) -> str:
     told = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
     whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
     return "; ".join([*told, f"{whole} alone throughout"] if whole else told)
-
-
-def breaks(found: Region) -> str:
-    """What takes the formula out of the limit first, and from where, in words."""
-    limit = f"{found.limit:.0%}".replace("%", " %")
-    if found.base is None:
-        nowhere = "" if found.inside else f", and no point is within {limit}"
-        return f"{_at_nominal(found, limit)}{nowhere}"
-    start = _start(found, limit)
-    step = found.breaks
-    if step is None:
-        kept = "nothing in what was measured" if found.everywhere else "no input alone"
-        more = "" if found.everywhere else ", several together do"
-        return f"{start}{kept} takes it beyond {limit}{more}"
-    if step.verdict == UNSOLVED and found.inside + found.unsolved == found.points:
-        # inputs that a rule refuses, or a run that ends, don't break a formula
-        return f"{start}nothing that was solved takes it beyond {limit}; {_unsolved(step)}"
-    more = ""
-    if step.verdict == UNSOLVED:
-        # the step that comes first must not hide what breaks the formula elsewhere
-        count = found.outside + found.undecided
-        more = f"; elsewhere {count} point{'s are' if count > 1 else ' is'} not within it"
-    return start + _broken(step, limit) + more
-
-
-def _start(found: Region, limit: str) -> str:
-    """From where the first break is looked for, unless that is as one expects."""
-    if not found.nominal:
-        return f"{_at_nominal(found, limit)}; from the middle of the box, "
-    nominal = [(one, one.axis.nominal) for one in found.box]
-    inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
-    return "" if inside else "from the case's own inputs, which are not in that box, "
-
-
-def _broken(step: Break, limit: str) -> str:
-    axis, towards = step.axis, f"{'larger' if step.up else 'smaller'} {step.axis.symbol}"
-    if step.verdict == OUTSIDE:
-        ends = words.between(axis, step.last, step.first)
-        near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
-        return f"{towards} takes it beyond {limit} between {ends}{near}"
-    last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    doubt = f"undecided at {first}: the error bar reaches across"
-    then = doubt if step.verdict == UNDECIDED else _unsolved(step)
-    return f"{towards}: within {limit} to {last}, {then}"
-
-
-def _unsolved(step: Break) -> str:
-    return f"no answer at {words.span(step.axis, step.first, step.first)}"
-
-
-def _at_nominal(found: Region, limit: str) -> str:
-    if found.at_nominal is None:
-        return "the case's own inputs are not among what was measured"
-    return ALREADY[found.at_nominal].format(limit)
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:
