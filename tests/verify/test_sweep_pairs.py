@@ -66,7 +66,7 @@ def test_rows_are_chosen_by_parts_of_their_names_or_a_whole_one():
     with pytest.raises(InputError, match=r"is called so: near it are force$"):
         selected(of, ("forse",))
     with pytest.raises(InputError, match=r"is called so: near it are K in the mean$"):
-        selected(of, ("maen",))
+        selected(of, ("the maen",))
     many = case(*(identity(name=f"row {k}") for k in range(7)))
     with pytest.raises(InputError, match="called so: row 0; row 1; row 2; row 3; row 4 and 2 more"):
         selected(many, ("torque",))

@@ -8,7 +8,8 @@ import pytest
 
 from tests.verify.sweep_made import CASE, Plate, chosen, course, outcome
 from verify.sweep.plan import grid, sample
-from verify.sweep.told import shortened, told
+from verify.sweep.told import told
+from verify.sweep.told_table import shortened
 from verify.sweep.words import error_with_bar
 
 NAN = np.nan

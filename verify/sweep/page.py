@@ -20,7 +20,7 @@ from verify.sweep.point import code_of
 from verify.sweep.region import regions
 from verify.sweep.run import versions
 from verify.sweep.tables import FAILED, REFUSED, SOLVED, largest, reasons, statuses
-from verify.sweep.told import worst
+from verify.sweep.told_table import worst
 from verify.sweep.verdicts import grid_in_words, sample_in_words, unit_after
 
 MOST_REASONS = 6

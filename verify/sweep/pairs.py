@@ -16,6 +16,7 @@ from verify.results import Kind, Row
 
 LEVELS = 3  # that an error bar needs
 MOST_NAMES = 5  # that are offered for one that fits nothing
+LIKE = 0.75  # share of letters from which on a word may be another one mistyped
 DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter and still count
 
 
@@ -96,16 +97,14 @@ def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
 
 
 def _offered(text: str, names: Sequence[str]) -> str:
-    """The names that are like the text, or else the first and how many there are."""
-    lower = {name.lower(): name for name in names}
-    near = difflib.get_close_matches(text.lower(), lower, MOST_NAMES)
-    # a word of a name that was mistyped, where the name is much longer
-    near += [
-        low for low in lower
-        if low not in near and difflib.get_close_matches(text.lower(), low.split(), 1, 0.75)
+    """The names with most words like those of the text, or else the first and how many more."""
+    scores = [
+        sum(bool(difflib.get_close_matches(word, name.lower().split(), 1, LIKE))
+            for word in text.lower().split()) for name in names
     ]  # fmt: skip
-    if near:
-        return f"near it are {'; '.join(lower[low] for low in near[:MOST_NAMES])}"
+    if best := max(scores):
+        near = [name for name, score in zip(names, scores, strict=True) if score == best]
+        return f"near it are {'; '.join(near[:MOST_NAMES])}"
     more = len(names) - MOST_NAMES
     return "; ".join(names[:MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
