@@ -7,14 +7,12 @@ import numpy as np
 
 from reports.measured import all_within
 from verify.sweep.axes import Axis, Tolerance
-from verify.sweep.indices import NOISY, Indices, Scatter
+from verify.sweep.indices import LOOSE, NOISY, Indices, Scatter
 from verify.sweep.outcome import Course
 from verify.sweep.plan import Plan
 from verify.sweep.region import Region
 from verify.sweep.tables import largest
 from verify.sweep.words import box_in_words, break_in_words, error_with_bar
-
-WIDE = 0.2  # of an index's interval, beyond which a sample is small
 
 
 def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
@@ -90,14 +88,12 @@ def sample_in_words(about: Indices) -> str:
 
 def small_sample(about: Indices) -> str:
     """That intervals of the indices are too wide to rank inputs by; "" where none is."""
-    widths = [e.high - e.low for s in (about.formula, about.fe, about.error) for i in s.indices
-              for e in (i.first, i.total)]  # fmt: skip
-    if not widths or not (widest := max(widths)) > WIDE:
+    if not (widest := max(s.widest for s in (about.formula, about.fe, about.error))) > LOOSE:
         return ""
     rows = about.rows + about.dropped
     return (
-        f"The sample is small: intervals of indices are up to {widest:.2g} wide. Four times as "
-        f"many base points (sobol:{4 * rows}) would about halve them."
+        f"The sample is small: intervals of indices are up to ±{widest / 2:.2f} wide. Four times "
+        f"as many base points (sobol:{4 * rows}) would about halve them."
     )
 
 
