@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import strips
-from analytic.contact.best_crown import BestCrown, best_crown
+from analytic.contact.best_crown import BestCrown
 from analytic.contact.crown import logarithmic
 from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
@@ -44,7 +44,14 @@ FINE_AT = np.geomspace(0.2, 2.5, 40)
 
 
 def analytic(q: CrownedInputs) -> Values:
-    return values(q) | best_values(q, best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star))
+    return values(q) | best_values(q, best(q))
+
+
+def best(q: CrownedInputs, load: float = 1.0) -> BestCrown:
+    """The best crown for a load [of F]."""
+    from analytic.contact.best_crown import best_crown  # of both sides: what they press
+
+    return best_crown(load=load * q.F, length=q.L, R=q.R, E_star=q.E_star)
 
 
 def best_values(q: CrownedInputs, best: BestCrown, tilt: float = 0.0) -> dict[str, float]:
@@ -74,8 +81,8 @@ def best_top(q: CrownedInputs, level: int, gap: profiles.Gap) -> tuple[float, fl
 
 def best_design(q: CrownedInputs) -> tuple[float, float, float]:
     """K_1, K_2, z_m of the best crown for F."""
-    best = best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star)
-    return best.K_1, best.K_2, best.z_m
+    found = best(q)
+    return found.K_1, found.K_2, found.z_m
 
 
 def plane_at_middle(q: CrownedInputs, level: int) -> dict[str, float]:
@@ -290,8 +297,7 @@ def evenly(q: RollerInputs | CrownedInputs, share: float = 1.0) -> float:
 
 def best_over_load(q: CrownedInputs) -> Array:
     """Peak of the best crown at each load over Hertz's pressure of it."""
-    roller = {"length": q.L, "R": q.R, "E_star": q.E_star}
-    return np.array([best_crown(load=k * q.F, **roller).peak / evenly(q, k) for k in BEST_AT])
+    return np.array([best(q, k).peak / evenly(q, k) for k in BEST_AT])
 
 
 def over_load(context: Context) -> Figure:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import strips
-from analytic.contact.best_crown import BestCrown, best_crown
+from analytic.contact.best_crown import BestCrown
 from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
@@ -45,9 +45,12 @@ def analytic(q: TiltedInputs) -> Values:
     return values(q) | best_values(q, best(q), q.theta)
 
 
-def best(q: TiltedInputs) -> BestCrown:
+def best(q: TiltedInputs, tilt: float | None = None) -> BestCrown:
     """The best crown for F, straight or tilted to either side."""
-    return best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star, tilt=(0.0, q.theta))
+    from analytic.contact.best_crown import best_crown  # of both sides: what they press
+
+    tilts = (0.0, q.theta if tilt is None else tilt)
+    return best_crown(load=q.F, length=q.L, R=q.R, E_star=q.E_star, tilt=tilts)
 
 
 def fem(q: TiltedInputs, level: int) -> FemResult:
@@ -80,9 +83,8 @@ def figures(context: Context) -> Sequence[Figure]:
 
 def best_over_tilt(q: TiltedInputs) -> Array:
     """Peak of the best crown for each tilt over Hertz's pressure of an even load."""
-    roller = {"length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
     angles = BEST_TILTS * (q.theta or LEAN)
-    return np.array([best_crown(**roller, tilt=(0.0, a)).peak / evenly(q) for a in angles])
+    return np.array([best(q, a).peak / evenly(q) for a in angles])
 
 
 def over_tilt(context: Context) -> Figure:

@@ -36,7 +36,9 @@ def sector(q: ClutchInputs) -> Sector:
 
 def grip(q: ClutchInputs) -> float:
     """Tangential over normal force of the rollers: tan(α/2) if they stay, else μ, the limit."""
-    if q.alpha is None or not wedging.holds(alpha=q.alpha, mu=q.mu):
+    from analytic.polyhedral.wedging import holds  # of both sides: a load
+
+    if q.alpha is None or not holds(alpha=q.alpha, mu=q.mu):
         return q.mu
     return float(np.tan(q.alpha / 2))
 
