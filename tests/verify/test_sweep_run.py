@@ -91,6 +91,22 @@ def test_refused_points_are_neither_solved_nor_known(tmp_path, called):
     assert [(one.points, one.known) for one in timings] == [(2, 0), (0, 2)]
 
 
+def test_a_case_s_own_limit_counts_as_it_stands_and_is_not_kept(tmp_path, called, monkeypatch):
+    plan = planned("n=3,4")
+    limit = {"most": 3}
+
+    def too_large(q):
+        return "too many holes; check without them" if q.n > limit["most"] else ""
+
+    plan = replace(plan, case=replace(plan.case, too_large=too_large))
+    first = solve(plan, Here(), folder=tmp_path)
+    assert [one.problem_fe for one in first.solutions] == ["", "refused: too many holes"]
+    limit["most"] = 4
+    second = solve(plan, Here(), folder=tmp_path)
+    assert [one.problem_fe for one in second.solutions] == ["", ""]
+    assert (second.timing.points, second.timing.known) == (1, 1)
+
+
 def test_an_engine_that_never_comes_leaves_all_points_to_do(tmp_path, called):
     class Nowhere(Here):
         def entered(self):

@@ -5,7 +5,7 @@ or a changed rule of judging, need no new solution.
 """
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from math import nan
@@ -70,7 +70,7 @@ def solve_point(task: Task) -> Solution:
         if task.formulas:
             found = _with_formulas(found, case, task.inputs)
         if task.fe:
-            found = _with_fe(found, case, part, task.inputs)
+            found = _with_fe(found, part, task.inputs)
     return replace(found, seconds=time.perf_counter() - start)
 
 
@@ -95,9 +95,7 @@ def _with_formulas(found: Solution, case: Case, inputs: Any) -> Solution:
         return replace(found, problem_formulas=_said("formulas", error))
 
 
-def _with_fe(found: Solution, case: Case, part: Portion, inputs: Any) -> Solution:
-    if reason := _refusal(case.too_large, inputs):
-        return replace(found, problem_fe=f"refused: {reason.partition('; check ')[0]}")
+def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
     levels = []
     for level in part.levels[:LEVELS]:
         try:
@@ -111,13 +109,6 @@ def _with_fe(found: Solution, case: Case, part: Portion, inputs: Any) -> Solutio
         fe={key: tuple(float(one.values.get(key, nan)) for one in levels) for key in keys},
         u_it={key: max(float(one.u_it.get(key, 0.0)) for one in levels) for key in keys},
     )
-
-
-def _refusal(too_large: Callable[[Any], str], inputs: Any) -> str:
-    try:
-        return too_large(inputs)
-    except Exception as error:
-        return named(error)
 
 
 def _said(where: str, error: Exception) -> str:

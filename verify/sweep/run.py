@@ -125,6 +125,11 @@ class _Points:
                 self.refused[n] = str(error)
                 self.keys.append("")
                 continue
+            # the case's own limit, asked for each time: a stored answer would outlive it
+            if reason := plan.case.too_large(one):
+                self.refused[n] = reason.partition("; check ")[0]
+                self.keys.append("")
+                continue
             self.keys.append(store.key(one))
             self.inputs[self.keys[-1]] = one
         self.names = list(self.inputs)
