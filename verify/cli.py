@@ -203,6 +203,7 @@ def sweep(
     /,
     *,
     vary: Texts = (),
+    star: bool = False,
     sample: str = "",
     tolerance: Texts = (),
     only: Texts = (),
@@ -226,6 +227,8 @@ def sweep(
     vary
         An input and its values: z=3:12:10, b=0.3mm:2mm:9, b=0.1mm:10mm:9:log, E=190GPa,210GPa or
         supports[2].k=...; several make a grid.
+    star
+        Vary one input at a time instead, the others as in the file.
     sample
         sobol:N, a sample for sensitivity indices with N a power of two: N (d + 2) points for d
         tolerances.
@@ -250,7 +253,7 @@ def sweep(
     from verify.sweep.command import run_sweep
 
     return run_sweep(
-        file, vary=vary, sample=sample, tolerances=tolerance, only=only,
+        file, vary=vary, star=star, sample=sample, tolerances=tolerance, only=only,
         where=Where(jobs, engine, scheduler), out=out, as_json=json, again=again,
     )  # fmt: skip
 

@@ -5,6 +5,7 @@ import sqlite3
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from tests.verify.sweep_files import RING
@@ -41,7 +42,7 @@ def swept(path, *, solutions, monkeypatch, vary=("z=3:4:2",), as_json=False):
 
     monkeypatch.setattr(command, "solve", solve)
     return command.run_sweep(
-        path, vary=vary, sample="", tolerances=(), only=("K of",), where=Where(1),
+        path, vary=vary, star=False, sample="", tolerances=(), only=("K of",), where=Where(1),
         out=path.parent / "out", as_json=as_json, again=False,
     )  # fmt: skip
 
@@ -83,10 +84,19 @@ def test_json_goes_with_lines_of_progress_as_without_a_terminal(ring, monkeypatc
     monkeypatch.setattr(command, "solve", solve)
     with pytest.raises(InputError, match="enough"):
         command.run_sweep(
-            ring, vary=("z=3:4:2",), sample="", tolerances=(), only=(), where=Where(1),
+            ring, vary=("z=3:4:2",), star=False, sample="", tolerances=(), only=(), where=Where(1),
             out=ring.parent / "out", as_json=True, again=False,
         )  # fmt: skip
     assert isinstance(shown[0], command.Lines)
+
+
+def test_a_star_varies_one_input_at_a_time_and_its_command_says_so(ring):
+    vary = ("z=3:5:3", "rho=1mm:2mm:2")
+    plan = command.planned(ring, vary=vary, star=True, sample="", tolerances=(), only=())
+    assert (plan.star, len(plan.points)) == (True, 5)  # the file's z = 6, rho = 2 mm and 3 + 1
+    assert (np.sum(plan.points != plan.points[0], axis=1) <= 1).all()
+    repeat = command.command(ring, vary, True, "", (), ())
+    assert repeat == "freewheel sweep ring.toml --vary z=3:5:3 --vary rho=1mm:2mm:2 --star"
 
 
 @pytest.mark.parametrize(
@@ -96,6 +106,7 @@ def test_json_goes_with_lines_of_progress_as_without_a_terminal(ring, monkeypatc
         (("--vary", "z=3:4:2", "--sample", "sobol:8"), "--vary, which makes a grid, and --sample "
                                                        "exclude each other"),
         (("--vary", "z=3:4:2", "--tolerance", "E=±5%"), "--tolerance belongs to --sample"),
+        (("--star", "--sample", "sobol:8"), "--star belongs to --vary"),
         (("--vary", "=3:4:2"), "the input's name is missing"),
     ],
 )  # fmt: skip

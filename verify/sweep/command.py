@@ -29,7 +29,7 @@ PAGE = "sweep.html"
 
 
 def run_sweep(
-    path: Path, *, vary: Sequence[str], sample: str, tolerances: Sequence[str],
+    path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
     only: Sequence[str], where: Where, out: Path | None, as_json: bool, again: bool,
 ) -> int:  # fmt: skip
     """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
@@ -37,7 +37,7 @@ def run_sweep(
     A point that the inputs' rules refuse has not failed. Both are told; the rest is there.
     InputError where all are refused.
     """
-    plan = planned(path, vary=vary, sample=sample, tolerances=tolerances, only=only)
+    plan = planned(path, vary=vary, star=star, sample=sample, tolerances=tolerances, only=only)
     _some_possible(plan)
     folder = out or ROOT / "reports" / "out" / f"sweep-{path.stem}"
     writable(folder)
@@ -46,7 +46,7 @@ def run_sweep(
         solved = solve(plan, where, again=again, show=show)
     found = outcome(solved)
     _some_accepted(found.problems)
-    made = files(found, command(path, vary, sample, tolerances, only))
+    made = files(found, command(path, vary, star, sample, tolerances, only))
     _write(made, folder)
     if as_json:
         print(made["sweep.json"].decode(), end="")
@@ -77,20 +77,23 @@ def _some_accepted(problems: Sequence[str]) -> None:
 
 
 def planned(
-    path: Path, *, vary: Sequence[str], sample: str, tolerances: Sequence[str], only: Sequence[str]
-) -> Plan:
+    path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
+    only: Sequence[str],
+) -> Plan:  # fmt: skip
     """The sweep that a parameter file and the options ask for; InputError."""
     if vary and sample:
         raise InputError("--vary, which makes a grid, and --sample exclude each other")
     if not vary and not sample:
         raise InputError("sweep needs --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
+    if star and not vary:
+        raise InputError("--star belongs to --vary")
     if tolerances and not sample:
         raise InputError("--tolerance belongs to --sample")
     name, case, inputs, _ = load(path)
     chosen = selected(case, only)
     if sample:
         return plans.sample(case, name, inputs, chosen, sample, tolerances)
-    return plans.grid(case, name, inputs, chosen, vary)
+    return plans.grid(case, name, inputs, chosen, vary, star=star)
 
 
 def announce(plan: Plan) -> None:
@@ -108,12 +111,13 @@ def _rows(plan: Plan, keys: Sequence[str]) -> str:
 
 
 def command(
-    path: Path, vary: Sequence[str], sample: str, tolerances: Sequence[str], only: Sequence[str]
-) -> str:
+    path: Path, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
+    only: Sequence[str],
+) -> str:  # fmt: skip
     """What repeats this."""
     parts = ["freewheel", "sweep", path.name]
     parts += [part for text in vary for part in ("--vary", text)]
-    parts += ["--sample", sample] if sample else []
+    parts += ["--star"] * star + (["--sample", sample] if sample else [])
     parts += [part for text in tolerances for part in ("--tolerance", text)]
     parts += [part for text in only for part in ("--only", text)]
     return shlex.join(parts)
