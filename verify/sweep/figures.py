@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from reports.measured import LIMITS, Measured
 from reports.sweep import Panels, Picture
 from reports.sweep_plots import Causes, Histogram, reach
+from reports.validity_map import LEAST
 from verify import units
 from verify.shown import Array, Band, Curve, Curves
 from verify.sweep.axes import Axis, Tolerance
@@ -23,6 +24,7 @@ MIDDLE = LIMITS[1]  # whose region maps outline
 MOST_PANELS, MOST_PAIRS, MOST_CURVES, MOST_DOTS = 12, 6, 4, 500
 ERROR = "Formula less finite elements, in %."
 MATTERS = 0.1  # share of the points whose bar reaches across a limit, from which on it is drawn
+LINES = " Lines: where the error passes a limit, straight between points."
 QUANTILES = ("2.5 %", "50 %", "97.5 %")
 
 
@@ -37,10 +39,10 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
     x, y = plan.axes
     box = next((r.box for r in regions if r.limit == MIDDLE and not r.everywhere), ())
     error, U = (v.reshape(plan.shape) for v in (course.error, course.U_error))
+    lined = min(plan.shape) >= LEAST
     found: list[Picture] = [
         _map((x, y), error, U, title="Error of the formula",
-            note=f"{ERROR} Each cell stands for the point in its middle; lines where the error "
-            "passes a limit, straight between points.", own=True,
+            note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined, own=True,
             box=tuple((r.axis.shown(r.low), r.axis.shown(r.high)) for r in box),
         ),
         _values_2d(plan, course),
