@@ -184,12 +184,18 @@ def test_whole_numbers_have_no_crossing_between_them():
 
 
 def test_an_unsolved_point_breaks_and_says_why_and_counts_on_no_side():
-    found = region(planned("a=1:6mm:6"), 0.05, [0.2, 0.01, 0.01, 0.01, NAN, 0.01])
+    found = region(planned("a=1:6mm:6"), 0.05, [0.01, 0.01, 0.01, 0.01, NAN, 0.2])
     assert (found.inside, found.outside, found.unsolved) == (4, 1, 1)
     by = found.breaks
     assert (by.first, by.at, by.verdict) == (pytest.approx(5e-3), None, UNSOLVED)
     assert by.why == "does not converge"
-    assert [found.box[0].low, found.box[0].high] == mm(2, 4)
+    assert [found.box[0].low, found.box[0].high] == mm(1, 4)
+
+
+def test_a_point_without_an_answer_hides_no_true_limit_that_lies_further_off():
+    found = region(planned("a=1:6mm:6"), 0.05, [0.2, 0.01, 0.01, 0.01, NAN, 0.01])
+    by = found.breaks
+    assert (by.up, by.first, by.verdict) == (False, pytest.approx(1e-3), OUTSIDE)
 
 
 def test_breaks_are_looked_for_from_the_middle_of_the_box_where_the_nominal_point_is_outside():

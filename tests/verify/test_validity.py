@@ -143,8 +143,13 @@ def test_an_answer_that_is_missing_does_not_hide_a_formula_that_breaks():
     plan = kept.plans(PLATE)[1]
     errors = [0.2 if v[0] == 1e-3 else np.nan if v[0] == 5e-3 else 0.01 for v in plan.points]
     found = region(plan, course(plan, errors, [1e-4] * 5))
-    assert found.breaks == (
-        "larger a: within 5 % to 4 mm, no answer at a = 5 mm; elsewhere 1 point is not within it"
+    assert found.breaks == "smaller a takes it beyond 5 % between 1 and 2 mm (about 1.8)"
+    plan = kept.plans(PLATE)[0]  # from a = 4 mm and n = 3
+    special = {(1e-3, 9): 0.2, (4e-3, 6): np.nan}
+    errors = [special.get((v[0], v[1]), 0.01) for v in plan.points]
+    assert region(plan, course(plan, errors, [1e-4] * 12)).breaks == (
+        "from the case's own inputs, which are not in that box, larger n: within 5 % to 3, no answer "
+        "at n = 6; elsewhere 1 point is not within it"
     )
 
 

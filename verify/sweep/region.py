@@ -192,8 +192,12 @@ def lines(plan: Plan, base: int) -> Iterator[Line]:
 def _first_break(
     course: Course, found: Verdicts, every: Iterator[Line], limit: float
 ) -> Break | None:
-    """Soonest is by the share of the axis's length that lies between; None if it never breaks."""
-    best, least = None, np.inf
+    """Soonest is by the share of the axis's length that lies between; None if it never breaks.
+
+    A point without an answer ends a line, but a formula breaks where its error is beyond the limit:
+    only where no line has such an end is the one without an answer told.
+    """
+    best, least = None, (True, np.inf)
     for line in every:
         for way in (range(line.base + 1, len(line.x)), range(line.base - 1, -1, -1)):
             out = next((i for i in way if found[line.points[i]] != INSIDE), None)
@@ -203,8 +207,9 @@ def _first_break(
             reached = one.first if one.at is None else one.at
             place = _places(line.axis, np.array([line.x[line.base], reached, *line.x[[0, -1]]]))
             share = abs(place[1] - place[0]) / (place[3] - place[2])
-            if share < least:
-                best, least = one, share
+            rank = (one.verdict == UNSOLVED, float(share))
+            if rank < least:
+                best, least = one, rank
     return best
 
 
