@@ -148,8 +148,8 @@ def test_an_answer_that_is_missing_does_not_hide_a_formula_that_breaks():
     special = {(1e-3, 9): 0.2, (4e-3, 6): np.nan}
     errors = [special.get((v[0], v[1]), 0.01) for v in plan.points]
     assert region(plan, course(plan, errors, [1e-4] * 12)).breaks == (
-        "from the case's own inputs, which are not in that box, larger n: within 5 % to 3, no answer "
-        "at n = 6; elsewhere 1 point is not within it"
+        "from the case's own inputs, which are not in that box, larger n: within 5 % to 3, "
+        "no answer at n = 6; elsewhere 1 point is not within it"
     )
 
 
