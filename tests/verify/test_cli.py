@@ -256,7 +256,7 @@ def test_a_solver_that_fails_is_a_red_row_and_no_traceback(
 
     monkeypatch.setattr(solve, "_solve", stuck)
     right = solving.run
-    here = lambda work, **more: right(work, **more | {"processes": 0})  # noqa: E731
+    here = lambda work, **more: right(work, **more | {"engine": None})  # noqa: E731
     monkeypatch.setattr(solving, "run", here)
     monkeypatch.setenv("FREEWHEEL_CACHE", str(with_equations(tmp_path / "cache")))
     assert run(["verify", "ring-lame", "--out", str(tmp_path)]) == 1
