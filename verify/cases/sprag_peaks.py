@@ -168,6 +168,7 @@ def peaks_fem(
         for k in range(0, n, CHUNK)
     ]
     found: dict[tuple[Crown, ...], list[tuple[Array, Array]]] = {}
+    done = 0
     with local(0 if jobs == 1 or len(tasks) == 1 else min(jobs, len(tasks))) as engine:
         for said in Drive(engine, some_fem).answers((q, torques, task, by) for task in tasks):
             if said is None:
@@ -177,8 +178,9 @@ def peaks_fem(
                 raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
             if isinstance(answer, str):
                 raise NoLockError(answer)
-            found[task] = answer
-            progress(sum(map(len, found.values())))
+            found[task] = answer  # the same for crowns that come twice
+            done += len(task)
+            progress(done)
     whole = [one for task in tasks for one in found[task]]
     return Peaks(
         np.asarray(crowns, dtype=np.float64), np.array(torques),

@@ -7,7 +7,7 @@ import pytest
 from scipy.sparse import csr_array, eye_array
 from scipy.sparse.linalg import splu
 
-from fem.plane.solve import SUPERLU
+from fem.plane.factors import SUPERLU
 from fem.solid.ordering import nested_dissection
 from meshes.solid.block import solid_block
 from meshes.solid.strip import solid_strip
