@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from analytic.freewheel import criterion
+from verify.agreement import Agreement, Deviation, Pair
 from verify.case import Context
 from verify.cases.freewheel_friction_formulas import (
     both_contacts,
@@ -16,7 +17,7 @@ from verify.cases.freewheel_friction_formulas import (
     whole_load,
 )
 from verify.cases.freewheel_friction_limit import HELD
-from verify.checks import Accepted, Approximation, Exact, Fact, Identity
+from verify.checks import Approximation, Exact, Fact, Identity
 from verify.results import Row
 from verify.shown import Array
 
@@ -41,31 +42,34 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
     return float(criterion.required_friction(alpha=np.arctan(tan), T=q.T, F_ax=F_ax, R=q.R))
 
 
-def onset(context: Context) -> tuple[float, float, str]:
+def onset(context: Context) -> Pair:
     """All of both contacts slips where friction is tan(alpha)."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
-    return ONSET - abs(off), 2 * half, f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
+    words = f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
+    return Pair(1 / (1 + off), 1.0, 2 * half, words)
 
 
-def axial_onset(context: Context) -> tuple[float, float, str]:
+def axial_onset(context: Context) -> Pair:
     """The axial load finds no rest where friction is below mu_req."""
     share, half = context.fem[-1].arrays["axial onset"]
     tan, q = context.fem[-1].arrays["tan"][1], context.inputs
     needed = required(context, loaded=True, of_mesh=True)
     off = share * tan * np.hypot(1.0, q.F_ax * q.R / q.T) / needed - 1
-    return CONE - abs(off), half, f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
+    words = f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
+    return Pair(1 / (1 + off), 1.0, half, words)
 
 
 def _of_required(off: float) -> str:
     return "no μ near μ_req" if np.isnan(off) else f"μ_req {off:+.3%}"
 
 
-def of_contact(context: Context, where: int) -> tuple[float, float, str]:
+def of_contact(context: Context, where: int) -> Pair:
     """Resultant over N of one contact against Eq. 9."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
-    return OWN - abs(now), abs(now - before), f"off by {now:+.3%}, {OWN:.1%} accepted"
+    words = f"off by {now:+.3%}, {OWN:.1%} accepted"
+    return Pair(1 / (1 + now), 1.0, abs(now - before), words)
 
 
 def _off(context: Context, forces: Array) -> float:
@@ -81,7 +85,7 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
     slid = [row for row in arrays["angles"] if row[3] > 0]
     found = [np.hypot(last[2:4], last[4:6]), *(np.hypot(row[3::2], row[4::2]) for row in slid)]
     off = np.abs(np.concatenate(found) - 1).max()
-    return CONE - float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
+    return float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
 
 
 def over_angles(context: Context) -> tuple[float, float]:
@@ -129,16 +133,16 @@ CHECKS = (
                   unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.05,
                   source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
                   demand_reason="it goes as 1/√((μ/tan α)² − 1)"),
-    Accepted(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
-             margin=onset),
-    Accepted(name="friction below which the axial load finds no rest (Eqs. 8-10)",
-             symbol="μ/μ_req", unit="1", margin=axial_onset),
-    Accepted(name="required friction on the star, at its own angle (Eqs. 8, 9)", symbol="μ_req",
-             unit="1", margin=lambda context: of_contact(context, 0)),
-    Accepted(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
-             unit="1", margin=lambda context: of_contact(context, 1)),
-    Accepted(name="slipping contacts are on the friction cone", symbol="F/(μF_n)", unit="1",
-             margin=on_the_cone),
+    Agreement(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
+              pair=onset, accepted=ONSET),
+    Agreement(name="friction below which the axial load finds no rest (Eqs. 8-10)",
+              symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE),
+    Agreement(name="required friction on the star, at its own angle (Eqs. 8, 9)", symbol="μ_req",
+              unit="1", pair=lambda context: of_contact(context, 0), accepted=OWN),
+    Agreement(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
+              unit="1", pair=lambda context: of_contact(context, 1), accepted=OWN),
+    Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1", unit="1",
+              size=on_the_cone, accepted=CONE, whole="μF_n"),
     PaperFact(name="wedge angles: held below tan α = μ, let out above", symbol="F_t/(μF_n)",
               unit="1", margin=over_angles),
     Exact(name="balance of a roller along the axis", symbol="ΣF_a", unit="N", fem="balance",

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.sprag.closure import wedged
+from verify.agreement import Agreement, Pair
 from verify.case import Check, Context, Values
 from verify.cases.sprag_inputs import WedgeInputs
 from verify.cases.sprag_wedge_expected import (
@@ -28,6 +29,8 @@ BETTI = "reciprocity: the mean is Lamé's wherever forces act; 1e-3 for what is 
 FULL, MOST = "N_0", "1.8 N_0"
 WIDTH = f"{HERTZ}, no less than the 1 % that is accepted"
 ONE = "1 % of Hertz is accepted"
+RATIO, WORK = 2e-3, 5e-3  # accepted of force ratios and torque, and of the work
+LIGHT, SLIDES = 1e-4, 1e-3  # accepted without load, and of the friction that just holds
 EDGE = 1  # order of what hangs on where a contact ends in a cell
 
 
@@ -70,51 +73,61 @@ def at_torque(
     )  # fmt: skip
 
 
-def no_load(context: Context) -> tuple[float, float, str]:
+def no_load(context: Context) -> Pair:
     """tan(nu) of Eq. 10 over T_i/N_i in the lightest state: 1e-4 accepted."""
     clutch, found = elastic(context.inputs), []
     for result in context.fem[-2:]:
         N, _, share, *_ = result.arrays["loads"][:, 0]
         found.append(float(np.tan(wedged(clutch, N).nu) / share - 1))
     said = f"off by {found[1]:+.1e} at {N:.3g} N, 1e-4 accepted"
-    return 1e-4 - abs(found[1]), 2 * abs(found[1] - found[0]), said
+    return Pair(1 + found[1], 1.0, 2 * abs(found[1] - found[0]), said)
 
 
-def within(key: str, most: float, what: str) -> Callable[[Context], tuple[float, float, str]]:
-    """What is left of the figure `most`, with how much the last meshes differ."""
+def ratio(
+    key: str, most: float, what: str, *, of_fem: bool = False
+) -> Callable[[Context], Pair]:
+    """A ratio less 1, `key`, of formula and finite elements; where `of_fem`, theirs over it.
 
-    def margin(context: Context) -> tuple[float, float, str]:
+    How much the last meshes differ is its uncertainty.
+    """
+
+    def pair(context: Context) -> Pair:
         before, now = (r.values[key] for r in context.fem[-2:])
-        return most - abs(now), 2 * abs(now - before), f"{what} {now:+.3%}, {most:.1%} accepted"
+        words = f"{what} {now:+.3%}, {most:.1%} accepted"
+        return Pair(1 / (1 + now) if of_fem else 1 + now, 1.0, 2 * abs(now - before), words)
 
-    return margin
+    return pair
 
 
-def force_ratio(key: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Of finite elements against the strut's, at its worst up to N_0: 2e-3 accepted."""
-    points = [point for point, share in STROKE.items() if share <= 1]
+def force_ratio(key: str) -> Callable[[Context], Pair]:
+    """The strut's against that of finite elements, at its worst up to N_0."""
+    names = [f"{key}, {point}" for point, share in STROKE.items() if share <= 1]
 
-    def margin(context: Context) -> tuple[float, float, str]:
-        off = [[r.values[f"{key}, {p}"] / context.analytic[f"{key}, {p}"] - 1 for p in points]
+    def pair(context: Context) -> Pair:
+        off = [{name: r.values[name] / context.analytic[name] - 1 for name in names}
                for r in context.fem[-2:]]  # fmt: skip
-        before, now = (max(x, key=abs) for x in off)
-        said = f"off by {now:+.2%} at most, 0.2 % accepted"
-        return 2e-3 - abs(now), 2 * abs(now - before), said
+        before, now = (max(x.values(), key=abs) for x in off)
+        worst = max(names, key=lambda name: abs(off[-1][name]))
+        said = f"off by {now:+.2%} at most, {RATIO:.1%} accepted"
+        found = context.fem[-1].values[worst]
+        return Pair(context.analytic[worst], found, 2 * abs(now - before) * found, said)
 
-    return margin
+    return pair
 
 
-def force_ratio_bent(key: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Of finite elements against the strut's at 1.8 N_0, less what bending takes: 2e-3 accepted."""
+def force_ratio_bent(key: str) -> Callable[[Context], Pair]:
+    """The strut's at 1.8 N_0 and what bending takes against that of finite elements."""
 
-    def margin(context: Context) -> tuple[float, float, str]:
+    def pair(context: Context) -> Pair:
         q, name = context.inputs, f"{key}, {MOST}"
         bent = bending(q, STROKE[MOST] * rigid_force(q)).whole
         before, now = (r.values[name] / context.analytic[name] - 1 for r in context.fem[-2:])
-        said = f"off by {now:+.2%}, bending {bent:+.2%}: 0.2 % accepted of the rest"
-        return 2e-3 - abs(now - bent), 2 * abs(now - before), said
+        said = f"off by {now:+.2%}, bending {bent:+.2%}: {RATIO:.1%} accepted of the rest"
+        found = context.fem[-1].values[name]
+        formula = context.analytic[name] * (1 + bent)
+        return Pair(formula, found, 2 * abs(now - before) * found, said)
 
-    return margin
+    return pair
 
 
 def keeps_its_angle(context: Context) -> tuple[float, float, str]:
@@ -135,17 +148,19 @@ def inner_above_outer(context: Context) -> tuple[float, float]:
     return ratios[1] - 1, 2 * abs(ratios[1] - ratios[0])
 
 
-def onset(context: Context) -> tuple[float, float, str]:
-    """Friction that just holds against tan(nu): 1e-3 accepted."""
+def onset(context: Context) -> Pair:
+    """tan(nu) against the friction between what holds and what slides."""
     v = context.fem[0].values
     tan = float(np.tan(wedged(elastic(context.inputs), v["N at onset"]).nu))
-    off = max(abs(v["holds"] / tan - 1), abs(v["slides"] / tan - 1))
+    between, half = (v["holds"] + v["slides"]) / 2, abs(v["holds"] - v["slides"]) / 2
     said = f"holds at μ = {v['holds'] / tan:.4f} tan ν, slides out at {v['slides'] / tan:.4f} tan ν"
-    return 1e-3 - off, 0.0, said
+    return Pair(tan, between, half, said)
 
 
-def accepted(name: str, symbol: str, margin: Any, **more: Any) -> Accepted:
-    return Accepted(name=name, symbol=symbol, unit="1", margin=margin, **more)
+def agrees(
+    name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str = ""
+) -> Agreement:
+    return Agreement(name=name, symbol=symbol, unit="1", pair=pair, accepted=accepted, by=by)
 
 
 def of_a_race(which: str, race: str) -> tuple[Check, ...]:
@@ -169,14 +184,14 @@ CHECKS: tuple[Check, ...] = (
              BENDS),
     *through("T_e/N_e against the strut's tan ω (Eq. 10)", "tan ω", "1", "tan omega",
              Expected.angle, BENDS),
-    accepted("force ratio on the inner race against tan ν up to N_0", "tan ν",
-             force_ratio("tan nu")),
-    accepted("force ratio on the outer race against tan ω up to N_0", "tan ω",
-             force_ratio("tan omega")),
-    accepted("force ratio on the inner race at 1.8 N_0, but for the column's bending", "tan ν",
-             force_ratio_bent("tan nu")),
-    accepted("force ratio on the outer race at 1.8 N_0, but for the column's bending", "tan ω",
-             force_ratio_bent("tan omega")),
+    agrees("force ratio on the inner race against tan ν up to N_0", "tan ν",
+           force_ratio("tan nu"), RATIO),
+    agrees("force ratio on the outer race against tan ω up to N_0", "tan ω",
+           force_ratio("tan omega"), RATIO),
+    agrees("force ratio on the inner race at 1.8 N_0, but for the column's bending", "tan ν",
+           force_ratio_bent("tan nu"), RATIO),
+    agrees("force ratio on the outer race at 1.8 N_0, but for the column's bending", "tan ω",
+           force_ratio_bent("tan omega"), RATIO),
     *through("excess of N_e over N_i, which the paper has equal", "N_e/N_i − 1", "1", "N_e/N_i",
              Expected.excess, BENDS, points=(FULL,), demand=0.02,
              demand_reason="an excess of 0.1 %, twice as blunt as the angles"),
@@ -220,13 +235,14 @@ CHECKS: tuple[Check, ...] = (
              formal=EDGE, points=(FULL,), demand=0.02, demand_reason=ONE),
     Fact(name="the inner contact is pressed more than the outer, through the stroke", symbol="p_i",
          unit="1", margin=inner_above_outer),
-    accepted("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", no_load),
-    accepted("the logarithmic spiral keeps its wedge angle", "ν", keeps_its_angle),
-    accepted("friction at which the sprag slides out against tan ν", "μ", onset),
-    accepted("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",
-             within("column", 2e-3, "the column bends: off by")),
-    accepted("work ∫N dH on all yields against the elastic energy", "U",
-             within("work", 5e-3, "tangential deformation takes the rest: off by")),
+    agrees("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", no_load, LIGHT),
+    Accepted(name="the logarithmic spiral keeps its wedge angle", symbol="ν", unit="1",
+             margin=keeps_its_angle),
+    agrees("friction at which the sprag slides out against tan ν", "μ", onset, SLIDES),
+    agrees("torque against n_s N tan(ν) OA of the strut where the sprag lies", "T",
+           ratio("column", RATIO, "the column bends: off by", of_fem=True), RATIO),
+    agrees("work ∫N dH on all yields against the elastic energy", "U",
+           ratio("work", WORK, "tangential deformation takes the rest: off by"), WORK),
     Exact(name="balance of both contact forces on a sprag", symbol="ΣF", unit="1", fem="forces",
           scale="one", bound=1e-9, bound_reason="the solver's balance of a free body"),
     Exact(name="torque on the inner race against that on the outer", symbol="T", unit="1",
