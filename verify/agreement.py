@@ -91,6 +91,7 @@ class Agreement(Stated):
             )
         ]  # fmt: skip
 
+
 @dataclass(frozen=True, kw_only=True)
 class PaperAgreement(Agreement):
     """An agreement of the paper's own numbers, which one's own do not claim."""
@@ -118,9 +119,7 @@ class Deviation(Stated):
         size, U, words = self.size(context)
         if not self._judged_here(context):
             return self._told(context, words)
-        verdict = judge.difference(
-            size, 0.0, U=self.accepted - U, scale=1.0, demand=self.demand
-        )
+        verdict = judge.difference(size, 0.0, U=self.accepted - U, scale=1.0, demand=self.demand)
         return [
             self._row(
                 context.case, self.kind, worded(verdict, words), analytic=0.0, scale=1.0,
@@ -130,9 +129,7 @@ class Deviation(Stated):
         ]  # fmt: skip
 
 
-def farthest(
-    values: NDArray[np.float64], references: NDArray[np.float64], u: float
-) -> Pair:
+def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
     """Of two arrays alike the pair that is farthest apart, `u` the relative U of its reference."""
     off = values / references - 1
     k = int(np.abs(off).argmax())

@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.contact import hertz_line
 from analytic.contact.crown import johns_gohar, lundberg
+from verify.agreement import Agreement, Pair, demanded
 from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
@@ -127,15 +128,14 @@ def near_strips(name: str) -> Callable[[Any, Values], tuple[float, float] | None
     return found
 
 
-def by_name(key: str, name: str, bound: float) -> Callable[[Context], tuple[float, float, str]]:
+def by_name(key: str, name: str) -> Callable[[Context], Pair]:
     """The strips' error in `key` under the crown `name`, which both ends or the middle show."""
 
-    def margin(context: Context) -> tuple[float, float, str]:
+    def pair(context: Context) -> Pair:
         v, own = context.series(f"{name} {key}")[1], context.analytic[f"{name} {key}"]
-        error = own / v[-1] - 1
-        return bound - abs(error), 3 * abs(v[-1] / v[-2] - 1), f"strips {error:+.2%}"
+        return Pair(own, v[-1], 3 * abs(v[-1] - v[-2]), f"strips {own / v[-1] - 1:+.2%}")
 
-    return margin
+    return pair
 
 
 def uneven(name: str) -> Callable[[Context], tuple[float, float, str]]:
@@ -215,12 +215,13 @@ CHECKS = (
         for name, words in EVEN.items()
     ),
     *(
-        Accepted(name=f"{what} of {words}, strips within {bound:.1%}", symbol=symbol, unit="1",
-                 margin=by_name(key, name, bound))
+        Agreement(name=f"{what} of {words}, strips within {bound:.1%}", symbol=symbol, unit=unit,
+                  pair=by_name(key, name), accepted=bound, by=HALF_SPACE, **demanded(bound))
         for name, words in EVEN.items()
-        for key, what, symbol, bound in (
-            ("mid", "pressure at mid-length", "p", MID), ("approach", "approach", "δ", MID),
-            ("ends", "load within d of the ends", "F_d", AT_ENDS),
+        for key, what, symbol, unit, bound in (
+            ("mid", "pressure at mid-length", "p", "MPa", MID),
+            ("approach", "approach", "δ", "µm", MID),
+            ("ends", "load within d of the ends", "F_d", "N", AT_ENDS),
         )
     ),
     *(

@@ -5,7 +5,6 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.freewheel import criterion
 from verify.agreement import Agreement, Deviation, Pair, demanded, farthest
@@ -19,6 +18,7 @@ from verify.cases.freewheel_paths_formulas import (
 from verify.cases.freewheel_paths_times import time_of_slip
 from verify.checks import Accepted, Approximation, Fact, Margin
 from verify.printed import Adopted
+from verify.shown import Array
 
 OWN, KEPT, ALIKE = (
     2e-3,
@@ -31,7 +31,7 @@ ANGLE = "two bodies that enclose the star say alpha, surfaces tilt under N"
 RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
 
 
-def _required(context: Context, at: int, name: str) -> tuple[NDArray[np.float64], ...]:
+def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
     """mu_req of finite elements and Eq. 9 at their own angle and loads, states of a path."""
     arrays, q = context.fem[at].arrays, context.inputs
     (tan, T, unit), table = arrays["own"], arrays[name]
@@ -43,11 +43,12 @@ def _required(context: Context, at: int, name: str) -> tuple[NDArray[np.float64]
 
 
 def own(context: Context, name: str) -> Pair:
-    """Eq. 9 at the extremes of a path against both contacts' resultant over N, where it is off most.
+    """Eq. 9 at the extremes of a path against both contacts' resultant over N, where off.
 
     What the finest meshes differ by in that is its uncertainty.
     """
-    before, now = (farthest(*_required(context, at, name)[::-1], 0.0) for at in (-2, -1))
+    pairs = (_required(context, at, name) for at in (-2, -1))
+    before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
     off, earlier = (one.value / one.reference - 1 for one in (now, before))
     words = f"off by at most {abs(off):.2%}, {OWN:.1%} accepted"
     return replace(now, U=abs(abs(off) - abs(earlier)) * now.reference, words=words)
@@ -157,10 +158,11 @@ def agrees(
 
 
 def slips_in_time(case: int) -> Agreement:
-    return Agreement(name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=ALIKE,
-                     pair=lambda c: in_time(c, case),
-                     source=f"when the path is {ALIKE:.0%} beside the load that finite elements bear",
-                     )  # fmt: skip
+    return Agreement(
+        name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=ALIKE,
+        pair=lambda c: in_time(c, case),
+        source=f"when the path is {ALIKE:.0%} beside the load that finite elements bear",
+    )  # fmt: skip
 
 
 CHECKS = (

@@ -16,7 +16,7 @@ from verify.cases import polyhedral_map_shown as shown
 from verify.cases.polyhedral_fem import UNIT, factors, largest_in_fillet, pressed_fem
 from verify.cases.polyhedral_inputs import PolygonRing, RoundRing
 from verify.cases.polyhedral_map_shown import FLATS, SHARES, WALLS
-from verify.checks import Accepted, Fact, Identity
+from verify.checks import Accepted, Identity
 from verify.inputs import quantity
 from verify.shown import Figure
 

@@ -6,10 +6,12 @@ from typing import Any
 import numpy as np
 
 from analytic.rotor.pochhammer import bending_frequency
+from verify.agreement import Agreement
 from verify.case import Case, Output, Scan, Values
 from verify.cases import rotor_shaft_shown as shown
 from verify.cases.rotor_shaft_claims import (
     CEILING,
+    FINE,
     FormulasLimit,
     errors,
     euler_limit,
@@ -119,10 +121,10 @@ CHECKS = (
             ("the elastic body", "solid 1 forward", "exact 1 forward", 4),
         )
     ),
-    Accepted(name="Timoshenko's beam is within 0.2 % of the elastic body, modes 1 to 3",
-             symbol="ω", unit="1", margin=within_ceiling),
-    Accepted(name="32 elements are within 1e-5 at d/L = 0.03, mode 1", symbol="ω", unit="1",
-             margin=slender),
+    Agreement(name="Timoshenko's beam is within 0.2 % of the elastic body, modes 1 to 3",
+              symbol="ω", unit="rad/s", pair=within_ceiling, accepted=CEILING),
+    Agreement(name="32 elements are within 1e-5 at d/L = 0.03, mode 1", symbol="ω", unit="rad/s",
+              pair=slender, accepted=FINE),
     Accepted(name="turning speeds forward whirl up and slows backward whirl down", symbol="ω",
              unit="1", margin=sense),
 )  # fmt: skip

@@ -83,9 +83,7 @@ def no_load(context: Context) -> Pair:
     return Pair(1 + found[1], 1.0, 2 * abs(found[1] - found[0]), said)
 
 
-def ratio(
-    key: str, most: float, what: str, *, of_fem: bool = False
-) -> Callable[[Context], Pair]:
+def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Callable[[Context], Pair]:
     """A ratio less 1, `key`, of formula and finite elements; where `of_fem`, theirs over it.
 
     How much the last meshes differ is its uncertainty.

@@ -160,7 +160,11 @@ def deviation(row: Row) -> Derivation:
     found = (
         ("size", f"{amount(row.reference, row.unit)}, {row.by}"),
         ("accepted", f"{amount(row.tolerance + u, row.unit)}: {row.interval_source}"),
-        ("U", f"accepted − {short(u)}, how uncertain the size is = {amount(row.tolerance, row.unit)}"),
+        (
+            "U",
+            f"accepted − U of the size = {short(row.tolerance + u)} − {short(u)} = "
+            f"{amount(row.tolerance, row.unit)}",
+        ),
         *difference_steps(row, verdict, "size − 0"),
     )
     return Derivation(found, verdict, row.u_num)
