@@ -52,8 +52,7 @@ CHECKS = (
     ),
     *END_ROWS,
     Order(name="slope of 1/peak over the cell: the end's pressure has no limit", symbol="p",
-          unit="1", errors=inverse_peaks, order=SLOPE, demand=0.04,
-          demand_reason="±0.02 of the slope, acceptance figure"),
+          unit="1", errors=inverse_peaks, order=SLOPE),
     *sliced_rows(("mid",)),
     BALANCE,
 )  # fmt: skip

@@ -25,7 +25,9 @@ ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
 ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
 TILTED = f"{ANGLE}, surfaces tilt under N"
-HEAVY: Any = {"demand": 0.03, "demand_reason": "surfaces tilt by more, the heavier the load"}
+HEAVY: Any = {"own_demand": 0.03, "own_reason": "surfaces tilt by more, the heavier the load"}
+ROOT: Any = {"demand": 0.015, "own_demand": 0.05}  # what a root of a small difference asks for
+LIMITED, CREEPS = "it goes as √((μ/tan α)² − 1)", "it goes as 1/√((μ/tan α)² − 1)"
 STATICS = 1e-6  # of a value: what forces in balance may miss
 BALANCED = "forces in balance, on any mesh"
 
@@ -127,12 +129,12 @@ CHECKS = (
                   analytic="mu_req", interval=two_tangents,
                   source=f"{ANGLE}; √(1 + (F_ax R/T)²) of it is no tangent", formal=2),
     Approximation(name="limit of the axial load (Eq. 9)", symbol="F_ax,lim", unit="N",
-                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, demand=0.05,
-                  demand_reason="it goes as √((μ/tan α)² − 1)", formal=2),
+                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, formal=2,
+                  demand_reason=LIMITED, own_reason=LIMITED, **ROOT),
     Approximation(name="creep of the ring that slips along the axis, F_t/F_a", symbol="R dφ/du_z",
-                  unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.05,
+                  unit="1", fem="creep", analytic="creep", interval=limit_creep,
                   source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
-                  demand_reason="it goes as 1/√((μ/tan α)² − 1)"),
+                  demand_reason=CREEPS, own_reason=CREEPS, **ROOT),
     Agreement(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
               pair=onset, accepted=ONSET),
     Agreement(name="friction below which the axial load finds no rest (Eqs. 8-10)",

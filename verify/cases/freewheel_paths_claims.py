@@ -43,7 +43,7 @@ def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
 
 
 def own(context: Context, name: str) -> Pair:
-    """Eq. 9 at the extremes of a path against both contacts' resultant over N, where off.
+    """Eq. 9 and both contacts' resultant over N, where they differ most along a path.
 
     What the finest meshes differ by in that is its uncertainty.
     """
@@ -167,8 +167,8 @@ def slips_in_time(case: int) -> Agreement:
 
 CHECKS = (
     Approximation(name="axial load at slip, torque first (load case 1)", symbol="F_ax", unit="N",
-                  fem="F_1", analytic="F_lim", source=ANGLE, formal=2, demand=0.03,
-                  demand_reason="it goes as √((μ/tan α)² − 1)",
+                  fem="F_1", analytic="F_lim", source=ANGLE, formal=2, own_demand=0.03,
+                  own_reason="it goes as √((μ/tan α)² − 1)",
                   interval=lambda q, _v: of_limit(q, q.T)),
     agrees("axial amplitude at slip, steady torque (load case 2)", "F_ax", "N",
            lambda c: at_slip(c, 2), ALIKE),

@@ -40,21 +40,26 @@ def known(q: WedgeInputs, interval: Interval, demand: float) -> Interval | None:
     return None if wide and q != WedgeInputs() else interval
 
 
+def of_own(demand: float, reason: str) -> dict[str, Any]:
+    """What one's own clutch is asked to show."""
+    return {"own_demand": demand, "own_reason": reason} if demand > DEMAND else {}
+
+
 def through(
     name: str, symbol: str, unit: str, key: str, interval: Callable[[Expected], Interval],
     source: str, *, fem: str = "", points: tuple[str, ...] = tuple(STROKE), formal: float = 2,
-    demand: float = DEMAND, **more: Any,
+    own: float = DEMAND, reason: str = "", **more: Any,
 ) -> tuple[Check, ...]:  # fmt: skip
-    """One row at each of the normal forces `points`."""
+    """One row at each of the normal forces `points`; `own` is asked of one's own, for `reason`."""
 
     def row(point: str) -> Check:
         def expected(q: WedgeInputs, _values: Values) -> Interval | None:
-            return known(q, interval(at_share(q, STROKE[point])), demand)
+            return known(q, interval(at_share(q, STROKE[point])), own)
 
         return Approximation(
             name=f"{name}, at {point}", symbol=symbol, unit=unit, analytic=f"{key}, {point}",
             fem=f"{fem or key}, {point}", formal=formal, source=source, interval=expected,
-            demand=demand, **more,
+            **of_own(own, reason), **more,
         )  # fmt: skip
 
     return tuple(map(row, points))
@@ -62,14 +67,14 @@ def through(
 
 def at_torque(
     name: str, symbol: str, unit: str, key: str, interval: Callable[[Expected], Interval],
-    source: str, demand: float = DEMAND, **more: Any,
+    source: str, own: float = DEMAND, reason: str = "",
 ) -> Check:  # fmt: skip
     def expected(q: WedgeInputs, v: Values) -> Interval | None:
-        return known(q, interval(Expected(q, v["N"])), demand)
+        return known(q, interval(Expected(q, v["N"])), own)
 
     return Approximation(
         name=f"{name}, at T", symbol=symbol, unit=unit, analytic=key, fem=key, formal=2,
-        source=source, interval=expected, demand=demand, **more,
+        source=source, interval=expected, **of_own(own, reason),
     )  # fmt: skip
 
 
@@ -191,25 +196,25 @@ CHECKS: tuple[Check, ...] = (
     agrees("force ratio on the outer race at 1.8 N_0, but for the column's bending", "tan ω",
            force_ratio_bent("tan omega"), RATIO),
     *through("excess of N_e over N_i, which the paper has equal", "N_e/N_i − 1", "1", "N_e/N_i",
-             Expected.excess, BENDS, points=(FULL,), demand=0.02,
-             demand_reason="an excess of 0.1 %, twice as blunt as the angles"),
+             Expected.excess, BENDS, points=(FULL,), own=0.02,
+             reason="an excess of 0.1 %, twice as blunt as the angles"),
     *through("torque n_s N tan(ν) OA", "T(N)", "N m", "T", Expected.torque, BENDS,
              points=(FULL, MOST)),
     at_torque("normal force (Eq. 10)", "N(T)", "N", "N", Expected.force, BENDS),
     at_torque("rotation of the sprags", "α(T)", "deg", "alpha", Expected.rotation_at_torque,
-              YIELDS, demand=0.02, demand_reason="as sharp as N(T)"),
+              YIELDS, own=0.02, reason="as sharp as N(T)"),
     *through("all yields of elastic bodies", "H(N)", "µm", "H", Expected.elastic, YIELDS,
              points=(FULL, MOST)),
     *through("rotation of the sprags with elastic yields", "α(N)", "deg", "alpha",
              Expected.elastic, YIELDS),
     *through("turn of the races by rolling, against n_s ∫dU/T", "θ(N)", "deg", "theta",
-             Expected.turn, TANGENTIAL, demand=0.015, demand_reason="tangential compliance"),
+             Expected.turn, TANGENTIAL, own=0.015, reason="tangential compliance"),
     *through("rotation with half planes and Eq. 6, long", "α(N)", "deg", "alpha plane",
              Expected.plane, "elastic solutions of the same parts", fem="alpha", points=(FULL,)),
     *through("rotation with Eqs. 9, 10 as printed and elastic yields", "α(N)", "deg",
              "alpha printed", Expected.lost, "half of δ_HI and of δ_g left out of H", fem="alpha",
-             points=(FULL,), demand=0.02,
-             demand_reason="a formula 12 % off: two per cent show it"),
+             points=(FULL,), own=0.02,
+             reason="a formula 12 % off: two per cent show it"),
     Approximation(name="rotation with Palmgren's law, Eqs. 6 and 7, at N_0", symbol="α(N)",
                   unit="deg", analytic="alpha composite, N_0", fem="alpha, N_0", formal=2,
                   interval=None, source="Palmgren's law is of rollers of finite length"),
@@ -228,9 +233,9 @@ CHECKS: tuple[Check, ...] = (
     *through("peak pressure on the outer race (Hertz)", "p_o", "MPa", "p_e", Expected.hertz, HERTZ,
              formal=EDGE, points=(FULL, MOST)),
     *through("half-width on the inner race (Hertz)", "a_i", "µm", "a_i", Expected.width, WIDTH,
-             formal=EDGE, points=(FULL,), demand=0.02, demand_reason=ONE),
+             formal=EDGE, points=(FULL,), own=0.02, reason=ONE),
     *through("half-width on the outer race (Hertz)", "a_o", "µm", "a_e", Expected.width, WIDTH,
-             formal=EDGE, points=(FULL,), demand=0.02, demand_reason=ONE),
+             formal=EDGE, points=(FULL,), own=0.02, reason=ONE),
     Fact(name="the inner contact is pressed more than the outer, through the stroke", symbol="p_i",
          unit="1", margin=inner_above_outer),
     agrees("T_i/N_i becomes tan ν_0 without load (Eq. 10)", "ν_0", no_load, LIGHT),
