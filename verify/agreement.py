@@ -129,11 +129,21 @@ class Deviation(Stated):
         ]  # fmt: skip
 
 
+@dataclass(frozen=True, kw_only=True)
+class PaperDeviation(Deviation):
+    """A deviation of the paper's own numbers, which one's own do not claim."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
 def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
     """Of two arrays alike the pair that is farthest apart, `u` the relative U of its reference."""
-    off = values / references - 1
+    off = np.ravel(values / references - 1)
     k = int(np.abs(off).argmax())
-    value, reference = float(values[k]), float(references[k])
+    value, reference = float(np.ravel(values)[k]), float(np.ravel(references)[k])
     words = f"off by {off[k]:+.2g} at most of {off.size}"
     return Pair(value, reference, u * abs(reference), words)
 

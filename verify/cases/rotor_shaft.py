@@ -9,9 +9,9 @@ from analytic.rotor.pochhammer import bending_frequency
 from verify.agreement import Agreement
 from verify.case import Case, Output, Scan, Values
 from verify.cases import rotor_shaft_shown as shown
+from verify.cases.rotor_shaft_agreed import FINE, slender, within_ceiling
 from verify.cases.rotor_shaft_claims import (
     CEILING,
-    FINE,
     FormulasLimit,
     errors,
     euler_limit,
@@ -19,9 +19,7 @@ from verify.cases.rotor_shaft_claims import (
     known,
     neglected,
     sense,
-    slender,
     timoshenko_limit,
-    within_ceiling,
 )
 from verify.cases.rotor_shaft_fem import MODES, SLENDER, THEORIES, fem
 from verify.cases.rotor_shaft_inputs import ShaftInputs

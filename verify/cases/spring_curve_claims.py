@@ -128,7 +128,7 @@ def drift(number: Callable[[Lines], float]) -> Callable[[Context], float]:
 
 def depth(context: Context) -> tuple[float, float, str]:
     b, deepest = context.inputs.b, float(array(context, f"curve {FINE} depth").max())
-    return PENETRATION - deepest / b, 0.0, f"surfaces overlap by {deepest / b:.1e} b at most"
+    return deepest / b, 0.0, f"surfaces overlap by {deepest / b:.1e} b at most"
 
 
 def same_contact(context: Context) -> tuple[float, float, str]:
@@ -269,7 +269,8 @@ CHECKS: tuple[Any, ...] = (
             ("k_2", "stiffness beyond"),
         ))
     ),
-    Accepted(name="leaves do not enter each other", symbol="δ/b", unit="1", margin=depth),
+    Deviation(name="leaves do not enter each other", symbol="δ/b", unit="1", size=depth,
+              accepted=PENETRATION, whole="thickness", source="what contact is settled to"),
     Deviation(name="slopes do not depend on the contact's stiffness", symbol="Δk/k", unit="1",
               size=same_contact, accepted=SAME_CONTACT, whole="slopes k_1, k_2"),
     Deviation(name="slopes stay under halving of the mesh", symbol="Δk/k", unit="1", size=halved,

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 from analytic.spring import frame
 from analytic.spring.wide_leaf import TERMS, width_factor
-from verify.agreement import Agreement, Pair, PaperAgreement
+from verify.agreement import BOTH_WAYS, Agreement, Pair, PaperAgreement
 from verify.case import Case, Context, Output, Scan, Values
 from verify.cases import spring_width_claims as claims
 from verify.cases import spring_width_shown as shown
@@ -75,6 +75,11 @@ def too_large(q: WidthInputs) -> str:
     )
 
 
+def estimated(q: WidthInputs, _values: Values) -> tuple[float, float] | None:
+    """The figure that the estimate is accepted with at the paper's width; none is at one's own."""
+    return (-claims.ESTIMATE, claims.ESTIMATE) if q == WidthInputs() else None
+
+
 def agrees(name: str, pair: Callable[[Context], Pair], accepted: float, by: str = "") -> Agreement:
     """Two factors that are the same but for `accepted`."""
     return Agreement(name=name, symbol="f", unit="1", pair=pair, accepted=accepted, by=by)
@@ -99,8 +104,8 @@ CHECKS = (
         for ratio in RATIOS
     ),
     Approximation(name="factor of the spring by one leaf's", symbol="f", unit="1", analytic="f",
-                  fem="f", interval=None, source="", demand=claims.ESTIMATE,
-                  demand_reason="what the estimate is accepted with"),
+                  fem="f", interval=estimated, source="what the estimate is accepted with",
+                  demand=2 * claims.ESTIMATE, demand_reason=BOTH_WAYS),
     claims.PaperLimit(name="a narrow spring is in plane stress", symbol="f", unit="1",
                       points=claims.narrow, exponent=None, demand=1e-3,
                       demand_reason="a fifth of the acceptance figure"),

@@ -1,139 +1,170 @@
-"""Every row's reference changed on purpose, and the row judged again: does it turn red?
+"""How much of the suite turns red where references are wrong: a score for reports and the gate.
 
-The seam is `verify.judge`, through which every comparison goes: `moved` changes the reference there
-and nothing else, neither tolerance nor scale nor what is expected. Stored finite elements are
-judged anew; none are solved.
-
-The reference r is multiplied by 1 + p; where it is zero, p times the row's scale is added. Where the
-scale is another magnitude than |r|, p times the scale is judged as well: rows against a scale may
-be blind to a share of a small r by right, but the gate asks for the strict one, p of r itself. Of an
-approximation the formula is multiplied, whose error the row bounds; of a limit the formula at
-all its points, so that d becomes (1 + d)(1 + p) - 1. A balance has the reference zero.
+`references_moved` moves references where they are judged, `references_read` where the formulas hand
+them over; here all rows of all cases are tried both ways in one pass over each case's levels.
 """
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from unittest import mock
 
-from verify import cache, judge
 from verify.case import Case, Check, Context
-from verify.inputs import InputError
-from verify.results import Kind, Row, Status
+from verify.mutation import gate
+from verify.mutation.references_moved import (
+    COMPARED,
+    PERTURBATIONS,
+    Red,
+    Tried,
+    is_convergence,
+    of_paper,
+    tried,
+)
+from verify.mutation.references_read import own_key, read
+from verify.results import Kind, Status
 
-PERTURBATIONS = (0.005, -0.005, 0.01, -0.01, 0.05, -0.05, -0.09)
-COMPARED = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.TREND, Kind.ASYMPTOTIC, Kind.EXACT)
-CONVERGENCE = ": convergence"  # ends the name of the row that stands beside a comparison
+DIGITS = 4  # significant
+SIZES = sorted({abs(p) for p in PERTURBATIONS if -p in PERTURBATIONS})  # tried either way
 
-Red = frozenset[float]  # the perturbations that turn a row red
+Progress = Callable[[int, int, str], None]  # cases done, cases in all, the one under way
 
 
 @dataclass(frozen=True)
-class Tried:
-    """A row as it is, and the perturbations of its reference, of the scale, that turn it red."""
+class Both:
+    """A row tried both ways; `by_formula` None where no value of the formulas reaches it."""
 
-    row: Row
-    red: Red = frozenset()
-    red_of_scale: Red = frozenset()
+    moved: Tried
+    by_formula: Red | None = None
 
+    @property
+    def hidden(self) -> list[float]:
+        """Sizes that turn the row red where it is judged, but not where its formula is wrong."""
+        return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
 
-def of_paper(case: Case, folder: Path | None = None) -> Context:
-    """The case's own inputs with levels from the cache; InputError where one is not there."""
-    inputs = case.inputs()
-    found = []
-    for level in case.levels:
-        stored = cache.load(folder or cache.default_folder(), case, inputs, level)
-        if stored is None:
-            raise InputError(f"{case.id}: level {level} is not in the cache: verify the case first")
-        found.append(stored)
-    return Context(case.id, inputs, case.analytic(inputs), found, is_paper=True)
+    def _reached(self, size: float) -> bool:
+        return self.by_formula is None or _either_way(self.by_formula, size)
 
 
-def is_convergence(row: Row) -> bool:
-    """Whether the row stands beside a comparison and has no reference of its own."""
-    return row.kind is Kind.FACT and row.quantity.endswith(CONVERGENCE)
+def _either_way(red: Red, size: float) -> bool:
+    return size in red and -size in red
 
 
-def tried(check: Check, context: Context) -> list[Tried]:
-    """The rows of a check, each with the perturbations that turn it red."""
-    rows = check.rows(context)
-    if not any(row.kind in COMPARED for row in rows):
-        return [Tried(row) for row in rows]
-    red, red_of_scale = (
-        [reddened(check, context, p, of_scale=of_scale) for p in PERTURBATIONS]
-        for of_scale in (False, True)
-    )
-    return [
-        Tried(row, _of(row, red), _of(row, red_of_scale)) if row.kind in COMPARED else Tried(row)
-        for row in rows
-    ]
+def measured(
+    cases: Sequence[Case], folder: Path | None = None, *,
+    show: Progress = lambda _done, _all, _name: None,
+) -> dict[str, Any]:  # fmt: skip
+    """The score as JSON: shares red by perturbation and kind, survivors, and what is only listed.
+
+    `folder` is the cache of finite elements, from which all levels come: InputError where one is
+    not there. `show` follows the cases.
+    """
+    rows: list[Both] = []
+    for k, case in enumerate(cases):
+        show(k, len(cases), case.id)
+        rows += both_ways(case.checks, of_paper(case, folder))
+    show(len(cases), len(cases), "")
+    return score(rows)
 
 
-def _of(row: Row, red: Sequence[set[str]]) -> Red:
-    return frozenset(p for p, names in zip(PERTURBATIONS, red, strict=True) if row.quantity in names)
+def both_ways(checks: Iterable[Check], context: Context) -> list[Both]:
+    """All rows of these checks, tried both ways."""
+    return [both for check in checks for both in _both(check, context)]
 
 
-def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
-    """Names of a check's rows that are red where its references are moved by `p`."""
-    with moved(p, of_scale=of_scale):
-        return red_names(check, context)
+def _both(check: Check, context: Context) -> list[Both]:
+    rows = tried(check, context)
+    if not any(_has_formula(one) for one in rows):
+        return [Both(one) for one in rows]
+    found, key = read(check, context), own_key(check)
+    own = key if key in found.red else ""
+
+    def by_formula(one: Tried) -> Red | None:
+        red = found.of(one.row.quantity, own)
+        return red if _has_formula(one) and (own or red) else None
+
+    return [Both(one, by_formula(one)) for one in rows]
 
 
-def red_names(check: Check, context: Context) -> set[str]:
-    """Names of a check's rows that are red; those of all where judging is refused."""
-    try:
-        rows = check.rows(context)
-    except (ValueError, ArithmeticError):  # what a case raises on values that make no sense
-        rows = check.skipped(context.case, "")
-        return {row.quantity for row in rows}
-    return {row.quantity for row in rows if row.status is Status.FAIL}
+def _has_formula(one: Tried) -> bool:
+    """Whether a formula is one side of the row, so that a wrong one should turn it red."""
+    return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
 
 
-@contextmanager
-def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
-    """Judging with every reference moved by `p` of itself, or of the scale."""
-    functions: dict[str, Callable[..., Any]] = {
-        "difference": _difference, "approximation": _approximation, "exact": _exact,
-        "fit_limit": _fit_limit,
+def score(rows: Sequence[Both]) -> dict[str, Any]:
+    """Of rows that were tried; the gate's part stands under "gate"."""
+    moved = [both.moved for both in rows]
+    held = [one for one in moved if gate.held(one.row)]
+    convergence = sum(is_convergence(one.row) for one in moved)
+    listed = _listed(moved)
+    n = sum(len(names) for names in listed.values())
+    failures = gate.failures(moved)
+    return {
+        "perturbations": list(PERTURBATIONS),
+        "rows": len(rows),
+        "convergence": convergence,
+        "kinds": {
+            kind.value: _shares([one for one in held if one.row.kind is kind]) for kind in COMPARED
+        },
+        "gate": {"held": not failures, "failures": failures} | _shares(held),
+        "survivors": _survivors(held),
+        "listed": {
+            "rows": n, "share": _rounded(n / len(rows)) if rows else 0.0,
+            "share without convergence": _rounded(n / max(len(rows) - convergence, 1)),
+            "because": listed,
+        },
+        "by formula": _by_formula(rows),
     }  # fmt: skip
 
-    def bound(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
-        original = getattr(judge, name)
-        return lambda *given, **more: function(original, p, of_scale, *given, **more)
 
-    with mock.patch.multiple(judge, **{n: bound(n, f) for n, f in functions.items()}):
-        yield
-
-
-def _shifted(r: float, scale: float, p: float, of_scale: bool) -> float:
-    return r + p * scale if of_scale or r == 0 else r * (1 + p)
-
-
-def _difference(
-    judged: Callable[..., judge.Verdict], p: float, of_scale: bool, value: float, reference: float,
-    *, scale: float, **more: Any,
-) -> judge.Verdict:  # fmt: skip
-    return judged(value, _shifted(reference, scale, p, of_scale), scale=scale, **more)
+def _shares(rows: Sequence[Tried]) -> dict[str, Any]:
+    """How many, and how many of them each perturbation turns red."""
+    return {
+        "rows": len(rows),
+        "red": {_name(p): sum(p in one.red for one in rows) for p in PERTURBATIONS},
+        "red by share of the scale": {
+            _name(p): sum(p in one.red_of_scale for one in rows) for p in PERTURBATIONS
+        },
+    }
 
 
-def _approximation(
-    judged: Callable[..., judge.Verdict], p: float, of_scale: bool, formula: float,
-    reference: float, **more: Any,
-) -> judge.Verdict:  # fmt: skip
-    return judged(_shifted(formula, abs(reference), p, of_scale), reference, **more)
+def _name(p: float) -> str:
+    return f"{100 * p:+g} %"
 
 
-def _exact(
-    judged: Callable[..., judge.Verdict], p: float, _of_scale: bool, residual: float, *,
-    scale: float, **more: Any,
-) -> judge.Verdict:  # fmt: skip
-    return judged(residual + p * scale, scale=scale, **more)
+def _survivors(rows: Sequence[Tried]) -> list[dict[str, Any]]:
+    """Held rows that some perturbation of the reference leaves green, and why: what they detect."""
+    return [
+        {
+            "row": one.row.id, "kind": one.row.kind.value,
+            "green at": [_name(p) for p in PERTURBATIONS if p not in one.red],
+            "detects": _rounded(one.row.detects), "demand": one.row.demand,
+            "scale": one.row.scale_name,
+        }
+        for one in rows if set(PERTURBATIONS) - one.red
+    ]  # fmt: skip
 
 
-def _fit_limit(
-    fitted: Callable[..., judge.LimitFit], p: float, of_scale: bool, eps: Sequence[float],
-    d: Sequence[float], u: Sequence[float],
-) -> judge.LimitFit:  # fmt: skip
-    return fitted(eps, [x + p if of_scale else (1 + x) * (1 + p) - 1 for x in d], u)
+def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
+    """Rows that are not held to the gate with what they detect, by the reason."""
+    found: dict[str, list[list[Any]]] = {}
+    for one in rows:
+        if why := gate.listed_as(one.row):
+            found.setdefault(why, []).append([one.row.id, _rounded(one.row.detects)])
+    return dict(sorted(found.items()))
+
+
+def _by_formula(rows: Sequence[Both]) -> Mapping[str, Any]:
+    """How the second way agrees with the first, over held rows that have a formula."""
+    asked = [both for both in rows if gate.held(both.moved.row) and _has_formula(both.moved)]
+    reached = [both for both in asked if both.by_formula is not None]
+    return {
+        "rows": len(asked),
+        "reached": len(reached),
+        "agree": sum(not both.hidden for both in reached),
+        "hidden": [[both.moved.row.id, both.hidden] for both in reached if both.hidden],
+        "not reached": [both.moved.row.id for both in asked if both.by_formula is None],
+    }
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else float(f"{value:.{DIGITS}g}")
