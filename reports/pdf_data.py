@@ -16,6 +16,7 @@ from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
 from reports.richtext import runs
 from reports.sheets import Sheets
+from reports.since import since_data
 from reports.standalone import HERE, standalone
 from reports.verdicts import first_author, verdicts
 from verify.results import PaperCell, PaperTable, Report, Row, Status
@@ -49,6 +50,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             case_data(case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper])
             for i, case in enumerate(report.cases)
         ],
+        "since": since_data(report.drift),
         "validity": validity_data(report.validity),
         "ledgers": None if own else _ledgers(report, places),
     }

@@ -305,6 +305,40 @@ class Validity:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Change:
+    """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
+
+    `size` tells how far a value moved. A loosened demand or band needs the `reason` stated for it.
+    """
+
+    row: str
+    aspect: str
+    was: str
+    now: str
+    size: str = ""
+    loosened: bool = False
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drift:
+    """What has moved since a `release`; of `compared` rows, those with `tightened` demands."""
+
+    release: str
+    date: str
+    commit: str
+    compared: int
+    tightened: int
+    changes: tuple[Change, ...] = ()
+    unused: tuple[str, ...] = ()  # reasons stated since the release that nothing asks for
+
+    @property
+    def unexplained(self) -> tuple[Change, ...]:
+        """Loosened without a reason: red."""
+        return tuple(c for c in self.changes if c.loosened and not c.reason)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
@@ -320,6 +354,7 @@ class Report:
     tables: tuple[PaperTable, ...] = ()
     name: str = ""
     validity: tuple[Validity, ...] = ()
+    drift: Drift | None = None
 
     @property
     def rows(self) -> tuple[Row, ...]:
