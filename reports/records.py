@@ -21,6 +21,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "paper_tables": [_plain(asdict(table)) for table in report.tables],
         "validity": [_validity(one) for one in report.validity],
         "drift": None if report.drift is None else _drift(report.drift),
+        "readings_tried": [_plain(asdict(one)) for one in report.searches],
         "provenance": report.provenance,
     }
 

@@ -339,6 +339,32 @@ class Drift:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ReadingsTried:
+    """A printed number that is not met as its formula is first read, and what else it may mean.
+
+    `readings` is the best of `hits` combinations that reproduce it, empty where none does, with its
+    `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
+    was tried, for that reason. `reference` names the number or the erratum, "paper:id".
+    """
+
+    reference: str
+    place: str
+    printed: str
+    unit: str
+    what: str = ""
+    as_it_stands: float | None = None
+    met: bool = False
+    tried: int = 0
+    hits: int = 0
+    readings: tuple[str, ...] = ()
+    value: float | None = None
+    chance: float = 0.0
+    is_evidence: bool = False
+    errata: tuple[str, ...] = ()
+    missing: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
@@ -355,6 +381,7 @@ class Report:
     name: str = ""
     validity: tuple[Validity, ...] = ()
     drift: Drift | None = None
+    searches: tuple[ReadingsTried, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:
