@@ -18,6 +18,7 @@ from verify.published.digits import half_last_digit, number
 
 Inputs = Mapping[str, Any]
 Formula = Callable[[Inputs], float]
+Progress = Callable[[int, int], None]
 
 EVIDENCE = 0.05  # accidental hits, of which more say nothing
 SPAN = 2.0  # the unrelated number is anywhere within this factor of the printed one
@@ -97,32 +98,38 @@ def search(
     rounding: Mapping[str, float] | None = None,
     most: int = 2,
     digits: bool = True,
+    progress: Progress = lambda _done, _total: None,
 ) -> Outcome:
     """Try all combinations of at most `most` readings against the printed number.
 
     `formula` gives the number in its printed unit from `inputs`; `rounding` says how far off single
     inputs may be, half their last printed digit. With `digits` one misprinted digit of what the
     formula gives as it stands counts as a reading too, where three or more are printed: of fewer
-    any number is a misprint. ValueError where the printed text is no number, or zero.
+    any number is a misprint. `progress` is told how many combinations of all are done. ValueError
+    where the printed text is no number, or zero.
     """
     value, half = number(printed), half_last_digit(printed)
     digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
     if value == 0:
         raise ValueError("a printed zero is met by no reading: a number other than zero is needed")
-    sums = _Evaluated(formula)
+    sums, every = _Evaluated(formula), _combined(readings, most)
     found: list[Tried] = []
-    tried = lost = 0
-    for changes in range(most + 1):
-        for chosen in combinations(readings, changes):
-            if len({one.of for one in chosen}) < changes:
-                continue
-            tried += 1
-            combination = sums.tried(inputs, chosen, rounding or {})
-            if combination is None:
-                lost += 1
-            else:
-                found.append(combination)
-    return _outcome(printed, value, half, found, tried, lost, most, digits=digits)
+    for done, chosen in enumerate(every):
+        progress(done, len(every))
+        if (combination := sums.tried(inputs, chosen, rounding or {})) is not None:
+            found.append(combination)
+    lost = len(every) - len(found)
+    return _outcome(printed, value, half, found, len(every), lost, most, digits=digits)
+
+
+def _combined(readings: Sequence[Reading], most: int) -> list[tuple[Reading, ...]]:
+    """All combinations of readings of different things, the fewest changes first."""
+    return [
+        chosen
+        for changes in range(most + 1)
+        for chosen in combinations(readings, changes)
+        if len({one.of for one in chosen}) == changes
+    ]
 
 
 def _outcome(
@@ -234,7 +241,15 @@ class _Evaluated:
         return Tried(readings=tuple(r.name for r in chosen), value=middle, off=off)
 
     def _value(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
-        """The result with all readings; those of inputs come first, each on what came before."""
+        """The finite result with all readings, None where there is none."""
+        try:
+            value = self._read(inputs, chosen)
+        except (ValueError, ArithmeticError, TypeError):  # a root of less than zero, a division
+            return None
+        return value if value is not None and math.isfinite(value) else None
+
+    def _read(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
+        """Readings of inputs come first, each on what came before, then those of the result."""
         for reading in chosen:
             if reading.inputs:
                 inputs = {**inputs, **reading.inputs(inputs)}
@@ -245,10 +260,10 @@ class _Evaluated:
         for reading in chosen:
             if reading.result and value is not None:
                 value = reading.result(value, inputs)
-        return value if value is not None and math.isfinite(value) else None
+        return value
 
     def _once(self, inputs: Inputs) -> float | None:
         try:
             return float(self.formula(inputs))
-        except (ValueError, ArithmeticError, TypeError):  # a root of less than zero, a division
+        except (ValueError, ArithmeticError, TypeError):
             return None
