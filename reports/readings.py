@@ -12,7 +12,8 @@ def found(one: ReadingsTried) -> str:
         return "met as it stands, within the rounding of what it is computed from"
     if not one.readings:
         return "none"
-    others = f"; {one.hits - 1} other combinations too" if one.hits > 1 else ""
+    more = one.hits - 1
+    others = f"; {more} other combination{'s' * (more > 1)} too" if more else ""
     value = f" ({one.value:.6g})" if one.value is not None else ""
     weight = "" if one.is_evidence else "; no evidence"
     return f"{' and '.join(one.readings)}{value}{others}{weight}"

@@ -148,12 +148,25 @@ def _outcome(
     hits = [t for t in found if t.readings and _meets(t, value, half)]
     if digits and plain and is_misprint(plain.value, printed):
         hits.append(Tried(readings=(DIGIT,), value=plain.value, off=plain.off))
-    hits.sort(key=lambda t: (t.changes, t.off, abs(t.value - value)))
+    hits = _needed(hits, value)
     return Outcome(
         printed=printed, value=value, half_digit=half, as_it_stands=plain, met=met, tried=tried,
         without_value=lost, hits=tuple(hits),
         chance=_chances(found, printed, half, most, digits=digits), found=tuple(found),
     )  # fmt: skip
+
+
+def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
+    """Hits in their rank, without those that add to an earlier one what changes nothing."""
+    kept: list[Tried] = []
+    for hit in sorted(hits, key=lambda t: (t.changes, t.off, abs(t.value - value))):
+        if not any(
+            set(other.readings) < set(hit.readings)
+            and math.isclose(other.value, hit.value, rel_tol=SAME)
+            for other in kept
+        ):
+            kept.append(hit)
+    return kept
 
 
 def together(outcomes: Sequence[Outcome]) -> Outcome:
@@ -175,7 +188,7 @@ def together(outcomes: Sequence[Outcome]) -> Outcome:
             sums[t.changes] += math.prod(
                 window(x.value, one.half_digit + x.off, one.value) for x, one in pairs
             )
-    hits.sort(key=lambda t: (t.changes, t.off))
+    hits = _needed(hits, first.value)
     return replace(
         first, met=all(one.met for one in outcomes), hits=tuple(hits),
         chance=tuple(sum(sums[: k + 1]) for k in range(len(sums))),

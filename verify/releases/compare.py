@@ -113,8 +113,9 @@ def _moved(
         return
     floor = ROUND_OFF * max(scale, abs(was), abs(now))
     if abs(now - was) > max(bar or 0.0, floor):
+        digits = 10 if abs(now - was) > 1e-9 * abs(was) else 15
         yield Change(
-            row=row_id, aspect=aspect, was=_told(was, unit), now=_told(now, unit),
+            row=row_id, aspect=aspect, was=_told(was, unit, digits), now=_told(now, unit, digits),
             size=_size(now - was, scale or abs(was), bar),
         )  # fmt: skip
 
@@ -124,10 +125,10 @@ def _size(change: float, scale: float, bar: float | None) -> str:
     return f"{share}, {abs(change) / bar:.3g} error bars" if bar else share
 
 
-def _told(value: float | None, unit: str) -> str:
+def _told(value: float | None, unit: str, digits: int = 10) -> str:
     if value is None:
         return "none"
-    return f"{value:.10g}" + (f" {unit}" if unit != "1" else "")
+    return f"{value:.{digits}g}" + (f" {unit}" if unit != "1" else "")
 
 
 def _bands(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
