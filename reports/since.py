@@ -12,12 +12,12 @@ def summary(drift: Drift) -> str:
     loosened = sum(c.loosened for c in drift.changes)
     without = len(drift.unexplained)
     counts = [
-        (len(drift.changes) - loosened, "{} changes told"),
-        (loosened, "{} demands or bands loosened"),
-        (without, "{} of them without a reason"),
-        (drift.tightened, "{} rows tightened"),
+        (len(drift.changes) - loosened, "change{} told"),
+        (loosened, "demand{0} or band{0} loosened"),
+        (without, "of them without a reason"),
+        (drift.tightened, "row{} tightened"),
     ]
-    told = [words.format(n) for n, words in counts if n]
+    told = [f"{n} {words.format('s' * (n > 1))}" for n, words in counts if n]
     return ", ".join([f"{drift.compared} rows compared", *(told or ["nothing moved"])])
 
 

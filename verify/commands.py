@@ -16,6 +16,7 @@ from verify import cache, environment
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.check_record import check_record
+from verify.definitions.tried import searches
 from verify.design.inputs import CASE as DESIGN
 from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.dynamic import asked_for, run_dynamic, with_dynamic
@@ -23,7 +24,7 @@ from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
 from verify.releases.since import lines, since
-from verify.results import CaseResult, ReadingsTried, Report, Status, Validity
+from verify.results import CaseResult, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts, raised
@@ -201,16 +202,9 @@ def make_report(
         name=name,
         validity=() if name else _validity(results, cases),
         drift=None if name else since(results),
-        searches=() if name else _searches(cases),
+        searches=() if name else searches([case.id for case in cases]),
         **ledgers(results, cases),
     )
-
-
-def _searches(cases: Sequence[Case]) -> tuple[ReadingsTried, ...]:
-    """What else printed numbers may mean, of a run of these cases."""
-    from verify.definitions.tried import searches  # formulas of springs, that `check` does without
-
-    return searches([case.id for case in cases])
 
 
 def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:

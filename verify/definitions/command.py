@@ -9,6 +9,7 @@ from typing import Any
 from verify import units
 from verify.case import Case
 from verify.cases.registry import CASES, find
+from verify.commands import load
 from verify.definitions.generic import numbers, printed_rounding, readings, value_of
 from verify.definitions.problem import Problem
 from verify.definitions.registry import PROBLEMS, WITHOUT_FORMULA
@@ -108,8 +109,6 @@ def _progress(show: Show, name: str) -> Progress:
 
 
 def _of_file(file: Path, case: Case) -> Inputs:
-    from verify.commands import load  # which imports what a whole run needs
-
     _, other, inputs, _ = load(file)
     if other is not case:
         raise InputError(f"{file}: is of {other.id}, asked for is {case.id}")

@@ -155,7 +155,7 @@ def small_error(q: Mapping[str, Any]) -> float:
     """How far Eq. 10 at the displacement of the tests is from the tests' force [%]."""
     U = (q["F"] - q["c_test"]) / q["k_test"]
     by_fe = float(q["k"] * U + q["c"])
-    return 100 * abs(by_fe - q["F"]) / (by_fe if q["of_fe"] else q["F"])
+    return float(100 * abs(by_fe - q["F"]) / (by_fe if q["of_fe"] else q["F"]))
 
 
 def _small() -> dict[str, Any]:
