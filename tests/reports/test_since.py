@@ -5,12 +5,19 @@ from dataclasses import replace
 import pytest
 
 from reports import readings, since
-from reports.html import page
+from reports.html import page as with_equations_drawn
 from reports.pdf import pdf
 from reports.records import report_record
+from verify.cache import picture_folder
 from verify.cases.registry import CASES
 from verify.definitions.tried import searches
 from verify.results import Change, Drift, ReadingsTried
+
+
+def page(report, frames):
+    """The page, with the equations that earlier runs drew."""
+    return with_equations_drawn(report, frames, picture_folder())
+
 
 STILL = Drift(release="0.1.0", date="2026-01-01", commit="abc", compared=89, tightened=0)
 LOOSE = Change(row="ring-lame/bore displacement, plane stress", aspect="demand", was="1 %",
