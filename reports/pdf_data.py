@@ -14,8 +14,10 @@ from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly
 from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
+from reports.readings import readings_data
 from reports.richtext import runs
 from reports.sheets import Sheets
+from reports.since import since_data
 from reports.standalone import HERE, standalone
 from reports.verdicts import first_author, verdicts
 from verify.results import PaperCell, PaperTable, Report, Row, Status
@@ -49,6 +51,8 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             case_data(case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper])
             for i, case in enumerate(report.cases)
         ],
+        "since": since_data(report.drift),
+        "readings": readings_data(report.searches) if report.searches else None,
         "validity": validity_data(report.validity),
         "ledgers": None if own else _ledgers(report, places),
     }

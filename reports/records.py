@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from verify.results import SCHEMA_VERSION, CaseResult, Report, Row, Validity
+from verify.results import SCHEMA_VERSION, CaseResult, Drift, Report, Row, Validity
 
 
 def report_record(report: Report) -> dict[str, Any]:
@@ -20,8 +20,15 @@ def report_record(report: Report) -> dict[str, Any]:
         "published": list(report.published),
         "paper_tables": [_plain(asdict(table)) for table in report.tables],
         "validity": [_validity(one) for one in report.validity],
+        "drift": None if report.drift is None else _drift(report.drift),
+        "readings_tried": [_plain(asdict(one)) for one in report.searches],
         "provenance": report.provenance,
     }
+
+
+def _drift(drift: Drift) -> dict[str, Any]:
+    """What moved since a release, and how many loosened demands lack a reason."""
+    return {"unexplained": len(drift.unexplained), **_plain(asdict(drift))}
 
 
 def row_record(row: Row) -> dict[str, Any]:

@@ -14,6 +14,8 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 
 from cyclopts import App, CycloptsError, Parameter  # noqa: E402 - threads are counted at import
 
+from verify.definitions.cli import search  # noqa: E402
+
 app = App(
     name="freewheel",
     help="Settles how far the design formulas of freewheel clutches can be trusted.",
@@ -25,6 +27,8 @@ app = App(
 )
 
 BAD_INPUT = 2
+
+app.command(search)
 
 
 def _whole(_type: Any, tokens: Any) -> int:

@@ -305,6 +305,66 @@ class Validity:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Change:
+    """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
+
+    `size` tells how far a value moved. A loosened demand or band needs the `reason` stated for it.
+    """
+
+    row: str
+    aspect: str
+    was: str
+    now: str
+    size: str = ""
+    loosened: bool = False
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drift:
+    """What has moved since a `release`; of `compared` rows, those with `tightened` demands."""
+
+    release: str
+    date: str
+    commit: str
+    compared: int
+    tightened: int
+    changes: tuple[Change, ...] = ()
+    unused: tuple[str, ...] = ()  # reasons stated since the release that nothing asks for
+
+    @property
+    def unexplained(self) -> tuple[Change, ...]:
+        """Loosened without a reason: red."""
+        return tuple(c for c in self.changes if c.loosened and not c.reason)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingsTried:
+    """A printed number that is not met as its formula is first read, and what else it may mean.
+
+    `readings` is the best of `hits` combinations that reproduce it, empty where none does, with its
+    `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
+    was tried, for that reason. `reference` names the number or the erratum, "paper:id".
+    """
+
+    reference: str
+    place: str
+    printed: str
+    unit: str
+    what: str = ""
+    as_it_stands: float | None = None
+    met: bool = False
+    tried: int = 0
+    hits: int = 0
+    readings: tuple[str, ...] = ()
+    value: float | None = None
+    chance: float = 0.0
+    is_evidence: bool = False
+    errata: tuple[str, ...] = ()
+    missing: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
@@ -320,6 +380,8 @@ class Report:
     tables: tuple[PaperTable, ...] = ()
     name: str = ""
     validity: tuple[Validity, ...] = ()
+    drift: Drift | None = None
+    searches: tuple[ReadingsTried, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:
