@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from verify.convergence import grid_convergence
 
+COVERAGE = 2.0  # half-widths that a remainder of nothing may have
 LARGE = 0.2  # of the total: from there on two causes are removed together as well
 
 
@@ -67,16 +68,18 @@ def balance(total: float, parts: Sequence[Part]) -> Balance:
     return Balance(total, tuple(parts), left, math.hypot(*(part.u or 0.0 for part in mine)))
 
 
-def removed(name: str, pairs: Sequence[tuple[float, float]], *, shared: bool) -> Part:
+def removed(
+    name: str, pairs: Sequence[tuple[float, float]], *, finest: float, shared: bool
+) -> Part:
     """The part of a cause from errors (with it, without it) on meshes, coarse to fine.
 
-    Read on the finest; it is as uncertain as the finest two differ. With one mesh alone there is
-    nothing to tell its uncertainty by, and the whole contribution counts.
+    Read on the finest of them; it is as uncertain as the finest two differ, with one mesh alone as
+    the error there is off that on the case's `finest`.
     """
     found = [with_it - without for with_it, without in pairs]
     if not found or not all(map(math.isfinite, found)):
         return Part(name, None, None, shared, "no value without it")
-    u = abs(found[-1] - found[-2]) if len(found) > 1 else abs(found[-1])
+    u = abs(found[-1] - found[-2]) if len(found) > 1 else abs(pairs[0][0] - finest)
     return Part(name, found[-1], u, shared)
 
 

@@ -71,7 +71,8 @@ class _Reader:
     def part(self, pair: Pair, name: str, rerun: Rerun) -> Part:
         levels = self.plan.levels(rerun)
         errors = [(self.at(pair, (AS_IT_IS,), k), self.at(pair, (name,), k)) for k in levels]
-        found = sums.removed(name, errors, shared=rerun.shared)
+        finest = self.at(pair, (AS_IT_IS,), self.plan.case.levels[-1])
+        found = sums.removed(name, errors, finest=finest, shared=rerun.shared)
         if found.contribution is None:
             known = zip(levels, errors, strict=True)
             bad = next(k for k, pair_ in known if not all(map(math.isfinite, pair_)))

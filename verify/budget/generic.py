@@ -1,7 +1,7 @@
 """What any case's finite elements are: which causes they have, and what their solvers stop at."""
 
 from verify import cache
-from verify.budget.statement import Cause, Constant, Without
+from verify.budget.statement import Cause, Constant, Rerun, Without
 from verify.case import Case
 
 TIGHTER, LOOSER = 0.01, 100.0  # a tolerance over the usual one; where rounding allows no tighter
@@ -26,7 +26,8 @@ TOLERANCES = (
     "verify.cases.freewheel_clutch_fem:NEAR",
 )
 CONTACT = ("fem.contact.problem", "fem.beam.touching", "fem.fourier.contact", "fem.rotor.struts")
-LARGE = "fem.beam.large"
+# integration of what bodies exert on each other; the law itself is exact, pressures or gaps are zero
+INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
 
 
 def reached(case: Case) -> frozenset[str]:
@@ -51,3 +52,15 @@ def without(case: Case) -> tuple[Without, ...]:
     if not any(name.startswith(("fem.plane", "fem.contact.problem")) for name in modules):
         found.append(Without(Cause.PLANE, "no plane model"))
     return tuple(found)
+
+
+def contact(case: Case) -> tuple[Rerun, ...]:
+    """Contacts by an exact law, integrated at more points; none where a case has no such contact."""
+    modules = reached(case)
+    return tuple(
+        Rerun(
+            cause=Cause.CONTACT, what="exact law, integrated at twice as many points",
+            changes=(Constant(target, 2),), levels=case.levels[:1],
+        )
+        for target in INTEGRATED if target.partition(":")[0] in modules
+    )  # fmt: skip

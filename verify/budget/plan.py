@@ -2,10 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
-from verify.budget.generic import LOOSER, TIGHTER, tolerances, without
+from verify.budget.generic import LOOSER, TIGHTER, contact, tolerances, without
 from verify.budget.statement import Cause, Rerun, Statement, Without
 from verify.case import Case
 from verify.claims import FemClaim
@@ -24,16 +25,18 @@ class Plan:
     says: Statement
     rows: tuple[Pair, ...]
 
-    @property
+    @cached_property
     def reruns(self) -> Mapping[str, Rerun]:
         """What is removed, by name."""
-        return {rerun.name: rerun for rerun in self.says.reruns}
+        own = self.says.reruns
+        every = (*(() if any(r.cause is Cause.CONTACT for r in own) else contact(self.case)), *own)
+        return {rerun.name: rerun for rerun in every}
 
     @property
     def without(self) -> tuple[Without, ...]:
         """Causes that there are none of; the case's own words come first."""
         own = {one.cause: one for one in self.says.without}
-        stated = {rerun.cause for rerun in self.says.reruns}
+        stated = {rerun.cause for rerun in self.reruns.values()}
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
 
@@ -104,11 +107,12 @@ def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
 
 
 def inputs_of(plan: Plan, step: Step) -> Any:
-    """The inputs of a step; what the causes change follows one after the other."""
+    """The inputs of a step; what the causes change follows one after the other. ValueError."""
     found = plan.case.inputs()
     for name in step.causes:
         if name in plan.reruns:
             found = plan.reruns[name].inputs(found)
+            found = type(found).model_validate(found.model_dump())  # by the inputs' own rules
     return found
 
 

@@ -7,6 +7,18 @@ whose results would count as another code's with every word that is added here.
 from collections.abc import Mapping
 
 from verify.budget.statement import Statement
-from verify.cases import ring_budget
+from verify.cases import (
+    contact_budget,
+    freewheel_budget,
+    polyhedral_budget,
+    ring_budget,
+    rotor_budget,
+    sprag_budget,
+    spring_budget,
+)
 
-STATEMENTS: Mapping[str, Statement] = {**ring_budget.STATEMENTS}
+STATEMENTS: Mapping[str, Statement] = {
+    **ring_budget.STATEMENTS, **polyhedral_budget.STATEMENTS, **freewheel_budget.STATEMENTS,
+    **sprag_budget.STATEMENTS, **spring_budget.STATEMENTS, **contact_budget.STATEMENTS,
+    **rotor_budget.STATEMENTS,
+}  # fmt: skip
