@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
 from markupsafe import Markup
 
 from reports import svg
 from reports.plots import WIDTH, Axes
-from reports.validity import signed
+from reports.formats import MINUS
 from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
@@ -27,6 +28,29 @@ class Bar:
     css: str
 
 
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+SMALL = 1e-3  # per cent: below, powers of ten
+
+
+def percent(value: float | None, u: float | None = None) -> str:
+    """A relative number in per cent, signed, and its half-width: "−24.8 ± 3·10⁻⁵ %"."""
+    if value is None:
+        return "–"
+    sign = {True: MINUS, False: "+"}[value < 0] if value else ""
+    bar = "" if not u else f" ± {_digits(100 * u, 1)}"
+    return f"{sign}{_digits(100 * abs(value), 3)}{bar} %"
+
+
+def _digits(size: float, digits: int) -> str:
+    """A number that is not negative: zero, with `digits`, or a digit and a power of ten."""
+    if not size:
+        return "0"
+    if size >= SMALL:
+        return np.format_float_positional(size, precision=digits, fractional=False, trim="-")
+    mantissa, _, exponent = f"{size:.0e}".partition("e")
+    return f"{mantissa}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+
+
 def counted(row: RowBudget) -> list[BudgetPart]:
     """The parts that are subtracted from the difference."""
     return [p for p in row.parts if p.contribution is not None and not p.shared]
@@ -35,12 +59,13 @@ def counted(row: RowBudget) -> list[BudgetPart]:
 def steps(row: RowBudget) -> list[Bar]:
     """From the difference, part by part, to the remainder."""
     at = 100 * row.total
-    found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), signed(row.total, row.U), "total")]
+    found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), percent(row.total), "total")]
     for part in counted(row):
         c, u = part.contribution or 0.0, part.u or 0.0
-        found.append(Bar(part.cause, at, at - 100 * c, 100 * u, signed(c, u), "part"))
+        found.append(Bar(part.cause, at, at - 100 * c, 100 * u, percent(c), "part"))
         at -= 100 * c
-    rest = Bar(REMAINDER, 0.0, 100 * row.remainder, 100 * row.u, signed(row.remainder, row.u), "rest")
+    left = percent(row.remainder)
+    rest = Bar(REMAINDER, 0.0, 100 * row.remainder, 100 * row.u, left, "rest")
     return [*found, rest]
 
 
@@ -85,16 +110,16 @@ def headline(one: CaseBudget) -> RowBudget | None:
 
 def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     """Cause, what was rerun, and what it contributes, in words."""
-    found = [(TOTAL, "formula and finite elements as they are", signed(row.total, row.U))]
+    found = [(TOTAL, "formula and finite elements as they are", percent(row.total, row.U))]
     found += [(p.cause, *_told(p)) for p in row.parts if not p.shared]
     found += [
         ("together", f"{' and '.join(joint.causes)} removed together",
-         f"{signed(joint.value, None)} more than one by one" if joint.value is not None
+         f"{percent(joint.value)} more than one by one" if joint.value is not None
          else joint.note)
         for joint in row.joints
     ]  # fmt: skip
-    found.append((REMAINDER, "what the formula itself neglects", signed(row.remainder, row.u)))
-    beside = [(p.cause, f"{p.what}: both sides leave it out alike", _number(p))
+    found.append((REMAINDER, "what no rerun has explained: the formula itself", percent(row.remainder, row.u)))
+    beside = [(p.cause, f"{p.what} (not subtracted, both sides assume the same)", _number(p))
               for p in row.parts if p.shared]  # fmt: skip
     return [*found, *beside]
 
@@ -106,7 +131,7 @@ def _told(part: BudgetPart) -> tuple[str, str]:
 
 
 def _number(part: BudgetPart) -> str:
-    return part.note if part.contribution is None else signed(part.contribution, part.u)
+    return part.note if part.contribution is None else percent(part.contribution, part.u)
 
 
 @dataclass(frozen=True)
@@ -128,7 +153,7 @@ def compact(one: CaseBudget) -> Compact | None:
 
 def _sum(row: RowBudget, cause: str) -> str:
     mine = [p.contribution or 0.0 for p in counted(row) if p.cause == cause]
-    return signed(sum(mine), None) if mine else "–"
+    return percent(sum(mine)) if mine else "–"
 
 
 def identities(one: CaseBudget) -> str:
@@ -140,8 +165,8 @@ def identities(one: CaseBudget) -> str:
     worst = max(rows, key=lambda row: abs(row.remainder))
     return (
         f"{inside} of {len(rows)} identities: the mesh, iteration and the rows' tolerance explain "
-        f"all of the difference; largest remainder {signed(worst.remainder, worst.u)} of "
-        f"{signed(worst.total, worst.U)} ({worst.quantity})."
+        f"all of the difference; largest remainder {percent(worst.remainder, worst.u)} of "
+        f"{percent(worst.total, worst.U)} ({worst.quantity})."
     )
 
 

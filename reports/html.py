@@ -268,7 +268,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
         "signed": validity.signed, "validity_over": validity.common,
-        "waterfall": budget.waterfall, "budget_headline": budget.headline,
+        "waterfall": budget.waterfall, "percent": budget.percent, "budget_headline": budget.headline,
         "budget_lines": budget.lines, "budget_compact": budget.compact,
         "budget_identities": budget.identities, "budget_outside": budget.outside,
         "linked": formats.linked,

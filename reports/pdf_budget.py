@@ -2,10 +2,9 @@
 
 from collections.abc import Sequence
 
-from reports.budget import compact, headline, identities, lines
+from reports.budget import compact, headline, identities, lines, percent
 from reports.pdf_tables import Data, prose
 from reports.richtext import runs
-from reports.validity import signed
 from verify.results import CaseBudget
 
 
@@ -25,8 +24,8 @@ def _case(one: CaseBudget) -> Data:
         "header": [["Other formulas"], ["difference"], *([h] for h in others.header), ["remainder"]]
         if others else [],
         "others": [
-            [prose(r.quantity), [signed(r.total, None)], *([x] for x in cells),
-             [signed(r.remainder, r.u)]]
+            [prose(r.quantity), [percent(r.total)], *([x] for x in cells),
+             [percent(r.remainder, r.u)]]
             for r, cells in others.rows
         ] if others else [],
     }  # fmt: skip

@@ -2,7 +2,7 @@
 
 import functools
 import importlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any
 
@@ -35,16 +35,26 @@ def changed(changes: Sequence[Change]) -> Iterator[None]:
 def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
     module, name, original = _found(change.target)
 
-    @functools.wraps(original, updated=())
-    def other(*given: Any, **keywords: Any) -> Any:
+    def counted(call: Callable[..., Any], *given: Any, **keywords: Any) -> Any:
         calls[change.target] += 1
-        return original(*given, **keywords | change.keywords)
+        return call(*given, **keywords | change.keywords)
 
-    setattr(module, name, other)
+    setattr(module, name, _like(original, counted))
     try:
         yield
     finally:
         setattr(module, name, original)
+
+
+def _like(original: Any, counted: Callable[..., Any]) -> Any:
+    """What is called in the place of `original`: a class stays one, whose instances are alike."""
+    if not isinstance(original, type):
+        return functools.partial(counted, original)
+
+    def __init__(self: Any, *given: Any, **keywords: Any) -> None:  # noqa: N807 - a method
+        counted(functools.partial(original.__init__, self), *given, **keywords)
+
+    return type(original.__name__, (original,), {"__init__": __init__})
 
 
 @contextmanager

@@ -70,7 +70,8 @@ class _Reader:
 
     def part(self, pair: Pair, name: str, rerun: Rerun) -> Part:
         levels = self.plan.levels(rerun)
-        errors = [(self.at(pair, (AS_IT_IS,), k), self.at(pair, (name,), k)) for k in levels]
+        before = self.plan.before(rerun)
+        errors = [(self.at(pair, before, k), self.at(pair, (name,), k)) for k in levels]
         finest = self.at(pair, (AS_IT_IS,), self.plan.case.levels[-1])
         found = sums.removed(name, errors, finest=finest, shared=rerun.shared)
         if found.contribution is None:
@@ -109,7 +110,8 @@ class _Reader:
 
     def joints(self, pair: Pair, known: Balance) -> tuple[Joint, ...]:
         """By how much pairs of large causes do more together than one by one."""
-        names = [name for name in known.large if name in self.plan.reruns]
+        reruns = self.plan.reruns
+        names = [name for name in known.large if name in reruns and not reruns[name].after]
         found = []
         for n, a in enumerate(names):
             for b in names[n + 1 :]:

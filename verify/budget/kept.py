@@ -85,7 +85,7 @@ def _made_by(plan: Plan) -> dict[str, Any]:
 def _signature(plan: Plan, name: str) -> list[Any]:
     rerun = plan.reruns[name]
     return [name, code_of(plan, name), cache.source_of(rerun.inputs), list(rerun.rows),
-            list(rerun.levels), rerun.shared]  # fmt: skip
+            list(rerun.levels), rerun.after, rerun.shared]  # fmt: skip
 
 
 def _path(plan: Plan, folder: Path | None) -> Path:

@@ -40,6 +40,12 @@ class Plan:
         every = {one.cause: one for one in without(self.case)} | own
         return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
 
+    def before(self, rerun: Rerun) -> tuple[str, ...]:
+        """What is removed already where this cause is; LookupError for words of no rerun."""
+        if not rerun.after:
+            return (AS_IT_IS,)
+        return (next(name for name, one in self.reruns.items() if one.what == rerun.after),)
+
     def levels(self, rerun: Rerun) -> tuple[int, ...]:
         """The meshes that a cause is removed on, coarse to fine."""
         return rerun.levels or self.case.levels[:2]
@@ -80,9 +86,7 @@ def first(plan: Plan) -> tuple[Step, ...]:
         found.append(Step(case.id, (TIGHT,), case.levels[0]))
     for name, rerun in plan.reruns.items():
         for level in plan.levels(rerun):
-            found.append(Step(case.id, (name,), level))
-            if level not in case.levels:
-                found.append(Step(case.id, (AS_IT_IS,), level))
+            found += [Step(case.id, (name,), level), Step(case.id, plan.before(rerun), level)]
     return tuple(dict.fromkeys(found))
 
 
@@ -98,9 +102,9 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 
 
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
-    """Both causes removed together; None where both bring finite elements of their own."""
+    """Both causes removed together; None where their finite elements are their own."""
     both = [plan.reruns[name] for name in pair]
-    if all(rerun.fem is not None for rerun in both):
+    if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):
         return None
     level = min(plan.levels(rerun)[-1] for rerun in both)
     return Step(plan.case.id, pair, level)

@@ -59,7 +59,8 @@ class Rerun:
     finite elements, or by other ones, `fem(inputs, level)`, with the case's keys. `rows` names the
     rows that it is about, * for any letters, all where empty. It is run on `levels`, coarse to
     fine: on the finer of two its effect is read, on the coarser how well; without any on the two
-    coarsest of the case. What both sides leave out alike is `shared`: no part of their difference,
+    coarsest of the case. A cause that means nothing while another one acts is removed `after` that
+    one, whose words these are: its own `fem` lacks both. What both sides leave out alike is `shared`: no part of their difference,
     and shown beside it.
     """
 
@@ -70,6 +71,7 @@ class Rerun:
     changes: tuple[Change, ...] = ()
     fem: Callable[[Any, int], FemResult] | None = None
     levels: tuple[int, ...] = ()
+    after: str = ""
     shared: bool = False
 
     @property

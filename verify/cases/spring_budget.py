@@ -38,21 +38,36 @@ def fem_small(q: MapInputs, level: int) -> FemResult:
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     one = spring(q, here, level, max(1, level // 2))
-    F = one.force(one.compressed([SMALL * here.length])[-1]) / SMALL
-    return FemResult(h=1 / level, values={f"F, {share:g}": share * F for share in SHARES})
+    return proportional(q, level, one.force(one.compressed([SMALL * here.length])[-1]), SMALL)
 
 
 def fem_free(q: MapInputs, level: int) -> FemResult:
-    """The spring with a free head, hardly pressed, its force in proportion."""
+    """The same with a free head."""
     from verify.cases.spring_map_fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     k = spring(q, here, level, max(1, level // 2)).stiffness
-    return FemResult(
-        h=1 / level, values={f"F, {share:g}": share * here.length * k for share in SHARES}
-    )
+    return proportional(q, level, k * here.length, 1.0)
 
 
+def fem_paper(q: MapInputs, level: int) -> FemResult:
+    """The same on the paper's lengths: arcs of the inner radius."""
+    from verify.cases.spring_large_fem import Spring
+
+    path = q.paper_path | {"tail": "arc"}
+    one = Spring(path, q.b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
+    return proportional(q, level, one.stiffness * q.length, 1.0)
+
+
+def proportional(q: MapInputs, level: int, force: float, share: float) -> FemResult:
+    """Forces at the shares of the length that a case has, from one at another share."""
+    values = {f"F, {wanted:g}": wanted / share * force for wanted in SHARES}
+    return FemResult(h=1 / level, values=values)
+
+
+PROPORTION = "hardly pressed, the force in proportion"
+HEAD = "and head free instead of guided"
+EQ_9_FAR = ("Eq. 9 at*",)
 EQ_9 = ("Eqs. 1-9 against the curved beam",)
 HARINGX = ("Haringx*",)
 NO_PLANE = Without(Cause.PLANE, "a strip as beams: its width is case spring-width's")
@@ -70,7 +85,8 @@ STATEMENTS: Mapping[str, Statement] = {
     ),
     "spring-continuum": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a strip half as thick", inputs=half_as_thick),
+            Rerun(cause=Cause.GEOMETRY, what="a strip half as thick", inputs=half_as_thick,
+                  levels=(2, 4)),
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress",
                   rows=("*plane stress",), changes=plane_strain(), shared=True),
         ),
@@ -96,10 +112,10 @@ STATEMENTS: Mapping[str, Statement] = {
     ),
     "spring-map": Statement(
         reruns=(
-            Rerun(cause=Cause.DISPLACEMENT, what="hardly pressed, the force in proportion",
-                  rows=("Eq. 9 at*",), fem=fem_small),
-            Rerun(cause=Cause.GEOMETRY, what="head free instead of guided, hardly pressed",
-                  rows=("Eq. 9 at*",), fem=fem_free),
+            Rerun(cause=Cause.DISPLACEMENT, what=PROPORTION, rows=EQ_9_FAR, fem=fem_small),
+            Rerun(cause=Cause.GEOMETRY, what=HEAD, rows=EQ_9_FAR, fem=fem_free, after=PROPORTION),
+            Rerun(cause=Cause.GEOMETRY, what="and arcs of the inner radius, as Eqs. 1-9 have them",
+                  rows=EQ_9_FAR, fem=fem_paper, after=HEAD),
         ),
         without=(NO_PLANE,), finer=24,
     ),
