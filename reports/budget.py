@@ -7,8 +7,8 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from reports.plots import WIDTH, Axes
 from reports.formats import MINUS
+from reports.plots import WIDTH, Axes
 from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
@@ -118,7 +118,8 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
          else joint.note)
         for joint in row.joints
     ]  # fmt: skip
-    found.append((REMAINDER, "what no rerun has explained: the formula itself", percent(row.remainder, row.u)))
+    left = percent(row.remainder, row.u)
+    found.append((REMAINDER, "what no rerun has explained: the formula itself", left))
     beside = [(p.cause, f"{p.what} (not subtracted, both sides assume the same)", _number(p))
               for p in row.parts if p.shared]  # fmt: skip
     return [*found, *beside]

@@ -80,7 +80,8 @@ def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
     """Measure the named deep cases, or all that are not measured for the present code.
 
     "validity" and "validity:CASE" measure where formulas hold (verify.validity), "budget" and
-    "budget:CASE" of what differences are made (verify.budget), and no name does all. 0 where everything was measured, 1 where a part failed.
+    "budget:CASE" of what differences are made (verify.budget); no name measures all. 0 where
+    everything was measured, 1 where a part failed.
     """
     from verify.budget import measuring as budget
     from verify.cases.registry import CASES, DEEP, find

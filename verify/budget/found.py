@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import combinations
 
 from verify.budget import balance as sums
 from verify.budget.balance import Balance, Joint, Part
@@ -112,11 +113,7 @@ class _Reader:
         """By how much pairs of large causes do more together than one by one."""
         reruns = self.plan.reruns
         names = [name for name in known.large if name in reruns and not reruns[name].after]
-        found = []
-        for n, a in enumerate(names):
-            for b in names[n + 1 :]:
-                found.append(self._joint(pair, (a, b)))
-        return tuple(found)
+        return tuple(self._joint(pair, both) for both in combinations(names, 2))
 
     def _joint(self, pair: Pair, names: tuple[str, str]) -> Joint:
         step = joint(self.plan, names)

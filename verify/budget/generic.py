@@ -26,7 +26,7 @@ TOLERANCES = (
     "verify.cases.freewheel_clutch_fem:NEAR",
 )
 CONTACT = ("fem.contact.problem", "fem.beam.touching", "fem.fourier.contact", "fem.rotor.struts")
-# integration of what bodies exert on each other; the law itself is exact, pressures or gaps are zero
+# points of what bodies exert on each other; the law itself is exact: no pressure or no gap
 INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
 
 
@@ -54,13 +54,13 @@ def without(case: Case) -> tuple[Without, ...]:
     return tuple(found)
 
 
-def contact(case: Case) -> tuple[Rerun, ...]:
-    """Contacts by an exact law, integrated at more points; none where a case has no such contact."""
+def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
+    """Contacts by an exact law, integrated at more points; none where there is no such contact."""
     modules = reached(case)
     return tuple(
         Rerun(
             cause=Cause.CONTACT, what="exact law, integrated at twice as many points",
-            changes=(Constant(target, 2),), levels=case.levels[:1],
+            changes=(Constant(target, 2),), levels=levels,
         )
         for target in INTEGRATED if target.partition(":")[0] in modules
     )  # fmt: skip

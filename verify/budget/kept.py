@@ -1,14 +1,20 @@
 """Budgets as a small file of the project for each case, which counts while its code stands."""
 
+import ast
+import hashlib
+import inspect
 import json
 import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cache as memoised
 from pathlib import Path
 from typing import Any
 
 from verify import cache
+from verify.budget import balance, compared
+from verify.budget import found as founds
 from verify.budget.balance import Balance, Joint, Part
 from verify.budget.found import RowBudget
 from verify.budget.plan import Plan
@@ -73,6 +79,7 @@ def _made_by(plan: Plan) -> dict[str, Any]:
     """All that the numbers depend on."""
     case, says = plan.case, plan.says
     return {
+        "arithmetic": _arithmetic(),
         "inputs": json.loads(json.dumps(case.inputs().model_dump())),
         "code": [cache.whole_source_of(case.analytic), cache.source_of(case.fem)],
         "levels": [*case.levels, says.finer],
@@ -80,6 +87,14 @@ def _made_by(plan: Plan) -> dict[str, Any]:
         "reruns": [_signature(plan, name) for name in plan.reruns],
         "without": [f"{one.cause}: {one.why}" for one in plan.without],
     }
+
+
+@memoised
+def _arithmetic() -> str:
+    """Hash of how contributions are made of solutions."""
+    modules = (balance, compared, founds)
+    texts = [ast.dump(ast.parse(inspect.getsource(module))) for module in modules]
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
 
 
 def _signature(plan: Plan, name: str) -> list[Any]:

@@ -142,9 +142,9 @@ class _Run:
                 self.solutions[step] = answer
                 self.seconds += answer.seconds
                 yield step
-            self.show(self._state(drive, engine.workers()))
+            self.show(self._state(drive))
 
-    def _state(self, drive: Drive, workers: int) -> State:
+    def _state(self, drive: Drive) -> State:
         done = len(self.solutions)
         pace = (time.monotonic() - self.start) / done if done else 0.0
         running = tuple(step.title for step, _ in drive.running.values())

@@ -29,8 +29,10 @@ class Plan:
     def reruns(self) -> Mapping[str, Rerun]:
         """What is removed, by name."""
         own = self.says.reruns
-        every = (*(() if any(r.cause is Cause.CONTACT for r in own) else contact(self.case)), *own)
-        return {rerun.name: rerun for rerun in every}
+        stated = any(one.cause is Cause.CONTACT for one in (*own, *self.says.without))
+        levels = next((rerun.levels for rerun in own), ())  # where others are dear, so is this
+        generic = () if stated else contact(self.case, levels)
+        return {rerun.name: rerun for rerun in (*generic, *own)}
 
     @property
     def without(self) -> tuple[Without, ...]:

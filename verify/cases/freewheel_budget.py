@@ -38,7 +38,9 @@ PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", sh
 ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
 
 STATEMENTS: Mapping[str, Statement] = {
-    "freewheel-torque": Statement(reruns=(LIGHT, WALL, PLANE), headline="normal force under torque (Eqs. 2, 3)"),
+    "freewheel-torque": Statement(
+        reruns=(LIGHT, WALL, PLANE), headline="normal force under torque (Eqs. 2, 3)"
+    ),
     "freewheel-cup": Statement(
         reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,)), PLANE),
     ),

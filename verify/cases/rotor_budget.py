@@ -48,7 +48,7 @@ SOLID = (Without(Cause.PLANE, "a body of revolution"), Without(Cause.CONTACT, "n
 STATEMENTS: Mapping[str, Statement] = {
     "rotor-clutch": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a wedge a quarter as steep, normal forces as they are",
+            Rerun(cause=Cause.GEOMETRY, what="a wedge a quarter as steep, same normal forces",
                   inputs=flat, rows=("stiffness*", "tilting*", "coupling*", "torsional*")),
             Rerun(cause=Cause.DISPLACEMENT, what="a tenth of the offset", inputs=centred,
                   rows=("*offset*", "*tilted")),
@@ -60,7 +60,7 @@ STATEMENTS: Mapping[str, Statement] = {
     ),
     "rotor-shaft": Statement(
         reruns=(Rerun(cause=Cause.GEOMETRY, what="a shaft four times as long", rows=BEAM,
-                      inputs=slender),),
+                      inputs=slender, levels=(4, 8)),),
         without=SOLID, finer=12,
     ),
     "rotor-step": Statement(

@@ -38,7 +38,7 @@ def fem_small(q: MapInputs, level: int) -> FemResult:
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     one = spring(q, here, level, max(1, level // 2))
-    return proportional(q, level, one.force(one.compressed([SMALL * here.length])[-1]), SMALL)
+    return proportional(level, one.force(one.compressed([SMALL * here.length])[-1]), SMALL)
 
 
 def fem_free(q: MapInputs, level: int) -> FemResult:
@@ -47,7 +47,7 @@ def fem_free(q: MapInputs, level: int) -> FemResult:
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     k = spring(q, here, level, max(1, level // 2)).stiffness
-    return proportional(q, level, k * here.length, 1.0)
+    return proportional(level, k * here.length, 1.0)
 
 
 def fem_paper(q: MapInputs, level: int) -> FemResult:
@@ -56,10 +56,10 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
     path = q.paper_path | {"tail": "arc"}
     one = Spring(path, q.b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
-    return proportional(q, level, one.stiffness * q.length, 1.0)
+    return proportional(level, one.stiffness * q.length, 1.0)
 
 
-def proportional(q: MapInputs, level: int, force: float, share: float) -> FemResult:
+def proportional(level: int, force: float, share: float) -> FemResult:
     """Forces at the shares of the length that a case has, from one at another share."""
     values = {f"F, {wanted:g}": wanted / share * force for wanted in SHARES}
     return FemResult(h=1 / level, values=values)
