@@ -37,7 +37,7 @@ def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
 
     def counted(call: Callable[..., Any], *given: Any, **keywords: Any) -> Any:
         calls[change.target] += 1
-        return call(*given, **keywords | change.keywords)
+        return call(*given, **{**keywords, **change.keywords})
 
     setattr(module, name, _like(original, counted))
     try:
@@ -51,8 +51,10 @@ def _like(original: Any, counted: Callable[..., Any]) -> Any:
     if not isinstance(original, type):
         return functools.partial(counted, original)
 
+    start = vars(original)["__init__"]
+
     def __init__(self: Any, *given: Any, **keywords: Any) -> None:  # noqa: N807 - a method
-        counted(functools.partial(original.__init__, self), *given, **keywords)
+        counted(functools.partial(start, self), *given, **keywords)
 
     return type(original.__name__, (original,), {"__init__": __init__})
 

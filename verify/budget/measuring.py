@@ -10,6 +10,7 @@ from verify.budget import kept
 from verify.budget.found import RowBudget, Solutions, budgets
 from verify.budget.plan import LOOSE, TIGHT, Plan, Step, first, rows, together
 from verify.budget.solve import Solution, solved
+from verify.budget.statement import Statement
 from verify.case import Case
 from verify.engines import Drive, Engine, GoneError, Lost, Where
 from verify.environment import require_gmsh
@@ -22,7 +23,7 @@ NAME = "budget"
 @memoised
 def plan_of(case_id: str) -> Plan:
     """What the budgets of a case need; ValueError for an unknown one."""
-    from verify.cases.budgets import STATEMENTS, Statement
+    from verify.cases.budgets import STATEMENTS
     from verify.cases.registry import CASES, find  # a spawned process knows no cases yet
 
     case = find(case_id, CASES)

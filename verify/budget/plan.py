@@ -29,9 +29,9 @@ class Plan:
     def reruns(self) -> Mapping[str, Rerun]:
         """What is removed, by name."""
         own = self.says.reruns
-        stated = any(one.cause is Cause.CONTACT for one in (*own, *self.says.without))
+        causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
         levels = next((rerun.levels for rerun in own), ())  # where others are dear, so is this
-        generic = () if stated else contact(self.case, levels)
+        generic = () if Cause.CONTACT in causes else contact(self.case, levels)
         return {rerun.name: rerun for rerun in (*generic, *own)}
 
     @property

@@ -15,7 +15,7 @@ import numpy as np
 from verify import cache
 from verify.budget import plan as plans
 from verify.budget.changes import changed
-from verify.budget.generic import tolerances
+from verify.budget.generic import LOOSER, TIGHTER, tolerances
 from verify.budget.plan import Plan, Step
 from verify.case import FemResult
 from verify.files import write_whole
@@ -99,7 +99,7 @@ def code_of(plan: Plan, name: str) -> str:
     """What a cause's removal depends on, in words: what it changes, and to what."""
     rerun = plan.reruns.get(name)
     if rerun is None:
-        factor = {plans.TIGHT: plans.TIGHTER, plans.LOOSE: plans.LOOSER}.get(name, 1.0)
+        factor = {plans.TIGHT: TIGHTER, plans.LOOSE: LOOSER}.get(name, 1.0)
         told = tolerances(plan.case, factor) if factor != 1 else ()
         return f"{name} {', '.join(map(str, told))}"
     own = "" if rerun.fem is None else cache.source_of(rerun.fem)

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from verify.budget.statement import Cause, Rerun, Statement, plane_strain, plane_stress
-from verify.cases.polyhedral_pressure import RoundRing
+from verify.cases.polyhedral_inputs import RoundRing
 
 PROBLEM = "fem.contact.problem:ContactProblem"
 THINNER, MORE, FLATTER, LIGHTER = 10, 4, 4, 16
