@@ -1,6 +1,7 @@
 """Error budgets: known parts are found again, add up, are kept, and broken reruns are told."""
 
 import json
+import math
 from dataclasses import replace
 
 import pytest
@@ -258,6 +259,11 @@ def test_a_change_that_changes_nothing_is_an_error(change, error):
 def test_one_mesh_alone_is_as_uncertain_as_it_is_coarse():
     part = balance.removed("x", [(0.05, 0.02)], finest=0.041, shared=False)
     assert (part.contribution, part.u) == (pytest.approx(0.03), pytest.approx(0.009))
+
+
+def test_a_value_on_the_finest_mesh_alone_has_no_discretisation():
+    part = balance.extrapolated("x", [math.nan, math.nan, 0.1], [1.0, 0.5, 0.25], math.nan)
+    assert (part.contribution, part.u, part.note) == (None, None, "values on the finest mesh alone")
 
 
 def test_two_meshes_say_how_uncertain_a_part_is():

@@ -99,6 +99,8 @@ def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order
 
 def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: float) -> Part:
     """What refinement to nothing changes, by the order of the three finest meshes."""
+    if not all(map(math.isfinite, errors[-3:])):
+        return Part(name, None, None, note="values on the finest mesh alone")
     if not math.isfinite(order):
         spread = max(errors[-3:]) - min(errors[-3:])
         return Part(name, 0.0, spread, note="no order: the spread of three meshes")

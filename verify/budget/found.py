@@ -15,7 +15,7 @@ from verify.sweep.pairs import Pair
 
 Solutions = Mapping[Step, Solution]
 RICHARDSON = "Richardson from the three finest meshes"
-DIRECT = "direct solution, round-off"
+DIRECT = "no tolerance of a solver in it: the row's own"
 
 
 @dataclass(frozen=True)

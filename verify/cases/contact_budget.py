@@ -94,6 +94,5 @@ STATEMENTS: Mapping[str, Statement] = {
                   rows=("*, end face", "*go on"), inputs=long_races, levels=(2,)),
         ),
         without=(Without(Cause.PLANE, "bodies of revolution"),),
-        finer=5,
     ),
 }  # fmt: skip

@@ -56,7 +56,7 @@ STATEMENTS: Mapping[str, Statement] = {
     "sprag-engagement": Statement(without=IN_TIME),
     "sprag-friction": Statement(without=IN_TIME),
     "sprag-clutch": Statement(reruns=(LONG,), without=STRIPS, finer=321),
-    "sprag-crown": Statement(reruns=(LONG,), without=STRIPS, finer=321),
+    "sprag-crown": Statement(reruns=(LONG,), without=STRIPS),
     "sprag-optimum": Statement(reruns=(LONG,), without=STRIPS, finer=321),
     "sprag-optimum-40": Statement(reruns=(LONG,), without=STRIPS, finer=321),
 }  # fmt: skip
