@@ -10,7 +10,7 @@ verify: .venv/.ready
 quick: .venv/.ready
 	$(BIN)/freewheel verify --quick
 
-# Maps that take longer than a run may: what was measured is kept in verify/measured.
+# Maps, regions and error budgets that take longer than a run may: what was measured is kept in verify/measured.
 deep: .venv/.ready
 	$(BIN)/freewheel deep
 

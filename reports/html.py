@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, plots, readings, signature, since, validity
+from reports import budget, formats, plots, readings, signature, since, validity
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -102,6 +102,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
         subjects=validity.subjects(report.validity),
+        budgets=report.budgets,
         scale_key=scale_key if validity.mapped(report.validity) else None,
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
@@ -269,6 +270,10 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "signed": validity.signed, "validity_over": validity.common,
         "reading_found": readings.found, "chance": readings.chance,
         "drift_summary": since.summary, "drift_shown": since.shown, "drift_more": since.left_out,
+        "waterfall": budget.waterfall, "percent": budget.percent,
+        "budget_headline": budget.headline, "budget_lines": budget.lines,
+        "budget_compact": budget.compact, "budget_identities": budget.identities,
+        "budget_outside": budget.outside,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,

@@ -11,6 +11,7 @@ from markupsafe import Markup
 from reports import signature
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
+from reports.pdf_budget import budget_data
 from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
@@ -54,6 +55,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "since": since_data(report.drift),
         "readings": readings_data(report.searches) if report.searches else None,
         "validity": validity_data(report.validity),
+        "budgets": budget_data(report.budgets),
         "ledgers": None if own else _ledgers(report, places),
     }
 

@@ -22,6 +22,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "validity": [_validity(one) for one in report.validity],
         "drift": None if report.drift is None else _drift(report.drift),
         "readings_tried": [_plain(asdict(one)) for one in report.searches],
+        "budgets": [_plain(asdict(one)) for one in report.budgets],
         "provenance": report.provenance,
     }
 

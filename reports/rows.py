@@ -48,11 +48,12 @@ def rows_csv(rows: Iterable[Row]) -> str:
     table = csv.writer(text, lineterminator="\n")
     table.writerow(HEADER)
     for row in rows:
-        table.writerow([_harmless(cell) for cell in cells(row)])
+        table.writerow([harmless(cell) for cell in cells(row)])
     return "\ufeff" + text.getvalue()
 
 
-def _harmless(cell: Cell) -> str | float:
+def harmless(cell: Cell) -> str | float:
+    """A cell that no spreadsheet computes and that stays on its line; empty for nothing."""
     if not isinstance(cell, str):
         return "" if cell is None else cell
     text = clean(cell).replace("\r", " ")  # csv writes it unquoted, and a line would end there

@@ -289,7 +289,7 @@ def explain(
 
 @app.command
 def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
-    """Measure what takes longer than `verify` may: maps and regions that its report then shows.
+    """Measure what takes longer than `verify` may: maps, regions, error budgets for its report.
 
     What was measured is kept while the code stands that made it; a run goes on where one was
     interrupted.
@@ -297,8 +297,8 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
     Parameters
     ----------
     cases
-        Measurements to make: validity, validity:CASE or a map's name; by default all that are
-        missing.
+        Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
+        default all that are missing.
     again
         Measure anew what is there already.
     jobs

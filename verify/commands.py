@@ -24,7 +24,7 @@ from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
 from verify.releases.since import lines, since
-from verify.results import CaseResult, Report, Status, Validity
+from verify.results import CaseBudget, CaseResult, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts, raised
@@ -203,6 +203,7 @@ def make_report(
         validity=() if name else _validity(results, cases),
         drift=None if name else since(results),
         searches=() if name else searches([case.id for case in cases]),
+        budgets=() if name else _budgets(results, cases),
         **ledgers(results, cases),
     )
 
@@ -212,3 +213,10 @@ def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Val
     from verify.validity.cards import validity  # scipy's statistics, which `check` does without
 
     return validity(results, cases)
+
+
+def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
+    """The error budgets, which are about the papers' own inputs too."""
+    from verify.budget.told import told  # reads sources of all that they depend on
+
+    return told(results, cases)

@@ -365,6 +365,68 @@ class ReadingsTried:
 
 
 @dataclass(frozen=True, kw_only=True)
+class BudgetPart:
+    """What one cause contributes to a relative difference, by a rerun without it; `u` half-width.
+
+    None where there was no rerun, and `note` says why. What is `shared` by formula and finite
+    elements is no part of their difference and is not subtracted from it.
+    """
+
+    cause: str
+    what: str
+    contribution: float | None
+    u: float | None
+    shared: bool = False
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BudgetJoint:
+    """By how much two causes removed together do more than one by one; None where not rerun."""
+
+    causes: tuple[str, str]
+    value: float | None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RowBudget:
+    """Of what the difference (formula - FE)/scale of a row is made, all relative.
+
+    `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the row's own
+    tolerance. `within` says of an identity whether the remainder is explained by both. `headline`
+    rows are drawn.
+    """
+
+    quantity: str
+    symbol: str
+    kind: Kind
+    total: float
+    U: float | None
+    parts: tuple[BudgetPart, ...]
+    joints: tuple[BudgetJoint, ...]
+    remainder: float
+    u: float
+    within: bool | None = None
+    headline: bool = False
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseBudget:
+    """The budgets of one case's rows; without a measurement `missing` says why.
+
+    `seconds` is what all its reruns took together, on one processor.
+    """
+
+    case: str
+    title: str
+    date: str = ""
+    seconds: float = 0.0
+    missing: str = ""
+    rows: tuple[RowBudget, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
@@ -382,6 +444,7 @@ class Report:
     validity: tuple[Validity, ...] = ()
     drift: Drift | None = None
     searches: tuple[ReadingsTried, ...] = ()
+    budgets: tuple[CaseBudget, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:

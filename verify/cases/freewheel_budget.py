@@ -1,0 +1,52 @@
+"""Error budgets of roller freewheels: bodies of finite size, and the plane assumption."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.budget.statement import Cause, Rerun, Statement, Without, plane_stress
+
+PROBLEM = "fem.contact.problem:ContactProblem"
+LIGHTER, THICKER = 4, 4
+
+
+def light(q: Any) -> Any:
+    """A quarter of the torque, and of an axial load: contacts half as wide."""
+    more = {"T": q.T / LIGHTER}
+    if hasattr(q, "F_ax"):
+        more["F_ax"] = q.F_ax / LIGHTER
+    return q.model_copy(update=more)
+
+
+def thick_ring(q: Any) -> Any:
+    """A ring with a thicker wall around a star."""
+    return q.model_copy(update={"R_a": q.R + THICKER * (q.R_a - q.R)})
+
+
+def thick_cup(q: Any) -> Any:
+    """A cup with a thicker wall about its flats."""
+    return q.model_copy(update={"R_a": q.X_o + 2 * (q.R_a - q.X_o)})
+
+
+def rerun(**more: Any) -> Rerun:
+    return Rerun(cause=Cause.GEOMETRY, **more)
+
+
+LIGHT = rerun(what="a quarter of the load: contacts half as wide", inputs=light, levels=(4,))
+WALL = rerun(what="a ring four times as thick", inputs=thick_ring, levels=(4,))
+PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
+              changes=plane_stress(PROBLEM), levels=(4,))  # fmt: skip
+BOTH = Without(Cause.PLANE, "plane strain on both sides")
+ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
+
+STATEMENTS: Mapping[str, Statement] = {
+    "freewheel-torque": Statement(
+        reruns=(LIGHT, WALL), without=(BOTH,), headline="normal force under torque (Eqs. 2, 3)"
+    ),
+    "freewheel-cup": Statement(
+        reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
+        without=(BOTH,),
+    ),
+    "freewheel-friction": Statement(reruns=(LIGHT, WALL), without=(ALONG,)),
+    "freewheel-paths": Statement(without=(ALONG,)),
+    "freewheel-clutch": Statement(reruns=(LIGHT, WALL, PLANE)),
+}

@@ -1,0 +1,61 @@
+"""Error budgets of races: discrete loads and the plane assumption."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from verify.budget.statement import Cause, Rerun, Statement, plane_strain
+from verify.case import FemResult
+from verify.cases.ring_loads_inputs import LoadsInputs
+
+CLOSER = 4  # times as many loads
+
+
+def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
+    """The same race with its loads spread evenly over the wall that bears them."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.quarter import quarter_ring
+
+    ring = solve_plane(
+        quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=level),
+        materials=Elastic(E=q.E, nu=q.nu),
+        assumption="plane stress",
+        supports={"x=0": "x", "y=0": "y"},
+        pressures={q.loaded: q.n * q.P / (2 * math.pi * q.radius)},
+    )
+    wall = ring.on_boundary(q.loaded)
+    u = abs(float(wall.mean(wall.polar()[0])))
+    return FemResult(h=1 / level, values=dict.fromkeys(("load", "between"), u))
+
+
+def closer(q: Any) -> Any:
+    """The same load on more sprags."""
+    return q.model_copy(update={"n": CLOSER * q.n, "F": q.F / CLOSER})
+
+
+LOADS = Statement(
+    reruns=(
+        Rerun(
+            cause=Cause.GEOMETRY, what="loads spread evenly over the wall, not on patches",
+            rows=("Eq. 6 at a load", "Eq. 6 between loads"), fem=fem_smeared,
+        ),
+        Rerun(
+            cause=Cause.GEOMETRY, what="four times as many sprags, each with a quarter of the load",
+            rows=("Eq. 6 *dent*",), inputs=closer,
+        ),
+        Rerun(
+            cause=Cause.PLANE, what="plane strain instead of plane stress", rows=("Eq. 6*",),
+            changes=plane_strain(), shared=True,
+        ),
+    ),
+    finer=20, headline="Eq. 6 at a load",
+)  # fmt: skip
+
+STATEMENTS: Mapping[str, Statement] = {
+    "ring-lame": Statement(finer=24),
+    "ring-loads-outer": LOADS,
+    "ring-loads-inner": LOADS,
+    "ring-loads-map": Statement(finer=7),
+    "ring-rotation": Statement(finer=16),
+}
