@@ -13,6 +13,7 @@ from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
 LEFT, RIGHT = 118.0, 92.0  # of names, and of numbers beyond the axis
+NUMERICAL = ("discretisation", "iteration", "contact law")  # one column of many rows
 TOTAL, REMAINDER = "difference", "remainder"
 
 
@@ -29,6 +30,7 @@ class Bar:
 
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+UNSEEN = 1e-3  # of the difference: a part without a bar
 SMALL = 1e-3  # per cent: below, powers of ten
 
 
@@ -62,6 +64,8 @@ def steps(row: RowBudget) -> list[Bar]:
     found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), percent(row.total), "total")]
     for part in counted(row):
         c, u = part.contribution or 0.0, part.u or 0.0
+        if max(abs(c), u) < UNSEEN * abs(row.total):
+            continue  # the table tells it
         found.append(Bar(part.cause, at, at - 100 * c, 100 * u, percent(c), "part"))
         at -= 100 * c
     left = percent(row.remainder)
@@ -148,12 +152,17 @@ def compact(one: CaseBudget) -> Compact | None:
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None
-    causes = list(dict.fromkeys(p.cause for row in rows for p in counted(row)))
-    return Compact(causes, [(row, [_sum(row, cause) for cause in causes]) for row in rows])
+    heads = list(dict.fromkeys(_head(p) for row in rows for p in counted(row)))
+    return Compact(heads, [(row, [_sum(row, head) for head in heads]) for row in rows])
 
 
-def _sum(row: RowBudget, cause: str) -> str:
-    mine = [p.contribution or 0.0 for p in counted(row) if p.cause == cause]
+def _head(part: BudgetPart) -> str:
+    """The column of a part."""
+    return "numerical" if part.cause in NUMERICAL else part.cause
+
+
+def _sum(row: RowBudget, head: str) -> str:
+    mine = [p.contribution or 0.0 for p in counted(row) if _head(p) == head]
     return percent(sum(mine)) if mine else "–"
 
 
