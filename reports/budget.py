@@ -30,6 +30,7 @@ class Bar:
 
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+MOST = 10  # rows side by side
 UNSEEN = 1e-3  # of the difference: a part without a bar
 SMALL = 1e-3  # per cent: below, powers of ten
 
@@ -141,19 +142,23 @@ def _number(part: BudgetPart) -> str:
 
 @dataclass(frozen=True)
 class Compact:
-    """Rows side by side: `header` are causes, each row has its name, symbol and numbers."""
+    """Rows side by side: `header` are causes; `of` rows there are in all."""
 
     header: Sequence[str]
     rows: Sequence[tuple[RowBudget, Sequence[str]]]
+    of: int
 
 
 def compact(one: CaseBudget) -> Compact | None:
-    """All approximations but the one drawn, contributions of one cause added up."""
+    """Approximations but the one drawn, MOST with the largest remainders of very many."""
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None
+    count = len(rows)
+    kept = sorted(rows, key=lambda row: -abs(row.remainder))[:MOST]
+    rows = [row for row in rows if row in kept]
     heads = list(dict.fromkeys(_head(p) for row in rows for p in counted(row)))
-    return Compact(heads, [(row, [_sum(row, head) for head in heads]) for row in rows])
+    return Compact(heads, [(row, [_sum(row, head) for head in heads]) for row in rows], count)
 
 
 def _head(part: BudgetPart) -> str:

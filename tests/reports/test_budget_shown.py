@@ -114,6 +114,13 @@ def test_the_others_stand_side_by_side():
     assert compact(MISSING) is None
 
 
+def test_of_very_many_rows_those_with_the_largest_remainders_stand_there():
+    many = [replace(OTHER, quantity=f"row {n}", remainder=n / 1000) for n in range(14)]
+    found = compact(replace(BUDGET, rows=tuple(many)))
+    assert found.of == 14
+    assert [row.quantity for row, _ in found.rows] == [f"row {n}" for n in range(4, 14)]
+
+
 def test_identities_are_one_sentence_and_what_is_not_explained_is_named():
     assert identities(BUDGET).startswith("1 of 1 identities")
     assert outside(BUDGET) == []
