@@ -13,6 +13,7 @@ from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
 LEFT, RIGHT = 118.0, 92.0  # of names, and of numbers beyond the axis
+NUMERICAL = ("discretisation", "iteration", "contact law")  # one column of many rows
 TOTAL, REMAINDER = "difference", "remainder"
 
 
@@ -29,6 +30,8 @@ class Bar:
 
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+MOST = 10  # rows side by side
+UNSEEN = 1e-3  # of the difference: a part without a bar
 SMALL = 1e-3  # per cent: below, powers of ten
 
 
@@ -62,6 +65,8 @@ def steps(row: RowBudget) -> list[Bar]:
     found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), percent(row.total), "total")]
     for part in counted(row):
         c, u = part.contribution or 0.0, part.u or 0.0
+        if max(abs(c), u) < UNSEEN * abs(row.total):
+            continue  # the table tells it
         found.append(Bar(part.cause, at, at - 100 * c, 100 * u, percent(c), "part"))
         at -= 100 * c
     left = percent(row.remainder)
@@ -137,23 +142,32 @@ def _number(part: BudgetPart) -> str:
 
 @dataclass(frozen=True)
 class Compact:
-    """Rows side by side: `header` are causes, each row has its name, symbol and numbers."""
+    """Rows side by side: `header` are causes; `of` rows there are in all."""
 
     header: Sequence[str]
     rows: Sequence[tuple[RowBudget, Sequence[str]]]
+    of: int
 
 
 def compact(one: CaseBudget) -> Compact | None:
-    """All approximations but the one drawn, contributions of one cause added up."""
+    """Approximations but the one drawn, MOST with the largest remainders of very many."""
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None
-    causes = list(dict.fromkeys(p.cause for row in rows for p in counted(row)))
-    return Compact(causes, [(row, [_sum(row, cause) for cause in causes]) for row in rows])
+    count = len(rows)
+    kept = sorted(rows, key=lambda row: -abs(row.remainder))[:MOST]
+    rows = [row for row in rows if row in kept]
+    heads = list(dict.fromkeys(_head(p) for row in rows for p in counted(row)))
+    return Compact(heads, [(row, [_sum(row, head) for head in heads]) for row in rows], count)
 
 
-def _sum(row: RowBudget, cause: str) -> str:
-    mine = [p.contribution or 0.0 for p in counted(row) if p.cause == cause]
+def _head(part: BudgetPart) -> str:
+    """The column of a part."""
+    return "numerical" if part.cause in NUMERICAL else part.cause
+
+
+def _sum(row: RowBudget, head: str) -> str:
+    mine = [p.contribution or 0.0 for p in counted(row) if _head(p) == head]
     return percent(sum(mine)) if mine else "–"
 
 

@@ -64,6 +64,12 @@ def test_bars_take_the_difference_on_from_one_to_the_next():
     assert (rest.start, rest.end) == (0.0, pytest.approx(parts[-1].end))
 
 
+def test_a_part_that_nobody_could_see_has_no_bar():
+    tiny = replace(ROW.parts[0], contribution=1e-6, u=1e-7)
+    bars = steps(replace(ROW, parts=(tiny, *ROW.parts[1:])))
+    assert [bar.name for bar in bars] == ["difference", "finite geometry", "remainder"]
+
+
 def test_bars_are_where_and_as_long_as_their_numbers_say():
     svg = str(waterfall(ROW))
     found = re.findall(r'<rect class="(\w+)" x="([\d.]+)" y="[\d.]+" width="([\d.]+)"', svg)
@@ -102,10 +108,17 @@ def test_shares_are_told_with_the_digits_that_they_have(value, u, said):
 
 def test_the_others_stand_side_by_side():
     found = compact(BUDGET)
-    assert found.header == ["discretisation", "finite geometry"]
+    assert found.header == ["numerical", "finite geometry"]
     assert [(row.quantity, cells) for row, cells in found.rows] == [("another", ["+1 %", "−7 %"])]
     assert headline(BUDGET) == ROW
     assert compact(MISSING) is None
+
+
+def test_of_very_many_rows_those_with_the_largest_remainders_stand_there():
+    many = [replace(OTHER, quantity=f"row {n}", remainder=n / 1000) for n in range(14)]
+    found = compact(replace(BUDGET, rows=tuple(many)))
+    assert found.of == 14
+    assert [row.quantity for row, _ in found.rows] == [f"row {n}" for n in range(4, 14)]
 
 
 def test_identities_are_one_sentence_and_what_is_not_explained_is_named():

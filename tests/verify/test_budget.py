@@ -4,6 +4,7 @@ import json
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from tests.verify import budget_made as made
@@ -19,7 +20,7 @@ from verify.budget.told import of_case
 from verify.cases import registry
 from verify.cases.budgets import STATEMENTS
 from verify.inputs import InputError
-from verify.results import CaseResult
+from verify.results import CaseResult, Kind, Row, Status
 
 ORIGINAL = made.Solver
 RESULT = CaseResult(
@@ -138,6 +139,14 @@ def test_an_identity_is_explained_by_its_mesh(measured_here):
     (same,) = [row for row in told.rows if row.quantity == "the same"]
     assert same.within is True
     assert same.total == pytest.approx(-1e-5 / 16, rel=1e-4)
+
+
+def test_a_tolerance_of_numpy_s_is_a_number_of_records(measured_here):
+    row = Row(case=made.CASE.id, quantity="the same", symbol="s", unit="1", kind=Kind.IDENTITY,
+              status=Status.PASS, scale=np.float64(7.0), u_num=np.float64(1e-3))  # fmt: skip
+    told = of_case(measured_here()[0], replace(RESULT, rows=(row,)))
+    (same,) = [row for row in told.rows if row.quantity == "the same"]
+    assert json.loads(json.dumps([same.U, same.within])) == [pytest.approx(2e-3 / 7), True]
 
 
 def test_an_identity_that_nothing_explains_is_said_so(measured_here):

@@ -52,8 +52,9 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
 
 def _row(one: Found, rows: Mapping[str, Row], *, headline: bool) -> RowBudget:
     row, known = rows.get(one.pair.name), one.balance
-    U = None if row is None or not row.scale else expanded(row.u_num or 0.0) / row.scale
-    explained = max(U or 0.0, balance.COVERAGE * known.u)
+    U = None if row is None or not row.scale else float(expanded(row.u_num or 0.0) / row.scale)
+    allowed = row.tolerance / row.scale if row and row.scale and row.tolerance else U or 0.0
+    explained = max(allowed, balance.COVERAGE * known.u)
     return RowBudget(
         quantity=one.pair.name, symbol=one.pair.symbol, kind=one.pair.kind, total=known.total, U=U,
         parts=tuple(_part(part) for part in known.parts),
@@ -62,7 +63,7 @@ def _row(one: Found, rows: Mapping[str, Row], *, headline: bool) -> RowBudget:
             for joint in one.joints
         ),
         remainder=known.remainder, u=known.u, headline=headline,
-        within=abs(known.remainder) <= explained if one.pair.kind is Kind.IDENTITY else None,
+        within=bool(abs(known.remainder) <= explained) if one.pair.kind is Kind.IDENTITY else None,
     )  # fmt: skip
 
 
