@@ -10,12 +10,12 @@ from math import radians
 import numpy as np
 import pytest
 
-from benchmarks.calculix import executable, run_deck
+from verify.crosscheck.calculix.running import executable, run_deck
 from fem.plane.material import Elastic
 from fem.shell.solve import solve_shell
 from meshes.shell.strip import swept_path
 from meshes.spring.path import accordion
-from tests.fem.calculix_strips import strip
+from verify.crosscheck.calculix.strips import strip
 
 STEEL = Elastic(E=206e3, nu=0.3)  # MPa, mm
 B, PER_ARC, PER_LEAF = 0.1, 6, 12

@@ -57,7 +57,9 @@ class Settings:
 class ContactDeck:
     """The states that a contact problem goes through, as calculix is told of them.
 
-    `shift` (nodes, 2) is by how much nodes start off their places in the mesh.
+    `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
+    drawn that the project takes off its gaps. ValueError where there are such and no shift, for
+    calculix knows a clearance in the place of the gap only, not beside it.
     """
 
     states: Sequence[ContactSolution]
@@ -65,6 +67,10 @@ class ContactDeck:
     assumption: Assumption
     how: Settings
     shift: Array | None = None
+
+    def __post_init__(self) -> None:
+        if self.shift is None and any(p.interference for p in self.surfaces.pairs):
+            raise ValueError("an interference is drawn in a deck: give the shift that makes it")
 
     @property
     def bodies(self) -> Bodies:
@@ -170,9 +176,6 @@ class ContactDeck:
             keywords.surfaces(deck, sides)
             keywords.interaction(deck, f"I{i}", how.slope, pair.friction, how.stick * how.slope)
             keywords.contact_pair(deck, f"SLAVE{i}", f"MASTER{i}", f"I{i}", how.pairing)
-            if pair.interference:
-                deck.write(f"*CLEARANCE, MASTER=MASTER{i}, SLAVE=SLAVE{i}, ")
-                deck.write(f"VALUE={-pair.interference:.12e}\n")
 
     def _write_step(self, deck: TextIO, state: ContactSolution) -> None:
         how = self.how

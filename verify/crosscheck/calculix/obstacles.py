@@ -10,6 +10,7 @@ from fem.contact.shapes import Circle
 from verify.crosscheck.calculix.keywords import Array, Indices, Side
 
 CELLS = 200  # along a circle's strip
+RINGS = 60  # of a flat around a turn
 BEYOND = 1.5  # of the stretch that a slave may touch
 
 
@@ -57,8 +58,17 @@ def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
     start = foot[:, 0] + t * (middle - along[0])
     out = start + np.linspace(half, -half, 3)[:, None] * t
     if turn:
-        out = np.linspace(0.0, depth * BEYOND, 3)[:, None] * np.abs(t) + [0.0, out[0, 1]]
+        depth /= RINGS  # of the first cells, which are short
+        out = _from_axis(RINGS * depth * BEYOND)[:, None] * np.abs(t) + [0.0, out[0, 1]]
     return _strip(out, out - depth * n, obstacle.centre)
+
+
+def _from_axis(reach: float) -> Array:
+    """Radii of nodes, fine about the axis: there calculix misses what touches a wide face."""
+    r = np.zeros(2 * RINGS + 1)
+    r[::2] = reach * np.linspace(0.0, 1.0, RINGS + 1) ** 2
+    r[1::2] = (r[:-1:2] + r[2::2]) / 2
+    return r
 
 
 def _strip(out: Array, back: Array, centre: tuple[float, float]) -> Strip:

@@ -66,8 +66,10 @@ def strain_energy(dat: Path) -> float:
 
 def buckling_factors(dat: Path) -> Array:
     """Factors on the loads of a buckling step, the smallest first."""
-    rows = blocks(dat, "MODE NO *BUCKLING")
-    return np.array([row[1] for row in rows[-1]])
+    found = re.findall(r"BUCKLING\s+FACTOR\s*\n\s*\n((?:\s+\d+\s+\S+\n)+)", dat.read_text("ascii"))
+    if not found:
+        raise LookupError(f"{dat.name} has no buckling factors")
+    return np.array([float(row.split()[1]) for row in found[-1].splitlines()])
 
 
 def iterations(sta: Path) -> int:

@@ -9,6 +9,9 @@ from verify.cases.contact_line_flat import FLAT, disc_fem
 from verify.cases.contact_line_pair import PAIR, pair_fem
 from verify.cases.contact_press_fit import PRESS_FIT, fem_fit, read
 from verify.cases.contact_press_fit_shown import WORDS
+from verify.cases.contact_slip import SLIP
+from verify.cases.contact_slip_driven import Rollers
+from verify.cases.contact_slip_fem import ZONE
 from verify.cases.contact_sphere import SPHERE
 from verify.cases.contact_sphere_fem import fem_problem, push
 from verify.crosscheck.clock import timed
@@ -24,8 +27,9 @@ from verify.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantit
 if TYPE_CHECKING:
     from verify.cases.contact_line_fem import Pressed
 
-STIFF = 500.0  # slope of the penalty [E/a]
+STIFF, SOFTER = 500.0, 100.0  # slopes of the penalty [E/a], without friction and with it
 LEVEL = 3
+SLIPPING = 6  # cells on the half-width of slipping discs
 
 
 def line(case: Any, solve: Any) -> Posed:
@@ -110,6 +114,46 @@ def fit(kind: str, assumption: Any) -> Posed:
     return posed(deck, ours, seconds, there)
 
 
+def slip(stage: float) -> Posed:
+    """Half discs pressed together, pushed sideways to Q_max and swung back to a share of it."""
+    from fem.contact.pairs import Pair
+    from fem.contact.problem import ContactProblem
+    from fem.contact.shapes import Circle
+    from fem.plane.material import Elastic
+    from meshes.contact.disc import half_disc
+    from meshes.join import join
+    from verify.crosscheck.calculix.contact import ContactDeck, Settings
+
+    q = SLIP.inputs()
+    fine: Any = {"R": q.R, "zone": ZONE * q.a, "cells": SLIPPING, "refine": 1}
+    steel = Elastic(E=q.E, nu=q.nu)
+    problem = ContactProblem(
+        join({"upper": half_disc(**fine), "lower": half_disc(**fine, below=True)}),
+        materials=steel, assumption="plane strain",
+        supports={"lower.middle": "xy", "upper.middle": "xy"},
+        contacts=[Pair(
+            slave="upper.surface", master="lower.surface", friction=q.mu,
+            slave_shape=Circle((0.0, q.R), q.R), master_shape=Circle((0.0, -q.R), q.R),
+        )],
+    )  # fmt: skip
+    rollers, Q_max = Rollers(q, problem), q.share * q.mu * q.P
+    pressed, cut = rollers.pressed
+    pushed, top = rollers.loaded(Q_max, cut, pressed)
+    states = [pressed, pushed]
+    if stage < 1:
+        states.append(rollers.loaded(stage * Q_max, top * (stage, 1.0), pushed)[0])
+    _, seconds = timed(lambda: rollers.at(top, pressed))
+    deck = ContactDeck(
+        states=states, materials=steel, assumption="plane strain",
+        how=Settings(slope=SOFTER * q.E / q.a, increments=2, cut=True),
+    )  # fmt: skip
+    x, y = states[-1].touches[0].force
+    return posed(
+        deck, {"P": -y, "Q": x}, len(states) * seconds,
+        lambda fields: {"P": -fields.force()[1], "Q": fields.force()[0]},
+    )  # fmt: skip
+
+
 def line_quantities(approach: str) -> tuple[Quantity, ...]:
     return (
         Quantity(name="load", row=f"{approach}, Hertz", symbol="P(δ)", unit="N/mm",
@@ -145,6 +189,22 @@ CONTACTS = (
             ),
         )
         for pair, words in (("flat", "a rigid flat"), ("sphere", "a sphere"))
+    ),
+    *(
+        Cross(
+            id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
+            what=f"half discs with friction, pressed and {words}, plane strain",
+            pose=partial(slip, stage),
+            quantities=(
+                Quantity(name="P", symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
+                Quantity(name="Q", row=row, symbol="Q(δ)", unit="N/mm", allowed=CONTACT,
+                         why=f"{PENALTY}; what sticks slips a little"),
+            ),
+        )
+        for stage, words, row in (
+            (1.0, "pushed", "displacement beyond the chord, Q/(μP) = 0.6"),
+            (-0.5, "swung back", "cycle: traction within 3 % in L2, Q/Q_max = -0.5"),
+        )
     ),
     *(
         Cross(
