@@ -8,10 +8,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from verify.crosscheck.calculix.running import executable
 from fem.beam.large import LargeFrame
 from meshes.spring.path import Piece
 from verify.crosscheck.calculix.large import Load, Problem, run
+from verify.crosscheck.calculix.running import executable
 from verify.crosscheck.calculix.strips import beams, plane_strain_section, section_held, strip
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")

@@ -8,7 +8,6 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from verify.crosscheck.calculix.running import executable
 from fem.beam.large import LargeFrame
 from fem.beam.touching import SelfContact
 from meshes.spring.centre_line import centre_line
@@ -25,6 +24,7 @@ from verify.crosscheck.calculix.large import (
     faces,
     run,
 )
+from verify.crosscheck.calculix.running import executable
 from verify.crosscheck.calculix.strips import beams, plane_strain_section, section_held, strip
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")

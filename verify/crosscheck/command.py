@@ -10,7 +10,7 @@ from verify.crosscheck import kept
 from verify.crosscheck.judged import judged
 from verify.crosscheck.registry import chosen
 from verify.crosscheck.solvers import Solver, rerun, solve, solvers
-from verify.crosscheck.statement import SOLVERS, Cross
+from verify.crosscheck.statement import CALCULIX, SOLVERS, Cross
 from verify.inputs import InputError
 from verify.progress import State, shown
 from verify.results import Crosscheck, CrossState
@@ -99,18 +99,18 @@ def _keep(found: kept.Found) -> None:
 
 def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
     """How each deck that is there is solved again, one line each."""
-    said = []
-    for cross in crosses:
-        for deck in sorted((folder / cross.file).glob("deck.*")):
-            if deck.suffix in (".inp", ".json") and not deck.name.endswith(".answer.json"):
-                said.append(f"cd {cross.file} && {rerun(cross.solver, deck)}")
+    decks = [
+        (cross, folder / cross.file / f"deck.{'inp' if cross.solver == CALCULIX else 'json'}")
+        for cross in crosses
+    ]
+    said = [f"cd {c.file} && {rerun(c.solver, deck)}" for c, deck in decks if deck.exists()]
     if said:
         (folder / "RERUN.txt").write_text("\n".join(said) + "\n", "utf-8")
 
 
 def _print(lines: Sequence[Crosscheck], there: dict[str, Solver], broken: Sequence[str]) -> None:
     head = ("problem", "quantity", "unit", "here", "there", "difference", "allowed", "s", "s", "")
-    table = [head]
+    table: list[tuple[str, ...]] = [head]
     table += [
         (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",
          f"{line.theirs:.6g}", f"{line.difference:+.1e}", f"{line.allowed:g}",

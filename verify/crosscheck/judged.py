@@ -45,5 +45,3 @@ def _of(cross: Cross, file: Path | None) -> Iterator[Crosscheck]:
         case=cross.case, problem=cross.id, what=cross.what, quantity="", row="", symbol="",
         unit="1", solver=cross.solver, state=CrossState.MISSING, why=STALE,
     )  # fmt: skip
-
-

@@ -1,12 +1,12 @@
 """Contact problems of `fem.contact` as decks for calculix.
 
 Contact is a penalty there, surface to surface: a pressure of a slope times the overlap, and
-friction another one. The project's has none, and takes circles and flats for what they are; calculix
-takes the parabolas of the cells' sides. Obstacles become strips of elements that are held.
+friction another one. The project's has none, and takes circles and flats for what they are;
+calculix takes the parabolas of the cells' sides. Obstacles become strips of elements that are held.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TextIO
@@ -16,7 +16,7 @@ import numpy as np
 from fem.contact.bodies import Bodies
 from fem.contact.interface import Surfaces
 from fem.contact.solution import ContactSolution
-from fem.plane.material import Assumption
+from fem.plane.material import Assumption, Elastic
 from verify.crosscheck.calculix import keywords
 from verify.crosscheck.calculix.keywords import Array, Term
 from verify.crosscheck.calculix.numbering import Numbering
@@ -59,7 +59,8 @@ class ContactDeck:
 
     `shift` (nodes, 2) is by how much nodes start off their places in the mesh: so are overlaps
     drawn that the project takes off its gaps. ValueError where there are such and no shift, for
-    calculix knows a clearance in the place of the gap only, not beside it.
+    calculix knows a clearance in the place of the gap only, not beside it. `given` are the forces
+    along mean motions, by number, that act in place of them.
     """
 
     states: Sequence[ContactSolution]
@@ -67,6 +68,7 @@ class ContactDeck:
     assumption: Assumption
     how: Settings
     shift: Array | None = None
+    given: Mapping[int, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if self.shift is None and any(p.interference for p in self.surfaces.pairs):
@@ -87,7 +89,7 @@ class ContactDeck:
     @cached_property
     def supports(self) -> Supports:
         last = self.numbering.count + sum(len(strip.x) for strip in self.strips.values())
-        return Supports(self.numbering, self.states[-1].plane, last)
+        return Supports(self.numbering, self.states[-1].plane, last, without=self.given)
 
     @cached_property
     def strips(self) -> dict[str, Strip]:
@@ -151,7 +153,8 @@ class ContactDeck:
     def _write_strips(self, deck: TextIO) -> None:
         if not self.strips:
             return
-        named = self.materials if isinstance(self.materials, dict) else {"": self.materials}
+        own = self.materials
+        any_one = own if isinstance(own, Elastic) else next(iter(own.values()))
         kind = FAMILIES[self.assumption] + "8"
         for k, (name, strip) in enumerate(self.strips.items()):
             node, cell = self.first_of(name)
@@ -160,7 +163,7 @@ class ContactDeck:
             keywords.elements(
                 deck, kind, label, strip.cells + node, cell + np.arange(len(strip.cells))
             )
-            keywords.solid(deck, label, next(iter(named.values())), self.depth)
+            keywords.solid(deck, label, any_one, self.depth)
 
     def _write_pairs(self, deck: TextIO) -> None:
         s, how = self.surfaces, self.how
@@ -184,12 +187,18 @@ class ContactDeck:
         deck.write(f"{1 / how.increments!r},1.\n")
         keywords.boundary(deck, [*self.supports.values(state.plane.u), *self._obstacles(state)])
         f = self.share * state.total.f[: self.numbering.basis.N]
-        keywords.forces(deck, nodal_forces(self.numbering, f))
+        spread = [
+            (node, i, self.share * force * w)
+            for k, force in self.given.items() for node, i, w in self.supports.mean(k)
+        ]  # fmt: skip
+        keywords.forces(deck, [*nodal_forces(self.numbering, f), *spread])
         often = "FREQUENCY=1000"
         deck.write(f"*NODE FILE, OUTPUT=2D, {often}\nU,RF\n*EL FILE, OUTPUT=2D, {often}\nS\n")
         deck.write(f"*CONTACT FILE, {often}\nCDIS,CSTR\n")
-        for i in range(len(self.surfaces.pairs)):
-            deck.write(f"*CONTACT PRINT, SLAVE=SLAVE{i}, MASTER=MASTER{i}, {often}\nCF\n")
+        deck.writelines(
+            f"*CONTACT PRINT, SLAVE=SLAVE{i}, MASTER=MASTER{i}, {often}\nCF\n"
+            for i in range(len(self.surfaces.pairs))
+        )
         deck.write("*END STEP\n")
 
     def _obstacles(self, state: ContactSolution) -> list[Term]:
@@ -198,6 +207,8 @@ class ContactDeck:
             node, _ = self.first_of(name)
             moved = strip.moved(state.motion(name))
             held += [
-                (node + k, i + 1, float(u)) for k, row in enumerate(moved) for i, u in enumerate(row)
+                (node + k, i + 1, float(u))
+                for k, row in enumerate(moved)
+                for i, u in enumerate(row)
             ]
         return held

@@ -31,7 +31,7 @@ def faces(cells: Iterable[int], side: int) -> list[Side]:
 class Held(NamedTuple):
     """Component (0, 1) of nodes, held or, in a step, moved to `value`."""
 
-    nodes: Sequence[int]
+    nodes: Sequence[int] | Indices
     component: int
     value: float = 0.0
 

@@ -43,7 +43,7 @@ class Numbering:
     @property
     def count(self) -> int:
         """Nodes of the deck."""
-        return self.dofs.shape[1]
+        return int(self.dofs.shape[1])
 
     @property
     def x(self) -> Array:

@@ -44,8 +44,9 @@ def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
         if turn:
             raise ValueError("around a turn only flats become strips of elements")
         centre = np.array(shape.centre)[:, None]
-        turn = np.unwrap(np.sort(np.arctan2(*(foot - centre)[::-1])))
-        middle, half = (turn[-1] + turn[0]) / 2, min(BEYOND * (turn[-1] - turn[0]) / 2, math.pi / 3)
+        around: Array = np.unwrap(np.sort(np.arctan2(*(foot - centre)[::-1])))
+        middle = (around[-1] + around[0]) / 2
+        half = min(BEYOND * (around[-1] - around[0]) / 2, math.pi / 3)
         angles = np.linspace(middle - half, middle + half, 2 * CELLS + 1)
         rays = np.array([np.cos(angles), np.sin(angles)])
         out = shape.radius * rays

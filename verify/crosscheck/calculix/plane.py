@@ -5,7 +5,7 @@ nodal forces, or pressures and spins that calculix integrates itself.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -43,7 +43,8 @@ class PlaneDeck:
     """A solved problem as calculix is told of it.
 
     `pressures` are the boundaries whose load calculix integrates itself, in place of the nodal
-    forces of the solution; so does a `spin`. `reduced` takes elements of reduced integration.
+    forces of the solution; so does a `spin`. `brief` decks ask for displacements and stresses
+    alone, not for reactions and energies.
     """
 
     solution: PlaneSolution
@@ -51,7 +52,7 @@ class PlaneDeck:
     assumption: Assumption
     pressures: Mapping[str, float] = field(default_factory=dict)
     spin: Spin | None = None
-    reduced: bool = False
+    brief: bool = False
     solver: str = "SPOOLES"
 
     @cached_property
@@ -76,14 +77,17 @@ class PlaneDeck:
             deck.write(f"*STEP\n*STATIC, SOLVER={self.solver}\n")
             keywords.boundary(deck, supports.values(self.solution.u))
             self._write_loads(deck)
-            deck.write("*NODE FILE, OUTPUT=2D\nU,RF\n*EL FILE, OUTPUT=2D\nS\n")
-            deck.write(f"*EL PRINT, ELSET={EVERY}, TOTALS=ONLY\nELSE\n*END STEP\n")
+            more = "" if self.brief else ",RF"
+            deck.write(f"*NODE FILE, OUTPUT=2D\nU{more}\n*EL FILE, OUTPUT=2D\nS\n")
+            if not self.brief:
+                deck.write(f"*EL PRINT, ELSET={EVERY}, TOTALS=ONLY\nELSE\n")
+            deck.write("*END STEP\n")
         return path
 
     @property
     def kind(self) -> str:
         """Name of the elements."""
-        return f"{FAMILIES[self.assumption]}{len(self.numbering.cells)}" + "R" * self.reduced
+        return f"{FAMILIES[self.assumption]}{len(self.numbering.cells)}"
 
     def _write_loads(self, deck: TextIO) -> None:
         for name, pressure in self.pressures.items():
@@ -133,10 +137,14 @@ class Supports:
     """Conditions, ties and mean motions of a solution, in the nodes of a deck.
 
     Conditions along an axis are held nodes, others are equations; what an equation equals is the
-    displacement of a node of its own, numbered after the `first` ones.
+    displacement of a node of its own, numbered after the `first` ones. Mean motions `without` an
+    equation are left to themselves.
     """
 
-    def __init__(self, numbering: Numbering, solution: PlaneSolution, first: int = 0) -> None:
+    def __init__(
+        self, numbering: Numbering, solution: PlaneSolution, first: int = 0,
+        without: Collection[int] = (),
+    ) -> None:  # fmt: skip
         self.numbering, self.solution = numbering, solution
         self.conditions: Conditions = solution.conditions
         self.next = max(first, numbering.count) + 1
@@ -150,7 +158,7 @@ class Supports:
         )  # fmt: skip
         self.handles = {
             **{("condition", int(i)): self._new() for i in self.inclined},
-            **{("mean", k): self._new() for k in range(len(self.rows))},
+            **{("mean", k): self._new() for k in range(len(self.rows)) if k not in without},
         }
 
     def _new(self) -> int:
@@ -167,12 +175,15 @@ class Supports:
         for i in self.inclined:
             terms = [
                 (int(self.numbering.of[dof]), k + 1, float(n))
-                for k, (dof, n) in enumerate(zip(held.dofs[:, i], held.direction[:, i], strict=True))
+                for k, (dof, n) in enumerate(
+                    zip(held.dofs[:, i], held.direction[:, i], strict=True)
+                )
             ]
             terms.sort(key=lambda term: -abs(term[2]))
             keywords.equation(deck, [*terms, (self.handles["condition", int(i)], 1, -1.0)])
-        for k, row in enumerate(self.rows):
-            keywords.equation(deck, [*self._mean(row), (self.handles["mean", k], 1, -1.0)])
+        for (kind, k), handle in self.handles.items():
+            if kind == "mean":
+                keywords.equation(deck, [*self.mean(k), (handle, 1, -1.0)])
 
     def values(self, u: Array) -> list[Term]:
         """All that is held, with the displacements `u` (unknowns,) that it has."""
@@ -189,8 +200,9 @@ class Supports:
         for i in self.inclined:
             value = held.direction[:, i] @ u[held.dofs[:, i]]
             found[self.handles["condition", int(i)], 1] = kept(float(value))
-        for k, row in enumerate(self.rows):
-            found[self.handles["mean", k], 1] = float(row @ u)
+        for (kind, k), handle in self.handles.items():
+            if kind == "mean":
+                found[handle, 1] = float(self.rows[k] @ u)
         return [(node, i, value) for (node, i), value in found.items()]
 
     def _cut(self) -> Indices:
@@ -200,7 +212,9 @@ class Supports:
         tied = self.solution.held.tied
         return np.unique(self.numbering.of[np.append(tied.follower[0], tied.leader[0])])
 
-    def _mean(self, row: Array) -> list[Term]:
+    def mean(self, k: int) -> list[Term]:
+        """What reads a mean motion, and how forces are spread that hold it."""
+        row = self.rows[k]
         dofs = np.flatnonzero(np.abs(row) > NOTHING * np.abs(row).max())
         number, component = self.numbering.of[dofs], self.numbering.component[dofs]
         terms = list(zip(number.tolist(), component.tolist(), row[dofs].tolist(), strict=True))
@@ -220,9 +234,3 @@ class Supports:
                 own, lead = int(node), int(leader)
                 keywords.equation(deck, [(own, 1, 1.0), (lead, 1, -c), (lead, 2, s)])
                 keywords.equation(deck, [(own, 2, 1.0), (lead, 1, -s), (lead, 2, -c)])
-
-
-def handle_forces(supports: Supports, reaction: Array, kind: str) -> Sequence[float]:
-    """Forces along what is held by equations of one kind, from the reactions (nodes, n)."""
-    nodes = [node for (own, _), node in supports.handles.items() if own == kind]
-    return [float(reaction[node - 1, 0]) for node in nodes]

@@ -29,7 +29,7 @@ def locked(elastic: bool, refine: int) -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q = LOCKING.inputs()
+    q: Any = LOCKING.inputs()
     ring = LockedRing(q, refine, d=q.d, p=q.p_t, elastic=elastic)
     state, seconds = timed(lambda: ring.at(q.p_t))
     deck = ContactDeck(
@@ -47,7 +47,7 @@ def freewheel(case: Any) -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q = case.inputs()
+    q: Any = case.inputs()
     start = starts(q)[LOADED]
     state, seconds = timed(lambda: start.state(q, CELLS))
     deck = ContactDeck(
@@ -65,7 +65,7 @@ def sprag() -> Posed:
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
     from verify.crosscheck.calculix.numbering import Numbering
 
-    q = WEDGE.inputs()
+    q: Any = WEDGE.inputs()
     start = starts_by_fem(q)[FULL]
     state, seconds = timed(lambda: start.state(CELLS))
     numbering, place = Numbering(state.solution.bodies.basis), state.start
@@ -117,6 +117,9 @@ def quantities(
     )  # fmt: skip
 
 
+NORMAL = (
+    "normal force under torque (Eqs. 2, 3)", "normal forces of both contacts alike (Eq. 2)"
+)  # fmt: skip
 CLUTCHES = (
     Cross(
         id="polyhedral-locking, rigid roller", case="polyhedral-locking", solver=CALCULIX,
@@ -141,7 +144,7 @@ CLUTCHES = (
         what="star, roller and ring of one pitch with friction, plane strain",
         pose=partial(freewheel, TORQUE),
         quantities=quantities(
-            ("normal force under torque (Eqs. 2, 3)", "normal forces of both contacts alike (Eq. 2)"),
+            NORMAL,
             ("torque against z (F_n x − F_t X) of the star (Eq. 3, corrected)",
              "torque against z R F_t of the ring (Eq. 3, corrected)"),
         ),
@@ -151,7 +154,7 @@ CLUTCHES = (
         what="shaft, roller and cup of one pitch with friction, plane strain",
         pose=partial(freewheel, CUP),
         quantities=quantities(
-            ("normal force under torque (Eqs. 2, 3)", "normal forces of both contacts alike (Eq. 2)"),
+            NORMAL,
             ("torque against z R_s F_t of the shaft (Eq. 3 for a cup)",
              "torque against z (F_n x − F_t X_o) of the cup (Eq. 3 for a cup)"),
         ),
@@ -161,8 +164,10 @@ CLUTCHES = (
         what="races and sprag of one pitch with friction, plane strain",
         pose=sprag,
         quantities=quantities(
-            ("normal force (Eq. 10), at T", "excess of N_e over N_i, which the paper has equal, at N_0"),
-            ("torque n_s N tan(ν) OA, at N_0", "torque on the inner race against that on the outer"),
+            ("normal force (Eq. 10), at T",
+             "excess of N_e over N_i, which the paper has equal, at N_0"),
+            ("torque n_s N tan(ν) OA, at N_0",
+             "torque on the inner race against that on the outer"),
             DRAWN,
         ),
     ),

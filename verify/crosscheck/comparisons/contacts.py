@@ -37,7 +37,7 @@ def line(case: Any, solve: Any) -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q = case.inputs()
+    q: Any = case.inputs()
     found: Pressed
     found, _ = timed(lambda: solve(q))
     state, seconds = timed(
@@ -69,7 +69,7 @@ def sphere(pair: str) -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q = SPHERE.inputs()
+    q: Any = SPHERE.inputs()
     problem, a = fem_problem(q, pair, LEVEL), q.a(pair)
     hertz = a**2 / q.hertz(pair)["R"]
     state, seconds = timed(lambda: problem.solve(displacements={"upper.middle": {"y": -hertz}}))
@@ -90,7 +90,7 @@ def fit(kind: str, assumption: Any) -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q = PRESS_FIT.inputs()
+    q: Any = PRESS_FIT.inputs()
     state, seconds = timed(lambda: fem_fit(q, 2, kind, assumption))
     deck = ContactDeck(
         states=[state], assumption=assumption, how=Settings(slope=100 * q.E_i / q.delta),
@@ -104,12 +104,9 @@ def fit(kind: str, assumption: Any) -> Posed:
         from verify.crosscheck.comparisons.plane import outwards
 
         walls = {"inner bore": "inner.bore", "outer rim": "outer.rim"}
-        force = float(fields.force()[0]) / state.bodies.thickness
-        found = {"p": force / own_width(q)}
+        # the same share of it presses along x, whatever the pressure
+        found = {"p": own["p"] * fields.force()[0] / state.touches[0].force[0]}
         return found | {f"u, {k}": outwards(fields.solution, v) for k, v in walls.items()}
-
-    def own_width(q: Any) -> float:
-        return float(state.touches[0].force[0]) / own["p"]
 
     return posed(deck, ours, seconds, there)
 
@@ -124,7 +121,7 @@ def slip(stage: float) -> Posed:
     from meshes.join import join
     from verify.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q = SLIP.inputs()
+    q: Any = SLIP.inputs()
     fine: Any = {"R": q.R, "zone": ZONE * q.a, "cells": SLIPPING, "refine": 1}
     steel = Elastic(E=q.E, nu=q.nu)
     problem = ContactProblem(

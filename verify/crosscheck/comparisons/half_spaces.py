@@ -30,7 +30,7 @@ GRID = "the same cells and Love's influence; both stop at a tolerance"
 
 def roller(case: Any) -> Posed:
     """The roller of the case on the half-space."""
-    q = case.inputs()
+    q: Any = case.inputs()
     found, _ = timed(lambda: pressed(q, LEVEL))
     own = found.contact.contact
     shape = own.x[:, None] ** 2 / (2 * q.R) + np.asarray(gap(q)(own.y))
@@ -47,7 +47,7 @@ def roller(case: Any) -> Posed:
 
 def sphere() -> Posed:
     """A sphere on a half-space of the case's materials."""
-    q = SPHERE.inputs()
+    q: Any = SPHERE.inputs()
     R, a = q.hertz("sphere")["R"], q.a("sphere")
     E_star = 3 * q.P * R / (4 * a**3)
     side = 2 * REACH * a / CELLS

@@ -1,7 +1,7 @@
 """Rings under pressure, under sprags, in rotation, and polyhedral ones, beside calculix."""
 
 from functools import partial
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from verify.cases.polyhedral_ring import RING, stiffness
 from verify.cases.ring import LAME
 from verify.cases.ring_loads import INNER, OUTER
 from verify.cases.ring_loads_fem import fem_sector, wall_nodes
+from verify.cases.ring_loads_inputs import Wall
 from verify.cases.ring_rotation import ROTATION
 from verify.crosscheck.clock import timed
 from verify.crosscheck.comparisons.plane import (
@@ -46,7 +47,7 @@ def lame(assumption: "Assumption") -> Posed:
     from meshes.ring.quarter import quarter_ring
     from verify.crosscheck.calculix.plane import PlaneDeck
 
-    q = LAME.inputs()
+    q: Any = LAME.inputs()
     steel, loads = Elastic(E=q.E, nu=q.nu), {"bore": q.p_i, "rim": q.p_o}
     mesh = quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=FINE)
     ring, seconds = timed(lambda: solve_plane(
@@ -55,7 +56,7 @@ def lame(assumption: "Assumption") -> Posed:
     ))  # fmt: skip
     deck = PlaneDeck(solution=ring, materials=steel, assumption=assumption, pressures=loads)
 
-    def moved(solution: "PlaneSolution") -> Numbers:
+    def moved(solution: "PlaneSolution") -> dict[str, float]:
         return {name: outwards(solution, name) for name in ("bore", "rim")}
 
     ours = moved(ring) | {"U": 4 * ring.strain_energy} | {
@@ -89,7 +90,7 @@ def rotation() -> Posed:
     from meshes.ring.quarter import quarter_ring
     from verify.crosscheck.calculix.plane import PlaneDeck, Spin
 
-    q = ROTATION.inputs()
+    q: Any = ROTATION.inputs()
     steel, pull = Elastic(E=q.E, nu=q.nu), q.rho * q.omega**2
     mesh = quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=FINE)
     race, seconds = timed(lambda: solve_plane(
@@ -101,7 +102,7 @@ def rotation() -> Posed:
         spin=Spin(rho=q.rho, omega=q.omega),
     )  # fmt: skip
 
-    def moved(solution: "PlaneSolution") -> Numbers:
+    def moved(solution: "PlaneSolution") -> dict[str, float]:
         return {name: outwards(solution, name) for name in ("bore", "rim")}
 
     ours = moved(race) | {"hoop bore": hoop(race, "bore"), "U": 4 * race.strain_energy}
@@ -112,12 +113,12 @@ def rotation() -> Posed:
     return posed(deck, ours, seconds, read)
 
 
-def sprags(loaded: Literal["bore", "rim"]) -> Posed:
+def sprags(loaded: Wall) -> Posed:
     """Half a pitch of a race under its sprags, guided at both cuts, one of them inclined."""
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.plane import PlaneDeck
 
-    q = (OUTER if loaded == "bore" else INNER).inputs()
+    q: Any = (OUTER if loaded == "bore" else INNER).inputs()
     steel = Elastic(E=q.E, nu=q.nu)
     sector, seconds = timed(lambda: fem_sector(
         r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, a=q.half_width, P=q.P, material=steel, level=3
@@ -157,7 +158,7 @@ def polyhedral(assumption: "Assumption") -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.plane import PlaneDeck
 
-    q = RING.inputs()
+    q: Any = RING.inputs()
     ring, seconds = timed(lambda: pressed_fem(q, 3, assumption, ARC))
     deck = PlaneDeck(
         solution=ring, materials=Elastic(E=q.E, nu=q.nu), assumption=assumption,
@@ -177,7 +178,7 @@ def hub(corner: bool) -> Posed:
     from fem.plane.material import Elastic
     from verify.crosscheck.calculix.plane import PlaneDeck
 
-    q = RING.inputs()
+    q: Any = RING.inputs()
     (at, in_corner), seconds = timed(lambda: pushed_fem(q, 3))
     ring = in_corner if corner else at
     deck = PlaneDeck(
@@ -193,6 +194,7 @@ def hub(corner: bool) -> Posed:
 
 K: dict[str, Any] = {"allowed": LINEAR, "why": MESH}
 HUB: dict[str, Any] = {"unit": "µm", **K}
+SIDES: tuple[tuple[str, Wall, Wall], ...] = (("outer", "bore", "rim"), ("inner", "rim", "bore"))
 RINGS = (
     *(
         Cross(
@@ -219,7 +221,7 @@ RINGS = (
             what="half a pitch of a race under a sprag, plane stress", pose=partial(sprags, loaded),
             quantities=sprags_quantities(loaded, far),
         )
-        for side, loaded, far in (("outer", "bore", "rim"), ("inner", "rim", "bore"))
+        for side, loaded, far in SIDES
     ),
     Cross(
         id="polyhedral-ring", case="polyhedral-ring", solver=CALCULIX,

@@ -29,7 +29,7 @@ def shaft(turning: bool) -> Posed:
     """A uniform shaft in hard bearings."""
     from fem.rotor.model import Element, Material, Rotor, Shaft, Support
 
-    q = SHAFT.inputs()
+    q: Any = SHAFT.inputs()
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
     rotor = Rotor(
         [Shaft([Element(q.L / PIECES, q.d_o, q.d_i, steel)] * PIECES)],
@@ -42,7 +42,7 @@ def step(turning: bool) -> Posed:
     """A shaft with a thick part in elastic bearings."""
     from fem.rotor.model import Element, Material, Rotor, Shaft, Support
 
-    q = STEP.inputs()
+    q: Any = STEP.inputs()
     steel, pieces = Material(E=q.E, nu=q.nu, rho=q.rho), q.pieces(cone=False)
     rotor = Rotor(
         [Shaft([Element(p.length, p.d, 0.0, steel) for p in pieces])],
@@ -53,7 +53,7 @@ def step(turning: bool) -> Posed:
 
 def system(speeds: Sequence[float]) -> Posed:
     """Two coaxial shafts with discs and bearings between them, both turning alike."""
-    q = SYSTEM.inputs()
+    q: Any = SYSTEM.inputs()
     alike = q.model_copy(update={
         "shafts": tuple(s.model_copy(update={"ratio": 1.0}) for s in q.shafts),
     })  # fmt: skip

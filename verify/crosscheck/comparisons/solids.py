@@ -52,7 +52,7 @@ def loop(held: bool) -> Posed:
 
 def narrow() -> Any:
     """The case's inputs with a narrow strip."""
-    q = WIDTH.inputs()
+    q: Any = WIDTH.inputs()
     return q.model_copy(update={"h": WIDE * q.b})
 
 

@@ -19,7 +19,7 @@ from verify.crosscheck.comparisons.plane import LINEAR, MESH
 from verify.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity
 
 if TYPE_CHECKING:
-    from verify.crosscheck.calculix.large import Answer, Problem
+    from verify.crosscheck.calculix.large import Answer
     from verify.crosscheck.calculix.strips import Strip
 
 FINE = 3.5  # cells over the root of length over thickness
@@ -40,7 +40,7 @@ def continuum(assumption: Any) -> Posed:
     from meshes.spring.strip import strip
     from verify.crosscheck.calculix.plane import PlaneDeck
 
-    q = CONTINUUM.inputs()
+    q: Any = CONTINUUM.inputs()
     along = cells_along(q, 2)
     mesh = strip(**q.path, b=q.b, through=2, per_arc=along["arc"], per_leaf=along["leaf"])
     tail = mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries["tail"]])].mean(axis=1)
@@ -68,7 +68,7 @@ def continuum(assumption: Any) -> Posed:
 
 def accordion(tail: Any, head: str) -> Posed:
     """The frame of curved elements under one newton, and a strip about the same line."""
-    q = ACCORDION.inputs()
+    q: Any = ACCORDION.inputs()
     shape = shapes(q)[f"head {head}, tail at {tail}"]
     solved, seconds = timed(lambda: curved_fem(q, shape, line_fem(shape, 2 * LEVEL)))
 
@@ -90,7 +90,7 @@ def accordion(tail: Any, head: str) -> Posed:
 
 def aside() -> Posed:
     """The guided head moved aside without load."""
-    q = BUCKLING.inputs()
+    q: Any = BUCKLING.inputs()
     one = spring(q, q.path | {"tail": "arc"}, q.b, LEVEL)
     (k, _), seconds = timed(lambda: one.lateral_stiffness(one.guided.rest()))
 
@@ -111,7 +111,7 @@ def aside() -> Posed:
 
 def buckled(tail: str) -> Posed:
     """The linear buckling load of the spring whose head is free."""
-    q = BUCKLING.inputs()
+    q: Any = BUCKLING.inputs()
     one = spring(q, q.path | {"tail": tail}, q.b, LEVEL)
     (load, _), seconds = timed(one.linear_load)
 
@@ -129,7 +129,7 @@ def buckled(tail: str) -> Posed:
 
 def drift(share: float) -> Posed:
     """A free head under a dead force, far beyond small displacements."""
-    q = BUCKLING.inputs()
+    q: Any = BUCKLING.inputs()
     one = spring(q, q.path | {"tail": "arc"}, q.b, LEVEL)
 
     def solve() -> Any:
@@ -156,7 +156,7 @@ def drift(share: float) -> Posed:
 
 def curve() -> Posed:
     """A guided spring of six units, pressed until its tips have touched its leaves."""
-    q = CURVE.inputs()
+    q: Any = CURVE.inputs()
     line = dict(q.path) | {"n": UNITS}
     wide = 1 / (1 - q.nu**2)
     own = Spring(line=line, b=q.b, h=1.0, E=q.E, nu=q.nu, factor=wide, head="guided",

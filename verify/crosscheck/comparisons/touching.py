@@ -76,7 +76,8 @@ class Touched:
         from verify.crosscheck.calculix.reading import contact_areas
 
         pairs = len(self.deck.surfaces.pairs)
-        return float(contact_areas(self.path.with_suffix(".dat"), pairs)[pair]) / self.deck.depth / 2
+        areas = contact_areas(self.path.with_suffix(".dat"), pairs)
+        return float(areas[pair]) / self.deck.depth / 2
 
 
 def posed(
