@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, plots, signature, validity
+from reports import crosscheck, formats, plots, signature, validity
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -267,6 +267,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
         "signed": validity.signed, "validity_over": validity.common,
+        "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
+        "cross_quantity": crosscheck.quantity,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reports.crosscheck import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
@@ -23,6 +24,7 @@ from verify.results import Report
 
 ERRORS = "errors.txt"
 PAPER = "report.pdf"
+CROSSCHECK = "crosscheck.csv"
 STAGING = ".part-"
 
 
@@ -62,7 +64,7 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
         for name in files:
             (staging / name).replace(folder / name)
         # of a run over other cases, or of one that could do more
-        for stale in (*folder.glob("*.vtu"), folder / ERRORS, folder / PAPER):
+        for stale in (*folder.glob("*.vtu"), folder / ERRORS, folder / PAPER, folder / CROSSCHECK):
             if stale.name not in files:
                 stale.unlink(missing_ok=True)
     return Written(folder / "report.html", tuple(remarks))
@@ -76,6 +78,8 @@ def _files(
     yield "results.json", record.encode()
     yield schema.name, schema.read_bytes()
     yield "rows.csv", rows_csv(report.rows).encode()
+    if report.crosschecks:
+        yield CROSSCHECK, crosscheck_csv(report.crosschecks).encode()
     yield "verdicts.md", f"{markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)

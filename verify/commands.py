@@ -22,7 +22,7 @@ from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
-from verify.results import CaseResult, Report, Status, Validity
+from verify.results import CaseResult, Crosscheck, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts
@@ -196,6 +196,7 @@ def make_report(
         provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
         name=name,
         validity=() if name else _validity(results, cases),
+        crosschecks=() if name else _crosschecks(results),
         **ledgers(results, cases),
     )
 
@@ -205,3 +206,10 @@ def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Val
     from verify.validity.cards import validity  # scipy's statistics, which `check` does without
 
     return validity(results, cases)
+
+
+def _crosschecks(results: Sequence[CaseResult]) -> tuple[Crosscheck, ...]:
+    """What second solvers found of the cases' problems."""
+    from verify.crosscheck.judged import reported  # reads the sources of all that it compares
+
+    return reported([result.id for result in results])
