@@ -236,12 +236,13 @@ def test_a_guest_answers_beside_its_question(tmp_path):
     line, *_ = judged.judged(cross, command.compare(cross, solvers.solver(ROSS), tmp_path))
     assert line.state is CrossState.AGREES
     question = json.loads((tmp_path / cross.file / "deck.json").read_text("utf-8"))
-    question["shafts"][0][0]["E"] *= 1.1
+    for piece in question["shafts"][0]:
+        piece["E"] *= 1.1
     wrong = tmp_path / "wrong.json"
     wrong.write_text(json.dumps(question), "utf-8")
     solvers.solve(ROSS, wrong)
     there = json.loads(wrong.with_suffix(".answer.json").read_text("utf-8"))
-    assert there["frequencies"][0][0] > (1 + 1e-4) * line.ours
+    assert there["frequencies"][0][0] > 1.01 * line.ours
 
 
 @guests
