@@ -56,7 +56,7 @@ readme: verify
 	rm -rf .venv-crosscheck && mkdir .venv-crosscheck
 	{ $(PYTHON) -m venv .venv-crosscheck && .venv-crosscheck/bin/pip install --quiet \
 		--disable-pip-version-check --no-deps --require-hashes -r $<; } 2> .venv-crosscheck/said.txt \
-		|| { grep -v WARNING .venv-crosscheck/said.txt | tail -1 > .venv-crosscheck/failed.txt; \
+		|| { grep -m 1 -i error .venv-crosscheck/said.txt > .venv-crosscheck/failed.txt; \
 		rm -rf .venv-crosscheck/bin; }
 	touch $@
 

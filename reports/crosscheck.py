@@ -23,6 +23,11 @@ class Problem:
     def missing(self) -> str:
         return self.head.why if self.head.state is CrossState.MISSING else ""
 
+    @property
+    def why(self) -> str:
+        """What makes differences, each reason once."""
+        return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
+
 
 def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
     """Comparisons by problem, in their order."""
@@ -41,11 +46,6 @@ def told(checks: Sequence[Crosscheck]) -> str:
     if missing:
         parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
     return "; ".join(parts)
-
-
-def quantity(check: Crosscheck) -> str:
-    """What is compared, by the name of the row that it stands beside if there is one."""
-    return check.row.partition("/")[2] or check.quantity
 
 
 def crosscheck_csv(checks: Sequence[Crosscheck]) -> str:
@@ -68,7 +68,7 @@ def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
             "by": f"{p.head.solver} {p.head.version}".strip(), "unknowns": p.head.unknowns,
             "seconds": [f"{s:.2f}" for s in p.head.seconds],
             "rows": [
-                [prose(quantity(c)), [_number(c.ours)], [_number(c.theirs)],
+                [prose(c.quantity), [_number(c.ours)], [_number(c.theirs)],
                  [c.unit if c.unit != "1" else ""], [_difference(c)]]
                 for c in p.lines if not p.missing
             ],

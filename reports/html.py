@@ -268,7 +268,6 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "validity_figure": validity.figure, "validity_limits": validity.limits,
         "signed": validity.signed, "validity_over": validity.common,
         "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
-        "cross_quantity": crosscheck.quantity,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,

@@ -91,7 +91,7 @@ def test_a_wrong_deck_is_outside(spoil, ring, file, monkeypatch, tmp_path, capsy
     monkeypatch.setattr(registry, "COMPARISONS", (spoiled(ring, spoil),))
     monkeypatch.setattr(kept, "code_of", lambda _cross: "")
     assert crosscheck("ring-lame", out=tmp_path) == 1
-    assert "outside: ring-lame, plane strain, bore" in capsys.readouterr().out
+    assert "outside: ring-lame, plane strain, bore displacement, plane strain" in capsys.readouterr().out
 
 
 @installed

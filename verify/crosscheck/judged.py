@@ -20,7 +20,8 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
         difference = theirs / ours - 1 if ours else abs(theirs)
         agrees = abs(difference) <= q.allowed
         lines.append(Crosscheck(
-            case=cross.case, problem=cross.id, what=cross.what, quantity=q.name,
+            case=cross.case, problem=cross.id, what=cross.what,
+            quantity=q.name if q.beside or not q.row else q.row,
             row=f"{cross.case}/{q.row}" if q.row else "", symbol=q.symbol, unit=q.unit,
             solver=cross.solver, version=found.version, date=found.date,
             state=CrossState.AGREES if agrees else CrossState.OUTSIDE,

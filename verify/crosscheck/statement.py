@@ -12,9 +12,10 @@ Numbers = Mapping[str, float]
 
 @dataclass(frozen=True, kw_only=True)
 class Quantity:
-    """One number of a comparison: what it is called, and the row of the case that it stands beside.
+    """One number of a comparison: what it is called, and the row of the case that it stands for.
 
-    The two may differ by `allowed`, relative, and `why` says what makes so much of a difference.
+    With `beside` it is another number than the row's, of the same problem. Both solvers may differ
+    by `allowed`, relative, and `why` says what makes so much of a difference.
     """
 
     name: str
@@ -23,6 +24,7 @@ class Quantity:
     symbol: str = ""
     unit: str = "1"
     row: str = ""
+    beside: bool = False
 
 
 @dataclass(frozen=True, kw_only=True)

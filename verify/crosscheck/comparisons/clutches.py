@@ -87,8 +87,10 @@ def both(forces: Points, moments: list[float], times: float) -> Numbers:
     """Sizes of the forces on both races per length, and the torques of all bodies on them."""
     (inner, outer), (on_inner, on_outer) = forces, moments
     return {
-        "force inside": float(np.hypot(*inner)), "force outside": float(np.hypot(*outer)),
-        "torque inside": abs(on_inner) * times, "torque outside": abs(on_outer) * times,
+        "force on the inner part": float(np.hypot(*inner)),
+        "force on the outer part": float(np.hypot(*outer)),
+        "torque on the inner part": abs(on_inner) * times,
+        "torque on the outer part": abs(on_outer) * times,
     }  # fmt: skip
 
 
@@ -110,10 +112,14 @@ def quantities(
 ) -> tuple[Quantity, ...]:
     """The four numbers of `both`, with the rows that they stand beside."""
     return (
-        Quantity(name="force inside", row=normal[0], symbol="F", unit="N/mm", **within),
-        Quantity(name="force outside", row=normal[1], symbol="F", unit="N/mm", **within),
-        Quantity(name="torque inside", row=torque[0], symbol="T", unit="N m", **within),
-        Quantity(name="torque outside", row=torque[1], symbol="T", unit="N m", **within),
+        Quantity(name="force on the inner part", row=normal[0], symbol="F", unit="N/mm",
+                 beside=True, **within),
+        Quantity(name="force on the outer part", row=normal[1], symbol="F", unit="N/mm",
+                 beside=True, **within),
+        Quantity(name="torque on the inner part", row=torque[0], symbol="T", unit="N m",
+                 beside=True, **within),
+        Quantity(name="torque on the outer part", row=torque[1], symbol="T", unit="N m",
+                 beside=True, **within),
     )  # fmt: skip
 
 

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 STIFF, SOFTER = 500.0, 100.0  # slopes of the penalty [E/a], without friction and with it
 LEVEL = 3
+LOAD = "load at the same approach"
+NORMAL, PUSH = "normal force", "tangential force at the same displacement"
 SLIPPING = 6  # cells on the half-width of slipping discs
 
 
@@ -53,13 +55,13 @@ def line(case: Any, solve: Any) -> Posed:
         how=Settings(slope=STIFF * E / found.a),
     )  # fmt: skip
     ours = {
-        "load": 2 * abs(state.touches[0].force[1]), "a": along_first_moment(state.touches[0]),
+        LOAD: 2 * abs(state.touches[0].force[1]), "a": along_first_moment(state.touches[0]),
         "p_0": found.peak,
     }  # fmt: skip
 
     def there(fields: Touched) -> Numbers:
         force, moment = abs(fields.force()[1]), abs(fields.moment())
-        return {"load": 2 * force, "a": 3 * np.pi / 4 * moment / force, "p_0": fields.peak()}
+        return {LOAD: 2 * force, "a": 3 * np.pi / 4 * moment / force, "p_0": fields.peak()}
 
     return posed(deck, ours, seconds, there)
 
@@ -146,14 +148,14 @@ def slip(stage: float) -> Posed:
     )  # fmt: skip
     x, y = states[-1].touches[0].force
     return posed(
-        deck, {"P": -y, "Q": x}, len(states) * seconds,
-        lambda fields: {"P": -fields.force()[1], "Q": fields.force()[0]},
+        deck, {NORMAL: -y, PUSH: x}, len(states) * seconds,
+        lambda fields: {NORMAL: -fields.force()[1], PUSH: fields.force()[0]},
     )  # fmt: skip
 
 
 def line_quantities(approach: str) -> tuple[Quantity, ...]:
     return (
-        Quantity(name="load", row=f"{approach}, Hertz", symbol="P(δ)", unit="N/mm",
+        Quantity(name=LOAD, row=f"{approach}, Hertz", beside=True, symbol="P(δ)", unit="N/mm",
                  allowed=CONTACT, why=PENALTY),
         Quantity(name="a", row="half-width, Hertz", symbol="a", unit="µm", allowed=CONTACT,
                  why=PENALTY),
@@ -193,9 +195,9 @@ CONTACTS = (
             what=f"half discs with friction, pressed and {words}, plane strain",
             pose=partial(slip, stage),
             quantities=(
-                Quantity(name="P", symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
-                Quantity(name="Q", row=row, symbol="Q(δ)", unit="N/mm", allowed=CONTACT,
-                         why=f"{PENALTY}; what sticks slips a little"),
+                Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
+                Quantity(name=PUSH, row=row, beside=True, symbol="Q(δ)", unit="N/mm",
+                         allowed=CONTACT, why=f"{PENALTY}; what sticks slips a little"),
             ),
         )
         for stage, words, row in (

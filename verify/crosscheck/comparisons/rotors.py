@@ -105,9 +105,9 @@ def posed(
     )  # fmt: skip
 
 
-def frequency(k: int, row: str = "", speed: int = 1, words: str = "") -> Quantity:
+def frequency(k: int, row: str = "", speed: int = 1, *, beside: bool = False) -> Quantity:
     return Quantity(name=f"frequency {k}, speed {speed}", row=row, symbol="ω", unit="rad/s",
-                    allowed=EXACT, why=f"{BEAMS}{words}")  # fmt: skip
+                    allowed=EXACT, why=BEAMS, beside=beside)  # fmt: skip
 
 
 SPEEDS = (200.0, 600.0, 1200.0)  # rad/s
@@ -136,10 +136,12 @@ ROTORS = (
         what="two coaxial shafts with discs and an intershaft bearing that turn alike, damped",
         pose=partial(system, SPEEDS),
         quantities=(
-            *(frequency(k, f"natural frequency {k} at the speed" if i == 2 else "", i)
+            *(frequency(k, f"natural frequency {k} at the speed" if i == 2 else "", i,
+                        beside=True)
               for i in (1, 2, 3) for k in (1, 2, 3, 4)),
             *(Quantity(name=f"orbit, speed {i}", symbol="|r|", unit="µm", allowed=EXACT, why=BEAMS,
-                       row="amplitude at the probe" if i == 2 else "") for i in (1, 2, 3)),
+                       row="amplitude at the probe" if i == 2 else "", beside=True)
+              for i in (1, 2, 3)),
         ),
     ),
 )  # fmt: skip

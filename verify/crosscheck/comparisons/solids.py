@@ -17,6 +17,7 @@ WIDE = 20.0  # times the thickness, as a row of the case has it
 ARC, LEAF = 12, 40  # cells of solids along an arc and half a leaf
 MOVED = 1e-3  # m, of the loop's head
 GRADED = 30.0  # cells over the width: the first over the last
+K = "stiffness of the loop, 20 times as wide as thick"
 ROW = "loop as a shell and as solids, 20 times as wide as thick"
 BRICKS = "27-node cells of the project beside 20-node ones of reduced integration, on one mesh"
 
@@ -44,9 +45,9 @@ def loop(held: bool) -> Posed:
     )
     deck = SolidDeck(solution=solved, material=steel)
     return Posed(
-        ours={"k": stiffness(solved.strain_energy)}, seconds=seconds, unknowns=deck.unknowns,
+        ours={K: stiffness(solved.strain_energy)}, seconds=seconds, unknowns=deck.unknowns,
         write=lambda folder: deck.write(folder / "deck.inp"),
-        read=lambda path: {"k": stiffness(strain_energy(path.with_suffix(".dat")))},
+        read=lambda path: {K: stiffness(strain_energy(path.with_suffix(".dat")))},
     )  # fmt: skip
 
 
@@ -75,10 +76,10 @@ def shell() -> Posed:
                      b=q.b, levels=levels, material=steel, move=MOVED)  # fmt: skip
 
     def read(at: Path) -> dict[str, float]:
-        return {"k": stiffness(strain_energy(at.with_suffix(".dat")))}
+        return {K: stiffness(strain_energy(at.with_suffix(".dat")))}
 
     return Posed(
-        ours={"k": -1 / solved.potential_energy}, seconds=seconds, unknowns=deck.unknowns,
+        ours={K: -1 / solved.potential_energy}, seconds=seconds, unknowns=deck.unknowns,
         write=lambda folder: deck.write(folder / "deck.inp"), read=read,
     )  # fmt: skip
 
@@ -89,8 +90,8 @@ SOLIDS = (
             id=f"spring-width, loop, {words}", case="spring-width", solver=CALCULIX,
             what=f"half the width of a loop as solids, its edge {words}", pose=partial(loop, held),
             quantities=(
-                Quantity(name="k", symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,
-                         row="" if held else ROW),
+                Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,
+                         beside=True, row=ROW),
             ),
         )
         for held, words in ((True, "held"), (False, "free"))
@@ -99,9 +100,9 @@ SOLIDS = (
         id="spring-width, shell", case="spring-width", solver=CALCULIX,
         what="half the width of a loop as a shell here, as bricks there", pose=shell,
         quantities=(
-            Quantity(name="k", symbol="k", unit="N/mm", allowed=5e-3,
+            Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
                      why="a shell beside solids, which differ by (b/R)² in arcs",
-                     row=ROW),
+                     beside=True, row=ROW),
         ),
     ),
 )  # fmt: skip

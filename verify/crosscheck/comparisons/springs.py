@@ -267,10 +267,10 @@ SPRINGS = (
         what="the strip compressed until its tips touch and beyond, plane strain", pose=curve,
         quantities=(
             Quantity(name=APART, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
-                     row="stiffness at rest"),
+                     beside=True, row="stiffness at rest"),
             Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
                      why=f"{STRIP}; tips press by a penalty",
-                     row="leaves do not enter each other"),
+                     beside=True, row="leaves do not enter each other"),
         ),
     ),
 )  # fmt: skip
