@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import budget, formats, plots, readings, signature, since, validity
+from reports import budget, crosscheck, formats, plots, readings, signature, since, validity
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -274,6 +274,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "budget_headline": budget.headline, "budget_lines": budget.lines,
         "budget_compact": budget.compact, "budget_identities": budget.identities,
         "budget_outside": budget.outside,
+        "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,

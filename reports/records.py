@@ -23,6 +23,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "drift": None if report.drift is None else _drift(report.drift),
         "readings_tried": [_plain(asdict(one)) for one in report.searches],
         "budgets": [_plain(asdict(one)) for one in report.budgets],
+        "crosschecks": [_plain(asdict(one)) for one in report.crosschecks],
         "provenance": report.provenance,
     }
 

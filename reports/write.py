@@ -11,6 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from reports.budget_table import budget_csv
+from reports.crosscheck import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
@@ -25,6 +26,7 @@ from verify.results import Report
 ERRORS = "errors.txt"
 PAPER = "report.pdf"
 BUDGET = "budget.csv"
+CROSSCHECK = "crosscheck.csv"
 STAGING = ".part-"
 
 
@@ -64,7 +66,8 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
         for name in files:
             (staging / name).replace(folder / name)
         # of a run over other cases, or of one that could do more
-        for stale in (*folder.glob("*.vtu"), folder / ERRORS, folder / PAPER, folder / BUDGET):
+        made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
+        for stale in (*folder.glob("*.vtu"), *(folder / name for name in made)):
             if stale.name not in files:
                 stale.unlink(missing_ok=True)
     return Written(folder / "report.html", tuple(remarks))
@@ -80,6 +83,8 @@ def _files(
     yield "rows.csv", rows_csv(report.rows).encode()
     if report.budgets:
         yield BUDGET, budget_csv(report.budgets).encode()
+    if report.crosschecks:
+        yield CROSSCHECK, crosscheck_csv(report.crosschecks).encode()
     yield "verdicts.md", f"{markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)

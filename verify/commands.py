@@ -24,7 +24,7 @@ from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
 from verify.releases.since import lines, since
-from verify.results import CaseBudget, CaseResult, Report, Status, Validity
+from verify.results import CaseBudget, CaseResult, Crosscheck, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts, raised
@@ -204,6 +204,7 @@ def make_report(
         drift=None if name else since(results),
         searches=() if name else searches([case.id for case in cases]),
         budgets=() if name else _budgets(results, cases),
+        crosschecks=() if name else _crosschecks(results),
         **ledgers(results, cases),
     )
 
@@ -220,3 +221,10 @@ def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Case
     from verify.budget.told import told  # reads sources of all that they depend on
 
     return told(results, cases)
+
+
+def _crosschecks(results: Sequence[CaseResult]) -> tuple[Crosscheck, ...]:
+    """What second solvers found of the cases' problems."""
+    from verify.crosscheck.judged import reported  # reads the sources of all that it compares
+
+    return reported([result.id for result in results])

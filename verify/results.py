@@ -304,6 +304,43 @@ class Validity:
     maps: tuple[str, ...] = ()
 
 
+class CrossState(StrEnum):
+    """How a comparison with a second solver came out."""
+
+    AGREES = "agrees"
+    OUTSIDE = "outside"  # farther apart than allowed
+    MISSING = "not measured"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Crosscheck:
+    """A number of the project beside that of a second solver on the same mesh and loads.
+
+    `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
+    `why` says what makes a difference, or why nothing was measured. `row` is the id of the row that
+    it stands beside, if any; `seconds` those of the project and of the other solver.
+    """
+
+    case: str
+    problem: str
+    what: str
+    quantity: str
+    row: str
+    symbol: str
+    unit: str
+    solver: str
+    state: CrossState
+    version: str = ""
+    date: str = ""
+    ours: float | None = None
+    theirs: float | None = None
+    difference: float | None = None
+    allowed: float | None = None
+    why: str = ""
+    seconds: tuple[float, ...] = ()
+    unknowns: int = 0
+
+
 @dataclass(frozen=True, kw_only=True)
 class Change:
     """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
@@ -445,6 +482,7 @@ class Report:
     drift: Drift | None = None
     searches: tuple[ReadingsTried, ...] = ()
     budgets: tuple[CaseBudget, ...] = ()
+    crosschecks: tuple[Crosscheck, ...] = ()
 
     @property
     def rows(self) -> tuple[Row, ...]:

@@ -1,0 +1,88 @@
+"""Comparisons with second solvers: grouped for the page and the PDF, and as a table."""
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+from reports.pdf_tables import Data, prose
+from reports.richtext import runs
+from verify.results import Crosscheck, CrossState
+
+LEFT_OUT = ("seconds",)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One problem and what was compared of it; `missing` says why nothing was."""
+
+    head: Crosscheck
+    lines: Sequence[Crosscheck]
+
+    @property
+    def missing(self) -> str:
+        return self.head.why if self.head.state is CrossState.MISSING else ""
+
+    @property
+    def why(self) -> str:
+        """What makes differences, each reason once."""
+        return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
+
+
+def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
+    """Comparisons by problem, in their order."""
+    found: dict[str, list[Crosscheck]] = {}
+    for check in checks:
+        found.setdefault(check.problem, []).append(check)
+    return [Problem(group[0], group) for group in found.values()]
+
+
+def told(checks: Sequence[Crosscheck]) -> str:
+    """How many agree, in a sentence; and how many problems are not measured."""
+    agree = sum(check.state is CrossState.AGREES for check in checks)
+    outside = sum(check.state is CrossState.OUTSIDE for check in checks)
+    missing = sum(bool(problem.missing) for problem in problems(checks))
+    parts = [f"{agree} of {agree + outside} agree"] if agree + outside else []
+    if missing:
+        parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
+    return "; ".join(parts)
+
+
+def crosscheck_csv(checks: Sequence[Crosscheck]) -> str:
+    """One line each; differences are relative, seconds the project's and the other solver's."""
+    names = [f.name for f in fields(Crosscheck) if f.name not in LEFT_OUT]
+    file = io.StringIO()
+    table = csv.writer(file, lineterminator="\n")
+    table.writerow([*names, "seconds_here", "seconds_there"])
+    for check in checks:
+        own = [getattr(check, name) for name in names]
+        table.writerow([*own, *(check.seconds or ("", ""))])
+    return file.getvalue()
+
+
+def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
+    """The same for the PDF's template."""
+    return [
+        {
+            "case": p.head.case, "what": runs(p.head.what), "missing": prose(p.missing),
+            "by": f"{p.head.solver} {p.head.version}".strip(), "unknowns": p.head.unknowns,
+            "seconds": [f"{s:.2f}" for s in p.head.seconds],
+            "rows": [
+                [prose(c.quantity), [_number(c.ours)], [_number(c.theirs)],
+                 [c.unit if c.unit != "1" else ""], [_difference(c)]]
+                for c in p.lines if not p.missing
+            ],
+        }
+        for p in problems(checks)
+    ]  # fmt: skip
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.6g}".replace("-", "−")
+
+
+def _difference(check: Crosscheck) -> str:
+    if check.difference is None or check.allowed is None:
+        return "–"
+    mark = " !" if check.state is CrossState.OUTSIDE else ""
+    return f"{check.difference:+.0e} ({check.allowed:.0e}){mark}".replace("-", "−")

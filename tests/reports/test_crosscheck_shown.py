@@ -1,0 +1,82 @@
+"""Second solvers on the page, in the PDF, in results.json and as a table."""
+
+import csv
+import io
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+import reports
+from reports.crosscheck import crosscheck_csv, crosscheck_data, problems, told
+from reports.html import page
+from reports.pdf_data import document
+from reports.records import report_record
+from verify.results import Crosscheck, CrossState, Report
+
+AGREES = Crosscheck(
+    case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more", quantity="bore displacement",
+    row="ring-lame/bore displacement", symbol="u_r", unit="µm", solver="calculix", version="2.20",
+    date="2026-11-22", state=CrossState.AGREES, ours=21.7672, theirs=21.7673, difference=4.6e-6,
+    allowed=5e-5, why="six printed digits", seconds=(0.11, 0.52), unknowns=5522,
+)  # fmt: skip
+OUTSIDE = replace(AGREES, quantity="rim", row="", state=CrossState.OUTSIDE, difference=0.1)
+STALE = Crosscheck(
+    case="ring-lame", problem="ring-lame, plane stress", what="another", quantity="", row="",
+    symbol="", unit="1", solver="calculix", state=CrossState.MISSING,
+    why="not measured for this code: make crosscheck does it",
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def checked(wordy) -> Report:
+    """A report on one case without rows, with two comparisons and one that is stale."""
+    case = replace(wordy.cases[0], id="ring-lame", name="", rows=(), title="Ring")
+    return replace(wordy, name="", cases=(case,), tables=(), errata=(),
+                   crosschecks=(AGREES, OUTSIDE, STALE))  # fmt: skip
+
+
+def test_the_page_has_a_table_of_its_own(checked):
+    html = page(checked, {})
+    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
+    assert "1 of 2 agree; 1 problem is not measured" in section
+    assert "a quarter &amp; more" in section
+    assert "5522 unknowns, 0.11 s here, 0.52 s there" in section
+    assert section.count('class="is-fail"') == 1
+    assert "not measured for this code" in section
+    assert '<a href="#crosscheck">' in html
+
+
+def test_a_report_without_comparisons_says_nothing_of_them(checked):
+    assert "Second solvers" not in page(replace(checked, crosschecks=()), {})
+
+
+def test_problems_are_grouped_in_their_order():
+    first, second = problems([AGREES, OUTSIDE, STALE])
+    assert [len(first.lines), first.missing] == [2, ""]
+    assert second.missing.startswith("not measured")
+    assert told([STALE, STALE]) == "1 problem is not measured"
+
+
+def test_the_pdf_marks_what_is_outside(checked):
+    first, second = crosscheck_data(checked.crosschecks)
+    assert [row[-1] for row in first["rows"]] == [["+5e−06 (5e−05)"], ["+1e−01 (5e−05) !"]]
+    assert second["rows"] == []
+    assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
+
+
+def test_results_json_is_as_its_schema_says(checked):
+    schema = json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
+    record = json.loads(json.dumps(report_record(checked)))["crosschecks"]
+    own = {"$ref": "#/$defs/crosscheck", "$defs": schema["$defs"]}
+    for one in record:
+        jsonschema.validate(one, own)
+    assert record[2]["ours"] is None
+
+
+def test_the_table_has_a_line_each():
+    head, first, _, last = csv.reader(io.StringIO(crosscheck_csv([AGREES, OUTSIDE, STALE])))
+    assert dict(zip(head, first, strict=True))["seconds_there"] == "0.52"
+    assert dict(zip(head, last, strict=True))["state"] == "not measured"
