@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: verify quick deep test check bench readme lock clean
+.PHONY: verify quick deep mutants test check bench readme lock clean
 
 verify: .venv/.ready
 	$(BIN)/freewheel verify
@@ -13,6 +13,10 @@ quick: .venv/.ready
 # Maps that take longer than a run may: what was measured is kept in verify/measured.
 deep: .venv/.ready
 	$(BIN)/freewheel deep
+
+# What the suite catches of mistakes made on purpose; ALL=1 tries every mutant, for hours.
+mutants: .venv/.ready
+	$(BIN)/freewheel mutants $(if $(ALL),--all)
 
 # One BLAS thread a worker, as `verify` has it: two workers of two threads each wait for each other.
 # A file is one worker's, so that what its tests share is solved once (pytest 9.2 tells xdist 3.8 no groups).
