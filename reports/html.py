@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, plots, signature, validity
+from reports import caught, formats, plots, signature, validity
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -101,7 +101,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
-        subjects=validity.subjects(report.validity),
+        subjects=validity.subjects(report.validity), caught=report.caught,
         scale_key=scale_key if validity.mapped(report.validity) else None,
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
@@ -266,12 +266,14 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "causes": causes,
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
+        "share": caught.share, "moved": caught.moved, "green": caught.green,
+        "only_listed": caught.only_listed, "survivors": caught.survivors,
         "signed": validity.signed, "validity_over": validity.common,
         "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
-    env.globals["LONG_LIST"] = LONG_LIST
+    env.globals |= {"LONG_LIST": LONG_LIST, "CHANGED": caught.NAMES}
     return env
 
 

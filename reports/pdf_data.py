@@ -12,6 +12,7 @@ from reports import signature
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
 from reports.pdf_case import case_data, maths, value_cells
+from reports.pdf_caught import caught_data
 from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
 from reports.richtext import runs
@@ -50,6 +51,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             for i, case in enumerate(report.cases)
         ],
         "validity": validity_data(report.validity),
+        "caught": caught_data(report.caught),
         "ledgers": None if own else _ledgers(report, places),
     }
 

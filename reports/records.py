@@ -20,6 +20,7 @@ def report_record(report: Report) -> dict[str, Any]:
         "published": list(report.published),
         "paper_tables": [_plain(asdict(table)) for table in report.tables],
         "validity": [_validity(one) for one in report.validity],
+        "caught": None if report.caught is None else _plain(asdict(report.caught)),
         "provenance": report.provenance,
     }
 

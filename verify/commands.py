@@ -22,7 +22,7 @@ from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
-from verify.results import CaseResult, Report, Status, Validity
+from verify.results import CaseResult, Caught, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts
@@ -196,8 +196,18 @@ def make_report(
         provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
         name=name,
         validity=() if name else _validity(results, cases),
+        caught=None if name else _caught(),
         **ledgers(results, cases),
     )
+
+
+def _caught() -> Caught:
+    """What is kept of mistakes made on purpose, as far as it counts for the present code."""
+    from verify.mutation.score import (
+        measured,
+    )  # the cases and their mutants, which only a run needs
+
+    return measured()
 
 
 def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:

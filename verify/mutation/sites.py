@@ -1,7 +1,8 @@
 """Where code can be changed: the functions of a module, their nodes, and mutants with stable ids.
 
 Left out is what no row is meant to see: docstrings, annotations, messages, what raises and the
-conditions for it, assertions, tolerances and counts of solvers, positions in arrays.
+conditions for it, assertions, tolerances and counts of solvers, positions in arrays, and arrays of
+which only the shape is taken.
 """
 
 import ast
@@ -13,13 +14,16 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from verify.mutation.operators import Around, Operator
+from verify.mutation.operators import Around, Operator, name_of
 
 SOLVERS = frozenset(
     ("xtol", "ftol", "gtol", "rtol", "atol", "tol", "maxiter", "maxfev", "limit", "epsabs",
      "epsrel", "max_step", "axis", "ndmin", "maxsize", "full_output", "disp", "seed", "strict",
      "subdivisions", "method", "decimals", "fill_value", "mode")
 )  # fmt: skip
+SHAPES = frozenset(
+    ("zeros_like", "ones_like", "empty_like", "full_like", "shape", "broadcast_shapes")
+)
 TOLD = ("__repr__", "__str__", "__reduce__", "__hash__")
 
 
@@ -155,7 +159,12 @@ def _no_matter(node: ast.AST) -> bool:
         return not node.orelse
     if isinstance(node, ast.keyword) and node.arg in SOLVERS:
         return True
-    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+    if isinstance(node, ast.Call) and name_of(node.func) in SHAPES:
+        return True
+    # a docstring, or a rule that raises: what it returns is not taken
+    return isinstance(node, ast.Expr) and not (
+        isinstance(node.value, ast.Call) and isinstance(node.value.func, ast.Attribute)
+    )
 
 
 def _changed(

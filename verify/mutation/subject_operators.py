@@ -26,7 +26,7 @@ ENDS = (
     ("_i", "_o"), ("_i", "_e"), ("_1", "_2"), ("_a", "_b"), ("_x", "_y"), ("_n", "_t"),
     ("_A", "_B"), ("_r", "_t"), ("_in", "_out"), ("_left", "_right"), ("_min", "_max"),
 )  # fmt: skip
-ALIKE = (("lam", "mu"), ("sin", "cos"), ("low", "high"), ("h", "b"))
+ALIKE = (("lam", "mu"), ("sin", "cos"), ("h", "b"))
 RADIUS = re.compile(r"[rR](_\w+)?|\w*radius\w*")
 DIAMETER = re.compile(r"[dD](_\w+)?|\w*diameter\w*")
 POISSON = re.compile(r"nu(_\w+)?")
