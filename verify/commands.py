@@ -203,9 +203,7 @@ def make_report(
 
 def _caught() -> Caught:
     """What is kept of mistakes made on purpose, as far as it counts for the present code."""
-    from verify.mutation.score import (
-        measured,
-    )  # the cases and their mutants, which only a run needs
+    from verify.mutation.score import measured  # what judges anew, which `check` does without
 
     return measured()
 

@@ -21,9 +21,7 @@ SOLVERS = frozenset(
      "epsrel", "max_step", "axis", "ndmin", "maxsize", "full_output", "disp", "seed", "strict",
      "subdivisions", "method", "decimals", "fill_value", "mode")
 )  # fmt: skip
-SHAPES = frozenset(
-    ("zeros_like", "ones_like", "empty_like", "full_like", "shape", "broadcast_shapes")
-)
+SHAPES = ("zeros_like", "ones_like", "empty_like", "full_like", "shape", "broadcast_shapes")
 TOLD = ("__repr__", "__str__", "__reduce__", "__hash__")
 
 
