@@ -6,14 +6,13 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from verify.mutation import trial
-from verify.mutation.forked import Answer, Task, answers
+from verify.mutation.forked import LATE, Answer, Task, answers
 from verify.mutation.groups import Group
 from verify.mutation.outcomes import By, Outcome, Store
 from verify.progress import Show, State
 
 TESTS = 200.0  # s for the tests of one mutant, which took AT_MOST unchanged
 EXPECTED = 4.0  # s for a mutant before anything is known
-FAILURES = {"time": (By.TIME, "does not end"), "died": (By.CRASHED, "the process died")}
 
 
 @dataclass
@@ -46,7 +45,8 @@ class Campaign:
     def _outcome(self, key: str, answer: Answer) -> Outcome | None:
         """The mutant's fate; None where tests are still to come."""
         if answer.failure:
-            by, what = FAILURES[answer.failure]
+            by = By.TIME if answer.failure == LATE else By.CRASHED
+            what = answer.failure
         else:
             by, what = By(answer.value[0]), str(answer.value[1])
         is_first = key not in self.tested

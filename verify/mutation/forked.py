@@ -17,7 +17,10 @@ from collections.abc import Callable, Hashable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from verify.guard import named
+
 MEMORY = 6 * 2**30  # bytes that a child may have: a size mistaken fills no machine
+LATE = "does not end"
 SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 
@@ -32,7 +35,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a child found; or `failure`: "time" where it was ended, "died" where it ended itself."""
+    """What a child found; or `failure`: LATE where it was ended, else what it raised or died of."""
 
     key: Hashable
     value: Any
@@ -80,7 +83,7 @@ def _step(selector: selectors.BaseSelector, children: dict[int, _Child]) -> Iter
     now = time.monotonic()
     for pipe, child in list(children.items()):
         if now - child.start > child.task.limit:
-            yield _ended(selector, children, pipe, "time")
+            yield _ended(selector, children, pipe, LATE)
 
 
 def _ended(
@@ -94,9 +97,10 @@ def _ended(
     if failure:
         return Answer(child.task.key, None, failure, seconds)
     try:
-        return Answer(child.task.key, json.loads(child.read), "", seconds)
+        value, raised = json.loads(child.read)
     except ValueError:  # ended by a signal, or out of memory
-        return Answer(child.task.key, None, "died", seconds)
+        value, raised = None, "the process died"
+    return Answer(child.task.key, value, raised, seconds)
 
 
 def _end(pid: int) -> None:
@@ -122,6 +126,14 @@ def _start(task: Task, children: dict[int, _Child]) -> int:
     return out
 
 
+def _told(work: Callable[[], Any]) -> tuple[Any, str]:
+    """What the work returns, and in words what it raises."""
+    try:
+        return work(), ""
+    except Exception as error:
+        return None, named(error)
+
+
 def _work(task: Task, into: int) -> None:
     """What the child does; it never returns."""
     status = 1
@@ -135,7 +147,7 @@ def _work(task: Task, into: int) -> None:
         nowhere = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(nowhere, stream)
-        text = json.dumps(task.work()).encode()
+        text = json.dumps(_told(task.work)).encode()
         with os.fdopen(into, "wb") as pipe:
             pipe.write(text)
         status = 0

@@ -20,7 +20,7 @@ JUDGES = ("verify.checks", "verify.claims", "verify.convergence", "verify.judge"
 LEAST = 30.0  # s that every mutant has
 FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
 WHOLE = 3.0  # s: a case whose levels all take less together is solved whole
-LONGEST = 20.0  # s of unchanged solving for one mutant
+LONGEST = 6.0  # s for a coarsest level that mutants are tried on
 
 
 @dataclass(frozen=True)
@@ -53,13 +53,13 @@ def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> G
 
 def elements(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
     """Mutants of fem/ and meshes/ in functions that a case's coarsest level calls."""
-    noted = notes.elements([load.case for load in loads])
+    quick = _quick(loads)
+    noted = notes.elements([load.case for load in quick])
     states = notes.cases(loads)
     of_levels = {
         case: Noted(one.seconds, one.functions, states[case].states) for case, one in noted.items()
     }
     _imported(of_levels)
-    quick = [load for load in loads if _solving(load.case.id, of_levels) <= LONGEST]
     benches = _benches([load.with_values() for load in quick], of_levels)
     tests = _suite(notes, "elements")
     found = reached(_modules(benches, ("fem.", "meshes.")), FINITE_ELEMENTS, benches)
@@ -128,8 +128,13 @@ def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Tas
     return task
 
 
-def _solving(case: str, noted: Mapping[str, Noted]) -> float:
-    return noted[case].seconds if case in noted else float("inf")
+def _quick(loads: Sequence[Load]) -> list[Load]:
+    """The cases whose coarsest level, by all that is known of it, is solved in short."""
+    known = durations.load(cache.default_folder())
+    return [
+        load for load in loads
+        if known.get((load.case.id, load.case.levels[0]), LONGEST) <= LONGEST
+    ]  # fmt: skip
 
 
 def _imported(noted: Mapping[str, Noted]) -> None:

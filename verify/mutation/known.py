@@ -53,7 +53,7 @@ class Notes:
         return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
 
     def elements(self, cases: Sequence[Case]) -> dict[str, Noted]:
-        """What solving each case's coarsest level calls; cases that take too long are left out."""
+        """What solving each case's coarsest level calls."""
         work = {
             f"{case.id} {cache.key(case, case.inputs(), case.levels[0])}": partial(_solve, case)
             for case in cases
@@ -65,7 +65,7 @@ class Notes:
         """Seconds and called functions of all tests of the files."""
         from verify.mutation import suite  # pytest, which a user's environment may not have
 
-        code = digest("analytic", "fem", "meshes", "tests")
+        code = digest(*suite.FOLDERS[kind])
         work = {f"{path} {code}": partial(suite.traced, path) for path in files}
         found = self._noted(f"tests-{kind}", "testing", work, TESTING)
         return {test: tuple(one) for tests in found.values() for test, one in tests.items()}

@@ -52,4 +52,5 @@ class Store:
         self.found[outcome.id] = outcome
         self.path.parent.mkdir(parents=True, exist_ok=True)
         with self.path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(asdict(outcome), ensure_ascii=False) + "\n")
+            # a new line first: what a killed run left half stands alone
+            file.write("\n" + json.dumps(asdict(outcome), ensure_ascii=False))

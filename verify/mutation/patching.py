@@ -10,6 +10,7 @@ import builtins
 import gc
 import sys
 from collections.abc import Iterator
+from importlib import import_module
 from types import CodeType, FunctionType, ModuleType
 
 from verify.mutation.sites import Changed, Source, constant_of, owners
@@ -21,6 +22,7 @@ class NotPatchedError(RuntimeError):
 
 def patch(of: Source, changed: Changed) -> int:
     """Replace the code in all functions that have it; their number. NotPatchedError."""
+    import_module(of.module)  # finite elements, which nothing imports before it solves
     changed.place.put(changed.node)
     try:
         name = changed.mutant.function
