@@ -65,8 +65,8 @@ class Notes:
         """Seconds and called functions of all tests of the files."""
         from verify.mutation import suite  # pytest, which a user's environment may not have
 
-        code = digest(*suite.FOLDERS[kind])
-        work = {f"{path} {code}": partial(suite.traced, path) for path in files}
+        tested = suite.TESTED[kind]
+        work = {f"{path} {digest(*tested, path)}": partial(suite.traced, path) for path in files}
         found = self._noted(f"tests-{kind}", "testing", work, TESTING)
         return {test: tuple(one) for tests in found.values() for test, one in tests.items()}
 

@@ -24,11 +24,7 @@ JUDGING = tuple(
     f"tests/verify/{name}.py" for name in ("test_judge", "test_convergence", "test_checks")
 )
 
-FOLDERS = {  # sources that tests of a kind depend on
-    "formulas": ("analytic", "tests/analytic"),
-    "judging": ("verify",),
-    "elements": ("fem", "meshes", "tests/fem", "tests/meshes"),
-}
+TESTED = {"formulas": ("analytic",), "judging": ("verify",), "elements": ("fem", "meshes")}
 
 Traces = Mapping[str, tuple[float, Sequence[str]]]  # of tests: seconds and functions
 
