@@ -51,7 +51,7 @@ Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=_whole)]
 Number = Annotated[int, Parameter(converter=_whole)]
 Texts = Annotated[tuple[str, ...], Parameter(negative="", consume_multiple=False)]
 Engine = Literal["local", "dask"]
-Group = Literal["formulas", "judging", "finite-elements"]
+Group = Literal["references", "formulas", "judging", "finite-elements"]
 Groups = Annotated[tuple[Group, ...], Parameter(negative="", consume_multiple=False)]
 CaseId = Annotated[str, Parameter(completer=_case_ids)]
 
@@ -315,7 +315,7 @@ def mutants(
     jobs: Jobs = 0,
     only: Groups = (),
 ) -> int:
-    """Break formulas, judging and finite elements on purpose and count what rows and tests notice.
+    """Move references, break formulas, judging and elements on purpose: count what is noticed.
 
     Takes the finite elements of an earlier `verify`. Every outcome is kept as it comes, so that a
     run goes on where one was interrupted; the score of seed 0 enters the report.
@@ -329,7 +329,7 @@ def mutants(
     jobs
         Processes, 0 for one a core.
     only
-        formulas, judging or finite-elements; by default all. May stand several times.
+        references, formulas, judging or finite-elements; by default all. May stand several times.
     """
     from verify.mutation.command import run_mutants
 

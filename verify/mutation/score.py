@@ -142,7 +142,7 @@ def _survivor(group: str, one: Sequence[Any], reasons: Mapping[str, str]) -> Sur
 
 
 def complaints(of: Caught) -> list[str]:
-    """What the gate asks for and the mutants of formulas do not give."""
+    """What the gates ask for, and references or the mutants of formulas do not give."""
     found = [
         f"{group.name}: {group.caught} of {group.tried} mutants are caught, {LEAST:.0%} are asked"
         for group in of.groups
@@ -151,4 +151,5 @@ def complaints(of: Caught) -> list[str]:
     bare = sum(one.group == "formulas" and not one.reason for one in of.survivors)
     if bare:
         found.append(f"formulas: {bare} survivors without a reason in {ARGUED.name}")
-    return found
+    moved = of.references.get("gate", {}).get("failures", ())
+    return [*found, *(f"references: {failure}" for failure in moved)]

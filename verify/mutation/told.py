@@ -1,14 +1,25 @@
 """What `freewheel mutants` prints: a line for each group, then every survivor."""
 
+from collections.abc import Mapping
+from typing import Any
+
 from verify.results import Caught, MutantGroup, Survivor
 
 
 def told(caught: Caught) -> None:
     """Print the counts of each group and the survivors, those without a reason first."""
+    if caught.references:
+        print(moved(caught.references["gate"]))
     for group in caught.groups:
         print(counted(group))
     for survivor in sorted(caught.survivors, key=lambda one: (one.group, bool(one.reason))):
         print(named(survivor))
+
+
+def moved(gate: Mapping[str, Any]) -> str:
+    """One line: how many of the rows held to the gate turn red."""
+    parts = ", ".join(f"{name}: {red}" for name, red in gate["red"].items())
+    return f"references: of {gate['rows']} rows red at {parts}"
 
 
 def counted(group: MutantGroup) -> str:
