@@ -11,7 +11,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import budget, crosscheck, formats, plots, readings, signature, since, validity
+from reports import budget, caught, crosscheck, formats, plots, readings, signature, since, validity
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -103,6 +103,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         counts=_counts(report.rows), anchors=anchors(report.rows),
         subjects=validity.subjects(report.validity),
         budgets=report.budgets,
+        caught=report.caught,
         scale_key=scale_key if validity.mapped(report.validity) else None,
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
@@ -267,6 +268,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "causes": causes,
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
+        "share": caught.share, "moved": caught.moved, "green": caught.green,
+        "only_listed": caught.only_listed, "survivors": caught.survivors,
         "signed": validity.signed, "validity_over": validity.common,
         "reading_found": readings.found, "chance": readings.chance,
         "drift_summary": since.summary, "drift_shown": since.shown, "drift_more": since.left_out,
@@ -279,7 +282,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
-    env.globals["LONG_LIST"] = LONG_LIST
+    env.globals |= {"LONG_LIST": LONG_LIST, "CHANGED": caught.NAMES}
     return env
 
 

@@ -14,6 +14,7 @@ from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
 from reports.pdf_budget import budget_data
 from reports.pdf_case import case_data, maths, value_cells
+from reports.pdf_caught import caught_data
 from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
 from reports.readings import readings_data
@@ -59,6 +60,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "budgets": budget_data(report.budgets),
         "crosschecks": crosscheck_data(report.crosschecks),
         "crosschecks_told": told(report.crosschecks),
+        "caught": caught_data(report.caught),
         "ledgers": None if own else _ledgers(report, places),
     }
 

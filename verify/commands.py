@@ -24,7 +24,7 @@ from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
 from verify.releases.since import lines, since
-from verify.results import CaseBudget, CaseResult, Crosscheck, Report, Status, Validity
+from verify.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts, raised
@@ -205,8 +205,16 @@ def make_report(
         searches=() if name else searches([case.id for case in cases]),
         budgets=() if name else _budgets(results, cases),
         crosschecks=() if name else _crosschecks(results),
+        caught=None if name else _caught(),
         **ledgers(results, cases),
     )
+
+
+def _caught() -> Caught:
+    """What is kept of mistakes made on purpose, as far as it counts for the present code."""
+    from verify.mutation.score import measured  # what judges anew, which `check` does without
+
+    return measured()
 
 
 def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:

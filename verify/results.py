@@ -1,7 +1,7 @@
 """Value types that a run produces and reports read. Nothing here computes or draws."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -464,6 +464,54 @@ class CaseBudget:
 
 
 @dataclass(frozen=True, kw_only=True)
+class MutantGroup:
+    """What was tried of one group: `rows` and `tests` caught some, `apart` crashed or ran on.
+
+    `all` is how many there are; those apart are not among those `tried`.
+    """
+
+    name: str
+    all: int
+    tried: int
+    rows: int
+    tests: int
+    survived: int
+    apart: int
+
+    @property
+    def caught(self) -> int:
+        """Mutants that a row or a test notices."""
+        return self.rows + self.tests
+
+
+@dataclass(frozen=True, kw_only=True)
+class Survivor:
+    """A mutant that nothing noticed, and why nobody can, where that was argued."""
+
+    group: str
+    where: str
+    line: int
+    operator: str
+    before: str
+    after: str
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Caught:
+    """What the suite catches of mistakes made on purpose; without a measurement `missing` says why.
+
+    `references` holds shares of rows that turn red where their references are changed.
+    """
+
+    date: str = ""
+    missing: str = ""
+    groups: tuple[MutantGroup, ...] = ()
+    survivors: tuple[Survivor, ...] = ()
+    references: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
 
@@ -483,6 +531,7 @@ class Report:
     searches: tuple[ReadingsTried, ...] = ()
     budgets: tuple[CaseBudget, ...] = ()
     crosschecks: tuple[Crosscheck, ...] = ()
+    caught: Caught | None = None
 
     @property
     def rows(self) -> tuple[Row, ...]:

@@ -244,6 +244,14 @@ def test_a_mode_is_carried_into_the_segments():
         assert abs(r.imag).max() < 1e-9
 
 
+@pytest.mark.parametrize("kyy", [None, 3e7])
+def test_the_largest_unknown_of_a_mode_of_one_sense_is_1(kyy):
+    found = modes(supported(kyy=kyy), 0.0 if kyy else 400.0, count=3)
+    sizes = np.abs(found.unknowns).max(axis=1)
+    assert sizes[found.whirl != 0] == pytest.approx(1, rel=1e-12)
+    assert np.all(sizes <= 1 + 1e-12)
+
+
 def test_the_unit_of_length_is_free():
     """Millimetres, tonnes and newtons, MPa: the same frequencies."""
     mm = Rotor(

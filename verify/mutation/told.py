@@ -1,0 +1,42 @@
+"""What `freewheel mutants` prints: a line for each group, then every survivor."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.results import Caught, MutantGroup, Survivor
+
+
+def told(caught: Caught) -> None:
+    """Print the counts of each group and the survivors, those without a reason first."""
+    if caught.references:
+        print(moved(caught.references["gate"]))
+    for group in caught.groups:
+        print(counted(group))
+    for survivor in sorted(caught.survivors, key=lambda one: (one.group, bool(one.reason))):
+        print(named(survivor))
+
+
+def moved(gate: Mapping[str, Any]) -> str:
+    """One line: how many of the rows held to the gate turn red."""
+    parts = ", ".join(f"{name}: {red}" for name, red in gate["red"].items())
+    return f"references: of {gate['rows']} rows red at {parts}"
+
+
+def counted(group: MutantGroup) -> str:
+    """One line: shares with their counts."""
+    tried = max(group.tried, 1)
+    parts = ", ".join(
+        f"{word} {count} ({count / tried:.1%})"
+        for word, count in (
+            ("rows", group.rows), ("tests", group.tests), ("nothing", group.survived),
+        )
+    )  # fmt: skip
+    apart = f"; {group.apart} more crashed or did not end" if group.apart else ""
+    return f"{group.name}: {group.tried} of {group.all} mutants tried, caught by {parts}{apart}"
+
+
+def named(survivor: Survivor) -> str:
+    """One line: what was changed where, and why nobody can see it."""
+    place = f"{survivor.where} line {survivor.line}"
+    reason = survivor.reason or "no reason given"
+    return f"  survives: {place}: {survivor.before} -> {survivor.after} ({reason})"
