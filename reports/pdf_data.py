@@ -51,7 +51,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             for i, case in enumerate(report.cases)
         ],
         "validity": validity_data(report.validity),
-        "budgets": budget_data(report.budgets),
+        "budgets": budget_data(report.budgets, {case.id for case in report.cases}),
         "ledgers": None if own else _ledgers(report, places),
     }
 
