@@ -1,6 +1,6 @@
 """Error budgets in the PDF: a table for each case."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from reports.budget import compact, headline, identities, lines, percent
 from reports.pdf_tables import Data, prose
@@ -8,9 +8,12 @@ from reports.richtext import runs
 from verify.results import CaseBudget
 
 
-def budget_data(budgets: Sequence[CaseBudget]) -> list[Data]:
-    """The cases with the lines of the row that is drawn, of others, and a word on identities."""
-    return [_case(one) for one in budgets]
+def budget_data(budgets: Sequence[CaseBudget], printed: Collection[str]) -> list[Data]:
+    """The cases with the lines of the row that is drawn, of others, and a word on identities.
+
+    Each leads to its case, which must be among the `printed` ones.
+    """
+    return [_case(one) for one in budgets if one.case in printed]
 
 
 def _case(one: CaseBudget) -> Data:

@@ -57,7 +57,7 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "since": since_data(report.drift),
         "readings": readings_data(report.searches) if report.searches else None,
         "validity": validity_data(report.validity),
-        "budgets": budget_data(report.budgets),
+        "budgets": budget_data(report.budgets, {case.id for case in report.cases}),
         "crosschecks": crosscheck_data(report.crosschecks),
         "crosschecks_told": told(report.crosschecks),
         "caught": caught_data(report.caught),

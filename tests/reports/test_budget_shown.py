@@ -142,11 +142,15 @@ def test_a_page_without_budgets_has_no_section(one):
 
 
 def test_the_pdf_has_the_table_of_the_row_that_is_drawn():
-    first, second = budget_data(BUDGETS)
+    first, second = budget_data(BUDGETS, {"polyhedral-ring", "ring-lame"})
     assert len(first["rows"]) == len(lines(ROW))
     assert len(first["others"]) == 1
     assert (second["rows"], second["others"]) == ([], [])
     json.dumps([first, second])
+
+
+def test_the_pdf_has_no_budget_of_a_case_that_it_does_not_have():
+    assert [one["id"] for one in budget_data(BUDGETS, {"ring-lame"})] == ["ring-lame"]
 
 
 def test_the_table_has_a_line_for_each_part():
