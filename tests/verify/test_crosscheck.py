@@ -10,7 +10,7 @@ import pytest
 from verify.cli import run
 from verify.crosscheck import command, judged, kept, registry, solvers
 from verify.crosscheck.calculix import running
-from verify.crosscheck.comparisons import rings
+from verify.crosscheck.comparisons import clutches, contacts, rings
 from verify.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS, Cross, Quantity
 from verify.results import CrossState
 
@@ -231,6 +231,17 @@ def test_what_is_kept_with_the_project_agrees():
         if cross.id in known:
             states = {line.state for line in judged.judged(cross, known[cross.id])}
             assert states == {CrossState.AGREES}, cross.id
+
+
+@installed
+@pytest.mark.parametrize("problem", ["contact-sphere, flat", "polyhedral-locking, rigid roller"])
+def test_contact_forces_are_those_of_the_whole_on_coarse_meshes(problem, monkeypatch, tmp_path):
+    monkeypatch.setattr(contacts, "LEVEL", 1)
+    (cross,) = [c for c in registry.COMPARISONS if c.id == problem]
+    if cross.case == "polyhedral-locking":
+        cross = replace(cross, pose=partial(clutches.locked, False, 1))
+    (line,) = judged.judged(cross, command.compare(cross, solvers.solver(CALCULIX), tmp_path))
+    assert line.state is CrossState.AGREES
 
 
 @guests
