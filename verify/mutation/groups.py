@@ -15,7 +15,7 @@ from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.mutation.trial import Bench
 from verify.mutation.workload import Load
 
-SIZES = {"formulas": 300, "judging": 80, "finite-elements": 48}
+SIZES = {"formulas": 250, "judging": 60, "finite-elements": 44}
 JUDGES = ("verify.checks", "verify.claims", "verify.convergence", "verify.judge")
 LEAST = 30.0  # s that every mutant has
 FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
