@@ -24,6 +24,7 @@ from verify.results import Kind, Row, Status
 
 PERTURBATIONS = (0.005, -0.005, 0.01, -0.01, 0.05, -0.05, -0.09)
 COMPARED = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.TREND, Kind.ASYMPTOTIC, Kind.EXACT)
+ALIKE = 0.01  # of a scale: by which it may differ from the reference and be no other magnitude
 CONVERGENCE = ": convergence"  # ends the name of the row that stands beside a comparison
 
 Red = frozenset[float]  # the perturbations that turn a row red
@@ -65,10 +66,10 @@ def tried(check: Check, context: Context) -> list[Tried]:
     rows = check.rows(context)
     if not any(row.kind in COMPARED for row in rows):
         return [Tried(row) for row in rows]
-    red, red_of_scale = (
-        {p: reddened(check, context, p, of_scale=of_scale) for p in PERTURBATIONS}
-        for of_scale in (False, True)
-    )
+    red = {p: reddened(check, context, p) for p in PERTURBATIONS}
+    red_of_scale = red
+    if any(_scale_is_another(row) for row in rows):
+        red_of_scale = {p: reddened(check, context, p, of_scale=True) for p in PERTURBATIONS}
 
     def of(row: Row, found: dict[float, set[str]]) -> Red:
         return frozenset(p for p, names in found.items() if row.quantity in names)
@@ -77,6 +78,12 @@ def tried(check: Check, context: Context) -> list[Tried]:
         Tried(row, of(row, red), of(row, red_of_scale)) if row.kind in COMPARED else Tried(row)
         for row in rows
     ]
+
+
+def _scale_is_another(row: Row) -> bool:
+    """Whether the row's scale is another magnitude than its reference, by more than 1 %."""
+    r, scale = row.analytic, row.scale
+    return bool(r and scale and row.kind in COMPARED and abs(abs(r) / scale - 1) > ALIKE)
 
 
 def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
