@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from verify import cache, durations
+from verify.case import Case
 from verify.mutation import trial
 from verify.mutation.forked import Task
 from verify.mutation.known import Noted, Notes
@@ -15,11 +16,12 @@ from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.mutation.trial import Bench
 from verify.mutation.workload import Load
 
-SIZES = {"formulas": 300, "judging": 80, "finite-elements": 48}
+SIZES = {"formulas": 250, "judging": 60, "finite-elements": 44}
 JUDGES = ("verify.checks", "verify.claims", "verify.convergence", "verify.judge")
 LEAST = 30.0  # s that every mutant has
 FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
 WHOLE = 3.0  # s: a case whose levels all take less together is solved whole
+CASES_EACH = 3  # the quickest, one after the other until one notices a mutant of finite elements
 LONGEST = 6.0  # s for a coarsest level that mutants are tried on
 
 
@@ -114,16 +116,18 @@ def _judging(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
 
 
 def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
-    """The quickest case's coarsest level, or all of them where they take no time."""
+    """The quickest cases' coarsest levels, or all of them where they take no time."""
     known = durations.load(cache.default_folder())
 
-    def task(changed: Changed) -> Task:
-        bench = _of(changed, benches)[0]
-        case = bench.load.case
+    def levels(case: Case) -> Sequence[int]:
         seconds = [known.get((case.id, level), WHOLE) for level in case.levels]
-        levels = case.levels if sum(seconds) <= WHOLE else case.levels[:1]
-        limit = LEAST + FACTOR * bench.before.seconds
-        return Task(changed.mutant.id, partial(trial.solved, changed, bench, levels), limit)
+        return case.levels if sum(seconds) <= WHOLE else case.levels[:1]
+
+    def task(changed: Changed) -> Task:
+        mine = _of(changed, benches)[:CASES_EACH]
+        work = [(bench, levels(bench.load.case)) for bench in mine]
+        limit = LEAST + FACTOR * sum(bench.before.seconds for bench in mine)
+        return Task(changed.mutant.id, partial(trial.solved, changed, work), limit)
 
     return task
 

@@ -36,7 +36,7 @@ LINEAR = {
     "ElementTetP2": "ElementTetP1", "ElementHex2": "ElementHex1", "ElementLineP2": "ElementLineP1",
 }  # fmt: skip
 COMPONENTS = {"x": "y", "y": "x", "z": "y", "n": "t", "t": "n", "r": "y", "xy": "x", "xyz": "xy"}
-RULES = re.compile(r"\w*(gauss|quadrature|intorder|order)\w*")
+RULES = re.compile(r"\w*(gauss|quadrature)\w*")
 STATES = {"PASS": "FAIL", "FAIL": "PASS", "SHOWN": "FAIL"}
 
 

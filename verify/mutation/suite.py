@@ -21,7 +21,8 @@ OPTIONS = (
 AT_MOST = 40.0  # s of tests for one mutant, by what they took unchanged
 SHARED = 1.0  # s: shorter tests of a file that reaches a function are run, too
 JUDGING = tuple(
-    f"tests/verify/{name}.py" for name in ("test_judge", "test_convergence", "test_checks")
+    f"tests/verify/{name}.py"
+    for name in ("test_judge", "test_convergence", "test_convergence_verdict", "test_checks")
 )
 
 TESTED = {"formulas": ("analytic",), "judging": ("verify",), "elements": ("fem", "meshes")}

@@ -49,13 +49,21 @@ def told(judged: Judged, bench: Bench) -> Verdict | None:
     return None
 
 
-def solved(changed: Changed, bench: Bench, levels: Sequence[int]) -> Verdict:
-    """Put a mutant of finite elements in place, solve these levels with it and judge the case.
-
-    Stored levels that are not solved anew are shifted by what the mutant changes on the first one
-    that is: an error of the model changes every level alike.
-    """
+def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Verdict:
+    """Put a mutant of finite elements in place and solve cases until one notices it."""
     patch(source(changed.mutant.module), changed)
+    for bench, levels in work:
+        if verdict := _solved(bench, levels):
+            return verdict
+    return [By.NOTHING.value, ""]
+
+
+def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
+    """Solve these levels of a case with the living code and judge it.
+
+    Stored levels that are not solved anew are shifted by what has changed on the first one that
+    is: an error of the model changes every level alike.
+    """
     case, load = bench.load.case, bench.load
     anew: dict[int, FemResult] = {}
     try:
@@ -71,7 +79,7 @@ def solved(changed: Changed, bench: Bench, levels: Sequence[int]) -> Verdict:
         for level, stored in zip(case.levels, load.levels, strict=True)
     )
     judged = Load(case, load.inputs, results, load.values).judged()
-    return told(judged, bench) or [By.NOTHING.value, ""]
+    return told(judged, bench)
 
 
 @dataclass(frozen=True)

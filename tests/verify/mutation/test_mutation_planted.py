@@ -56,7 +56,7 @@ def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(bench):
         "lam * M[:, :, i, :, j] + mu * M[:, :, j, :, i]",
         "lam * M[:, :, i, :, j] - mu * M[:, :, j, :, i]",
     )  # fmt: skip
-    by, what = verdict(partial(trial.solved, fault, bench, LAME.levels[:1]))
+    by, what = verdict(partial(trial.solved, fault, [(bench, LAME.levels[:1])]))
     assert by == By.ROWS
     assert what.startswith("ring-lame/")
     assert "displacement" in what or "stress" in what
