@@ -9,7 +9,7 @@ from jinja2 import Template
 from markupsafe import Markup
 
 from reports import signature
-from reports.crosscheck import crosscheck_data, told
+from reports.crosscheck import crosscheck_data, of_cases, told
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
 from reports.pdf_case import case_data, maths, value_cells
@@ -51,8 +51,8 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
             for i, case in enumerate(report.cases)
         ],
         "validity": validity_data(report.validity),
-        "crosschecks": crosscheck_data(report.crosschecks),
-        "crosschecks_told": told(report.crosschecks),
+        "crosschecks": crosscheck_data(of_cases(report)),
+        "crosschecks_told": told(of_cases(report)),
         "ledgers": None if own else _ledgers(report, places),
     }
 
