@@ -20,7 +20,8 @@ AGREES = Crosscheck(
     case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more",
     quantity="bore displacement", row="ring-lame/bore displacement", symbol="u_r", unit="µm",
     solver="calculix", version="2.20", date="2026-11-22", state=CrossState.AGREES,
-    ours=21.7672, theirs=21.7673, difference=4.6e-6, allowed=5e-5, why="six printed digits", seconds=(0.11, 0.52), unknowns=5522,
+    ours=21.7672, theirs=21.7673, difference=4.6e-6, allowed=5e-5, why="six printed digits",
+    seconds=(0.11, 0.52), unknowns=5522,
 )  # fmt: skip
 OUTSIDE = replace(AGREES, quantity="rim", row="", state=CrossState.OUTSIDE, difference=0.1)
 STALE = Crosscheck(
