@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 
 from reports.pdf_tables import Data, prose
 from reports.richtext import runs
-from verify.results import Crosscheck, CrossState
+from verify.results import Crosscheck, CrossState, Report
 
 LEFT_OUT = ("seconds",)
 
@@ -27,6 +27,12 @@ class Problem:
     def why(self) -> str:
         """What makes differences, each reason once."""
         return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
+
+
+def of_cases(report: Report) -> tuple[Crosscheck, ...]:
+    """What there is of the cases of the report, to whose places it links."""
+    here = {case.id for case in report.cases}
+    return tuple(check for check in report.crosschecks if check.case in here)
 
 
 def problems(checks: Sequence[Crosscheck]) -> list[Problem]:

@@ -98,7 +98,8 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
     body = _environment(glyphs).get_template("report.html.j2").render(
-        report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
+        report=report, crosschecks=crosscheck.of_cases(report), rows=report.rows,
+        groups=groups, statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
         subjects=validity.subjects(report.validity),

@@ -9,7 +9,7 @@ from jinja2 import Template
 from markupsafe import Markup
 
 from reports import signature
-from reports.crosscheck import crosscheck_data, told
+from reports.crosscheck import crosscheck_data, of_cases, told
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
 from reports.pdf_budget import budget_data
@@ -58,8 +58,8 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "readings": readings_data(report.searches) if report.searches else None,
         "validity": validity_data(report.validity),
         "budgets": budget_data(report.budgets, {case.id for case in report.cases}),
-        "crosschecks": crosscheck_data(report.crosschecks),
-        "crosschecks_told": told(report.crosschecks),
+        "crosschecks": crosscheck_data(of_cases(report)),
+        "crosschecks_told": told(of_cases(report)),
         "caught": caught_data(report.caught),
         "ledgers": None if own else _ledgers(report, places),
     }

@@ -20,8 +20,8 @@ AGREES = Crosscheck(
     case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more",
     quantity="bore displacement", row="ring-lame/bore displacement", symbol="u_r", unit="µm",
     solver="calculix", version="2.20", date="2026-11-22", state=CrossState.AGREES,
-    ours=21.7672, theirs=21.7673, difference=4.6e-6, allowed=5e-5,
-    why="six printed digits", seconds=(0.11, 0.52), unknowns=5522,
+    ours=21.7672, theirs=21.7673, difference=4.6e-6, allowed=5e-5, why="six printed digits",
+    seconds=(0.11, 0.52), unknowns=5522,
 )  # fmt: skip
 OUTSIDE = replace(AGREES, quantity="rim", row="", state=CrossState.OUTSIDE, difference=0.1)
 STALE = Crosscheck(
@@ -52,6 +52,12 @@ def test_the_page_has_a_table_of_its_own(checked):
 
 def test_a_report_without_comparisons_says_nothing_of_them(checked):
     assert "Second solvers" not in page(replace(checked, crosschecks=()), {})
+
+
+def test_what_is_of_no_case_of_the_report_is_left_out(checked):
+    other = replace(checked, crosschecks=(replace(AGREES, case="rotor-step"),))
+    assert "Second solvers" not in page(other, {})
+    assert document(other, {})["crosschecks"] == []
 
 
 def test_problems_are_grouped_in_their_order():
