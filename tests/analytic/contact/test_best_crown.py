@@ -4,6 +4,7 @@ from dataclasses import astuple
 
 import numpy as np
 import pytest
+from scipy.optimize import OptimizeResult
 
 from analytic.contact import best_crown as module
 from analytic.contact import crown, strips
@@ -205,3 +206,13 @@ def test_what_makes_no_sense_is_refused_in_one_line(wrong, message):
     with pytest.raises(ValueError, match=message) as caught:
         best_crown(**{"load": 3407.0, **ROLLER} | wrong)
     assert "\n" not in str(caught.value)
+
+
+def test_a_search_is_given_up_only_after_some_generations_whose_ends_all_carry():
+    def hopeless(nit, fun):
+        return module._hopeless(OptimizeResult(nit=nit, fun=fun))
+
+    patience, loaded = module.PATIENCE, module.LOADED
+    assert hopeless(patience, loaded + 0.1)
+    assert not hopeless(patience - 1, loaded + 0.1)
+    assert not hopeless(patience, 0.9 * loaded)
