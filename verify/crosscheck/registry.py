@@ -6,8 +6,10 @@ from verify.cases.registry import CASES, find
 from verify.crosscheck.comparisons.clutches import CLUTCHES
 from verify.crosscheck.comparisons.contacts import CONTACTS
 from verify.crosscheck.comparisons.half_spaces import HALF_SPACES
+from verify.crosscheck.comparisons.races import RACES
 from verify.crosscheck.comparisons.rings import RINGS
 from verify.crosscheck.comparisons.rotors import ROTORS
+from verify.crosscheck.comparisons.rounds import ROUNDS
 from verify.crosscheck.comparisons.solids import SOLIDS
 from verify.crosscheck.comparisons.springs import SPRINGS
 from verify.crosscheck.statement import Cross
@@ -16,7 +18,7 @@ from verify.inputs import InputError
 _ORDER = {case.id: i for i, case in enumerate(CASES)}
 COMPARISONS: tuple[Cross, ...] = tuple(
     sorted(
-        (*RINGS, *CLUTCHES, *SPRINGS, *SOLIDS, *CONTACTS, *HALF_SPACES, *ROTORS),
+        (*RINGS, *ROUNDS, *CLUTCHES, *SPRINGS, *SOLIDS, *CONTACTS, *RACES, *HALF_SPACES, *ROTORS),
         key=lambda cross: _ORDER[cross.case],
     )
 )
