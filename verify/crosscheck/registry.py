@@ -12,13 +12,17 @@ from verify.crosscheck.comparisons.rotors import ROTORS
 from verify.crosscheck.comparisons.rounds import ROUNDS
 from verify.crosscheck.comparisons.solids import SOLIDS
 from verify.crosscheck.comparisons.springs import SPRINGS
+from verify.crosscheck.comparisons.struts import STRUTS
 from verify.crosscheck.statement import Cross
 from verify.inputs import InputError
 
 _ORDER = {case.id: i for i, case in enumerate(CASES)}
 COMPARISONS: tuple[Cross, ...] = tuple(
     sorted(
-        (*RINGS, *ROUNDS, *CLUTCHES, *SPRINGS, *SOLIDS, *CONTACTS, *RACES, *HALF_SPACES, *ROTORS),
+        (
+            *RINGS, *ROUNDS, *CLUTCHES, *SPRINGS, *SOLIDS, *CONTACTS, *RACES, *HALF_SPACES,
+            *ROTORS, *STRUTS,
+        ),  # fmt: skip
         key=lambda cross: _ORDER[cross.case],
     )
 )
