@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Argument, Cause, Rerun, Statement, Without, plane_strain
+from verify.budget.statement import Argument, Cause, Constant, Rerun, Statement, Without, plane_strain
 from verify.case import FemResult
 from verify.cases.spring_map_inputs import SHARES, Cell, MapInputs
 
@@ -100,7 +100,13 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(Without(Cause.PLANE, "shells and solids with their width"),),
     ),
-    "spring-curve": Statement(without=(NO_PLANE,)),
+    "spring-curve": Statement(
+        reruns=(
+            Rerun(cause=Cause.CONTACT, what="ten times the contact's stiffness, settled as well",
+                  changes=(Constant("fem.beam.touching:SHARE", 10),), levels=(4,)),
+        ),
+        without=(NO_PLANE,),
+    ),
     "spring-buckling": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="three times as many segments", rows=HARINGX,
