@@ -36,10 +36,9 @@ def fem_round(q: HubRing, level: int) -> FemResult:
         supports={"x=0": "x", "y=0": "y"}, pressures={"bore": UNIT},
     )  # fmt: skip
     rim = ring.on_boundary("rim")
-    return FemResult(h=1 / level, values={
-        "K mid": stiffness(q, {"mid": u, "mean": u, "corner": u})["K mid"]
-        for u in (float(rim.mean(rim.polar()[0])),)
-    })  # fmt: skip
+    u = float(rim.mean(rim.polar()[0]))
+    K = stiffness(q, {"mid": u, "mean": u, "corner": u})["K mid"]
+    return FemResult(h=1 / level, values={"K mid": K})
 
 
 def fem_thin_round(q: HubRing, level: int) -> FemResult:

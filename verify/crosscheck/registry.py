@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from verify.cases.registry import CASES, find
+from verify.crosscheck.alone import ALONE
 from verify.crosscheck.comparisons.clutches import CLUTCHES
 from verify.crosscheck.comparisons.contacts import CONTACTS
 from verify.crosscheck.comparisons.half_spaces import HALF_SPACES
@@ -20,9 +21,17 @@ _ORDER = {case.id: i for i, case in enumerate(CASES)}
 COMPARISONS: tuple[Cross, ...] = tuple(
     sorted(
         (
-            *RINGS, *ROUNDS, *CLUTCHES, *SPRINGS, *SOLIDS, *CONTACTS, *RACES, *HALF_SPACES,
-            *ROTORS, *STRUTS,
-        ),  # fmt: skip
+            *RINGS,
+            *ROUNDS,
+            *CLUTCHES,
+            *SPRINGS,
+            *SOLIDS,
+            *CONTACTS,
+            *RACES,
+            *HALF_SPACES,
+            *ROTORS,
+            *STRUTS,
+        ),
         key=lambda cross: _ORDER[cross.case],
     )
 )
@@ -37,5 +46,7 @@ def chosen(names: Sequence[str]) -> tuple[Cross, ...]:
             except ValueError as error:
                 raise InputError(str(error)) from error
             known = dict.fromkeys(cross.case for cross in COMPARISONS)
-            raise InputError(f"{name}: no second solver takes it; they take {', '.join(known)}")
+            raise InputError(
+                f"{name}: no second solver takes it ({ALONE[name]}); they take {', '.join(known)}"
+            )
     return tuple(c for c in COMPARISONS if not names or c.case in names)

@@ -99,7 +99,9 @@ def holding(deck: Path) -> Array:
     """The same (2, 3) of calculix's tables: in each step the centre, then what turns about it."""
     from verify.crosscheck.calculix.reading import blocks
 
-    centre, turn = np.array(blocks(deck.with_suffix(".dat"), "forces")).reshape(2, 2, 4).swapaxes(0, 1)
+    centre, turn = (
+        np.array(blocks(deck.with_suffix(".dat"), "forces")).reshape(2, 2, 4).swapaxes(0, 1)
+    )
     return np.column_stack([centre[:, 1], turn[:, 2:]])
 
 
