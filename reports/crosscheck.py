@@ -10,6 +10,7 @@ from reports.richtext import runs
 from verify.results import Crosscheck, CrossState, Report
 
 LEFT_OUT = ("seconds",)
+NOTHING = (CrossState.MISSING, CrossState.ALONE)
 
 
 @dataclass(frozen=True)
@@ -21,7 +22,7 @@ class Problem:
 
     @property
     def missing(self) -> str:
-        return self.head.why if self.head.state is CrossState.MISSING else ""
+        return self.head.why if self.head.state in NOTHING else ""
 
     @property
     def why(self) -> str:
@@ -44,13 +45,17 @@ def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
 
 
 def told(checks: Sequence[Crosscheck]) -> str:
-    """How many agree, in a sentence; and how many problems are not measured."""
+    """How many agree, are not measured, and are cases of no second solver, in a sentence."""
     agree = sum(check.state is CrossState.AGREES for check in checks)
     outside = sum(check.state is CrossState.OUTSIDE for check in checks)
-    missing = sum(bool(problem.missing) for problem in problems(checks))
+    missing = sum(p.head.state is CrossState.MISSING for p in problems(checks))
+    alone = sum(check.state is CrossState.ALONE for check in checks)
     parts = [f"{agree} of {agree + outside} agree"] if agree + outside else []
     if missing:
         parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
+    if alone:
+        have, say = ("s have", "say") if alone > 1 else (" has", "says")
+        parts.append(f"{alone} case{have} no second solver, and {say} why")
     return "; ".join(parts)
 
 

@@ -310,6 +310,7 @@ class CrossState(StrEnum):
     AGREES = "agrees"
     OUTSIDE = "outside"  # farther apart than allowed
     MISSING = "not measured"
+    ALONE = "no second solver"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -317,8 +318,9 @@ class Crosscheck:
     """A number of the project beside that of a second solver on the same mesh and loads.
 
     `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
-    `why` says what makes a difference, or why nothing was measured. `row` is the id of the row that
-    it stands beside, if any; `seconds` those of the project and of the other solver.
+    `why` says what makes a difference, or why nothing was measured or no solver takes it. `row` is
+    the id of the row that it stands beside, if any; `seconds` those of the project and of the other
+    solver.
     """
 
     case: str

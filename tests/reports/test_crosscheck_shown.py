@@ -29,6 +29,10 @@ STALE = Crosscheck(
     symbol="", unit="1", solver="calculix", state=CrossState.MISSING,
     why="not measured for this code: make crosscheck does it",
 )  # fmt: skip
+ALONE = replace(
+    STALE, problem="ring-lame", what="no second solver", solver="", state=CrossState.ALONE,
+    why="nobody's",
+)  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -48,6 +52,13 @@ def test_the_page_has_a_table_of_its_own(checked):
     assert section.count('class="is-fail"') == 1
     assert "not measured for this code" in section
     assert '<a href="#crosscheck">' in html
+
+
+def test_a_case_that_no_solver_takes_says_why(checked):
+    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {})
+    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
+    assert "1 case has no second solver, and says why" in section
+    assert "nobody" in section
 
 
 def test_a_report_without_comparisons_says_nothing_of_them(checked):

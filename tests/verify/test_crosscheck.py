@@ -7,8 +7,10 @@ from functools import partial
 
 import pytest
 
+from verify.cases.registry import CASES
 from verify.cli import run
 from verify.crosscheck import command, judged, kept, registry, solvers
+from verify.crosscheck.alone import ALONE
 from verify.crosscheck.calculix import running
 from verify.crosscheck.comparisons import clutches, contacts, rings
 from verify.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS, Cross, Quantity
@@ -202,9 +204,9 @@ def test_what_is_kept_of_others_stays(file):
 def test_wrong_names_are_one_line(capsys, tmp_path):
     assert crosscheck("ring-lam", out=tmp_path) == 2
     assert "did you mean ring-lame?" in capsys.readouterr().err
-    assert crosscheck("rotor-clutch", out=tmp_path) == 2
+    assert crosscheck("spring-map", out=tmp_path) == 2
     said = capsys.readouterr().err
-    assert "rotor-clutch: no second solver takes it" in said
+    assert "spring-map: no second solver takes it" in said
     assert said.count("\n") == 1
 
 
@@ -223,6 +225,15 @@ def test_every_subject_has_a_comparison_and_every_row_exists():
     assert len(set(ids)) == len(ids)
     assert len({cross.file for cross in registry.COMPARISONS}) == len(ids)
     assert {cross.solver for cross in registry.COMPARISONS} == set(SOLVERS)
+
+
+def test_a_case_has_a_comparison_or_says_why_it_has_none():
+    compared = {cross.case for cross in registry.COMPARISONS}
+    assert compared.isdisjoint(ALONE)
+    assert compared | set(ALONE) == {case.id for case in CASES}
+    lines = judged.reported(["ring-lame", "spring-map"])
+    assert [line.case for line in lines if line.state is CrossState.ALONE] == ["spring-map"]
+    assert judged.reported(["spring-map"]) == ()
 
 
 def test_what_is_kept_with_the_project_agrees():

@@ -60,8 +60,8 @@ class Rerun:
     rows that it is about, * for any letters, all where empty. It is run on `levels`, coarse to
     fine: on the finer of two its effect is read, on the coarser how well; without any on the two
     coarsest of the case. A cause that means nothing while another one acts is removed `after` that
-    one, whose words these are: its own `fem` lacks both. What both sides assume alike is `shared`:
-    no part of their difference, and shown beside it.
+    one, whose words these are: its own `inputs` or `fem` lack both. What both sides assume alike is
+    `shared`: no part of their difference, and shown beside it.
     """
 
     cause: Cause

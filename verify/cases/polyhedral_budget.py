@@ -4,21 +4,46 @@ from collections.abc import Mapping
 from typing import Any
 
 from verify.budget.statement import Cause, Rerun, Statement, plane_strain, plane_stress
-from verify.cases.polyhedral_inputs import RoundRing
+from verify.case import FemResult
+from verify.cases.polyhedral_inputs import HubRing
 
 PROBLEM = "fem.contact.problem:ContactProblem"
-THINNER, MORE, LIGHTER = 10, 4, 16
+THINNER, SHARPER, LIGHTER = 10, 10, 16
 
 
-def thin_round(q: RoundRing) -> RoundRing:
+def thin_round(q: Any) -> Any:
     """A thinner wall about the same mean diameter."""
     wall = q.delta_1 / THINNER
     return q.model_copy(update={"d_e": q.d_m + wall, "delta_1": wall})
 
 
-def many(q: Any) -> Any:
-    """A bore with more flats, and a hub that still touches them; fillets as they are."""
-    return q.model_copy(update={"z": MORE * q.z, "e": q.e / MORE})
+def sharp(q: HubRing) -> HubRing:
+    """Fillets a tenth as large, corners where they are."""
+    return q.model_copy(update={"rho": q.rho / SHARPER})
+
+
+def fem_round(q: HubRing, level: int) -> FemResult:
+    """K of the same wall with a round bore."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.quarter import quarter_ring
+    from verify.cases.polyhedral_fem import UNIT
+    from verify.cases.polyhedral_ring import stiffness
+
+    ring = solve_plane(
+        quarter_ring(r_i=q.d_i / 2, r_o=q.d_e / 2, refine=level),
+        materials=Elastic(E=q.E, nu=q.nu), assumption="plane stress",
+        supports={"x=0": "x", "y=0": "y"}, pressures={"bore": UNIT},
+    )  # fmt: skip
+    rim = ring.on_boundary("rim")
+    u = float(rim.mean(rim.polar()[0]))
+    K = stiffness(q, {"mid": u, "mean": u, "corner": u})["K mid"]
+    return FemResult(h=1 / level, values={"K mid": K})
+
+
+def fem_thin_round(q: HubRing, level: int) -> FemResult:
+    """The same of a wall a tenth as thick."""
+    return fem_round(thin_round(q), level)
 
 
 def light(q: Any) -> Any:
@@ -43,6 +68,9 @@ LIMITED = Rerun(
     levels=(1,), shared=True,
 )  # fmt: skip
 
+SHARP, ROUND = "fillets a tenth as large", "and a round bore, no corners"
+K = ("K of the paper",)
+
 STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-pressure": Statement(
         reruns=(
@@ -59,10 +87,12 @@ STATEMENTS: Mapping[str, Statement] = {
     ),
     "polyhedral-ring": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="four times as many flats", rows=("K of the paper",),
-                  inputs=many),
-            Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress",
-                  rows=("K of the paper",), changes=plane_strain(), shared=True),
+            Rerun(cause=Cause.GEOMETRY, what=SHARP, rows=K, inputs=sharp),
+            Rerun(cause=Cause.GEOMETRY, what=ROUND, rows=K, fem=fem_round, after=SHARP),
+            Rerun(cause=Cause.GEOMETRY, what="and a wall a tenth as thick, mean diameter as it is",
+                  rows=K, fem=fem_thin_round, after=ROUND),
+            Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
+                  changes=plane_strain(), shared=True),
         ),
         finer=8,
     ),

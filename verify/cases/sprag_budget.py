@@ -5,7 +5,7 @@ from typing import Any
 
 from verify.budget.statement import Cause, Rerun, Statement, Without
 
-LIGHTER, THICKER, LONGER = 4, 3, 4
+LIGHTER, THICKER, LONGER, FLATTER = 4, 3, 4, 100
 
 
 def light(q: Any) -> Any:
@@ -28,9 +28,31 @@ def long(q: Any) -> Any:
     return q.model_copy(update=more)
 
 
+def long_uncrowned(q: Any) -> Any:
+    """Longer sprags with a hundredth of the crown: all slices bear alike."""
+    more = long(q)
+    return more.model_copy(update={"K_1": more.K_1 / FLATTER, "z_m": more.z_m / FLATTER})
+
+
+def long_half_crowned(q: Any) -> Any:
+    """Longer sprags with half the crown: less would let the ends bear the largest pressure."""
+    more = long(q)
+    return more.model_copy(update={"K_1": more.K_1 / 2, "z_m": more.z_m / 2})
+
+
 BOTH = Without(Cause.PLANE, "plane strain on both sides")
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long, levels=(41, 81))  # fmt: skip
+# slices take what they yield by from their own load alone, strips from their neighbours' as well
+EVEN = Rerun(
+    cause=Cause.GEOMETRY, what="and a hundredth of the crown: an even load of the slices",
+    rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
+)  # fmt: skip
+# at the larger torque the ends bear the largest pressure then, which is another one
+HALF = Rerun(
+    cause=Cause.GEOMETRY, what="and half the crown", rows=("largest pressure*",),
+    inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
+)  # fmt: skip
 STRIPS = (
     Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
     Without(Cause.PLANE, "strips and slices, not plane"),
@@ -55,6 +77,6 @@ STATEMENTS: Mapping[str, Statement] = {
     "sprag-friction": Statement(without=IN_TIME),
     "sprag-clutch": Statement(reruns=(LONG,), without=STRIPS, finer=321),
     "sprag-crown": Statement(reruns=(LONG,), without=STRIPS),
-    "sprag-optimum": Statement(reruns=(LONG,), without=STRIPS, finer=321),
-    "sprag-optimum-40": Statement(reruns=(LONG,), without=STRIPS, finer=321),
+    "sprag-optimum": Statement(reruns=(LONG, EVEN, HALF), without=STRIPS, finer=321),
+    "sprag-optimum-40": Statement(reruns=(LONG, EVEN), without=STRIPS, finer=321),
 }  # fmt: skip

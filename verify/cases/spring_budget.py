@@ -5,11 +5,12 @@ from typing import Any
 
 from verify.budget.statement import Argument, Cause, Rerun, Statement, Without, plane_strain
 from verify.case import FemResult
+from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_map_inputs import SHARES, Cell, MapInputs
 
 SECTION = "fem.beam.section:Section"
 RIGID = 1e11  # N, five orders above what a strip of this size has
-THINNER, MORE, SMALL = 4, 3, 1e-4
+THINNER, MORE, SMALL, FIRMER = 4, 3, 1e-4, 10.0
 
 
 def thin(q: Any) -> Any:
@@ -65,6 +66,17 @@ def proportional(level: int, force: float, share: float) -> FemResult:
     return FemResult(h=1 / level, values=values)
 
 
+def fem_firmer(q: CurveInputs, level: int) -> FemResult:
+    """The stiffness at rest, as the case reads it, with contact that is firmer."""
+    from verify.cases.spring_curve_fem import fem_compress
+    from verify.cases.spring_curve_runs import FIRST, spring_of
+
+    pressed = [FIRST * q.stroke, 2 * FIRST * q.stroke]
+    rest = fem_compress(spring_of(q), pressed, per_arc=level, times=FIRMER)
+    once, twice = rest.F / rest.U
+    return FemResult(h=1 / level, values={"k0": float(2 * once - twice)})
+
+
 PROPORTION = "hardly pressed, the force in proportion"
 HEAD = "and head free instead of guided"
 EQ_9_FAR = ("Eq. 9 at*",)
@@ -92,7 +104,11 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(Without(Cause.DISPLACEMENT, "small on both sides"),),
     ),
-    "spring-stages": Statement(without=(NO_PLANE,), finer=48),
+    "spring-stages": Statement(
+        without=(NO_PLANE, Without(Cause.CONTACT, "0 by construction: closed pairs are rigid "
+                                   "links, open ones nothing")),
+        finer=48,
+    ),
     "spring-width": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="leaves and width twice as large, arcs as they are",
@@ -100,7 +116,13 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(Without(Cause.PLANE, "shells and solids with their width"),),
     ),
-    "spring-curve": Statement(without=(NO_PLANE,)),
+    "spring-curve": Statement(
+        reruns=(
+            Rerun(cause=Cause.CONTACT, fem=fem_firmer,
+                  what="ten times the contact's stiffness; nothing touches at rest"),
+        ),
+        without=(NO_PLANE,),
+    ),
     "spring-buckling": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="three times as many segments", rows=HARINGX,

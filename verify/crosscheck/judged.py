@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from verify import units
+from verify.crosscheck.alone import ALONE
 from verify.crosscheck.kept import Found, current, kept
 from verify.crosscheck.registry import COMPARISONS
 from verify.crosscheck.statement import Cross
@@ -33,8 +34,21 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
 
 
 def reported(cases: Sequence[str], file: Path | None = None) -> tuple[Crosscheck, ...]:
-    """What a report on these cases shows: all lines that are kept, and what is not measured."""
-    return tuple(line for cross in COMPARISONS if cross.case in cases for line in _of(cross, file))
+    """What a report on these cases shows: lines that are kept, what is not measured, and by none.
+
+    Cases without a comparison say why; a report on such cases alone shows nothing.
+    """
+    found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross, file)]
+    if not found:
+        return ()
+    return (*found, *(_none(case, why) for case, why in ALONE.items() if case in cases))
+
+
+def _none(case: str, why: str) -> Crosscheck:
+    return Crosscheck(
+        case=case, problem=case, what="no second solver", quantity="", row="", symbol="", unit="1",
+        solver="", state=CrossState.ALONE, why=why,
+    )  # fmt: skip
 
 
 def _of(cross: Cross, file: Path | None) -> Iterator[Crosscheck]:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from verify.cases.contact_roller import ROLLER
+from verify.cases.contact_roller_crowns import CROWNS, EVEN, REFERENCES
 from verify.cases.contact_roller_flat import UNCROWNED
 from verify.cases.contact_roller_half_space import Pressed, pressed
 from verify.cases.contact_roller_profiles import gap
@@ -28,12 +29,12 @@ END = "pressure of the mean load within d, strips within 3%"
 GRID = "the same cells and Love's influence; both stop at a tolerance"
 
 
-def roller(case: Any) -> Posed:
-    """The roller of the case on the half-space."""
+def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) -> Posed:
+    """The roller of the case on the half-space, with its own crown or another one."""
     q: Any = case.inputs()
-    found, _ = timed(lambda: pressed(q, LEVEL))
+    found, _ = timed(lambda: pressed(q, LEVEL, crown=crown(q)))
     own = found.contact.contact
-    shape = own.x[:, None] ** 2 / (2 * q.R) + np.asarray(gap(q)(own.y))
+    shape = own.x[:, None] ** 2 / (2 * q.R) + np.asarray(crown(q)(own.y))
     _, seconds = timed(lambda: press(shape, own.cell, q.E_star, q.F))
 
     def read(pressure: Array) -> Numbers:
@@ -116,6 +117,18 @@ HALF_SPACES = (
             (ROLLER, f"{AT_MIDDLE}, strips", f"{TOP}, strips"), (TILTED, "", f"{TOP}, strips"),
             (UNCROWNED, f"{AT_MIDDLE}, slices", ""),
         )
+    ),
+    *(
+        Cross(
+            id=f"contact-roller-crowns, {name}", case="contact-roller-crowns", solver=TAMAAS,
+            what=f"a roller with {EVEN[name]} on a half-space",
+            pose=partial(roller, CROWNS, REFERENCES[name]),
+            quantities=(
+                quantity("mid", "p", "MPa", f"{AT_MIDDLE}, {EVEN[name]}"),
+                quantity("largest", "p", "MPa"), quantity("q mid", "q", "N/mm"),
+            ),
+        )
+        for name in REFERENCES
     ),
     Cross(
         id="contact-sphere, half-space", case="contact-sphere", solver=TAMAAS,

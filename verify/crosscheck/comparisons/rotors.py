@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -9,6 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from verify.cases.rotor_shaft import SHAFT
+from verify.cases.rotor_sprag import SPRAG_ROTOR
+from verify.cases.rotor_sprag_layout import CENTRAL, DISCS
+from verify.cases.rotor_sprag_system_fem import rotor_fem
 from verify.cases.rotor_step import STEP
 from verify.cases.rotor_system import SYSTEM
 from verify.cases.rotor_system_fem import fem_rotor
@@ -63,6 +67,27 @@ def system(speeds: Sequence[float]) -> Posed:
         "phases": [u.angle for u in q.unbalances], "speeds": list(speeds), "probe": q.probe - 1,
     }  # fmt: skip
     return posed(fem_rotor(alike, 2), speeds, unbalance)
+
+
+def sprags(node: int) -> Posed:
+    """Both rotors of the paper joined across by bearings and clutch, under the rig's unbalances.
+
+    ROSS's bearings hold x and y alone: the clutch's tilt and turn, the bearings along the axis and
+    the drive are left out at both sides.
+    """
+    from fem.rotor.model import Link, Support
+
+    q: Any = SPRAG_ROTOR.inputs()
+    whole = rotor_fem(CENTRAL, refine=2)
+    across = replace(
+        whole, supports=[Support(s.node, s.K[0, 0]) for s in whole.supports],
+        links=[Link.bearing(one.a, one.b, one.stiffness[0, 0]) for one in whole.links],
+    )  # fmt: skip
+    unbalance = {
+        "nodes": [n - 1 for n in DISCS], "magnitudes": [q.u_rig_1, q.u_rig_2], "phases": [0.0, 0.0],
+        "speeds": [q.speed, q.rig_speed], "probe": node - 1,
+    }  # fmt: skip
+    return posed(across, [q.speed, q.rig_speed], unbalance)
 
 
 def posed(
@@ -130,6 +155,21 @@ ROTORS = (
             frequency(2, "closed-form elements, mode 1 forward"),
             frequency(6, "closed-form elements, mode 3 forward"),
         ),
+    ),
+    *(
+        Cross(
+            id=f"rotor-sprag, node {n}", case="rotor-sprag", solver=ROSS,
+            what="two rotors joined across by bearings and clutch, no tilt nor turn of it; "
+            f"node {n} at 5,000 and 7,000 r/min",
+            pose=partial(sprags, n),
+            quantities=(
+                *(frequency(k, f"natural frequency {k}, beams", beside=True) for k in whirls),
+                Quantity(name="orbit, speed 2", symbol=f"x_{n}", unit="µm", allowed=EXACT,
+                         why=BEAMS, beside=True,
+                         row=f"amplitude of node {n} at the rig's speed, no damping"),
+            ),
+        )
+        for n, whirls in ((4, (1, 2, 3)), (19, (4, 5, 6)))
     ),
     Cross(
         id="rotor-system", case="rotor-system", solver=ROSS,
