@@ -24,6 +24,7 @@ from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.sketch import sketch
+from reports.slim import slim
 from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
@@ -49,7 +50,6 @@ from verify.shown import (
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
 COMPANION = ": convergence"
-NAMESPACE = ' xmlns="http://www.w3.org/2000/svg"'  # a page knows it: 50 kB in a thousand drawings
 LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
@@ -117,7 +117,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
-    return body.replace("<!--glyphs-->", glyphs.symbols()).replace(NAMESPACE, "")
+    return slim(body.replace("<!--glyphs-->", glyphs.symbols()))
 
 
 @dataclass(frozen=True)
