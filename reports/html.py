@@ -11,7 +11,18 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import budget, caught, crosscheck, formats, plots, readings, signature, since, validity
+from reports import (
+    budget,
+    caught,
+    crosscheck,
+    formats,
+    plots,
+    readings,
+    second,
+    signature,
+    since,
+    validity,
+)
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -97,8 +108,9 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     glyphs = Glyphs(cache)
     script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
+    checks = crosscheck.of_cases(report)
     body = _environment(glyphs).get_template("report.html.j2").render(
-        report=report, crosschecks=crosscheck.of_cases(report), rows=report.rows,
+        report=report, crosschecks=checks, seconds=second.seconds(checks), rows=report.rows,
         groups=groups, statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
@@ -279,7 +291,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "budget_compact": budget.compact, "budget_identities": budget.identities,
         "budget_outside": budget.outside,
         "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
-        "linked": formats.linked,
+        "cross_left": crosscheck.left_out, "second_value": second.value,
+        "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
