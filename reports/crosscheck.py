@@ -113,4 +113,5 @@ def _difference(check: Crosscheck) -> str:
     if check.difference is None or check.allowed is None:
         return "–"
     mark = " !" if check.state is CrossState.OUTSIDE else ""
-    return f"{check.difference:+.0e} ({check.allowed:.0e}){mark}".replace("-", "−")
+    difference = f"{check.difference:+.0e}" if check.difference else "0"
+    return f"{difference} ({check.allowed:.0e}){mark}".replace("-", "−")

@@ -23,7 +23,7 @@ def caught_data(caught: Caught | None) -> Data | None:
                 for line in lines
             ],
             "green": prose("; ".join(green(caught))),
-            "listed": prose(f"Not held to the gate: {listed}.") if listed else [],
+            "listed": prose(f"Rows not asked to turn red at ±1 %, and why: {listed}.") if listed else [],
         },
         "survivors": [
             {"name": name, "rows": [
