@@ -48,7 +48,7 @@ def test_the_page_has_a_table_of_its_own(checked):
     assert "a quarter &amp; more" in section
     assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in section
     assert section.count('class="is-fail"') == 1
-    assert "not measured for this code" in section
+    assert "Not measured for this code" in section
     assert '<a href="#crosscheck">' in html
 
 
