@@ -132,7 +132,8 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
 
 def _told(part: BudgetPart) -> tuple[str, str]:
     if part.contribution is None:
-        return ("" if part.note == part.what else part.what), part.note
+        said = dict.fromkeys(filter(None, (part.what, part.note)))
+        return "; ".join(said), "–"
     return part.what, _number(part)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 from verify.results import Caught, Survivor
 
 NAMES = {
-    "formulas": "Formulas: a sign, a factor, a power, an argument changed in analytic/",
+    "formulas": "Formulas: a sign, a factor, a power, an argument changed",
     "judging": "Judging: the same in what judges rows",
     "finite-elements": "Finite elements: the same in weak forms, contact and meshes",
 }
@@ -34,7 +34,7 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
     if not data:
         return [], []
     names = list(data["gate"]["red"])
-    kinds: Mapping[str, Any] = {**data["kinds"], "all that are held to the gate": data["gate"]}
+    kinds: Mapping[str, Any] = {**data["kinds"], "all that must turn red at ±1 %": data["gate"]}
     lines = [
         Moved(kind, one["rows"], [one["red"][name] for name in names])
         for kind, one in kinds.items() if one["rows"]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 from reports.pdf_tables import Data, prose
-from reports.richtext import runs
+from reports.richtext import Run, runs
 from verify.results import Crosscheck, CrossState, Report
 
 LEFT_OUT = ("seconds",)
@@ -44,6 +44,15 @@ def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
     return [Problem(group[0], group) for group in found.values()]
 
 
+def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
+    """Problems without numbers, by why there are none."""
+    found: dict[str, list[Problem]] = {}
+    for problem in problems(checks):
+        if problem.missing:
+            found.setdefault(problem.missing, []).append(problem)
+    return list(found.items())
+
+
 def told(checks: Sequence[Crosscheck]) -> str:
     """How many agree, are not measured, and are cases of no second solver, in a sentence."""
     agree = sum(check.state is CrossState.AGREES for check in checks)
@@ -75,17 +84,30 @@ def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
     """The same for the PDF's template."""
     return [
         {
-            "case": p.head.case, "what": runs(p.head.what), "missing": prose(p.missing),
+            "case": p.head.case, "what": runs(p.head.what),
             "by": f"{p.head.solver} {p.head.version}".strip(), "unknowns": p.head.unknowns,
             "seconds": [f"{s:.2f}" for s in p.head.seconds],
             "rows": [
                 [prose(c.quantity), [_number(c.ours)], [_number(c.theirs)],
                  [c.unit if c.unit != "1" else ""], [_difference(c)]]
-                for c in p.lines if not p.missing
+                for c in p.lines
             ],
         }
-        for p in problems(checks)
+        for p in problems(checks) if not p.missing
     ]  # fmt: skip
+
+
+def left_out_data(checks: Sequence[Crosscheck]) -> list[list[Run]]:
+    """What the PDF says of problems without numbers: a sentence for each reason."""
+    return [
+        [*prose(why[:1].upper() + why[1:]), ": ", *_joined(found), "."]
+        for why, found in left_out(checks)
+    ]
+
+
+def _joined(found: Sequence[Problem]) -> list[Run]:
+    said = [f"{p.head.case}, {p.head.what} ({p.head.solver})" for p in found]
+    return prose("; ".join(said))
 
 
 def _number(value: float | None) -> str:
@@ -96,4 +118,5 @@ def _difference(check: Crosscheck) -> str:
     if check.difference is None or check.allowed is None:
         return "–"
     mark = " !" if check.state is CrossState.OUTSIDE else ""
-    return f"{check.difference:+.0e} ({check.allowed:.0e}){mark}".replace("-", "−")
+    difference = f"{check.difference:+.0e}" if check.difference else "0"
+    return f"{difference} ({check.allowed:.0e}){mark}".replace("-", "−")

@@ -11,7 +11,18 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import budget, caught, crosscheck, formats, plots, readings, signature, since, validity
+from reports import (
+    budget,
+    caught,
+    crosscheck,
+    formats,
+    plots,
+    readings,
+    second,
+    signature,
+    since,
+    validity,
+)
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -24,6 +35,7 @@ from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.sketch import sketch
+from reports.slim import slim
 from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
@@ -49,7 +61,6 @@ from verify.shown import (
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
 COMPANION = ": convergence"
-NAMESPACE = ' xmlns="http://www.w3.org/2000/svg"'  # a page knows it: 50 kB in a thousand drawings
 LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
@@ -97,8 +108,9 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     glyphs = Glyphs(cache)
     script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
+    checks = crosscheck.of_cases(report)
     body = _environment(glyphs).get_template("report.html.j2").render(
-        report=report, crosschecks=crosscheck.of_cases(report), rows=report.rows,
+        report=report, crosschecks=checks, seconds=second.seconds(checks), rows=report.rows,
         groups=groups, statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
@@ -117,7 +129,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
-    return body.replace("<!--glyphs-->", glyphs.symbols()).replace(NAMESPACE, "")
+    return slim(body.replace("<!--glyphs-->", glyphs.symbols()))
 
 
 @dataclass(frozen=True)
@@ -279,7 +291,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "budget_compact": budget.compact, "budget_identities": budget.identities,
         "budget_outside": budget.outside,
         "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
-        "linked": formats.linked,
+        "cross_left": crosscheck.left_out, "second_value": second.value,
+        "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip

@@ -12,6 +12,7 @@ def caught_data(caught: Caught | None) -> Data | None:
     names, lines = moved(caught)
     missing = f"{caught.missing[:1].upper()}{caught.missing[1:]}." if caught.missing else ""
     listed = "; ".join(f"{n} ({reason})" for reason, n in only_listed(caught))
+    left = f"Rows not asked to turn red at ±1 %, and why: {listed}." if listed else ""
     return {
         "missing": prose(missing),
         "date": caught.date,
@@ -23,7 +24,7 @@ def caught_data(caught: Caught | None) -> Data | None:
                 for line in lines
             ],
             "green": prose("; ".join(green(caught))),
-            "listed": prose(f"Not held to the gate: {listed}.") if listed else [],
+            "listed": prose(left),
         },
         "survivors": [
             {"name": name, "rows": [

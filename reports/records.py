@@ -5,14 +5,19 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from reports.second import records, seconds
 from verify.results import SCHEMA_VERSION, CaseResult, Drift, Report, Row, Validity
 
 
 def report_record(report: Report) -> dict[str, Any]:
     """The whole run for results.json."""
+    beside = seconds(report.crosschecks)
     return {
         "schema": SCHEMA_VERSION,
-        "rows": [row_record(row) for row in report.rows],
+        "rows": [
+            row_record(row) | {"second_solvers": list(records(beside.of(row)))}
+            for row in report.rows
+        ],
         "cases": [_case(case) for case in report.cases],
         "papers": list(report.papers),
         "equations": list(report.equations),

@@ -18,6 +18,7 @@ from reports.junit import junit
 from reports.pdf import NotSet, pdf
 from reports.records import report_record
 from reports.rows import rows_csv
+from reports.second import seconds
 from reports.verdicts import markdown
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
@@ -80,7 +81,7 @@ def _files(
     record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
     yield "results.json", record.encode()
     yield schema.name, schema.read_bytes()
-    yield "rows.csv", rows_csv(report.rows).encode()
+    yield "rows.csv", rows_csv(report.rows, seconds(report.crosschecks).rows).encode()
     if report.budgets:
         yield BUDGET, budget_csv(report.budgets).encode()
     if report.crosschecks:

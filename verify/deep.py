@@ -94,7 +94,10 @@ def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
     regions = measuring.chosen(of_validity if names else (measuring.NAME,), CASES)
     differences = budget.chosen(of_budget if names else (budget.NAME,), CASES)
     others = [name for name in dict.fromkeys(names) if name not in {*of_validity, *of_budget}]
-    chosen = [find(name, DEEP) for name in others]
+    try:
+        chosen = [find(name, DEEP) for name in others]
+    except ValueError as error:
+        raise ValueError(f"{error}, validity[:CASE], budget[:CASE]") from None
     chosen = chosen if names else list(DEEP)
     missing = [case for case in chosen if again or measured(case) is None]
     for case in chosen:

@@ -86,7 +86,7 @@ def test_bars_are_where_and_as_long_as_their_numbers_say():
 def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
     found = lines(ROW)
     assert found[0] == ("difference", "formula and finite elements as they are", "−8 ± 0.1 %")
-    assert ("contact law", "", "no contact in it") in found
+    assert ("contact law", "no contact in it", "–") in found
     assert ("finite geometry", "four times as many flats", "−7 ± 1·10⁻⁴ %") in found
     assert found[-2][0] == "remainder"
     assert found[-2][2] == "−2 ± 0.2 %"

@@ -62,13 +62,13 @@ def test_survivors_are_listed_with_their_reasons_those_without_first(one):
 
 def test_references_that_were_moved_have_a_line_for_each_kind(one):
     text = section(one)
-    assert "all that are held to the gate" in text
+    assert "all that must turn red at ±1 %" in text
     assert "ring-lame/radius at +1" in text
     assert "2 (a fact: an order)" in text
     names, lines = moved(CAUGHT)
     assert names == ["+1 %", "-1 %"]
     assert [(line.kind, line.rows) for line in lines] == [
-        ("identity", 60), ("all that are held to the gate", 100),
+        ("identity", 60), ("all that must turn red at ±1 %", 100),
     ]  # fmt: skip
     assert moved(Caught(date="2026-11-23")) == ([], [])
 

@@ -10,6 +10,11 @@ from verify.crosscheck.registry import COMPARISONS
 from verify.crosscheck.statement import Cross
 from verify.results import Crosscheck, CrossState
 
+# names of numbers that belong to no row, where a comparison has them short
+TOLD = {
+    "mid": "pressure at mid-length", "q mid": "load per length at mid-length",
+    "largest": "largest pressure",
+}  # fmt: skip
 STALE = "not measured for this code: make crosscheck does it"
 
 
@@ -22,7 +27,7 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
         agrees = abs(difference) <= q.allowed
         lines.append(Crosscheck(
             case=cross.case, problem=cross.id, what=cross.what,
-            quantity=q.name if q.beside or not q.row else q.row,
+            quantity=TOLD.get(q.name, q.name) if q.beside or not q.row else q.row,
             row=f"{cross.case}/{q.row}" if q.row else "", symbol=q.symbol, unit=q.unit,
             solver=cross.solver, version=found.version, date=found.date,
             state=CrossState.AGREES if agrees else CrossState.OUTSIDE,
