@@ -10,7 +10,7 @@ from reports.richtext import Run, runs
 from verify.results import Crosscheck, CrossState, Report
 
 LEFT_OUT = ("seconds",)
-NOTHING = (CrossState.MISSING, CrossState.ALONE)
+WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Problem:
 
     @property
     def missing(self) -> str:
-        return self.head.why if self.head.state in NOTHING else ""
+        return self.head.why if self.head.state in WITHOUT_NUMBERS else ""
 
     @property
     def why(self) -> str:

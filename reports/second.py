@@ -7,7 +7,7 @@ from typing import Any
 from markupsafe import Markup
 
 from reports import formats
-from reports.crosscheck import Problem, problems
+from reports.crosscheck import WITHOUT_NUMBERS, Problem, problems
 from verify.results import Crosscheck, CrossState, Row
 
 COLUMNS = ("second_solver", "second_value", "second_difference_relative", "second_seconds")
@@ -37,7 +37,7 @@ def seconds(checks: Sequence[Crosscheck]) -> Seconds:
     rows: dict[str, list[Crosscheck]] = {}
     others: dict[str, list[Crosscheck]] = {}
     for check in checks:
-        if check.state is CrossState.MISSING:
+        if check.state in WITHOUT_NUMBERS:
             continue
         own = check.row == f"{check.case}/{check.quantity}"
         (rows if own else others).setdefault(check.row if own else check.case, []).append(check)
