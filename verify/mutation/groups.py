@@ -10,8 +10,8 @@ from verify.case import Case
 from verify.mutation import trial
 from verify.mutation.forked import Task
 from verify.mutation.known import Noted, Notes
-from verify.mutation.sample import reached, sample
-from verify.mutation.sites import Changed
+from verify.mutation.sample import is_constant, reached, readers, sample
+from verify.mutation.sites import Changed, source
 from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.mutation.trial import Bench
 from verify.mutation.workload import Load
@@ -155,7 +155,15 @@ def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
         from verify.mutation import suite
     except ImportError:
         return lambda _changed: ()
-    traces = notes.tests(kind, suite.files(kind))
-    return lambda changed: suite.covering(
-        f"{changed.mutant.module}:{changed.mutant.function}", traces
-    )
+    traces = {
+        test: (seconds, frozenset(called))
+        for test, (seconds, called) in notes.tests(kind, suite.files(kind)).items()
+    }
+    return lambda changed: suite.covering(functions_of(changed), traces)
+
+
+def functions_of(changed: Changed) -> set[str]:
+    """The function that a mutant changes, or those of its module that read the constant."""
+    module, name = changed.mutant.module, changed.mutant.function
+    found = readers(name, source(module)) if is_constant(name) else {name}
+    return {f"{module}:{function}" for function in found}
