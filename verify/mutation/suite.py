@@ -18,7 +18,7 @@ OPTIONS = (
     "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--capture=fd", "--tb=no",
     "--rootdir", str(ROOT), "-c", str(ROOT / "pyproject.toml"),
 )  # fmt: skip
-AT_MOST = 40.0  # s of tests for one mutant, by what they took unchanged
+AT_MOST = 30.0  # s of tests for one mutant, by what they took unchanged
 SHARED = 1.0  # s: shorter tests of a file that reaches a function are run, too
 JUDGING = tuple(
     f"tests/verify/{name}.py"

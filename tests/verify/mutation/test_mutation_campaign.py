@@ -11,7 +11,7 @@ import pytest
 from verify.case import Case, FemResult
 from verify.checks import Fact
 from verify.inputs import Inputs, quantity
-from verify.mutation import known, score, suite, trial, workload
+from verify.mutation import groups, known, score, suite, trial, workload
 from verify.mutation.campaign import Campaign
 from verify.mutation.forked import Task
 from verify.mutation.groups import Group, functions_of
@@ -216,6 +216,17 @@ def test_what_was_caught_is_told_in_lines(capsys):
 
 def test_every_argued_survivor_has_a_reason_in_words():
     assert all(len(reason.split()) > 3 for reason in score.argued().values())
+
+
+def test_how_far_the_formulas_values_are_is_told(group):
+    (bench,) = group.trial(group.chosen[0]).work.args[1]
+    states = []
+    found = groups._with_values([bench.load] * 3, states.append)
+    assert [load.values["length"] for load in found] == [pytest.approx(3.0)] * 3
+    assert [(state.done, state.total, state.running) for state in states] == [
+        (n, 3, ("ring-tape",)) for n in range(3)
+    ]
+    assert {state.what for state in states} == {"formulas' values, cases"}
 
 
 TRACES = {
