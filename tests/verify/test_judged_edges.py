@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from tests.verify.test_checks import context, limit, order
+from tests.verify.test_checks import context, limit, order, power_law
 from verify import convergence, judge
-from verify.checks import Accepted
+from verify.checks import Accepted, Approximation
 from verify.convergence import fit_order, grid_convergence, observed_order
 from verify.results import Status
 
@@ -57,7 +57,9 @@ def test_an_order_that_is_missed_is_told_beside_that_of_theory():
 
 
 def test_one_that_is_met_has_nothing_to_tell():
-    (row,) = order(lambda _c: (list(FOUR), [h**2 for h in FOUR])).rows(context((), sizes=()))
+    errors = [0.3 * h**2 * (1 + 0.1 * h) for h in FOUR]
+    (row,) = order(lambda _c: (list(FOUR), errors)).rows(context((), sizes=()))
+    assert abs(row.difference) > 1e-6
     assert (row.status, row.reason) == (Status.PASS, "")
 
 
@@ -99,3 +101,20 @@ def test_a_point_without_a_difference_is_a_point_of_a_limit():
     fit = judge.fit_limit(eps, d, np.full(5, 1e-5))
     assert abs(fit.d0) < fit.U0
     assert fit.q == pytest.approx(2.0, abs=fit.U_q)
+
+
+def test_half_an_order_is_one(monkeypatch):
+    monkeypatch.setattr(convergence, "observed_order", lambda *_: 0.5)
+    found = grid_convergence((1.0, 0.5, 0.25), (1.0, 0.1, 0.0), formal=2.0, scale=1.0)
+    assert (found.behaviour, found.order) == ("monotone", 0.5)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_negative_reference_is_a_scale_by_its_size(sign):
+    claim = Approximation(
+        name="near", symbol="v", unit="1", analytic="f", fem="v", formal=2, source="made up",
+        interval=lambda _q, _v: (-0.005, 0.005),
+    )  # fmt: skip
+    values = [sign * x for x in power_law(2.0, 1e-3)]
+    row, _ = claim.rows(context(values, analytic={"f": sign * 2.0}))
+    assert (row.status, row.scale) == (Status.PASS, pytest.approx(2.0, rel=1e-4))
