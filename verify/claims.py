@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from verify import judge, units
 from verify.case import Context
-from verify.convergence import GridConvergence, grid_convergence
+from verify.convergence import GridConvergence, grid_convergence, order_from_iteration
 from verify.published.ledger import published
 from verify.results import Grid, Kind, Partner, Published, Row, Status
 
@@ -87,8 +87,7 @@ def convergence_verdict(
     `h` are mesh sizes and `v` the values on them; `v`, `u_it` and `allowed` have one unit.
     """
     if grid.behaviour == "monotone" and grid.order is not None:
-        noise = 4 * u_it / (abs(v[-1] - v[-2]) * math.log(h[-2] / h[-1]))
-        verdict = judge.fact(grid.order - 0.5, noise)
+        verdict = judge.fact(grid.order - 0.5, order_from_iteration(h, v, u_it))
         reason = f"order {grid.order:.2f}, above 0.5"
     elif grid.behaviour == "round-off":
         verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"

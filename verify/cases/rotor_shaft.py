@@ -96,7 +96,7 @@ CHECKS = (
         Approximation(name=f"Timoshenko's beam, mode {j}, at rest", symbol="ω", unit="rad/s",
                       analytic=f"timoshenko {j} at rest", fem=f"solid {j} at rest", formal=4,
                       interval=known(j), demand=1e-3, demand_reason=FOUR,
-                      source="the cylinder of three-dimensional elasticity, 5e-5 about it")
+                      source="his equation solved anew, over the cylinder of elasticity; ± 5e-5")
         for j in MODES
     ),
     *(

@@ -4,6 +4,7 @@ Held are comparisons that pass and are asked to show 1 % or less: identities, as
 approximations with an expected interval, and balances. The rest is listed with the reason and with
 what it detects: facts, what is shown or noted or calibrated, and comparisons with a wider demand.
 Convergence rows stand beside a comparison and have no reference: neither held nor listed.
+A row that turns red where it is judged must do so as well where a value of its formula slips.
 """
 
 from collections.abc import Sequence
@@ -49,8 +50,11 @@ def share(rows: Sequence[Tried], p: float) -> float:
     return sum(p in tried.red for tried in rows) / len(rows) if rows else 1.0
 
 
-def failures(rows: Sequence[Tried]) -> list[str]:
-    """In a line each what the gate finds wrong; empty where it holds."""
+def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
+    """In a line each what the gate finds wrong; empty where it holds.
+
+    `hidden` names rows that stay green where their own formula's value slips.
+    """
     gated = [tried for tried in rows if held(tried.row)]
     found = [] if gated else ["no row is held to the gate"]
     found += [
@@ -62,4 +66,6 @@ def failures(rows: Sequence[Tried]) -> list[str]:
     listed = sum(bool(listed_as(tried.row)) for tried in rows)
     if listed > MOST_LISTED * len(rows):
         found.append(f"{listed} of {len(rows)} rows are only listed, {MOST_LISTED:.0%} at most")
+    if hidden:
+        found.append(f"{len(hidden)} rows hide a slip of their own formula, {hidden[0]} first")
     return found

@@ -1,6 +1,7 @@
 """The three groups of mutants: formulas, judging, finite elements."""
 
 import sys
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -10,19 +11,21 @@ from verify.case import Case
 from verify.mutation import trial
 from verify.mutation.forked import Task
 from verify.mutation.known import Noted, Notes
-from verify.mutation.sample import reached, sample
-from verify.mutation.sites import Changed
+from verify.mutation.sample import is_constant, reached, readers, sample
+from verify.mutation.sites import Changed, source
 from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.mutation.trial import Bench
 from verify.mutation.workload import Load
+from verify.progress import Show, State
 
-SIZES = {"formulas": 250, "judging": 60, "finite-elements": 44}
+# with some to spare: one in twenty crashes, of finite elements one in six, and counts apart
+SIZES = {"formulas": 270, "judging": 64, "finite-elements": 52}
 JUDGES = ("verify.checks", "verify.claims", "verify.convergence", "verify.judge")
 LEAST = 30.0  # s that every mutant has
 FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
 WHOLE = 3.0  # s: a case whose levels all take less together is solved whole
 CASES_EACH = 3  # the quickest, one after the other until one notices a mutant of finite elements
-LONGEST = 6.0  # s for a coarsest level that mutants are tried on
+LONGEST = 4.0  # s for a coarsest level that mutants are tried on
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,7 @@ def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> 
 def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
     """Mutants of what judges rows; every case is judged from the formulas' known values."""
     noted = notes.cases(loads)
-    benches = _benches([load.with_values() for load in loads], noted)
+    benches = _benches(_with_values(loads, notes.show), noted)
     tests = _suite(notes, "judging")
     found = reached(JUDGES, JUDGING, benches)
     return _group("judging", found, seed, whole, _judging(benches), tests)
@@ -62,7 +65,7 @@ def elements(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> 
         case: Noted(one.seconds, one.functions, states[case].states) for case, one in noted.items()
     }
     _imported(of_levels)
-    benches = _benches([load.with_values() for load in quick], of_levels)
+    benches = _benches(_with_values(quick, notes.show), of_levels)
     tests = _suite(notes, "elements")
     found = reached(_modules(benches, ("fem.", "meshes.")), FINITE_ELEMENTS, benches)
     return _group("finite-elements", found, seed, whole, _solving_task(benches), tests)
@@ -77,6 +80,16 @@ def _group(
 ) -> Group:  # fmt: skip
     chosen = found if whole else sample(found, SIZES[name], seed)
     return Group(name, found, chosen, trial, tests)
+
+
+def _with_values(loads: Sequence[Load], show: Show) -> list[Load]:
+    """The cases with their formulas' values, which are made here once for all mutants."""
+    start, found = time.monotonic(), list[Load]()
+    for n, load in enumerate(loads):
+        left = (time.monotonic() - start) / max(n, 1) * (len(loads) - n)
+        show(State(n, len(loads), (load.case.id,), left, what="formulas' values, cases"))
+        found.append(load.with_values())
+    return found
 
 
 def _benches(loads: Sequence[Load], noted: Mapping[str, Noted]) -> dict[str, list[Bench]]:
@@ -155,7 +168,15 @@ def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
         from verify.mutation import suite
     except ImportError:
         return lambda _changed: ()
-    traces = notes.tests(kind, suite.files(kind))
-    return lambda changed: suite.covering(
-        f"{changed.mutant.module}:{changed.mutant.function}", traces
-    )
+    traces = {
+        test: (seconds, frozenset(called))
+        for test, (seconds, called) in notes.tests(kind, suite.files(kind)).items()
+    }
+    return lambda changed: suite.covering(functions_of(changed), traces)
+
+
+def functions_of(changed: Changed) -> set[str]:
+    """The function that a mutant changes, or those of its module that read the constant."""
+    module, name = changed.mutant.module, changed.mutant.function
+    found = readers(name, source(module)) if is_constant(name) else {name}
+    return {f"{module}:{function}" for function in found}

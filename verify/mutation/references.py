@@ -97,7 +97,8 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
     convergence = sum(is_convergence(one.row) for one in moved)
     listed = _listed(moved)
     n = sum(len(names) for names in listed.values())
-    failures = gate.failures(moved)
+    by_formula = _by_formula(rows)
+    failures = gate.failures(moved, [name for name, _ in by_formula["hidden"]])
     return {
         "perturbations": list(PERTURBATIONS),
         "rows": len(rows),
@@ -112,7 +113,7 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
             "share without convergence": _rounded(n / max(len(rows) - convergence, 1)),
             "because": listed,
         },
-        "by formula": _by_formula(rows),
+        "by formula": by_formula,
     }  # fmt: skip
 
 

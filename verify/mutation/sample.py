@@ -26,7 +26,12 @@ def reached(
 
 def _is_read(constant: str, of: Source, called: Collection[str]) -> bool:
     """Whether a constant is read by a called function of its own module."""
-    return constant.lstrip("_").isupper() and bool(readers(constant, of) & set(called))
+    return is_constant(constant) and bool(readers(constant, of) & set(called))
+
+
+def is_constant(name: str) -> bool:
+    """Whether a module's constant is named, and no function or method."""
+    return name.lstrip("_").isupper()
 
 
 def readers(constant: str, of: Source) -> set[str]:

@@ -22,6 +22,7 @@ SOLVERS = frozenset(
      "subdivisions", "method", "decimals", "fill_value", "mode")
 )  # fmt: skip
 SHAPES = ("zeros_like", "ones_like", "empty_like", "full_like", "shape", "broadcast_shapes")
+TAKEN = ("shape", "size", "ndim")  # of an array whose values then are of no matter
 TOLD = ("__repr__", "__str__", "__reduce__", "__hash__")
 
 
@@ -147,6 +148,8 @@ def _places(owner: ast.AST) -> Iterator[Place]:
 def _left_out(owner: ast.AST, field: str) -> bool:
     if field in ("annotation", "returns", "decorator_list"):
         return True
+    if isinstance(owner, ast.Attribute) and owner.attr in TAKEN:
+        return field == "value"
     return isinstance(owner, ast.Subscript) and field == "slice"
 
 

@@ -5,7 +5,7 @@ Run it in a forked child only: pytest leaves its traces in the process.
 
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import CodeType, FrameType
 from typing import Any
@@ -18,16 +18,19 @@ OPTIONS = (
     "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--capture=fd", "--tb=no",
     "--rootdir", str(ROOT), "-c", str(ROOT / "pyproject.toml"),
 )  # fmt: skip
-AT_MOST = 40.0  # s of tests for one mutant, by what they took unchanged
+AT_MOST = 30.0  # s of tests for one mutant, by what they took unchanged
 SHARED = 1.0  # s: shorter tests of a file that reaches a function are run, too
 JUDGING = tuple(
     f"tests/verify/{name}.py"
-    for name in ("test_judge", "test_convergence", "test_convergence_verdict", "test_checks")
-)
+    for name in (
+        "test_judge", "test_convergence", "test_convergence_verdict", "test_checks",
+        "test_judged_edges", "test_agreement",
+    )
+)  # fmt: skip
 
 TESTED = {"formulas": ("analytic",), "judging": ("verify",), "elements": ("fem", "meshes")}
 
-Traces = Mapping[str, tuple[float, Sequence[str]]]  # of tests: seconds and functions
+Traces = Mapping[str, tuple[float, frozenset[str]]]  # of tests: seconds and functions
 
 
 @dataclass(eq=False)  # pytest hashes its plugins
@@ -101,12 +104,12 @@ def first_failure(tests: Sequence[str]) -> str:
     raise RuntimeError(f"pytest ends with {status!r}")
 
 
-def covering(function: str, traces: Traces, at_most: float = AT_MOST) -> list[str]:
-    """Tests that reach a function, those that call it themselves first, the quickest first.
+def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOST) -> list[str]:
+    """Tests that reach one of these functions: that call it themselves first, the quickest first.
 
     Of a file that reaches it by what its tests share all short tests count.
     """
-    direct = {test for test, (_, functions) in traces.items() if function in functions}
+    direct = {test for test, (_, called) in traces.items() if not called.isdisjoint(functions)}
     files = {test.partition("::")[0] for test in direct}
     shared = {
         test for test, (seconds, _) in traces.items()

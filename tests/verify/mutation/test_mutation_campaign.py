@@ -11,10 +11,10 @@ import pytest
 from verify.case import Case, FemResult
 from verify.checks import Fact
 from verify.inputs import Inputs, quantity
-from verify.mutation import known, score, trial, workload
+from verify.mutation import groups, known, score, suite, trial, workload
 from verify.mutation.campaign import Campaign
 from verify.mutation.forked import Task
-from verify.mutation.groups import Group
+from verify.mutation.groups import Group, functions_of
 from verify.mutation.outcomes import By, Outcome, Store
 from verify.mutation.sample import sample
 from verify.mutation.sites import mutants, source
@@ -216,3 +216,46 @@ def test_what_was_caught_is_told_in_lines(capsys):
 
 def test_every_argued_survivor_has_a_reason_in_words():
     assert all(len(reason.split()) > 3 for reason in score.argued().values())
+
+
+def test_how_far_the_formulas_values_are_is_told(group):
+    (bench,) = group.trial(group.chosen[0]).work.args[1]
+    states = []
+    found = groups._with_values([bench.load] * 3, states.append)
+    assert [load.values["length"] for load in found] == [pytest.approx(3.0)] * 3
+    assert [(state.done, state.total, state.running) for state in states] == [
+        (n, 3, ("ring-tape",)) for n in range(3)
+    ]
+    assert {state.what for state in states} == {"formulas' values, cases"}
+
+
+TRACES = {
+    "tests/a.py::direct": (3.0, frozenset({"m:f"})),
+    "tests/a.py::shared": (0.5, frozenset()),
+    "tests/a.py::long": (2.0, frozenset()),
+    "tests/b.py::quick": (0.1, frozenset({"m:f", "m:g"})),
+    "tests/c.py::other": (0.1, frozenset({"m:h"})),
+}
+
+
+def test_tests_of_a_function_come_before_those_that_share_its_file():
+    assert suite.covering({"m:f"}, TRACES) == [
+        "tests/b.py::quick", "tests/a.py::direct", "tests/a.py::shared",
+    ]  # fmt: skip
+    assert suite.covering({"m:g", "m:h"}, TRACES) == ["tests/b.py::quick", "tests/c.py::other"]
+    assert suite.covering({"m:none"}, TRACES) == []
+
+
+def test_a_constant_is_tested_by_the_functions_that_read_it(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / "folding_rule.py").write_text(
+        "LONG = 3.0\n\n\ndef width(a):\n    return a * LONG\n\n\ndef twice(a):\n"
+        "    return width(a) * 2\n", "utf-8",
+    )  # fmt: skip
+    found = {
+        one.mutant.function: functions_of(one) for one in mutants(source("folding_rule"), FORMULAS)
+    }
+    assert found == {
+        "LONG": {"folding_rule:width"}, "width": {"folding_rule:width"},
+        "twice": {"folding_rule:twice"},
+    }  # fmt: skip

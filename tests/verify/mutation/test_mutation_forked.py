@@ -61,9 +61,19 @@ def test_an_answer_may_bring_further_work():
 
 
 def test_children_are_gone_when_the_parent_stops():
-    tasks = deque([Task(0, lambda: os.getpid(), 20.0), Task(1, partial(time.sleep, 60), 90.0)])
+    out, into = os.pipe()
+
+    def stays():
+        os.write(into, f"{os.getpid()}\n".encode())
+        time.sleep(60)
+
+    tasks = deque([Task(0, lambda: 7, 20.0), Task(1, stays, 90.0)])
     running = answers(tasks, 2)
     assert next(running).key == 0
+    with os.fdopen(out) as pipe:
+        child = int(pipe.readline())  # it is at work: its process is known and has not ended
+    os.close(into)
+    os.kill(child, 0)
     running.close()
-    with pytest.raises(ChildProcessError):
-        os.waitpid(-1, os.WNOHANG)
+    with pytest.raises(ProcessLookupError):  # ended and waited for; others' children may be there
+        os.kill(child, 0)

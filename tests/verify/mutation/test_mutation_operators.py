@@ -89,6 +89,7 @@ def f(a: "1 + 2", *, n=3) -> float:
     check(a - 1)
     assert a + 1
     b = np.zeros_like(a + 1) + brentq(g, xtol=4 * a)
+    k = (a + 1).size
     return b[n - 1]
 '''
 

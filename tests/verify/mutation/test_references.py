@@ -208,8 +208,11 @@ def test_an_interval_that_moves_along_with_its_formula_hides_errors():
     assert both.moved.red == ALL
     assert both.by_formula == frozenset()
     assert both.hidden == [0.005, 0.01, 0.05]
-    found = score([both])["by formula"]
-    assert found["hidden"] == [["ring-made-up/formula", [0.005, 0.01, 0.05]]]
+    found = score([both])
+    assert found["by formula"]["hidden"] == [["ring-made-up/formula", [0.005, 0.01, 0.05]]]
+    assert found["gate"]["failures"] == [
+        "1 rows hide a slip of their own formula, ring-made-up/formula first"
+    ]
 
 
 def test_a_formula_taken_elsewhere_is_not_reached():
