@@ -73,7 +73,7 @@ def test_finite_elements_are_told_beyond_the_error_of_both_runs(by, told):
         assert changed.changes[0].size == "+0.0014 of the scale, 1.03 error bars"
 
 
-@pytest.mark.parametrize(("by", "told"), [(0.9e-12, []), (1.1e-12, [("formula", False)])])
+@pytest.mark.parametrize(("by", "told"), [(0.9e-10, []), (1.1e-10, [("formula", False)])])
 def test_a_formula_is_told_beyond_round_off_of_the_scale(by, told):
     row = replace(ROW, analytic=1e-7, scale=2.0)  # a value near zero on a natural magnitude
     assert aspects(found(row, replace(row, analytic=1e-7 + by * 2.0))) == told
