@@ -14,7 +14,7 @@ from verify.releases.kept import Kept, Release, kept
 from verify.releases.reasons import Reason, stated
 from verify.results import CaseResult, Change, Drift, Status
 
-ROUND_OFF = 1e-10  # of a formula, over its scale: iterated ones end at 1e-12, on any processor
+ROUND_OFF = 1e-10  # over the row's scale: iterated formulas end at 1e-12, on any processor
 REPEATED = 1e-9  # of a margin without uncertainty: sums of other processors
 SLACK = 1e-6  # relative, of bands that are computed from formulas
 COMPANION = ": convergence"  # judges an order, which may scatter
