@@ -44,4 +44,5 @@ def test_around_a_circle_middle_nodes_lie_halfway_between_their_neighbours():
     touch = problem.solve(pressures={"ring.rim": 0.01}).touches[0]
     half = np.sin(np.pi / count)  # of a chord of the circle of radius 1
     assert touch.arc.size == 2 * count
+    assert touch.arc.min() == 0  # the curve is closed: its last node is its first
     np.testing.assert_allclose(np.diff(np.sort(touch.arc)), half, rtol=1e-6)
