@@ -13,8 +13,9 @@ from verify.definitions import registry
 from verify.definitions.generic import numbers, printed_rounding, readings
 from verify.definitions.misprints import is_misprint, misprints
 from verify.definitions.readings import angle, count, elastic, length, result, switched
-from verify.definitions.search import DIGIT, Reading, search, together, window
+from verify.definitions.search import DIGIT, SPANS, Reading, search, together, window
 from verify.definitions.tried import searches
+from verify.published.digits import half_last_digit
 from verify.published.ledger import erratum, published
 
 INPUTS = {"F": 18.0, "r": 4.02, "b": 3.05, "a": 0.2, "n": 12, "E": 206.0, "nu": 0.3}
@@ -105,15 +106,27 @@ def test_a_misprinted_digit_is_one_change_of_what_stands():
     assert not search(lambda _q: 7.9, {}, "6", (), most=1).hits
 
 
+@pytest.mark.parametrize("factor", [1.05, 1.15, 2.0])
+def test_numbers_planted_near_the_formula_s_are_hardly_ever_read_into_it(factor):
+    """A wrong number is no farther off than a few per cent, as a rule; there readings crowd."""
+    drawn = formula(INPUTS) * factor ** np.random.default_rng(2).uniform(-1, 1, 40)
+    tried = [search(formula, INPUTS, f"{x:.5f}", READINGS, most=1) for x in drawn]
+    assert sum(not one.met and one.is_evidence for one in tried) <= 2  # of 40, one in twenty
+    assert sum(bool(one.hits) for one in tried) > 2  # so that it is not for want of hits
+
+
 @pytest.mark.parametrize("printed", ["0", "0.00", "abc", ""])
 def test_nothing_is_searched_for_a_zero_or_no_number(printed):
     with pytest.raises(ValueError, match="number"):
         search(formula, INPUTS, printed, READINGS)
 
 
-def test_accidental_hits_are_as_many_as_counted():
-    """Numbers that have nothing to do with the formula, spread about the printed one."""
-    printed = "0.0130"
+@pytest.mark.parametrize(("printed", "factor"), [("0.0130", 2.0), ("0.00773", 1.15)])
+def test_accidental_hits_are_as_many_as_counted(printed, factor):
+    """Numbers that have nothing to do with the formula, spread about the printed one.
+
+    Most of them are near where many readings give nearly what the first one does.
+    """
     found = search(formula, INPUTS, printed, READINGS, digits=False, rounding={"r": 0.005})
     distinct = []
     for t in sorted(found.found, key=lambda t: (t.changes, -t.off)):
@@ -121,19 +134,25 @@ def test_accidental_hits_are_as_many_as_counted():
             distinct.append(t)
     tried = [t for t in distinct if t.readings]
     value, off = (np.array([getattr(t, name) for t in tried]) for name in ("value", "off"))
-    drawn = 0.0130 * 2 ** np.random.default_rng(1).uniform(-1, 1, 100_000)
-    hits = sum(
-        float(np.mean(np.abs(drawn - v) <= 0.00005 + o)) for v, o in zip(value, off, strict=True)
-    )
-    assert found.chance[2] == pytest.approx(hits, rel=0.03)
+    half = half_last_digit(printed)
+
+    def hits(span):
+        drawn = float(printed) * span ** np.random.default_rng(1).uniform(-1, 1, 100_000)
+        return sum(
+            float(np.mean(np.abs(drawn - v) <= half + o)) for v, o in zip(value, off, strict=True)
+        )
+
+    assert found.chance[2] == pytest.approx(hits(factor), rel=0.03)
+    assert hits(factor) == max(map(hits, SPANS))
     assert found.chance[2] > 0.05  # so that a hit of two readings says nothing here
     assert found.chance[1] < found.chance[2]
 
 
 def test_a_window_beyond_the_span_or_of_the_other_sign_counts_nothing():
-    assert window(1.0, 0.1, 100.0) == window(-100.0, 1.0, 100.0) == 0.0
-    assert window(-100.0, 1.0, -100.0) == pytest.approx(0.02 / math.log(4), rel=1e-3)
-    assert window(100.0, 1e9, 100.0) == 1.0  # open to anything
+    assert window(1.0, 0.1, 100.0, 2.0) == window(-100.0, 1.0, 100.0, 2.0) == 0.0
+    assert window(-100.0, 1.0, -100.0, 2.0) == pytest.approx(0.02 / math.log(4), rel=1e-3)
+    assert window(120.0, 1.0, 100.0, 2.0) > 0.0 == window(120.0, 1.0, 100.0, 1.15)
+    assert window(100.0, 1e9, 100.0, 1.15) == 1.0  # open to anything
 
 
 def test_several_numbers_at_once_leave_less_to_chance():
@@ -168,12 +187,16 @@ KNOWN = [
 PROBLEMS = {problem.reference: problem for problem in registry.PROBLEMS}
 
 
+# with two or three changes so many other combinations are near that the hit says nothing
+CROWDED = {"wang2023:k1-theory", "wang2023:s-i-arc-angle"}
+
+
 @pytest.mark.parametrize(("reference", "names", "errata"), KNOWN)
 def test_an_erratum_of_the_ledger_is_found_again(reference, names, errata):
     problem = PROBLEMS[reference]
     found = problem.search()
     assert [hit.readings for hit in found.hits] == [names]
-    assert found.is_evidence
+    assert found.is_evidence == (reference not in CROWDED)
     assert problem.errata == errata
 
 

@@ -4,7 +4,9 @@ A printed number that the formula does not give may mean something else: a diame
 one side for both, plane strain for plane stress. Every combination of a few readings is tried. It
 reproduces the number where it is within half the last printed digit plus what the rounding of the
 inputs leaves open. The more readings are tried, the more of them fit by accident: how many would
-fit a number that has nothing to do with the formula is told beside what was found.
+fit a number that has nothing to do with the formula is told beside what was found. Readings crowd
+about the first one, and so do printed numbers that are wrong for another reason: what would fit is
+counted for such near numbers and for any within a factor of 2, and the larger count holds.
 """
 
 import math
@@ -21,7 +23,7 @@ Formula = Callable[[Inputs], float]
 Progress = Callable[[int, int], None]
 
 EVIDENCE = 0.05  # accidental hits, of which more say nothing
-SPAN = 2.0  # the unrelated number is anywhere within this factor of the printed one
+SPANS = (2.0, 1.15)  # factors of the printed number within which an unrelated one is anywhere
 SAME = 1e-9  # relative: two combinations that are one
 DIGIT = "one digit misprinted"
 LEAST_DIGITS = 99.5  # units of the last printed place
@@ -60,7 +62,7 @@ class Outcome:
 
     `hits` have the fewest changes first, of those what leaves least open; `chance[k]` is how many
     combinations of at most k changes would meet a number that is anywhere within a factor of 2 of
-    the printed one. `found` is all that has a value.
+    the printed one, or of 1.15 where more would. `found` is all that has a value.
     """
 
     printed: str
@@ -152,7 +154,10 @@ def _outcome(
     return Outcome(
         printed=printed, value=value, half_digit=half, as_it_stands=plain, met=met, tried=tried,
         without_value=lost, hits=tuple(hits),
-        chance=_chances(found, printed, half, most, digits=digits), found=tuple(found),
+        chance=_larger(
+            [_chances(found, printed, half, most, span, digits=digits) for span in SPANS]
+        ),
+        found=tuple(found),
     )  # fmt: skip
 
 
@@ -177,22 +182,34 @@ def together(outcomes: Sequence[Outcome]) -> Outcome:
     first = outcomes[0]
     by_readings = [{t.readings: t for t in one.found} for one in outcomes]
     shared = [t for t in first.found if all(t.readings in known for known in by_readings)]
-    sums = [0.0] * len(first.chance)
     hits = []
     for t in shared:
         each = [known[t.readings] for known in by_readings]
         pairs = list(zip(each, outcomes, strict=True))
         if t.readings and all(_meets(x, one.value, one.half_digit) for x, one in pairs):
             hits.append(t)
-        if t.readings:
-            sums[t.changes] += math.prod(
-                window(x.value, one.half_digit + x.off, one.value) for x, one in pairs
-            )
     hits = _needed(hits, first.value)
+    most = len(first.chance) - 1
     return replace(
         first, met=all(one.met for one in outcomes), hits=tuple(hits),
-        chance=tuple(sum(sums[: k + 1]) for k in range(len(sums))),
+        chance=_larger([_chances_together(shared, outcomes, most, span) for span in SPANS]),
     )  # fmt: skip
+
+
+def _chances_together(
+    shared: Sequence[Tried], outcomes: Sequence[Outcome], most: int, span: float
+) -> list[float]:
+    """Expected accidental hits of all numbers at once, for combinations of 0, 1, ... changes."""
+    by_readings = [{t.readings: t for t in one.found} for one in outcomes]
+    sums = [0.0] * (most + 1)
+    for t in shared:
+        if t.readings:
+            each = [known[t.readings] for known in by_readings]
+            sums[t.changes] += math.prod(
+                window(x.value, one.half_digit + x.off, one.value, span)
+                for x, one in zip(each, outcomes, strict=True)
+            )
+    return sums
 
 
 def _meets(tried: Tried, value: float, half: float) -> bool:
@@ -201,30 +218,38 @@ def _meets(tried: Tried, value: float, half: float) -> bool:
 
 
 def _chances(
-    found: Sequence[Tried], printed: str, half: float, most: int, *, digits: bool
-) -> tuple[float, ...]:
-    """Expected accidental hits among combinations of at most 0, 1, ... changes, each value once."""
+    found: Sequence[Tried], printed: str, half: float, most: int, span: float, *, digits: bool
+) -> list[float]:
+    """Expected accidental hits among combinations of 0, 1, ... changes, each value once."""
     value, sums, counted = number(printed), [0.0] * (most + 1), dict[float, float]()
     for t in sorted(found, key=lambda t: t.changes):
-        wide = window(t.value, half + t.off, value)
+        wide = window(t.value, half + t.off, value, span)
         same = next((x for x in counted if math.isclose(x, t.value, rel_tol=SAME)), t.value)
         if t.readings:
             sums[t.changes] += max(wide - counted.get(same, 0.0), 0.0)
         elif digits and most:
-            sums[1] += sum(window(x, half, value) for x in misprints(t.value, printed))
+            sums[1] += sum(window(x, half, value, span) for x in misprints(t.value, printed))
         counted[same] = max(wide, counted.get(same, 0.0))
-    return tuple(sum(sums[: k + 1]) for k in range(most + 1))
+    return sums
 
 
-def window(value: float, half: float, printed: float) -> float:
-    """The probability that a number within a factor of 2 of `printed` is within `half` of `value`.
+def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
+    """Of accidental hits by their changes the sums of at most 0, 1, ..., the largest of all."""
+    return tuple(max(sum(sums[: k + 1]) for sums in by_span) for k in range(len(by_span[0])))
 
-    The number is spread evenly in its logarithm and has the sign of the printed one.
 
-    >>> round(window(100.0, 1.0, 100.0), 4)
+def window(value: float, half: float, printed: float, span: float) -> float:
+    """The probability that a number is within `half` of `value`.
+
+    It is anywhere within a factor `span` of `printed`, spread evenly in its logarithm, and has
+    the sign of the printed one.
+
+    >>> round(window(100.0, 1.0, 100.0, 2.0), 4)
     0.0144
+    >>> round(window(100.0, 1.0, 100.0, 1.15), 4)
+    0.0716
     """
-    middle, least, largest = abs(printed), abs(printed) / SPAN, abs(printed) * SPAN
+    middle, least, largest = abs(printed), abs(printed) / span, abs(printed) * span
     x = value * math.copysign(1.0, printed)
     low, high = max(x - half, least), min(x + half, largest)
     return math.log(high / low) / math.log(largest / least) if high > low and middle else 0.0
