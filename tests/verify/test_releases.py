@@ -27,6 +27,10 @@ BALANCE = replace(
     ROW, kind=Kind.EXACT, analytic=None, fem=1e-13, u_num=None, u_ref=None, difference=1e-13,
     tolerance=2e-9,
 )  # fmt: skip
+DEVIATION = replace(  # a size of 1e-4, 1e-3 accepted of it, its U 2e-4
+    ROW, unit="1", analytic=0.0, fem=1e-4, difference=-1e-4, scale=1.0, u_num=1e-4, tolerance=8e-4,
+    detects=9e-4, interval_source="what a balance leaves",
+)  # fmt: skip
 FACT = Row(
     case="c", quantity="f", symbol="x", unit="1", kind=Kind.FACT, status=Status.PASS,
     difference=0.4, tolerance=0.01, demand=0.01, reason="held: off by +0.07%, 0.2% accepted",
@@ -56,7 +60,7 @@ def aspects(changed):
     return [(c.aspect, c.loosened) for c in changed.changes]
 
 
-@pytest.mark.parametrize("row", [ROW, APPROXIMATE, BALANCE, FACT], ids=lambda row: row.kind.value)
+@pytest.mark.parametrize("row", [ROW, APPROXIMATE, BALANCE, FACT, DEVIATION])
 def test_nothing_moved_is_one_line(row):
     same = found(row, row)
     assert (same.compared, same.changes, same.tightened) == (1, (), 0)
@@ -125,6 +129,11 @@ LOOSENED = [
      "0.2 % accepted -> 0.3 % accepted"),
     (replace(FACT, reason="held: by 7.9% and more, 2% asked"),
      {"reason": "held: by 7.9% and more, 1% asked"}, "acceptance", "2 % asked -> 1 % asked"),
+    (DEVIATION, {"tolerance": 8.8e-3, "detects": 8.9e-3}, "acceptance", "0.1 % -> 0.9 %"),
+    # as wide as before beside its own U, which is less now
+    (DEVIATION, {"tolerance": 1e-3, "u_num": 5e-5, "detects": 1e-3}, "acceptance",
+     "0.1 % -> 0.11 %"),
+    (DEVIATION, {"interval_source": ""}, "acceptance", "0.1 % -> none"),
     (ROW, {"status": Status.SHOWN}, "status", "PASS -> SHOWN"),
     (ROW, {"status": Status.CALIBRATED}, "status", "PASS -> CALIBRATED"),
 ]  # fmt: skip
@@ -176,6 +185,38 @@ def test_what_lets_less_pass_is_counted(row, change):
     changed = found(row, replace(row, **change))
     assert (changed.tightened, changed.changes) == (1, ())
     assert since.summary(changed) == "1 rows compared, 1 tightened"
+
+
+def test_a_figure_is_the_same_whatever_the_uncertainty_leaves_of_it():
+    assert kept.kept(DEVIATION).accepted == pytest.approx(1e-3, rel=1e-9)
+    assert kept.kept(ROW).accepted is None
+    sharper = replace(DEVIATION, u_num=5e-5, tolerance=9e-4, detects=1e-3)
+    assert aspects(found(DEVIATION, sharper)) == []
+
+
+@pytest.mark.parametrize(
+    ("row", "change", "told"),
+    [
+        (ROW, {"detects": 0.0029}, []),
+        (ROW, {"detects": 0.0031, "u_num": 0.0021}, [("detects", False)]),
+        (ROW, {"u_num": 0.0019}, []),
+        (ROW, {"u_num": 0.0021}, [("uncertainty", False)]),
+        (DEVIATION, {"u_num": 3e-4, "tolerance": 4e-4, "detects": 5e-4}, [("uncertainty", False)]),
+        (APPROXIMATE, {"detects": None}, [("detects", False)]),
+        (FACT, {"tolerance": 0.019}, []),
+        (FACT, {"tolerance": 0.021}, [("uncertainty", False)]),
+        (replace(ROW, detects=1e-13, u_num=1e-14), {"detects": 9e-11, "u_num": 9e-11}, []),
+    ],
+)  # fmt: skip
+def test_what_a_row_no_longer_detects_is_told_and_not_red(row, change, told):
+    changed = found(row, replace(row, **change))
+    assert aspects(changed) == told
+    assert not changed.unexplained
+
+
+def test_growth_is_told_in_times():
+    (change,) = found(ROW, replace(ROW, detects=0.009)).changes
+    assert since.line(change) == "c/q: detects 0.15 % -> 0.9 % (6 times)"
 
 
 def test_a_band_computed_from_formulas_may_have_their_round_off():

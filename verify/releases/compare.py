@@ -1,7 +1,7 @@
 """What has moved since a release: values beyond their errors, and demands and bands beyond it.
 
-A value that moved is told. A loosened demand or band, a row that is gone or that judges less, needs
-a stated reason (verify.releases.reasons); without one the run is red.
+A value that moved is told, and an error that grew. A loosened demand or band, a row that is gone or
+that judges less, needs a stated reason (verify.releases.reasons); without one the run is red.
 """
 
 import math
@@ -17,6 +17,7 @@ from verify.results import CaseResult, Change, Drift, Status
 ROUND_OFF = 1e-10  # over the row's scale: iterated formulas end at 1e-12, on any processor
 REPEATED = 1e-9  # of a margin without uncertainty: sums of other processors
 SLACK = 1e-6  # relative, of bands that are computed from formulas
+GROWN = 2.0  # times what a row detected or how uncertain it was: meshes of other builds do less
 COMPANION = ": convergence"  # judges an order, which may scatter
 STRENGTH = {"PASS": 2, "CALIBRATED": 1, "SHOWN": 0, "NOTE": 0}
 
@@ -70,6 +71,7 @@ def _changes(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
         yield Change(row=row_id, aspect="kind", was=kinds[0], now=kinds[1])
     else:
         yield from _values(row_id, was, now)
+        yield from _blunted(row_id, was, now)
     yield from _bands(row_id, was, now)
 
 
@@ -131,6 +133,29 @@ def _told(value: float | None, unit: str, digits: int = 10) -> str:
     return f"{value:.{digits}g}" + (f" {unit}" if unit != "1" else "")
 
 
+def _blunted(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
+    """What a row detects, or else its uncertainty, where it has grown below what is demanded."""
+    if row_id.endswith(COMPANION):
+        return
+    for aspect, read in (("detects", _detected), ("uncertainty", _uncertainty)):
+        old, new = read(was), read(now)
+        if old is not None and (new is None or new > max(GROWN * old, ROUND_OFF)):
+            size = f"{new / old:.3g} times" if new is not None and old else ""
+            yield Change(row=row_id, aspect=aspect, was=_share(old), now=_share(new), size=size)
+            return
+
+
+def _detected(one: Kept) -> float | None:
+    return one.detects
+
+
+def _uncertainty(one: Kept) -> float | None:
+    """The expanded one over the scale; of a fact that of its margin."""
+    if one.kind == "fact":
+        return one.tolerance
+    return _relative(None if one.u_num is None else COVERAGE * one.u_num, one.scale)
+
+
 def _bands(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
     """Demands and bands that let more pass."""
     for aspect, old, new in _figures(was, now):
@@ -154,6 +179,7 @@ def _figures(was: Kept, now: Kept) -> list[tuple[str, float | None, float | None
     return [
         ("demand", was.demand, now.demand),
         ("bound", was.bound, now.bound),
+        ("acceptance", was.accepted, now.accepted),
         ("reference", _relative(was.u_ref, was.scale), _relative(now.u_ref, now.scale)),
     ]
 

@@ -13,7 +13,8 @@ from typing import Any
 
 from verify.files import write_whole
 from verify.inputs import InputError
-from verify.results import Row
+from verify.judge import COVERAGE
+from verify.results import Kind, Row
 
 FOLDER = Path(__file__).parent
 ROOT = FOLDER.parents[1]
@@ -31,7 +32,8 @@ class Kept:
     """What is kept of a row. Dimensional numbers are in `unit`, as in `verify.results.Row`.
 
     `reference` is what the formula is compared with: finite elements', or the partner's.
-    `figures` are the acceptance figures that a fact states in words, by "accepted" or "asked" [%].
+    `figures` are the acceptance figures that a fact states in words, by "accepted" or "asked" [%];
+    `accepted` is the one that bounds the size of a difference, over the row's scale.
     """
 
     kind: str
@@ -48,6 +50,7 @@ class Kept:
     detects: float | None = None
     interval: tuple[float, float] | None = None
     figures: tuple[tuple[str, float], ...] = ()
+    accepted: float | None = None
 
     @property
     def bound(self) -> float | None:
@@ -79,7 +82,16 @@ def kept(row: Row) -> Kept:
         demand=_short(row.demand), detects=_short(row.detects),
         interval=None if limits[0] is None or limits[1] is None else (limits[0], limits[1]),
         figures=_figures(row.reason) if row.kind == "fact" else (),
+        accepted=_short(_accepted(row)),
     )  # fmt: skip
+
+
+def _accepted(row: Row) -> float | None:
+    """What a size may be where a figure stated beforehand bounds it: the tolerance lacks its U."""
+    stated = row.kind is Kind.IDENTITY and row.grid is None and row.interval_source
+    if not stated or row.tolerance is None or row.u_num is None or not row.scale:
+        return None
+    return (row.tolerance + COVERAGE * row.u_num) / row.scale
 
 
 def _short(value: float | None, digits: int = ENOUGH) -> float | None:
