@@ -1,7 +1,8 @@
 """Claims that two values of one thing agree within a figure stated beforehand.
 
-The figure is an acceptance of the subject or what a source states, never read off the row's own
-finite elements. What has it is judged like any comparison: it says what it detects.
+The figure is an acceptance of the subject, what a paper states, or the suite's own demand with its
+reason; it is never read off the row's own finite elements. What has it is
+judged like any comparison: it says what it detects.
 """
 
 from collections.abc import Callable
@@ -16,7 +17,7 @@ from verify.case import Context
 from verify.claims import Claim
 from verify.results import Kind, Partner, Row, Status
 
-SUBJECT = "acceptance figure of the subject"
+SUBJECT = "acceptance figure of the subject"  # stated for that very quantity
 BOTH_WAYS = "as wide as the acceptance figure is both ways"
 
 
@@ -39,11 +40,12 @@ class Stated(Claim):
     """What claims with a figure share: it is one for the paper's numbers, and judged there.
 
     At one's own the error is told, but where `everywhere` says that the figure holds for any.
+    `source` says whose figure it is: `SUBJECT`, a paper's by its place, or `suites` own.
     `by` names whose value the reference is, finite elements' where empty.
     """
 
     accepted: float
-    source: str = SUBJECT
+    source: str
     by: str = ""
     fem_needed: bool = True
     everywhere: bool = False
@@ -146,6 +148,11 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
     value, reference = float(np.ravel(values)[k]), float(np.ravel(references)[k])
     words = f"off by {off[k]:+.2g} at most of {off.size}"
     return Pair(value, reference, u * abs(reference), words)
+
+
+def suites(reason: str) -> str:
+    """The source of a figure that nobody but this suite demands, and why that much."""
+    return f"the suite's own demand: {reason}"
 
 
 def demanded(accepted: float) -> dict[str, Any]:

@@ -7,6 +7,7 @@ import pytest
 
 from tests.verify.test_checks import context
 from verify.agreement import (
+    SUBJECT,
     Agreement,
     Deviation,
     Pair,
@@ -20,12 +21,13 @@ from verify.results import Kind, Status
 
 
 def agreement(value, reference=2.0, U=0.0, kind=Agreement, **more):
-    told = {"name": "gap", "symbol": "g", "unit": "mm", "accepted": 0.002}
+    told = {"name": "gap", "symbol": "g", "unit": "mm", "accepted": 0.002, "source": SUBJECT}
     return kind(**(told | more), pair=lambda _c: Pair(value, reference, U, "off by so much"))
 
 
 def deviation(size, U=0.0, kind=Deviation, **more):
-    told = {"name": "field", "symbol": "e", "unit": "1", "accepted": 0.002, "whole": "largest"}
+    told = {"name": "field", "symbol": "e", "unit": "1", "accepted": 0.002, "source": SUBJECT}
+    told |= {"whole": "largest"}
     return kind(**(told | more), size=lambda _c: (size, U, "off by so much"))
 
 
@@ -63,7 +65,9 @@ def test_a_figure_of_something_else_says_what_it_leaves():
     def pair(_context):
         return Pair(2.002, 2.0, 0.0, "off", (-0.0001, 0.003))
 
-    row = row_of(Agreement(name="t", symbol="t", unit="s", accepted=0.01, pair=pair))
+    row = row_of(
+        Agreement(name="t", symbol="t", unit="s", accepted=0.01, pair=pair, source=SUBJECT)
+    )
     assert row.status is Status.PASS
     assert row.interval == (-0.0001, 0.003)
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from verify.agreement import Agreement, Pair, demanded
+from verify.agreement import SUBJECT, Agreement, Pair, demanded
 from verify.case import Context
 from verify.cases.contact_roller import HALF_SPACE
 from verify.cases.contact_roller_accepted import LEAST
@@ -11,7 +11,8 @@ from verify.cases.contact_roller_accepted import LEAST
 def within(name: str, symbol: str, unit: str, key: str, figure: float, scale: str) -> Agreement:
     """The strips within `figure` of the half-space in `key`."""
     return Agreement(name=name, symbol=symbol, unit=unit, pair=of_strips(key, scale),
-                     accepted=figure, by=HALF_SPACE, **demanded(figure))  # fmt: skip
+                     accepted=figure,
+                     source=SUBJECT, by=HALF_SPACE, **demanded(figure))  # fmt: skip
 
 
 def of_strips(key: str, scale: str) -> Callable[[Context], Pair]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.contact import hertz_line
 from analytic.contact.crown import johns_gohar, lundberg
-from verify.agreement import Agreement, Deviation, Pair, demanded
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, demanded, suites
 from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
@@ -35,7 +35,7 @@ FITTED = "length and load are not printed but identified, and other loads have o
 FIRST, NEXT = 1e-5, 0.05
 RESOLVED = 2e-3  # of the half-length: 9 µm of the paper's
 NEAR_END = 0.1e-3  # m, nearly the half-width, from the ends
-MID, AT_ENDS = 3e-3, 0.02  # of strips beside loaded ends, acceptance figures
+MID, AT_ENDS = 3e-3, 0.02  # of strips beside the half-space
 
 
 def even_crowns(q: StripInputs) -> dict[str, Callable[[Array], Array]]:
@@ -217,12 +217,14 @@ CHECKS = (
     ),
     *(
         Agreement(name=f"{what} of {words}, strips within {bound:.1%}", symbol=symbol, unit=unit,
-                  pair=by_name(key, name), accepted=bound, by=HALF_SPACE, **demanded(bound))
+                  pair=by_name(key, name), accepted=bound,
+                  source=source, by=HALF_SPACE, **demanded(bound))
         for name, words in EVEN.items()
-        for key, what, symbol, unit, bound in (
-            ("mid", "pressure at mid-length", "p", "MPa", MID),
-            ("approach", "approach", "δ", "µm", MID),
-            ("ends", "load within d of the ends", "F_d", "N", AT_ENDS),
+        for key, what, symbol, unit, bound, source in (
+            ("mid", "pressure at mid-length", "p", "MPa", MID, SUBJECT),
+            ("approach", "approach", "δ", "µm", MID, SUBJECT),
+            ("ends", "load within d of the ends", "F_d", "N", AT_ENDS,
+             suites("a third of the 6 % that the subject accepts of a flat roller")),
         )
     ),
     *(
@@ -240,7 +242,9 @@ CHECKS = (
     Accepted(name="Fig. 12: (5, 0.7, 0.015) is the least even of the designs printed", symbol="q",
              unit="1", margin=least_even, fitted=FITTED),
     Deviation(name="the straight middle follows K_2, not z_m", symbol="Δl_s/l", unit="1",
-              size=straight, accepted=RESOLVED, whole="l/2", by="crown", fem_needed=False,
+              size=straight, accepted=RESOLVED,
+              source=suites("9 µm of the paper's length, a cell of the half-space"),
+              whole="l/2", by="crown", fem_needed=False,
               everywhere=True),
     Fact(name="at first only the straight middle is loaded", symbol="l_c/l", unit="1",
          margin=first_contact, fem_needed=False),

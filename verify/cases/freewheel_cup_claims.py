@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from verify.agreement import suites
 from verify.case import Context, Values
 from verify.cases.freewheel_cup_expected import (
     CupExpected,
@@ -12,7 +13,7 @@ from verify.cases.freewheel_cup_expected import (
 )
 from verify.cases.freewheel_cup_inputs import CupInputs
 from verify.cases.freewheel_cup_model import given_angle
-from verify.cases.freewheel_torque_claims import accepted, no_load
+from verify.cases.freewheel_torque_claims import ALIKE, BOTH, OTHER, accepted, no_load
 from verify.cases.freewheel_torque_model import STRAIGHT, Interval, times
 from verify.checks import Approximation, Exact, Fact, Limit
 from verify.judge import DEMAND
@@ -118,12 +119,13 @@ CHECKS = (
     accepted("torque against z R_s F_t of the shaft (Eq. 3 for a cup)", "T", "T on the race", 1e-3,
              "off by"),
     accepted("torque against z (F_n x − F_t X_o) of the cup (Eq. 3 for a cup)", "T", "T on the cam",
-             1e-3, "off by"),
+             1e-3, "off by", source=suites(OTHER)),
     accepted("normal forces of both contacts alike (Eq. 2)", "F_n", "unlike N", 1e-3, "apart by",
-             by="the flat's"),
+             by="the flat's", source=suites(ALIKE)),
     accepted("tangential forces of both contacts alike (Eq. 2)", "F_t", "unlike F_t", 4e-3,
-             "surfaces tilt to either side of the bisector: apart by", by="the flat's"),
-    accepted("∫dU/T against rolling", "φ", "rolling", 1e-2,
+             "surfaces tilt to either side of the bisector: apart by", by="the flat's",
+             source=suites(BOTH)),
+    accepted("∫dU/T against rolling", "φ", "rolling", 5e-3,
              "tangential forces deform contacts and wind up shaft and cup: rolling is off by"),
     Exact(name="balance of both contact forces on a roller", symbol="ΣF", unit="1", fem="forces",
           scale="one", bound=1e-9, bound_reason="the solver's balance of a free body"),

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from analytic.freewheel import criterion
-from verify.agreement import Agreement, Deviation, Pair, PaperDeviation
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, PaperDeviation, suites
 from verify.case import Context
 from verify.cases.freewheel_friction_formulas import (
     both_contacts,
@@ -20,7 +20,9 @@ from verify.cases.freewheel_friction_limit import HELD
 from verify.checks import Approximation, Exact, Identity
 from verify.shown import Array
 
-ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
+ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
+OWN = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
+ALONE = "as F_t/F_n, which it is without an axial load"
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
 ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
 TILTED = f"{ANGLE}, surfaces tilt under N"
@@ -126,17 +128,23 @@ CHECKS = (
                   source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
                   demand_reason=CREEPS, own_reason=CREEPS, **ROOT),
     Agreement(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
-              pair=onset, accepted=ONSET),
+              pair=onset, accepted=ONSET,
+              source=SUBJECT),
     Agreement(name="friction below which the axial load finds no rest (Eqs. 8-10)",
-              symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE),
+              symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE,
+              source=SUBJECT),
     Agreement(name="required friction on the star, at its own angle (Eqs. 8, 9)", symbol="μ_req",
-              unit="1", pair=lambda context: of_contact(context, 0), accepted=OWN),
+              unit="1", pair=lambda context: of_contact(context, 0), accepted=OWN,
+              source=suites(ALONE)),
     Agreement(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
-              unit="1", pair=lambda context: of_contact(context, 1), accepted=OWN),
+              unit="1", pair=lambda context: of_contact(context, 1), accepted=OWN,
+              source=suites(ALONE)),
     Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1", unit="1",
-              size=on_the_cone, accepted=CONE, whole="μF_n"),
+              size=on_the_cone, accepted=CONE,
+              source=SUBJECT, whole="μF_n"),
     PaperDeviation(name="wedge angles: held below tan α = μ, let out above",
-                   symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE, whole="μF_n"),
+                   symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
+                   source=suites("as sharp as the onset of slip"), whole="μF_n"),
     Exact(name="balance of a roller along the axis", symbol="ΣF_a", unit="N", fem="balance",
           scale="F_t", bound=1e-9, bound_reason="the solver's balance of a body that only contact "
           "holds"),

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.agreement import Agreement, Pair, demanded
+from verify.agreement import SUBJECT, Agreement, Pair, demanded, suites
 from verify.case import Context, Values
 from verify.cases.freewheel_inputs import StarInputs
 from verify.cases.freewheel_torque_model import (
@@ -20,6 +20,9 @@ from verify.checks import Approximation, Exact, Limit
 
 BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² of Hertz"
 SHARP = "acceptance of the subject"
+OTHER = "as the torque of the other contact"
+ALIKE = "as the torque"
+BOTH = "2e-3 of either contact"
 NOISE = 5e-6  # of F_t/N, from mesh to mesh at least
 WIDEST = 8e-3  # interval that leaves a row of one's own sharp enough
 
@@ -93,9 +96,17 @@ def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Callable
 
 
 def accepted(
-    name: str, symbol: str, key: str, most: float, what: str, *, of_fem: bool = False, by: str = ""
+    name: str,
+    symbol: str,
+    key: str,
+    most: float,
+    what: str,
+    *,
+    of_fem: bool = False,
+    by: str = "",
+    source: str = SUBJECT,
 ) -> Agreement:
-    return Agreement(name=name, symbol=symbol, unit="1", accepted=most, by=by,
+    return Agreement(name=name, symbol=symbol, unit="1", accepted=most, by=by, source=source,
                      pair=ratio(key, most, what, of_fem=of_fem), **demanded(most))  # fmt: skip
 
 
@@ -138,11 +149,12 @@ CHECKS = (
     accepted("torque against z R F_t of the ring (Eq. 3, corrected)", "T", "T on the race", 1e-3,
              "off by"),
     accepted("torque against z (F_n x − F_t X) of the star (Eq. 3, corrected)", "T",
-             "T on the cam", 1e-3, "off by"),
+             "T on the cam", 1e-3, "off by", source=suites(OTHER)),
     accepted("normal forces of both contacts alike (Eq. 2)", "F_n", "unlike N", 1e-3, "apart by",
-             by="the flat's"),
+             by="the flat's", source=suites(ALIKE)),
     accepted("tangential forces of both contacts alike (Eq. 2)", "F_t", "unlike F_t", 4e-3,
-             "the same to either side of the bisector: apart by", by="the flat's"),
+             "the same to either side of the bisector: apart by", by="the flat's",
+             source=suites(BOTH)),
     accepted("∫dU/T against rolling", "φ", "rolling", 5e-3,
              "tangential forces deform as well: rolling is off by"),
     Exact(name="balance of both contact forces on a roller", symbol="ΣF", unit="1", fem="forces",

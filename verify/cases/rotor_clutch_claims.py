@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from analytic.rotor.clutch import LINE_CONTACT
-from verify.agreement import Agreement, Deviation
+from verify.agreement import SUBJECT, Agreement, Deviation
 from verify.case import Values
 from verify.cases.rotor_clutch_facts import (
     DIFFERENCES,
@@ -179,7 +179,8 @@ CHECKS = (
     Limit(name="coupling linear in a small offset", symbol="d_0", unit="1", points=over_offset,
           exponent=2, demand=1e-6, demand_reason="the next term of the series"),
     Deviation(name="tangent against differences of the loads, 1e-8", symbol="ΔK/K_xx", unit="1",
-              size=by_differences, accepted=DIFFERENCES, whole="K_xx", fem_needed=False,
+              size=by_differences, accepted=DIFFERENCES,
+              source=SUBJECT, whole="K_xx", fem_needed=False,
               by="differences of the loads", everywhere=True),
     Fact(name="five displacements, all of them held", symbol="K_ps", unit="1",
          margin=displacements(5), fem_needed=False, printed=("huang2022:clutch-stiffness-dofs",)),

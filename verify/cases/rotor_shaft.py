@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.rotor.pochhammer import bending_frequency
-from verify.agreement import Agreement
+from verify.agreement import SUBJECT, Agreement
 from verify.case import Case, Output, Scan, Values
 from verify.cases import rotor_shaft_shown as shown
 from verify.cases.rotor_shaft_agreed import FINE, slender, within_ceiling
@@ -122,9 +122,11 @@ CHECKS = (
         )
     ),
     Agreement(name="Timoshenko's beam is within 0.2 % of the elastic body, modes 1 to 3",
-              symbol="ω", unit="rad/s", pair=within_ceiling, accepted=CEILING),
+              symbol="ω", unit="rad/s", pair=within_ceiling, accepted=CEILING,
+              source=SUBJECT),
     Agreement(name="32 elements are within 1e-5 at d/L = 0.03, mode 1", symbol="ω", unit="rad/s",
-              pair=slender, accepted=FINE),
+              pair=slender, accepted=FINE,
+              source=SUBJECT),
     Accepted(name="turning speeds forward whirl up and slows backward whirl down", symbol="ω",
              unit="1", margin=sense),
 )  # fmt: skip

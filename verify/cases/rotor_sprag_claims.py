@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from verify.agreement import Agreement, Pair, farthest
+from verify.agreement import SUBJECT, Agreement, Pair, farthest
 from verify.case import Context
 from verify.cases.rotor_sprag_facts import STATEMENTS, Statement
 from verify.cases.rotor_sprag_inputs import PRINTED
@@ -75,7 +75,8 @@ IDENTITIES = (
              unit="1", margin=printed_bound, fitted="on a fitted system",
              printed=("huang2022:frequency-deviation-bound", "huang2022:compared-frequencies")),
     Agreement(name="20 elements against the exact model within 2e-4", symbol="ω", unit="rad/s",
-              pair=coarse, accepted=COARSE),
+              pair=coarse, accepted=COARSE,
+              source=SUBJECT),
 )  # fmt: skip
 FITTED_SPEEDS = (
     *(FittedTo(name=f"critical speed {k}, central system", symbol=f"n_{k}", unit="r/min",

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.agreement import Agreement, Pair, farthest
+from verify.agreement import SUBJECT, Agreement, Pair, farthest
 from verify.case import Context
 from verify.cases.rotor_system_companion import JUDGED, NAMED
 from verify.cases.rotor_system_model import CRITICALS, FREQUENCIES
@@ -78,7 +78,8 @@ def accepted(name: str, level: int, figure: float) -> Agreement:
         off = abs(found.value / found.reference - 1)
         return replace(found, words=f"at most {off:.1e} apart, {figure:.0e} accepted")
 
-    return Agreement(name=name, symbol="ω", unit="rad/s", pair=pair, accepted=figure)
+    return Agreement(name=name, symbol="ω", unit="rad/s", pair=pair, accepted=figure,
+                     source=SUBJECT)  # fmt: skip
 
 
 def senses(context: Context) -> tuple[float, float]:

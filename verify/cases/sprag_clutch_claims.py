@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from verify import judge
-from verify.agreement import Pair, PaperAgreement
+from verify.agreement import Pair, PaperAgreement, suites
 from verify.case import Context
 from verify.cases.contact_roller_accepted import Estimated
 from verify.cases.sprag_clutch_drawn_claims import BY_DRAWN, DRAWN
@@ -260,6 +260,7 @@ CHECKS = (
             unit="1", margin=preload, fem_needed=False, fitted=FITTED),
     PaperAgreement(name="an engagement that is damped ends at the static force within 0.1 %",
                    symbol="N", unit="N", pair=at_rest, accepted=RESTS,
+                   source=suites("a tenth of the 1 % that the subject accepts of the static limit"),
                    by="Runge-Kutta steps, compiled"),
     OfPaper(name="length of the sprags within what m_g and I_g of Table 1 allow", symbol="l",
              unit="1", margin=length, fem_needed=False, fitted=FITTED),

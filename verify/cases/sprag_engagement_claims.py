@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import slices
-from verify.agreement import Agreement, Deviation, Pair
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, suites
 from verify.case import Context
 from verify.cases.contact_roller_inputs import DESIGNS
 from verify.cases.sprag_engagement_fem import ORDER
@@ -202,9 +202,11 @@ CHECKS = (
               printed=("huang2018:torque-40",)),
     partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio"),
     Deviation(name=f"N(t): steps and LSODA within {LSODA:.1%}", symbol="ΔN", unit="1", size=along,
-              accepted=LSODA, whole="N_max", by=BY),
+              accepted=LSODA,
+              source=SUBJECT, whole="N_max", by=BY),
     Agreement(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max", unit="N",
-              pair=halving, accepted=HALVING, by=f"{BY}, half as long"),
+              pair=halving, accepted=HALVING,
+              source=SUBJECT, by=f"{BY}, half as long"),
     Accepted(name=f"order of N(t) in the time step: 4 within {NEAR:g}", symbol="p", unit="1",
              margin=order, printed=("huang2018:runge-kutta-order",)),
     Exact(name="balance of energies, damping and friction booked", symbol="ΔE", unit="J",
@@ -215,13 +217,15 @@ CHECKS = (
                   fem="N_undamped", analytic="N_undamped", interval=energy, formal=4, by=BY,
                   source=f"{UNEQUAL}; work passes it on"),
     Agreement(name=f"the same with N_e/N_i of a strut, within {HALVING:.2%}", symbol="N_1",
-              unit="N", pair=balanced, accepted=HALVING, by=BY),
+              unit="N", pair=balanced, accepted=HALVING,
+              source=suites("as half the time step"), by=BY),
     AtPeak(name="work till that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
            fem="W_1 strut", analytic="stored", interval=radially, formal=2, by=BY, demand=1e-3,
            demand_reason="a closure that loses work is off by far more",
            source="the centroid's radial motion, left out by Eq. 14; cubics of the table"),
     Agreement(name=f"∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within {ROLLED:.2%}", symbol="W",
-              unit="1", pair=conjugate, accepted=ROLLED, by="work on the yields",
+              unit="1", pair=conjugate, accepted=ROLLED,
+              source=suites("cubics through the states"), by="work on the yields",
               fem_needed=False),
     Approximation(name="force at rest after a slow rise", symbol="N", unit="N", fem="N",
                   analytic="N", interval=statics, formal=4, by=BY, source=UNEQUAL),
@@ -238,7 +242,8 @@ CHECKS = (
                   analytic="mu_asked", interval=either_way(2), formal=4, by=BY,
                   source=f"{UNEQUAL}; either contact's share"),
     Agreement(name=f"contacts that always roll (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
-              unit="N", pair=rolling, accepted=LSODA, by=f"{BY}, contacts that may slide"),
+              unit="N", pair=rolling, accepted=LSODA,
+              source=suites("as the steps beside LSODA"), by=f"{BY}, contacts that may slide"),
     Accepted(name="rigid races (Liu) make the force larger", symbol="N_max", unit="1", margin=liu,
              fitted=FITTED),
     Accepted(name="the first peak is the largest", symbol="N_2/N_1", unit="1", margin=first,
@@ -248,7 +253,8 @@ CHECKS = (
     Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", symbol="N_max", unit="1",
              margin=crowns, fitted=FITTED),
     Agreement(name=f"slices: N_max within {SLICES:.1%} of that with half of them", symbol="N_max",
-              unit="N", pair=sliced, accepted=SLICES, by="all slices"),
+              unit="N", pair=sliced, accepted=SLICES,
+              source=suites("a fifth of the 1 % that rows are asked for"), by="all slices"),
     Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max", symbol="N_max",
              unit="1", margin=centroids, fitted=FITTED),
 )  # fmt: skip

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from verify import judge
-from verify.agreement import Agreement, Deviation, Pair, demanded, farthest
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, demanded, farthest, suites
 from verify.case import Context
 from verify.cases.sprag_engagement_claims import BY, LSODA, Partnered
 from verify.cases.sprag_friction_fem import NARROW
@@ -96,7 +96,8 @@ CHECKS = (
                   fem="mu_b", analytic="mu_b", interval=boundary, by=BY,
                   source=f"{UNEQUAL}; either contact's share"),
     Agreement(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν", unit="1",
-              pair=at_tan, accepted=BOUNDARY, by=BY, **demanded(BOUNDARY)),
+              pair=at_tan, accepted=BOUNDARY,
+              source=SUBJECT, by=BY, **demanded(BOUNDARY)),
     Identity(name="normal force of sprags that slide, driven, μ = 0.9 tan ν_0", symbol="N",
              unit="N", fem="N slides", analytic="N slides", by=BY, own_demand=0.02,
              own_reason="it swings on, without damping, as 1/(1 − μ/tan ν)"),
@@ -117,12 +118,14 @@ CHECKS = (
               fem="N_max amid", analytic="LSODA N_max amid", residual="LSODA residual",
               demand=LSODA, demand_reason="acceptance of the subject"),
     Agreement(name=f"chosen bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max", unit="N",
-              pair=by_default, accepted=GUARDED, by=BY),
+              pair=by_default, accepted=GUARDED,
+              source=SUBJECT, by=BY),
     Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
              unit="1", margin=refused),
     Accepted(name="unguarded, the force hangs on the torque's ninth digit", symbol="N_max",
              unit="1", margin=unguarded),
     Deviation(name=f"what the guard lets pass is right to {GUARDED:.1%}", symbol="ΔN_max/N_max",
-              unit="1", size=never_wrong, accepted=GUARDED, whole="right force", by=BY),
+              unit="1", size=never_wrong, accepted=GUARDED,
+              source=suites("as the steps beside LSODA"), whole="right force", by=BY),
     Accepted(name="what the guard refuses is wrong", symbol="N_max", unit="1", margin=never_idle),
 )  # fmt: skip

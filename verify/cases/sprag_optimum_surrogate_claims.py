@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from verify import judge
-from verify.agreement import Agreement, Deviation, Pair
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, suites
 from verify.case import Context
 from verify.cases.sprag_clutch_claims import Measured, OfPaper, measured
 from verify.cases.sprag_optimum_bordered import Bordered
@@ -24,10 +24,11 @@ EPS = float(np.finfo(np.float64).eps)
 
 
 def agrees(
-    name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str
+    name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
 ) -> Agreement:
     """Two largest pressures of any clutch."""
     return Agreement(name=name, symbol=symbol, unit="MPa", pair=pair, accepted=accepted, by=by,
+                     source=source,
                      everywhere=True)  # fmt: skip
 
 
@@ -207,14 +208,18 @@ SURROGATE = (
     Repeated(name="designs left out in closed form and one by one", symbol="Y", unit="1",
              pair=left_out),
     Deviation(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
-              symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN, whole="pressure of an engagement",
+              symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
+              source=suites("the mean as at the best crown, single designs six times that"),
+              whole="pressure of an engagement",
               by="surrogate", everywhere=True),
     agrees(f"surrogate and true model within {AGREE:.1%} at the best crown", "Y", at_best, AGREE,
-           "engagement"),
+           "engagement", SUBJECT),
     agrees(f"genetic algorithm and differential evolution within {SEARCHES:.1%}", "Y", searched,
-           SEARCHES, "differential evolution"),
+           SEARCHES, "differential evolution",
+           suites("a fifth of what surrogate and true model may differ by")),
     agrees(f"best crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
-           AGREE, "search without surrogate"),
+           AGREE, "search without surrogate",
+           suites("as surrogate and true model")),
     Told(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
     Told(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1", words=single_errors),
     Told(name="errors of kriging the end and the rest apart", symbol="Y", unit="1",

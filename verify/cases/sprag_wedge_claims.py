@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.sprag.closure import wedged
-from verify.agreement import Agreement, Pair
+from verify.agreement import Agreement, Pair, suites
 from verify.case import Check, Context, Values
 from verify.cases.sprag_inputs import WedgeInputs
 from verify.cases.sprag_wedge_expected import (
@@ -31,6 +31,7 @@ WIDTH = f"{HERTZ}, no less than the 1 % that is accepted"
 ONE = "1 % of Hertz is accepted"
 RATIO, WORK = 2e-3, 5e-3  # accepted of force ratios and torque, and of the work
 LIGHT, SLIDES = 1e-4, 1e-3  # accepted without load, and of the friction that just holds
+ROLLERS = "a sprag's statics as sharp as those of a roller freewheel"
 EDGE = 1  # order of what hangs on where a contact ends in a cell
 
 
@@ -163,7 +164,8 @@ def onset(context: Context) -> Pair:
 def agrees(
     name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str = ""
 ) -> Agreement:
-    return Agreement(name=name, symbol=symbol, unit="1", pair=pair, accepted=accepted, by=by)
+    return Agreement(name=name, symbol=symbol, unit="1", pair=pair, accepted=accepted, by=by,
+                     source=suites(ROLLERS))  # fmt: skip
 
 
 def of_a_race(which: str, race: str) -> tuple[Check, ...]:

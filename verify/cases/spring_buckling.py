@@ -10,7 +10,7 @@ import numpy as np
 
 from analytic.spring import column, frame, stability
 from analytic.spring.elastica import Elastica
-from verify.agreement import Agreement, Pair
+from verify.agreement import Agreement, Pair, suites
 from verify.case import Case, Context, Output, Scan, Values
 from verify.cases import spring_buckling_shown as shown
 from verify.cases.spring_buckling_fem import SWEPT, fem
@@ -236,9 +236,11 @@ CHECKS = (
     PaperLimit(name="Haringx's column with ever more units, tail held at its arc", symbol="U_cr",
                unit="1", points=many_units, exponent=0.5),
     Agreement(name="the buckling force grows with the cube of the thickness", symbol="q", unit="1",
-              pair=by_cube, accepted=CUBE / 3, by="theory"),
+              pair=by_cube, accepted=CUBE / 3,
+              source=suites("strain and shear change it by (b/L_1)², far less"), by="theory"),
     Agreement(name="U_cr is the same for a fourfold thickness on one centre line", symbol="U_cr",
-              unit="mm", pair=spread, accepted=SPREAD),
+              unit="mm", pair=spread, accepted=SPREAD,
+              source=suites("half of the 1 % that rows are asked for")),
     Accepted(name="springs of one L_0/b give way at displacements that differ fivefold",
              symbol="U_cr/L_0", unit="1", margin=one_ratio,
              printed=("wang2023:rule-length-thickness-max",)),

@@ -219,7 +219,8 @@ def test_a_formula_taken_elsewhere_is_not_reached():
     def pair(where: Context) -> Pair:
         return Pair(2.0, where.series("v")[1][-1], 0.0, "off")
 
-    check = Agreement(name="own", symbol="g", unit="1", pair=pair, accepted=1e-3)
+    check = Agreement(name="own", symbol="g", unit="1", pair=pair, accepted=1e-3,
+                      source="made up")  # fmt: skip
     (both,) = both_ways([check], made())
     assert both.by_formula is None
     assert both.moved.red == ALL
