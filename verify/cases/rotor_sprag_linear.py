@@ -179,7 +179,8 @@ LINEAR_ROWS = (
             bound_reason="the drive's 0.1 N m/rad over J_out Ω² at critical speed 1"),
     Agreement(name="torsion is linear in small offsets", symbol="p", unit="1", pair=linear,
               accepted=LINEAR,
-              source=suites("half of the 1 % that rows are asked for"), by="theory", everywhere=True),
+              source=suites("half of the 1 % that rows are asked for"),
+              by="theory", everywhere=True),
     *(Spread(name=f"critical speed {k} without the clutch {what}", symbol=f"Δn_{k}/n_{k}",
              unit="%", values=of_speed(key, i))
       for key, what in (("without clutch", "across and in tilt"),
