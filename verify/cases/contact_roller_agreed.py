@@ -8,11 +8,13 @@ from verify.cases.contact_roller import HALF_SPACE
 from verify.cases.contact_roller_accepted import LEAST
 
 
-def within(name: str, symbol: str, unit: str, key: str, figure: float, scale: str) -> Agreement:
+def within(
+    name: str, symbol: str, unit: str, key: str, figure: float, scale: str, source: str = SUBJECT
+) -> Agreement:
     """The strips within `figure` of the half-space in `key`."""
     return Agreement(name=name, symbol=symbol, unit=unit, pair=of_strips(key, scale),
                      accepted=figure,
-                     source=SUBJECT, by=HALF_SPACE, **demanded(figure))  # fmt: skip
+                     source=source, by=HALF_SPACE, **demanded(figure))  # fmt: skip
 
 
 def of_strips(key: str, scale: str) -> Callable[[Context], Pair]:
