@@ -17,7 +17,6 @@ from types import CodeType, FunctionType, ModuleType
 
 from verify.mutation.sites import Changed, Source, constant_of, owners
 
-
 FORGETFUL = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results of old code
 
 

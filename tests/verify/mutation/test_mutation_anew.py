@@ -40,7 +40,12 @@ INERTIA = (
     "analytic.sprag.events", "System.accelerations", "n_s * motion.m_g * OC_g ** 2",
     "n_s * motion.m_g * OC_g ** 2 / 2",
 )  # fmt: skip
-RACE = ("analytic.sprag.compliance", "Compliance.yields", "N * self.race_i", "1.1 * N * self.race_i")
+RACE = (
+    "analytic.sprag.compliance",
+    "Compliance.yields",
+    "N * self.race_i",
+    "1.1 * N * self.race_i",
+)
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +68,7 @@ def test_a_race_that_gives_way_more_on_both_sides_is_not_credited_to_rows(engage
     assert verdict(planted(*RACE), engaged) == [By.NOTHING, ""]
 
 
-def test_half_the_inertia_in_the_levels_alone_is_red_though_stored_ones_know_nothing_of_it(engaged):
+def test_half_the_inertia_is_red_in_the_levels_that_alone_know_of_it(engaged):
     fault = planted(*INERTIA)
     by, what = verdict(fault, engaged)
     assert by == By.ROWS
@@ -71,7 +76,7 @@ def test_half_the_inertia_in_the_levels_alone_is_red_though_stored_ones_know_not
 
 
 def test_stored_levels_are_judged_where_the_mutant_leaves_them(engaged):
-    stored, moved = anew.split("analytic.ring.fourier_ring", [engaged])
+    stored, moved = anew.split("analytic.polyhedral.wedging", [engaged])
     assert (stored, moved) == ([engaged], [])
 
 
