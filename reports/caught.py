@@ -34,7 +34,10 @@ def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
     if not data:
         return [], []
     names = list(data["gate"]["red"])
-    kinds: Mapping[str, Any] = {**data["kinds"], "all that must turn red at ±1 %": data["gate"]}
+    kinds: Mapping[str, Any] = {
+        **data["kinds"], "all that must turn red at ±1 %": data["gate"],
+        "of these, all that a formula’s value reaches": data["the rest"],
+    }  # fmt: skip
     lines = [
         Moved(kind, one["rows"], [one["red"][name] for name in names])
         for kind, one in kinds.items() if one["rows"]
@@ -54,6 +57,24 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
     """Why rows are not held to the gate, and how many."""
     because = caught.references.get("listed", {}).get("because", {})
     return [(reason, len(rows)) for reason, rows in because.items()]
+
+
+def in_words(caught: Caught) -> list[str]:
+    """What the shares do not say: rows not asked, not reached, red anyway."""
+    data = caught.references
+    if not data:
+        return []
+    listed, way = data["listed"], data["by formula"]
+    apart = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
+    return [
+        f"{listed['rows']} of {data['rows']} rows are not asked to turn red at ±1 %: "
+        f"{listed['share']:.1%}, or {listed['share without convergence']:.1%} without the "
+        f"{data['convergence']} rows of convergence.",
+        f"Of {way['rows']} rows with a formula {way['reached']} are reached where a value "
+        f"of the formulas is changed instead, {way['rows'] - way['reached']} are not; "
+        f"{len(way['hidden'])} hide the change.",
+        f"Red whatever a formula says, and counted apart: {apart}.",
+    ]
 
 
 def survivors(caught: Caught) -> list[tuple[str, list[Survivor]]]:

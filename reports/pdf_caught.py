@@ -1,6 +1,6 @@
 """What the suite catches, for the PDF: the same counts and survivors as in the page."""
 
-from reports.caught import NAMES, green, moved, only_listed, share, survivors
+from reports.caught import NAMES, green, in_words, moved, only_listed, share, survivors
 from reports.pdf_tables import Data, prose
 from verify.results import Caught, MutantGroup
 
@@ -12,7 +12,8 @@ def caught_data(caught: Caught | None) -> Data | None:
     names, lines = moved(caught)
     missing = f"{caught.missing[:1].upper()}{caught.missing[1:]}." if caught.missing else ""
     listed = "; ".join(f"{n} ({reason})" for reason, n in only_listed(caught))
-    left = f"Rows not asked to turn red at ±1 %, and why: {listed}." if listed else ""
+    words = " ".join(in_words(caught))
+    left = f"{words} Rows not asked to turn red at ±1 %, and why: {listed}." if listed else words
     return {
         "missing": prose(missing),
         "date": caught.date,

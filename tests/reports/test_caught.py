@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from reports.caught import moved, share, survivors
+from reports.caught import in_words, moved, share, survivors
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
@@ -26,7 +26,12 @@ CAUGHT = Caught(
                   "trend": {"rows": 0, "red": {"+1 %": 0, "-1 %": 0}}},
         "gate": {"held": False, "failures": ["x"], "rows": 100, "red": RED},
         "survivors": [{"row": "ring-lame/radius", "green at": ["+1 %", "-0.5 %"]}],
-        "listed": {"because": {"a fact: an order": [["a", None], ["b", 0.1]]}},
+        "listed": {"because": {"a fact: an order": [["a", None], ["b", 0.1]]}, "rows": 2,
+                   "share": 0.0125, "share without convergence": 0.02},
+        "rows": 160, "convergence": 58,
+        "by formula": {"rows": 60, "reached": 50, "agree": 50, "hidden": [], "not reached": ["x"]},
+        "apart": {"exact balances": 40, "deviations from zero": 3, "others": 7},
+        "the rest": {"rows": 50, "red": {"+1 %": 49, "-1 %": 50}},
     },
 )  # fmt: skip
 
@@ -69,8 +74,24 @@ def test_references_that_were_moved_have_a_line_for_each_kind(one):
     assert names == ["+1 %", "-1 %"]
     assert [(line.kind, line.rows) for line in lines] == [
         ("identity", 60), ("all that must turn red at ±1 %", 100),
+        ("of these, all that a formula’s value reaches", 50),
     ]  # fmt: skip
+    assert lines[2].red == [49, 50]
     assert moved(Caught(date="2026-11-23")) == ([], [])
+
+
+def test_what_is_asked_of_no_row_and_what_is_red_anyway_is_said_in_words(one):
+    assert in_words(CAUGHT) == [
+        "2 of 160 rows are not asked to turn red at ±1 %: 1.2%, or 2.0% without the 58 rows of "
+        "convergence.",
+        "Of 60 rows with a formula 50 are reached where a value of the formulas is changed "
+        "instead, 10 are not; 0 hide the change.",
+        "Red whatever a formula says, and counted apart: 40 exact balances, 3 deviations from "
+        "zero, 7 others.",
+    ]
+    assert "10 are not; 0 hide the change" in section(one)
+    assert "10 are not; 0 hide the change" in str(document(one, {})["caught"]["moved"]["listed"])
+    assert in_words(Caught()) == []
 
 
 def test_what_is_not_measured_says_so_and_nothing_else(one):

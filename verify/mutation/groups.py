@@ -8,7 +8,7 @@ from functools import partial
 
 from verify import cache, durations
 from verify.case import Case
-from verify.mutation import trial
+from verify.mutation import anew, trial
 from verify.mutation.forked import Task
 from verify.mutation.known import Noted, Notes
 from verify.mutation.sample import is_constant, reached, readers, sample
@@ -122,8 +122,10 @@ def _of(changed: Changed, benches: Mapping[str, list[Bench]]) -> list[Bench]:
 def _judging(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
     def task(changed: Changed) -> Task:
         mine = _of(changed, benches)
-        limit = LEAST + FACTOR * sum(bench.before.seconds for bench in mine)
-        return Task(changed.mutant.id, partial(trial.tried, changed, mine), limit)
+        stored, moved = anew.split(changed.mutant.module, mine)
+        known = sum(bench.before.seconds for bench in (*stored, *moved)) + anew.seconds(moved)
+        work = partial(trial.tried, changed, stored, moved)
+        return Task(changed.mutant.id, work, LEAST + FACTOR * known)
 
     return task
 

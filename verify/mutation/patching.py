@@ -1,8 +1,9 @@
 """A mutant put in the place of the living code, in this process and for good.
 
 The code object of a function is replaced, which reaches every name that is bound to it, methods and
-memoised functions, too; a constant is set in every module that has it. What was computed before
-with the old code stays: a mutant belongs into a fresh process.
+memoised functions, too; a constant is set in every module that has it. What the project's functions
+have memoised is forgotten; whatever else was computed with the old code stays: a mutant belongs
+into a fresh process.
 """
 
 import ast
@@ -10,10 +11,13 @@ import builtins
 import gc
 import sys
 from collections.abc import Iterator
+from functools import _lru_cache_wrapper
 from importlib import import_module
 from types import CodeType, FunctionType, ModuleType
 
 from verify.mutation.sites import Changed, Source, constant_of, owners
+
+FORGETFUL = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results of old code
 
 
 class NotPatchedError(RuntimeError):
@@ -23,6 +27,7 @@ class NotPatchedError(RuntimeError):
 def patch(of: Source, changed: Changed) -> int:
     """Replace the code in all functions that have it; their number. NotPatchedError."""
     import_module(of.module)  # finite elements, which nothing imports before it solves
+    _forget()
     changed.place.put(changed.node)
     try:
         name = changed.mutant.function
@@ -61,6 +66,13 @@ def functions(path: str) -> Iterator[FunctionType]:
     for item in gc.get_objects():
         if type(item) is FunctionType and item.__code__.co_filename == path:
             yield item
+
+
+def _forget() -> None:
+    """Empty what the project's functions have memoised with the code as it was."""
+    for item in gc.get_objects():
+        if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(FORGETFUL):
+            item.cache_clear()
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:

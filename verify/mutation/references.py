@@ -4,6 +4,7 @@
 them over; here all rows of all cases are tried both ways in one pass over each case's levels.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +25,8 @@ from verify.mutation.references_read import own_key, read
 from verify.results import Kind, Status
 
 DIGITS = 4  # significant
+BALANCE, ZERO = "exact balances", "deviations from zero"
+NO_FORMULA = "rows that no value of the formulas reaches"
 SIZES = sorted({abs(p) for p in PERTURBATIONS if -p in PERTURBATIONS})  # tried either way
 
 Progress = Callable[[int, int, str], None]  # cases done, cases in all, the one under way
@@ -90,6 +93,16 @@ def _has_formula(one: Tried) -> bool:
     return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
 
 
+def of_its_own(both: Both) -> str:
+    """Why a row turns red by how it is judged, whatever its formula says; "" where it does not."""
+    row = both.moved.row
+    if row.kind is Kind.EXACT:
+        return BALANCE
+    if row.analytic == 0 and row.kind is not Kind.ASYMPTOTIC:
+        return ZERO
+    return "" if both.by_formula is not None else NO_FORMULA
+
+
 def score(rows: Sequence[Both]) -> dict[str, Any]:
     """Of rows that were tried; the gate's part stands under "gate"."""
     moved = [both.moved for both in rows]
@@ -98,6 +111,8 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
     listed = _listed(moved)
     n = sum(len(names) for names in listed.values())
     by_formula = _by_formula(rows)
+    asked = [both for both in rows if gate.held(both.moved.row)]
+    apart = Counter(why for both in asked if (why := of_its_own(both)))
     failures = gate.failures(moved, [name for name, _ in by_formula["hidden"]])
     return {
         "perturbations": list(PERTURBATIONS),
@@ -107,6 +122,8 @@ def score(rows: Sequence[Both]) -> dict[str, Any]:
             kind.value: _shares([one for one in held if one.row.kind is kind]) for kind in COMPARED
         },
         "gate": {"held": not failures, "failures": failures} | _shares(held),
+        "apart": {why: apart[why] for why in (BALANCE, ZERO, NO_FORMULA)},
+        "the rest": _shares([both.moved for both in asked if not of_its_own(both)]),
         "survivors": _survivors(held),
         "listed": {
             "rows": n, "share": _rounded(n / len(rows)) if rows else 0.0,

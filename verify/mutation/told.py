@@ -9,17 +9,30 @@ from verify.results import Caught, MutantGroup, Survivor
 def told(caught: Caught) -> None:
     """Print the counts of each group and the survivors, those without a reason first."""
     if caught.references:
-        print(moved(caught.references["gate"]))
+        for line in moved(caught.references):
+            print(line)
     for group in caught.groups:
         print(counted(group))
     for survivor in sorted(caught.survivors, key=lambda one: (one.group, bool(one.reason))):
         print(named(survivor))
 
 
-def moved(gate: Mapping[str, Any]) -> str:
-    """One line: how many of the rows held to the gate turn red."""
-    parts = ", ".join(f"{name}: {red}" for name, red in gate["red"].items())
-    return f"references: of {gate['rows']} rows red at {parts}"
+def moved(data: Mapping[str, Any]) -> list[str]:
+    """How many of the rows held to the gate turn red, and what is said of the others."""
+    gate, rest, listed, way = (data[k] for k in ("gate", "the rest", "listed", "by formula"))
+    apart = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
+    return [
+        f"references: of {gate['rows']} rows red at {_reds(gate)}",
+        f"  of these {rest['rows']} that a formula's value reaches: {_reds(rest)}; apart: {apart}",
+        f"  not asked: {listed['rows']} of {data['rows']} rows ({listed['share']:.1%}; "
+        f"{listed['share without convergence']:.1%} without {data['convergence']} of convergence)",
+        f"  of {way['rows']} rows with a formula {way['reached']} are reached by its value "
+        f"changed, {way['rows'] - way['reached']} are not, {len(way['hidden'])} hide it",
+    ]
+
+
+def _reds(shares: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name}: {red}" for name, red in shares["red"].items())
 
 
 def counted(group: MutantGroup) -> str:

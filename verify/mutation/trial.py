@@ -27,11 +27,19 @@ class Bench:
         return self.load.judged()
 
 
-def tried(changed: Changed, benches: Sequence[Bench]) -> Verdict:
-    """Put the mutant in place and judge the cases one by one, until one has a red row."""
+def tried(
+    changed: Changed, benches: Sequence[Bench], moved: Sequence[Bench] = ()
+) -> Verdict:  # fmt: skip
+    """Put the mutant in place and judge the cases one by one, until one has a red row.
+
+    `moved` are cases whose levels the mutant changes, too: they are solved with it.
+    """
     patch(source(changed.mutant.module), changed)
     for bench in benches:
         if verdict := told(bench.judged(), bench):
+            return verdict
+    for bench in moved:
+        if verdict := _solved(bench, bench.load.case.levels):
             return verdict
     return [By.NOTHING.value, ""]
 

@@ -227,6 +227,23 @@ def test_a_formula_taken_elsewhere_is_not_reached():
     assert score([both])["by formula"]["not reached"] == ["ring-made-up/own"]
 
 
+def test_rows_that_are_red_whatever_a_formula_says_are_counted_apart():
+    fem = Agreement(name="fem", symbol="g", unit="1", accepted=1e-3,
+                    pair=lambda c: Pair(2.0, c.series("v")[1][-1], 0.0, "off"))  # fmt: skip
+    zero = identity(name="zero", analytic="zero", scale="one")
+    near = made([1e-4 * h**2 for h in (0.5, 0.25, 0.125)])
+    rows = [*both_ways([identity(), fem], made()), *both_ways([zero], near),
+            *both_ways([balance()], made([0.0, 0.0, 1e-12]))]  # fmt: skip
+    found = score(rows)
+    assert found["gate"]["rows"] == 4
+    assert found["apart"] == {
+        "exact balances": 1, "deviations from zero": 1,
+        "rows that no value of the formulas reaches": 1,
+    }  # fmt: skip
+    assert found["the rest"]["rows"] == 1
+    assert found["the rest"]["red"]["+1 %"] == 1
+
+
 # The gate.
 
 
