@@ -1,12 +1,16 @@
 """Error budgets of contacts: width against radius, walls, ends, and the plane assumption."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Rerun, Statement, Without, plane_stress
+from verify.budget.statement import Cause, Left, Rerun, Statement, Without, plane_stress
+from verify.case import FemResult
+from verify.cases.contact_line_inputs import FlatInputs, PairInputs
 
 PROBLEM = "fem.contact.problem:ContactProblem"
 LIGHTER, POINT, THICKER, LONGER = 100, 1000, 4, 4
+NARROWER = 10
 
 
 def light(q: Any) -> Any:
@@ -42,6 +46,33 @@ def straight(q: Any) -> Any:
     return long(q).model_copy(update={"theta": q.theta / LONGER})
 
 
+def fem_narrow_disc(q: FlatInputs, level: int) -> FemResult:
+    """The widest contact's values in proportion to those of one a tenth as wide."""
+    from verify.cases.contact_line_flat import WIDEST, analytic, disc_fem, swept_load
+
+    e = WIDEST / NARROWER
+    P = swept_load(q, e)
+    small, wide = analytic(q.model_copy(update={"F": P * q.L})), analytic(q)
+    found = disc_fem(q, P, e * q.R, level).values()
+    return FemResult(h=1 / level, values={
+        f"{key}, a/R = {WIDEST:g}": value * wide[f"Hertz {key}, a/R = {WIDEST:g}"]
+        / small[f"Hertz {key}"] for key, value in found.items()
+    })  # fmt: skip
+
+
+def fem_narrow_unlike(q: PairInputs, level: int) -> FemResult:
+    """The same of unlike rollers."""
+    from verify.cases.contact_line_pair import pair_fem
+    from verify.cases.contact_line_unlike import WHERE, unlike
+
+    soft = unlike(q)
+    found = pair_fem(light(soft), level).values()
+    # by Hertz the half-width and the pressure follow the root of the load
+    return FemResult(h=1 / level, values={
+        f"{key}, {WHERE}": math.sqrt(LIGHTER) * found[key] for key in ("p0", "a")
+    })  # fmt: skip
+
+
 # the others bear loads of their own
 OWN_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and centre, Hertz",
             "approach of the centres, Hertz", "approach of centre and rim",
@@ -52,14 +83,32 @@ PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", sh
               rows=("*Hertz", "app*"), changes=plane_stress(PROBLEM))  # fmt: skip
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long)  # fmt: skip
+SLICES = "slices yield by their own load alone, the half-space by its neighbours' as well"
+APPROACH = "a slice's approach ends at a depth that is chosen, the half-space's at none"
+FACES = "an end face ends the bodies; a half-space goes on beyond it, however far the races do"
+WIDER = "slices yield by their own load alone at any length"
 HALF_SPACE = (
     Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
     Without(Cause.PLANE, "half-space: three dimensions"),
 )
 
 STATEMENTS: Mapping[str, Statement] = {
-    "contact-flat": Statement(reruns=(NARROW, PLANE), finer=8),
-    "contact-pair": Statement(reruns=(NARROW, PLANE), finer=8),
+    "contact-flat": Statement(
+        reruns=(
+            NARROW, PLANE,
+            Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
+                  rows=("*, a/R = 0.15, Hertz",), fem=fem_narrow_disc),
+        ),
+        finer=8,
+    ),
+    "contact-pair": Statement(
+        reruns=(
+            NARROW, PLANE,
+            Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
+                  rows=("*, unlike, a/R = 0.1, Hertz",), fem=fem_narrow_unlike),
+        ),
+        finer=8,
+    ),
     "contact-ring": Statement(
         reruns=(
             NARROW, PLANE,

@@ -3,7 +3,15 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Rerun, Statement, Without, plane_stress
+from verify.budget.statement import (
+    Cause,
+    Corrected,
+    Left,
+    Rerun,
+    Statement,
+    Without,
+    plane_stress,
+)
 
 PROBLEM = "fem.contact.problem:ContactProblem"
 LIGHTER, THICKER = 4, 4
@@ -40,13 +48,28 @@ ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
 
 STATEMENTS: Mapping[str, Statement] = {
     "freewheel-torque": Statement(
-        reruns=(LIGHT, WALL), without=(BOTH,), headline="normal force under torque (Eqs. 2, 3)"
+        reruns=(LIGHT, WALL), without=(BOTH,), headline="normal force under torque (Eqs. 2, 3)",
+        corrected=(
+            Corrected("torsion, Eq. 7 as printed, against ∫dU/T", "phi"),
+            Corrected(
+                "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)", "T at N"
+            ),
+        ),
     ),
     "freewheel-cup": Statement(
         reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
         without=(BOTH,),
+        corrected=(
+            Corrected("torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),
+        ),
     ),
-    "freewheel-friction": Statement(reruns=(LIGHT, WALL), without=(ALONG,)),
+    "freewheel-friction": Statement(
+        reruns=(LIGHT, WALL), without=(ALONG,),
+        corrected=(
+            Corrected("required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)", "mu_req"),
+            Corrected("tan α, Eq. 8 as printed", "mu_t"),
+        ),
+    ),
     "freewheel-paths": Statement(without=(ALONG,)),
     "freewheel-clutch": Statement(reruns=(LIGHT, WALL, PLANE)),
 }
