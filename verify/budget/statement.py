@@ -134,7 +134,6 @@ class Statement:
     finer: int = 0
     headline: str = ""
 
-
     def correction(self, row: str) -> Corrected | None:
         """The formula that takes the place of the row's own."""
         return next((one for one in self.corrected if one.row == row), None)

@@ -83,10 +83,10 @@ PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", sh
               rows=("*Hertz", "app*"), changes=plane_stress(PROBLEM))  # fmt: skip
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long)  # fmt: skip
-SLICES = "slices yield by their own load alone, the half-space by its neighbours' as well"
-APPROACH = "a slice's approach ends at a depth that is chosen, the half-space's at none"
-FACES = "an end face ends the bodies; a half-space goes on beyond it, however far the races do"
-WIDER = "slices yield by their own load alone at any length"
+SLICED = (
+    Left(("*slices",), "slices yield by Palmgren's law of a whole roller, which no rerun gives to a "
+         "half-space"),
+)  # fmt: skip
 HALF_SPACE = (
     Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
     Without(Cause.PLANE, "half-space: three dimensions"),
@@ -127,20 +127,24 @@ STATEMENTS: Mapping[str, Statement] = {
         finer=12,
     ),
     "contact-press-fit": Statement(finer=6),
-    "contact-roller": Statement(reruns=(LONG,), without=HALF_SPACE, finer=40),
+    "contact-roller": Statement(reruns=(LONG,), left=SLICED, without=HALF_SPACE, finer=40),
     "contact-roller-tilted": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
                   inputs=straight),
         ),
-        without=HALF_SPACE, finer=40,
+        left=SLICED, without=HALF_SPACE, finer=40,
     ),
-    "contact-roller-flat": Statement(reruns=(LONG,), without=HALF_SPACE, finer=40),
+    "contact-roller-flat": Statement(reruns=(LONG,), left=SLICED, without=HALF_SPACE, finer=40),
     "contact-roller-crowns": Statement(reruns=(LONG,), without=HALF_SPACE, finer=40),
     "contact-roller-end": Statement(
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="races that go on four times as far",
                   rows=("*, end face", "*go on"), inputs=long_races, levels=(2,)),
+        ),
+        left=(
+            Left(("*end face", "*go on"), "only how far the races go on was rerun, not the "
+                 "free end that a half-space has none of"),
         ),
         without=(Without(Cause.PLANE, "bodies of revolution"),),
     ),

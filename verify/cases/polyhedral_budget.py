@@ -6,7 +6,6 @@ from typing import Any
 from verify.budget.statement import (
     Cause,
     Corrected,
-    Left,
     Rerun,
     Statement,
     plane_strain,

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Rerun, Statement, plane_strain
+from verify.budget.statement import Cause, Left, Rerun, Statement, plane_strain
 from verify.case import FemResult
 from verify.cases.ring_loads_inputs import LoadsInputs
 
@@ -76,6 +76,10 @@ LOADS = Statement(
             cause=Cause.PLANE, what="plane strain instead of plane stress", rows=("Eq. 6*",),
             changes=plane_strain(), shared=True,
         ),
+    ),
+    left=(
+        Left(("Eq. 6 *dent*",), "the half plane's dent is cut off at a depth that is chosen, which "
+             "no body has that could be rerun"),
     ),
     finer=20, headline="Eq. 6 at a load",
 )  # fmt: skip
