@@ -84,8 +84,8 @@ PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", sh
 LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
              inputs=long)  # fmt: skip
 SLICED = (
-    Left(("*slices",), "slices yield by Palmgren's law of a whole roller, which no rerun gives to a "
-         "half-space"),
+    Left(("*slices",), "slices yield by Palmgren's law of a whole roller, which no rerun gives to "
+         "a half-space"),
 )  # fmt: skip
 HALF_SPACE = (
     Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
