@@ -62,9 +62,10 @@ STATEMENTS: Mapping[str, Statement] = {
                   rows=("*crown*",)),
         ),
         left=(
-            Left(("tilting stiffness*", "coupling*aside and tilted"), "neither wedge nor offset nor "
-                 "crown explain it, nothing else was rerun"),
-            Left(("stiffness along x, ends held*",), "a flatter wedge takes more away than there is"),
+            Left(("tilting stiffness*", "coupling*aside and tilted"),
+                 "neither wedge nor offset nor crown explain it, nothing else was rerun"),
+            Left(("stiffness along x, ends held*",),
+                 "a flatter wedge takes more away than there is"),
         ),
         without=(Without(Cause.PLANE, "struts"), Without(Cause.CONTACT, "none: exact law")),
         finer=256,
