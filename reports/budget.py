@@ -31,6 +31,7 @@ class Bar:
 
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MOST = 10  # rows side by side
+UNKNOWN = "no cause is known whose rerun would"
 UNSEEN = 1e-3  # of the difference: a part without a bar
 SMALL = 1e-3  # per cent: below, powers of ten
 
@@ -189,3 +190,14 @@ def identities(one: CaseBudget) -> str:
 def outside(one: CaseBudget) -> list[RowBudget]:
     """Identities whose remainder nothing explains."""
     return [row for row in one.rows if row.within is False]
+
+
+def left(one: CaseBudget) -> str:
+    """One sentence on the rows that reruns do not take apart, by the reasons."""
+    reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
+    said = [
+        f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "
+        f"({why or UNKNOWN})"
+        for why in reasons
+    ]
+    return f"Not taken apart: {'; '.join(said)}." if said else ""

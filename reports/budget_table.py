@@ -4,6 +4,7 @@ import csv
 import io
 from collections.abc import Iterable
 
+from reports.budget import UNKNOWN
 from reports.rows import Cell, harmless
 from verify.results import CaseBudget, RowBudget
 
@@ -34,4 +35,5 @@ def _lines(row: RowBudget) -> Iterable[tuple[Cell, ...]]:
     for joint in row.joints:
         yield "together", " and ".join(joint.causes), joint.value, None, "no", joint.note
     within = {True: "explained", False: "not explained", None: ""}[row.within]
-    yield "remainder", "", row.remainder, row.u, "", within
+    note = within if row.apart else f"not taken apart: {row.why or UNKNOWN}"
+    yield "remainder", "", row.remainder, row.u, "", note

@@ -290,7 +290,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "waterfall": budget.waterfall, "percent": budget.percent,
         "budget_headline": budget.headline, "budget_lines": budget.lines,
         "budget_compact": budget.compact, "budget_identities": budget.identities,
-        "budget_outside": budget.outside,
+        "budget_outside": budget.outside, "budget_left": budget.left,
         "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
         "cross_left": crosscheck.left_out, "second_value": second.value,
         "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,

@@ -434,7 +434,7 @@ class RowBudget:
 
     `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the row's own
     tolerance. `within` says of an identity whether the remainder is explained by both. `headline`
-    rows are drawn.
+    rows are drawn. `apart` says whether reruns leave little of what is large; where not, `why`.
     """
 
     quantity: str
@@ -448,6 +448,8 @@ class RowBudget:
     u: float
     within: bool | None = None
     headline: bool = False
+    apart: bool = True
+    why: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,17 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from reports.budget import compact, headline, identities, lines, outside, percent, steps, waterfall
+from reports.budget import (
+    compact,
+    headline,
+    identities,
+    left,
+    lines,
+    outside,
+    percent,
+    steps,
+    waterfall,
+)
 from reports.budget_table import budget_csv
 from reports.html import page
 from reports.pdf_budget import budget_data
@@ -127,6 +137,23 @@ def test_identities_are_one_sentence_and_what_is_not_explained_is_named():
     bad = replace(SAME, within=False)
     assert outside(replace(BUDGET, rows=(bad,))) == [bad]
     assert identities(replace(BUDGET, rows=(bad,))).startswith("0 of 1 identities")
+
+
+def test_what_is_not_taken_apart_is_one_sentence_with_its_reasons(one):
+    bad = replace(OTHER, apart=False, why="no rerun")
+    rows = (ROW, bad, replace(bad, quantity="a third"), replace(bad, quantity="last", why=""))
+    budget = replace(BUDGET, rows=rows)
+    said = (
+        "Not taken apart: another, a third (no rerun); last (no cause is known whose rerun would)."
+    )
+    assert left(budget) == said
+    assert left(BUDGET) == ""
+    assert said in page(replace(one, budgets=(budget,)), {})
+    assert "not taken apart: no rerun" in budget_csv([budget])
+
+
+def test_the_lead_says_that_a_closed_chain_is_no_evidence(one):
+    assert "the last one closes the sum by itself" in page(one, {})
 
 
 def test_the_page_has_budgets_and_says_what_is_not_measured(one):

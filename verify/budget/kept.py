@@ -10,10 +10,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache as memoised
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from verify import cache
-from verify.budget import balance, compared
+from verify.budget import balance, compared, corrected
 from verify.budget import found as founds
 from verify.budget.balance import Balance, Joint, Part
 from verify.budget.found import RowBudget
@@ -86,15 +87,23 @@ def _made_by(plan: Plan) -> dict[str, Any]:
         "rows": [[p.name, p.analytic, p.fem, p.scale, p.claim.formal] for p in plan.rows],
         "reruns": [_signature(plan, name) for name in plan.reruns],
         "without": [f"{one.cause}: {one.why}" for one in plan.without],
+        **({"corrected": [_hash(corrected), *_corrections(plan)]} if says.corrected else {}),
     }
 
 
-@memoised
 def _arithmetic() -> str:
     """Hash of how contributions are made of solutions."""
-    modules = (balance, compared, founds)
+    return _hash(balance, compared, founds)
+
+
+@memoised
+def _hash(*modules: ModuleType) -> str:
     texts = [ast.dump(ast.parse(inspect.getsource(module))) for module in modules]
     return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
+
+
+def _corrections(plan: Plan) -> list[list[str]]:
+    return [[one.row, one.key, one.what] for one in plan.says.corrected]
 
 
 def _signature(plan: Plan, name: str) -> list[Any]:

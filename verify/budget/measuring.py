@@ -7,7 +7,8 @@ from functools import cache as memoised
 
 from verify import cache
 from verify.budget import kept
-from verify.budget.found import RowBudget, Solutions, budgets
+from verify.budget.corrected import budgets
+from verify.budget.found import RowBudget, Solutions
 from verify.budget.plan import LOOSE, TIGHT, Plan, Step, first, rows, together
 from verify.budget.solve import Solution, solved
 from verify.budget.statement import Statement

@@ -13,6 +13,7 @@ from verify.inputs import Inputs
 class Cause(StrEnum):
     """What a difference of formula and finite elements may come from, in the order of tables."""
 
+    FORMULA = "formula"
     DISCRETISATION = "discretisation"
     ITERATION = "iteration"
     CONTACT = "contact law"
@@ -85,6 +86,31 @@ class Rerun:
 
 
 @dataclass(frozen=True)
+class Corrected:
+    """A formula that gives way to a corrected one, whose value has the analytic `key`.
+
+    For the one row of that name; `what` says what it then lacks, what it is if nothing is said.
+    """
+
+    row: str
+    key: str
+    what: str = "as printed, beside the corrected one"
+
+    @property
+    def name(self) -> str:
+        """What its part is called."""
+        return f"{Cause.FORMULA}: {self.what}"
+
+
+@dataclass(frozen=True)
+class Left:
+    """Rows, by name with * for any letters, that are not taken apart, and why in a few words."""
+
+    rows: tuple[str, ...]
+    why: str
+
+
+@dataclass(frozen=True)
 class Without:
     """A cause that a case does not have, and why in a word."""
 
@@ -98,12 +124,25 @@ class Statement:
 
     `finer` is a level beyond the finest, 0 where one takes too long: then the three finest are
     extrapolated. `headline` names the row that is drawn, the first approximation where empty.
+    `corrected` formulas come before all reruns, and what stays large is `left` with its reason.
     """
 
     reruns: tuple[Rerun, ...] = ()
+    corrected: tuple[Corrected, ...] = ()
+    left: tuple[Left, ...] = ()
     without: tuple[Without, ...] = ()
     finer: int = 0
     headline: str = ""
+
+    def correction(self, row: str) -> Corrected | None:
+        """The formula that takes the place of the row's own."""
+        return next((one for one in self.corrected if one.row == row), None)
+
+    def reason(self, row: str) -> str:
+        """Why the row of this name is not taken apart; empty where nothing is said."""
+        return next(
+            (one.why for one in self.left if any(fnmatchcase(row, name) for name in one.rows)), ""
+        )
 
 
 def plane_strain(target: str = "fem.plane.solve:solve_plane") -> tuple[Change, ...]:

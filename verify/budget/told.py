@@ -12,6 +12,7 @@ from verify.case import Case
 from verify.judge import expanded
 from verify.results import BudgetJoint, BudgetPart, CaseBudget, CaseResult, Kind, Row, RowBudget
 
+LARGE, LEFT = 1e-3, 0.25  # a difference that is to be taken apart, and the share that may be left
 STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 
@@ -38,7 +39,10 @@ def of_case(plan: Plan, result: CaseResult, folder: Path | None = None) -> CaseB
     drawn = headline(plan, found.rows)
     return CaseBudget(
         case=plan.case.id, title=plan.case.title, date=found.date, seconds=found.seconds,
-        rows=tuple(_row(one, rows, headline=one.pair.name == drawn) for one in found.rows),
+        rows=tuple(
+            _row(one, rows, plan.says.reason(one.pair.name), headline=one.pair.name == drawn)
+            for one in found.rows
+        ),
     )  # fmt: skip
 
 
@@ -50,7 +54,15 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
     return next((one.pair.name for one in first), "")
 
 
-def _row(one: Found, rows: Mapping[str, Row], *, headline: bool) -> RowBudget:
+def apart(known: balance.Balance) -> bool:
+    """Whether nothing large is left: nothing beyond LEFT of the total and its own uncertainty."""
+    left = abs(known.remainder)
+    return abs(known.total) <= LARGE or left <= max(
+        LEFT * abs(known.total), balance.COVERAGE * known.u
+    )
+
+
+def _row(one: Found, rows: Mapping[str, Row], why: str, *, headline: bool) -> RowBudget:
     row, known = rows.get(one.pair.name), one.balance
     U = None if row is None or not row.scale else float(expanded(row.u_num or 0.0) / row.scale)
     allowed = row.tolerance / row.scale if row and row.scale and row.tolerance else U or 0.0
@@ -63,6 +75,7 @@ def _row(one: Found, rows: Mapping[str, Row], *, headline: bool) -> RowBudget:
             for joint in one.joints
         ),
         remainder=known.remainder, u=known.u, headline=headline,
+        apart=apart(known), why="" if apart(known) else why,
         within=bool(abs(known.remainder) <= explained) if one.pair.kind is Kind.IDENTITY else None,
     )  # fmt: skip
 

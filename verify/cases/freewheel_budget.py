@@ -3,7 +3,15 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Rerun, Statement, Without, plane_stress
+from verify.budget.statement import (
+    Cause,
+    Corrected,
+    Left,
+    Rerun,
+    Statement,
+    Without,
+    plane_stress,
+)
 
 PROBLEM = "fem.contact.problem:ContactProblem"
 LIGHTER, THICKER = 4, 4
@@ -38,15 +46,46 @@ PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", sh
 BOTH = Without(Cause.PLANE, "plane strain on both sides")
 ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
 
+ROLLED = ("torsion by exact rolling*",)
+UNTURNED = "neither the load nor the wall changes it, nothing else was rerun"
+TURNED = Left(ROLLED, UNTURNED)
+THIN = Left(
+    (*ROLLED, "way of the rollers*", "approach of roller and cup*", "normal force at a given angle",
+     "largest torque*"), "of cups only one twice as thick was run"
+)  # fmt: skip
+
+STAR = Left(("approach of roller and star*",), "the size of the star was not rerun")  # fmt: skip
+
 STATEMENTS: Mapping[str, Statement] = {
     "freewheel-torque": Statement(
-        reruns=(LIGHT, WALL), without=(BOTH,), headline="normal force under torque (Eqs. 2, 3)"
+        reruns=(LIGHT, WALL),
+        without=(BOTH,),
+        left=(TURNED, STAR),
+        headline="normal force under torque (Eqs. 2, 3)",
+        corrected=(
+            Corrected("torsion, Eq. 7 as printed, against ∫dU/T", "phi"),
+            Corrected(
+                "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)", "T at N"
+            ),
+        ),
     ),
     "freewheel-cup": Statement(
         reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
         without=(BOTH,),
+        left=(THIN,),
+        corrected=(Corrected("torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),),
     ),
-    "freewheel-friction": Statement(reruns=(LIGHT, WALL), without=(ALONG,)),
-    "freewheel-paths": Statement(without=(ALONG,)),
-    "freewheel-clutch": Statement(reruns=(LIGHT, WALL, PLANE)),
+    "freewheel-friction": Statement(
+        reruns=(LIGHT, WALL),
+        without=(ALONG,),
+        corrected=(
+            Corrected("required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)", "mu_req"),
+            Corrected("tan α, Eq. 8 as printed", "mu_t"),
+        ),
+    ),
+    "freewheel-paths": Statement(
+        left=(Left(("axial load at slip*",), "of a path of loads no cause was rerun"),),
+        without=(ALONG,),
+    ),
+    "freewheel-clutch": Statement(reruns=(LIGHT, WALL, PLANE), left=(TURNED,)),
 }

@@ -3,7 +3,14 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Rerun, Statement, plane_strain, plane_stress
+from verify.budget.statement import (
+    Cause,
+    Corrected,
+    Rerun,
+    Statement,
+    plane_strain,
+    plane_stress,
+)
 from verify.case import FemResult
 from verify.cases.polyhedral_inputs import HubRing
 
@@ -71,6 +78,8 @@ LIMITED = Rerun(
 SHARP, ROUND = "fillets a tenth as large", "and a round bore, no corners"
 K = ("K of the paper",)
 
+BY_SERIES = "as printed, beside the series of a ring on its rollers"
+
 STATEMENTS: Mapping[str, Statement] = {
     "polyhedral-pressure": Statement(
         reruns=(
@@ -103,6 +112,10 @@ STATEMENTS: Mapping[str, Statement] = {
                   inputs=tight, levels=(1,)),
             LIMITED,
         ),
+        corrected=(
+            Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N", BY_SERIES),
+            Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N with hub", BY_SERIES),
+        ),
         finer=5, headline="force of a roller under pressure, series",
     ),
     "polyhedral-wedge": Statement(
@@ -112,6 +125,10 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
                   changes=plane_stress(PROBLEM)),
         ),
+        corrected=(
+            Corrected("torque of free rollers, Eq. 3 as printed", "M_free"),
+            Corrected("normal force per torque, free, Eq. 4 as printed", "N/M"),
+        ),
         finer=32, headline="stick half-width of a roller let go, T/(μN) = 0.6",
     ),
     "polyhedral-clutch": Statement(
@@ -119,6 +136,12 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.GEOMETRY, what="clearance, pressure and torque a quarter",
                   inputs=clutch_tight, levels=(1,)),
             LIMITED,
+        ),
+        corrected=(
+            Corrected("torque, Eq. 20", "M series", BY_SERIES),
+            Corrected("torque of the first design, Eq. 21", "M series", BY_SERIES),
+            Corrected("pressure for the torque that is wanted, Eqs. 17 to 20", "p series",
+                      BY_SERIES),
         ),
         finer=5, headline="torque of the elastic ring, series",
     ),
