@@ -1,5 +1,7 @@
 """What the suite catches of mistakes made on purpose: shares, survivors, references moved."""
 
+import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -11,7 +13,11 @@ NAMES = {
     "judging": "Judging: the same in what judges rows",
     "finite-elements": "Finite elements: the same in weak forms, contact and meshes",
 }
-SHORT = {"formulas": "formulas", "judging": "judging", "finite-elements": "finite elements"}
+SHORT = {
+    "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
+    "references": "references moved",
+}  # fmt: skip
+PRINTED = "a wider demand: printed as "
 
 
 @dataclass(frozen=True)
@@ -26,6 +32,22 @@ class Moved:
 def share(count: int, total: int) -> str:
     """A share in per cent; nothing of nothing."""
     return f"{100 * count / total:.1f}\u202f%" if total else ""
+
+
+def interval(count: int, total: int) -> str:
+    """Where the share of all may lie at 95 % (Wilson) if so many of a sample are caught."""
+    if not total:
+        return ""
+    z, p = 1.96, count / total
+    half = z * math.sqrt(p * (1 - p) / total + (z / (2 * total)) ** 2)
+    low, high = ((p + z**2 / (2 * total) + s * half) / (1 + z**2 / total) for s in (-1, 1))
+    return f"{100 * low:.0f} to {100 * high:.0f}\u202f%"
+
+
+def stale(caught: Caught) -> str:
+    """What was not measured for this code, in words."""
+    names = [SHORT[name] for name in caught.stale]
+    return f"Not measured for this code: {', '.join(names)}." if names else ""
 
 
 def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
@@ -54,9 +76,12 @@ def green(caught: Caught) -> list[str]:
 
 
 def only_listed(caught: Caught) -> list[tuple[str, int]]:
-    """Why rows are not held to the gate, and how many."""
-    because = caught.references.get("listed", {}).get("because", {})
-    return [(reason, len(rows)) for reason, rows in because.items()]
+    """Why rows are not held to the gate, and how many, the most first."""
+    counts: Counter[str] = Counter()
+    for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
+        coarse = reason.startswith(PRINTED)
+        counts["a wider demand: printed with few digits" if coarse else reason] += len(rows)
+    return counts.most_common()
 
 
 def in_words(caught: Caught) -> list[str]:

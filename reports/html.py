@@ -283,7 +283,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "validity_figure": validity.figure, "validity_limits": validity.limits,
         "share": caught.share, "moved": caught.moved, "green": caught.green,
         "only_listed": caught.only_listed, "survivors": caught.survivors,
-        "in_words": caught.in_words,
+        "in_words": caught.in_words, "interval": caught.interval, "stale": caught.stale,
         "signed": validity.signed, "validity_over": validity.common,
         "reading_found": readings.found, "chance": readings.chance,
         "drift_summary": since.summary, "drift_shown": since.shown, "drift_more": since.left_out,

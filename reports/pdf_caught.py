@@ -1,6 +1,16 @@
 """What the suite catches, for the PDF: the same counts and survivors as in the page."""
 
-from reports.caught import NAMES, green, in_words, moved, only_listed, share, survivors
+from reports.caught import (
+    NAMES,
+    green,
+    in_words,
+    interval,
+    moved,
+    only_listed,
+    share,
+    stale,
+    survivors,
+)
 from reports.pdf_tables import Data, prose
 from verify.results import Caught, MutantGroup
 
@@ -17,6 +27,7 @@ def caught_data(caught: Caught | None) -> Data | None:
     return {
         "missing": prose(missing),
         "date": caught.date,
+        "stale": stale(caught),
         "groups": [_group(group) for group in caught.groups],
         "moved": {
             "names": names,
@@ -40,7 +51,8 @@ def caught_data(caught: Caught | None) -> Data | None:
 
 def _group(group: MutantGroup) -> list[str]:
     return [
-        NAMES[group.name], f"{group.tried} of {group.all}", share(group.caught, group.tried),
+        NAMES[group.name], f"{group.tried} of {group.all}",
+        f"{share(group.caught, group.tried)} ({interval(group.caught, group.tried)})",
         *(f"{n} ({share(n, group.tried)})" for n in (group.rows, group.tests, group.survived)),
         str(group.apart),
     ]  # fmt: skip

@@ -505,11 +505,13 @@ class Survivor:
 class Caught:
     """What the suite catches of mistakes made on purpose; without a measurement `missing` says why.
 
-    `references` holds shares of rows that turn red where their references are changed.
+    `references` holds shares of rows that turn red where their references are changed; `stale`
+    names the groups that were not measured for this code.
     """
 
     date: str = ""
     missing: str = ""
+    stale: tuple[str, ...] = ()
     groups: tuple[MutantGroup, ...] = ()
     survivors: tuple[Survivor, ...] = ()
     references: Mapping[str, Any] = field(default_factory=dict)

@@ -3,8 +3,9 @@
 from dataclasses import replace
 
 import pytest
+from scipy.stats import binomtest
 
-from reports.caught import in_words, moved, share, survivors
+from reports.caught import in_words, interval, moved, share, survivors
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
@@ -49,11 +50,22 @@ def section(report: Report) -> str:
 def test_shares_stand_beside_their_counts(one):
     text = section(one)
     assert "200 of 13000" in text
-    assert ">97.0\u202f%<" in text  # 150 and 44 of 200
+    assert '>97.0\u202f% <span class="unit">94 to 99\u202f%<' in text  # 150 and 44 of 200
     assert '150 <span class="unit">75.0\u202f%' in text
     assert '6 <span class="unit">3.0\u202f%' in text
     assert "2026-11-23" in text
-    assert share(1, 0) == ""
+    assert share(1, 0) == interval(1, 0) == ""
+
+
+def test_the_interval_of_a_share_is_wilson_s():
+    found = binomtest(30, 37).proportion_ci(0.95, method="wilson")
+    assert interval(30, 37) == f"{100 * found.low:.0f} to {100 * found.high:.0f}\u202f%"
+
+
+def test_what_is_not_measured_for_this_code_is_named(one):
+    text = section(replace(one, caught=replace(CAUGHT, stale=("judging", "finite-elements"))))
+    assert "Not measured for this code: judging, finite elements." in text
+    assert "Not measured" not in section(one)
 
 
 def test_survivors_are_listed_with_their_reasons_those_without_first(one):
@@ -69,7 +81,7 @@ def test_references_that_were_moved_have_a_line_for_each_kind(one):
     text = section(one)
     assert "all that must turn red at ±1 %" in text
     assert "ring-lame/radius at +1" in text
-    assert "2 (a fact: an order)" in text
+    assert '>a fact: an order</th><td class="n">2</td>' in text
     names, lines = moved(CAUGHT)
     assert names == ["+1 %", "-1 %"]
     assert [(line.kind, line.rows) for line in lines] == [
@@ -108,7 +120,11 @@ def test_a_report_on_one_s_own_parameters_has_no_section(one):
 
 def test_the_pdf_and_the_records_have_the_same(one):
     data = document(one, {})["caught"]
-    assert data["groups"][0][1:4] == ["200 of 13000", "97.0\u202f%", "150 (75.0\u202f%)"]
+    assert data["groups"][0][1:4] == [
+        "200 of 13000",
+        "97.0\u202f% (94 to 99\u202f%)",
+        "150 (75.0\u202f%)",
+    ]
     assert [row["line"] for row in data["survivors"][0]["rows"]] == [46, 46]
     assert document(replace(one, caught=None), {})["caught"] is None
     record = report_record(one)["caught"]

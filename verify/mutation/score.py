@@ -51,15 +51,12 @@ def scored(group: Group, outcomes: Mapping[str, Outcome], seconds: float) -> Sco
 
 
 def keep(name: str, score: Any, code: str, path: Path = PATH) -> None:
-    """Put a group's score into the file, which other groups keep theirs in if the code is the same.
+    """Put a group's score into the file with the code that it counts for; others stay as they are.
 
     OSError where it cannot be written.
     """
-    data = _read(path)
-    if data.get("code") != code:
-        data = {}
     date = time.strftime("%Y-%m-%d", time.gmtime())
-    data |= {"code": code, "date": date, name: score}
+    data = _read(path) | {name: {**score, "code": code, "date": date}}
     write_whole(path, lambda file: file.write(_text(data).encode()))
 
 
@@ -89,12 +86,17 @@ def _read(path: Path) -> Score:
 
 
 def measured(path: Path = PATH, code: Callable[[], str] = digest) -> Caught:
-    """What the file says for the present code; a measurement of other code only that it is gone."""
-    data = _read(path)
-    if data.get("code") != code():
-        return Caught(missing=STALE)
+    """What the file says for the present code; of a group measured on other code only its name."""
+    data, now = _read(path), code()
+    names = (REFERENCES, *NAMES)
     with suppress(LookupError, ValueError, TypeError, AttributeError):
-        return replace(caught(data), date=str(data["date"]))
+        current = {name: data[name] for name in names if data.get(name, {}).get("code") == now}
+        if current:
+            others = [name for name in names if name not in current]
+            return replace(
+                caught(current), date=max(str(one["date"]) for one in current.values()),
+                stale=tuple(others),
+            )  # fmt: skip
     return Caught(missing=STALE)
 
 

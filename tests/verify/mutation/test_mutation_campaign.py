@@ -176,15 +176,24 @@ def test_the_score_counts_for_the_code_that_it_was_measured_on(kept):
 def test_the_score_s_file_has_a_survivor_a_line_and_its_groups_side_by_side(kept):
     score.keep("references", {"gate": {"held": True}}, "this code", kept)
     data = json.loads(kept.read_text("utf-8"))
-    assert set(data) == {"code", "date", "formulas", "references"}
+    assert set(data) == {"formulas", "references"}
     lines = kept.read_text("utf-8").splitlines()
     assert sum("measuring_tape:" in line for line in lines) == len(data["formulas"]["survivors"])
     score.keep("judging", data["formulas"], "other code", kept)
-    assert set(json.loads(kept.read_text("utf-8"))) == {"code", "date", "judging"}
+    assert set(json.loads(kept.read_text("utf-8"))) == {"formulas", "judging", "references"}
+
+
+def test_each_group_counts_for_its_own_code(kept):
+    known = json.loads(kept.read_text("utf-8"))["formulas"]
+    score.keep("judging", known, "other code", kept)
+    now = score.measured(kept, lambda: "other code")
+    assert [group.name for group in now.groups] == ["judging"]
+    assert now.stale == ("references", "formulas", "finite-elements")
+    assert [g.name for g in score.measured(kept, lambda: "this code").groups] == ["formulas"]
 
 
 def test_a_torn_file_is_no_measurement(kept):
-    kept.write_text('{"code": "this code", "date": 3, "formulas": 7}', "utf-8")
+    kept.write_text('{"formulas": {"code": "this code", "date": 3}, "judging": 7}', "utf-8")
     assert score.measured(kept, lambda: "this code").missing
 
 
