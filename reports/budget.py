@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from textwrap import wrap
 
 import numpy as np
 from markupsafe import Markup
@@ -13,6 +14,7 @@ from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
 LEFT, RIGHT = 118.0, 92.0  # of names, and of numbers beyond the axis
+NARROW, HALF = 20, 5.5  # letters that a name has room for, and half a line of them
 NUMERICAL = ("discretisation", "iteration", "contact law")  # one column of many rows
 TOTAL, REMAINDER = "difference", "remainder"
 
@@ -68,11 +70,17 @@ def steps(row: RowBudget) -> list[Bar]:
         c, u = part.contribution or 0.0, part.u or 0.0
         if max(abs(c), u) < UNSEEN * abs(row.total):
             continue  # the table tells it
-        found.append(Bar(part.cause, at, at - 100 * c, 100 * u, percent(c), "part"))
+        found.append(Bar(_label(part, row), at, at - 100 * c, 100 * u, percent(c), "part"))
         at -= 100 * c
     left = percent(row.remainder)
     rest = Bar(REMAINDER, 0.0, 100 * row.remainder, 100 * row.u, left, "rest")
     return [*found, rest]
+
+
+def _label(part: BudgetPart, row: RowBudget) -> str:
+    """The cause; of several of one cause what each is."""
+    alike = sum(other.cause == part.cause for other in counted(row))
+    return part.cause if alike == 1 else part.what.partition(":")[0]
 
 
 def waterfall(row: RowBudget) -> Markup:
@@ -97,8 +105,12 @@ def waterfall(row: RowBudget) -> Markup:
 def _drawn(axes: Axes, i: int, bar: Bar, *, last: bool) -> list[Markup]:
     y, (x_0, x_1) = axes.Y(i + 0.5), (axes.X(bar.start), axes.X(bar.end))
     left, right = min(x_0, x_1), max(x_0, x_1)
+    name = wrap(bar.name, NARROW, max_lines=2, placeholder="…")
     found = [
-        svg.text(LEFT - 8, y + 4, bar.name, "tick", "end"),
+        *(
+            svg.text(LEFT - 8, y + 4 + HALF * (2 * k - len(name) + 1), words, "tick", "end")
+            for k, words in enumerate(name)
+        ),
         svg.rectangle(left, y - THICK / 2, max(right - left, 0.8), THICK, bar.css),
         svg.text(WIDTH, y + 4, bar.said, "tick", "end"),
     ]

@@ -1,15 +1,13 @@
-"""Comparisons with second solvers: grouped for the page and the PDF, and as a table."""
+"""Comparisons with second solvers: grouped for the page and the PDF."""
 
-import csv
-import io
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
+from reports import formats
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run, runs
 from verify.results import Crosscheck, CrossState, Report
 
-LEFT_OUT = ("seconds",)
 WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
 
 
@@ -23,6 +21,11 @@ class Problem:
     @property
     def missing(self) -> str:
         return self.head.why if self.head.state in WITHOUT_NUMBERS else ""
+
+    @property
+    def by(self) -> str:
+        """The solver in brackets; nothing of a case that none takes."""
+        return f" ({self.head.solver})" if self.head.solver else ""
 
     @property
     def why(self) -> str:
@@ -68,18 +71,6 @@ def told(checks: Sequence[Crosscheck]) -> str:
     return "; ".join(parts)
 
 
-def crosscheck_csv(checks: Sequence[Crosscheck]) -> str:
-    """One line each; differences are relative, seconds the project's and the other solver's."""
-    names = [f.name for f in fields(Crosscheck) if f.name not in LEFT_OUT]
-    file = io.StringIO()
-    table = csv.writer(file, lineterminator="\n")
-    table.writerow([*names, "seconds_here", "seconds_there"])
-    for check in checks:
-        own = [getattr(check, name) for name in names]
-        table.writerow([*own, *(check.seconds or ("", ""))])
-    return file.getvalue()
-
-
 def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
     """The same for the PDF's template."""
     return [
@@ -88,8 +79,8 @@ def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
             "by": f"{p.head.solver} {p.head.version}".strip(), "unknowns": p.head.unknowns,
             "seconds": [f"{s:.2f}" for s in p.head.seconds],
             "rows": [
-                [prose(c.quantity), [_number(c.ours)], [_number(c.theirs)],
-                 [c.unit if c.unit != "1" else ""], [_difference(c)]]
+                [prose(c.quantity), _number(c.ours), _number(c.theirs),
+                 [c.unit if c.unit != "1" else ""], _difference(c)]
                 for c in p.lines
             ],
         }
@@ -106,17 +97,16 @@ def left_out_data(checks: Sequence[Crosscheck]) -> list[list[Run]]:
 
 
 def _joined(found: Sequence[Problem]) -> list[Run]:
-    said = [f"{p.head.case}, {p.head.what} ({p.head.solver})" for p in found]
-    return prose("; ".join(said))
+    return prose("; ".join(f"{p.head.case}, {p.head.what}{p.by}" for p in found))
 
 
-def _number(value: float | None) -> str:
-    return "–" if value is None else f"{value:.6g}".replace("-", "−")
+def _number(value: float | None) -> list[Run]:
+    return runs(formats.written(value))
 
 
-def _difference(check: Crosscheck) -> str:
+def _difference(check: Crosscheck) -> list[Run]:
     if check.difference is None or check.allowed is None:
-        return "–"
+        return ["–"]
     mark = " !" if check.state is CrossState.OUTSIDE else ""
-    difference = f"{check.difference:+.0e}" if check.difference else "0"
-    return f"{difference} ({check.allowed:.0e}){mark}".replace("-", "−")
+    found = runs(formats.power(check.difference, signed=True))
+    return [*found, " (", *runs(formats.power(check.allowed, digits=0)), f"){mark}"]

@@ -287,6 +287,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "signed": validity.signed, "validity_over": validity.common,
         "reading_found": readings.found, "chance": readings.chance,
         "drift_summary": since.summary, "drift_shown": since.shown, "drift_more": since.left_out,
+        "drift_tighter": since.tighter, "drift_tighter_more": since.tighter_left_out,
         "waterfall": budget.waterfall, "percent": budget.percent,
         "budget_headline": budget.headline, "budget_lines": budget.lines,
         "budget_compact": budget.compact, "budget_identities": budget.identities,

@@ -9,7 +9,10 @@ from verify.results import ReadingsTried
 def found(one: ReadingsTried) -> str:
     """What reproduces the number, or that nothing does."""
     if one.met:
-        return "met as it stands, within the rounding of what it is computed from"
+        return (
+            "met as it stands, within the rounding of what it is computed from; "
+            "no other reading is needed"
+        )
     if not one.readings:
         return "none"
     more = one.hits - 1
@@ -29,16 +32,19 @@ def readings_data(searches: tuple[ReadingsTried, ...]) -> Data:
     return {
         "rows": [_row(one) for one in searches if not one.missing],
         "missing": [
-            prose(f"{one.reference} ({one.printed} {one.unit}): {one.missing}")
+            prose(f"{one.reference} ({one.printed}{_unit(one)}): {one.missing}")
             for one in searches if one.missing
         ],
     }  # fmt: skip
 
 
+def _unit(one: ReadingsTried) -> str:
+    return "" if one.unit == "1" else f" {one.unit}"
+
+
 def _row(one: ReadingsTried) -> list[list[Run]]:
-    unit = "" if one.unit == "1" else f" {one.unit}"
     return [
-        [*prose(one.place), ["br"], ["small", one.reference]], prose(f"{one.printed}{unit}"),
+        [*prose(one.place), ["br"], ["small", one.reference]], prose(f"{one.printed}{_unit(one)}"),
         prose(one.what), prose(str(formats.number(one.as_it_stands))), prose(found(one)),
         prose(str(one.tried)), prose(chance(one.chance)),
     ]  # fmt: skip

@@ -1,5 +1,7 @@
 """What moved since a release, in words and for the PDF."""
 
+from collections.abc import Sequence
+
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run
 from verify.results import Change, Drift
@@ -28,7 +30,21 @@ def shown(drift: Drift) -> list[Change]:
 
 def left_out(drift: Drift) -> str:
     """How many changes are not shown, in words."""
-    more = len(drift.changes) - MOST
+    return _more(drift.changes)
+
+
+def tighter(drift: Drift) -> Sequence[Change]:
+    """What was tightened, as much as fits."""
+    return drift.tighter[:MOST]
+
+
+def tighter_left_out(drift: Drift) -> str:
+    """How much of what was tightened is not shown, in words."""
+    return _more(drift.tighter)
+
+
+def _more(changes: Sequence[Change]) -> str:
+    more = len(changes) - MOST
     return f"{more} more stand in results.json, drift." if more > 0 else ""
 
 
@@ -41,6 +57,8 @@ def since_data(drift: Drift | None) -> Data | None:
         "lead": f"{summary(drift)}; the release is of {drift.date}, commit {drift.commit}.",
         "changes": [_change(c) for c in shown(drift)],
         "more": left_out(drift),
+        "tighter": [_change(c) for c in tighter(drift)],
+        "tighter_more": tighter_left_out(drift),
     }
 
 

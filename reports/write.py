@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from reports.budget_table import budget_csv
-from reports.crosscheck import crosscheck_csv
+from reports.crosscheck_table import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit

@@ -361,7 +361,10 @@ class Change:
 
 @dataclass(frozen=True, kw_only=True)
 class Drift:
-    """What has moved since a `release`; of `compared` rows, those with `tightened` demands."""
+    """What has moved since a `release`; of `compared` rows, how many have `tightened` demands.
+
+    `tighter` are these demands and bands.
+    """
 
     release: str
     date: str
@@ -369,6 +372,7 @@ class Drift:
     compared: int
     tightened: int
     changes: tuple[Change, ...] = ()
+    tighter: tuple[Change, ...] = ()
     unused: tuple[str, ...] = ()  # reasons stated since the release that nothing asks for
 
     @property

@@ -74,6 +74,17 @@ def test_bars_take_the_difference_on_from_one_to_the_next():
     assert (rest.start, rest.end) == (0.0, pytest.approx(parts[-1].end))
 
 
+def test_bars_of_one_cause_have_words_of_their_own():
+    wall = replace(
+        ROW.parts[2], what="a wall four times as thick: no bending of it", contribution=0.01
+    )
+    row = replace(ROW, parts=(*ROW.parts, wall))
+    names = [bar.name for bar in steps(row)]
+    assert names[2:4] == ["four times as many flats", "a wall four times as thick"]
+    assert ">four times as many<" in str(waterfall(row))
+    assert ">flats<" in str(waterfall(row))
+
+
 def test_a_part_that_nobody_could_see_has_no_bar():
     tiny = replace(ROW.parts[0], contribution=1e-6, u=1e-7)
     bars = steps(replace(ROW, parts=(tiny, *ROW.parts[1:])))

@@ -10,10 +10,12 @@ import jsonschema
 import pytest
 
 import reports
-from reports.crosscheck import crosscheck_csv, crosscheck_data, problems, told
+from reports.crosscheck import crosscheck_data, left_out_data, problems, told
+from reports.crosscheck_table import crosscheck_csv
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
+from reports.richtext import _plain
 from reports.rows import rows_csv
 from reports.second import COLUMNS, apart, seconds, value
 from verify.results import Crosscheck, CrossState, Report
@@ -60,7 +62,10 @@ def test_a_case_that_no_solver_takes_says_why(checked):
     html = page(replace(checked, crosschecks=(AGREES, ALONE)), {})
     section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
     assert "1 case has no second solver, and says why" in section
-    assert "nobody" in section
+    assert "Nobody" in section
+    assert "()" not in section
+    (sentence,) = left_out_data([ALONE])
+    assert "".join(map(str, sentence)) == "Nobody's: ring-lame, no second solver."
 
 
 def test_a_report_without_comparisons_says_nothing_of_them(checked):
@@ -82,10 +87,16 @@ def test_problems_are_grouped_in_their_order():
 
 def test_the_pdf_marks_what_is_outside(checked):
     (first,) = crosscheck_data(checked.crosschecks)
-    assert [row[-1] for row in first["rows"]] == [["+5e−06 (5e−05)"], ["+1e−01 (5e−05) !"]]
+    said = [_flat(row[-1]) for row in first["rows"]]
+    assert said == ["+4.6×10⁻⁶ (5×10⁻⁵)", "+1.0×10⁻¹ (5×10⁻⁵) !"]
     (sentence,) = document(checked, {})["crosschecks_left"]
     assert "".join(map(str, sentence)).startswith("Not measured for this code")
     assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
+
+
+def _flat(found):
+    """Runs as one string."""
+    return "".join(_plain(run) for run in found)
 
 
 def test_results_json_is_as_its_schema_says(checked):
@@ -160,6 +171,9 @@ def test_numbers_of_another_unit_tell_it(beside):
 
 
 def test_the_table_has_a_line_each():
-    head, first, _, last = csv.reader(io.StringIO(crosscheck_csv([AGREES, OUTSIDE, STALE])))
+    text = crosscheck_csv([replace(AGREES, why="=1+1"), OUTSIDE, STALE])
+    assert text.startswith("\ufeff")  # as rows.csv and budget.csv
+    head, first, _, last = csv.reader(io.StringIO(text.removeprefix("\ufeff")))
+    assert dict(zip(head, first, strict=True))["why"] == "'=1+1"
     assert dict(zip(head, first, strict=True))["seconds_there"] == "0.52"
     assert dict(zip(head, last, strict=True))["state"] == "not measured"

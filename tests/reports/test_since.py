@@ -25,7 +25,14 @@ LOOSE = Change(row="ring-lame/bore displacement, plane stress", aspect="demand",
 MOVED = Change(row="ring-lame/<b>x", aspect="formula", was="1 mm", now="2 mm",
                size="+1 of the scale")  # fmt: skip
 EXPLAINED = replace(LOOSE, aspect="interval", reason="thin rings are of it now")
-DRIFT = replace(STILL, tightened=3, changes=(MOVED, EXPLAINED, LOOSE), unused=("c/q: demand: w",))
+TIGHT = replace(MOVED, aspect="bound", was="2 %", now="1 %", size="")
+DRIFT = replace(
+    STILL,
+    tightened=1,
+    tighter=(TIGHT,),
+    changes=(MOVED, EXPLAINED, LOOSE),
+    unused=("c/q: demand: w",),
+)
 
 FOUND = ReadingsTried(
     reference="wang2023:k1-theory", place="Table 1", printed="0.601", unit="N/mm", what="Eqs. 1-9",
@@ -66,6 +73,20 @@ def test_what_was_loosened_without_a_reason_stands_first_and_in_a_banner(shown):
     assert "Reasons that nothing asks for" in section
 
 
+def test_what_was_tightened_is_counted_and_listed(shown):
+    section = page(shown, {}).partition('<section id="since">')[2].partition("</section>")[0]
+    folded = section.partition("<details><summary>Tightened")[2].partition("</details>")[0]
+    assert "1 row<" in folded
+    assert "<td>bound</td><td>2\u202f%</td><td>1\u202f%</td>".replace("\u202f", " ") in folded
+    assert since.since_data(DRIFT)["tighter"][0][1:4] == [["bound"], ["2 %"], ["1 %"]]
+    assert "Tightened" not in page(replace(shown, drift=replace(DRIFT, tighter=())), {})
+
+
+def test_a_number_without_a_unit_has_none_on_paper():
+    (said,) = readings.readings_data((replace(MISSING, unit="1"),))["missing"]
+    assert "".join(map(str, said)).startswith("wang2023:b (0.1): ")
+
+
 def test_many_changes_are_cut_and_said_to_be():
     many = replace(STILL, changes=(*(MOVED,) * 500, LOOSE))
     assert len(since.shown(many)) == since.MOST
@@ -81,7 +102,8 @@ def test_many_changes_are_cut_and_said_to_be():
         ({"hits": 3, "is_evidence": False},
          "b for h and one side (0.60096); 2 other combinations too; no evidence"),
         ({"readings": (), "hits": 0}, "none"),
-        ({"met": True}, "met as it stands, within the rounding of what it is computed from"),
+        ({"met": True}, "met as it stands, within the rounding of what it is computed from; "
+                        "no other reading is needed"),
     ],
 )  # fmt: skip
 def test_what_a_search_found_in_words(change, words):

@@ -76,8 +76,12 @@ def test_a_ring_agrees_and_is_kept_for_this_code(ring, file, tmp_path, capsys):
     assert "cd ring-lame-plane-strain && ccx -i deck" in (tmp_path / "RERUN.txt").read_text()
     # what is kept is not solved again
     (tmp_path / ring.file / "deck.inp").unlink()
+    assert "kept" not in said
     assert crosscheck("ring-lame", out=tmp_path) == 0
     assert not (tmp_path / ring.file / "deck.inp").exists()
+    said = capsys.readouterr().out
+    assert said.count("agrees, kept") == len(ring.quantities)
+    assert f"1 of 1 problems kept from {one['date']} (--again solves them anew)" in said
 
 
 @installed
@@ -121,6 +125,30 @@ def test_absent_solvers_change_no_exit_status(file, monkeypatch, tmp_path, capsy
     for name in SOLVERS:
         assert f"{name}: not installed: here" in said
     assert "0 comparisons of 0 problems" in said
+    assert re.search(r"\d+ problems not solved, for lack of calculix and tamaas and ROSS", said)
+
+
+def test_a_case_of_which_nothing_can_be_compared_is_wrong_input(monkeypatch, tmp_path, capsys):
+    absent = {name: solvers.Solver(name, missing="not installed: here") for name in SOLVERS}
+    monkeypatch.setattr(command, "solvers", lambda: absent)
+    assert crosscheck("ring-lame", "--again", out=tmp_path) == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    line = "ring-lame: nothing compared, calculix: not installed: here\n"
+    assert said.err.endswith(line)
+    assert said.err.count("\n") == 1
+
+
+def test_what_is_kept_needs_no_solver_and_says_since_when(file, monkeypatch, tmp_path, capsys):
+    absent = {name: solvers.Solver(name, missing="not installed: here") for name in SOLVERS}
+    monkeypatch.setattr(command, "solvers", lambda: absent)
+    cross = made()
+    monkeypatch.setattr(registry, "COMPARISONS", (cross,))
+    kept.keep([replace(found(cross, 1.0, 1.0), date="2026-01-02")])
+    assert crosscheck("ring-lame", out=tmp_path) == 0
+    said = capsys.readouterr().out
+    assert "1 of 1 problems kept from 2026-01-02" in said
+    assert "s here  s there" in said
 
 
 def test_why_a_solver_is_absent_is_told(monkeypatch, tmp_path):

@@ -279,7 +279,7 @@ def test_the_command_finds_a_diameter_put_in_for_a_radius(tmp_path, capsys):
     assert run([*command, "--changes", "1"]) == 0
     told = capsys.readouterr().out
     assert "2 r_o for r_o" in told
-    assert "by accident" in told
+    assert "expected by chance: " in told
     assert run([*command, "--changes", "1", "--json"]) == 0
     record = json.loads(capsys.readouterr().out)
     hits = [hit["readings"] for hit in record["hits"]]

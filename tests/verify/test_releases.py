@@ -185,6 +185,28 @@ def test_what_lets_less_pass_is_counted(row, change):
     changed = found(row, replace(row, **change))
     assert (changed.tightened, changed.changes) == (1, ())
     assert since.summary(changed) == "1 rows compared, 1 tightened"
+    (what,) = changed.tighter
+    assert what.row == row.id
+    assert what.was != what.now
+
+
+def test_what_is_loosened_too_is_not_called_tightened():
+    both = replace(APPROXIMATE, interval=(-0.01, 0.02), demand=1.0)
+    assert found(replace(APPROXIMATE, demand=0.01), both).tighter == ()
+
+
+@pytest.mark.parametrize(("key", "aspect"), [("analytic", "formula"), ("fem", "finite elements")])
+def test_a_row_that_turned_red_says_which_side_moved_and_by_how_much(key, aspect):
+    moved = replace(ROW, status=Status.FAIL, **{key: 1.1 * getattr(ROW, key)})
+    status, value = found(ROW, moved).changes
+    assert (status.aspect, status.now) == ("status", "FAIL")
+    assert value.aspect == aspect
+    assert value.size.startswith("+0.1 of the scale")
+
+
+def test_a_row_that_turned_red_without_its_numbers_says_no_more():
+    empty = replace(ROW, status=Status.FAIL, analytic=None, fem=None)
+    assert aspects(found(ROW, empty)) == [("status", False)]
 
 
 def test_a_figure_is_the_same_whatever_the_uncertainty_leaves_of_it():

@@ -16,6 +16,7 @@ from verify.case import Case
 from verify.engines import Drive, Engine, GoneError, Lost, Where
 from verify.environment import require_gmsh
 from verify.inputs import InputError
+from verify.nearest import nearest
 from verify.progress import Show, State
 
 NAME = "budget"
@@ -40,7 +41,8 @@ def chosen(names: Sequence[str], cases: Sequence[Case]) -> list[Case]:
     wanted = [name.partition(":")[2] for name in dict.fromkeys(names)]
     for name in wanted:
         if name not in known:
-            raise InputError(f"{NAME}:{name}: no such measurement, there are {', '.join(known)}")
+            asked = f"{NAME}:{name}".rstrip(":")
+            raise InputError(f"{asked}: no such measurement, there are {nearest(name, known)}")
     return [known[name] for name in wanted]
 
 

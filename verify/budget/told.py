@@ -1,6 +1,7 @@
 """The budgets of a run: what was measured of each case, beside the tolerances of its rows."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from verify.budget import balance
@@ -8,6 +9,7 @@ from verify.budget.found import RowBudget as Found
 from verify.budget.kept import measured
 from verify.budget.measuring import plan_of
 from verify.budget.plan import Plan
+from verify.budget.words import in_words
 from verify.case import Case
 from verify.judge import expanded
 from verify.results import BudgetJoint, BudgetPart, CaseBudget, CaseResult, Kind, Row, RowBudget
@@ -35,6 +37,7 @@ def of_case(plan: Plan, result: CaseResult, folder: Path | None = None) -> CaseB
         return CaseBudget(
             case=plan.case.id, title=plan.case.title, missing=STALE.format(plan.case.id)
         )
+    found = replace(found, rows=in_words(plan.case.id, found.rows))
     rows = {row.quantity: row for row in result.rows}
     drawn = headline(plan, found.rows)
     return CaseBudget(

@@ -14,8 +14,9 @@ def crosscheck(
 ) -> int:
     """Solve the project's meshes and loads by second solvers: calculix, tamaas, ROSS.
 
-    Their results stand beside the project's own in its report. Those that are not installed are
-    left out; 1 where a comparison is farther apart than allowed.
+    Their results stand beside the project's own in its report. What is kept for this code is shown
+    with its date and not solved again. Solvers that are not installed are left out; 1 where a
+    comparison is farther apart than allowed, 2 where nothing of the cases named can be compared.
 
     Parameters
     ----------
@@ -24,11 +25,12 @@ def crosscheck(
     list
         Name the comparisons and the solvers that are there.
     again
-        Solve anew what is kept for this code.
+        Solve anew what is kept for this code, which writes its decks, too.
     keep
         Keep what is found for the report, in verify/measured.
     out
-        Folder for decks and answers, by default reports/out/crosscheck of this checkout.
+        Folder for decks and answers of what is solved, by default reports/out/crosscheck of this
+        checkout.
     """
     from verify.crosscheck.command import run_crosscheck, run_list
 

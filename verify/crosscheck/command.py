@@ -2,7 +2,7 @@
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from verify.commands import writable
@@ -18,6 +18,8 @@ from verify.told import aligned, raised
 
 ROOT = Path(__file__).parents[2]
 GUESS = 6.0  # s a comparison takes, before any is known
+HEAD = ("problem", "quantity", "unit", "here", "there", "difference", "allowed", "s here",
+        "s there", "")  # fmt: skip
 
 
 def run_list(names: Sequence[str]) -> int:
@@ -32,15 +34,19 @@ def run_list(names: Sequence[str]) -> int:
 def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
     """Solve what is not kept for this code; 1 where a comparison is outside what is allowed.
 
-    Decks and answers stay in `out`. A solver that is absent changes nothing.
+    Decks and answers of what is solved stay in `out`. A solver that is absent changes nothing, but
+    InputError where cases are named and none of their problems could be shown or solved.
     """
     crosses = chosen(names)
     folder = out or ROOT / "reports" / "out" / "crosscheck"
     writable(folder)
     there = solvers()
-    lines: list[Crosscheck] = []
+    standing, todo, left = _sorted(crosses, there, again=again)
+    if names and not standing and not todo:
+        why = dict.fromkeys(f"{one.solver}: {there[one.solver].missing}" for one in left)
+        raise InputError(f"{', '.join(dict.fromkeys(names))}: nothing compared, {'; '.join(why)}")
+    lines = [line for cross, found in standing for line in judged(cross, found)]
     broken: list[str] = []
-    todo = _missing(crosses, there, again=again, lines=lines)
     start = time.perf_counter()
     with shown(quiet=False) as show:
         for done, cross in enumerate(todo):
@@ -55,7 +61,11 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
             if keep:
                 _keep(found)
     _write_hints(crosses, folder)
-    _print(lines, there, broken)
+    _print(lines, {cross.id for cross, _ in standing}, broken)
+    for name in SOLVERS:
+        print(f"{name}: {there[name].missing or there[name].version}")
+    for said in _counts(lines, [found for _, found in standing], left):
+        print(said)
     outside = sum(line.state is CrossState.OUTSIDE for line in lines)
     return 1 if outside or broken else 0
 
@@ -76,18 +86,21 @@ def compare(cross: Cross, solver: Solver, folder: Path) -> kept.Found:
     )  # fmt: skip
 
 
-def _missing(
-    crosses: Sequence[Cross], there: dict[str, Solver], *, again: bool, lines: list[Crosscheck]
-) -> list[Cross]:
-    """What is to be solved; what is kept for this code goes to `lines` at once."""
-    known, todo = kept.kept(), []
+def _sorted(
+    crosses: Sequence[Cross], there: Mapping[str, Solver], *, again: bool
+) -> tuple[list[tuple[Cross, kept.Found]], list[Cross], list[Cross]]:
+    """What is kept for this code, what is to be solved, and what lacks its solver."""
+    known = {} if again else kept.kept()
+    standing: list[tuple[Cross, kept.Found]] = []
+    todo: list[Cross] = []
+    left: list[Cross] = []
     for cross in crosses:
-        found = None if again else kept.current(cross, known)
+        found = kept.current(cross, known)
         if found is not None:
-            lines += judged(cross, found)
-        elif not there[cross.solver].missing:
-            todo.append(cross)
-    return todo
+            standing.append((cross, found))
+        else:
+            (left if there[cross.solver].missing else todo).append(cross)
+    return standing, todo, left
 
 
 def _keep(found: kept.Found) -> None:
@@ -108,13 +121,14 @@ def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
         (folder / "RERUN.txt").write_text("\n".join(said) + "\n", "utf-8")
 
 
-def _print(lines: Sequence[Crosscheck], there: dict[str, Solver], broken: Sequence[str]) -> None:
-    head = ("problem", "quantity", "unit", "here", "there", "difference", "allowed", "s", "s", "")
-    table: list[tuple[str, ...]] = [head]
+def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Sequence[str]) -> None:
+    """A line each, marked where it is of a problem that is `standing` from an earlier run."""
+    table: list[tuple[str, ...]] = [HEAD]
     table += [
         (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",
          f"{line.theirs:.6g}", f"{line.difference:+.1e}", f"{line.allowed:g}",
-         *(f"{s:.2f}" for s in line.seconds), line.state.value)
+         *(f"{s:.2f}" for s in line.seconds),
+         f"{line.state.value}{', kept' if line.problem in standing else ''}")
         for line in lines
     ]  # fmt: skip
     if lines:
@@ -126,7 +140,18 @@ def _print(lines: Sequence[Crosscheck], there: dict[str, Solver], broken: Sequen
                          f"allowed {line.allowed:.2%} ({line.why})"))  # fmt: skip
     for one in broken:
         print(f"failed: {one}", file=sys.stderr)
-    for name in SOLVERS:
-        print(f"{name}: {there[name].missing or there[name].version}")
+
+
+def _counts(
+    lines: Sequence[Crosscheck], standing: Sequence[kept.Found], left: Sequence[Cross]
+) -> Iterator[str]:
+    """How much was compared, and how much of it was not solved in this run."""
     problems = len({line.problem for line in lines})
-    print(f"{len(lines)} comparisons of {problems} problems")
+    yield f"{len(lines)} comparisons of {problems} problems"
+    if standing:
+        dates = sorted({found.date for found in standing})
+        span = " to ".join(dict.fromkeys((dates[0], dates[-1])))
+        yield f"{len(standing)} of {problems} problems kept from {span} (--again solves them anew)"
+    if left:
+        absent = dict.fromkeys(cross.solver for cross in left)
+        yield f"{len(left)} problems not solved, for lack of {' and '.join(absent)}"

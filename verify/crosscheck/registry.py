@@ -16,6 +16,7 @@ from verify.crosscheck.comparisons.springs import SPRINGS
 from verify.crosscheck.comparisons.struts import STRUTS
 from verify.crosscheck.statement import Cross
 from verify.inputs import InputError
+from verify.nearest import nearest
 
 _ORDER = {case.id: i for i, case in enumerate(CASES)}
 COMPARISONS: tuple[Cross, ...] = tuple(
@@ -47,6 +48,7 @@ def chosen(names: Sequence[str]) -> tuple[Cross, ...]:
                 raise InputError(str(error)) from error
             known = dict.fromkeys(cross.case for cross in COMPARISONS)
             raise InputError(
-                f"{name}: no second solver takes it ({ALONE[name]}); they take {', '.join(known)}"
+                f"{name}: no second solver takes it ({ALONE[name]}); they take "
+                f"{nearest(name, known)}, see freewheel crosscheck --list"
             )
     return tuple(c for c in COMPARISONS if not names or c.case in names)

@@ -2,6 +2,7 @@
 
 import json
 import time
+from collections.abc import Iterable
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from verify.definitions.problem import Problem
 from verify.definitions.registry import PROBLEMS, WITHOUT_FORMULA
 from verify.definitions.search import EVIDENCE, Outcome, Progress, search
 from verify.inputs import InputError, Inputs
+from verify.nearest import nearest
 from verify.progress import Show, State, shown
 from verify.published.digits import is_number
 from verify.published.ledger import published
@@ -74,7 +76,7 @@ def _generic(
     inputs = case.inputs() if file is None else _of_file(file, case)
     values = case.analytic(inputs)
     if key not in values:
-        raise InputError(f"--key {key}: {case.id} has {'; '.join(values)}")
+        raise InputError(f"--key {key}: {case.id} has {_keys(key, values)}")
     if reference and not printed:
         printed, unit = published(reference).printed, unit or published(reference).unit
     if not is_number(printed):
@@ -124,11 +126,12 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
         case = find(case_id)
     except ValueError as error:
         raise InputError(
-            f"{error}; or one of {', '.join(p.reference for p in PROBLEMS)}"
+            f"{error}; numbers with readings of their own are {_references(name)}"
         ) from error
     if not row:
         if not key:
-            raise InputError(f"{case.id} needs --key: {'; '.join(o.key for o in case.outputs)}")
+            keys = _keys("", case.analytic(case.inputs()))
+            raise InputError(f"{case.id} needs --key, one of {keys}")
         return case, key, ""
     for check in case.checks:
         if getattr(check, "name", "") == row and (found := getattr(check, "analytic", "")):
@@ -138,14 +141,24 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
     )
 
 
+def _keys(key: str, values: Iterable[str]) -> str:
+    """All keys that a formula value of the case can be searched by, those like `key` first."""
+    every = list(values)
+    return nearest(key, every, most=len(every), between="; ")
+
+
+def _references(name: str) -> str:
+    return nearest(name, [p.reference for p in PROBLEMS])
+
+
 def _claimed(name: str) -> tuple[Case, str, str]:
     """The row that sets a formula beside a printed number."""
     try:
         published(name)
     except KeyError as error:
         raise InputError(
-            f"there is no printed number {name}; numbers with readings of their own: "
-            f"{', '.join(p.reference for p in PROBLEMS)}"
+            f"there is no printed number {name}; numbers with readings of their own are "
+            f"{_references(name)}"
         ) from error
     for case in CASES:
         for check in case.checks:
@@ -197,9 +210,9 @@ def _off(off: float) -> str:
 def _weight(outcome: Outcome) -> str:
     """How much a hit says."""
     if outcome.best is None:
-        return "none reproduces the number"
-    chance = f"with as few changes {outcome.accidental:.2g} would fit any number by accident"
+        return "no other reading is needed" if outcome.met else "none reproduces the number"
+    chance = f"expected by chance: {outcome.accidental:.2g} hits with as few changes"
     if outcome.met:
-        return chance
+        return f"{chance}; no other reading is needed"
     said = "calibrated, for it was chosen because it fits"
-    return f"{chance}: {said if outcome.is_evidence else f'not evidence (above {EVIDENCE:g})'}"
+    return f"{chance}; {said if outcome.is_evidence else f'not evidence (above {EVIDENCE:g})'}"

@@ -18,6 +18,7 @@ ROUND_OFF = 1e-10  # over the row's scale: iterated formulas end at 1e-12, on an
 REPEATED = 1e-9  # of a margin without uncertainty: sums of other processors
 SLACK = 1e-6  # relative, of bands that are computed from formulas
 GROWN = 2.0  # times what a row detected or how uncertain it was: meshes of other builds do less
+NOTHING = "none"
 COMPANION = ": convergence"  # judges an order, which may scatter
 STRENGTH = {"PASS": 2, "CALIBRATED": 1, "SHOWN": 0, "NOTE": 0}
 
@@ -34,14 +35,16 @@ def drift(release: Release, results: Sequence[CaseResult], reasons: Sequence[Rea
     }
     renamed = _renamed(release.rows, present, whole)
     changes: list[Change] = []
-    tightened = compared = 0
+    tighter: list[Change] = []
+    compared = 0
     for row_id, now in judged.items():
         before = release.rows.get(renamed.get(row_id, row_id))
         if before is None or before.status == Status.SKIP:
             continue
         compared += 1
         found = list(_changes(row_id, before, now))
-        tightened += _is_tighter(before, now) and not any(c.loosened for c in found)
+        if not any(c.loosened for c in found):
+            tighter += tightened(row_id, before, now)
         if old := renamed.get(row_id):
             changes.append(_name(old, row_id))
         changes += found
@@ -52,7 +55,7 @@ def drift(release: Release, results: Sequence[CaseResult], reasons: Sequence[Rea
     ]
     return Drift(
         release=release.version, date=release.date, commit=release.commit, compared=compared,
-        tightened=tightened, changes=tuple(changes),
+        tightened=len({c.row for c in tighter}), tighter=tuple(tighter), changes=tuple(changes),
         unused=_unused(changes, reasons, release, whole),
     )  # fmt: skip
 
@@ -64,9 +67,11 @@ def _changes(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
             row=row_id, aspect="status", was=was.status, now=now.status,
             loosened=STRENGTH.get(now.status, 9) < STRENGTH.get(was.status, -1),
         )  # fmt: skip
-    if Status.FAIL in (was.status, now.status):  # red as it is, and may lack all numbers
-        return
     kinds = [f"{x.kind} [{x.unit}]" for x in (was, now)]
+    if Status.FAIL in (was.status, now.status):  # red as it is, and may lack any number
+        if kinds[0] == kinds[1]:
+            yield from (c for c in _values(row_id, was, now) if NOTHING not in (c.was, c.now))
+        return
     if kinds[0] != kinds[1]:
         yield Change(row=row_id, aspect="kind", was=kinds[0], now=kinds[1])
     else:
@@ -129,7 +134,7 @@ def _size(change: float, scale: float, bar: float | None) -> str:
 
 def _told(value: float | None, unit: str, digits: int = 10) -> str:
     if value is None:
-        return "none"
+        return NOTHING
     return f"{value:.{digits}g}" + (f" {unit}" if unit != "1" else "")
 
 
@@ -203,16 +208,14 @@ def _is_wider(old: tuple[float, float], new: tuple[float, float] | None) -> bool
     return new[0] < old[0] - slack or new[1] > old[1] + slack
 
 
-def _is_tighter(was: Kept, now: Kept) -> bool:
-    """Whether some demand or band lets less pass."""
-    smaller = any(
-        old is not None and new is not None and new < old * (1 - SLACK)
-        for _, old, new in _figures(was, now)
-    )
-    narrower = now.interval is not None and was.interval is not None and _is_wider(
-        now.interval, was.interval
-    )  # fmt: skip
-    return smaller or narrower or (was.interval is None and now.interval is not None)
+def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
+    """Demands and bands that let less pass."""
+    for aspect, old, new in _figures(was, now):
+        if old is not None and new is not None and new < old * (1 - SLACK):
+            yield Change(row=row_id, aspect=aspect, was=_share(old), now=_share(new))
+    if now.interval is not None and (was.interval is None or _is_wider(now.interval, was.interval)):
+        old_range, new_range = _range(was.interval), _range(now.interval)
+        yield Change(row=row_id, aspect="interval", was=old_range, now=new_range)
 
 
 def _share(value: float | None) -> str:
