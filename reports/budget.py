@@ -14,7 +14,8 @@ from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
 LEFT, RIGHT = 118.0, 92.0  # of names, and of numbers beyond the axis
-NARROW, HALF = 20, 5.5  # letters that a name has room for, and half a line of them
+NARROW, HALF = 18, 6.5  # letters that a name has room for, and half a line of them
+TALL = 31.0  # of a waterfall with names of two lines
 NUMERICAL = ("discretisation", "iteration", "contact law")  # one column of many rows
 TOTAL, REMAINDER = "difference", "remainder"
 
@@ -88,13 +89,14 @@ def waterfall(row: RowBudget) -> Markup:
     found = steps(row)
     reach = [(bar.start, bar.end - bar.u, bar.end + bar.u) for bar in found]
     low, high = (f(0.0, *(f(*r) for r in reach)) for f in (min, max))
-    height = TOP + LINE * len(found) + BELOW
+    line = TALL if any(len(bar.name) > NARROW for bar in found) else LINE
+    height = TOP + line * len(found) + BELOW
     axes = Axes(
         (LEFT, TOP, WIDTH - RIGHT, height - BELOW), (low, high if high > low else low + 1.0),
         (float(len(found)), 0.0),
     )  # fmt: skip
     for i, bar in enumerate(found):
-        axes.body += _drawn(axes, i, bar, last=i >= len(found) - 2)
+        axes.body += _drawn(axes, i, bar, line, last=i >= len(found) - 2)
     axes.body.append(svg.line(axes.X(0.0), TOP, axes.X(0.0), height - BELOW, "axis"))
     axes.base(svg.ticks(*axes.x, 4), svg.plain)
     axes.titles("formula/FE − 1 [%]", "")
@@ -102,7 +104,7 @@ def waterfall(row: RowBudget) -> Markup:
     return svg.drawing(WIDTH, height, axes.body, said, "chart waterfall")
 
 
-def _drawn(axes: Axes, i: int, bar: Bar, *, last: bool) -> list[Markup]:
+def _drawn(axes: Axes, i: int, bar: Bar, line: float, *, last: bool) -> list[Markup]:
     y, (x_0, x_1) = axes.Y(i + 0.5), (axes.X(bar.start), axes.X(bar.end))
     left, right = min(x_0, x_1), max(x_0, x_1)
     name = wrap(bar.name, NARROW, max_lines=2, placeholder="…")
@@ -115,7 +117,7 @@ def _drawn(axes: Axes, i: int, bar: Bar, *, last: bool) -> list[Markup]:
         svg.text(WIDTH, y + 4, bar.said, "tick", "end"),
     ]
     if not last:  # the next bar starts where this one ends
-        found.append(svg.line(x_1, y + THICK / 2, x_1, y + LINE - THICK / 2, "grid"))
+        found.append(svg.line(x_1, y + THICK / 2, x_1, y + line - THICK / 2, "grid"))
     if axes.X(bar.end + bar.u) - axes.X(bar.end - bar.u) > 1:
         found.append(svg.line(axes.X(bar.end - bar.u), y, axes.X(bar.end + bar.u), y, "whisker"))
     return found
