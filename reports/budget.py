@@ -53,7 +53,8 @@ def _digits(size: float, digits: int) -> str:
     if not size:
         return "0"
     if size >= SMALL:
-        return np.format_float_positional(size, precision=digits, fractional=False, trim="-")
+        told = np.format_float_positional(size, precision=digits, unique=False, fractional=False)
+        return told.rstrip(".")
     mantissa, _, exponent = f"{size:.0e}".partition("e")
     return f"{mantissa}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
 

@@ -106,7 +106,7 @@ def test_bars_are_where_and_as_long_as_their_numbers_say():
 
 def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
     found = lines(ROW)
-    assert found[0] == ("difference", "formula and finite elements as they are", "−8 ± 0.1 %")
+    assert found[0] == ("difference", "formula and finite elements as they are", "−8.00 ± 0.1 %")
     assert ("contact law", "no contact in it", "–") in found
     assert ("finite geometry", "four times as many flats", "−7 ± 1·10⁻⁴ %") in found
     assert found[-2][0] == "remainder"
@@ -120,7 +120,7 @@ def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
     [
         (-0.24834, 3.6e-7, "−24.8 ± 4·10⁻⁵ %"), (0.0, None, "0 %"),
         (7.2e-8, 7e-8, "+7·10⁻⁶ ± 7·10⁻⁶ %"),
-        (None, None, "–"), (0.00018, 1.2e-4, "+0.018 ± 0.01 %"), (3.1, 0.0, "+310 %"),
+        (None, None, "–"), (0.00018, 1.2e-4, "+0.0180 ± 0.01 %"), (3.1, 0.0, "+310 %"),
     ],
 )  # fmt: skip
 def test_shares_are_told_with_the_digits_that_they_have(value, u, said):
@@ -130,7 +130,9 @@ def test_shares_are_told_with_the_digits_that_they_have(value, u, said):
 def test_the_others_stand_side_by_side():
     found = compact(BUDGET)
     assert found.header == ["numerical", "finite geometry"]
-    assert [(row.quantity, cells) for row, cells in found.rows] == [("another", ["+1 %", "−7 %"])]
+    assert [(row.quantity, cells) for row, cells in found.rows] == [
+        ("another", ["+1.00 %", "−7.00 %"])
+    ]
     assert headline(BUDGET) == ROW
     assert compact(MISSING) is None
 

@@ -67,5 +67,9 @@ def failures(rows: Sequence[Tried], hidden: Sequence[str] = ()) -> list[str]:
     if listed > MOST_LISTED * len(rows):
         found.append(f"{listed} of {len(rows)} rows are only listed, {MOST_LISTED:.0%} at most")
     if hidden:
-        found.append(f"{len(hidden)} rows hide a slip of their own formula, {hidden[0]} first")
+        found.append(f"{_rows(len(hidden))} a slip of their own formula, {hidden[0]} first")
     return found
+
+
+def _rows(count: int) -> str:
+    return "1 row hides" if count == 1 else f"{count} rows hide"

@@ -211,7 +211,7 @@ def test_an_interval_that_moves_along_with_its_formula_hides_errors():
     found = score([both])
     assert found["by formula"]["hidden"] == [["ring-made-up/formula", [0.005, 0.01, 0.05]]]
     assert found["gate"]["failures"] == [
-        "1 rows hide a slip of their own formula, ring-made-up/formula first"
+        "1 row hides a slip of their own formula, ring-made-up/formula first"
     ]
 
 
@@ -228,7 +228,7 @@ def test_a_formula_taken_elsewhere_is_not_reached():
 
 
 def test_rows_that_are_red_whatever_a_formula_says_are_counted_apart():
-    fem = Agreement(name="fem", symbol="g", unit="1", accepted=1e-3,
+    fem = Agreement(name="fem", symbol="g", unit="1", accepted=1e-3, source="made up",
                     pair=lambda c: Pair(2.0, c.series("v")[1][-1], 0.0, "off"))  # fmt: skip
     zero = identity(name="zero", analytic="zero", scale="one")
     near = made([1e-4 * h**2 for h in (0.5, 0.25, 0.125)])
