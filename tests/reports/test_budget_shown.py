@@ -108,7 +108,7 @@ def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
     found = lines(ROW)
     assert found[0] == ("difference", "formula and finite elements as they are", "−8.00 ± 0.1 %")
     assert ("contact law", "no contact in it", "–") in found
-    assert ("finite geometry", "four times as many flats", "−7 ± 1·10⁻⁴ %") in found
+    assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
     assert found[-2][0] == "remainder"
     assert found[-2][2] == "−2 ± 0.2 %"
     assert found[-1][1] == "plane strain (not subtracted, both sides assume the same)"
