@@ -110,9 +110,9 @@ def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
     assert ("contact law", "no contact in it", "–") in found
     assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
     assert found[-2][0] == "remainder"
-    assert found[-2][2] == "−2 ± 0.2 %"
+    assert found[-2][2] == "−2.00 ± 0.2 %"
     assert found[-1][1] == "plane strain (not subtracted, both sides assume the same)"
-    assert any(cause == "together" and said.startswith("+0.3 %") for cause, _, said in found)
+    assert any(cause == "together" and said.startswith("+0.300 %") for cause, _, said in found)
 
 
 @pytest.mark.parametrize(
