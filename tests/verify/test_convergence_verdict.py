@@ -7,10 +7,12 @@ import pytest
 
 from verify.claims import convergence_verdict
 from verify.convergence import (
+    ORDER_LIMITS,
     GridConvergence,
     grid_convergence,
     observed_order,
     order_from_iteration,
+    slope_of_ratio,
 )
 from verify.results import Status
 
@@ -73,6 +75,22 @@ def test_on_halved_meshes_it_is_no_more_than_four_times_the_share_of_the_last_st
 
 def test_values_closer_than_their_errors_have_no_order():
     assert order_from_iteration((0.4, 0.2, 0.1), (1.001, 1.0, 0.9), 0.001) > 10
+
+
+def test_a_step_as_large_as_both_errors_may_be_none():
+    h, v = (0.4, 0.2, 0.1), (1.25, 1.125, 1.0625)  # order 1, the first step 2/16
+    assert order_from_iteration(h, v, 1 / 16) == pytest.approx(1 - ORDER_LIMITS[0])
+
+
+@pytest.mark.parametrize("p", [-3.0, -0.5, -1e-3, 1e-3, 0.5, 3.0])
+def test_the_slope_is_that_of_the_ratio_for_orders_of_either_sign(p):
+    a, b, step = math.log(2), math.log(4), 1e-4
+
+    def ratio(p):  # of the differences of h^p on meshes 8, 2, 1
+        return a * p + math.log(math.expm1(b * p) / math.expm1(a * p))
+
+    steepness = (ratio(p + step) - ratio(p - step)) / (2 * step)
+    assert slope_of_ratio(p, 2.0, 4.0) == pytest.approx(steepness, rel=1e-6)
 
 
 def test_without_an_error_nothing_is_explained():

@@ -1,4 +1,4 @@
-"""Tries a group's mutants: judged anew first, then the tests; every outcome is kept at once."""
+"""Tries a group's mutants: judged anew, tested, solved anew; every outcome is kept at once."""
 
 import time
 from collections import deque
@@ -12,12 +12,13 @@ from verify.mutation.outcomes import By, Outcome, Store
 from verify.progress import Show, State
 
 TESTS = 200.0  # s for the tests of one mutant, which took AT_MOST unchanged
+JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
 EXPECTED = 4.0  # s for a mutant before anything is known
 
 
 @dataclass
 class Campaign:
-    """One group under way; `tests` are still to run for those that no row noticed."""
+    """One group under way; `stages` is how far each mutant has come that nothing noticed yet."""
 
     group: Group
     store: Store
@@ -25,7 +26,7 @@ class Campaign:
     show: Show = lambda _state: None
     waiting: deque[Task] = field(default_factory=deque)
     spent: dict[str, float] = field(default_factory=dict)
-    tested: set[str] = field(default_factory=set)
+    stages: dict[str, int] = field(default_factory=dict)
 
     def run(self) -> None:
         """Try every chosen mutant that has no outcome yet."""
@@ -49,15 +50,23 @@ class Campaign:
             what = answer.failure
         else:
             by, what = By(answer.value[0]), str(answer.value[1])
-        is_first = key not in self.tested
-        if by is By.NOTHING and is_first and (tests := self.group.tests(self.mutants[key])):
-            self.tested.add(key)
-            work = partial(trial.tested, self.mutants[key], tests)
-            self.waiting.appendleft(Task(key, work, TESTS))
+        if by is By.NOTHING and (task := self._next(key)):
+            self.waiting.appendleft(task)
             return None
-        if not is_first and by is By.TIME:
+        if by is By.TIME and self.stages.get(key) == TESTED:
             by, what = By.TESTS, "tests that do not end"
         return Outcome(key, by, what, round(self.spent[key], 1))
+
+    def _next(self, key: str) -> Task | None:
+        """What is asked next of a mutant: the tests, then cases that take long to solve with it."""
+        changed = self.mutants[key]
+        while (stage := self.stages.get(key, JUDGED)) < SOLVED:
+            self.stages[key] = stage + 1
+            if stage + 1 == SOLVED:
+                return self.group.last(changed)
+            if tests := self.group.tests(changed):
+                return Task(key, partial(trial.tested, changed, tests), TESTS)
+        return None
 
     def _tell(self, key: str) -> None:
         elapsed = time.monotonic() - self.start

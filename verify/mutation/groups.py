@@ -3,7 +3,7 @@
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from verify import cache, durations
@@ -19,7 +19,7 @@ from verify.mutation.workload import Load
 from verify.progress import Show, State
 
 # with some to spare: one in twenty crashes, of finite elements one in six, and counts apart
-SIZES = {"formulas": 270, "judging": 64, "finite-elements": 52}
+SIZES = {"formulas": 260, "judging": 64, "finite-elements": 54}
 JUDGES = ("verify.checks", "verify.claims", "verify.convergence", "verify.judge")
 LEAST = 30.0  # s that every mutant has
 FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
@@ -30,13 +30,17 @@ LONGEST = 4.0  # s for a coarsest level that mutants are tried on
 
 @dataclass(frozen=True)
 class Group:
-    """Mutants, those of the sample among them, how one is tried, and the tests that come next."""
+    """Mutants, those of the sample among them, how one is tried, and the tests that come next.
+
+    `last` is what is left to ask where all that is quicker has noticed nothing.
+    """
 
     name: str
     all: Sequence[Changed]
     chosen: Sequence[Changed]
     trial: Callable[[Changed], Task]
     tests: Callable[[Changed], Sequence[str]]
+    last: Callable[[Changed], Task | None] = lambda _changed: None
 
 
 def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
@@ -44,7 +48,8 @@ def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> 
     benches = _benches(loads, notes.cases(loads))
     tests = _suite(notes, "formulas")
     found = reached(_modules(benches, "analytic."), FORMULAS, benches)
-    return _group("formulas", found, seed, whole, _judging(benches), tests)
+    group = _group("formulas", found, seed, whole, _judging(benches), tests)
+    return replace(group, last=_solving_last(benches))
 
 
 def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
@@ -122,12 +127,24 @@ def _of(changed: Changed, benches: Mapping[str, list[Bench]]) -> list[Bench]:
 def _judging(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
     def task(changed: Changed) -> Task:
         mine = _of(changed, benches)
-        stored, moved = anew.split(changed.mutant.module, mine)
-        known = sum(bench.before.seconds for bench in (*stored, *moved)) + anew.seconds(moved)
-        work = partial(trial.tried, changed, stored, moved)
-        return Task(changed.mutant.id, work, LEAST + FACTOR * known)
+        stored, quick, _ = anew.split(changed.mutant.module, mine)
+        return _task(changed, stored, quick)
 
     return task
+
+
+def _solving_last(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task | None]:
+    def task(changed: Changed) -> Task | None:
+        *_, slow = anew.split(changed.mutant.module, _of(changed, benches))
+        return _task(changed, [], slow) if slow else None
+
+    return task
+
+
+def _task(changed: Changed, stored: Sequence[Bench], moved: Sequence[Bench]) -> Task:
+    known = sum(bench.before.seconds for bench in (*stored, *moved)) + anew.seconds(moved)
+    work = partial(trial.tried, changed, stored, moved)
+    return Task(changed.mutant.id, work, LEAST + FACTOR * known)
 
 
 def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:

@@ -3,22 +3,23 @@
 Run it in a forked child only: pytest leaves its traces in the process.
 """
 
-import sys
 import time
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from types import CodeType, FrameType
-from typing import Any
 
 import pytest
+from hypothesis import Phase, settings
 
-from verify.mutation.tracing import ROOT, named
+from verify.mutation.tracing import ROOT, Calls
 
 OPTIONS = (
-    "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "--capture=fd", "--tb=no",
+    "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:hypothesispytest",
+    "--assert=plain", "--capture=fd", "--tb=no",
     "--rootdir", str(ROOT), "-c", str(ROOT / "pyproject.toml"),
 )  # fmt: skip
-AT_MOST = 30.0  # s of tests for one mutant, by what they took unchanged
+AT_MOST = 20.0  # s of tests for one mutant, by what they took unchanged
+PER_FILE = 6.0  # s, after which a file's further tests are asked of no mutant
+OTHERS = ("_calculix", "_ross", "_tamaas")  # tests with solvers that not every machine has
 SHARED = 1.0  # s: shorter tests of a file that reaches a function are run, too
 JUDGING = tuple(
     f"tests/verify/{name}.py"
@@ -27,6 +28,11 @@ JUDGING = tuple(
         "test_judged_edges", "test_agreement",
     )
 )  # fmt: skip
+
+# a failure is enough: it is neither made smaller nor looked for again, and is found in every run
+settings.register_profile(
+    "mutants", derandomize=True, database=None, phases=[Phase.explicit, Phase.generate]
+)
 
 TESTED = {"formulas": ("analytic",), "judging": ("verify",), "elements": ("fem", "meshes")}
 
@@ -41,19 +47,14 @@ class _Tracer:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
-        codes: set[CodeType] = set()
-
-        def note(frame: FrameType, event: str, _argument: Any) -> None:
-            if event == "call":
-                codes.add(frame.f_code)
-
-        start = time.process_time()  # whoever else is at work
-        sys.setprofile(note)
+        start, calls = time.process_time(), Calls()  # whoever else is at work
         try:
-            return (yield)
+            with calls:
+                return (yield)
         finally:
-            sys.setprofile(None)
-            self.found[item.nodeid] = time.process_time() - start, named(codes)
+            self.found[item.nodeid] = time.process_time() - start, calls.names()
+            if sum(seconds for seconds, _ in self.found.values()) > PER_FILE:
+                item.session.shouldstop = "enough of this file is known"
 
 
 @dataclass(eq=False)  # pytest hashes its plugins
@@ -85,7 +86,7 @@ class _Chosen:
 
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
-    """Seconds and called functions of every test of a file or folder."""
+    """Seconds and called functions of the tests of a file or folder, until PER_FILE is over."""
     tracer = _Tracer()
     pytest.main([*OPTIONS[:1], *OPTIONS[2:], path], plugins=[tracer])
     return tracer.found
@@ -96,6 +97,7 @@ def first_failure(tests: Sequence[str]) -> str:
 
     RuntimeError where they do not run: that is no merit of the tests.
     """
+    settings.load_profile("mutants")
     chosen = _Chosen({name: n for n, name in enumerate(tests)})
     files = dict.fromkeys(name.partition("::")[0] for name in tests)
     status = pytest.main([*OPTIONS, *files], plugins=[chosen])
@@ -134,7 +136,10 @@ def files(kind: str) -> list[str]:
 
 
 def _files(folder: str) -> list[str]:
-    return [str(path.relative_to(ROOT)) for path in sorted((ROOT / folder).rglob("test_*.py"))]
+    return [
+        str(path.relative_to(ROOT)) for path in sorted((ROOT / folder).rglob("test_*.py"))
+        if not path.stem.endswith(OTHERS)
+    ]  # fmt: skip
 
 
 def _folders(package: str) -> list[str]:

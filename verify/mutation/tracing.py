@@ -1,46 +1,70 @@
 """Which functions of the project a piece of work calls."""
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from types import CodeType, FrameType
-from typing import Any
+from typing import Any, Self
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("analytic", "fem", "meshes", "verify")
 
 
-def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-    """What `work` returns, and the functions that it called: "analytic.ring.lame:stresses".
+class Calls:
+    """A context that notes which functions of the project this thread calls while it lasts.
 
-    A function inside another counts as the outer one; methods are "module:Class.method".
+    Code objects are held by their identity: their hash takes longer than many a function.
     """
-    codes: set[CodeType] = set()
 
-    def note(frame: FrameType, event: str, _argument: Any) -> None:
-        if event == "call":
-            codes.add(frame.f_code)
+    def __init__(self) -> None:
+        self._codes: dict[int, CodeType] = {}
+        self._before: Any = None
 
-    before = sys.getprofile()
-    sys.setprofile(note)
-    try:
+    def __enter__(self) -> Self:
+        codes = self._codes
+
+        def note(frame: FrameType, event: str, _argument: Any) -> None:
+            if event == "call":
+                code = frame.f_code
+                codes[id(code)] = code
+
+        self._before = sys.getprofile()
+        sys.setprofile(note)
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        sys.setprofile(self._before)
+
+    def names(self) -> list[str]:
+        """The functions, each once: "analytic.ring.lame:stresses".
+
+        A function inside another counts as the outer one; methods are "module:Class.method".
+        """
+        return sorted({name for code in self._codes.values() if (name := name_of(code))})
+
+
+def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
+    """What `work` returns, and the functions that it called, as `Calls` names them."""
+    calls = Calls()
+    with calls:
         found = work()
-    finally:
-        sys.setprofile(before)
-    return found, named(codes)
-
-
-def named(codes: Iterable[CodeType]) -> list[str]:
-    """The project's functions among code objects."""
-    return sorted({name for code in codes if (name := name_of(code))})
+    return found, calls.names()
 
 
 def name_of(code: CodeType) -> str:
     """Module and function of the project's code; empty for any other."""
-    path = Path(code.co_filename)
-    if not path.is_relative_to(ROOT):
-        return ""
-    module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
-    if module.partition(".")[0] not in PACKAGES or code.co_qualname.startswith("<"):
+    module = _module(code.co_filename)
+    if not module or code.co_qualname.startswith("<"):
         return ""
     return f"{module}:{code.co_qualname.partition('.<locals>')[0]}"
+
+
+@cache
+def _module(file: str) -> str:
+    """The name of a module of the project; empty for any other file."""
+    path = Path(file)
+    if not path.is_relative_to(ROOT):
+        return ""
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    return ".".join(parts) if parts[0] in PACKAGES else ""

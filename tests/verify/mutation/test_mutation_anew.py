@@ -57,8 +57,8 @@ def engaged() -> Bench:
 
 
 def verdict(fault: Changed, bench: Bench) -> list[str]:
-    stored, moved = anew.split(fault.mutant.module, [bench])
-    work = partial(trial.tried, fault, stored, moved)
+    stored, quick, slow = anew.split(fault.mutant.module, [bench])
+    work = partial(trial.tried, fault, stored, [*quick, *slow])
     (answer,) = answers(deque([Task(0, work, 200.0)]), 1)
     assert not answer.failure
     return answer.value
@@ -76,16 +76,21 @@ def test_half_the_inertia_is_red_in_the_levels_that_alone_know_of_it(engaged):
 
 
 def test_stored_levels_are_judged_where_the_mutant_leaves_them(engaged):
-    stored, moved = anew.split("analytic.polyhedral.wedging", [engaged])
-    assert (stored, moved) == ([engaged], [])
+    assert anew.split("analytic.polyhedral.wedging", [engaged]) == ([engaged], [], [])
 
 
 def test_a_case_that_takes_long_does_not_judge_what_its_levels_are_made_with():
     case = find("freewheel-torque", CASES)
     assert "analytic.freewheel.cam" in anew.formulas_in(case)
     bench = Bench(Load(case, case.inputs(), ()), Noted(1.0, (), {}))
-    assert anew.split("analytic.freewheel.cam", [bench]) == ([], [])
-    assert anew.split("analytic.freewheel.series", [bench]) == ([bench], [])
+    assert anew.split("analytic.freewheel.cam", [bench]) == ([], [], [])
+    assert anew.split("analytic.freewheel.series", [bench]) == ([bench], [], [])
+
+
+def test_what_takes_long_to_solve_anew_is_asked_after_what_does_not(engaged):
+    quick = bench_of("rotor-clutch")
+    assert anew.split("analytic.contact.palmgren", [engaged, quick]) == ([], [quick], [engaged])
+    assert anew.split("analytic.sprag.events", [engaged, quick]) == ([quick], [], [engaged])
 
 
 @pytest.mark.parametrize("name", anew.SOLVED)

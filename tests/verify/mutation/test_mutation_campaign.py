@@ -2,6 +2,7 @@
 
 import importlib
 import json
+from collections import deque
 from dataclasses import replace
 from functools import partial
 from textwrap import dedent
@@ -13,7 +14,7 @@ from verify.checks import Fact
 from verify.inputs import Inputs, quantity
 from verify.mutation import groups, known, score, suite, trial, workload
 from verify.mutation.campaign import Campaign
-from verify.mutation.forked import Task
+from verify.mutation.forked import Task, answers
 from verify.mutation.groups import Group, functions_of
 from verify.mutation.outcomes import By, Outcome, Store
 from verify.mutation.sample import sample
@@ -113,6 +114,47 @@ def test_tests_come_next_and_only_for_what_no_row_noticed(group, tmp_path, monke
     assert ("b * 1e-09", "b / 1e-09") not in asked
     assert not [one for one in store.found.values() if one.by is By.NOTHING]
     assert by(group, store)["a > 0", "a <= 0"].what == "a test"
+
+
+def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(group, tmp_path, monkeypatch):
+    def tested(changed, _tests):
+        noticed = changed.mutant.before == "a > 0"
+        return [By.TESTS.value, "a test"] if noticed else [By.NOTHING.value, ""]
+
+    def last(changed):
+        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
+
+    monkeypatch.setattr(trial, "tested", tested)
+    store = Store(tmp_path / "outcomes.jsonl")
+    Campaign(replace(group, tests=lambda _: ("a test",), last=last), store, 2).run()
+    found = by(group, store)
+    assert found["a > 0", "a <= 0"].what == "a test"
+    assert found["a + b * 1e-09", "a - b * 1e-09"].what == "a slow row"
+    assert found["b * 1e-09", "b / 1e-09"].what != "a slow row"
+
+
+def test_a_mutant_that_no_case_judges_is_still_asked_of_what_takes_long(group, tmp_path):
+    def last(changed):
+        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
+
+    store = Store(tmp_path / "outcomes.jsonl")
+    Campaign(replace(group, last=last), store, 2).run()
+    assert by(group, store)["a > 0", "a <= 0"].what == "a slow row"
+
+
+def test_of_a_file_that_takes_long_only_its_first_tests_are_known(tmp_path, monkeypatch):
+    file = tmp_path / "test_long.py"
+    file.write_text("def test_one():\n    pass\n\n\ndef test_two():\n    pass\n", "utf-8")
+    monkeypatch.setattr(suite, "PER_FILE", 0.0)
+    (answer,) = answers(deque([Task(0, partial(suite.traced, str(file)), 60.0)]), 1)
+    (known_one,) = answer.value
+    assert known_one.endswith("test_one")
+
+
+def test_tests_with_solvers_that_not_every_machine_has_are_not_asked():
+    asked = suite.files("elements")
+    assert "tests/fem/shell/test_shell_patch.py" in asked
+    assert not [path for path in asked if "calculix" in path or "ross" in path]
 
 
 def test_a_run_goes_on_where_it_was_stopped(group, tmp_path):
