@@ -18,7 +18,7 @@ OPTIONS = (
     "--rootdir", str(ROOT), "-c", str(ROOT / "pyproject.toml"),
 )  # fmt: skip
 AT_MOST = 20.0  # s of tests for one mutant, by what they took unchanged
-PER_FILE = 6.0  # s, after which a file's further tests are asked of no mutant
+PER_FILE = 12.0  # s, after which a file's further tests are asked of no mutant
 OTHERS = ("_calculix", "_ross", "_tamaas")  # tests with solvers that not every machine has
 SHARED = 1.0  # s: shorter tests of a file that reaches a function are run, too
 JUDGING = tuple(

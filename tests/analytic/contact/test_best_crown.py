@@ -70,6 +70,16 @@ def on_half_space(best, load, tilt):
     )  # fmt: skip
 
 
+def test_a_search_is_given_up_only_after_some_generations_whose_ends_all_carry():
+    def hopeless(nit, fun):
+        return module._hopeless(OptimizeResult(nit=nit, fun=fun))
+
+    patience, loaded = module.PATIENCE, module.LOADED
+    assert hopeless(patience, loaded + 0.1)
+    assert not hopeless(patience - 1, loaded + 0.1)
+    assert not hopeless(patience, 0.9 * loaded)
+
+
 @pytest.mark.parametrize(
     ("load", "tilt"),
     [(340.0, 0.0), (3407.0, 0.0), (20000.0, 0.0), (50.0, 5e-4), (340.0, 1e-3), (3407.0, 5.2e-4),
@@ -206,13 +216,3 @@ def test_what_makes_no_sense_is_refused_in_one_line(wrong, message):
     with pytest.raises(ValueError, match=message) as caught:
         best_crown(**{"load": 3407.0, **ROLLER} | wrong)
     assert "\n" not in str(caught.value)
-
-
-def test_a_search_is_given_up_only_after_some_generations_whose_ends_all_carry():
-    def hopeless(nit, fun):
-        return module._hopeless(OptimizeResult(nit=nit, fun=fun))
-
-    patience, loaded = module.PATIENCE, module.LOADED
-    assert hopeless(patience, loaded + 0.1)
-    assert not hopeless(patience - 1, loaded + 0.1)
-    assert not hopeless(patience, 0.9 * loaded)
