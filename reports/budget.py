@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from textwrap import wrap
 
-import numpy as np
 from markupsafe import Markup
 
 from reports import svg
@@ -53,8 +52,8 @@ def _digits(size: float, digits: int) -> str:
     if not size:
         return "0"
     if size >= SMALL:
-        told = np.format_float_positional(size, precision=digits, unique=False, fractional=False)
-        return told.rstrip(".")
+        rounded = float(f"{size:.{digits - 1}e}")
+        return f"{rounded:#.{digits}g}".rstrip(".") if rounded < 10**digits else f"{rounded:.0f}"
     mantissa, _, exponent = f"{size:.0e}".partition("e")
     return f"{mantissa}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
 

@@ -121,6 +121,8 @@ def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
         (-0.24834, 3.6e-7, "−24.8 ± 4·10⁻⁵ %"), (0.0, None, "0 %"),
         (7.2e-8, 7e-8, "+7·10⁻⁶ ± 7·10⁻⁶ %"),
         (None, None, "–"), (0.00018, 1.2e-4, "+0.0180 ± 0.01 %"), (3.1, 0.0, "+310 %"),
+        (0.003, 9.96e-3, "+0.300 ± 1 %"), (9.9996, 0.2, "+1000 ± 20 %"),
+        (-0.1596, 0.0, "−16.0 %"),
     ],
 )  # fmt: skip
 def test_shares_are_told_with_the_digits_that_they_have(value, u, said):
