@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: verify quick deep test check bench readme lock clean
+.PHONY: verify quick deep crosscheck mutants test check bench readme lock clean
 
 verify: .venv/.ready
 	$(BIN)/freewheel verify
@@ -10,9 +10,17 @@ verify: .venv/.ready
 quick: .venv/.ready
 	$(BIN)/freewheel verify --quick
 
-# Maps that take longer than a run may: what was measured is kept in verify/measured.
+# Maps, regions and error budgets that take longer than a run may: what was measured is kept in verify/measured.
 deep: .venv/.ready
 	$(BIN)/freewheel deep
+
+# Second solvers on the same meshes and loads. A failed install of theirs is told, and no error.
+crosscheck: .venv/.ready .venv-crosscheck/.ready
+	$(BIN)/freewheel crosscheck
+
+# What the suite catches of mistakes made on purpose; ALL=1 tries every mutant, for hours.
+mutants: .venv/.ready
+	$(BIN)/freewheel mutants $(if $(ALL),--all)
 
 # One BLAS thread a worker, as `verify` has it: two workers of two threads each wait for each other.
 # A file is one worker's, so that what its tests share is solved once (pytest 9.2 tells xdist 3.8 no groups).
@@ -47,10 +55,21 @@ readme: verify
 	$(BIN)/pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $@
 
+# The lock is whole, so that nothing is resolved; without the solvers, why is kept in failed.txt.
+.venv-crosscheck/.ready: requirements-crosscheck.txt
+	rm -rf .venv-crosscheck && mkdir .venv-crosscheck
+	{ $(PYTHON) -m venv .venv-crosscheck && .venv-crosscheck/bin/pip install --quiet \
+		--disable-pip-version-check --no-deps --require-hashes -r $<; } 2> .venv-crosscheck/said.txt \
+		|| { grep -m 1 -i error .venv-crosscheck/said.txt > .venv-crosscheck/failed.txt; \
+		rm -rf .venv-crosscheck/bin; }
+	touch $@
+
 # Needs uv, which the project itself does not.
 lock:
 	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
 		--no-header --group build --group dev pyproject.toml -o requirements.txt
+	uv pip compile --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
+		--no-header requirements-crosscheck.in -o requirements-crosscheck.txt
 
 clean:
-	rm -rf .venv .cache reports/out
+	rm -rf .venv .venv-crosscheck .cache reports/out

@@ -21,10 +21,11 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from benchmarks import calculix, hertz
+from benchmarks import hertz
 from benchmarks.calculix_contact import Answer, Settings, run_deck, write_deck
 from benchmarks.plot_contact import draw
 from benchmarks.processes import run_module
+from verify.crosscheck.calculix import running as calculix
 
 OUT = Path(__file__).parent / "out"
 RUNS = 7
@@ -75,7 +76,7 @@ class Peer:
         with TemporaryDirectory() as folder:
             deck = Path(folder) / "contact.inp"
             start = time.perf_counter()
-            write_deck(deck, self.problem, self.solution, how)
+            write_deck(deck, self.solution, how)
             self.writing = time.perf_counter() - start
             return run_deck(deck, self.problem, self.solution.plane, how, limit)
 

@@ -20,10 +20,11 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from benchmarks import calculix, sector
+from benchmarks import sector
 from benchmarks.calculix_freewheel import Answer, Deck, Settings
 from benchmarks.plot_freewheel import draw
 from benchmarks.processes import run_module
+from verify.crosscheck.calculix import running as calculix
 
 OUT = Path(__file__).parent / "out"
 RUNS = 5
@@ -92,7 +93,7 @@ def try_all(peer: Peer) -> list[tuple[Settings, Answer, Errors]]:
     for how in (*TRIED, replace(USUAL, given=peer.torque)):
         try:
             answer, errors = peer.ask(how)
-        except (RuntimeError, ValueError, IndexError) as error:
+        except (RuntimeError, ValueError, LookupError) as error:
             print(f"    {how!s:60s} no answer: {' '.join(str(error).split())[-90:]}", flush=True)
             continue
         found.append((how, answer, errors))

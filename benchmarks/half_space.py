@@ -30,9 +30,10 @@ from analytic.contact.half_space import press
 from analytic.contact.half_space_contact import centres
 from analytic.contact.half_space_convolution import Convolution
 from benchmarks.plot_half_space import draw
+from verify.crosscheck.guests import tamaas_press
 
 OUT = Path(__file__).parent / "out"
-PEER = Path(__file__).parent / "tamaas_half_space.py"
+PEER = Path(tamaas_press.__file__)
 THREADS = int(os.environ.get("THREADS", "1"))
 TOLERANCE = 1e-10
 FINEST = 1e-13  # what double precision still tells apart
@@ -98,17 +99,17 @@ def ours(asked: Asked, tolerance: float = TOLERANCE) -> dict[str, Any]:
 
 def theirs(asked: Asked, python: str) -> dict[str, Any]:
     with TemporaryDirectory() as folder:
-        question, answer = Path(folder) / "asked.npz", Path(folder) / "answer.npz"
-        np.savez(
-            question, gap=asked.gap, cell=asked.cell, load=asked.load, E_star=E_STAR,
-            tolerance=TOLERANCE, limit=LIMIT,
-        )  # fmt: skip
+        question, answer = Path(folder) / "asked.json", Path(folder) / "answer.json"
+        question.write_text(json.dumps({
+            "gap": asked.gap.tolist(), "cell": asked.cell, "load": asked.load, "E_star": E_STAR,
+            "tolerance": TOLERANCE, "limit": LIMIT,
+        }))  # fmt: skip
         subprocess.run(  # noqa: S603
             [python, str(PEER), str(question), str(answer)],
             env=os.environ | {"OMP_NUM_THREADS": str(THREADS)}, check=True,
         )  # fmt: skip
-        with np.load(answer) as found:
-            return {key: found[key] for key in found.files}
+        found = json.loads(answer.read_text("utf-8"))
+        return found | {"pressure": np.array(found["pressure"])}
 
 
 def residual(asked: Asked, pressure: Array) -> float:

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
-from benchmarks.calculix import write_deck
 from benchmarks.ring import ASSUMPTION, RIM, STEEL, ring_mesh, solve_ring
 from fem.plane import factors, solve
 from fem.plane.cells import Cells
+from verify.crosscheck.calculix.plane import PlaneDeck
 
 # Everything else is loads, supports and the checks of them.
 STAGES = {
@@ -70,7 +70,8 @@ def main() -> None:
         "energy": float(ring.f @ ring.u) / 2,
     }  # fmt: skip
     if deck:
-        write_deck(Path(deck[0]), ring, material=STEEL, assumption=ASSUMPTION)
+        told = PlaneDeck(solution=ring, materials=STEEL, assumption=ASSUMPTION, brief=True)
+        told.write(Path(deck[0]))
     print(json.dumps(answer))
 
 

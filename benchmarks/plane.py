@@ -14,10 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import calculix
 from benchmarks.plot import draw
 from benchmarks.processes import run_module
 from benchmarks.ring import RIM, RIM_MOVES, ring_mesh, solve_ring
+from verify.crosscheck.calculix import running as calculix
+from verify.crosscheck.calculix.numbering import Numbering
 
 OUT = Path(__file__).parent / "out"
 SIZES = {42: 5, 134: 3, 232: 2}  # cells along the quarter (1e4, 1e5, 3e5 unknowns): runs
@@ -33,7 +34,7 @@ def ours(kind: str, around: int, deck: Path | None = None) -> dict[str, Any]:
 def check(kind: str, around: int, deck: Path) -> None:
     """RuntimeError unless both sides and Lamé agree in displacement, and both in energy."""
     ring = solve_ring(ring_mesh(kind, around))  # type: ignore[arg-type]
-    dofs = calculix.deck_unknowns(ring)
+    dofs = Numbering(ring.basis).dofs
     theirs, here = calculix.run_deck(deck).u, ring.u[dofs].T
     rim = np.argmin(np.hypot(*(ring.basis.doflocs[:, dofs[0]] - np.reshape(RIM, (2, 1)))))
     energy = float(ring.f[dofs].T.ravel() @ theirs.ravel()), float(ring.f @ ring.u)

@@ -11,7 +11,18 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
-from reports import formats, plots, signature, validity
+from reports import (
+    budget,
+    caught,
+    crosscheck,
+    formats,
+    plots,
+    readings,
+    second,
+    signature,
+    since,
+    validity,
+)
 from reports.bars import bars
 from reports.campbell import campbell
 from reports.curves import curves
@@ -24,6 +35,7 @@ from reports.parallel import parallel
 from reports.refinement import refinement
 from reports.shapes import shapes
 from reports.sketch import sketch
+from reports.slim import slim
 from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
@@ -49,7 +61,6 @@ from verify.shown import (
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
 COMPANION = ": convergence"
-NAMESPACE = ' xmlns="http://www.w3.org/2000/svg"'  # a page knows it: 50 kB in a thousand drawings
 LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
@@ -97,11 +108,15 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     glyphs = Glyphs(cache)
     script = _script(report, frames)
     groups = [(case, lines(case.rows)) for case in report.cases]
+    checks = crosscheck.of_cases(report)
     body = _environment(glyphs).get_template("report.html.j2").render(
-        report=report, rows=report.rows, groups=groups, statuses=tuple(Status), words=WORDS,
+        report=report, crosschecks=checks, seconds=second.seconds(checks), rows=report.rows,
+        groups=groups, statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
         subjects=validity.subjects(report.validity),
+        budgets=report.budgets,
+        caught=report.caught,
         scale_key=scale_key if validity.mapped(report.validity) else None,
         paired=sum(line.convergence is not None for _, group in groups for line in group),
         relaxed=sum(row.demand is not None and row.demand > 0.01 for row in report.rows),
@@ -114,7 +129,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
         published=_by_paper(report), script=Markup(script),  # noqa: S704 - the project's own file
         script_source=_source(script), css=Markup(styles()),  # noqa: S704 - likewise
     )  # fmt: skip
-    return body.replace("<!--glyphs-->", glyphs.symbols()).replace(NAMESPACE, "")
+    return slim(body.replace("<!--glyphs-->", glyphs.symbols()))
 
 
 @dataclass(frozen=True)
@@ -266,12 +281,24 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "causes": causes,
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
+        "share": caught.share, "moved": caught.moved, "green": caught.green,
+        "only_listed": caught.only_listed, "survivors": caught.survivors,
+        "in_words": caught.in_words, "interval": caught.interval, "stale": caught.stale,
         "signed": validity.signed, "validity_over": validity.common,
-        "linked": formats.linked,
+        "reading_found": readings.found, "chance": readings.chance,
+        "drift_summary": since.summary, "drift_shown": since.shown, "drift_more": since.left_out,
+        "drift_tighter": since.tighter, "drift_tighter_more": since.tighter_left_out,
+        "waterfall": budget.waterfall, "percent": budget.percent,
+        "budget_headline": budget.headline, "budget_lines": budget.lines,
+        "budget_compact": budget.compact, "budget_identities": budget.identities,
+        "budget_outside": budget.outside, "budget_left": budget.left,
+        "cross_problems": crosscheck.problems, "cross_told": crosscheck.told,
+        "cross_left": crosscheck.left_out, "second_value": second.value,
+        "second_apart": second.apart, "second_meshes": second.meshes, "linked": formats.linked,
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
-    env.globals["LONG_LIST"] = LONG_LIST
+    env.globals |= {"LONG_LIST": LONG_LIST, "CHANGED": caught.NAMES}
     return env
 
 

@@ -2,15 +2,17 @@
 
 from collections.abc import Mapping, Sequence
 
-from reports import formats, plots, signature
+from reports import formats, plots, second, signature
+from reports.crosscheck import Problem
 from reports.frames import Frame
 from reports.html import Line, lines, plot, present, printed, reproduce
 from reports.mathematics import tree
 from reports.pdf_tables import Data, budget, expected, levels, prose, quantity, shortened
 from reports.richtext import Run, digits, runs
+from reports.second import NOTHING, Seconds
 from reports.sketch import sketch
 from reports.standalone import Drawing, standalone
-from verify.results import CaseResult
+from verify.results import CaseResult, Crosscheck, Row
 from verify.shown import FormulaValue, InputValue
 
 MARKS = {"theory": "|", "FEA": "□", "test": "◇"}  # as the graphic of a row draws them
@@ -22,10 +24,12 @@ def case_data(
     anchors: Mapping[str, str],
     sheets: Sequence[str],
     paper: str,
+    beside: Seconds = NOTHING,
 ) -> Data:
     """Everything of a case of a `paper`, as its first author and year.
 
-    `sheets` name the workbook's sheet of each of the case's tables.
+    `sheets` name the workbook's sheet of each of the case's tables; `beside` holds what second
+    solvers found.
     """
     group = lines(case.rows)
     refined = [row for row in case.rows if row.grid and row.levels]
@@ -38,7 +42,11 @@ def case_data(
         "counts": [[status.value, count] for status, count in present(case.rows)],
         "findings": [prose(f) for f in case.findings],
         "warnings": [prose(w) for w in case.warnings],
-        "lines": [line_data(line, anchors) for line in group],
+        "lines": [
+            line_data(line, anchors) | {"second": _second(beside.of(line.row), line.row)}
+            for line in group
+        ],
+        "second": [_problem(p) for p in beside.cases.get(case.id, ())],
         "sketch": standalone(sketch(case.sketch)),
         "sketch_title": _caption(case.sketch.title) if case.sketch else [],
         "inputs": [_input(i) for i in case.inputs],
@@ -85,6 +93,21 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
         "status": row.status.value,
         "reason": prose(line.reason),
     }
+
+
+def _second(checks: Sequence[Crosscheck], row: Row) -> list[list[Run]]:
+    """What each second solver found for the row."""
+    return [
+        [f"{c.solver} ", *runs(second.value(c, row)), ", ", *runs(second.apart(c))] for c in checks
+    ]
+
+
+def _problem(problem: Problem) -> list[Run]:
+    """What a second solver found that belongs to no single row, in a sentence."""
+    said: list[Run] = [f"Second solver, {problem.head.solver}: ", *prose(problem.head.what)]
+    for i, check in enumerate(problem.lines):
+        said += [": " if i == 0 else "; ", *prose(check.quantity), " ", *runs(second.apart(check))]
+    return [*said, "."]
 
 
 def _caption(title: str) -> list[Run]:

@@ -9,13 +9,19 @@ from jinja2 import Template
 from markupsafe import Markup
 
 from reports import signature
+from reports.crosscheck import crosscheck_data, left_out_data, of_cases, told
 from reports.frames import Frame
 from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
+from reports.pdf_budget import budget_data
 from reports.pdf_case import case_data, maths, value_cells
+from reports.pdf_caught import caught_data
 from reports.pdf_tables import Data, prose
 from reports.pdf_validity import validity_data
+from reports.readings import readings_data
 from reports.richtext import runs
+from reports.second import seconds
 from reports.sheets import Sheets
+from reports.since import since_data
 from reports.standalone import HERE, standalone
 from reports.verdicts import first_author, verdicts
 from verify.results import PaperCell, PaperTable, Report, Row, Status
@@ -24,7 +30,8 @@ from verify.results import PaperCell, PaperTable, Report, Row, Status
 def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
     """All that templates/report.typ prints; a user's own report has no ledgers."""
     places, sheets = anchors(report.rows), Sheets(report)
-    own = bool(report.name)
+    own, checks = bool(report.name), of_cases(report)
+    beside = seconds(checks)
     short = {p["key"]: first_author(p["authors"], p["year"]) for p in report.papers}
     return {
         "title": title(report),
@@ -46,10 +53,19 @@ def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:
         "overview": standalone(signature.overview(report.cases, places)),
         "key": standalone(_key(report)),
         "cases": [
-            case_data(case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper])
+            case_data(
+                case, frames.get(case.id, ()), places, sheets.of_case[i], short[case.paper], beside
+            )
             for i, case in enumerate(report.cases)
         ],
+        "since": since_data(report.drift),
+        "readings": readings_data(report.searches) if report.searches else None,
         "validity": validity_data(report.validity),
+        "budgets": budget_data(report.budgets, {case.id for case in report.cases}),
+        "crosschecks": crosscheck_data(checks),
+        "crosschecks_left": left_out_data(checks),
+        "crosschecks_told": told(checks),
+        "caught": caught_data(report.caught),
         "ledgers": None if own else _ledgers(report, places),
     }
 

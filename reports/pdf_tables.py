@@ -1,4 +1,4 @@
-"""Tables of a case in the PDF: error budget, values on every mesh, the case's own tables."""
+"""Tables of a case in the PDF: of tolerances, of values on every mesh, and its own."""
 
 from collections.abc import Iterable, Sequence
 from itertools import groupby
@@ -28,7 +28,7 @@ def quantity(row: Row) -> list[Run]:
 
 
 def budget(rows: Sequence[Row]) -> Data:
-    """Lines of the error budget; reasons for a demand stand below, each once, with a letter."""
+    """Lines of how tolerances came about; reasons for a demand stand below."""
     said = dict.fromkeys(row.demand_reason for row in rows if row.demand_reason)
     marks = {reason: _letter(i) for i, reason in enumerate(said)}
     return {

@@ -5,14 +5,19 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from verify.results import SCHEMA_VERSION, CaseResult, Report, Row, Validity
+from reports.second import records, seconds
+from verify.results import SCHEMA_VERSION, CaseResult, Drift, Report, Row, Validity
 
 
 def report_record(report: Report) -> dict[str, Any]:
     """The whole run for results.json."""
+    beside = seconds(report.crosschecks)
     return {
         "schema": SCHEMA_VERSION,
-        "rows": [row_record(row) for row in report.rows],
+        "rows": [
+            row_record(row) | {"second_solvers": list(records(beside.of(row)))}
+            for row in report.rows
+        ],
         "cases": [_case(case) for case in report.cases],
         "papers": list(report.papers),
         "equations": list(report.equations),
@@ -20,8 +25,18 @@ def report_record(report: Report) -> dict[str, Any]:
         "published": list(report.published),
         "paper_tables": [_plain(asdict(table)) for table in report.tables],
         "validity": [_validity(one) for one in report.validity],
+        "drift": None if report.drift is None else _drift(report.drift),
+        "readings_tried": [_plain(asdict(one)) for one in report.searches],
+        "budgets": [_plain(asdict(one)) for one in report.budgets],
+        "crosschecks": [_plain(asdict(one)) for one in report.crosschecks],
+        "caught": None if report.caught is None else _plain(asdict(report.caught)),
         "provenance": report.provenance,
     }
+
+
+def _drift(drift: Drift) -> dict[str, Any]:
+    """What moved since a release, and how many loosened demands lack a reason."""
+    return {"unexplained": len(drift.unexplained), **_plain(asdict(drift))}
 
 
 def row_record(row: Row) -> dict[str, Any]:

@@ -2,10 +2,11 @@
 
 import csv
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 
+from reports import second
 from reports.xml_text import clean
-from verify.results import Row
+from verify.results import Crosscheck, Row
 
 COLUMNS = (
     "case", "quantity", "symbol", "unit", "kind", "by", "analytic", "fem", "reference",
@@ -16,14 +17,14 @@ RELATIVE = (
     "expected_low_relative", "expected_high_relative",
 )  # fmt: skip
 PRINTED = ("printed_theory", "printed_FEA", "printed_test")
-HEADER = (*COLUMNS, *RELATIVE, *PRINTED)
+HEADER = (*COLUMNS, *RELATIVE, *second.COLUMNS, *PRINTED)
 FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # what makes a spreadsheet compute a text
 
 Cell = str | float | None
 
 
-def cells(row: Row) -> list[Cell]:
-    """One row: values in the row's unit, then what is relative to its scale, then the papers."""
+def cells(row: Row, beside: Sequence[Crosscheck] = ()) -> list[Cell]:
+    """One row: values in its unit, what is relative to its scale, second solvers, the papers."""
     scale = row.scale if row.kind != "fact" else None
     relative = (
         row.difference / scale if scale and row.difference is not None else None,
@@ -36,11 +37,13 @@ def cells(row: Row) -> list[Cell]:
     )
     named = {c: getattr(row, c) for c in COLUMNS}
     named["by"] = row.by if row.reference is not None and row.kind != "fact" else ""
-    return [*named.values(), *relative, *printed]
+    return [*named.values(), *relative, *second.cells(beside), *printed]
 
 
-def rows_csv(rows: Iterable[Row]) -> str:
+def rows_csv(rows: Iterable[Row], beside: Mapping[str, Sequence[Crosscheck]] | None = None) -> str:
     """One line a row; a text that a spreadsheet would compute starts with an apostrophe.
+
+    `beside` has what second solvers found, by id of the row.
 
     Begins with a byte-order mark, without which spreadsheets misread µm.
     """
@@ -48,11 +51,12 @@ def rows_csv(rows: Iterable[Row]) -> str:
     table = csv.writer(text, lineterminator="\n")
     table.writerow(HEADER)
     for row in rows:
-        table.writerow([_harmless(cell) for cell in cells(row)])
+        table.writerow([harmless(cell) for cell in cells(row, (beside or {}).get(row.id, ()))])
     return "\ufeff" + text.getvalue()
 
 
-def _harmless(cell: Cell) -> str | float:
+def harmless(cell: Cell) -> str | float:
+    """A cell that no spreadsheet computes and that stays on its line; empty for nothing."""
     if not isinstance(cell, str):
         return "" if cell is None else cell
     text = clean(cell).replace("\r", " ")  # csv writes it unquoted, and a line would end there

@@ -9,6 +9,7 @@ from markupsafe import Markup
 from reports import formats, html
 from reports.design import Tile
 from reports.measured import Measured
+from reports.slim import slim
 from reports.sweep_plots import Causes, Histogram, causes, histogram
 from reports.validity_map import has_nominal, measured, scale_key, validity_map
 from verify.shown import Figure, Table
@@ -81,8 +82,7 @@ def page(sweep: SweepPage) -> str:
         "small": validity_map, "flat": flat, "key": key,
     }  # fmt: skip
     css = Markup(html.styles())  # noqa: S704 - the project's own files
-    drawn = env.get_template("sweep.html.j2").render(page=sweep, css=css)
-    return drawn.replace(html.NAMESPACE, "")
+    return slim(env.get_template("sweep.html.j2").render(page=sweep, css=css))
 
 
 def prose(text: str) -> Markup:

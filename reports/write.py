@@ -10,12 +10,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reports.budget_table import budget_csv
+from reports.crosscheck_table import crosscheck_csv
 from reports.frames import Frame, frames
 from reports.html import page
 from reports.junit import junit
 from reports.pdf import NotSet, pdf
 from reports.records import report_record
 from reports.rows import rows_csv
+from reports.second import seconds
 from reports.verdicts import markdown
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
@@ -23,6 +26,8 @@ from verify.results import Report
 
 ERRORS = "errors.txt"
 PAPER = "report.pdf"
+BUDGET = "budget.csv"
+CROSSCHECK = "crosscheck.csv"
 STAGING = ".part-"
 
 
@@ -62,7 +67,8 @@ def write(report: Report, folder: Path, *, cache: Path | None = None, hint: str 
         for name in files:
             (staging / name).replace(folder / name)
         # of a run over other cases, or of one that could do more
-        for stale in (*folder.glob("*.vtu"), folder / ERRORS, folder / PAPER):
+        made = (ERRORS, PAPER, BUDGET, CROSSCHECK)
+        for stale in (*folder.glob("*.vtu"), *(folder / name for name in made)):
             if stale.name not in files:
                 stale.unlink(missing_ok=True)
     return Written(folder / "report.html", tuple(remarks))
@@ -75,7 +81,11 @@ def _files(
     record = json.dumps(report_record(report), ensure_ascii=False, indent=1, allow_nan=False)
     yield "results.json", record.encode()
     yield schema.name, schema.read_bytes()
-    yield "rows.csv", rows_csv(report.rows).encode()
+    yield "rows.csv", rows_csv(report.rows, seconds(report.crosschecks).rows).encode()
+    if report.budgets:
+        yield BUDGET, budget_csv(report.budgets).encode()
+    if report.crosschecks:
+        yield CROSSCHECK, crosscheck_csv(report.crosschecks).encode()
     yield "verdicts.md", f"{markdown(report)}\n".encode()
     yield "junit.xml", junit(report).encode()
     yield "tables.xlsx", xlsx(report)

@@ -7,15 +7,18 @@ from typing import Any
 from reports.html import claims, title
 from reports.pdf import made
 from reports.rows import HEADER, RELATIVE, cells
+from reports.second import seconds
 from reports.sheets import Sheets
 from reports.workbook import Book, Cell, Link, Printed
-from verify.results import CaseResult, PaperTable, Report, Row, Status
+from verify.results import CaseResult, Crosscheck, PaperTable, Report, Row, Status
 
 RELATIVE_FORMAT = "0.0E+00"
 LEDGER = re.compile(r"ledger (\w+):([\w-]+)")
-NUMBERS = dict.fromkeys(
-    (*RELATIVE, "tolerance", "difference", "u_num", "u_ref", "u_input", "u"), RELATIVE_FORMAT
-) | {"order": "0.00"}
+SMALL = (
+    *RELATIVE, "second_difference_relative", "tolerance", "difference", "u_num", "u_ref",
+    "u_input", "u",
+)  # fmt: skip
+NUMBERS = dict.fromkeys(SMALL, RELATIVE_FORMAT) | {"order": "0.00"}
 HEAD = 1  # line of the head of a sheet without lines above
 
 
@@ -71,11 +74,14 @@ def _counts(rows: Sequence[Row]) -> list[int]:
 def _rows(report: Report) -> list[list[Cell]]:
     """As in rows.csv, printed numbers as numbers, and a link to the ledger of errata."""
     lines = {(e["paper"], e["id"]): i for i, e in enumerate(report.errata, HEAD + 1)}
-    return [_row(row, lines) for row in report.rows]
+    beside = seconds(report.crosschecks)
+    return [_row(row, beside.of(row), lines) for row in report.rows]
 
 
-def _row(row: Row, lines: Mapping[tuple[str, str], int]) -> list[Cell]:
-    *values, theory, fea, test = cells(row)
+def _row(
+    row: Row, beside: Sequence[Crosscheck], lines: Mapping[tuple[str, str], int]
+) -> list[Cell]:
+    *values, theory, fea, test = cells(row, beside)
     found = LEDGER.search(row.reason)
     line = lines.get((found[1], found[2])) if found else None
     link = Link(f"{found[1]}:{found[2]}", f"'Errata'!A{line}") if found and line else None

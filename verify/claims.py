@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from verify import judge, units
 from verify.case import Context
-from verify.convergence import GridConvergence, grid_convergence
+from verify.convergence import GridConvergence, grid_convergence, order_from_iteration
 from verify.published.ledger import published
 from verify.results import Grid, Kind, Partner, Published, Row, Status
 
@@ -87,8 +87,7 @@ def convergence_verdict(
     `h` are mesh sizes and `v` the values on them; `v`, `u_it` and `allowed` have one unit.
     """
     if grid.behaviour == "monotone" and grid.order is not None:
-        noise = 4 * u_it / (abs(v[-1] - v[-2]) * math.log(h[-2] / h[-1]))
-        verdict = judge.fact(grid.order - 0.5, noise)
+        verdict = judge.fact(grid.order - 0.5, order_from_iteration(h, v, u_it))
         reason = f"order {grid.order:.2f}, above 0.5"
     elif grid.behaviour == "round-off":
         verdict, reason = judge.fact(1.0, 0.0), "the last differences are round-off"
@@ -107,7 +106,8 @@ class FemClaim(Claim):
     """A claim about finite-element values `fem`, whose order in theory is `formal`.
 
     `by` names another method, refined like a mesh, whose values these are. A sweep takes the claim
-    with it where it can be judged by values alone, which `swept` says.
+    with it where it can be judged by values alone, which `swept` says. `own_demand`, for the reason
+    `own_reason`, is what one's own parameters are asked for, where that is less than the suite's.
     """
 
     swept: ClassVar[bool] = True
@@ -116,6 +116,8 @@ class FemClaim(Claim):
     by: str = ""
     formal: float | None = None
     scale: str = ""  # analytic key of the natural magnitude; the reference itself where empty
+    own_demand: float = judge.DEMAND
+    own_reason: str = "own parameters: the suite's default"
 
     def convergence(self, context: Context, scale: float) -> tuple[GridConvergence, float, float]:
         """Grid convergence, u_num of the finest value and the largest u_it of all levels [SI]."""
@@ -148,8 +150,8 @@ class FemClaim(Claim):
         )
 
     def demanded(self, context: Context) -> float:
-        """The acceptance figure for the paper's numbers, the suite's default for one's own."""
-        return self.demand if context.is_paper else max(self.demand, judge.DEMAND)
+        """The acceptance figure for the paper's numbers, no sharper one for one's own."""
+        return self.demand if context.is_paper else max(self.demand, self.own_demand)
 
     def _recorded(self, context: Context, grid: GridConvergence, u_it: float, scale: float) -> Grid:
         """The convergence with everything that it was judged from, in the display unit."""
@@ -178,5 +180,5 @@ class FemClaim(Claim):
             "demand": self.demanded(context),
             "demand_reason": self.demand_reason
             if self.demanded(context) == self.demand
-            else "own parameters: the suite's default",
+            else self.own_reason,
         }  # fmt: skip

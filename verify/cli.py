@@ -14,6 +14,13 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 
 from cyclopts import App, CycloptsError, Parameter  # noqa: E402 - threads are counted at import
 
+from verify.arguments import CaseId, Engine, Jobs, case_ids  # noqa: E402
+from verify.crosscheck.cli import crosscheck  # noqa: E402
+from verify.definitions.cli import search  # noqa: E402
+from verify.design.cli import design  # noqa: E402
+from verify.mutation.cli import mutants  # noqa: E402
+from verify.sweep.cli import sweep  # noqa: E402
+
 app = App(
     name="freewheel",
     help="Settles how far the design formulas of freewheel clutches can be trusted.",
@@ -26,32 +33,13 @@ app = App(
 
 BAD_INPUT = 2
 
-
-def _whole(_type: Any, tokens: Any) -> int:
-    """A whole number; cyclopts by itself would round 1.5."""
-    given = str(tokens[0].value)
-    if not given.lstrip("+-").isdecimal():
-        raise ValueError(f"needs a whole number, got {given!r}")
-    return int(given)
-
-
-def _case_ids(_context: Any) -> list[str]:
-    """What a shell offers where a case is named."""
-    from verify.cases.registry import CASES
-
-    return [case.id for case in CASES]
+for _command in (search, design, sweep, crosscheck, mutants):
+    app.command(_command)
 
 
 def _templates(_context: Any) -> list[str]:
     """What a shell offers where a template is named."""
-    return [*_case_ids(_context), "design-spring", "design-sprag"]
-
-
-Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=_whole)]
-Number = Annotated[int, Parameter(converter=_whole)]
-Texts = Annotated[tuple[str, ...], Parameter(negative="", consume_multiple=False)]
-Engine = Literal["local", "dask"]
-CaseId = Annotated[str, Parameter(completer=_case_ids)]
+    return [*case_ids(_context), "design-spring", "design-sprag"]
 
 
 @app.command
@@ -159,106 +147,6 @@ def init(
 
 
 @app.command
-def design(
-    file: Path,
-    /,
-    *,
-    choose: Number | None = None,
-    fem: bool = True,
-    json: bool = False,
-    out: Path | None = None,
-) -> int:
-    """Find the accordion springs that do a task, or the crown of a sprag with the least pressure.
-
-    Parameters
-    ----------
-    file
-        The task (TOML), see `freewheel init design-spring` and `freewheel init design-sprag`; a
-        file of sprag-clutch does as well.
-    choose
-        Of springs, the member of the front to go on with; by default the one nearest to the best
-        of everything that finite elements keep.
-    fem
-        Set finite elements beside every member of the front, a half-space beside the crown.
-    json
-        Print JSON instead of text.
-    out
-        Folder for the page, all candidates and a parameter file of what is chosen.
-    """
-    from verify.inputs import read_parameter_file
-
-    case, _, _ = read_parameter_file(file)
-    if case in ("design-sprag", "sprag-clutch"):
-        from verify.design_sprag.command import run_design as run_sprag
-
-        return run_sprag(file, choose=choose, use_fem=fem, as_json=json, out=out)
-    from verify.design.command import run_design
-
-    return run_design(file, choose=choose, use_fem=fem, as_json=json, out=out)
-
-
-@app.command
-def sweep(
-    file: Path,
-    /,
-    *,
-    vary: Texts = (),
-    star: bool = False,
-    sample: str = "",
-    tolerance: Texts = (),
-    only: Texts = (),
-    jobs: Jobs = 0,
-    engine: Engine = "local",
-    scheduler: str = "",
-    out: Path | None = None,
-    json: bool = False,
-    again: bool = False,
-) -> int:
-    """Say over ranges of the inputs how wrong formulas are, and where they stop being usable.
-
-    Writes the difference of each row's formula from finite elements with its error bar, and the
-    region where it stays within 2, 5 and 10 %; or, of a sample, which tolerances matter. Points are
-    kept as they are solved: a sweep that was stopped goes on, a finer one reuses them.
-
-    Parameters
-    ----------
-    file
-        Parameter file (TOML), see `freewheel init`.
-    vary
-        An input and its values: z=3:12:10, b=0.3mm:2mm:9, b=0.1mm:10mm:9:log, E=190GPa,210GPa or
-        supports[2].k=...; several make a grid.
-    star
-        Vary one input at a time instead, the others as in the file.
-    sample
-        sobol:N, a sample for sensitivity indices with N a power of two: N (d + 2) points for d
-        tolerances.
-    tolerance
-        An input of the sample and how far off it may be, evenly distributed: b=±0.05mm, E=±5%.
-    only
-        Rows whose names contain this; some cases solve only what these need.
-    jobs
-        Processes, 0 for one a core.
-    engine
-        Processes of this machine, or a dask cluster.
-    scheduler
-        Address of the cluster's scheduler, tcp://host:8786; without it dask makes a cluster here.
-    out
-        Folder for the page and tables, by default reports/out/sweep-FILE of this checkout.
-    json
-        Print JSON instead of text.
-    again
-        Solve anew the points that failed.
-    """
-    from verify.engines import Where
-    from verify.sweep.command import run_sweep
-
-    return run_sweep(
-        file, vary=vary, star=star, sample=sample, tolerances=tolerance, only=only,
-        where=Where(jobs, engine, scheduler), out=out, as_json=json, again=again,
-    )  # fmt: skip
-
-
-@app.command
 def explain(
     *row: CaseId,
     json: bool = False,
@@ -285,7 +173,7 @@ def explain(
 
 @app.command
 def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
-    """Measure what takes longer than `verify` may: maps and regions that its report then shows.
+    """Measure what takes longer than `verify` may: maps, regions, error budgets for its report.
 
     What was measured is kept while the code stands that made it; a run goes on where one was
     interrupted.
@@ -293,8 +181,8 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
     Parameters
     ----------
     cases
-        Measurements to make: validity, validity:CASE or a map's name; by default all that are
-        missing.
+        Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
+        default all that are missing.
     again
         Measure anew what is there already.
     jobs

@@ -16,16 +16,18 @@ from verify import cache, environment
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.check_record import check_record
+from verify.definitions.tried import searches
 from verify.design.inputs import CASE as DESIGN
 from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
-from verify.results import CaseResult, Report, Status, Validity
+from verify.releases.since import lines, since
+from verify.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
-from verify.told import print_check, print_verdicts
+from verify.told import print_check, print_verdicts, raised
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)
@@ -62,6 +64,8 @@ def run_verify(
     report = make_report(results, cases, time.perf_counter() - start)
     print_verdicts(report)
     page = _write(report, out, use_cache)
+    if report.drift:
+        print("\n".join(raised(line) for line in lines(report.drift)))
     print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
     if any(case.errors for case in report.cases):
         print(f"tracebacks: {out / 'errors.txt'}")
@@ -69,7 +73,8 @@ def run_verify(
         row.status is Status.FAIL or (row.status is Status.SKIP and not quick)
         for row in report.rows
     )
-    return 1 if failed else 0
+    loosened = report.drift is not None and report.drift.unexplained
+    return 1 if failed or loosened else 0
 
 
 def run_check(
@@ -196,8 +201,20 @@ def make_report(
         provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
         name=name,
         validity=() if name else _validity(results, cases),
+        drift=None if name else since(results),
+        searches=() if name else searches([case.id for case in cases]),
+        budgets=() if name else _budgets(results, cases),
+        crosschecks=() if name else _crosschecks(results),
+        caught=None if name else _caught(),
         **ledgers(results, cases),
     )
+
+
+def _caught() -> Caught:
+    """What is kept of mistakes made on purpose, as far as it counts for the present code."""
+    from verify.mutation.score import measured  # what judges anew, which `check` does without
+
+    return measured()
 
 
 def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:
@@ -205,3 +222,17 @@ def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Val
     from verify.validity.cards import validity  # scipy's statistics, which `check` does without
 
     return validity(results, cases)
+
+
+def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
+    """The error budgets, which are about the papers' own inputs too."""
+    from verify.budget.told import told  # reads sources of all that they depend on
+
+    return told(results, cases)
+
+
+def _crosschecks(results: Sequence[CaseResult]) -> tuple[Crosscheck, ...]:
+    """What second solvers found of the cases' problems."""
+    from verify.crosscheck.judged import reported  # reads the sources of all that it compares
+
+    return reported([result.id for result in results])

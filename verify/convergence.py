@@ -130,6 +130,40 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
     return float(brentq(excess, low, high, xtol=1e-12))
 
 
+def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
+    r"""By how much, at most, iteration may have raised the observed order of the last three values.
+
+    Each may be off by u either way. The order is least where the middle one is off one way and the
+    other two are off the other way, whatever the ratios of the meshes; the logarithm of the ratio
+    of differences then falls by
+
+    .. math:: \ln\left(1 + \frac{2u}{|v_1 - v_2|}\right)
+        - \ln\left(1 - \frac{2u}{|v_2 - v_3|}\right)
+
+    which is divided by its slope in p, :func:`slope_of_ratio`. That has no turning point: the
+    smaller one of both ends bounds it.
+    """
+    (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
+    fine, coarse, r21, r32 = abs(v1 - v2), abs(v2 - v3), h2 / h1, h3 / h2
+    observed = observed_order(coarse / fine, r21, r32)
+    if coarse <= 2 * u_it:
+        return observed - ORDER_LIMITS[0]
+    least = observed_order((coarse - 2 * u_it) / (fine + 2 * u_it), r21, r32)
+    fall = math.log1p(2 * u_it / fine) - math.log1p(-2 * u_it / coarse)
+    return fall / min(slope_of_ratio(p, r21, r32) for p in (least, observed))
+
+
+def slope_of_ratio(p: float, r21: float, r32: float) -> float:
+    r"""Derivative by p of the logarithm of the ratio that belongs to the order p; ln r for one r.
+
+    .. math:: \ln r_{21} + \frac{\ln r_{32}}{1 - r_{32}^{-p}} - \frac{\ln r_{21}}{1 - r_{21}^{-p}}
+    """
+    a, b = math.log(r21), math.log(r32)
+    if abs(p) < 1e-6:
+        return (a + b) / 2
+    return a - b / math.expm1(-b * p) + a / math.expm1(-a * p)
+
+
 @dataclass(frozen=True)
 class OrderFit:
     """Slope of log error over log size as h goes to 0, and its standard uncertainty.

@@ -79,15 +79,25 @@ def keep(case: Case, parts: Sequence[FemResult], folder: Path | None = None) -> 
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
     """Measure the named deep cases, or all that are not measured for the present code.
 
-    "validity" and "validity:CASE" measure where formulas hold (verify.validity), as does no name.
-    0 where everything was measured, 1 where a part failed.
+    "validity" and "validity:CASE" measure where formulas hold (verify.validity), "budget" and
+    "budget:CASE" of what differences are made (verify.budget); no name measures all. 0 where
+    everything was measured, 1 where a part failed.
     """
+    from verify.budget import measuring as budget
     from verify.cases.registry import CASES, DEEP, find
     from verify.validity import measuring
 
-    of_validity = [name for name in names if name.partition(":")[0] == measuring.NAME]
+    of_validity, of_budget = (
+        [name for name in names if name.partition(":")[0] == kind]
+        for kind in (measuring.NAME, budget.NAME)
+    )
     regions = measuring.chosen(of_validity if names else (measuring.NAME,), CASES)
-    chosen = [find(name, DEEP) for name in dict.fromkeys(names) if name not in of_validity]
+    differences = budget.chosen(of_budget if names else (budget.NAME,), CASES)
+    others = [name for name in dict.fromkeys(names) if name not in {*of_validity, *of_budget}]
+    try:
+        chosen = [find(name, DEEP) for name in others]
+    except ValueError as error:
+        raise ValueError(f"{error}, validity[:CASE], budget[:CASE]") from None
     chosen = chosen if names else list(DEEP)
     missing = [case for case in chosen if again or measured(case) is None]
     for case in chosen:
@@ -111,4 +121,5 @@ def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
         print(f"{case.id}: {len(whole)} parts measured in {result.seconds:.0f} s")
     with shown(quiet=False) as show:
         measuring.measure(regions, Where(jobs), again=again, show=show)
+        failed |= not budget.measure(differences, Where(jobs), again=again, show=show)
     return 1 if failed else 0

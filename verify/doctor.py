@@ -16,6 +16,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from verify import environment
+from verify.crosscheck import solvers
+from verify.crosscheck.calculix import running
+from verify.crosscheck.statement import CALCULIX, SOLVERS
 from verify.environment import LIBRARIES
 from verify.installed import installed, mismatches
 
@@ -29,8 +32,6 @@ SOLVING = (
     "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "pydantic", "pint", "jinja2", "ziamath",
     "meshio",
 )  # fmt: skip
-PROGRAMS = (("calculix", "ccx"), ("chromium", "chromium"))
-MODULES = ("tamaas", "ross-rotordynamics")  # second solvers
 TYPST = 'import typst\nassert typst.compile(b"Hello")'
 SECONDS = 60.0
 
@@ -78,6 +79,7 @@ def findings() -> Iterator[Finding]:
         gmsh = pool.submit(environment.probe, "import gmsh", SECONDS)
         pictures = pool.submit(environment.missing_for_pictures)
         typst = pool.submit(environment.probe, TYPST, SECONDS)
+        others = [pool.submit(_solver, name) for name in SOLVERS]
         yield from _machine()
         yield from _packages()
         yield from _libraries()
@@ -85,9 +87,12 @@ def findings() -> Iterator[Finding]:
         yield _tried("gmsh makes meshes", problem, fatal=True)
         yield _tried("pictures by pyvista", pictures.result())
         yield _tried("PDF by typst", typst.result())
+        second = [found.result() for found in others]
     yield _cache()
     yield _output()
-    yield from _optional()
+    yield from second
+    browser = shutil.which("chromium") or ""  # what tests of the page use
+    yield Finding("chromium", OK if browser else OPTIONAL, browser or "not installed")
 
 
 def _machine() -> Iterator[Finding]:
@@ -167,9 +172,10 @@ def _unwritable(folder: Path) -> str:
         return error.strerror or str(error)
 
 
-def _optional() -> Iterator[Finding]:
-    """Second solvers and what tests of the page use: no run needs them."""
-    found = {name: shutil.which(program) or "" for name, program in PROGRAMS}
-    found |= {name: installed(name) for name in MODULES}
-    for name, detail in found.items():
-        yield Finding(name, OK if detail else OPTIONAL, detail or "not installed")
+def _solver(name: str) -> Finding:
+    """A second solver, calculix or one of the crosscheck environment: no run needs it."""
+    found = solvers.solver(name)
+    if found.missing:
+        return Finding(name, OPTIONAL, found.missing)
+    place = running.executable() if name == CALCULIX else solvers.interpreter()
+    return Finding(name, OK, f"{found.version}, {place}")

@@ -1,7 +1,7 @@
 """Value types that a run produces and reports read. Nothing here computes or draws."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
@@ -304,6 +304,223 @@ class Validity:
     maps: tuple[str, ...] = ()
 
 
+class CrossState(StrEnum):
+    """How a comparison with a second solver came out."""
+
+    AGREES = "agrees"
+    OUTSIDE = "outside"  # farther apart than allowed
+    MISSING = "not measured"
+    ALONE = "no second solver"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Crosscheck:
+    """A number of the project beside that of a second solver on the same mesh and loads.
+
+    `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
+    `why` says what makes a difference, or why nothing was measured or no solver takes it. `row` is
+    the id of the row that it stands beside, if any; `seconds` those of the project and of the other
+    solver.
+    """
+
+    case: str
+    problem: str
+    what: str
+    quantity: str
+    row: str
+    symbol: str
+    unit: str
+    solver: str
+    state: CrossState
+    version: str = ""
+    date: str = ""
+    ours: float | None = None
+    theirs: float | None = None
+    difference: float | None = None
+    allowed: float | None = None
+    why: str = ""
+    seconds: tuple[float, ...] = ()
+    unknowns: int = 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Change:
+    """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
+
+    `size` tells how far a value moved. A loosened demand or band needs the `reason` stated for it.
+    """
+
+    row: str
+    aspect: str
+    was: str
+    now: str
+    size: str = ""
+    loosened: bool = False
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drift:
+    """What has moved since a `release`; of `compared` rows, how many have `tightened` demands.
+
+    `tighter` are these demands and bands.
+    """
+
+    release: str
+    date: str
+    commit: str
+    compared: int
+    tightened: int
+    changes: tuple[Change, ...] = ()
+    tighter: tuple[Change, ...] = ()
+    unused: tuple[str, ...] = ()  # reasons stated since the release that nothing asks for
+
+    @property
+    def unexplained(self) -> tuple[Change, ...]:
+        """Loosened without a reason: red."""
+        return tuple(c for c in self.changes if c.loosened and not c.reason)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingsTried:
+    """A printed number that is not met as its formula is first read, and what else it may mean.
+
+    `readings` is the best of `hits` combinations that reproduce it, empty where none does, with its
+    `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
+    was tried, for that reason. `reference` names the number or the erratum, "paper:id".
+    """
+
+    reference: str
+    place: str
+    printed: str
+    unit: str
+    what: str = ""
+    as_it_stands: float | None = None
+    met: bool = False
+    tried: int = 0
+    hits: int = 0
+    readings: tuple[str, ...] = ()
+    value: float | None = None
+    chance: float = 0.0
+    is_evidence: bool = False
+    errata: tuple[str, ...] = ()
+    missing: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BudgetPart:
+    """What one cause contributes to a relative difference, by a rerun without it; `u` half-width.
+
+    None where there was no rerun, and `note` says why. What is `shared` by formula and finite
+    elements is no part of their difference and is not subtracted from it.
+    """
+
+    cause: str
+    what: str
+    contribution: float | None
+    u: float | None
+    shared: bool = False
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BudgetJoint:
+    """By how much two causes removed together do more than one by one; None where not rerun."""
+
+    causes: tuple[str, str]
+    value: float | None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RowBudget:
+    """Of what the difference (formula - FE)/scale of a row is made, all relative.
+
+    `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the row's own
+    tolerance. `within` says of an identity whether the remainder is explained by both. `headline`
+    rows are drawn. `apart` says whether reruns leave little of what is large; where not, `why`.
+    """
+
+    quantity: str
+    symbol: str
+    kind: Kind
+    total: float
+    U: float | None
+    parts: tuple[BudgetPart, ...]
+    joints: tuple[BudgetJoint, ...]
+    remainder: float
+    u: float
+    within: bool | None = None
+    headline: bool = False
+    apart: bool = True
+    why: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseBudget:
+    """The budgets of one case's rows; without a measurement `missing` says why.
+
+    `seconds` is what all its reruns took together, on one processor.
+    """
+
+    case: str
+    title: str
+    date: str = ""
+    seconds: float = 0.0
+    missing: str = ""
+    rows: tuple[RowBudget, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class MutantGroup:
+    """What was tried of one group: `rows` and `tests` caught some, `apart` crashed or ran on.
+
+    `all` is how many there are; those apart are not among those `tried`.
+    """
+
+    name: str
+    all: int
+    tried: int
+    rows: int
+    tests: int
+    survived: int
+    apart: int
+
+    @property
+    def caught(self) -> int:
+        """Mutants that a row or a test notices."""
+        return self.rows + self.tests
+
+
+@dataclass(frozen=True, kw_only=True)
+class Survivor:
+    """A mutant that nothing noticed, and why nobody can, where that was argued."""
+
+    group: str
+    where: str
+    line: int
+    operator: str
+    before: str
+    after: str
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Caught:
+    """What the suite catches of mistakes made on purpose; without a measurement `missing` says why.
+
+    `references` holds shares of rows that turn red where their references are changed; `stale`
+    names the groups that were not measured for this code.
+    """
+
+    date: str = ""
+    missing: str = ""
+    stale: tuple[str, ...] = ()
+    groups: tuple[MutantGroup, ...] = ()
+    survivors: tuple[Survivor, ...] = ()
+    references: Mapping[str, Any] = field(default_factory=dict)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Report:
     """A whole run: judged cases, the ledgers and where the numbers come from.
@@ -320,6 +537,11 @@ class Report:
     tables: tuple[PaperTable, ...] = ()
     name: str = ""
     validity: tuple[Validity, ...] = ()
+    drift: Drift | None = None
+    searches: tuple[ReadingsTried, ...] = ()
+    budgets: tuple[CaseBudget, ...] = ()
+    crosschecks: tuple[Crosscheck, ...] = ()
+    caught: Caught | None = None
 
     @property
     def rows(self) -> tuple[Row, ...]:

@@ -90,9 +90,9 @@ def mortar(
 
     weight = points.weight * depth
     carriers = slave.carriers()
-    along = np.array([0.0, 1.0, 0.5])[: len(carriers), None] + np.arange(slave.count)
+    order = np.array([0.0, 1.0, 0.5])[: len(carriers), None] + np.arange(slave.count)
     _, first, place = np.unique(carriers, return_index=True, return_inverse=True)
-    rank = np.argsort(np.argsort(along.ravel()[first]))  # nodes follow each other as facets do
+    rank = np.argsort(np.argsort(order.ravel()[first]))  # nodes follow each other as facets do
     place = rank[place].reshape(carriers.shape)
     local = slave.hats(points.s)
     hats = csr_array(
@@ -104,7 +104,8 @@ def mortar(
     places, arc = np.zeros((2, rank.size)), np.zeros(rank.size)
     places[:, place] = slave.nodes[:, : len(local)]
     ends = np.array([0.0, 1.0, 0.5])[: len(local), None] + np.zeros(slave.count)
-    arc[place[::-1]] = slave.arc(np.arange(slave.count), ends)[::-1]  # the start of a closed curve
+    along = slave.arc(np.arange(slave.count), ends)
+    arc[place[::-1].ravel()] = along[::-1].ravel()  # the last counts: a closed curve's start
     return Mortar(
         points,
         places[:, covered],

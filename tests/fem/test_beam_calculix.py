@@ -8,11 +8,11 @@ from math import pi
 import numpy as np
 import pytest
 
-from benchmarks.calculix import executable
 from fem.beam.large import LargeFrame
 from meshes.spring.path import Piece
-from tests.fem.calculix_decks import Load, Problem, run
-from tests.fem.calculix_strips import beams, plane_strain_section, section_held, strip
+from verify.crosscheck.calculix.large import Load, Problem, run
+from verify.crosscheck.calculix.running import executable
+from verify.crosscheck.calculix.strips import beams, plane_strain_section, section_held, strip
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
 

@@ -8,17 +8,15 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from benchmarks.calculix import executable
 from fem.beam.large import LargeFrame
 from fem.beam.touching import SelfContact
 from meshes.spring.centre_line import centre_line
-from meshes.spring.path import Piece, accordion
+from meshes.spring.path import Piece
 from tests.fem.beam_touching_shapes import together
-from tests.fem.calculix_decks import (
-    END,
+from verify.crosscheck.calculix.compressed import compressed as strip_compressed
+from verify.crosscheck.calculix.large import (
     LEFT,
     RIGHT,
-    START,
     STEEL,
     Held,
     Problem,
@@ -26,7 +24,8 @@ from tests.fem.calculix_decks import (
     faces,
     run,
 )
-from tests.fem.calculix_strips import beams, plane_strain_section, section_held, strip
+from verify.crosscheck.calculix.running import executable
+from verify.crosscheck.calculix.strips import beams, plane_strain_section, section_held, strip
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
 
@@ -95,39 +94,8 @@ def test_a_loop_slides_along_the_leaf_that_it_bends_as_in_calculix(friction, mov
 
 def compressed_in_calculix(line, b, moves, per_arc, per_leaf, folder):
     """Force along x on the guided head at each movement of it; the tail is held at mid-leaf."""
-    pieces = list(accordion(**line, tail="mid-leaf", tips=True))
-    counts = [per_arc if piece.turn else per_leaf for piece in pieces]
-    part = strip(pieces, counts, b)
-    head, tail = counts[0], sum(counts[:-1])
-    units = {
-        i: [
-            cell
-            for piece, own in zip(pieces, part.pieces, strict=True)
-            for cell in own
-            if piece.unit == i and piece.kind != "tip"
-        ]
-        for i in range(2, line["n"])
-    }
-    units |= {1: list(part.pieces[0]), line["n"]: list(part.pieces[-1])}
-    pairs = [Touching(_facing(i, units[i]), _facing(i, units[i + 1])) for i in range(1, line["n"])]
-    pairs[0].slave.append((0, START))
-    pairs[-1].master.append((len(part.cells) - 1, END))
-    pairs[-1] = Touching(*pairs[-1][::-1])
-    answer = run(
-        Problem(
-            points=part.points, cells=part.cells,
-            held=[*section_held(part, tail, 1), Held(part.across[head], 1)],
-            steps=[[Held([part.middle(head)], 0, move)] for move in moves],
-            watched=[part.middle(head)], touching=pairs, stiffness=STEEL.E / b,
-        ),
-        folder / "spring.inp",
-    )  # fmt: skip
-    return answer.reaction[:, 0]
-
-
-def _facing(unit, cells):
-    """The side on which units `unit` and `unit` + 1 meet."""
-    return faces(cells, RIGHT if unit % 2 else LEFT)
+    problem = strip_compressed(line, b, moves, per_arc=per_arc, per_leaf=per_leaf)
+    return run(problem, folder / "spring.inp").reaction[:, 0]
 
 
 def compressed(line, b, moves, per_arc=8):

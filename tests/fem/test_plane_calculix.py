@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from benchmarks.calculix import deck_unknowns, executable, run_deck, write_deck
 from benchmarks.ring import RIM, RIM_MOVES, STEEL, ring_mesh, solve_ring
 from fem.plane.solve import solve_plane
+from verify.crosscheck.calculix.plane import PlaneDeck
+from verify.crosscheck.calculix.running import executable, run_deck
 
 # Of the largest displacement: calculix prints six digits, and integrates curved triangles with
 # three points each, whose difference falls with the fourth power of the cells.
@@ -19,8 +20,9 @@ def both(mesh, assumption, folder):
         mesh, materials=STEEL, assumption=assumption, supports={"x=0": "x", "y=0": "y"},
         pressures={"bore": 100e6}, thickness=0.3,
     )  # fmt: skip
-    write_deck(folder / "ring.inp", ring, material=STEEL, assumption=assumption)
-    return ring.u[deck_unknowns(ring)].T, run_deck(folder / "ring.inp").u
+    told = PlaneDeck(solution=ring, materials=STEEL, assumption=assumption)
+    deck = told.write(folder / "ring.inp")
+    return ring.u[told.numbering.dofs].T, run_deck(deck).u
 
 
 @installed

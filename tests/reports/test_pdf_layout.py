@@ -47,7 +47,7 @@ def printed(wordy, tmp_path_factory):
 def room(printed) -> float:
     """Width [pt] of the names of quantities in the summary."""
     texts = [w.text for w in printed]
-    summary = printed[texts.index("Quantity") : texts.index("budget:")]
+    summary = printed[texts.index("Quantity") : texts.index("tolerances")]
     at = [w for w in summary if w.text == "word"]
     assert len(at) >= 18 * 3
     return max(w.right for w in at) - min(w.left for w in at)

@@ -3,11 +3,13 @@
 import json
 import signal
 import sys
+from pathlib import Path
 
 import pytest
 
 from verify import doctor, environment
 from verify.cli import run
+from verify.crosscheck import solvers
 from verify.doctor import MISSING, OK, OPTIONAL, Finding
 from verify.installed import PIN, installed, mismatches
 
@@ -79,14 +81,29 @@ def test_a_cache_that_cannot_be_written_is_told(quick, monkeypatch, tmp_path, ca
     assert "every run solves anew" in capsys.readouterr().out
 
 
-def test_second_solvers_are_optional(quick, monkeypatch, capsys):
+def test_second_solvers_are_optional(quick, monkeypatch, tmp_path, capsys):
+    solvers.solver.cache_clear()
     monkeypatch.setattr(doctor.shutil, "which", lambda _program: None)
+    monkeypatch.setenv("FREEWHEEL_CROSSCHECK", str(tmp_path / "python"))
+    monkeypatch.setattr(solvers, "OWN", tmp_path)
     assert run(["doctor"]) == 0
     lines = [x for x in capsys.readouterr().out.splitlines() if x.startswith(OPTIONAL)]
-    assert [x.split()[1] for x in lines if "calculix" in x or "chromium" in x] == [
-        "calculix", "chromium",
-    ]  # fmt: skip
-    assert all(x.endswith("not installed") for x in lines)
+    assert [x.split()[1] for x in lines] == ["calculix", "tamaas", "ROSS", "chromium"]
+    assert all("not installed" in x for x in lines)
+    assert "no ccx among the programs" in lines[0]
+    assert all(x.endswith("make crosscheck installs it") for x in lines[1:3])
+    solvers.solver.cache_clear()
+
+
+def test_second_solvers_are_those_of_their_own_environment(quick, monkeypatch, capsys):
+    python = Path("/somewhere/.venv-crosscheck/bin/python")
+    monkeypatch.setattr(solvers, "solver", lambda name: solvers.Solver(name, "1.2.3"))
+    monkeypatch.setattr(solvers, "interpreter", lambda: python)
+    assert run(["doctor", "--json"]) == 0
+    found = {f["what"]: f for f in json.loads(capsys.readouterr().out)["findings"]}
+    assert [found[name]["state"] for name in ("calculix", "tamaas", "ROSS")] == [OK] * 3
+    assert found["ROSS"]["detail"] == f"1.2.3, {python}"
+    assert str(python) not in found["calculix"]["detail"]
 
 
 def test_versions_that_are_not_the_locked_ones_are_named():

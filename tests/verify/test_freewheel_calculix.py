@@ -8,8 +8,8 @@ sides and its quadrilaterals lack the middle node counts less than the mesh does
 import pytest
 
 from benchmarks import sector
-from benchmarks.calculix import executable
 from benchmarks.calculix_freewheel import Deck, Settings
+from verify.crosscheck.calculix.running import executable
 
 CELLS = 4
 SOFT, STIFF = 5.0, 50.0  # E/a

@@ -21,7 +21,7 @@ pytestmark = pytest.mark.xdist_group("survival")  # they share the undisturbed r
 KILLS = 20
 RING_LEVELS = 4
 REPORT = re.compile(
-    r"report\.(html|pdf)|results(\.schema)?\.json|rows\.csv|tables\.xlsx|verdicts\.md|junit\.xml"
+    r"report\.(html|pdf)|results(\.schema)?\.json|(rows|budget|crosscheck)\.csv|tables\.xlsx|verdicts\.md|junit\.xml"
     r"|ring-lame-.*\.vtu"
 )
 

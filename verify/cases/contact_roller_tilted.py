@@ -8,6 +8,7 @@ import numpy as np
 
 from analytic.contact import strips
 from analytic.contact.best_crown import BestCrown
+from verify.agreement import suites
 from verify.case import Case, Context, FemResult, Output, Scan, Values
 from verify.cases import contact_roller_profiles as profiles
 from verify.cases import contact_roller_shown as shown
@@ -28,11 +29,11 @@ from verify.cases.contact_roller import (
     strips_rows,
     warnings,
 )
-from verify.cases.contact_roller_accepted import ENDS, within
+from verify.cases.contact_roller_accepted import ENDS
+from verify.cases.contact_roller_agreed import within
 from verify.cases.contact_roller_formulas import values
 from verify.cases.contact_roller_half_space import pressed, result, stair, too_short
 from verify.cases.contact_roller_inputs import CrownedInputs, TiltedInputs
-from verify.checks import Accepted
 from verify.shown import Array, Curve, Curves, Figure
 
 TILTS = np.linspace(0.0, 2.0, 33)  # over the one given
@@ -66,10 +67,10 @@ def fem(q: TiltedInputs, level: int) -> FemResult:
 CHECKS = (
     *strips_rows(("peak", "approach")),
     *sliced_rows(("peak",)),
-    Accepted(name=f"tilting moment, strips within {MOMENT:.0%}", symbol="M", unit="1",
-             margin=within("moment", MOMENT, "F l")),
-    Accepted(name=f"load within d of the pressed end, strips within {ENDS:.0%}", symbol="F_d",
-             unit="1", margin=within("high end", ENDS, "F")),
+    within(f"tilting moment, strips within {MOMENT:.0%}", "M", "N m", "moment", MOMENT, "F l",
+           suites("as far off as rows may be")),
+    within(f"load within d of the pressed end, strips within {ENDS:.0%}", "F_d", "N", "high end",
+           ENDS, "F", suites("as much as the subject accepts without a tilt")),
     END_PRESSURE,
     BEST_ROW,
     BALANCE,

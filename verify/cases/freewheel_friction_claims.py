@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from analytic.freewheel import criterion
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, PaperDeviation, suites
 from verify.case import Context
 from verify.cases.freewheel_friction_formulas import (
     both_contacts,
@@ -16,15 +17,18 @@ from verify.cases.freewheel_friction_formulas import (
     whole_load,
 )
 from verify.cases.freewheel_friction_limit import HELD
-from verify.checks import Accepted, Approximation, Exact, Fact, Identity
-from verify.results import Row
+from verify.checks import Approximation, Exact, Identity
 from verify.shown import Array
 
-ONSET, CONE, OWN = 1e-3, 5e-3, 2e-3  # acceptance of the subject
+ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
+OWN = 2e-3  # and of F_t/F_n, which is the required friction without an axial load
+ALONE = "as F_t/F_n, which it is without an axial load"
 SHARE = 1e-3  # of F_t/(mu N) over the wedge angles
 ANGLE = "two bodies that enclose the star say alpha, friction along surfaces by its size"
 TILTED = f"{ANGLE}, surfaces tilt under N"
-HEAVY: Any = {"demand": 0.03, "demand_reason": "surfaces tilt by more, the heavier the load"}
+HEAVY: Any = {"own_demand": 0.03, "own_reason": "surfaces tilt by more, the heavier the load"}
+ROOT: Any = {"demand": 0.015, "own_demand": 0.05}  # what a root of a small difference asks for
+LIMITED, CREEPS = "it goes as √((μ/tan α)² − 1)", "it goes as 1/√((μ/tan α)² − 1)"
 STATICS = 1e-6  # of a value: what forces in balance may miss
 BALANCED = "forces in balance, on any mesh"
 
@@ -41,31 +45,34 @@ def required(context: Context, *, loaded: bool, of_mesh: bool = False) -> float:
     return float(criterion.required_friction(alpha=np.arctan(tan), T=q.T, F_ax=F_ax, R=q.R))
 
 
-def onset(context: Context) -> tuple[float, float, str]:
+def onset(context: Context) -> Pair:
     """All of both contacts slips where friction is tan(alpha)."""
     share, half = context.fem[-1].arrays["onset"]
     tan = context.fem[-1].arrays["tan"][1]
     off = share * tan / required(context, loaded=False, of_mesh=True) - 1
-    return ONSET - abs(off), 2 * half, f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
+    words = f"slip starts at {_of_required(off)}, {ONSET:.1%} accepted"
+    return Pair(1 / (1 + off), 1.0, 2 * half, words)
 
 
-def axial_onset(context: Context) -> tuple[float, float, str]:
+def axial_onset(context: Context) -> Pair:
     """The axial load finds no rest where friction is below mu_req."""
     share, half = context.fem[-1].arrays["axial onset"]
     tan, q = context.fem[-1].arrays["tan"][1], context.inputs
     needed = required(context, loaded=True, of_mesh=True)
     off = share * tan * np.hypot(1.0, q.F_ax * q.R / q.T) / needed - 1
-    return CONE - abs(off), half, f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
+    words = f"slip starts at {_of_required(off)}, {CONE:.1%} accepted"
+    return Pair(1 / (1 + off), 1.0, half, words)
 
 
 def _of_required(off: float) -> str:
     return "no μ near μ_req" if np.isnan(off) else f"μ_req {off:+.3%}"
 
 
-def of_contact(context: Context, where: int) -> tuple[float, float, str]:
+def of_contact(context: Context, where: int) -> Pair:
     """Resultant over N of one contact against Eq. 9."""
     before, now = (_off(context, r.arrays["loaded"][:, where]) for r in context.fem[-2:])
-    return OWN - abs(now), abs(now - before), f"off by {now:+.3%}, {OWN:.1%} accepted"
+    words = f"off by {now:+.3%}, {OWN:.1%} accepted"
+    return Pair(1 / (1 + now), 1.0, abs(now - before), words)
 
 
 def _off(context: Context, forces: Array) -> float:
@@ -81,27 +88,18 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
     slid = [row for row in arrays["angles"] if row[3] > 0]
     found = [np.hypot(last[2:4], last[4:6]), *(np.hypot(row[3::2], row[4::2]) for row in slid)]
     off = np.abs(np.concatenate(found) - 1).max()
-    return CONE - float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
+    return float(off), 0.0, f"within {off:.2%} of μF_n, {CONE:.1%} accepted"
 
 
-def over_angles(context: Context) -> tuple[float, float]:
-    """F_t/(mu N) is tan(alpha)/mu up to 1, and beyond next to nothing is left of N."""
+def over_angles(context: Context) -> tuple[float, float, str]:
+    """How far F_t/(mu N) is off tan(alpha)/mu up to 1; beyond next to nothing is left of N."""
     k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
     mu = context.inputs.mu
     alpha = np.arctan(k * mu)
     out = criterion.self_releasing(alpha=alpha, mu=mu)
     needed = criterion.required_friction(alpha=alpha, T=1.0, F_ax=0.0, R=1.0) / mu
     missed = np.where(out, SHARE * left / (1 - HELD), np.abs(ratio - needed))
-    return float(SHARE - missed.max()), 0.0
-
-
-class PaperFact(Fact):
-    """A fact about these inputs: at one's own, wedges of other angles may differ."""
-
-    paper_only = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
+    return float(missed.max()), 0.0, f"off by {missed.max():.1e} at most"
 
 
 CHECKS = (
@@ -123,24 +121,30 @@ CHECKS = (
                   analytic="mu_req", interval=two_tangents,
                   source=f"{ANGLE}; √(1 + (F_ax R/T)²) of it is no tangent", formal=2),
     Approximation(name="limit of the axial load (Eq. 9)", symbol="F_ax,lim", unit="N",
-                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, demand=0.05,
-                  demand_reason="it goes as √((μ/tan α)² − 1)", formal=2),
+                  fem="F_lim", analytic="F_lim", interval=limit_load, source=TILTED, formal=2,
+                  demand_reason=LIMITED, own_reason=LIMITED, **ROOT),
     Approximation(name="creep of the ring that slips along the axis, F_t/F_a", symbol="R dφ/du_z",
-                  unit="1", fem="creep", analytic="creep", interval=limit_creep, demand=0.05,
+                  unit="1", fem="creep", analytic="creep", interval=limit_creep,
                   source=f"Coulomb: slip is along the resultant; {TILTED}", formal=2,
-                  demand_reason="it goes as 1/√((μ/tan α)² − 1)"),
-    Accepted(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
-             margin=onset),
-    Accepted(name="friction below which the axial load finds no rest (Eqs. 8-10)",
-             symbol="μ/μ_req", unit="1", margin=axial_onset),
-    Accepted(name="required friction on the star, at its own angle (Eqs. 8, 9)", symbol="μ_req",
-             unit="1", margin=lambda context: of_contact(context, 0)),
-    Accepted(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
-             unit="1", margin=lambda context: of_contact(context, 1)),
-    Accepted(name="slipping contacts are on the friction cone", symbol="F/(μF_n)", unit="1",
-             margin=on_the_cone),
-    PaperFact(name="wedge angles: held below tan α = μ, let out above", symbol="F_t/(μF_n)",
-              unit="1", margin=over_angles),
+                  demand_reason=CREEPS, own_reason=CREEPS, **ROOT),
+    Agreement(name="torque alone: friction at which all slips (Eq. 1)", symbol="μ/tan α", unit="1",
+              pair=onset, accepted=ONSET,
+              source=SUBJECT),
+    Agreement(name="friction below which the axial load finds no rest (Eqs. 8-10)",
+              symbol="μ/μ_req", unit="1", pair=axial_onset, accepted=CONE,
+              source=SUBJECT),
+    Agreement(name="required friction on the star, at its own angle (Eqs. 8, 9)", symbol="μ_req",
+              unit="1", pair=lambda context: of_contact(context, 0), accepted=OWN,
+              source=suites(ALONE)),
+    Agreement(name="required friction on the ring, at its own angle (Eqs. 8, 9)", symbol="μ_req",
+              unit="1", pair=lambda context: of_contact(context, 1), accepted=OWN,
+              source=suites(ALONE)),
+    Deviation(name="slipping contacts are on the friction cone", symbol="F/(μF_n) − 1", unit="1",
+              size=on_the_cone, accepted=CONE,
+              source=SUBJECT, whole="μF_n"),
+    PaperDeviation(name="wedge angles: held below tan α = μ, let out above",
+                   symbol="ΔF_t/(μF_n)", unit="1", size=over_angles, accepted=SHARE,
+                   source=suites("as sharp as the onset of slip"), whole="μF_n"),
     Exact(name="balance of a roller along the axis", symbol="ΣF_a", unit="N", fem="balance",
           scale="F_t", bound=1e-9, bound_reason="the solver's balance of a body that only contact "
           "holds"),

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from verify.agreement import SUBJECT, Agreement, Pair, demanded, suites
 from verify.case import Context, Values
 from verify.cases.freewheel_inputs import StarInputs
 from verify.cases.freewheel_torque_model import (
@@ -15,10 +16,13 @@ from verify.cases.freewheel_torque_model import (
     under_force,
     under_torque,
 )
-from verify.checks import Accepted, Approximation, Exact, Limit
+from verify.checks import Approximation, Exact, Limit
 
 BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² of Hertz"
 SHARP = "acceptance of the subject"
+OTHER = "as the torque of the other contact"
+ALIKE = "as the torque"
+BOTH = "2e-3 of either contact"
 NOISE = 5e-6  # of F_t/N, from mesh to mesh at least
 WIDEST = 8e-3  # interval that leaves a row of one's own sharp enough
 
@@ -77,18 +81,33 @@ def no_load(context: Context) -> tuple[list[float], list[float], list[float]]:
     return (overlap / overlap[-1]).tolist(), (found[1] - 1).tolist(), u.tolist()
 
 
-def within(key: str, most: float, what: str) -> Callable[[Context], tuple[float, float, str]]:
-    """What is left of the figure `most`, with how much the last meshes differ."""
+def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Callable[[Context], Pair]:
+    """A ratio less 1, `key`, of formula and finite elements; where `of_fem`, theirs over it.
 
-    def margin(context: Context) -> tuple[float, float, str]:
+    How much the last meshes differ is its uncertainty.
+    """
+
+    def pair(context: Context) -> Pair:
         before, now = (r.values[key] for r in context.fem[-2:])
-        return most - abs(now), 2 * abs(now - before), f"{what} {now:+.2%}, {most:.1%} accepted"
+        words = f"{what} {now:+.2%}, {most:.1%} accepted"
+        return Pair(1 / (1 + now) if of_fem else 1 + now, 1.0, 2 * abs(now - before), words)
 
-    return margin
+    return pair
 
 
-def accepted(name: str, symbol: str, key: str, most: float, what: str) -> Accepted:
-    return Accepted(name=name, symbol=symbol, unit="1", margin=within(key, most, what))
+def accepted(
+    name: str,
+    symbol: str,
+    key: str,
+    most: float,
+    what: str,
+    *,
+    of_fem: bool = False,
+    by: str = "",
+    source: str = SUBJECT,
+) -> Agreement:
+    return Agreement(name=name, symbol=symbol, unit="1", accepted=most, by=by, source=source,
+                     pair=ratio(key, most, what, of_fem=of_fem), **demanded(most))  # fmt: skip
 
 
 CHECKS = (
@@ -118,22 +137,24 @@ CHECKS = (
                   interval=printed_torque, formal=2,
                   source="F_n misses the axis by x: X/R of the torque is left"),
     Approximation(name="normal force at a given angle", symbol="F_n(ψ)", unit="N",
-                  analytic="N at angle", fem="N at angle", formal=2, source=BRACKET, demand=0.02,
-                  demand_reason=SHARP,
+                  analytic="N at angle", fem="N at angle", formal=2, source=BRACKET,
+                  own_demand=0.02, own_reason=SHARP,
                   interval=lambda q, _v: known(q, under_force(q).force_at_angle())),
     Limit(name="statics: F_t/F_n becomes tan α_0 without load (Eqs. 1, 4)", symbol="α_0", unit="1",
           points=no_load, exponent=1.0),
     accepted("F_t/F_n on the star against tan(ψ/2)", "F_t/F_n", "flat's F_t/N", 2e-3,
-             "small displacements leave room beside the contacts' middles:"),
+             "small displacements leave room beside the contacts' middles:", of_fem=True),
     accepted("F_t/F_n on the ring against tan(ψ/2)", "F_t/F_n", "race's F_t/N", 2e-3,
-             "small displacements leave room beside the contacts' middles:"),
+             "small displacements leave room beside the contacts' middles:", of_fem=True),
     accepted("torque against z R F_t of the ring (Eq. 3, corrected)", "T", "T on the race", 1e-3,
              "off by"),
     accepted("torque against z (F_n x − F_t X) of the star (Eq. 3, corrected)", "T",
-             "T on the cam", 1e-3, "off by"),
-    accepted("normal forces of both contacts alike (Eq. 2)", "F_n", "unlike N", 1e-3, "apart by"),
+             "T on the cam", 1e-3, "off by", source=suites(OTHER)),
+    accepted("normal forces of both contacts alike (Eq. 2)", "F_n", "unlike N", 1e-3, "apart by",
+             by="the flat's", source=suites(ALIKE)),
     accepted("tangential forces of both contacts alike (Eq. 2)", "F_t", "unlike F_t", 4e-3,
-             "the same to either side of the bisector: apart by"),
+             "the same to either side of the bisector: apart by", by="the flat's",
+             source=suites(BOTH)),
     accepted("∫dU/T against rolling", "φ", "rolling", 5e-3,
              "tangential forces deform as well: rolling is off by"),
     Exact(name="balance of both contact forces on a roller", symbol="ΣF", unit="1", fem="forces",

@@ -50,6 +50,7 @@ from verify.cases.spring_map import DEEP_MAP
 from verify.cases.spring_map import MAP as SPRING_MAP
 from verify.cases.spring_stages import STAGES
 from verify.cases.spring_width import WIDTH
+from verify.nearest import FEW, nearest
 
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,
@@ -68,11 +69,12 @@ DEEP: tuple[Case, ...] = (DEEP_MAP, DEEP_25, DEEP_40)  # measured by `freewheel 
 
 
 def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
-    """The case named `case_id`; ValueError listing the known ones."""
+    """The case named `case_id`; ValueError with names like it."""
     for case in among:
         if case.id == case_id:
             return case
     known = [case.id for case in among]
     near = get_close_matches(case_id, known, n=1)
     meant = f", did you mean {near[0]}?" if near else ";"
-    raise ValueError(f"unknown case {case_id!r}{meant} known are {', '.join(known)}")
+    more = ", see freewheel list" if len(known) > FEW else ""
+    raise ValueError(f"unknown case {case_id!r}{meant} there are {nearest(case_id, known)}{more}")

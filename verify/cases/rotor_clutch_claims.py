@@ -6,8 +6,10 @@ from functools import partial
 from typing import Any
 
 from analytic.rotor.clutch import LINE_CONTACT
+from verify.agreement import SUBJECT, Agreement, Deviation
 from verify.case import Values
 from verify.cases.rotor_clutch_facts import (
+    DIFFERENCES,
     Misprint,
     another_lever,
     by_differences,
@@ -176,15 +178,18 @@ CHECKS = (
           unit="1", points=over_yield, exponent=1, demand=1e-8, demand_reason=SAME),
     Limit(name="coupling linear in a small offset", symbol="d_0", unit="1", points=over_offset,
           exponent=2, demand=1e-6, demand_reason="the next term of the series"),
-    Fact(name="tangent against differences of the loads, 1e-8", symbol="K", unit="1",
-         margin=by_differences, fem_needed=False),
+    Deviation(name="tangent against differences of the loads, 1e-8", symbol="ΔK/K_xx", unit="1",
+              size=by_differences, accepted=DIFFERENCES,
+              source=SUBJECT, whole="K_xx", fem_needed=False,
+              by="differences of the loads", everywhere=True),
     Fact(name="five displacements, all of them held", symbol="K_ps", unit="1",
          margin=displacements(5), fem_needed=False, printed=("huang2022:clutch-stiffness-dofs",)),
     Fact(name="six displacements, the axial one free", symbol="K_s", unit="1",
          margin=displacements(6), fem_needed=False, printed=("huang2022:clutch-element-dofs",)),
-    Fact(name="exponent of Palmgren's line contact", symbol="n", unit="1", margin=palmgrens,
-         fem_needed=False,
-         printed=("huang2022:exponent-numerator", "huang2022:exponent-denominator")),
+    Agreement(name="exponent of Palmgren's line contact", symbol="n", unit="1", pair=palmgrens,
+              accepted=1e-12, source="the same power, to round-off", by="theory", fem_needed=False,
+              everywhere=True,
+              printed=("huang2022:exponent-numerator", "huang2022:exponent-denominator")),
     Misprint(name="Eq. 9 with one angle for all sprags", symbol="F_r", unit="1",
              erratum="huang2022:eq-9-sprag-index", margin=one_angle),
     Misprint(name="Eq. 10 with whole displacements", symbol="P_s", unit="1",

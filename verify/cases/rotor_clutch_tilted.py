@@ -14,6 +14,7 @@ from analytic.rotor import clutch_uniform as uniform
 from analytic.rotor.clutch import Array, Clutch, even_angles
 from analytic.rotor.clutch_state import under_torque
 from verify.case import Values
+from verify.cases.rotor_clutch_expected import summed
 from verify.cases.rotor_clutch_inputs import ClutchInputs
 
 FINE = 401  # slices that stand for none
@@ -39,6 +40,7 @@ def couplings(q: ClutchInputs) -> dict[str, float]:
 def left_out(entry: str, q: ClutchInputs, v: Values) -> tuple[float, float]:
     """Interval of formula/struts - 1: forces along the struts, at points that sink with the tilt.
 
+    The formula's side is summed anew, so that a slip of its value does not move the interval.
     Points of the race at R_i turn by a = gamma_y cos(psi + nu) about their tangent: they sink by
     R_i a^2/2 off the sprag, and move along the axis by R_i a, which changes a tilt's lever.
     """
@@ -52,7 +54,7 @@ def left_out(entry: str, q: ClutchInputs, v: Values) -> tuple[float, float]:
     inclined = float(sinking.stiffness(at)[TILTS[entry]]) / math.cos(q.nu) ** 2
     along, sign = (1, 1) if entry == "K_y,γx" else (0, -1)
     moved = float(sinking.slopes(at).sum(-1) @ (sign * q.R_i * a * direction[along] ** 2))
-    m = v[f"{entry}, tilted"] / (inclined + moved) - 1
+    m = summed(q, dx, tilt)[entry] / (inclined + moved) - 1
     width = SHARE * (math.tan(q.nu) ** 2 + abs(moved / inclined))
     return m - width, m + width
 

@@ -1,12 +1,15 @@
 """What transfer matrices and beams say of one rotor, side by side."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
+from verify.agreement import SUBJECT, Agreement, Pair, farthest
 from verify.case import Context
 from verify.cases.rotor_system_companion import JUDGED, NAMED
 from verify.cases.rotor_system_model import CRITICALS, FREQUENCIES
-from verify.checks import Accepted, Fact, Identity, Order
+from verify.checks import Fact, Identity, Order
 from verify.claims import Claim
 from verify.results import Row
 
@@ -64,18 +67,19 @@ def frequency_keys(context: Context) -> list[str]:
     return [k for k in context.analytic if k.startswith(("frequency", "critical"))]
 
 
-def largest_error(context: Context, level: int) -> float:
-    """Of all frequencies and critical speeds on a level, relative."""
-    keys = frequency_keys(context)
-    return max(abs(context.fem[level].values[k] / context.analytic[k] - 1) for k in keys)
+def accepted(name: str, level: int, figure: float) -> Agreement:
+    """Of all frequencies and critical speeds on a level the one that is farthest off."""
 
+    def pair(context: Context) -> Pair:
+        keys = frequency_keys(context)
+        v = context.fem[level].values
+        exact = np.array([context.analytic[k] for k in keys])
+        found = farthest(exact, np.array([v[k] for k in keys]), 0.0)
+        off = abs(found.value / found.reference - 1)
+        return replace(found, words=f"at most {off:.1e} apart, {figure:.0e} accepted")
 
-def accepted(name: str, level: int, figure: float) -> Accepted:
-    def margin(context: Context) -> tuple[float, float, str]:
-        found = largest_error(context, level)
-        return 1 - found / figure, 0.0, f"at most {found:.1e} apart, {figure:.0e} accepted"
-
-    return Accepted(name=name, symbol="Δω/ω", unit="1", margin=margin)
+    return Agreement(name=name, symbol="ω", unit="rad/s", pair=pair, accepted=figure,
+                     source=SUBJECT)  # fmt: skip
 
 
 def senses(context: Context) -> tuple[float, float]:

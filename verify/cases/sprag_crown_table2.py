@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -19,15 +20,12 @@ from verify.shown import Table
 ROWS = range(1, 11)
 SAMPLE, CUT = 4, 10  # rows: a point of the factorial; an error that was cut off
 SURE = 3.0  # standard deviations
-ONE_DIGIT, COARSE = 7, 0.05  # row whose error has one digit, the change of LARGEST it may hide
+COARSE = 0.27  # the change that a printed error's only digit may hide, 5 % of the largest error
 MEAN_LEVEL = 0.03  # of the pressure that the wedge angle was fitted to
 
 
 def cell(row: int, column: str) -> float:
     return published(f"huang2018:table2-row{row}-{column}").value
-
-
-LARGEST = max(cell(k, "error") for k in ROWS) / 100
 
 
 def relative_error(row: int) -> float:
@@ -48,10 +46,7 @@ def standardised(row: int) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Recomputed(PrintedClaim):
-    """A row's relative error from its printed pair beside the printed one; `reference` is that.
-
-    Both are over the largest printed error.
-    """
+    """A row's relative error from its printed pair beside the printed one; `reference` is that."""
 
     kind = Kind.IDENTITY
 
@@ -62,9 +57,9 @@ class Recomputed(PrintedClaim):
         v, entry = relative_error(self.row), published(self.reference)
         r, u = entry.value / 100, (entry.standard_uncertainty or 0.0) / 100
         U = judge.expanded(0.0, u)
-        verdict = judge.difference(v, r, U=U, scale=LARGEST, demand=self.demand)
+        verdict = judge.difference(v, r, U=U, scale=r, demand=self.demand)
         return self._row(
-            context.case, Kind.IDENTITY, verdict, analytic=v, scale=LARGEST, u_num=0.0, u_ref=u,
+            context.case, Kind.IDENTITY, verdict, analytic=v, scale=r, u_num=0.0, u_ref=u,
             u_input=0.0, partner=Partner(by=f"printed {entry.printed}", value=r),
             published=self._beside(),
         )  # fmt: skip
@@ -126,12 +121,20 @@ def median_25(found: Measured) -> float:
 
 MEDIAN = 3032.6e6  # Pa, of the ten actual values
 
+
+def demanded(row: int) -> dict[str, Any]:
+    """What the digits of a row's printed error let it show: U of rounding, and half a digit."""
+    entry = published(f"huang2018:table2-row{row}-error")
+    asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
+    if asked <= judge.DEMAND:
+        return {}
+    return {"demand": min(asked, COARSE), "demand_reason": f"printed as {entry.printed}"}
+
+
 TABLE_2 = (
     *(
         Recomputed(name=f"Table 2, row {k}: error of the printed pair", symbol="ε", unit="%",
-                   row=k, reference=f"huang2018:table2-row{k}-error",
-                   demand=COARSE if k == ONE_DIGIT else judge.DEMAND,
-                   demand_reason="printed with one digit" if k == ONE_DIGIT else "")
+                   row=k, reference=f"huang2018:table2-row{k}-error", **demanded(k))
         for k in ROWS if k not in (SAMPLE, CUT)
     ),
     Noted(name=f"Table 2, row {CUT}: error of the printed pair", symbol="ε", unit="%",

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact import slices
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, suites
 from verify.case import Context
 from verify.cases.contact_roller_inputs import DESIGNS
 from verify.cases.sprag_engagement_fem import ORDER
@@ -53,10 +54,10 @@ def radially(_q: Any, v: Any) -> tuple[float, float]:
     return v["left out"] - u, v["left out"] + u
 
 
-def conjugate(context: Context) -> tuple[float, float, str]:
+def conjugate(context: Context) -> Pair:
     """Rolling and the yields, which share the closure alone, have the same work."""
-    off = context.analytic["by turning"] - 1
-    return ROLLED - abs(off), 0.0, f"off by {off:+.1e} of the work"
+    turning = context.analytic["by turning"]
+    return Pair(turning, 1.0, 0.0, f"off by {turning - 1:+.1e} of the work")
 
 
 def statics(_q: Any, v: Any) -> tuple[float, float]:
@@ -98,14 +99,13 @@ def along(context: Context) -> tuple[float, float, str]:
     worst = float(np.abs(d).max() / last.values["N_max"])
     squares = (np.trapezoid(x**2, last.arrays["LSODA t"]) for x in (d, last.arrays["LSODA N"]))
     mean = float(np.sqrt(np.divide(*squares)))
-    return LSODA - worst, 0.0, f"off by {worst:.1e} of N_max at most, {mean:.1e} in L2"
+    return worst, 0.0, f"off by {worst:.1e} of N_max at most, {mean:.1e} in L2"
 
 
-def halving(context: Context) -> tuple[float, float, str]:
+def halving(context: Context) -> Pair:
     """What half of the time step changes."""
     whole, half = (r.values["N_max"] for r in context.fem[:2])
-    change = abs(half / whole - 1)
-    return HALVING - change, 0.0, f"N_max changes by {change:.1e}"
+    return Pair(whole, half, 0.0, f"N_max changes by {abs(half / whole - 1):.1e}")
 
 
 def order(context: Context) -> tuple[float, float, str]:
@@ -129,20 +129,21 @@ def centroids(context: Context) -> tuple[float, float, str]:
     return CENTROID - worst, 0.0, f"at the pole or beside it: {worst:.1e} of N_max"
 
 
-def balanced(context: Context) -> tuple[float, float, str]:
+def balanced(context: Context) -> Pair:
     """First peak without damping against energy, where N_e/N_i is that of a strut."""
     v, last = context.analytic, context.fem[-1]
     N_max, free = last.arrays["balanced"]
     off, change = free / v["N_undamped"] - 1, N_max / last.values["N_max"] - 1
     words = f"off by {off:+.1e}; N_max changes by {change:+.1e} with it"
-    return HALVING - abs(float(off)), 0.0, words
+    return Pair(v["N_undamped"], float(free), 0.0, words)
 
 
-def sliced(context: Context) -> tuple[float, float, str]:
+def sliced(context: Context) -> Pair:
     """What twice as many slices change."""
     half, whole = (r.values["N_max sliced"] for r in context.fem[-2:])
     change = abs(whole / half - 1)
-    return SLICES - change, 0.0, f"N_max changes by {change:.1e} from half of the slices on"
+    words = f"N_max changes by {change:.1e} from half of the slices on"
+    return Pair(half, whole, 0.0, words)
 
 
 def liu(context: Context) -> tuple[float, float, str]:
@@ -178,12 +179,13 @@ def inner(context: Context) -> tuple[float, float]:
     return float((p_i / p_o).min()) - 1, 1e-6
 
 
-def rolling(context: Context) -> tuple[float, float, str]:
+def rolling(context: Context) -> Pair:
     """Contacts that always roll against friction that may let them slide."""
     last = context.fem[-1]
-    off = float(last.values["N_max"] / last.arrays["rolling"][0] - 1)
+    always = float(last.arrays["rolling"][0])
+    off = last.values["N_max"] / always - 1
     words = f"N_max off by {off:.1e}; {last.values['slides']:.1%} of the time a contact slides"
-    return LSODA - abs(off), 0.0, words
+    return Pair(always, last.values["N_max"], 0.0, words)
 
 
 def partnered(name: str, symbol: str, unit: str, key: str, **more: Any) -> Partnered:
@@ -199,9 +201,12 @@ CHECKS = (
     partnered("largest force under 1.6 T", "N_max", "N", "N_max more",
               printed=("huang2018:torque-40",)),
     partnered("ratio of the largest forces under 1.6 T and T", "r", "1", "ratio"),
-    Accepted(name=f"N(t): steps and LSODA within {LSODA:.1%}", symbol="N", unit="1", margin=along),
-    Accepted(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max", unit="1",
-             margin=halving),
+    Deviation(name=f"N(t): steps and LSODA within {LSODA:.1%}", symbol="ΔN", unit="1", size=along,
+              accepted=LSODA,
+              source=SUBJECT, whole="N_max", by=BY),
+    Agreement(name=f"half the time step: N_max within {HALVING:.2%}", symbol="N_max", unit="N",
+              pair=halving, accepted=HALVING,
+              source=SUBJECT, by=f"{BY}, half as long"),
     Accepted(name=f"order of N(t) in the time step: 4 within {NEAR:g}", symbol="p", unit="1",
              margin=order, printed=("huang2018:runge-kutta-order",)),
     Exact(name="balance of energies, damping and friction booked", symbol="ΔE", unit="J",
@@ -211,14 +216,17 @@ CHECKS = (
     Approximation(name="first peak without damping, T θ = ∫T dθ by rolling", symbol="N_1", unit="N",
                   fem="N_undamped", analytic="N_undamped", interval=energy, formal=4, by=BY,
                   source=f"{UNEQUAL}; work passes it on"),
-    Accepted(name=f"the same with N_e/N_i of a strut, within {HALVING:.2%}", symbol="N_1",
-             unit="1", margin=balanced),
+    Agreement(name=f"the same with N_e/N_i of a strut, within {HALVING:.2%}", symbol="N_1",
+              unit="N", pair=balanced, accepted=HALVING,
+              source=suites("as half the time step"), by=BY),
     AtPeak(name="work till that peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
            fem="W_1 strut", analytic="stored", interval=radially, formal=2, by=BY, demand=1e-3,
            demand_reason="a closure that loses work is off by far more",
            source="the centroid's radial motion, left out by Eq. 14; cubics of the table"),
-    Accepted(name=f"∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within {ROLLED:.2%}", symbol="W",
-             unit="1", margin=conjugate, fem_needed=False),
+    Agreement(name=f"∫T dθ by rolling, n_s ∫(N dH_i + N_e dH_e) within {ROLLED:.2%}", symbol="W",
+              unit="1", pair=conjugate, accepted=ROLLED,
+              source=suites("cubics through the states"), by="work on the yields",
+              fem_needed=False),
     Approximation(name="force at rest after a slow rise", symbol="N", unit="N", fem="N",
                   analytic="N", interval=statics, formal=4, by=BY, source=UNEQUAL),
     Approximation(name="frequency of small oscillations, √(k/I)", symbol="f", unit="Hz", fem="f",
@@ -233,8 +241,9 @@ CHECKS = (
     Approximation(name="friction that rolling asks for, tan ν", symbol="μ", unit="1", fem="asked",
                   analytic="mu_asked", interval=either_way(2), formal=4, by=BY,
                   source=f"{UNEQUAL}; either contact's share"),
-    Accepted(name=f"contacts that always roll (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
-             unit="1", margin=rolling),
+    Agreement(name=f"contacts that always roll (Xu, Liu) within {LSODA:.1%}", symbol="N_max",
+              unit="N", pair=rolling, accepted=LSODA,
+              source=suites("as the steps beside LSODA"), by=f"{BY}, contacts that may slide"),
     Accepted(name="rigid races (Liu) make the force larger", symbol="N_max", unit="1", margin=liu,
              fitted=FITTED),
     Accepted(name="the first peak is the largest", symbol="N_2/N_1", unit="1", margin=first,
@@ -243,8 +252,9 @@ CHECKS = (
          unit="1", margin=inner, fem_needed=False),
     Accepted(name=f"crowns change N_max by {CROWN:.0%} at most", symbol="N_max", unit="1",
              margin=crowns, fitted=FITTED),
-    Accepted(name=f"slices: N_max within {SLICES:.1%} of that with half of them", symbol="N_max",
-             unit="1", margin=sliced),
+    Agreement(name=f"slices: N_max within {SLICES:.1%} of that with half of them", symbol="N_max",
+              unit="N", pair=sliced, accepted=SLICES,
+              source=suites("a fifth of the 1 % that rows are asked for"), by="all slices"),
     Accepted(name=f"place of the sprags' centroid: {CENTROID:.1%} of N_max", symbol="N_max",
              unit="1", margin=centroids, fitted=FITTED),
 )  # fmt: skip

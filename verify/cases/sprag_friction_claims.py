@@ -1,11 +1,12 @@
 """The claims about friction in a sprag clutch: where it locks, what slides, what is guarded."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from verify import judge
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, demanded, farthest, suites
 from verify.case import Context
 from verify.cases.sprag_engagement_claims import BY, LSODA, Partnered
 from verify.cases.sprag_friction_fem import NARROW
@@ -42,12 +43,12 @@ def boundary(_q: Any, v: Any) -> tuple[float, float]:
     return -2 * v["unequal"], 2 * v["unequal"]
 
 
-def at_tan(context: Context) -> tuple[float, float, str]:
+def at_tan(context: Context) -> Pair:
     """Friction from which on it locks, over tan(nu) at rest, at three torques."""
     T, ratio, half = context.fem[-1].arrays["boundaries"].T
-    worst = float(np.abs(ratio - 1).max())
     told = ", ".join(f"{r - 1:+.2%} at {t:.4g} N m" for t, r in zip(T, ratio, strict=True))
-    return BOUNDARY - worst, float(half.max()), told
+    found = farthest(np.ones_like(ratio), ratio, 0.0)
+    return replace(found, U=float(half.max()), words=told)
 
 
 def refused(context: Context) -> tuple[float, float, str]:
@@ -69,7 +70,7 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
     passed = context.fem[-1].arrays["guard"]
     passed = passed[passed[:, 3] == 0]
     worst = float(np.abs(passed[:, 4]).max())
-    return GUARDED - worst, 0.0, f"{len(passed)} bands and steps let pass, off by {worst:.1e}"
+    return worst, 0.0, f"{len(passed)} bands and steps let pass, off by {worst:.1e}"
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
@@ -81,22 +82,25 @@ def never_idle(context: Context) -> tuple[float, float, str]:
     return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none refused"
 
 
-def by_default(context: Context) -> tuple[float, float, str]:
+def by_default(context: Context) -> Pair:
     """Bands that are chosen, against LSODA, over torques and frictions."""
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
-    worst = float(np.abs(ours / theirs - 1).max())
-    return GUARDED - worst, 0.0, f"{len(ours)} engagements, none refused, off by {worst:.1e}"
+    found = farthest(theirs, ours, 0.0)
+    off = abs(found.value / found.reference - 1)
+    words = f"{len(ours)} engagements, none refused, off by {off:.1e}"
+    return replace(found, words=words)
 
 
 CHECKS = (
     Approximation(name="friction from which on it locks, T/(n_s OA N)", symbol="μ_b", unit="1",
                   fem="mu_b", analytic="mu_b", interval=boundary, by=BY,
                   source=f"{UNEQUAL}; either contact's share"),
-    Accepted(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν", unit="1",
-             margin=at_tan),
+    Agreement(name=f"locks from μ = tan ν on, within {BOUNDARY:.0%}", symbol="μ_b/tan ν", unit="1",
+              pair=at_tan, accepted=BOUNDARY,
+              source=SUBJECT, by=BY, **demanded(BOUNDARY)),
     Identity(name="normal force of sprags that slide, driven, μ = 0.9 tan ν_0", symbol="N",
-             unit="N", fem="N slides", analytic="N slides", by=BY, demand=0.02,
-             demand_reason="it swings on, without damping, as 1/(1 − μ/tan ν)"),
+             unit="N", fem="N slides", analytic="N slides", by=BY, own_demand=0.02,
+             own_reason="it swings on, without damping, as 1/(1 − μ/tan ν)"),
     Identity(name="normal force where the race overruns", symbol="N", unit="N", by=BY,
              fem="N overruns", analytic="N overruns"),
     Partnered(name="largest force after slip at the start, weak springs: steps and LSODA",
@@ -106,20 +110,22 @@ CHECKS = (
               analytic="LSODA N_max more", formal=2, residual="LSODA residual", demand=LSODA,
               demand_reason=WEAK),
     Ended(name="time at which slip ends: steps and LSODA", symbol="t", unit="ms",
-          fem="sticks", analytic="LSODA sticks", demand=0.02,
-          demand_reason="a band ends slip, LSODA an event"),
+          fem="sticks", analytic="LSODA sticks", own_demand=0.02,
+          own_reason="a band ends slip, LSODA an event"),
     Partnered(name="time at which slip begins, μ between rest and peak: steps and LSODA",
               symbol="t", unit="ms", fem="slips", analytic="LSODA slips"),
     Partnered(name="largest force with slip amid: steps and LSODA", symbol="N_max", unit="N",
               fem="N_max amid", analytic="LSODA N_max amid", residual="LSODA residual",
               demand=LSODA, demand_reason="acceptance of the subject"),
-    Accepted(name=f"chosen bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max", unit="1",
-             margin=by_default),
+    Agreement(name=f"chosen bands: N_max within {GUARDED:.1%} of LSODA", symbol="N_max", unit="N",
+              pair=by_default, accepted=GUARDED,
+              source=SUBJECT, by=BY),
     Accepted(name=f"D_V = {NARROW:g} m/s is refused at 1.6 T with weak springs", symbol="D_V",
              unit="1", margin=refused),
     Accepted(name="unguarded, the force hangs on the torque's ninth digit", symbol="N_max",
              unit="1", margin=unguarded),
-    Accepted(name=f"what the guard lets pass is right to {GUARDED:.1%}", symbol="N_max", unit="1",
-             margin=never_wrong),
+    Deviation(name=f"what the guard lets pass is right to {GUARDED:.1%}", symbol="ΔN_max/N_max",
+              unit="1", size=never_wrong, accepted=GUARDED,
+              source=suites("as the steps beside LSODA"), whole="right force", by=BY),
     Accepted(name="what the guard refuses is wrong", symbol="N_max", unit="1", margin=never_idle),
 )  # fmt: skip

@@ -1,15 +1,15 @@
 """The claims about kriging: its equations against the bordered system, its errors, its searches."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from verify import judge
+from verify.agreement import SUBJECT, Agreement, Deviation, Pair, suites
 from verify.case import Context
 from verify.cases.sprag_clutch_claims import Measured, OfPaper, measured
 from verify.cases.sprag_optimum_bordered import Bordered
-from verify.checks import Accepted
 from verify.claims import Claim
 from verify.results import Kind, Row, Status
 from verify.shown import Array
@@ -23,13 +23,13 @@ BOUND = 1e-6  # beyond which a condition number proves nothing
 EPS = float(np.finfo(np.float64).eps)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Judged(Accepted):
-    """A statement with an acceptance figure that holds for any clutch."""
-
-    def rows(self, context: Context) -> list[Row]:
-        (row,) = super().rows(replace(context, is_paper=True))
-        return [row if context.is_paper else replace(row, published=())]
+def agrees(
+    name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
+) -> Agreement:
+    """Two largest pressures of any clutch."""
+    return Agreement(name=name, symbol=symbol, unit="MPa", pair=pair, accepted=accepted, by=by,
+                     source=source,
+                     everywhere=True)  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -115,13 +115,16 @@ def spread(errors: Array) -> str:
 
 
 def fresh(context: Context) -> tuple[float, float, str]:
-    """What is left of both limits at designs that the surrogate has not seen."""
+    """The mean error at designs that the surrogate has not seen, or the largest by its own limit.
+
+    The larger of both counts, so that `MEAN` is the figure of either.
+    """
     error = np.abs(missed(measured(context), "two"))
-    margin = min(1 - float(error.mean()) / MEAN, 1 - float(error.max()) / LARGEST)
-    return margin, 0.0, f"{spread(error)} of {len(error)} designs"
+    size = max(float(error.mean()), float(error.max()) * MEAN / LARGEST)
+    return size, 0.0, f"{spread(error)} of {len(error)} designs"
 
 
-def at_best(context: Context) -> tuple[float, float, str]:
+def at_best(context: Context) -> Pair:
     """Surrogate and true model where the search ended."""
     *_, (*_, predicted, true) = measured(context)["infill"]
     rounds = len(measured(context)["infill"])
@@ -129,10 +132,10 @@ def at_best(context: Context) -> tuple[float, float, str]:
         f"{predicted / 1e6:.1f} and {true / 1e6:.1f} MPa after {rounds} rounds; infill ends only "
         "where these agree so, evidence are fresh designs and the search without surrogate"
     )
-    return AGREE - abs(true / predicted - 1), 0.0, words
+    return Pair(predicted, true, 0.0, words)
 
 
-def searched(context: Context) -> tuple[float, float, str]:
+def searched(context: Context) -> Pair:
     """Genetic algorithm and differential evolution on one surrogate."""
     found = measured(context)
     ga, de = (float(found[f"{name} value"][0]) for name in ("GA", "DE"))
@@ -140,10 +143,10 @@ def searched(context: Context) -> tuple[float, float, str]:
         f"{ga / 1e6:.2f} MPa after {found['GA evaluations'][0]:.0f} and {de / 1e6:.2f} MPa after "
         f"{found['DE evaluations'][0]:.0f} points"
     )
-    return SEARCHES - abs(ga / de - 1), 0.0, words
+    return Pair(ga, de, 0.0, words)
 
 
-def directly(context: Context) -> tuple[float, float, str]:
+def directly(context: Context) -> Pair:
     """The best crown against a search on engagements alone, from the crown at hand."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
@@ -152,7 +155,7 @@ def directly(context: Context) -> tuple[float, float, str]:
         f"{low / 1e6:.1f} MPa after {len(tried)} engagements, {low / best - 1:+.2%} beside "
         f"{best / 1e6:.1f} MPa"
     )
-    return AGREE - abs(low / best - 1), 0.0, words
+    return Pair(best, low, 0.0, words)
 
 
 def asked(context: Context) -> str:
@@ -204,14 +207,19 @@ SURROGATE = (
              pair=deviations),
     Repeated(name="designs left out in closed form and one by one", symbol="Y", unit="1",
              pair=left_out),
-    Judged(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
-           symbol="Y", unit="1", margin=fresh),
-    Judged(name=f"surrogate and true model within {AGREE:.1%} at the best crown", symbol="Y",
-           unit="1", margin=at_best),
-    Judged(name=f"genetic algorithm and differential evolution within {SEARCHES:.1%}",
-           symbol="Y", unit="1", margin=searched),
-    Judged(name=f"best crown and a search without surrogate within {AGREE:.1%}",
-           symbol="Pre_max", unit="1", margin=directly),
+    Deviation(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
+              symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
+              source=suites("the mean as at the best crown, single designs six times that"),
+              whole="pressure of an engagement",
+              by="surrogate", everywhere=True),
+    agrees(f"surrogate and true model within {AGREE:.1%} at the best crown", "Y", at_best, AGREE,
+           "engagement", SUBJECT),
+    agrees(f"genetic algorithm and differential evolution within {SEARCHES:.1%}", "Y", searched,
+           SEARCHES, "differential evolution",
+           suites("a fifth of what surrogate and true model may differ by")),
+    agrees(f"best crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
+           AGREE, "search without surrogate",
+           suites("as surrogate and true model")),
     Told(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
     Told(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1", words=single_errors),
     Told(name="errors of kriging the end and the rest apart", symbol="Y", unit="1",

@@ -308,7 +308,7 @@ CHECKS = (
         for name in NAMES
     ),
     Order(name="order of the straight elements", symbol="p", unit="1", errors=chord_errors,
-          order=2, demand=0.05, demand_reason="tells an order from its neighbours"),
+          order=2),
 )  # fmt: skip
 
 OUTPUTS = (

@@ -47,7 +47,7 @@ def search(q: Any) -> list[Reading]:
         halves, thickness = OFFSETS[offset]
         inner = q.r + halves * (q.b if thickness == "b" else q.h) / 2
         L2 = LEAVES[leaf] * q.L1 / math.sin(q.alpha) + 2 * inner / math.tan(q.alpha)
-        f = _flexibility(q.n, q.L1 / 2, r, L2, q.alpha, signs, STARTS[start])
+        f = flexibility(q.n, q.L1 / 2, r, L2, q.alpha, signs, STARTS[start])
         found.append(Reading(leaf, offset, radius, signs, start, q.E * q.h * q.b**3 / 12 / f))
     return found
 
@@ -81,18 +81,28 @@ def tables(context: Context) -> Sequence[Table]:
     )  # fmt: skip
 
 
-def _flexibility(
-    n: int, a: float, r: float, L2: float, alpha: float, signs: str, start: float
+def flexibility(
+    n: int,
+    a: float,
+    r: float,
+    L2: float,
+    alpha: float,
+    signs: str,
+    start: float,
+    ends: tuple[float, float] = (math.pi / 2, math.pi / 2),
 ) -> float:
-    """Integral of (M/F)^2 along the spring with the chosen signs and first couple."""
+    """Integral of (M/F)^2 along the spring with the chosen signs and first couple.
+
+    `ends` are the angles [rad] over which the arcs of head and tail are taken.
+    """
     t, w = np.polynomial.legendre.leggauss(24)
     t, w = (t + 1) / 2, w / 2
 
     def over(length: float, moment: Any) -> float:
         return float(length * (w @ np.square(moment)))
 
-    quarter, angle, x = math.pi / 2 * t, alpha * t, L2 * t
-    total = over(a, a * t) + over(r * math.pi / 2, a + r * np.sin(quarter))
+    head, tail, angle, x = ends[0] * t, ends[1] * t, alpha * t, L2 * t
+    total = over(a, a * t) + over(r * ends[0], a + r * np.sin(head))
     T, A = a + start * r, r * (1 - math.cos(alpha))
     for i in range(2, n):
         s = 1.0 if signs == "all plus" or i % 2 else -1.0
@@ -104,4 +114,4 @@ def _flexibility(
         top = T + s * (A + L2 * math.sin(alpha))
         total += over(r * alpha, top + s * r * (np.cos(alpha - angle) - math.cos(alpha)))
         T = top + s * A
-    return total + over(r * math.pi / 2, T - r * (1 - np.cos(quarter)))
+    return total + over(r * ends[1], T - r * (1 - np.cos(tail)))

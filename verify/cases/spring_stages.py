@@ -136,7 +136,7 @@ CHECKS = (
         for ends in ENDS
     ),
     Order(name="order of the straight elements in k_2", symbol="p", unit="1", errors=chord_errors,
-          order=2, demand=0.05, demand_reason="tells an order from its neighbours"),
+          order=2),
     *(
         PaperReading(name=f"{words} of the reading chosen by k_1 beside Eq. 10", symbol=symbol,
                  unit=unit, margin=keeps(key, figure), fem_needed=False, fitted=FITTED,

@@ -1,7 +1,8 @@
 """What case spring-width claims of its shells: acceptance figures, limits, other elements."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from analytic.spring.frame import Head, Tail
 from analytic.spring.wide_leaf import width_factor
 from verify import judge
+from verify.agreement import Pair, farthest
 from verify.case import Context
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_width_fem import ENDS
@@ -91,31 +93,31 @@ def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
 
-def at_end(which: int) -> Margin:
-    """What is left of half a per cent at the narrow (0) or wide (-1) end of the sweep."""
+def at_end(which: int) -> Callable[[Context], Pair]:
+    """The limit and the factor at the narrow (0) or wide (-1) end of the sweep."""
 
-    def margin(context: Context) -> tuple[float, float, str]:
-        h, f = sweep(context)[which]
-        off = float(f / limits(context)[which] - 1)
-        U = judge.expanded(sweep_uncertainty(context))
-        return LIMIT - abs(off), U, f"{off:+.3%} at h = {h * 1e3:.4g} mm"
+    def pair(context: Context) -> Pair:
+        h, f = map(float, sweep(context)[which])
+        limit = limits(context)[which]
+        U = judge.expanded(sweep_uncertainty(context)) * f
+        return Pair(limit, f, U, f"{f / limit - 1:+.3%} at h = {h * 1e3:.4g} mm")
 
-    return margin
+    return pair
 
 
-def taken(context: Context) -> tuple[float, float, str]:
-    """What is left of the figure between the shell's factor and the one curves are made with."""
+def taken(context: Context) -> Pair:
+    """The factor that curves are made with, and the shell's."""
     default = CurveInputs.model_fields["width_factor"].default
     f = context.series("f")[1][-1]
-    U = judge.expanded(relative_uncertainty(context, "f"))
-    return TAKEN - abs(default / f - 1), U, f"{default:g} taken, {f:.5f} by the shell"
+    U = judge.expanded(relative_uncertainty(context, "f")) * f
+    return Pair(default, f, U, f"{default:g} taken, {f:.5f} by the shell")
 
 
-def estimate(context: Context) -> tuple[float, float, str]:
-    """What is left between a leaf's factor and the spring's at the inputs' width."""
+def estimate(context: Context) -> Pair:
+    """A leaf's factor and the spring's at the inputs' width."""
     f, leaf = context.series("f")[1][-1], context.analytic["f"]
-    U = judge.expanded(relative_uncertainty(context, "f"))
-    return ESTIMATE - abs(leaf / f - 1), U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}"
+    U = judge.expanded(relative_uncertainty(context, "f")) * f
+    return Pair(leaf, f, U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}")
 
 
 def leaf_factor(q: WidthInputs, h: Any) -> Array:
@@ -123,44 +125,42 @@ def leaf_factor(q: WidthInputs, h: Any) -> Array:
     return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
 
 
-def estimates(context: Context) -> tuple[float, float, str]:
-    """What is left between both over all widths of the sweep."""
+def estimates(context: Context) -> Pair:
+    """Both where they are farthest apart over all widths of the sweep."""
     h, f = sweep(context).T
-    off = leaf_factor(context.inputs, h) / f - 1
+    leaves = leaf_factor(context.inputs, h)
+    off = leaves / f - 1
+    found = farthest(leaves, f, judge.expanded(sweep_uncertainty(context)))
     worst = int(abs(off).argmax())
-    U = judge.expanded(sweep_uncertainty(context))
-    return SWEEP - float(abs(off[worst])), U, (
-        f"leaf {off[worst]:+.2%} at most, at h = {h[worst] * 1e3:.3g} mm"
-    )  # fmt: skip
+    words = f"leaf {off[worst]:+.2%} at most, at h = {h[worst] * 1e3:.3g} mm"
+    return replace(found, words=words)
 
 
-def solids(name: str) -> Margin:
-    """What is left between shell and solid of a loop, each over its own plane strain."""
+def solids(name: str) -> Callable[[Context], Pair]:
+    """Shell and solid of a loop, each over its own plane strain."""
 
-    def margin(context: Context) -> tuple[float, float, str]:
+    def pair(context: Context) -> Pair:
         keys = f"{name}, shell", f"{name}, solid"
         shell, solid = (context.series(key)[1][-1] for key in keys)
         u = (relative_uncertainty(context, key, formal=4) for key in keys)  # quadratic elements
-        off = shell / solid - 1
-        return SOLID - abs(off), judge.expanded(math.hypot(*u)), (
-            f"shell {shell:.5f}, solid {solid:.5f} of plane strain: {off:+.1e}"
-        )  # fmt: skip
+        U = judge.expanded(math.hypot(*u)) * solid
+        words = f"shell {shell:.5f}, solid {solid:.5f} of plane strain: {shell / solid - 1:+.1e}"
+        return Pair(shell, solid, U, words)
 
-    return margin
+    return pair
 
 
-def ends(context: Context) -> tuple[float, float, str]:
-    """What is left between the factors of all ways to hold the ends, on one mesh."""
+def ends(context: Context) -> Pair:
+    """The largest and the least factor of all ways to hold the ends, on one mesh."""
     f = swept(context, "ends")
-    spread = float((f.max() - f.min()) / f.mean())
-    return HEAD - spread, 0.0, f"{f.min():.5f} to {f.max():.5f}"
+    return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
 
 
-def uniform(context: Context) -> tuple[float, float, str]:
-    """What is left between a line that stays straight and a uniform force, on one mesh."""
-    line, force = swept(context, "uniform")
-    off = float(force / line - 1)
-    return UNIFORM - abs(off), 0.0, f"a uniform force moves the head by {-off:+.1e} more"
+def uniform(context: Context) -> Pair:
+    """Stiffness by a line that stays straight and by a uniform force, on one mesh."""
+    line, force = map(float, swept(context, "uniform"))
+    words = f"a uniform force moves the head by {1 - force / line:+.1e} more"
+    return Pair(line, force, 0.0, words)
 
 
 def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:

@@ -131,6 +131,45 @@ def _model_error(
     )
 
 
+def agreement(row: Row) -> Derivation:
+    """Two values that a figure stated beforehand lets differ."""
+    assert row.analytic is not None
+    assert row.reference is not None
+    U = judge.COVERAGE * (row.u_num or 0.0)
+    verdict = judge.approximation(
+        row.analytic, row.reference, U=U, interval=row.interval, demand=demand(row)
+    )
+    found = (
+        ("value", amount(row.analytic, row.unit, long)),
+        (row.by, amount(row.reference, row.unit, long)),
+        expanded(row.unit, row.u_num or 0.0, 0.0, 0.0, U),
+        *_model_error(row, row.analytic, row.reference, U, verdict),
+    )
+    return Derivation(found, verdict, row.u_num)
+
+
+def deviation(row: Row) -> Derivation:
+    """The size of a difference, which a figure stated beforehand bounds."""
+    assert row.reference is not None
+    assert row.scale is not None
+    assert row.tolerance is not None
+    verdict = judge.difference(
+        row.reference, 0.0, U=row.tolerance, scale=row.scale, demand=demand(row)
+    )
+    u = judge.COVERAGE * (row.u_num or 0.0)
+    found = (
+        ("size", f"{amount(row.reference, row.unit)}, {row.by}"),
+        ("accepted", f"{amount(row.tolerance + u, row.unit)}: {row.interval_source}"),
+        (
+            "U",
+            f"accepted − U of the size = {short(row.tolerance + u)} − {short(u)} = "
+            f"{amount(row.tolerance, row.unit)}",
+        ),
+        *difference_steps(row, verdict, "size − 0"),
+    )
+    return Derivation(found, verdict, row.u_num)
+
+
 def shown(row: Row) -> Derivation:
     """A formula beside a number that states no uncertainty."""
     assert row.analytic is not None

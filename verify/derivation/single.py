@@ -132,7 +132,7 @@ def convergence(row: Row) -> Derivation:
         found.append(
             (
                 "test",
-                f"order − 0.5 > 4 u_it/(|v1 − v2| ln r), which iteration may make of it: "
+                "order − 0.5 > what iteration may make of it, values off by u_it either way: "
                 f"{again.order - 0.5:.4g} > {short(verdict.tolerance)}: {word}",
             )
         )

@@ -21,6 +21,11 @@ SINGLE: Mapping[Kind, Callable[[Row], Derivation]] = {
     Kind.EXACT: single.exact,
 }
 
+STATED: Mapping[Kind, Callable[[Row], Derivation]] = {  # within a figure that a source states
+    Kind.IDENTITY: pairs.deviation,
+    Kind.APPROXIMATION: pairs.agreement,
+}
+
 
 def steps(row: Row) -> tuple[Step, ...]:
     """What was compared, with which uncertainty, and what follows: pairs of label and text."""
@@ -36,6 +41,8 @@ def derive(row: Row) -> Derivation:
         found = PAIRED[row.kind](row)
     elif row.status is Status.SKIP or not _has_numbers(row):
         found = Derivation((), judge.Verdict(row.status, row.reason))
+    elif row.interval_source and row.kind in STATED:
+        found = STATED[row.kind](row)
     else:
         found = SINGLE[row.kind](row)
     verdict = f"{row.status.value}: {row.reason}" if row.reason else row.status.value

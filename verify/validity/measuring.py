@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from verify.case import Case
 from verify.engines import Where
 from verify.inputs import InputError
+from verify.nearest import nearest
 from verify.progress import Show
 from verify.sweep.outcome import outcome
 from verify.sweep.run import solve
@@ -23,7 +24,8 @@ def chosen(names: Sequence[str], cases: Sequence[Case]) -> list[Case]:
     wanted = [name.partition(":")[2] for name in dict.fromkeys(names)]
     for name in wanted:
         if name not in known:
-            raise InputError(f"{NAME}:{name}: no such measurement, there are {', '.join(known)}")
+            asked = f"{NAME}:{name}".rstrip(":")
+            raise InputError(f"{asked}: no such measurement, there are {nearest(name, known)}")
     return [known[name] for name in wanted]
 
 

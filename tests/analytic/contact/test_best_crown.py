@@ -4,6 +4,7 @@ from dataclasses import astuple
 
 import numpy as np
 import pytest
+from scipy.optimize import OptimizeResult
 
 from analytic.contact import best_crown as module
 from analytic.contact import crown, strips
@@ -67,6 +68,16 @@ def on_half_space(best, load, tilt):
         lambda y: logarithmic(y, best.K_1, best.K_2, best.z_m, load) - tilt * y,
         load=load, cells=(48, 768), **ROLLER,
     )  # fmt: skip
+
+
+def test_a_search_is_given_up_only_after_some_generations_whose_ends_all_carry():
+    def hopeless(nit, fun):
+        return module._hopeless(OptimizeResult(nit=nit, fun=fun))
+
+    patience, loaded = module.PATIENCE, module.LOADED
+    assert hopeless(patience, loaded + 0.1)
+    assert not hopeless(patience - 1, loaded + 0.1)
+    assert not hopeless(patience, 0.9 * loaded)
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from analytic.contact import clamped_race, disc_series, disc_stress, pair_series
 from analytic.contact.disc import disc_in_contact
@@ -84,6 +85,39 @@ def test_the_race_under_uniform_pressure_is_lame_s(ratio):
 def test_harmonics_of_a_thick_race_are_those_of_the_half_plane():
     n = np.array([400.0, 4000.0])
     assert n * clamped_race._higher(n, 1.5, 0.4) == pytest.approx([1, 1], abs=3e-3)
+
+
+def bore_under_a_wave(n: int, ratio: float, nu: float) -> float:
+    """E U_n/2 at r = 1 under sigma_r = -cos(n theta), rim clamped: Runge-Kutta through the wall.
+
+    The state is U, V, sigma_r, tau of u = U cos(n theta), v = V sin(n theta); E = 1, plane stress.
+    """
+
+    def slope(r, state):
+        U, V, S, T = state
+        hoop = nu * S + (U + n * V) / r
+        dU = (1 - nu**2) * S - nu * (U + n * V) / r
+        dV = 2 * (1 + nu) * T + (n * U + V) / r
+        return [dU, dV, -(n * T + S - hoop) / r, (n * hoop - 2 * T) / r]
+
+    def rim(start):
+        return solve_ivp(slope, (1.0, ratio), start, rtol=1e-11, atol=1e-12).y[:2, -1]
+
+    free = rim([0.0, 0.0, -1.0, 0.0])
+    moved = (
+        np.column_stack([rim([1.0, 0.0, -1.0, 0.0]), rim([0.0, 1.0, -1.0, 0.0])]) - free[:, None]
+    )
+    return float(np.linalg.solve(moved, -free)[0]) / 2
+
+
+@pytest.mark.parametrize(("ratio", "nu"), [(1.2, 0.3), (1.5, 0.4), (2.5, 0.0)])
+def test_every_harmonic_of_the_clamped_race_is_what_its_differential_equations_give(ratio, nu):
+    assert clamped_race._first(ratio, nu) == pytest.approx(
+        bore_under_a_wave(1, ratio, nu), rel=1e-8
+    )
+    n = np.array([2.0, 5.0])
+    expected = [bore_under_a_wave(int(k), ratio, nu) for k in n]
+    assert clamped_race._higher(n, ratio, nu) == pytest.approx(expected, rel=1e-7)
 
 
 def test_a_thicker_race_gives_way_more():

@@ -33,6 +33,16 @@ def test_the_rest_of_the_series_is_its_sum(nu):
     assert _rest(nu) == pytest.approx(images + 2 * (terms.sum() + beyond), abs=1e-7)
 
 
+@pytest.mark.parametrize("nu", [-0.5, 0.0, 0.3, 0.45])
+def test_the_logarithm_is_what_the_series_leaves_of_the_order_of_its_degree_s_inverse(nu):
+    """A force P moves R by P/(8 pi mu R) of (2n + 1) c_n P_n, where P_n/n sums to -ln(d/2R)."""
+    n, R, E = 1e6, 0.7, 3.0
+    c = (2 * (1 - nu) * n**2 + nu * n - 1 + 2 * nu) / ((n - 1) * (n**2 + (1 + 2 * nu) * n + 1 + nu))
+    inverse = ((2 * n + 1) * c - 4 * (1 - nu)) * n
+    mu = E / (2 * (1 + nu))
+    assert Sphere(R=R, E=E, nu=nu).logarithm == pytest.approx(inverse / (8 * mu * R), rel=1e-4)
+
+
 def test_the_logarithm_changes_load_and_peak_as_galin_s_integrals_have_it():
     """P = 2 E* int r² f'/sqrt(a² - r²) and p_0 = E*/pi int g'/x, of f' from Laplace's equation."""
     a = R = E_star = 1.0

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.integrate import dblquad
 from scipy.special import ellipe, ellipkm1
 
-from analytic.contact import hertz_line
+from analytic.contact import hertz_line, strip_newton
 from analytic.contact.strip_influence import excess, log_part
 from analytic.contact.strip_newton import solve
 from analytic.contact.strips import press
@@ -257,3 +257,13 @@ def test_cases_that_do_not_converge_say_so(monkeypatch):
     monkeypatch.setattr("analytic.contact.strip_newton.ITERATIONS", 2)
     with pytest.raises(ArithmeticError, match="1 of 1 cases did not converge in 2 iterations"):
         press(barrel(30), **SPRAG, load=3400.0)
+
+
+def test_what_overlaps_without_a_load_is_no_solution():
+    """A strip that carries nothing must not be entered: by 0.1 of the 2 that bodies approach."""
+    s, h, level = np.array([[1.0, 0.0]]), np.array([[0.0, 1.0]]), np.array([2.0])
+    apart, within = np.array([[0.0, 0.1]]), np.array([[0.0, -0.1]])
+    assert strip_newton._residual(s, apart, h, level, None).tolist() == [0.0]
+    assert strip_newton._residual(s, within, h, level, None) == pytest.approx(0.05)
+    lifted = np.array([[0.1, 0.1]])  # nor may one that carries be apart
+    assert strip_newton._residual(s, lifted, h, level, None) == pytest.approx(0.05)

@@ -133,3 +133,10 @@ def test_roller_and_half_space_give_way_as_hertz_s_contact_says(star):
     depth = star.cam.X - star.r_b
     far = hertz_line_approach.approach_to_far_depth(depth, P=P, a=a, **steel)
     assert float(deep) == pytest.approx(float(far), rel=1e-13)
+
+
+def test_the_star_s_rim_goes_through_the_places_where_its_rollers_touch(star):
+    """On the flat, beside its middle by the roller's way along it; its centre lies on R - r."""
+    along = (16.5e-3 - 2.5e-3) * np.sin(np.arccos((11.39565e-3 + 2.5e-3) / (16.5e-3 - 2.5e-3)))
+    rim = float(compliance(star).inner.l)
+    assert rim**2 - 11.39565e-3**2 == pytest.approx(along**2, rel=1e-9)

@@ -78,6 +78,14 @@ def test_a_round_bore_has_lames_stress():
     assert factor == pytest.approx(float(exact) * p * 70, rel=1e-8)
 
 
+def test_the_corner_s_factor_is_told_where_the_middle_of_the_flat_reaches_the_rollers():
+    """Of E = 1 and j_D = 1: there, where it bulges most, the rim has grown by 1/2."""
+    stress, _ = largest_fillet_stress(sector=HEXAGON)
+    p = 0.5 / float(pressed(HEXAGON).rim_displacement([0.0]).real[0])
+    factor = corner_stress_factor(sector=HEXAGON, nu=0.3, assumption="plane stress")
+    assert factor == pytest.approx(stress * p * 76.0, rel=1e-12)  # over j_D/d_m
+
+
 @pytest.mark.parametrize("z", [3, 6, 12, 48])
 def test_the_cuts_balance_the_pressure(z):
     ring = Sector(z=z, d_e=80.0, d_i=72.0, rho=2.0)

@@ -13,7 +13,7 @@ from analytic.rotor.transfer_modes import (
     natural_frequencies,
     whirl_frequencies,
 )
-from analytic.rotor.transfer_roots import count_below
+from analytic.rotor.transfer_roots import count_below, roots_below
 from analytic.rotor.transfer_segment import dynamic_stiffness, pieces, transfer
 from analytic.rotor.transfer_shapes import mode_lines
 
@@ -242,6 +242,31 @@ def test_a_mode_is_carried_into_the_segments():
         assert r.real == pytest.approx(fitted * sine, abs=1e-4)
         assert abs(fitted) == pytest.approx(1, abs=5e-3)
         assert abs(r.imag).max() < 1e-9
+
+
+@pytest.mark.parametrize("kyy", [None, 3e7])
+def test_the_largest_unknown_of_a_mode_of_one_sense_is_1(kyy):
+    found = modes(supported(kyy=kyy), 0.0 if kyy else 400.0, count=3)
+    sizes = np.abs(found.unknowns).max(axis=1)
+    assert sizes[found.whirl != 0] == pytest.approx(1, rel=1e-12)
+    assert np.all(sizes <= 1 + 1e-12)
+
+
+def test_items_without_the_roots_that_are_asked_for_have_none():
+    """A spring of 4 N/m under 1 kg: one root at 2 rad/s, above what is searched or below it."""
+
+    def stiffness(w, _item):
+        return (4 - w**2)[:, None, None] * np.eye(1)
+
+    none = roots_below(stiffness, np.array([1.0, 1.5]), np.arange(1))
+    assert none.shape == (2, 1)
+    assert np.isnan(none).all()
+    stiff = roots_below(lambda w, _: np.ones_like(w)[:, None, None] * np.eye(3), np.ones(2),
+                        np.arange(3))  # fmt: skip
+    assert stiff.shape == (2, 3)
+    one = roots_below(stiffness, np.array([1.0, 3.0]), np.arange(1))
+    assert np.isnan(one[0, 0])
+    assert one[1, 0] == pytest.approx(2, rel=1e-12)
 
 
 def test_the_unit_of_length_is_free():

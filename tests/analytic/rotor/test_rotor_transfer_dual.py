@@ -247,6 +247,17 @@ def test_shafts_apart_turn_apart():
     assert torsional_frequencies(rotor, count=3) == pytest.approx(exact, rel=1e-12)
 
 
+@pytest.mark.parametrize("k", [3e3, 1.7e5, 0.9e7])
+def test_shafts_in_a_row_turn_together_in_one_way(k):
+    """Whatever round-off makes of the zero among the eigenvalues of their springs."""
+    shafts = (bar(1.0, 0.05), bar(0.7, 0.03), bar(0.6, 0.04), bar(0.9, 0.02))
+    links = tuple(
+        Link(a=a, b=b, kxx=1e6, k_turn=k * c) for a, b, c in ((1, 2, 0.3), (3, 4, 1.1), (5, 6, 0.7))
+    )
+    assert free_turns(Rotor(shafts=shafts, links=links)) == 1
+    assert free_turns(Rotor(shafts=shafts, links=links[:2])) == 2
+
+
 def test_a_held_end_turns_in_quarter_waves():
     rotor = Rotor(shafts=(bar(1.0, 0.05),), supports=(Support(node=0, kxx=1e8, k_turn=1e13),))
     c = np.sqrt(E / 2.6 / 7850.0)

@@ -82,3 +82,24 @@ def test_the_centre_of_pressure_of_a_cubic_gap_is_that_of_its_integral_equation(
     waves = [2 * np.mean(slope(c) * np.cos(n * turn)) for n in (1, 2)]
     centre = c + a * waves[1] / (2 * waves[0])  # U_0 and U_1 times sqrt(1 - x²/a²)
     assert got.spiral == pytest.approx(centre / OA / float(at.beta), rel=1e-4)
+
+
+@pytest.mark.parametrize("end", [0, 1])
+def test_an_end_that_rolls_is_touched_on_the_line_through_the_axis_and_its_centre(end):
+    """A circle on a disc, or in a bore: beside the point that it has touched with, moved as well.
+
+    Turned by psi where it touches, its centre moves by r psi; moved by u, by u.
+    """
+    at, column = wedged(RIGID, 1.0), Column(sprag=SPRAG, b=4e-3)
+    psi, u, P = 2.0, 0.3, 1e-6
+    one = np.eye(2)[end]
+    bent_end = Ends(moved=tuple(u * one), turned=tuple(psi * one))
+    got = shift(at, bent_end, column=column, a=(0.0, 0.0), P=P, races=(0.0, 0.0))
+    race = float((at.OA, at.OB)[end])
+    r = float((np.asarray(at.rho * np.hypot(1, SPRAG.m)), np.asarray(SPRAG.r_e))[end])
+    centre = race + r if end == 0 else race - r  # its distance from the axis
+    turned = P * psi * r / centre
+    moved = P * u / centre - P * u / race  # of the contact, but for the point itself
+    sign = -1.0 if end == 0 else 1.0
+    assert got.turned * float(at.beta) == pytest.approx(-turned, rel=1e-12)
+    assert got.moved * float(at.beta) == pytest.approx(-sign * moved, rel=1e-12)

@@ -66,6 +66,12 @@ def test_a_table_without_room_says_so(clutch):
         tabulated(clutch, N_end=0.0)
 
 
+def test_a_centroid_given_along_one_axis_alone_stays_where_it_was_along_the_other(clutch):
+    x, y = clutch.centroid
+    assert replace(clutch, c_x=1e-3).centroid == (1e-3, y)
+    assert replace(clutch, c_y=1e-3).centroid == (x, 1e-3)
+
+
 def test_with_balanced_normal_forces_the_motion_rests_exactly_as_the_strut(clutch):
     """Wherever the centroid is; with N_e = N_i half a millimetre changes the force by 1.4e-3."""
     T_i, paper = [], []

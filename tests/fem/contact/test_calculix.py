@@ -5,8 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks import calculix, hertz
+from benchmarks import hertz
 from benchmarks.calculix_contact import Settings, run_deck, write_deck
+from verify.crosscheck.calculix.numbering import Numbering
+from verify.crosscheck.calculix.running import executable
 
 CELLS = (18, 15)
 STIFF = Settings(slope=500, start=0.25)
@@ -14,9 +16,7 @@ COARSE = hertz.ZONE / CELLS[1] / hertz.A  # the longest cell in the contact [a]
 # Hertz's pressure has the share 8 sqrt(2)/(3 pi) (h/a)^1.5 of its load within h of an edge; both
 # sides know the edge to half a cell, and misplace that share by as much: load times distance over a
 MISPLACED = 8 * np.sqrt(2) / (3 * np.pi) * COARSE**1.5 * COARSE / 2
-pytestmark = pytest.mark.skipif(
-    calculix.executable() is None, reason="calculix (ccx) is not installed"
-)
+pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
 
 
 def overlap(ask):
@@ -36,7 +36,7 @@ def ask_calculix(ours, tmp_path_factory):
 
     def ask(how):
         deck = tmp_path_factory.mktemp("discs") / "discs.inp"
-        write_deck(deck, problem, solution, how)
+        write_deck(deck, solution, how)
         return run_deck(deck, problem, solution.plane, how)
 
     return ask
@@ -61,7 +61,7 @@ def test_both_contacts_are_equally_wide(ours, theirs):
 
 def test_both_discs_move_alike(ours, theirs):
     plane = ours[1].plane
-    moved = plane.u[calculix.deck_unknowns(plane)].T
+    moved = plane.u[Numbering(plane.basis).dofs].T
     # a force P moved by d within the contact changes displacements by about 2 P d/(pi E' a)
     misplaced = 2 * hertz.LOAD / (np.pi * hertz.E_PLANE) * 2 * MISPLACED
     cells = 1e-4 * np.abs(moved).max()  # eight nodes there, nine here

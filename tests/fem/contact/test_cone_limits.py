@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from fem.contact.along import Along
-from fem.contact.cone import Cone
+from fem.contact.cone import Cone, State
 from fem.contact.cone_reach import missing
 from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.problem import ContactProblem
@@ -185,3 +185,18 @@ def test_the_reach_of_the_cone_is_found_in_any_direction():
         )
         assert not np.any(held)
         assert lost @ pull > 0
+
+
+@pytest.mark.parametrize(
+    ("pressure", "missed"),
+    [(0.5, 0.5), (1.0, 0.0), (1.5, 0.5)],
+    ids=["bodies overlap", "bodies touch", "a gap carries pressure"],
+)
+def test_a_pressure_that_its_gap_contradicts_is_told_either_way(pressure, missed):
+    cone = Cone(
+        B=np.eye(3), D=np.zeros((3, 0)), friction=np.array([0.5]), rough=np.array([0])
+    )  # a node that overlaps by 1 and yields 1 per unit pressure
+    at = State(np.array([pressure, 0.0, 0.0]), np.zeros(0))
+    residual, _, w = cone.judged(np.array([-1.0, 0.0, 0.0]), np.zeros(0), at)
+    assert w[0] == pressure - 1
+    assert residual.complementarity == pytest.approx(missed)

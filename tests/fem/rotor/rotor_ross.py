@@ -11,6 +11,7 @@ DISCS = [(3, 1.2, 0.0016, 0.0025), (18, 0.8, 0.0007, 0.0011)]  # node, mass, Id,
 GROUND = [(1, 8e7, 900.0), (5, 9e7, 1100.0), (20, 5e7, 700.0)]
 BETWEEN = [(8, 13, 6e7, 400.0), (10, 15, 7e7, 500.0)]
 UNLIKE = 1.3  # kyy over kxx where supports are not isotropic
+NODES = len(OUTER) + len(INNER) + 2
 START = sum(length for length, _, _ in OUTER[:7])  # where the inner shaft begins
 
 
@@ -54,5 +55,12 @@ def kappas(rotor):
 
 
 def bending(n):
-    """The unknowns across the axis of n."""
-    return np.flatnonzero(np.isin(np.arange(n) % 6, (0, 1, 3, 4)))
+    """The unknowns across the axis of n: all where a node has four, as in ROSS 1."""
+    at = np.arange(n)
+    return at if n == 4 * NODES else np.flatnonzero(np.isin(at % 6, (0, 1, 3, 4)))
+
+
+def across(A):
+    """A matrix on the unknowns across the axis."""
+    at = bending(len(A))
+    return A[np.ix_(at, at)]

@@ -1,4 +1,4 @@
-"""ROSS as a second solver: matrices, frequencies, responses of the same rotor of 132 unknowns."""
+"""ROSS as a second solver: matrices, frequencies, responses of the same rotor of 22 nodes."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 from fem.rotor.campbell import campbell
 from fem.rotor.modes import modes
 from fem.rotor.response import unbalance_response
-from tests.fem.rotor.rotor_ross import bending, kappas, ours, theirs
+from tests.fem.rotor.rotor_ross import across, bending, kappas, ours, theirs
 
 ross = pytest.importorskip("ross", reason="ROSS is not installed")
 
@@ -21,15 +21,15 @@ def test_matrices(pair):
     own, other = pair
     for mine, peer in ((own.M, other.M()), (own.K, other.K(0.0)), (own.G, other.G()),
                        (own.C, other.C(0.0))):  # fmt: skip
-        assert abs(mine - peer).max() <= 1e-12 * abs(peer).max()
+        assert abs(across(mine) - across(peer)).max() <= 1e-12 * abs(peer).max()
 
 
 @pytest.mark.parametrize("speed", [0.0, 523.6, 3500.0])
 def test_frequencies_and_damping(pair, speed):
     own, other = pair
-    at = bending(132)  # their dense eigenvalues of a state matrix of bending alone
-    M, K, C, G = (A[np.ix_(at, at)] for A in (other.M(), other.K(0.0), other.C(0.0), other.G()))
-    n = at.size
+    # their dense eigenvalues of a state matrix of bending alone
+    M, K, C, G = (across(A) for A in (other.M(), other.K(0.0), other.C(0.0), other.G()))
+    n = len(M)
     S = np.block([[np.zeros((n, n)), np.eye(n)],
                   [-np.linalg.solve(M, K), -np.linalg.solve(M, C + speed * G)]])  # fmt: skip
     values = np.linalg.eigvals(S)
@@ -57,6 +57,6 @@ def test_unbalance_response(pair):
     speeds = np.linspace(50, 4000, 15)
     peer = other.run_unbalance_response([3, 18], [1.4e-5, 1e-5], [0.0, 0.6], frequency=speeds)
     found = unbalance_response(own, speeds, {3: 1.4e-5, 18: 1e-5 * np.exp(0.6j)})
-    at = bending(132)
-    scale = abs(found.q[:, at]).max(axis=1, keepdims=True)
-    assert (abs(peer.forced_resp.T[:, at] - found.q[:, at]) / scale).max() < 1e-9
+    own_at, at = bending(found.q.shape[1]), bending(len(peer.forced_resp))
+    scale = abs(found.q[:, own_at]).max(axis=1, keepdims=True)
+    assert (abs(peer.forced_resp.T[:, at] - found.q[:, own_at]) / scale).max() < 1e-9

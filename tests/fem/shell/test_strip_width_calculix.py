@@ -4,18 +4,18 @@ These are second-order bricks of reduced integration, one layer of them: what ca
 its shells S8R, but without the rigid knots that it puts where rotations are held.
 """
 
-import re
 from math import radians
 
 import numpy as np
 import pytest
 
-from benchmarks.calculix import executable, run_deck
 from fem.plane.material import Elastic
 from fem.shell.solve import solve_shell
 from meshes.shell.strip import swept_path
 from meshes.spring.path import accordion
-from tests.fem.calculix_strips import strip
+from verify.crosscheck.calculix.reading import strain_energy
+from verify.crosscheck.calculix.running import executable, run_deck
+from verify.crosscheck.calculix.swept import SweptDeck
 
 STEEL = Elastic(E=206e3, nu=0.3)  # MPa, mm
 B, PER_ARC, PER_LEAF = 0.1, 6, 12
@@ -35,45 +35,12 @@ def shell_stiffness(mesh, h, edge):
 
 def solid_stiffness(path, levels, edge, deck):
     """The same by bricks between the planes z = `levels`, whose odd ones hold middle nodes."""
-    part = strip(path, [PER_ARC if piece.turn else PER_LEAF for piece in path], B)
-    n, last = len(part.points), len(levels) - 1
-    points = np.vstack([np.column_stack([part.points, np.full(n, z)]) for z in levels])
-    bricks = np.vstack([_bricks(part.cells + k * n, n) for k in range(0, last, 2)])
-    used = np.unique(bricks)
-    layers = n * np.arange(len(levels))[:, None]
-    head, tail = (layers + part.across[i] for i in (0, -1))
-    held = {
-        1: layers + part.middle(-1),
-        2: np.hstack([head, tail]),
-        3: np.concatenate([tail.ravel(), np.arange(n), last * n + np.arange(n if edge else 0)]),
-    }
-    write_deck(deck, points, used, bricks, held, moved=layers + part.middle(0))
-    run_deck(deck)
-    said = deck.with_suffix(".dat").read_text("ascii")
-    energy = re.findall(r"total internal energy[^\n]*\n\s*\n\s*(\S+)", said)[-1]
-    return 4 * float(energy) / UNIT**2
-
-
-def _bricks(cells, n):
-    """Twenty nodes each, from cells of eight in the lower of three planes of `n` nodes."""
-    corners, edges = cells[:, :4], cells[:, 4:]
-    return np.hstack([corners, corners + 2 * n, edges, edges + 2 * n, corners + n])
-
-
-def write_deck(path, points, used, bricks, held, moved):
-    with path.open("w", encoding="ascii") as deck:
-        deck.write("*NODE\n")
-        np.savetxt(deck, np.column_stack([used + 1, points[used]]), fmt="%d,%.12e,%.12e,%.12e")
-        deck.write("*ELEMENT, TYPE=C3D20R, ELSET=BODY\n")
-        for i, nodes in enumerate((bricks + 1).astype(str), 1):
-            deck.write(f"{i}," + ",".join(nodes[:12]) + ",\n" + ",".join(nodes[12:]) + "\n")
-        deck.write(f"*MATERIAL, NAME=M\n*ELASTIC\n{STEEL.E!r},{STEEL.nu!r}\n")
-        deck.write("*SOLID SECTION, ELSET=BODY, MATERIAL=M\n*BOUNDARY\n")
-        for i, nodes in held.items():
-            deck.writelines(f"{node + 1},{i},{i}\n" for node in np.intersect1d(nodes, used))
-        deck.write("*STEP\n*STATIC\n*BOUNDARY\n")
-        deck.writelines(f"{node + 1},1,1,{UNIT}\n" for node in np.intersect1d(moved, used))
-        deck.write("*EL PRINT, ELSET=BODY, TOTALS=ONLY\nELSE\n*NODE FILE\nU\n*END STEP\n")
+    told = SweptDeck(
+        pieces=path, counts=[PER_ARC if piece.turn else PER_LEAF for piece in path], b=B,
+        levels=levels, material=STEEL, move=UNIT, held=bool(edge),
+    )  # fmt: skip
+    run_deck(told.write(deck))
+    return 4 * strain_energy(deck.with_suffix(".dat")) / UNIT**2
 
 
 def both(h, across, finest, edge, folder):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from fem.beam.section import Section
 from meshes.spring.path import Piece
-from tests.fem.calculix_decks import STEEL, Held
+from verify.crosscheck.calculix.large import STEEL, Held
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

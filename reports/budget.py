@@ -1,0 +1,217 @@
+"""Error budgets: of what a difference of formula and finite elements is made, drawn and told."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from textwrap import wrap
+
+from markupsafe import Markup
+
+from reports import svg
+from reports.formats import MINUS
+from reports.plots import WIDTH, Axes
+from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
+
+LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
+LEFT, RIGHT = 118.0, 92.0  # of names, and of numbers beyond the axis
+NARROW, HALF = 18, 6.5  # letters that a name has room for, and half a line of them
+TALL = 31.0  # of a waterfall with names of two lines
+NUMERICAL = ("discretisation", "iteration", "contact law")  # one column of many rows
+TOTAL, REMAINDER = "difference", "remainder"
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A bar of a waterfall from `start` to `end` with the half-width `u` about its end [%]."""
+
+    name: str
+    start: float
+    end: float
+    u: float
+    said: str
+    css: str
+
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+MOST = 10  # rows side by side
+UNKNOWN = "no cause is known whose rerun would"
+UNSEEN = 1e-3  # of the difference: a part without a bar
+SMALL = 1e-3  # per cent: below, powers of ten
+
+
+def percent(value: float | None, u: float | None = None) -> str:
+    """A relative number in per cent, signed, and its half-width: "−24.8 ± 3·10⁻⁵ %"."""
+    if value is None:
+        return "–"
+    sign = {True: MINUS, False: "+"}[value < 0] if value else ""
+    bar = "" if not u else f" ± {_digits(100 * u, 1)}"
+    return f"{sign}{_digits(100 * abs(value), 3)}{bar} %"
+
+
+def _digits(size: float, digits: int) -> str:
+    """A number that is not negative: zero, with `digits`, or a digit and a power of ten."""
+    if not size:
+        return "0"
+    if size >= SMALL:
+        rounded = float(f"{size:.{digits - 1}e}")
+        return f"{rounded:#.{digits}g}".rstrip(".") if rounded < 10**digits else f"{rounded:.0f}"
+    mantissa, _, exponent = f"{size:.0e}".partition("e")
+    return f"{mantissa}·10{str(int(exponent)).translate(SUPERSCRIPTS)}"
+
+
+def counted(row: RowBudget) -> list[BudgetPart]:
+    """The parts that are subtracted from the difference."""
+    return [p for p in row.parts if p.contribution is not None and not p.shared]
+
+
+def steps(row: RowBudget) -> list[Bar]:
+    """From the difference, part by part, to the remainder."""
+    at = 100 * row.total
+    found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), percent(row.total), "total")]
+    for part in counted(row):
+        c, u = part.contribution or 0.0, part.u or 0.0
+        if max(abs(c), u) < UNSEEN * abs(row.total):
+            continue  # the table tells it
+        found.append(Bar(_label(part, row), at, at - 100 * c, 100 * u, percent(c), "part"))
+        at -= 100 * c
+    left = percent(row.remainder)
+    rest = Bar(REMAINDER, 0.0, 100 * row.remainder, 100 * row.u, left, "rest")
+    return [*found, rest]
+
+
+def _label(part: BudgetPart, row: RowBudget) -> str:
+    """The cause; of several of one cause what each is."""
+    alike = sum(other.cause == part.cause for other in counted(row))
+    return part.cause if alike == 1 else part.what.partition(":")[0]
+
+
+def waterfall(row: RowBudget) -> Markup:
+    """Each part takes the difference on from where the one above has left it."""
+    found = steps(row)
+    reach = [(bar.start, bar.end - bar.u, bar.end + bar.u) for bar in found]
+    low, high = (f(0.0, *(f(*r) for r in reach)) for f in (min, max))
+    line = TALL if any(len(bar.name) > NARROW for bar in found) else LINE
+    height = TOP + line * len(found) + BELOW
+    axes = Axes(
+        (LEFT, TOP, WIDTH - RIGHT, height - BELOW), (low, high if high > low else low + 1.0),
+        (float(len(found)), 0.0),
+    )  # fmt: skip
+    for i, bar in enumerate(found):
+        axes.body += _drawn(axes, i, bar, line, last=i >= len(found) - 2)
+    axes.body.append(svg.line(axes.X(0.0), TOP, axes.X(0.0), height - BELOW, "axis"))
+    axes.base(svg.ticks(*axes.x, 4), svg.plain)
+    axes.titles("formula/FE − 1 [%]", "")
+    said = f"{row.quantity}: {found[0].said}, of which {found[-1].said} remain"
+    return svg.drawing(WIDTH, height, axes.body, said, "chart waterfall")
+
+
+def _drawn(axes: Axes, i: int, bar: Bar, line: float, *, last: bool) -> list[Markup]:
+    y, (x_0, x_1) = axes.Y(i + 0.5), (axes.X(bar.start), axes.X(bar.end))
+    left, right = min(x_0, x_1), max(x_0, x_1)
+    name = wrap(bar.name, NARROW, max_lines=2, placeholder="…")
+    found = [
+        *(
+            svg.text(LEFT - 8, y + 4 + HALF * (2 * k - len(name) + 1), words, "tick", "end")
+            for k, words in enumerate(name)
+        ),
+        svg.rectangle(left, y - THICK / 2, max(right - left, 0.8), THICK, bar.css),
+        svg.text(WIDTH, y + 4, bar.said, "tick", "end"),
+    ]
+    if not last:  # the next bar starts where this one ends
+        found.append(svg.line(x_1, y + THICK / 2, x_1, y + line - THICK / 2, "grid"))
+    if axes.X(bar.end + bar.u) - axes.X(bar.end - bar.u) > 1:
+        found.append(svg.line(axes.X(bar.end - bar.u), y, axes.X(bar.end + bar.u), y, "whisker"))
+    return found
+
+
+def headline(one: CaseBudget) -> RowBudget | None:
+    """The row that is drawn."""
+    return next((row for row in one.rows if row.headline), None)
+
+
+def lines(row: RowBudget) -> list[tuple[str, str, str]]:
+    """Cause, what was rerun, and what it contributes, in words."""
+    found = [(TOTAL, "formula and finite elements as they are", percent(row.total, row.U))]
+    found += [(p.cause, *_told(p)) for p in row.parts if not p.shared]
+    found += [
+        ("together", f"{' and '.join(joint.causes)} removed together",
+         f"{percent(joint.value)} more than one by one" if joint.value is not None
+         else joint.note)
+        for joint in row.joints
+    ]  # fmt: skip
+    left = percent(row.remainder, row.u)
+    found.append((REMAINDER, "what no rerun has explained: the formula itself", left))
+    beside = [(p.cause, f"{p.what} (not subtracted, both sides assume the same)", _number(p))
+              for p in row.parts if p.shared]  # fmt: skip
+    return [*found, *beside]
+
+
+def _told(part: BudgetPart) -> tuple[str, str]:
+    if part.contribution is None:
+        said = dict.fromkeys(filter(None, (part.what, part.note)))
+        return "; ".join(said), "–"
+    return part.what, _number(part)
+
+
+def _number(part: BudgetPart) -> str:
+    return part.note if part.contribution is None else percent(part.contribution, part.u)
+
+
+@dataclass(frozen=True)
+class Compact:
+    """Rows side by side: `header` are causes; `of` rows there are in all."""
+
+    header: Sequence[str]
+    rows: Sequence[tuple[RowBudget, Sequence[str]]]
+    of: int
+
+
+def compact(one: CaseBudget) -> Compact | None:
+    """Approximations but the one drawn, MOST with the largest remainders of very many."""
+    rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
+    if not rows:
+        return None
+    count = len(rows)
+    kept = sorted(rows, key=lambda row: -abs(row.remainder))[:MOST]
+    rows = [row for row in rows if row in kept]
+    heads = list(dict.fromkeys(_head(p) for row in rows for p in counted(row)))
+    return Compact(heads, [(row, [_sum(row, head) for head in heads]) for row in rows], count)
+
+
+def _head(part: BudgetPart) -> str:
+    """The column of a part."""
+    return "numerical" if part.cause in NUMERICAL else part.cause
+
+
+def _sum(row: RowBudget, head: str) -> str:
+    mine = [p.contribution or 0.0 for p in counted(row) if _head(p) == head]
+    return percent(sum(mine)) if mine else "–"
+
+
+def identities(one: CaseBudget) -> str:
+    """One sentence on the rows that solve one problem on both sides."""
+    rows = [row for row in one.rows if row.kind is Kind.IDENTITY]
+    if not rows:
+        return ""
+    inside = sum(row.within is True for row in rows)
+    worst = max(rows, key=lambda row: abs(row.remainder))
+    return (
+        f"{inside} of {len(rows)} identities: the mesh, iteration and the rows' tolerance explain "
+        f"all of the difference; largest remainder {percent(worst.remainder, worst.u)} of "
+        f"{percent(worst.total, worst.U)} ({worst.quantity})."
+    )
+
+
+def outside(one: CaseBudget) -> list[RowBudget]:
+    """Identities whose remainder nothing explains."""
+    return [row for row in one.rows if row.within is False]
+
+
+def left(one: CaseBudget) -> str:
+    """One sentence on the rows that reruns do not take apart, by the reasons."""
+    reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
+    said = [
+        f"{', '.join(row.quantity for row in one.rows if not row.apart and row.why == why)} "
+        f"({why or UNKNOWN})"
+        for why in reasons
+    ]
+    return f"Not taken apart: {'; '.join(said)}." if said else ""

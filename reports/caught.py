@@ -1,0 +1,114 @@
+"""What the suite catches of mistakes made on purpose: shares, survivors, references moved."""
+
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from verify.results import Caught, Survivor
+
+NAMES = {
+    "formulas": "Formulas: a sign, a factor, a power, an argument changed",
+    "judging": "Judging: the same in what judges rows",
+    "finite-elements": "Finite elements: the same in weak forms, contact and meshes",
+}
+SHORT = {
+    "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
+    "references": "references moved",
+}  # fmt: skip
+PRINTED = "a wider demand: printed as "
+
+
+@dataclass(frozen=True)
+class Moved:
+    """Rows of one kind whose references were moved: how many, and how many of them turned red."""
+
+    kind: str
+    rows: int
+    red: Sequence[int]
+
+
+def share(count: int, total: int) -> str:
+    """A share in per cent; nothing of nothing."""
+    return f"{100 * count / total:.1f}\u202f%" if total else ""
+
+
+def interval(count: int, total: int) -> str:
+    """Where the share of all may lie at 95 % (Wilson) if so many of a sample are caught."""
+    if not total:
+        return ""
+    z, p = 1.96, count / total
+    half = z * math.sqrt(p * (1 - p) / total + (z / (2 * total)) ** 2)
+    low, high = ((p + z**2 / (2 * total) + s * half) / (1 + z**2 / total) for s in (-1, 1))
+    return f"{100 * low:.0f} to {100 * high:.0f}\u202f%"
+
+
+def stale(caught: Caught) -> str:
+    """What was not measured for this code, in words."""
+    names = [SHORT[name] for name in caught.stale]
+    return f"Not measured for this code: {', '.join(names)}." if names else ""
+
+
+def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
+    """The perturbations of references by name, and a line for each kind of row and for all."""
+    data = caught.references
+    if not data:
+        return [], []
+    names = list(data["gate"]["red"])
+    kinds: Mapping[str, Any] = {
+        **data["kinds"], "all that must turn red at ±1 %": data["gate"],
+        "of these, all that a formula’s value reaches": data["the rest"],
+    }  # fmt: skip
+    lines = [
+        Moved(kind, one["rows"], [one["red"][name] for name in names])
+        for kind, one in kinds.items() if one["rows"]
+    ]  # fmt: skip
+    return names, lines
+
+
+def green(caught: Caught) -> list[str]:
+    """Rows that some perturbation leaves green, in words."""
+    return [
+        f"{one['row']} at {', '.join(one['green at'])}"
+        for one in caught.references.get("survivors", ())
+    ]
+
+
+def only_listed(caught: Caught) -> list[tuple[str, int]]:
+    """Why rows are not held to the gate, and how many, the most first."""
+    counts: Counter[str] = Counter()
+    for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
+        coarse = reason.startswith(PRINTED)
+        counts["a wider demand: printed with few digits" if coarse else reason] += len(rows)
+    return counts.most_common()
+
+
+def in_words(caught: Caught) -> list[str]:
+    """What the shares do not say: rows not asked, not reached, red anyway."""
+    data = caught.references
+    if not data:
+        return []
+    listed, way = data["listed"], data["by formula"]
+    apart = ", ".join(f"{n} {why}" for why, n in data["apart"].items())
+    return [
+        f"{listed['rows']} of {data['rows']} rows are not asked to turn red at ±1 %: "
+        f"{listed['share']:.1%}, or {listed['share without convergence']:.1%} without the "
+        f"{data['convergence']} rows of convergence.",
+        f"Of {way['rows']} rows with a formula {way['reached']} are reached where a value "
+        f"of the formulas is changed instead, {way['rows'] - way['reached']} are not; "
+        f"{len(way['hidden'])} hide the change.",
+        f"Red whatever a formula says, and counted apart: {apart}.",
+    ]
+
+
+def survivors(caught: Caught) -> list[tuple[str, list[Survivor]]]:
+    """The survivors of each group, those without a reason first."""
+    return [
+        (SHORT[group.name], found)
+        for group in caught.groups
+        if (found := sorted(
+            (one for one in caught.survivors if one.group == group.name),
+            key=lambda one: (bool(one.reason), one.where, one.line),
+        ))
+    ]  # fmt: skip

@@ -1,0 +1,112 @@
+"""Comparisons with second solvers: grouped for the page and the PDF."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from reports import formats
+from reports.pdf_tables import Data, prose
+from reports.richtext import Run, runs
+from verify.results import Crosscheck, CrossState, Report
+
+WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One problem and what was compared of it; `missing` says why nothing was."""
+
+    head: Crosscheck
+    lines: Sequence[Crosscheck]
+
+    @property
+    def missing(self) -> str:
+        return self.head.why if self.head.state in WITHOUT_NUMBERS else ""
+
+    @property
+    def by(self) -> str:
+        """The solver in brackets; nothing of a case that none takes."""
+        return f" ({self.head.solver})" if self.head.solver else ""
+
+    @property
+    def why(self) -> str:
+        """What makes differences, each reason once."""
+        return "" if self.missing else "; ".join(dict.fromkeys(c.why for c in self.lines))
+
+
+def of_cases(report: Report) -> tuple[Crosscheck, ...]:
+    """What there is of the cases of the report, to whose places it links."""
+    here = {case.id for case in report.cases}
+    return tuple(check for check in report.crosschecks if check.case in here)
+
+
+def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
+    """Comparisons by problem, in their order."""
+    found: dict[str, list[Crosscheck]] = {}
+    for check in checks:
+        found.setdefault(check.problem, []).append(check)
+    return [Problem(group[0], group) for group in found.values()]
+
+
+def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
+    """Problems without numbers, by why there are none."""
+    found: dict[str, list[Problem]] = {}
+    for problem in problems(checks):
+        if problem.missing:
+            found.setdefault(problem.missing, []).append(problem)
+    return list(found.items())
+
+
+def told(checks: Sequence[Crosscheck]) -> str:
+    """How many agree, are not measured, and are cases of no second solver, in a sentence."""
+    agree = sum(check.state is CrossState.AGREES for check in checks)
+    outside = sum(check.state is CrossState.OUTSIDE for check in checks)
+    missing = sum(p.head.state is CrossState.MISSING for p in problems(checks))
+    alone = sum(check.state is CrossState.ALONE for check in checks)
+    parts = [f"{agree} of {agree + outside} agree"] if agree + outside else []
+    if missing:
+        parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
+    if alone:
+        have, say = ("s have", "say") if alone > 1 else (" has", "says")
+        parts.append(f"{alone} case{have} no second solver, and {say} why")
+    return "; ".join(parts)
+
+
+def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
+    """The same for the PDF's template."""
+    return [
+        {
+            "case": p.head.case, "what": runs(p.head.what),
+            "by": f"{p.head.solver} {p.head.version}".strip(), "unknowns": p.head.unknowns,
+            "seconds": [f"{s:.2f}" for s in p.head.seconds],
+            "rows": [
+                [prose(c.quantity), _number(c.ours), _number(c.theirs),
+                 [c.unit if c.unit != "1" else ""], _difference(c)]
+                for c in p.lines
+            ],
+        }
+        for p in problems(checks) if not p.missing
+    ]  # fmt: skip
+
+
+def left_out_data(checks: Sequence[Crosscheck]) -> list[list[Run]]:
+    """What the PDF says of problems without numbers: a sentence for each reason."""
+    return [
+        [*prose(why[:1].upper() + why[1:]), ": ", *_joined(found), "."]
+        for why, found in left_out(checks)
+    ]
+
+
+def _joined(found: Sequence[Problem]) -> list[Run]:
+    return prose("; ".join(f"{p.head.case}, {p.head.what}{p.by}" for p in found))
+
+
+def _number(value: float | None) -> list[Run]:
+    return runs(formats.written(value))
+
+
+def _difference(check: Crosscheck) -> list[Run]:
+    if check.difference is None or check.allowed is None:
+        return ["–"]
+    mark = " !" if check.state is CrossState.OUTSIDE else ""
+    found = runs(formats.power(check.difference, signed=True))
+    return [*found, " (", *runs(formats.power(check.allowed, digits=0)), f"){mark}"]

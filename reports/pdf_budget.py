@@ -1,0 +1,34 @@
+"""Error budgets in the PDF: a table for each case."""
+
+from collections.abc import Collection, Sequence
+
+from reports.budget import compact, headline, identities, left, lines, percent
+from reports.pdf_tables import Data, prose
+from reports.richtext import runs
+from verify.results import CaseBudget
+
+
+def budget_data(budgets: Sequence[CaseBudget], printed: Collection[str]) -> list[Data]:
+    """The cases with the lines of the row that is drawn, of others, and a word on identities.
+
+    Each leads to its case, which must be among the `printed` ones.
+    """
+    return [_case(one) for one in budgets if one.case in printed]
+
+
+def _case(one: CaseBudget) -> Data:
+    row, others = headline(one), compact(one)
+    missing = f"{one.missing[:1].upper()}{one.missing[1:]}." if one.missing else ""
+    return {
+        "id": one.case, "title": runs(one.title), "date": one.date,
+        "said": prose(missing or " ".join(filter(None, (identities(one), left(one))))),
+        "drawn": prose(row.quantity) if row else [],
+        "rows": [[prose(cell) for cell in line] for line in lines(row)] if row else [],
+        "header": [["Other formulas"], ["difference"], *([h] for h in others.header), ["remainder"]]
+        if others else [],
+        "others": [
+            [prose(r.quantity), [percent(r.total)], *([x] for x in cells),
+             [percent(r.remainder, r.u)]]
+            for r, cells in others.rows
+        ] if others else [],
+    }  # fmt: skip

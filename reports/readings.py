@@ -1,0 +1,50 @@
+"""What printed numbers may mean, in words and for the PDF."""
+
+from reports import formats
+from reports.pdf_tables import Data, prose
+from reports.richtext import Run
+from verify.results import ReadingsTried
+
+
+def found(one: ReadingsTried) -> str:
+    """What reproduces the number, or that nothing does."""
+    if one.met:
+        return (
+            "met as it stands, within the rounding of what it is computed from; "
+            "no other reading is needed"
+        )
+    if not one.readings:
+        return "none"
+    more = one.hits - 1
+    others = f"; {more} other combination{'s' * (more > 1)} too" if more else ""
+    value = f" ({one.value:.6g})" if one.value is not None else ""
+    weight = "" if one.is_evidence else "; no evidence"
+    return f"{' and '.join(one.readings)}{value}{others}{weight}"
+
+
+def chance(expected: float) -> str:
+    """Accidental hits, as few digits as say something."""
+    return "<0.001" if expected < 1e-3 else f"{expected:.2g}"
+
+
+def readings_data(searches: tuple[ReadingsTried, ...]) -> Data:
+    """The table for the PDF, and what nothing was tried for."""
+    return {
+        "rows": [_row(one) for one in searches if not one.missing],
+        "missing": [
+            prose(f"{one.reference} ({one.printed}{_unit(one)}): {one.missing}")
+            for one in searches if one.missing
+        ],
+    }  # fmt: skip
+
+
+def _unit(one: ReadingsTried) -> str:
+    return "" if one.unit == "1" else f" {one.unit}"
+
+
+def _row(one: ReadingsTried) -> list[list[Run]]:
+    return [
+        [*prose(one.place), ["br"], ["small", one.reference]], prose(f"{one.printed}{_unit(one)}"),
+        prose(one.what), prose(str(formats.number(one.as_it_stands))), prose(found(one)),
+        prose(str(one.tried)), prose(chance(one.chance)),
+    ]  # fmt: skip

@@ -1,0 +1,85 @@
+"""Second solvers where an engineer looks first: beside a row's FE value, and at a case's head."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from markupsafe import Markup
+
+from reports import formats
+from reports.crosscheck import WITHOUT_NUMBERS, Problem, problems
+from verify.results import Crosscheck, CrossState, Row
+
+COLUMNS = ("second_solver", "second_value", "second_difference_relative", "second_seconds")
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """Comparisons by their place: `ids` on the page, `rows` by id of the row, `cases` by case.
+
+    A row has what was compared of its own quantity; a case, the problems of which some quantity
+    belongs to no single row.
+    """
+
+    ids: Mapping[Crosscheck, str]
+    rows: Mapping[str, Sequence[Crosscheck]]
+    cases: Mapping[str, Sequence[Problem]]
+
+    def of(self, row: Row) -> Sequence[Crosscheck]:
+        return self.rows.get(row.id, ())
+
+
+NOTHING = Seconds({}, {}, {})
+
+
+def seconds(checks: Sequence[Crosscheck]) -> Seconds:
+    """Places of all comparisons that were measured."""
+    rows: dict[str, list[Crosscheck]] = {}
+    others: dict[str, list[Crosscheck]] = {}
+    for check in checks:
+        if check.state in WITHOUT_NUMBERS:
+            continue
+        own = check.row == f"{check.case}/{check.quantity}"
+        (rows if own else others).setdefault(check.row if own else check.case, []).append(check)
+    ids = {check: f"cross-{i}" for i, check in enumerate(checks)}
+    return Seconds(ids, rows, {case: problems(group) for case, group in others.items()})
+
+
+def value(check: Crosscheck, row: Row) -> Markup:
+    """The other solver's number, with its unit where it is not the row's."""
+    unit = "" if check.unit == row.unit or check.unit == "1" else f" {check.unit}"
+    return Markup("{}{}").format(formats.written(check.theirs), unit)
+
+
+def apart(check: Crosscheck) -> Markup:
+    """How far both solvers are apart and how long the other took, as a line has it."""
+    outside = ", more than allowed" if check.state is CrossState.OUTSIDE else ""
+    difference = formats.power(check.difference, signed=True) if check.difference else "alike"
+    return Markup("{}, {:.2g} s{}").format(difference, check.seconds[1], outside)
+
+
+def meshes(check: Crosscheck) -> str:
+    """What is compared, for who asks: both values on one mesh, which may not be the row's."""
+    here, there = (formats.number(x) for x in (check.ours, check.theirs))
+    unit = f" {check.unit}" if check.unit != "1" else ""
+    return (
+        f"{check.solver} {check.version} on the project's mesh of {check.unknowns} unknowns: "
+        f"{there}{unit}; here {here}{unit}"
+    )
+
+
+def cells(checks: Sequence[Crosscheck]) -> list[str | float | None]:
+    """COLUMNS of a row; of several solvers the first, all are in crosscheck.csv."""
+    if not checks:
+        return ["", None, None, None]
+    first = checks[0]
+    return [first.solver, first.theirs, first.difference, first.seconds[1]]
+
+
+def records(checks: Sequence[Crosscheck]) -> Iterator[dict[str, Any]]:
+    """The same for results.json, of every solver."""
+    for check in checks:
+        yield {
+            "solver": check.solver, "version": check.version, "value": check.theirs,
+            "unit": check.unit, "difference": check.difference, "seconds": check.seconds[1],
+        }  # fmt: skip

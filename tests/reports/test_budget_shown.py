@@ -1,0 +1,220 @@
+"""Error budgets on the page, in the PDF's data, in results.json and as a table."""
+
+import csv
+import io
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from reports.budget import (
+    compact,
+    headline,
+    identities,
+    left,
+    lines,
+    outside,
+    percent,
+    steps,
+    waterfall,
+)
+from reports.budget_table import budget_csv
+from reports.html import page
+from reports.pdf_budget import budget_data
+from reports.records import report_record
+from verify.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
+
+ROW = RowBudget(
+    quantity="K of <the> paper", symbol="K", kind=Kind.APPROXIMATION, total=-0.08, U=1e-3,
+    parts=(
+        BudgetPart(cause="discretisation", what="level 8 after 6", contribution=0.01, u=0.002),
+        BudgetPart(cause="contact law", what="no contact in it", contribution=None, u=None,
+                   note="no contact in it"),
+        BudgetPart(cause="finite geometry", what="four times as many flats", contribution=-0.07,
+                   u=1e-6),
+        BudgetPart(cause="plane assumption", what="plane strain", contribution=0.09, u=1e-6,
+                   shared=True),
+    ),
+    joints=(BudgetJoint(causes=("finite geometry: a", "small displacement: b"), value=0.003),),
+    remainder=-0.02, u=0.002, headline=True,
+)  # fmt: skip
+SAME = replace(ROW, quantity="same", kind=Kind.IDENTITY, headline=False, within=True, joints=())
+OTHER = replace(ROW, quantity="another", headline=False, joints=())
+BUDGET = CaseBudget(
+    case="polyhedral-ring", title="Ring", date="2026-11-23", seconds=12.5, rows=(ROW, OTHER, SAME)
+)
+MISSING = CaseBudget(
+    case="ring-lame", title="Lamé",
+    missing="not measured for this code: freewheel deep budget:ring-lame does it",
+)  # fmt: skip
+BUDGETS = (BUDGET, MISSING)
+
+
+@pytest.fixture(scope="module")
+def one(wordy) -> Report:
+    """A report on one case with budgets, and none of a user's own."""
+    case = replace(wordy.cases[0], id="polyhedral-ring", name="", rows=(), title="Ring")
+    return replace(wordy, name="", cases=(case,), budgets=BUDGETS, tables=(), errata=())
+
+
+def test_bars_take_the_difference_on_from_one_to_the_next():
+    bars = steps(ROW)
+    assert [bar.name for bar in bars] == [
+        "difference", "discretisation", "finite geometry", "remainder"
+    ]  # fmt: skip
+    total, *parts, rest = bars
+    assert (total.start, total.end) == (0.0, -8.0)
+    for before, bar in zip(bars, parts, strict=False):
+        assert bar.start == before.end
+    assert [bar.end - bar.start for bar in parts] == pytest.approx([-1.0, 7.0])
+    # what the last part leaves is the remainder, drawn from zero
+    assert (rest.start, rest.end) == (0.0, pytest.approx(parts[-1].end))
+
+
+def test_bars_of_one_cause_have_words_of_their_own():
+    wall = replace(
+        ROW.parts[2], what="a wall four times as thick: no bending of it", contribution=0.01
+    )
+    row = replace(ROW, parts=(*ROW.parts, wall))
+    names = [bar.name for bar in steps(row)]
+    assert names[2:4] == ["four times as many flats", "a wall four times as thick"]
+    drawn = str(waterfall(row))  # in two lines
+    assert drawn.index(">four times as many<") < drawn.index(">flats<")
+
+
+def test_a_part_that_nobody_could_see_has_no_bar():
+    tiny = replace(ROW.parts[0], contribution=1e-6, u=1e-7)
+    bars = steps(replace(ROW, parts=(tiny, *ROW.parts[1:])))
+    assert [bar.name for bar in bars] == ["difference", "finite geometry", "remainder"]
+
+
+def test_bars_are_where_and_as_long_as_their_numbers_say():
+    svg = str(waterfall(ROW))
+    found = re.findall(r'<rect class="(\w+)" x="([\d.]+)" y="[\d.]+" width="([\d.]+)"', svg)
+    (_, x, w), (_, x_1, w_1), (_, x_2, w_2), (_, _, w_3) = found
+    unit = float(w) / 8.0  # of a per cent, of the difference's own bar
+    assert [float(v) / unit for v in (w_1, w_2, w_3)] == pytest.approx([1.0, 7.0, 2.0], abs=0.02)
+    # the first part's bar ends to the left of the difference, where the next begins
+    assert float(x_1) + float(w_1) == pytest.approx(float(x), abs=0.15)
+    assert float(x_2) == pytest.approx(float(x_1), abs=0.15)
+    assert [css for css, *_ in found] == ["total", "part", "part", "rest"]
+    assert "&lt;the&gt;" in svg
+
+
+def test_lines_tell_each_cause_and_what_is_not_subtracted_last():
+    found = lines(ROW)
+    assert found[0] == ("difference", "formula and finite elements as they are", "−8.00 ± 0.1 %")
+    assert ("contact law", "no contact in it", "–") in found
+    assert ("finite geometry", "four times as many flats", "−7.00 ± 1·10⁻⁴ %") in found
+    assert found[-2][0] == "remainder"
+    assert found[-2][2] == "−2.00 ± 0.2 %"
+    assert found[-1][1] == "plane strain (not subtracted, both sides assume the same)"
+    assert any(cause == "together" and said.startswith("+0.300 %") for cause, _, said in found)
+
+
+@pytest.mark.parametrize(
+    ("value", "u", "said"),
+    [
+        (-0.24834, 3.6e-7, "−24.8 ± 4·10⁻⁵ %"), (0.0, None, "0 %"),
+        (7.2e-8, 7e-8, "+7·10⁻⁶ ± 7·10⁻⁶ %"),
+        (None, None, "–"), (0.00018, 1.2e-4, "+0.0180 ± 0.01 %"), (3.1, 0.0, "+310 %"),
+        (0.003, 9.96e-3, "+0.300 ± 1 %"), (9.9996, 0.2, "+1000 ± 20 %"),
+        (-0.1596, 0.0, "−16.0 %"),
+    ],
+)  # fmt: skip
+def test_shares_are_told_with_the_digits_that_they_have(value, u, said):
+    assert percent(value, u) == said
+
+
+def test_the_others_stand_side_by_side():
+    found = compact(BUDGET)
+    assert found.header == ["numerical", "finite geometry"]
+    assert [(row.quantity, cells) for row, cells in found.rows] == [
+        ("another", ["+1.00 %", "−7.00 %"])
+    ]
+    assert headline(BUDGET) == ROW
+    assert compact(MISSING) is None
+
+
+def test_of_very_many_rows_those_with_the_largest_remainders_stand_there():
+    many = [replace(OTHER, quantity=f"row {n}", remainder=n / 1000) for n in range(14)]
+    found = compact(replace(BUDGET, rows=tuple(many)))
+    assert found.of == 14
+    assert [row.quantity for row, _ in found.rows] == [f"row {n}" for n in range(4, 14)]
+
+
+def test_identities_are_one_sentence_and_what_is_not_explained_is_named():
+    assert identities(BUDGET).startswith("1 of 1 identities")
+    assert outside(BUDGET) == []
+    bad = replace(SAME, within=False)
+    assert outside(replace(BUDGET, rows=(bad,))) == [bad]
+    assert identities(replace(BUDGET, rows=(bad,))).startswith("0 of 1 identities")
+
+
+def test_what_is_not_taken_apart_is_one_sentence_with_its_reasons(one):
+    bad = replace(OTHER, apart=False, why="no rerun")
+    rows = (ROW, bad, replace(bad, quantity="a third"), replace(bad, quantity="last", why=""))
+    budget = replace(BUDGET, rows=rows)
+    said = (
+        "Not taken apart: another, a third (no rerun); last (no cause is known whose rerun would)."
+    )
+    assert left(budget) == said
+    assert left(BUDGET) == ""
+    assert said in page(replace(one, budgets=(budget,)), {})
+    assert "not taken apart: no rerun" in budget_csv([budget])
+
+
+def test_the_lead_says_that_a_closed_chain_is_no_evidence(one):
+    assert "the last one closes the sum by itself" in page(one, {})
+
+
+def test_the_page_has_budgets_and_says_what_is_not_measured(one):
+    text = page(one, {})
+    assert '<section id="budget">' in text
+    assert "measured 2026-11-23" in text
+    assert "Not measured for this code: freewheel deep budget:ring-lame does it." in text
+    assert text.count("chart waterfall") == 1
+
+
+def test_a_page_without_budgets_has_no_section(one):
+    assert 'id="budget"' not in page(replace(one, budgets=()), {})
+
+
+def test_the_pdf_has_the_table_of_the_row_that_is_drawn():
+    first, second = budget_data(BUDGETS, {"polyhedral-ring", "ring-lame"})
+    assert len(first["rows"]) == len(lines(ROW))
+    assert len(first["others"]) == 1
+    assert (second["rows"], second["others"]) == ([], [])
+    json.dumps([first, second])
+
+
+def test_the_pdf_has_no_budget_of_a_case_that_it_does_not_have():
+    assert [one["id"] for one in budget_data(BUDGETS, {"ring-lame"})] == ["ring-lame"]
+
+
+def test_the_table_has_a_line_for_each_part():
+    rows = list(csv.DictReader(io.StringIO(budget_csv(BUDGETS).removeprefix("\ufeff"))))
+    mine = [row for row in rows if row["quantity"] == ROW.quantity]
+    assert [row["part"] for row in mine] == [
+        "difference", "discretisation", "contact law", "finite geometry", "plane assumption",
+        "together", "remainder",
+    ]  # fmt: skip
+    counted = [float(row["contribution_relative"]) for row in mine
+               if row["counts"] == "yes" and row["contribution_relative"]]  # fmt: skip
+    assert float(mine[0]["contribution_relative"]) - sum(counted) == pytest.approx(
+        float(mine[-1]["contribution_relative"])
+    )
+    assert "not measured" in rows[-1]["note"]
+
+
+def test_records_keep_to_the_schema(one):
+    path = Path(__file__).parents[2] / "reports" / "results.schema.json"
+    schema = json.loads(path.read_text("utf-8"))
+    record = report_record(one)["budgets"]
+    jsonschema.validate(record, schema["properties"]["budgets"] | {"$defs": schema["$defs"]})
+    record[0]["rows"][0]["parts"][0]["cause"] = "magic"
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(record, schema["properties"]["budgets"] | {"$defs": schema["$defs"]})

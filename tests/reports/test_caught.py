@@ -1,0 +1,133 @@
+"""What the suite catches, on the page, in the PDF and in results.json."""
+
+from dataclasses import replace
+
+import pytest
+from scipy.stats import binomtest
+
+from reports.caught import in_words, interval, moved, share, survivors
+from reports.html import page
+from reports.pdf_data import document
+from reports.records import report_record
+from verify.results import Caught, MutantGroup, Report, Survivor
+
+GROUP = MutantGroup(
+    name="formulas", all=13000, tried=200, rows=150, tests=44, survived=6, apart=9
+)  # fmt: skip
+ARGUED = Survivor(
+    group="formulas", where="analytic.ring.lame.stresses", line=46, operator="sign",
+    before="-A", after="A", reason="only r_o**2 is used",
+)  # fmt: skip
+BARE = replace(ARGUED, where="analytic.b.f", before="a < <b>", reason="")
+RED = {"+1 %": 99, "-1 %": 100}
+CAUGHT = Caught(
+    date="2026-11-23", groups=(GROUP,), survivors=(ARGUED, BARE),
+    references={
+        "kinds": {"identity": {"rows": 60, "red": {"+1 %": 59, "-1 %": 60}},
+                  "trend": {"rows": 0, "red": {"+1 %": 0, "-1 %": 0}}},
+        "gate": {"held": False, "failures": ["x"], "rows": 100, "red": RED},
+        "survivors": [{"row": "ring-lame/radius", "green at": ["+1 %", "-0.5 %"]}],
+        "listed": {"because": {"a fact: an order": [["a", None], ["b", 0.1]]}, "rows": 2,
+                   "share": 0.0125, "share without convergence": 0.02},
+        "rows": 160, "convergence": 58,
+        "by formula": {"rows": 60, "reached": 50, "agree": 50, "hidden": [], "not reached": ["x"]},
+        "apart": {"exact balances": 40, "deviations from zero": 3, "others": 7},
+        "the rest": {"rows": 50, "red": {"+1 %": 49, "-1 %": 50}},
+    },
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def one(wordy) -> Report:
+    return replace(wordy, name="", caught=CAUGHT, validity=(), tables=(), errata=())
+
+
+def section(report: Report) -> str:
+    text = page(report, {})
+    return text[text.index('<section id="caught">') : text.index('<section id="provenance">')]
+
+
+def test_shares_stand_beside_their_counts(one):
+    text = section(one)
+    assert "200 of 13000" in text
+    assert '>97.0\u202f% <span class="unit">94 to 99\u202f%<' in text  # 150 and 44 of 200
+    assert '150 <span class="unit">75.0\u202f%' in text
+    assert '6 <span class="unit">3.0\u202f%' in text
+    assert "2026-11-23" in text
+    assert share(1, 0) == interval(1, 0) == ""
+
+
+def test_the_interval_of_a_share_is_wilson_s():
+    found = binomtest(30, 37).proportion_ci(0.95, method="wilson")
+    assert interval(30, 37) == f"{100 * found.low:.0f} to {100 * found.high:.0f}\u202f%"
+
+
+def test_what_is_not_measured_for_this_code_is_named(one):
+    text = section(replace(one, caught=replace(CAUGHT, stale=("judging", "finite-elements"))))
+    assert "Not measured for this code: judging, finite elements." in text
+    assert "Not measured" not in section(one)
+
+
+def test_survivors_are_listed_with_their_reasons_those_without_first(one):
+    text = section(one)
+    assert text.index("no reason known") < text.index("only ")
+    assert "a &lt; &lt;b&gt;" in text
+    assert "Survivors among formulas: 2" in text
+    (group,) = survivors(CAUGHT)
+    assert [survivor.reason for survivor in group[1]] == ["", ARGUED.reason]
+
+
+def test_references_that_were_moved_have_a_line_for_each_kind(one):
+    text = section(one)
+    assert "all that must turn red at ±1 %" in text
+    assert "ring-lame/radius at +1" in text
+    assert '>a fact: an order</th><td class="n">2</td>' in text
+    names, lines = moved(CAUGHT)
+    assert names == ["+1 %", "-1 %"]
+    assert [(line.kind, line.rows) for line in lines] == [
+        ("identity", 60), ("all that must turn red at ±1 %", 100),
+        ("of these, all that a formula’s value reaches", 50),
+    ]  # fmt: skip
+    assert lines[2].red == [49, 50]
+    assert moved(Caught(date="2026-11-23")) == ([], [])
+
+
+def test_what_is_asked_of_no_row_and_what_is_red_anyway_is_said_in_words(one):
+    assert in_words(CAUGHT) == [
+        "2 of 160 rows are not asked to turn red at ±1 %: 1.2%, or 2.0% without the 58 rows of "
+        "convergence.",
+        "Of 60 rows with a formula 50 are reached where a value of the formulas is changed "
+        "instead, 10 are not; 0 hide the change.",
+        "Red whatever a formula says, and counted apart: 40 exact balances, 3 deviations from "
+        "zero, 7 others.",
+    ]
+    assert "10 are not; 0 hide the change" in section(one)
+    assert "10 are not; 0 hide the change" in str(document(one, {})["caught"]["moved"]["listed"])
+    assert in_words(Caught()) == []
+
+
+def test_what_is_not_measured_says_so_and_nothing_else(one):
+    text = section(replace(one, caught=Caught(missing="not measured for this code: do it")))
+    assert "Not measured for this code: do it." in text
+    assert "<table" not in text
+
+
+def test_a_report_on_one_s_own_parameters_has_no_section(one):
+    text = page(replace(one, caught=None), {})
+    assert 'id="caught"' not in text
+    assert 'href="#caught"' not in text
+
+
+def test_the_pdf_and_the_records_have_the_same(one):
+    data = document(one, {})["caught"]
+    assert data["groups"][0][1:4] == [
+        "200 of 13000",
+        "97.0\u202f% (94 to 99\u202f%)",
+        "150 (75.0\u202f%)",
+    ]
+    assert [row["line"] for row in data["survivors"][0]["rows"]] == [46, 46]
+    assert document(replace(one, caught=None), {})["caught"] is None
+    record = report_record(one)["caught"]
+    assert record["groups"][0]["tried"] == 200
+    assert record["references"]["gate"]["rows"] == 100
+    assert report_record(replace(one, caught=None))["caught"] is None

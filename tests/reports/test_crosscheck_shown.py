@@ -1,0 +1,179 @@
+"""Second solvers on the page, in the PDF, in results.json and as a table."""
+
+import csv
+import io
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+import reports
+from reports.crosscheck import crosscheck_data, left_out_data, problems, told
+from reports.crosscheck_table import crosscheck_csv
+from reports.html import page
+from reports.pdf_data import document
+from reports.records import report_record
+from reports.richtext import _plain
+from reports.rows import rows_csv
+from reports.second import COLUMNS, apart, seconds, value
+from verify.results import Crosscheck, CrossState, Report
+
+AGREES = Crosscheck(
+    case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more",
+    quantity="bore displacement", row="ring-lame/bore displacement", symbol="u_r", unit="µm",
+    solver="calculix", version="2.20", date="2026-11-22", state=CrossState.AGREES,
+    ours=21.7672, theirs=21.7673, difference=4.6e-6, allowed=5e-5, why="six printed digits",
+    seconds=(0.11, 0.52), unknowns=5522,
+)  # fmt: skip
+OUTSIDE = replace(AGREES, quantity="rim", row="", state=CrossState.OUTSIDE, difference=0.1)
+STALE = Crosscheck(
+    case="ring-lame", problem="ring-lame, plane stress", what="another", quantity="", row="",
+    symbol="", unit="1", solver="calculix", state=CrossState.MISSING,
+    why="not measured for this code: make crosscheck does it",
+)  # fmt: skip
+ALONE = replace(
+    STALE, problem="ring-lame", what="no second solver", solver="", state=CrossState.ALONE,
+    why="nobody's",
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def checked(wordy) -> Report:
+    """A report on one case without rows, with two comparisons and one that is stale."""
+    case = replace(wordy.cases[0], id="ring-lame", name="", rows=(), title="Ring")
+    return replace(wordy, name="", cases=(case,), tables=(), errata=(),
+                   crosschecks=(AGREES, OUTSIDE, STALE))  # fmt: skip
+
+
+def test_the_page_has_a_table_of_its_own(checked):
+    html = page(checked, {})
+    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
+    assert "1 of 2 agree; 1 problem is not measured" in section
+    assert "a quarter &amp; more" in section
+    assert "5522 unknowns, 0.11 s in the project, 0.52 s there" in section
+    assert section.count('class="is-fail"') == 1
+    assert "Not measured for this code" in section
+    assert '<a href="#crosscheck">' in html
+
+
+def test_a_case_that_no_solver_takes_says_why(checked):
+    html = page(replace(checked, crosschecks=(AGREES, ALONE)), {})
+    section = html.partition('<section id="crosscheck">')[2].partition("</section>")[0]
+    assert "1 case has no second solver, and says why" in section
+    assert "Nobody" in section
+    assert "()" not in section
+    (sentence,) = left_out_data([ALONE])
+    assert "".join(map(str, sentence)) == "Nobody's: ring-lame, no second solver."
+
+
+def test_a_report_without_comparisons_says_nothing_of_them(checked):
+    assert "Second solvers" not in page(replace(checked, crosschecks=()), {})
+
+
+def test_what_is_of_no_case_of_the_report_is_left_out(checked):
+    other = replace(checked, crosschecks=(replace(AGREES, case="rotor-step"),))
+    assert "Second solvers" not in page(other, {})
+    assert document(other, {})["crosschecks"] == []
+
+
+def test_problems_are_grouped_in_their_order():
+    first, second = problems([AGREES, OUTSIDE, STALE])
+    assert [len(first.lines), first.missing] == [2, ""]
+    assert second.missing.startswith("not measured")
+    assert told([STALE, STALE]) == "1 problem is not measured"
+
+
+def test_the_pdf_marks_what_is_outside(checked):
+    (first,) = crosscheck_data(checked.crosschecks)
+    said = [_flat(row[-1]) for row in first["rows"]]
+    assert said == ["+4.6×10⁻⁶ (5×10⁻⁵)", "+1.0×10⁻¹ (5×10⁻⁵) !"]
+    (sentence,) = document(checked, {})["crosschecks_left"]
+    assert "".join(map(str, sentence)).startswith("Not measured for this code")
+    assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
+
+
+def _flat(found):
+    """Runs as one string."""
+    return "".join(_plain(run) for run in found)
+
+
+def test_results_json_is_as_its_schema_says(checked):
+    schema = json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
+    record = json.loads(json.dumps(report_record(checked)))["crosschecks"]
+    own = {"$ref": "#/$defs/crosscheck", "$defs": schema["$defs"]}
+    for one in record:
+        jsonschema.validate(one, own)
+    assert record[2]["ours"] is None
+
+
+@pytest.fixture(scope="module")
+def beside(wordy) -> Report:
+    """A case with a row that a second solver took too, and problems that belong to no row."""
+    row = replace(wordy.rows[0], case="ring-lame", quantity="bore displacement", unit="µm")
+    case = replace(wordy.cases[0], id="ring-lame", name="", rows=(row,), title="Ring")
+    other = replace(AGREES, quantity="a sum", row="ring-lame/bore displacement")  # not that row's
+    return replace(wordy, name="", cases=(case,), tables=(), errata=(),
+                   crosschecks=(AGREES, OUTSIDE, other, STALE))  # fmt: skip
+
+
+def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
+    html = page(beside, {})
+    cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
+    assert cell.count('href="#cross-') == 1
+    assert 'href="#cross-0"' in cell
+    assert "21.7673, +4.6<small>×10<sup>−6</sup></small>, 0.52 s<" in cell
+    assert "5522 unknowns: 21.7673 µm; here 21.7672 µm" in cell
+    section = html.partition('<section id="crosscheck">')[2]
+    assert [f'<tr id="cross-{i}"' in section for i in range(4)] == [True, True, True, False]
+
+
+def test_what_belongs_to_no_row_stands_at_the_head_of_its_case(beside):
+    head = page(beside, {}).partition('id="case-ring-lame"')[2].partition("</header>")[0]
+    assert 'href="#cross-1">rim</a>' in head
+    assert 'href="#cross-2">a sum</a>' in head
+    assert "#cross-0" not in head
+    assert head.count("more than allowed") == 1
+
+
+def test_a_row_without_a_second_solver_says_nothing_of_it(beside):
+    bare = page(replace(beside, crosschecks=(STALE,)), {})
+    assert "Second solver," not in bare
+    assert "#cross-" not in bare
+
+
+def test_tables_and_records_have_the_second_solver_beside_the_row(beside):
+    found = seconds(beside.crosschecks)
+    (line,) = csv.DictReader(io.StringIO(rows_csv(beside.rows, found.rows).lstrip("\ufeff")))
+    shown = [line[name] for name in COLUMNS]
+    assert shown == ["calculix", "21.7673", "4.6e-06", "0.52"]
+    (line,) = csv.DictReader(io.StringIO(rows_csv(beside.rows).lstrip("\ufeff")))
+    assert [line[name] for name in COLUMNS] == [""] * 4
+    schema = json.loads((Path(reports.__file__).parent / "results.schema.json").read_text("utf-8"))
+    (record,) = report_record(beside)["rows"]
+    (one,) = record["second_solvers"]
+    jsonschema.validate([one], schema["$defs"]["row"]["properties"]["second_solvers"])
+    assert one["difference"] == 4.6e-6
+
+
+def test_the_pdf_has_it_too(beside):
+    (case,) = document(beside, {})["cases"]
+    assert case["lines"][0]["second"][0][:2] == ["calculix ", "21.7673"]
+    assert len(case["second"]) == 1
+
+
+def test_numbers_of_another_unit_tell_it(beside):
+    (row,) = beside.rows
+    assert value(AGREES, row) == "21.7673"
+    assert value(AGREES, replace(row, unit="1")) == "21.7673 µm"
+    assert apart(replace(AGREES, difference=0.0)) == "alike, 0.52 s"
+
+
+def test_the_table_has_a_line_each():
+    text = crosscheck_csv([replace(AGREES, why="=1+1"), OUTSIDE, STALE])
+    assert text.startswith("\ufeff")  # as rows.csv and budget.csv
+    head, first, _, last = csv.reader(io.StringIO(text.removeprefix("\ufeff")))
+    assert dict(zip(head, first, strict=True))["why"] == "'=1+1"
+    assert dict(zip(head, first, strict=True))["seconds_there"] == "0.52"
+    assert dict(zip(head, last, strict=True))["state"] == "not measured"

@@ -1,0 +1,98 @@
+"""Formulas that a case's levels are made with change both of its sides: it is solved with them."""
+
+import ast
+from collections import deque
+from collections.abc import Iterator
+from functools import partial
+
+import pytest
+
+from tests.conftest import solved
+from verify.cases.registry import CASES, find
+from verify.mutation import anew, trial
+from verify.mutation.forked import Task, answers
+from verify.mutation.known import Noted
+from verify.mutation.outcomes import By
+from verify.mutation.sites import Changed, mutants, source
+from verify.mutation.trial import Bench
+from verify.mutation.workload import Load
+
+
+def bench_of(name: str) -> Bench:
+    case = find(name, CASES)
+    inputs = case.inputs()
+    load = Load(case, inputs, tuple(one.result for one in solved(case, inputs)))
+    return Bench(load, Noted(1.0, (), {}))
+
+
+def planted(module: str, function: str, before: str, after: str) -> Changed:
+    """One expression of a function in the place of another."""
+
+    def put(node: ast.AST, _around: object) -> Iterator[ast.AST]:
+        if isinstance(node, ast.expr) and ast.unparse(node) == before:
+            yield ast.parse(after, mode="eval").body
+
+    found = mutants(source(module), {"planted": put})
+    return next(one for one in found if one.mutant.function == function)
+
+
+INERTIA = (
+    "analytic.sprag.events", "System.accelerations", "n_s * motion.m_g * OC_g ** 2",
+    "n_s * motion.m_g * OC_g ** 2 / 2",
+)  # fmt: skip
+RACE = (
+    "analytic.sprag.compliance",
+    "Compliance.yields",
+    "N * self.race_i",
+    "1.1 * N * self.race_i",
+)
+
+
+@pytest.fixture(scope="module")
+def engaged() -> Bench:
+    found = bench_of("sprag-engagement")
+    judged = found.load.judged()
+    assert not judged.errors
+    return Bench(found.load, Noted(4.0, (), judged.states))
+
+
+def verdict(fault: Changed, bench: Bench) -> list[str]:
+    stored, quick, slow = anew.split(fault.mutant.module, [bench])
+    work = partial(trial.tried, fault, stored, [*quick, *slow])
+    (answer,) = answers(deque([Task(0, work, 200.0)]), 1)
+    assert not answer.failure
+    return answer.value
+
+
+def test_a_race_that_gives_way_more_on_both_sides_is_not_credited_to_rows(engaged):
+    assert verdict(planted(*RACE), engaged) == [By.NOTHING, ""]
+
+
+def test_half_the_inertia_is_red_in_the_levels_that_alone_know_of_it(engaged):
+    fault = planted(*INERTIA)
+    by, what = verdict(fault, engaged)
+    assert by == By.ROWS
+    assert what.startswith("sprag-engagement/")
+
+
+def test_stored_levels_are_judged_where_the_mutant_leaves_them(engaged):
+    assert anew.split("analytic.polyhedral.wedging", [engaged]) == ([engaged], [], [])
+
+
+def test_a_case_that_takes_long_does_not_judge_what_its_levels_are_made_with():
+    case = find("freewheel-torque", CASES)
+    assert "analytic.freewheel.cam" in anew.formulas_in(case)
+    bench = Bench(Load(case, case.inputs(), ()), Noted(1.0, (), {}))
+    assert anew.split("analytic.freewheel.cam", [bench]) == ([], [], [])
+    assert anew.split("analytic.freewheel.series", [bench]) == ([bench], [], [])
+
+
+def test_what_takes_long_to_solve_anew_is_asked_after_what_does_not(engaged):
+    quick = bench_of("rotor-clutch")
+    assert anew.split("analytic.contact.palmgren", [engaged, quick]) == ([], [quick], [engaged])
+    assert anew.split("analytic.sprag.events", [engaged, quick]) == ([quick], [], [engaged])
+
+
+@pytest.mark.parametrize("name", anew.SOLVED)
+def test_each_case_that_is_solved_anew_has_formulas_in_its_levels(name):
+    assert anew.formulas_in(find(name, CASES))

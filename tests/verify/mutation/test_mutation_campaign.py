@@ -1,0 +1,312 @@
+"""What becomes of mutants: rows, refusals, tests, survivors; kept, gone on with, and scored."""
+
+import importlib
+import json
+from collections import deque
+from dataclasses import replace
+from functools import partial
+from textwrap import dedent
+
+import pytest
+
+from verify.case import Case, FemResult
+from verify.checks import Fact
+from verify.inputs import Inputs, quantity
+from verify.mutation import groups, known, score, suite, trial, workload
+from verify.mutation.campaign import Campaign
+from verify.mutation.forked import Task, answers
+from verify.mutation.groups import Group, functions_of
+from verify.mutation.outcomes import By, Outcome, Store
+from verify.mutation.sample import sample
+from verify.mutation.sites import mutants, source
+from verify.mutation.subject_operators import FORMULAS
+from verify.mutation.told import told
+from verify.mutation.trial import Bench, Shift
+from verify.mutation.workload import Load
+from verify.results import Caught, MutantGroup, Survivor
+
+FORMULA = """
+    def width(a, b):
+        if b < 0:
+            raise ValueError("needs a width of at least 0")
+        return a + b * 1e-9
+
+
+    def length(a):
+        return width(a, a - 2.0)
+
+
+    def count(a):
+        while a > 0:
+            a = a - 1
+        return a
+"""
+
+
+class Bar(Inputs):
+    a: float = quantity("3 m", "m", "a", "length")
+
+
+@pytest.fixture
+def module(tmp_path, monkeypatch):
+    (tmp_path / "measuring_tape.py").write_text(dedent(FORMULA), "utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setattr(workload, "ROOT", tmp_path)  # whose errors are the project's own
+    source.cache_clear()
+    yield importlib.import_module("measuring_tape")
+    monkeypatch.delitem(__import__("sys").modules, "measuring_tape")
+    source.cache_clear()
+
+
+@pytest.fixture
+def group(module) -> Group:
+    """Mutants of a module whose case has one row: the length is 3 within a tenth."""
+    row = Fact(
+        name="length", symbol="L", unit="1",
+        margin=lambda c: (0.1 - abs(c.analytic["length"] - 3.0), 0.0), fem_needed=False,
+    )  # fmt: skip
+    case = Case(
+        id="ring-tape", title="", paper="", place="", lead="", inputs=Bar,
+        analytic=lambda q: {"length": module.length(q.a), "count": module.count(q.a)},
+        fem=lambda *_: FemResult(h=1.0, values={}), levels=(), outputs=(), checks=(row,),
+    )  # fmt: skip
+    load = Load(case, Bar(), ())
+    bench = Bench(load, known.Noted(0.1, (), load.judged().states))
+    found = mutants(source("measuring_tape"), FORMULAS)
+
+    def task(changed):
+        return Task(changed.mutant.id, partial(trial.tried, changed, [bench]), 4.0)
+
+    return Group("formulas", found, found, task, lambda _changed: ())
+
+
+def by(group: Group, store: Store) -> dict[tuple[str, str], Outcome]:
+    return {(m.mutant.before, m.mutant.after): store.found[m.mutant.id] for m in group.chosen}
+
+
+def test_each_mutant_meets_what_notices_it(group, tmp_path):
+    store = Store(tmp_path / "outcomes.jsonl")
+    Campaign(group, store, 2).run()
+    found = by(group, store)
+    assert found["a + b * 1e-09", "a - b * 1e-09"].by is By.NOTHING  # the tolerance is too wide
+    red = found["b * 1e-09", "b / 1e-09"]
+    assert (red.by, red.what) == (By.ROWS, "ring-tape/length")
+    refused = found["2.0", "4.0"]
+    assert refused.by is By.REFUSED
+    assert "needs a width of at least 0" in refused.what
+    assert found["a - 1", "a + 1"].by is By.TIME
+    assert found["a > 0", "a <= 0"].by is By.NOTHING
+    done = score.scored(group, store.found, 1.0)
+    assert [one[2:] for one in done["survivors"] if one[2] == "a > 0"] == [["a > 0", "a <= 0"]]
+
+
+def test_tests_come_next_and_only_for_what_no_row_noticed(group, tmp_path, monkeypatch):
+    asked = []
+
+    def tests(changed):
+        asked.append((changed.mutant.before, changed.mutant.after))
+        return ("a test",)
+
+    monkeypatch.setattr(trial, "tested", lambda *_: [By.TESTS.value, "a test"])
+    store = Store(tmp_path / "outcomes.jsonl")
+    Campaign(replace(group, tests=tests), store, 2).run()
+    assert ("a + b * 1e-09", "a - b * 1e-09") in asked
+    assert ("b * 1e-09", "b / 1e-09") not in asked
+    assert not [one for one in store.found.values() if one.by is By.NOTHING]
+    assert by(group, store)["a > 0", "a <= 0"].what == "a test"
+
+
+def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(group, tmp_path, monkeypatch):
+    def tested(changed, _tests):
+        noticed = changed.mutant.before == "a > 0"
+        return [By.TESTS.value, "a test"] if noticed else [By.NOTHING.value, ""]
+
+    def last(changed):
+        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
+
+    monkeypatch.setattr(trial, "tested", tested)
+    store = Store(tmp_path / "outcomes.jsonl")
+    Campaign(replace(group, tests=lambda _: ("a test",), last=last), store, 2).run()
+    found = by(group, store)
+    assert found["a > 0", "a <= 0"].what == "a test"
+    assert found["a + b * 1e-09", "a - b * 1e-09"].what == "a slow row"
+    assert found["b * 1e-09", "b / 1e-09"].what != "a slow row"
+
+
+def test_a_mutant_that_no_case_judges_is_still_asked_of_what_takes_long(group, tmp_path):
+    def last(changed):
+        return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
+
+    store = Store(tmp_path / "outcomes.jsonl")
+    Campaign(replace(group, last=last), store, 2).run()
+    assert by(group, store)["a > 0", "a <= 0"].what == "a slow row"
+
+
+def test_of_a_file_that_takes_long_only_its_first_tests_are_known(tmp_path, monkeypatch):
+    file = tmp_path / "test_long.py"
+    file.write_text("def test_one():\n    pass\n\n\ndef test_two():\n    pass\n", "utf-8")
+    monkeypatch.setattr(suite, "PER_FILE", 0.0)
+    (answer,) = answers(deque([Task(0, partial(suite.traced, str(file)), 60.0)]), 1)
+    (known_one,) = answer.value
+    assert known_one.endswith("test_one")
+
+
+def test_tests_with_solvers_that_not_every_machine_has_are_not_asked():
+    asked = suite.files("elements")
+    assert "tests/fem/shell/test_shell_patch.py" in asked
+    assert not [path for path in asked if "calculix" in path or "ross" in path]
+
+
+def test_a_run_goes_on_where_it_was_stopped(group, tmp_path):
+    path = tmp_path / "outcomes.jsonl"
+    seen = []
+
+    def stopped(state):
+        seen.append(state.done)
+        if state.done == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        Campaign(group, Store(path), 1, stopped).run()
+    path.write_text(path.read_text("utf-8") + '\n{"id": "half a li', "utf-8")
+    again = Store(path)
+    assert len(again.found) == 3
+    states = []
+    Campaign(group, again, 2, states.append).run()
+    assert states[0].total == len(group.chosen) - 3
+    assert len(Store(path).found) == len(group.chosen)
+
+
+def test_a_sample_tries_each_operator_and_each_place_once(module):
+    found = mutants(source("measuring_tape"), FORMULAS)
+    some = sample(found, 6, 0)
+    assert [one.mutant.id for one in some] == [one.mutant.id for one in sample(found, 6, 0)]
+    assert {one.mutant.operator for one in some} == {one.mutant.operator for one in found}
+    assert len({id(one.place.node) for one in some}) == 6
+    others = [sample(found, 6, seed) for seed in (1, 2, 3)]
+    assert any(one != some for one in others)
+
+
+def test_stored_levels_move_with_the_one_that_is_solved_anew():
+    before = FemResult(h=1.0, values={"v": 2.0, "w": 1.0})
+    after = FemResult(h=1.0, values={"v": 2.5})
+    moved = Shift(before, after).of(FemResult(h=0.5, values={"v": 3.0, "w": 1.0, "x": 7.0}))
+    assert moved.values == {"v": 3.5, "w": 1.0, "x": 7.0}
+    assert moved.h == 0.5
+
+
+@pytest.fixture
+def kept(group, tmp_path):
+    outcomes = {
+        key: Outcome(key, By.NOTHING if n % 2 else By.ROWS, "", 0.1)
+        for n, key in enumerate(m.mutant.id for m in group.chosen)
+    }
+    path = tmp_path / "mutants.json"
+    score.keep("formulas", score.scored(group, outcomes, 12.3), "this code", path)
+    return path
+
+
+def test_the_score_counts_for_the_code_that_it_was_measured_on(kept):
+    now = score.measured(kept, lambda: "this code")
+    assert (now.missing, now.groups[0].name) == ("", "formulas")
+    other = score.measured(kept, lambda: "other code")
+    assert other.missing == "not measured for this code: freewheel mutants does it"
+    assert not other.groups
+    assert score.measured(kept.with_name("none.json"), lambda: "this code").missing
+
+
+def test_the_score_s_file_has_a_survivor_a_line_and_its_groups_side_by_side(kept):
+    score.keep("references", {"gate": {"held": True}}, "this code", kept)
+    data = json.loads(kept.read_text("utf-8"))
+    assert set(data) == {"formulas", "references"}
+    lines = kept.read_text("utf-8").splitlines()
+    assert sum("measuring_tape:" in line for line in lines) == len(data["formulas"]["survivors"])
+    score.keep("judging", data["formulas"], "other code", kept)
+    assert set(json.loads(kept.read_text("utf-8"))) == {"formulas", "judging", "references"}
+
+
+def test_each_group_counts_for_its_own_code(kept):
+    known = json.loads(kept.read_text("utf-8"))["formulas"]
+    score.keep("judging", known, "other code", kept)
+    now = score.measured(kept, lambda: "other code")
+    assert [group.name for group in now.groups] == ["judging"]
+    assert now.stale == ("references", "formulas", "finite-elements")
+    assert [g.name for g in score.measured(kept, lambda: "this code").groups] == ["formulas"]
+
+
+def test_a_torn_file_is_no_measurement(kept):
+    kept.write_text('{"formulas": {"code": "this code", "date": 3}, "judging": 7}', "utf-8")
+    assert score.measured(kept, lambda: "this code").missing
+
+
+def of(tests: int, survived: int) -> Caught:
+    one = MutantGroup(name="formulas", all=900, tried=tests + survived, rows=0, tests=tests,
+                      survived=survived, apart=1)  # fmt: skip
+    left = Survivor(group="formulas", where="a.f", line=1, operator="sign", before="-a", after="a",
+                    reason="as the root is squared")  # fmt: skip
+    return Caught(groups=(one,), survivors=(left,) * survived)
+
+
+def test_the_gate_asks_for_95_percent_and_a_reason_for_the_rest():
+    assert score.complaints(of(95, 5)) == []
+    assert score.complaints(of(94, 6)) == [
+        "formulas: 94 of 100 mutants are caught, 95% are asked"
+    ]  # fmt: skip
+    bare = of(99, 1)
+    bare = replace(bare, survivors=(replace(bare.survivors[0], reason=""),))
+    assert score.complaints(bare) == ["formulas: 1 survivors without a reason in argued.json"]
+
+
+def test_what_was_caught_is_told_in_lines(capsys):
+    told(of(94, 1))
+    said = capsys.readouterr().out
+    assert "formulas: 95 of 900 mutants tried, caught by rows 0 (0.0%), tests 94 (98.9%)" in said
+    assert "nothing 1 (1.1%); 1 more crashed or did not end" in said
+    assert "survives: a.f line 1: -a -> a (as the root is squared)" in said
+
+
+def test_every_argued_survivor_has_a_reason_in_words():
+    assert all(len(reason.split()) > 3 for reason in score.argued().values())
+
+
+def test_how_far_the_formulas_values_are_is_told(group):
+    (bench,) = group.trial(group.chosen[0]).work.args[1]
+    states = []
+    found = groups._with_values([bench.load] * 3, states.append)
+    assert [load.values["length"] for load in found] == [pytest.approx(3.0)] * 3
+    assert [(state.done, state.total, state.running) for state in states] == [
+        (n, 3, ("ring-tape",)) for n in range(3)
+    ]
+    assert {state.what for state in states} == {"formulas' values, cases"}
+
+
+TRACES = {
+    "tests/a.py::direct": (3.0, frozenset({"m:f"})),
+    "tests/a.py::shared": (0.5, frozenset()),
+    "tests/a.py::long": (2.0, frozenset()),
+    "tests/b.py::quick": (0.1, frozenset({"m:f", "m:g"})),
+    "tests/c.py::other": (0.1, frozenset({"m:h"})),
+}
+
+
+def test_tests_of_a_function_come_before_those_that_share_its_file():
+    assert suite.covering({"m:f"}, TRACES) == [
+        "tests/b.py::quick", "tests/a.py::direct", "tests/a.py::shared",
+    ]  # fmt: skip
+    assert suite.covering({"m:g", "m:h"}, TRACES) == ["tests/b.py::quick", "tests/c.py::other"]
+    assert suite.covering({"m:none"}, TRACES) == []
+
+
+def test_a_constant_is_tested_by_the_functions_that_read_it(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / "folding_rule.py").write_text(
+        "LONG = 3.0\n\n\ndef width(a):\n    return a * LONG\n\n\ndef twice(a):\n"
+        "    return width(a) * 2\n", "utf-8",
+    )  # fmt: skip
+    found = {
+        one.mutant.function: functions_of(one) for one in mutants(source("folding_rule"), FORMULAS)
+    }
+    assert found == {
+        "LONG": {"folding_rule:width"}, "width": {"folding_rule:width"},
+        "twice": {"folding_rule:twice"},
+    }  # fmt: skip

@@ -1,0 +1,77 @@
+"""Faults of three depths, each caught and named by a row that is about it."""
+
+from collections import deque
+from functools import partial
+
+import pytest
+
+from tests.conftest import solved
+from verify.cases.ring import LAME
+from verify.mutation import trial
+from verify.mutation.forked import Task, answers
+from verify.mutation.known import Noted
+from verify.mutation.outcomes import By
+from verify.mutation.sites import mutants, source
+from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
+from verify.mutation.trial import Bench
+from verify.mutation.workload import Load
+
+
+@pytest.fixture(scope="module")
+def bench() -> Bench:
+    inputs = LAME.inputs()
+    load = Load(LAME, inputs, tuple(one.result for one in solved(LAME, inputs))).with_values()
+    judged = load.judged()
+    assert not judged.errors
+    return Bench(load, Noted(1.0, (), judged.states))
+
+
+def planted(module, operators, function, before, becomes):
+    of = source(module)
+    return next(
+        one for one in mutants(of, operators)
+        if one.mutant.function == function
+        and (one.mutant.before, one.mutant.after) == (before, becomes)
+    )  # fmt: skip
+
+
+def verdict(work):
+    (answer,) = answers(deque([Task(0, work, 120.0)]), 1)
+    assert not answer.failure
+    return answer.value
+
+
+def test_a_formula_with_the_other_radius_is_named_by_the_rows_it_feeds(bench):
+    fault = planted("analytic.ring.lame", FORMULAS, "_constants", "r_o ** 2", "r_o")
+    load = Load(LAME, bench.load.inputs, bench.load.levels)  # the formulas' values made anew
+    by, what = verdict(partial(trial.tried, fault, [Bench(load, bench.before)]))
+    assert by == By.ROWS
+    assert what.startswith("ring-lame/")
+    assert "stress" in what
+
+
+def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(bench):
+    fault = planted(
+        "fem.plane.cells", FINITE_ELEMENTS, "Cells._stiffness",
+        "lam * M[:, :, i, :, j] + mu * M[:, :, j, :, i]",
+        "lam * M[:, :, i, :, j] - mu * M[:, :, j, :, i]",
+    )  # fmt: skip
+    by, what = verdict(partial(trial.solved, fault, [(bench, LAME.levels[:1])]))
+    assert by == By.ROWS
+    assert what.startswith("ring-lame/")
+    assert "displacement" in what or "stress" in what
+
+
+def test_a_grid_index_without_its_safety_is_named_where_the_mesh_makes_the_difference(bench):
+    fault = planted("verify.convergence", JUDGING, "grid_convergence", "1.25", "0.625")
+    by, what = verdict(partial(trial.tried, fault, [bench]))
+    assert by == By.ROWS
+    assert what.startswith("ring-lame/")
+    assert "convergence" not in what  # agreement, whose error bar is too short
+
+
+def test_code_that_stays_as_it_is_turns_no_row_red(bench):
+    assert verdict(lambda: trial.told(bench.judged(), bench)) is None
+    fault = planted("fem.plane.cells", FINITE_ELEMENTS, "Cells.strain_energy", "2", "3")
+    unused = Bench(bench.load, bench.before)
+    assert verdict(partial(trial.tried, fault, [unused])) == [By.NOTHING, ""]  # it calls none of it

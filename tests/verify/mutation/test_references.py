@@ -1,0 +1,316 @@
+"""References moved on purpose: what turns red, what survives and is named, and what the gate says.
+
+Rows are made by hand on the levels v = v0 (1 + a h²), h = 1/2, 1/4, 1/8: the finest is off by
+a/64, U = 1.25 a/64 of v0.
+"""
+
+from dataclasses import replace
+
+import pytest
+
+from tests.verify.test_checks import context, identity, power_law
+from verify import judge
+from verify.agreement import Agreement, Pair
+from verify.cache import default_folder
+from verify.case import Context
+from verify.cases.registry import CASES, find
+from verify.checks import Approximation, Exact, Fact, Limit
+from verify.inputs import InputError
+from verify.mutation import gate
+from verify.mutation.references import both_ways, measured, score
+from verify.mutation.references_moved import (
+    PERTURBATIONS,
+    Tried,
+    moved,
+    of_paper,
+    tried,
+)
+from verify.mutation.references_read import read
+from verify.results import Kind, Status
+from verify.run import solve_level
+
+ALL = frozenset(PERTURBATIONS)
+SERIES = power_law(2.0, 1e-3)
+VALUES = {"g": 2.0, "zero": 0.0, "one": 1.0, "tenth": 0.1}
+
+
+def made(series=SERIES, **values):
+    return context(series, analytic=VALUES | values)
+
+
+def approximation(interval=(-0.004, 0.004), **more):
+    told = {"name": "formula", "symbol": "g", "unit": "1", "analytic": "g", "fem": "v", "formal": 2,
+            "interval": lambda _q, _v: interval, "source": "made up"}  # fmt: skip
+    return Approximation(**(told | more))
+
+
+def balance(bound=1e-9, **more):
+    return Exact(name="balance", symbol="F", unit="1", fem="v", scale="one", bound=bound,
+                 bound_reason="solver", **more)  # fmt: skip
+
+
+def limit(d, exponent=2.0):
+    eps = (0.4, 0.2, 0.1, 0.05, 0.04)
+    points = (list(eps), [d + 1e-2 * e**2 for e in eps], [1e-6] * len(eps))
+    return Limit(name="limit", symbol="d_0", unit="1", points=lambda _c: points, exponent=exponent)
+
+
+def context_of(case):
+    """The paper's context, with levels solved where the cache has not got them."""
+    for level in case.levels:
+        solve_level(case, case.inputs(), level, default_folder())
+    return of_paper(case)
+
+
+def only(check, where):
+    """The one comparison of a check."""
+    (found,) = [one for one in tried(check, where) if one.compared]
+    return found
+
+
+# The seam.
+
+
+@pytest.mark.parametrize(
+    "check", [identity(), approximation(), balance()], ids=lambda c: type(c).__name__
+)
+def test_judged_again_with_nothing_moved_a_row_is_the_very_same(check):
+    where = made()
+    with moved(0.0):
+        again = check.rows(where)
+    assert again == check.rows(where)
+
+
+@pytest.mark.parametrize(
+    "case",
+    [pytest.param(find(name, CASES), id=name) for name in ("polyhedral-ring", "ring-loads-map")],
+)
+def test_so_are_the_rows_of_cases_and_each_that_compares_is_reached(case):
+    """A row that `verify.judge` did not judge would be the same however references are wrong."""
+    where = context_of(case)
+    for check in case.checks:
+        before = check.rows(where)
+        with moved(0.0):
+            assert check.rows(where) == before
+        with moved(0.3):
+            after = check.rows(where)
+        for was, now in zip(before, after, strict=True):
+            if was.status is Status.PASS and was.kind is not Kind.FACT:
+                assert now.status is Status.FAIL, was.id
+
+
+def test_judging_is_as_it_was_after_whatever_happened():
+    before = judge.difference, judge.approximation, judge.exact, judge.fit_limit
+    with pytest.raises(KeyError), moved(0.01):
+        raise KeyError
+    assert (judge.difference, judge.approximation, judge.exact, judge.fit_limit) == before
+
+
+# What turns red.
+
+
+def test_a_sharp_row_is_red_at_every_perturbation():
+    assert only(identity(), made()).red == ALL
+
+
+def test_the_sign_that_brings_a_reference_closer_leaves_a_row_green():
+    """Off by +0.4 %, U = 0.5 %: a reference 0.5 % higher is nearer, one 0.5 % lower too far."""
+    found = only(identity(), made(power_law(2.0, 0.256)))
+    assert found.row.detects == pytest.approx(0.009, rel=1e-2)
+    assert found.red == ALL - {0.005}
+
+
+def test_a_row_too_wide_survives_and_is_named():
+    (survivor,) = score(both_ways([identity()], made(power_law(2.0, 0.256))))["survivors"]
+    assert survivor["row"] == "ring-made-up/gap"
+    assert survivor["green at"] == ["+0.5 %"]
+    assert survivor["detects"] == pytest.approx(0.009, rel=1e-2)
+    assert survivor["demand"] == 0.01
+
+
+def test_one_with_a_wider_demand_survives_more_and_is_listed():
+    wide = identity(demand=0.03, demand_reason="made up")
+    where = made(power_law(2.0, 0.512))  # off by 0.8 %, U = 1 %
+    assert only(wide, where).red == ALL - {0.005, 0.01}
+    found = score(both_ways([wide], where))
+    assert found["survivors"] == []
+    ((name, detects),) = found["listed"]["because"]["a wider demand: made up"]
+    assert (name, detects) == ("ring-made-up/gap", pytest.approx(0.018, rel=1e-2))
+
+
+def test_of_a_small_reference_beside_a_scale_its_own_share_is_asked_for():
+    """A tenth of its scale, off by 0.25 % of that, U = 0.31 %: 5 % of it are 0.5 % of the scale."""
+    where = made([0.1 + 0.16 * h**2 for h in (1 / 2, 1 / 4, 1 / 8)], g=0.1)
+    found = only(identity(scale="one"), where)
+    assert found.row.detects == pytest.approx(0.005625, rel=1e-6)
+    assert found.red == {-0.01, -0.05, -0.09}
+    assert found.red_of_scale == ALL - {0.005}
+
+
+def test_a_reference_of_zero_moves_by_a_share_of_the_scale():
+    where = made([1e-4 * h**2 for h in (0.5, 0.25, 0.125)])
+    assert only(identity(analytic="zero", scale="one"), where).red == ALL
+
+
+def test_a_balance_moves_by_a_share_of_the_scale():
+    assert only(balance(), made([0.0, 0.0, 1e-12])).red == ALL
+    assert only(balance(6e-3, demand=0.02), made([0.0, 0.0, 0.0])).red == ALL - {0.005, -0.005}
+
+
+def test_an_approximation_is_moved_by_its_formula():
+    """M = -0.16 %, U_m = 0.2 %: of ±0.4 % there is room for +0.36 % and for -0.04 %."""
+    found = only(approximation(), made(power_law(2.0, 0.1024)))
+    assert found.red == ALL
+    wide = only(approximation((-0.004, 0.012), demand=0.02), made(power_law(2.0, 0.1024)))
+    assert wide.red == ALL - {0.005, 0.01}
+
+
+def test_of_a_limit_the_formula_is_moved_at_all_its_points():
+    assert only(limit(0.0), made()).red == ALL
+    with moved(0.01):
+        fit = judge.fit_limit([0.4, 0.2, 0.1, 0.04], [0.5, 0.5, 0.5, 0.5 + 1e-9], [1e-6] * 4)
+    assert fit.d0 == pytest.approx(1.5 * 1.01 - 1, abs=1e-6)
+
+
+def test_a_fact_has_no_reference():
+    fact = Fact(name="held", symbol="q", unit="1", margin=lambda _c: (0.005, 0.0))
+    (found,) = tried(fact, made())
+    assert found == Tried(fact.rows(made())[0])
+
+
+def test_what_formulas_refuse_is_red():
+    def refuses(_q, v):
+        if v["g"] > 2.05:
+            raise ValueError("g is too large")
+        return -0.1, 0.1
+
+    check = replace(approximation(), interval=refuses, demand=0.3, demand_reason="made up")
+    assert read(check, made()).of("formula", "g") == {0.05}
+
+
+# The second way.
+
+
+def test_both_ways_agree_on_plain_rows():
+    for check in (identity(), approximation()):
+        (both, _) = both_ways([check], made())
+        assert both.by_formula is not None
+        assert both.by_formula == both.moved.red
+        assert both.hidden == []
+
+
+def test_an_interval_that_moves_along_with_its_formula_hides_errors():
+    def along(_q, v):
+        m = v["g"] / 2.001 - 1  # another model, whose ratio knows of no slip in the formula
+        return m - 0.002, m + 0.002
+
+    (both, _) = both_ways([replace(approximation(), interval=along)], made())
+    assert both.moved.red == ALL
+    assert both.by_formula == frozenset()
+    assert both.hidden == [0.005, 0.01, 0.05]
+    found = score([both])
+    assert found["by formula"]["hidden"] == [["ring-made-up/formula", [0.005, 0.01, 0.05]]]
+    assert found["gate"]["failures"] == [
+        "1 row hides a slip of their own formula, ring-made-up/formula first"
+    ]
+
+
+def test_a_formula_taken_elsewhere_is_not_reached():
+    def pair(where: Context) -> Pair:
+        return Pair(2.0, where.series("v")[1][-1], 0.0, "off")
+
+    check = Agreement(name="own", symbol="g", unit="1", pair=pair, accepted=1e-3,
+                      source="made up")  # fmt: skip
+    (both,) = both_ways([check], made())
+    assert both.by_formula is None
+    assert both.moved.red == ALL
+    assert score([both])["by formula"]["not reached"] == ["ring-made-up/own"]
+
+
+def test_rows_that_are_red_whatever_a_formula_says_are_counted_apart():
+    fem = Agreement(name="fem", symbol="g", unit="1", accepted=1e-3, source="made up",
+                    pair=lambda c: Pair(2.0, c.series("v")[1][-1], 0.0, "off"))  # fmt: skip
+    zero = identity(name="zero", analytic="zero", scale="one")
+    near = made([1e-4 * h**2 for h in (0.5, 0.25, 0.125)])
+    rows = [*both_ways([identity(), fem], made()), *both_ways([zero], near),
+            *both_ways([balance()], made([0.0, 0.0, 1e-12]))]  # fmt: skip
+    found = score(rows)
+    assert found["gate"]["rows"] == 4
+    assert found["apart"] == {
+        "exact balances": 1, "deviations from zero": 1,
+        "rows that no value of the formulas reaches": 1,
+    }  # fmt: skip
+    assert found["the rest"]["rows"] == 1
+    assert found["the rest"]["red"]["+1 %"] == 1
+
+
+# The gate.
+
+
+def many(n):
+    checks = [identity(name=f"gap {k}") for k in range(n)]
+    return [one for check in checks for one in tried(check, made())]
+
+
+def test_the_gate_holds_for_sharp_rows():
+    assert gate.failures(many(20)) == []
+    assert score(both_ways([identity()], made()))["gate"]["held"]
+
+
+def test_it_is_red_where_the_tolerance_of_one_row_is_widened(monkeypatch):
+    """One row of 21 with U of 6 %, where judging no longer asks rows to be sharp."""
+    blunt = identity(name="blunt")
+    where = made(power_law(2.0, 3.0))  # off by 4.7 %, U = 5.9 %
+    assert blunt.rows(where)[0].status is Status.FAIL  # as judging is, it is not sharp
+    monkeypatch.setattr(judge, "_sharp", lambda verdict, demand: verdict)
+    rows = [*many(20), *tried(blunt, where)]
+    assert rows[-2].row.status is Status.PASS
+    found = gate.failures(rows)
+    assert any(text.startswith("+5% turns 95.24% of 21 rows red") for text in found)
+
+
+def test_it_is_red_where_too_many_rows_are_only_listed():
+    facts = [Fact(name=f"fact {k}", symbol="q", unit="1", margin=lambda _c: (1.0, 0.0))
+             for k in range(11)]  # fmt: skip
+    rows = [*many(20), *(one for fact in facts for one in tried(fact, made()))]
+    assert len(rows) == 51  # twenty comparisons, as many of convergence, eleven facts
+    assert gate.failures(rows) == ["11 of 51 rows are only listed, 20% at most"]
+
+
+def test_it_is_red_where_nothing_is_held_to_it():
+    assert "no row is held to the gate" in gate.failures([])
+
+
+def test_rows_are_listed_by_the_reason_and_convergence_is_neither():
+    wide = identity(name="wide", demand=0.02, demand_reason="made up")
+    rows = both_ways([identity(), wide, approximation(None)], made())
+    found = score(rows)
+    assert found["convergence"] == 3
+    assert found["gate"]["rows"] == 1
+    assert found["listed"]["rows"] == 2
+    names = {why: [name for name, _ in rows] for why, rows in found["listed"]["because"].items()}
+    assert names["a wider demand: made up"] == ["ring-made-up/wide"]
+    assert found["listed"]["share"] == pytest.approx(2 / 6, rel=1e-3)
+    assert found["listed"]["share without convergence"] == pytest.approx(2 / 3, rel=1e-3)
+
+
+# The whole.
+
+
+def test_what_is_not_solved_is_said_in_one_line(tmp_path):
+    with pytest.raises(InputError, match=r"polyhedral-ring level .* is not solved"):
+        measured([find("polyhedral-ring", CASES)], tmp_path)
+
+
+def test_a_case_of_the_suite_passes_the_gate_but_for_what_is_listed():
+    case = find("polyhedral-ring", CASES)
+    context_of(case)
+    seen = []
+    found = measured([case], show=lambda *state: seen.append(state))
+    assert seen == [(0, 1, case.id), (1, 1, "")]
+    held = found["gate"]
+    assert held["rows"] >= 10
+    for p in ("+1 %", "-1 %", "+5 %", "-5 %", "-9 %"):
+        assert held["red"][p] == held["rows"]
+    part = found["listed"]
+    assert part["share"] == pytest.approx(part["rows"] / found["rows"], rel=1e-3)

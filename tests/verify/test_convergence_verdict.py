@@ -1,0 +1,111 @@
+"""What convergence is judged by: an order above what iteration explains, or a spread."""
+
+import math
+from itertools import product
+
+import pytest
+
+from verify.claims import convergence_verdict
+from verify.convergence import (
+    ORDER_LIMITS,
+    GridConvergence,
+    grid_convergence,
+    observed_order,
+    order_from_iteration,
+    slope_of_ratio,
+)
+from verify.results import Status
+
+H = [0.4, 0.2, 0.05]  # ratios 2 and 4
+
+
+def worst_order(h, v, u):
+    """The lowest order of all series whose values are off by u or by none, either way."""
+    return min(
+        observed_order((v[0] + a - v[1] - b) / (v[1] + b - v[2] - c), h[1] / h[2], h[0] / h[1])
+        for a, b, c in product((-u, 0.0, u), repeat=3)
+    )
+
+
+RATIOS = pytest.mark.parametrize(
+    "h",
+    [
+        pytest.param((0.4, 0.2, 0.1), id="halved"),
+        pytest.param((0.4, 0.2, 0.05), id="2, then 4"),
+        pytest.param((0.4, 0.1, 0.05), id="4, then 2"),
+        pytest.param((0.4, 0.3, 0.25), id="4/3, then 6/5"),
+        pytest.param((0.9, 0.3, 0.1), id="thirds"),
+    ],
+)
+
+
+@RATIOS
+@pytest.mark.parametrize("p", [0.6, 1.0, 2.0, 4.0])
+@pytest.mark.parametrize("share", [1e-2, 1e-4])
+def test_iteration_explains_what_the_worst_signs_take_from_an_order(h, p, share):
+    v = [1 + x**p for x in h]
+    u = share * (v[1] - v[2])
+    grid = grid_convergence(h, v, formal=p, scale=1.0)
+    noise = convergence_verdict(grid, h, v, u, 0.01).tolerance
+    worst = p - worst_order(h, v, u)
+    # on uneven meshes the smallest slope on the way counts all along
+    assert worst <= noise * (1 + 1e-7)
+    assert worst == pytest.approx(noise, rel=share)
+
+
+@RATIOS
+@pytest.mark.parametrize("p", [1.0, 2.0])
+def test_for_small_errors_that_is_what_its_slope_makes_of_them(h, p):
+    v = [1 + x**p for x in h]
+    u = 1e-6 * (v[1] - v[2])
+    r21, r32 = h[1] / h[2], h[0] / h[1]
+    slope = math.log(r21) + math.log(r32) / (1 - r32**-p) - math.log(r21) / (1 - r21**-p)
+    by_hand = 2 * u * (1 / (v[0] - v[1]) + 1 / (v[1] - v[2])) / slope
+    assert order_from_iteration(h, v, u) == pytest.approx(by_hand, rel=1e-4)
+
+
+def test_on_halved_meshes_it_is_no_more_than_four_times_the_share_of_the_last_step():
+    h = (0.4, 0.2, 0.1)
+    for p in (0.5, 1.0, 2.0, 4.0):
+        v = [1 + x**p for x in h]
+        u = 1e-4 * (v[1] - v[2])
+        bound = 4e-4 / math.log(2)
+        assert 0.5 * bound < order_from_iteration(h, v, u) < bound
+
+
+def test_values_closer_than_their_errors_have_no_order():
+    assert order_from_iteration((0.4, 0.2, 0.1), (1.001, 1.0, 0.9), 0.001) > 10
+
+
+def test_a_step_as_large_as_both_errors_may_be_none():
+    h, v = (0.4, 0.2, 0.1), (1.25, 1.125, 1.0625)  # order 1, the first step 2/16
+    assert order_from_iteration(h, v, 1 / 16) == pytest.approx(1 - ORDER_LIMITS[0])
+
+
+@pytest.mark.parametrize("p", [-3.0, -0.5, -1e-3, 1e-3, 0.5, 3.0])
+def test_the_slope_is_that_of_the_ratio_for_orders_of_either_sign(p):
+    a, b, step = math.log(2), math.log(4), 1e-4
+
+    def ratio(p):  # of the differences of h^p on meshes 8, 2, 1
+        return a * p + math.log(math.expm1(b * p) / math.expm1(a * p))
+
+    steepness = (ratio(p + step) - ratio(p - step)) / (2 * step)
+    assert slope_of_ratio(p, 2.0, 4.0) == pytest.approx(steepness, rel=1e-6)
+
+
+def test_without_an_error_nothing_is_explained():
+    assert order_from_iteration((0.4, 0.2, 0.05), (1.4, 1.2, 1.05), 0.0) == 0.0
+
+
+def test_an_order_within_the_noise_of_a_half_is_undecided():
+    grid = GridConvergence("monotone", 1e-3, order=0.6)
+    verdict = convergence_verdict(grid, H, [1.4, 1.2, 1.1], 0.01, 0.01)
+    assert verdict.status is Status.FAIL
+    assert verdict.reason.startswith("undecided")
+
+
+def test_a_series_that_is_slow_is_judged_by_its_spread_though_it_has_an_order():
+    grid = GridConvergence("slow", 0.02, order=0.9)
+    verdict = convergence_verdict(grid, H, [1.4, 1.2, 1.1], 0.0, 0.01)
+    assert verdict.status is Status.FAIL
+    assert "slow: spread" in verdict.reason

@@ -1,0 +1,197 @@
+"""Decks for calculix: what stands in them, and that a patch under even stress comes back even."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skfem import MeshQuad
+
+from fem.plane.material import Elastic
+from fem.plane.solve import solve_plane
+from fem.plane.ties import Tie
+from verify.crosscheck.calculix import keywords, reading
+from verify.crosscheck.calculix.numbering import Numbering
+from verify.crosscheck.calculix.obstacles import strip_of
+from verify.crosscheck.calculix.plane import THIN, PlaneDeck, Spin
+from verify.crosscheck.calculix.running import executable, run_deck
+
+STEEL = Elastic(E=200e9, nu=0.25)
+PRINTED = 6e-6  # of the largest displacement: half a unit of six digits
+installed = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
+
+
+def square(turn=0.0):
+    """Two by two cells on the unit square, turned by `turn` [rad], with names for its sides."""
+    mesh = MeshQuad().refined(1)
+    mesh = mesh.with_boundaries({
+        "left": lambda x: x[0] == 0, "right": lambda x: x[0] == 1,
+        "bottom": lambda x: x[1] == 0, "top": lambda x: x[1] == 1,
+    })  # fmt: skip
+    c, s = np.cos(turn), np.sin(turn)
+    return replace(mesh, doflocs=np.array([[c, -s], [s, c]]) @ mesh.doflocs)
+
+
+def pulled(turn=0.0, assumption="plane strain", **more):
+    """A square between two guides under an even pull of 1 MPa on the other sides."""
+    return solve_plane(
+        square(turn), materials=STEEL, assumption=assumption, degree=2,
+        supports={"left": "n", "bottom": "n"}, pressures={"right": -1e6}, **more,
+    )  # fmt: skip
+
+
+def text(deck, folder):
+    return deck.write(folder / "deck.inp").read_text("ascii")
+
+
+def told(solution, assumption="plane strain", **more):
+    return PlaneDeck(solution=solution, materials=STEEL, assumption=assumption, **more)
+
+
+def test_a_deck_has_nodes_cells_material_supports_and_loads(tmp_path):
+    said = text(told(pulled()), tmp_path)
+    lines = said.splitlines()
+    assert lines.count("*ELEMENT, TYPE=CPE8, ELSET=BODY") == 1
+    first = lines.index("*NODE, NSET=ALL")
+    assert lines[first + 1].split(",")[0] == "1"
+    # 9 vertices and 12 middles of edges: centres of cells are none
+    assert lines.index("*ELEMENT, TYPE=CPE8, ELSET=BODY") - first - 1 == 21
+    assert f"*ELASTIC\n{200e9:.12e},{0.25:.12e}\n" in said
+    forces = said.partition("*CLOAD\n")[2].partition("*")[0].splitlines()
+    assert sum(float(line.split(",")[2]) for line in forces) == pytest.approx(1e6)
+    assert {line.split(",")[1] for line in forces} == {"1"}
+
+
+def test_no_number_is_longer_than_calculix_reads(tmp_path):
+    said = text(told(pulled(thickness=1e-5 / 3)), tmp_path)
+    rows = (line for line in said.splitlines() if not line.startswith("*"))
+    assert max(len(word) for row in rows for word in row.split(",")) <= 20
+
+
+def test_inclined_guides_are_equations(tmp_path):
+    assert "*EQUATION" not in text(told(pulled()), tmp_path)
+    said = text(told(pulled(turn=0.3)), tmp_path)
+    # both guides hold 5 nodes each
+    assert said.count("*EQUATION") == 10
+
+
+def test_plane_stress_is_posed_by_a_thin_strip_under_as_small_a_share_of_the_load(tmp_path):
+    deck = told(pulled(assumption="plane stress", thickness=0.5), "plane stress")
+    assert deck.depth == pytest.approx(THIN)
+    forces = text(deck, tmp_path).partition("*CLOAD\n")[2].partition("*")[0].splitlines()
+    assert sum(float(line.split(",")[2]) for line in forces) == pytest.approx(1e6 * THIN)
+
+
+def test_pressures_and_spins_are_left_to_calculix(tmp_path):
+    said = text(told(pulled(), pressures={"right": -1e6}), tmp_path)
+    assert "*CLOAD" not in said
+    assert said.partition("*DLOAD\n")[2].count(",P") == 2
+    said = text(told(pulled(), spin=Spin(rho=7850.0, omega=100.0)), tmp_path)
+    assert f"EVERY,CENTRIF,{1e4:.12e}" in said
+    assert "*DENSITY" in said
+
+
+def test_followers_of_a_tie_are_eliminated(tmp_path):
+    solution = solve_plane(
+        square(), materials=STEEL, assumption="plane strain", degree=2,
+        supports={"bottom": "xy"}, tractions={"top": (1e6, 0.0)},
+        ties=[Tie(leader="left", follower="right", shift=(1.0, 0.0))],
+    )  # fmt: skip
+    said = text(told(solution), tmp_path)
+    assert said.count("*EQUATION") == 2 * 4  # five nodes less the one that is held
+
+
+def test_cells_that_run_clockwise_are_turned_about():
+    mesh = square()
+    mirrored = replace(mesh, doflocs=mesh.doflocs * [[-1.0], [1.0]])
+    solution = solve_plane(mirrored, materials=STEEL, assumption="plane strain", degree=2,
+                           supports={"bottom": "xy"}, pressures={"top": 1e6})  # fmt: skip
+    numbering = Numbering(solution.basis)
+    x = numbering.x[:, numbering.cells - 1]
+    (a, b), (c, d) = x[:, 1] - x[:, 0], x[:, 2] - x[:, 0]
+    assert np.all(a * d - b * c > 0)
+    np.testing.assert_allclose(x[:, 4], (x[:, 0] + x[:, 1]) / 2, atol=1e-14)
+
+
+def test_a_nine_node_cell_s_centre_moves_as_eight_nodes_have_it():
+    numbering = Numbering(pulled().basis)
+    x, y = numbering.x
+    quadratic = np.array([x * y + y**2, x - 2 * x * y]).T  # serendipity cells have all of this
+    spread = numbering.spread(quadratic)
+    x, y = numbering.basis.doflocs
+    own = np.asarray(numbering.basis.interior_dofs)
+    np.testing.assert_allclose(spread[own[0]], (x * y + y**2)[own[0]], atol=1e-14)
+
+
+@pytest.mark.parametrize("hollow", [False, True])
+def test_an_obstacle_s_strip_faces_the_slave(hollow):
+    from fem.contact.pairs import Obstacle
+    from fem.contact.shapes import Circle
+
+    slave = np.array([[-0.1, 0.0, 0.1], [0.0, 0.0, 0.0]])
+    centre = (0.0, 2.0) if hollow else (0.0, -2.0)
+    strip = strip_of(Obstacle(Circle(centre, 2.0, hollow)), slave)
+    on = strip.x[np.unique(strip.cells[:, [0, 1, 4]])]
+    np.testing.assert_allclose(np.hypot(*(on - centre).T), 2.0, rtol=1e-6)
+    beyond = strip.x[np.unique(strip.cells[:, [2, 3]])]
+    assert np.all(beyond[:, 1] < on[:, 1].max())  # both bodies lie below
+    corners = strip.x[strip.cells[:, :3]]
+    (a, b), (c, d) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+    assert np.all(a * d - b * c > 0)
+
+
+def test_readers_find_the_last_increment(tmp_path):
+    frd = tmp_path / "deck.frd"
+    row = " -1         1 1.00000E+00-2.00000E+00 3.00000E+00\n"
+    frd.write_text(f" -4  DISP        4    1\n{row} -3\n -4  DISP        4    1\n"
+                   f"{row.replace('1.00000E+00-', '7.00000E+00-')} -3\n")  # fmt: skip
+    np.testing.assert_array_equal(reading.displacements(frd), [[7.0, -2.0]])
+    with pytest.raises(LookupError, match=r"deck\.frd has no field STRESS"):
+        reading.nodal(frd, "STRESS")
+
+
+def test_readers_tell_what_a_table_lacks(tmp_path):
+    dat = tmp_path / "deck.dat"
+    dat.write_text(" total internal energy for set EVERY and time  0.1000000E+01\n\n"
+                   "        4.200000E+00\n")  # fmt: skip
+    assert reading.strain_energy(dat) == pytest.approx(4.2)
+    with pytest.raises(LookupError, match="no buckling factors"):
+        reading.buckling_factors(dat)
+    with pytest.raises(LookupError, match="no table of total surface force"):
+        reading.contact_totals(dat)
+
+
+def test_long_cells_go_on_in_the_next_line(tmp_path):
+    with (tmp_path / "deck.inp").open("w") as deck:
+        keywords.elements(deck, "C3D20R", "BODY", np.arange(1, 21)[None], np.array([7]))
+    _, first, second = (tmp_path / "deck.inp").read_text().splitlines()
+    assert first.startswith("7,1,2,")
+    assert first.endswith("14,")
+    assert second == "15,16,17,18,19,20"
+
+
+@installed
+@pytest.mark.parametrize("assumption", ["plane strain", "plane stress"])
+def test_a_patch_under_an_even_pull_is_stressed_evenly_in_calculix(assumption, tmp_path):
+    solution = pulled(turn=0.3, assumption=assumption, thickness=0.5)
+    told_of = told(solution, assumption)
+    deck = told_of.write(tmp_path / "deck.inp")
+    run = run_deck(deck)
+    here = solution.u[told_of.numbering.dofs].T
+    np.testing.assert_allclose(run.u[: len(here)], here, atol=PRINTED * np.abs(here).max())
+    share = told_of.depth / solution.thickness
+    energy = reading.strain_energy(deck.with_suffix(".dat")) / share
+    assert energy == pytest.approx(solution.strain_energy, rel=1e-6)
+    sigma = reading.nodal(deck.with_suffix(".frd"), "STRESS")[: len(here), :2].sum(axis=1)
+    np.testing.assert_allclose(sigma, 1e6, rtol=1e-4)  # from single precision
+
+
+@installed
+def test_an_inclined_guide_moves_by_what_is_prescribed(tmp_path):
+    solution = solve_plane(
+        square(0.3), materials=STEEL, assumption="plane strain", degree=2,
+        supports={"left": "n", "bottom": "n", "right": {"n": 1e-4}},
+    )  # fmt: skip
+    told_of = told(solution)
+    run = run_deck(told_of.write(tmp_path / "deck.inp"))
+    here = solution.u[told_of.numbering.dofs].T
+    np.testing.assert_allclose(run.u[: len(here)], here, atol=PRINTED * np.abs(here).max())

@@ -1,0 +1,64 @@
+"""What rows are held to is written anew: it meets the formulas, but for what it leaves out."""
+
+import math
+
+import pytest
+
+from analytic.rotor import shafts
+from analytic.spring import frame
+from verify.cases import rotor_clutch_expected, rotor_clutch_tilted, rotor_shaft_expected
+from verify.cases.rotor_clutch_inputs import ClutchInputs
+from verify.cases.rotor_shaft_inputs import ShaftInputs
+from verify.cases.spring_continuum_expected import added
+from verify.cases.spring_inputs import AccordionInputs, strip_of
+
+
+@pytest.mark.parametrize("nu", [0.0, 0.3, 0.45])
+@pytest.mark.parametrize("m", [0.0, 0.5, 0.9])
+def test_shear_coefficients_are_hutchinson_s(nu, m):
+    assert rotor_shaft_expected.shear_coefficient(nu, m) == pytest.approx(
+        shafts.hutchinson(nu=nu, m=m), rel=1e-14
+    )
+
+
+@pytest.mark.parametrize("j", [1, 2, 3])
+@pytest.mark.parametrize("change", [{}, {"d_i": 0.0}, {"L": 0.2, "d_i": 0.05}])
+def test_frequencies_are_timoshenko_s(j, change):
+    q = ShaftInputs(**change)
+    anew = rotor_shaft_expected.frequency(q, j)
+    assert anew == pytest.approx(q.shaft().whirl(j, theory="timoshenko")[0], rel=1e-11)
+
+
+def by_frame(q: AccordionInputs, *, wide: bool) -> tuple[float, float]:
+    """Shares of the thin frame's flexibility that shear and curvature add."""
+    k = [
+        frame.stiffness(**q.path, **strip_of(q), theory=theory, plane_strain=wide)
+        for theory in ("bending", "shear", "thick")
+    ]
+    return k[0] / k[1] - 1, k[0] / k[2] - k[0] / k[1]
+
+
+@pytest.mark.parametrize("wide", [False, True])
+@pytest.mark.parametrize("change", [{}, {"alpha": math.radians(45), "n": 5}, {"L1": 0.03}])
+def test_shear_is_the_frame_s_and_curvature_up_to_the_next_power_of_thickness(wide, change):
+    off, shares = [], []
+    for b in (1e-4, 5e-5):
+        q = AccordionInputs(**change, b=b, r=0.45e-3 - b / 2)  # the same centre line
+        shear, curvature = by_frame(q, wide=wide)
+        found = added(q, wide=wide)
+        assert found.shear == pytest.approx(shear, rel=1e-8)
+        off.append(found.curvature - curvature)
+        shares.append(curvature)
+    assert abs(off[0]) < 0.03 * abs(shares[0])
+    assert off[0] / off[1] == pytest.approx(16, rel=0.05)  # (b/R)^4
+
+
+@pytest.mark.parametrize(
+    "change", [{}, {"Z": 5}, {"e": 5e-6}, {"n_s": 2}, {"nu": math.radians(10)}, {"T": 1000.0}]
+)
+def test_couplings_are_those_of_eqs_3_to_11(change):
+    q = ClutchInputs(**change)
+    by_formula = rotor_clutch_tilted.couplings(q)
+    at = rotor_clutch_tilted.aside(q, rotor_clutch_tilted._yield(q))
+    for entry, value in rotor_clutch_expected.summed(q, *at).items():
+        assert value == pytest.approx(by_formula[f"{entry}, tilted"], rel=1e-7), entry

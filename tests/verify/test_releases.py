@@ -1,0 +1,406 @@
+"""What moved since a release is told, and what was loosened needs a reason."""
+
+import json
+import math
+from dataclasses import replace
+
+import pytest
+
+from reports.records import row_record
+from verify import commands
+from verify.cases.ring import LAME
+from verify.cli import run
+from verify.inputs import InputError
+from verify.releases import kept, making, reasons, since
+from verify.releases.compare import drift
+from verify.releases.kept import Release, load, newest, store
+from verify.releases.reasons import Reason
+from verify.results import CaseResult, Kind, Partner, Row, Status
+
+ROW = Row(
+    case="c", quantity="q", symbol="x", unit="mm", kind=Kind.IDENTITY, status=Status.PASS,
+    analytic=2.0, fem=2.001, difference=0.001, scale=2.0, demand=0.01, u_num=0.001, u_ref=0.0,
+    tolerance=0.002, detects=0.0015,
+)  # fmt: skip
+APPROXIMATE = replace(ROW, kind=Kind.APPROXIMATION, interval=(-0.01, 0.03))
+BALANCE = replace(
+    ROW, kind=Kind.EXACT, analytic=None, fem=1e-13, u_num=None, u_ref=None, difference=1e-13,
+    tolerance=2e-9,
+)  # fmt: skip
+DEVIATION = replace(  # a size of 1e-4, 1e-3 accepted of it, its U 2e-4
+    ROW, unit="1", analytic=0.0, fem=1e-4, difference=-1e-4, scale=1.0, u_num=1e-4, tolerance=8e-4,
+    detects=9e-4, interval_source="what a balance leaves",
+)  # fmt: skip
+FACT = Row(
+    case="c", quantity="f", symbol="x", unit="1", kind=Kind.FACT, status=Status.PASS,
+    difference=0.4, tolerance=0.01, demand=0.01, reason="held: off by +0.07%, 0.2% accepted",
+)  # fmt: skip
+
+
+def result(*rows, case="c", **more):
+    return CaseResult(
+        id=case, title="", paper="", place="", lead="", inputs=(), equations=(), assumptions=(),
+        readings=(), rows=rows, **more,
+    )  # fmt: skip
+
+
+def release(*rows):
+    return Release(
+        version="0.1.0", date="2026-01-01", commit="abc",
+        rows={row.id: kept.kept(row) for row in rows},
+    )  # fmt: skip
+
+
+def found(before, after, why=()):
+    """What is said of one row's change."""
+    return drift(release(before), [result(after)], why)
+
+
+def aspects(changed):
+    return [(c.aspect, c.loosened) for c in changed.changes]
+
+
+@pytest.mark.parametrize("row", [ROW, APPROXIMATE, BALANCE, FACT, DEVIATION])
+def test_nothing_moved_is_one_line(row):
+    same = found(row, row)
+    assert (same.compared, same.changes, same.tightened) == (1, (), 0)
+    assert since.lines(same) == ["since 0.1.0: 1 rows compared, nothing moved"]
+
+
+# twice the root of both squares: 2 √2 · 0.001 = 0.00283
+@pytest.mark.parametrize(("by", "told"), [(0.0028, []), (0.0029, [("finite elements", False)])])
+def test_finite_elements_are_told_beyond_the_error_of_both_runs(by, told):
+    changed = found(ROW, replace(ROW, fem=ROW.fem + by))
+    assert aspects(changed) == told
+    assert not changed.unexplained
+    if told:
+        assert changed.changes[0].size == "+0.0014 of the scale, 1.03 error bars"
+
+
+@pytest.mark.parametrize(("by", "told"), [(0.9e-10, []), (1.1e-10, [("formula", False)])])
+def test_a_formula_is_told_beyond_round_off_of_the_scale(by, told):
+    row = replace(ROW, analytic=1e-7, scale=2.0)  # a value near zero on a natural magnitude
+    assert aspects(found(row, replace(row, analytic=1e-7 + by * 2.0))) == told
+
+
+def test_values_near_zero_may_scatter_within_what_a_balance_allows():
+    assert aspects(found(BALANCE, replace(BALANCE, fem=-1e-13))) == []
+    beyond = replace(BALANCE, fem=4e-9)
+    assert aspects(found(BALANCE, beyond)) == [("finite elements", False)]
+    zero = replace(ROW, fem=0.0, u_num=0.0)
+    assert aspects(found(zero, replace(zero, fem=1e-13))) == []
+    assert aspects(found(zero, replace(zero, fem=1e-9))) == [("finite elements", False)]
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, None])
+def test_a_value_that_is_none_or_not_finite_is_told_and_breaks_nothing(value):
+    broken = replace(ROW, fem=value)
+    assert aspects(found(ROW, broken)) == [("finite elements", False)]
+    assert aspects(found(broken, ROW)) == [("finite elements", False)]
+    assert aspects(found(broken, broken)) == []
+
+
+def test_a_partner_s_value_counts_as_the_reference():
+    row = replace(ROW, fem=None, partner=Partner(by="strips", value=2.0))
+    moved = replace(row, partner=Partner(by="strips", value=2.1))
+    assert aspects(found(row, moved)) == [("finite elements", False)]
+
+
+def test_the_margin_of_a_fact_is_told_beyond_both_uncertainties():
+    assert aspects(found(FACT, replace(FACT, difference=0.41))) == []
+    assert aspects(found(FACT, replace(FACT, difference=0.42))) == [("margin", False)]
+
+
+def test_the_order_of_convergence_may_scatter():
+    order = replace(ROW, quantity="q: convergence", kind=Kind.FACT, u_num=None)
+    assert aspects(found(order, replace(order, fem=3.0, difference=9.0))) == []
+
+
+LOOSENED = [
+    (ROW, {"demand": 0.02}, "demand", "1 % -> 2 %"),
+    (ROW, {"demand": None}, "demand", "1 % -> none"),
+    (replace(ROW, u_ref=0.001), {"u_ref": 0.002}, "reference", "0.05 % -> 0.1 %"),
+    (BALANCE, {"tolerance": 2e-8}, "bound", "1e-07 % -> 1e-06 %"),
+    (APPROXIMATE, {"interval": (-0.01, 0.031)}, "interval", "-1 to +3 % -> -1 to +3.1 %"),
+    # wider on one side, although narrower on the other
+    (APPROXIMATE, {"interval": (-0.011, 0.0)}, "interval", "-1 to +3 % -> -1.1 to +0 %"),
+    (APPROXIMATE, {"interval": None}, "interval", "-1 to +3 % -> none"),
+    (FACT, {"reason": "held: off by +0.07%, 0.3% accepted"}, "acceptance",
+     "0.2 % accepted -> 0.3 % accepted"),
+    (replace(FACT, reason="held: by 7.9% and more, 2% asked"),
+     {"reason": "held: by 7.9% and more, 1% asked"}, "acceptance", "2 % asked -> 1 % asked"),
+    (DEVIATION, {"tolerance": 8.8e-3, "detects": 8.9e-3}, "acceptance", "0.1 % -> 0.9 %"),
+    # as wide as before beside its own U, which is less now
+    (DEVIATION, {"tolerance": 1e-3, "u_num": 5e-5, "detects": 1e-3}, "acceptance",
+     "0.1 % -> 0.11 %"),
+    (DEVIATION, {"interval_source": ""}, "acceptance", "0.1 % -> none"),
+    (ROW, {"status": Status.SHOWN}, "status", "PASS -> SHOWN"),
+    (ROW, {"status": Status.CALIBRATED}, "status", "PASS -> CALIBRATED"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("row", "change", "aspect", "words"), LOOSENED)
+def test_what_lets_more_pass_is_red_without_a_reason(row, change, aspect, words):
+    changed = found(row, replace(row, **change))
+    assert [c.aspect for c in changed.unexplained] == [aspect]
+    said = since.lines(changed)
+    assert f"{since.WITHOUT}: {row.id}: {aspect} {words}" in said
+    why = Reason(rows="c/*", aspect=aspect, what="wider", why="a reason of some length",
+                 since="0.1.0")  # fmt: skip
+    explained = found(row, replace(row, **change), [why])
+    assert not explained.unexplained
+    assert not explained.unused
+    assert f"  {row.id}: {aspect} {words}; a reason of some length" in since.lines(explained)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"rows": "d/*"}, {"aspect": "interval"}, {"since": "0.0.9"}, {"rows": "c/q with more"}],
+)
+def test_a_reason_for_something_else_explains_nothing(change):
+    why = Reason(
+        **{"rows": "c/q", "aspect": "demand", "what": "w", "why": "a reason of some length",
+           "since": "0.1.0"} | change
+    )  # fmt: skip
+    assert found(ROW, replace(ROW, demand=0.02), [why]).unexplained
+
+
+def test_a_reason_that_nothing_asks_for_is_told():
+    why = Reason(rows="c/q", aspect="demand", what="w", why="a reason of some length",
+                 since="0.1.0")  # fmt: skip
+    same = found(ROW, ROW, [why])
+    assert same.unused == ("c/q: demand: w",)
+    assert "a reason that nothing asks for: c/q: demand: w" in since.lines(same)[-1]
+
+
+@pytest.mark.parametrize(
+    ("row", "change"),
+    [
+        (ROW, {"demand": 0.005}),
+        (APPROXIMATE, {"interval": (-0.01, 0.02)}),
+        (BALANCE, {"tolerance": 1e-9}),
+    ],
+)
+def test_what_lets_less_pass_is_counted(row, change):
+    changed = found(row, replace(row, **change))
+    assert (changed.tightened, changed.changes) == (1, ())
+    assert since.summary(changed) == "1 rows compared, 1 tightened"
+    (what,) = changed.tighter
+    assert what.row == row.id
+    assert what.was != what.now
+
+
+def test_what_is_loosened_too_is_not_called_tightened():
+    both = replace(APPROXIMATE, interval=(-0.01, 0.02), demand=1.0)
+    assert found(replace(APPROXIMATE, demand=0.01), both).tighter == ()
+
+
+@pytest.mark.parametrize(("key", "aspect"), [("analytic", "formula"), ("fem", "finite elements")])
+def test_a_row_that_turned_red_says_which_side_moved_and_by_how_much(key, aspect):
+    moved = replace(ROW, status=Status.FAIL, **{key: 1.1 * getattr(ROW, key)})
+    status, value = found(ROW, moved).changes
+    assert (status.aspect, status.now) == ("status", "FAIL")
+    assert value.aspect == aspect
+    assert value.size.startswith("+0.1 of the scale")
+
+
+def test_a_row_that_turned_red_without_its_numbers_says_no_more():
+    empty = replace(ROW, status=Status.FAIL, analytic=None, fem=None)
+    assert aspects(found(ROW, empty)) == [("status", False)]
+
+
+def test_a_figure_is_the_same_whatever_the_uncertainty_leaves_of_it():
+    assert kept.kept(DEVIATION).accepted == pytest.approx(1e-3, rel=1e-9)
+    assert kept.kept(ROW).accepted is None
+    sharper = replace(DEVIATION, u_num=5e-5, tolerance=9e-4, detects=1e-3)
+    assert aspects(found(DEVIATION, sharper)) == []
+
+
+@pytest.mark.parametrize(
+    ("row", "change", "told"),
+    [
+        (ROW, {"detects": 0.0029}, []),
+        (ROW, {"detects": 0.0031, "u_num": 0.0021}, [("detects", False)]),
+        (ROW, {"u_num": 0.0019}, []),
+        (ROW, {"u_num": 0.0021}, [("uncertainty", False)]),
+        (DEVIATION, {"u_num": 3e-4, "tolerance": 4e-4, "detects": 5e-4}, [("uncertainty", False)]),
+        (APPROXIMATE, {"detects": None}, [("detects", False)]),
+        (FACT, {"tolerance": 0.019}, []),
+        (FACT, {"tolerance": 0.021}, [("uncertainty", False)]),
+        (replace(ROW, detects=1e-13, u_num=1e-14), {"detects": 9e-11, "u_num": 9e-11}, []),
+    ],
+)  # fmt: skip
+def test_what_a_row_no_longer_detects_is_told_and_not_red(row, change, told):
+    changed = found(row, replace(row, **change))
+    assert aspects(changed) == told
+    assert not changed.unexplained
+
+
+def test_growth_is_told_in_times():
+    (change,) = found(ROW, replace(ROW, detects=0.009)).changes
+    assert since.line(change) == "c/q: detects 0.15 % -> 0.9 % (6 times)"
+
+
+def test_a_band_computed_from_formulas_may_have_their_round_off():
+    moved = replace(APPROXIMATE, interval=(-0.01 * (1 + 1e-9), 0.03))
+    assert aspects(found(APPROXIMATE, moved)) == []
+
+
+def test_a_row_with_a_new_name_and_the_old_numbers_is_the_same_row():
+    renamed = found(ROW, replace(ROW, quantity="p", demand=0.02))
+    assert aspects(renamed) == [("name", False), ("demand", True)]
+    assert renamed.compared == 1
+
+
+def test_a_new_name_with_another_figure_in_it_needs_a_reason():
+    row = replace(FACT, quantity="within 1 % of the best")
+    assert aspects(found(row, replace(row, quantity="within 2 % of the best"))) == [("name", True)]
+
+
+def test_of_two_rows_alike_none_is_taken_for_the_other():
+    old = [ROW, replace(ROW, quantity="twin")]
+    changed = drift(release(*old), [result(replace(ROW, quantity="p"))], ())
+    assert [(c.row, c.aspect) for c in changed.changes] == [
+        ("c/q", "gone"), ("c/twin", "gone"), ("c", "new"),
+    ]  # fmt: skip
+
+
+def test_a_row_that_is_gone_needs_a_reason_and_new_ones_are_counted():
+    new = [replace(ROW, quantity=name, analytic=value) for name, value in (("a", 5.0), ("b", 6.0))]
+    changed = drift(release(ROW, FACT), [result(FACT, *new)], ())
+    assert [(c.row, c.aspect, c.loosened, c.now) for c in changed.changes] == [
+        ("c/q", "gone", True, "none"), ("c", "new", False, "2 rows"),
+    ]  # fmt: skip
+    shown = replace(ROW, status=Status.SHOWN)
+    assert not drift(release(shown), [result(FACT)], ()).unexplained  # it judged nothing
+
+
+def test_cases_not_run_and_rows_skipped_are_not_compared():
+    other = replace(ROW, case="d")
+    skipped = replace(ROW, status=Status.SKIP, analytic=None, fem=None, demand=None)
+    changed = drift(release(ROW, FACT, other), [result(skipped)], ())
+    assert (changed.compared, changed.changes) == (0, ())
+
+
+def test_a_failed_row_is_told_as_such_alone():
+    failed = replace(ROW, status=Status.FAIL, analytic=None, fem=None, demand=None)
+    assert aspects(found(ROW, failed)) == [("status", False)]
+    broken = drift(release(ROW, FACT), [result(failed, errors=("trace",))], ())
+    assert [c.aspect for c in broken.changes] == ["status"]
+
+
+def test_a_release_is_read_as_it_was_written(tmp_path, of_paper):
+    rows = of_paper(LAME).rows
+    path = store(rows, "0.2.0", "abc", tmp_path)
+    assert path.read_bytes() == store(rows, "0.2.0", "abc", tmp_path).read_bytes()
+    again = load(path)
+    assert again.rows == {row.id: kept.kept(row) for row in rows}
+    assert drift(again, [of_paper(LAME)], ()).changes == ()
+
+
+def test_the_newest_release_has_the_highest_version(tmp_path):
+    assert newest(tmp_path) is None
+    for name in ("0.9.0", "0.10.0", "0.2.1"):
+        store([ROW], name, "abc", tmp_path)
+    (tmp_path / "notes.json.gz").write_bytes(b"")
+    assert newest(tmp_path).version == "0.10.0"
+
+
+@pytest.mark.parametrize("content", [b"", b"no gzip", b"\x1f\x8b\x08\x00torn"])
+def test_a_torn_release_is_one_line(tmp_path, content):
+    path = tmp_path / "0.1.0.json.gz"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match="is no release"):
+        load(path)
+
+
+ENTRY = '[[changes]]\nrows = "c/q"\naspect = "demand"\nwhat = "w"\nsince = "0.1.0"\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (ENTRY, "changes.1..why: Field required"),
+        (ENTRY + 'why = "so"', "changes.1..why: String should have at least 20"),
+        (ENTRY.replace('"demand"', '"mood"') + f'why = "{"x" * 20}"', "changes.1..aspect"),
+        ("changes = 3", "needs tables"),
+        ("other = 3", "other: unknown key"),
+        ("[[changes", "cannot be read"),
+    ],
+)
+def test_a_reason_that_is_none_is_named_in_one_line(tmp_path, text, said):
+    path = tmp_path / "changes.toml"
+    path.write_text(text, "utf-8")
+    with pytest.raises(InputError, match=said) as error:
+        reasons.read(path)
+    assert "\n" not in str(error.value)
+
+
+def test_the_project_s_own_releases_and_reasons_can_be_read():
+    reasons.read()
+    assert newest().version <= kept.version()
+    assert kept.path_of(newest().version).stat().st_size < 150_000
+
+
+@pytest.fixture
+def one_release(tmp_path, monkeypatch, of_paper):
+    """A release of ring-lame in a folder of its own, one demand of which was half as large."""
+    monkeypatch.setattr(kept, "FOLDER", tmp_path)
+    monkeypatch.setattr(reasons, "FILE", tmp_path / "changes.toml")
+
+    def make(factor):
+        rows = [
+            replace(row, demand=row.demand and row.demand * factor) if i == 0 else row
+            for i, row in enumerate(of_paper(LAME).rows)
+        ]
+        store(rows, "0.1.0", "abc", tmp_path)
+        return rows[0].id
+
+    return make
+
+
+def test_a_run_with_a_loosened_demand_ends_with_one(one_release, tmp_path, capsys):
+    row = one_release(0.5)
+    out = tmp_path / "out"
+    command = ["verify", "ring-lame", "--jobs", "1", "--out", str(out)]
+    assert run(command) == 1
+    assert f"{since.WITHOUT}: {row}: demand" in capsys.readouterr().out
+    record = json.loads((out / "results.json").read_text("utf-8"))["drift"]
+    assert (record["unexplained"], record["changes"][0]["row"]) == (1, row)
+    why = f'[[changes]]\nrows = "{row}"\naspect = "demand"\nwhat = "w"\nsince = "0.1.0"\n'
+    reasons.FILE.write_text(f'{why}why = "a reason of some length"\n', "utf-8")
+    assert run(command) == 0
+    reasons.FILE.write_text("[[", "utf-8")
+    assert run(command) == 2
+    assert "changes.toml: cannot be read" in capsys.readouterr().err
+
+
+def test_own_parameters_are_compared_with_nothing(one_release, of_paper):
+    one_release(0.5)
+    assert commands.make_report([of_paper(LAME)], [LAME], 1.0, "mine").drift is None
+    assert commands.make_report([of_paper(LAME)], [LAME], 1.0).drift.unexplained
+
+
+def test_a_release_refuses_red_rows_and_what_is_not_committed(one_release, tmp_path, of_paper):
+    one_release(0.5)
+    report = commands.make_report([of_paper(LAME)], [LAME], 1.0)
+    with pytest.raises(InputError, match=since.WITHOUT):
+        making.refuse_red(report)
+    failed = replace(report, cases=(result(replace(ROW, status=Status.FAIL)),))
+    with pytest.raises(InputError, match="c/q: FAIL"):
+        making.refuse_red(failed)
+    making.refuse_red(replace(report, drift=None))
+    with pytest.raises(InputError, match="needs git"):
+        making.refuse_uncommitted(tmp_path)  # no repository
+    with pytest.raises(InputError, match="is there already"):
+        making.release(kept.ROOT, tmp_path)
+
+
+def test_what_is_kept_of_a_row_is_what_results_json_says(of_paper):
+    for row in of_paper(LAME).rows:
+        record, one = row_record(row), kept.kept(row)
+        assert (one.kind, one.status) == (record["kind"], record["status"])
+        for name in ("analytic", "demand", "u_num", "tolerance", "detects", "scale"):
+            known = record[name]
+            wanted = None if known is None else pytest.approx(known, rel=1e-8)
+            assert getattr(one, name) == wanted

@@ -1,0 +1,22 @@
+"""Keep the rows of this version in verify/releases, for `freewheel verify` to compare with."""
+
+import sys
+from pathlib import Path
+
+from verify.releases.making import release
+
+ROOT = Path(__file__).parents[1]
+
+
+def main() -> int:
+    try:
+        path = release(ROOT)
+    except (ValueError, OSError) as error:
+        print(f"release: {error}", file=sys.stderr)
+        return 2
+    print(f"{path.relative_to(ROOT)}: {path.stat().st_size / 1000:.0f} kB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,27 @@
+"""What several commands take alike: whole numbers, names of cases, an engine."""
+
+from typing import Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+
+def whole(_type: Any, tokens: Any) -> int:
+    """A whole number; cyclopts by itself would round 1.5."""
+    given = str(tokens[0].value)
+    if not given.lstrip("+-").isdecimal():
+        raise ValueError(f"needs a whole number, got {given!r}")
+    return int(given)
+
+
+def case_ids(_context: Any) -> list[str]:
+    """What a shell offers where a case is named."""
+    from verify.cases.registry import CASES
+
+    return [case.id for case in CASES]
+
+
+Jobs = Annotated[int, Parameter(name=("--jobs", "-j"), converter=whole)]
+Number = Annotated[int, Parameter(converter=whole)]
+Texts = Annotated[tuple[str, ...], Parameter(negative="", consume_multiple=False)]
+Engine = Literal["local", "dask"]
+CaseId = Annotated[str, Parameter(completer=case_ids)]

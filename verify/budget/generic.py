@@ -1,0 +1,66 @@
+"""What any case's finite elements are: which causes they have, and what their solvers stop at."""
+
+from verify import cache
+from verify.budget.statement import Cause, Constant, Rerun, Without
+from verify.case import Case
+
+TIGHTER, LOOSER = 0.01, 100.0  # a tolerance over the usual one; where rounding allows no tighter
+# where iterations of the solvers end, by module; what is not here is solved directly
+TOLERANCES = (
+    "fem.beam.large_newton:TOLERANCE",
+    "fem.beam.large_stability:WIDTH",
+    "fem.beam.touching_closest:SETTLED",
+    "fem.contact.complementarity:TOLERANCE",
+    "fem.contact.complementarity:SETTLED",
+    "fem.contact.cone:EXACT",
+    "fem.contact.convex:CONVERGED",
+    "fem.contact.nitsche:BOUND",
+    "fem.fourier.vibration:TOLERANCE",
+    "verify.cases.contact_line_fem:HIT",
+    "verify.cases.contact_sphere_fem:HIT",
+    "verify.cases.freewheel_fem:STILL",
+    "verify.cases.sprag_fem:STILL",
+    "verify.cases.polyhedral_clutch_fem:CLOSE",
+    "verify.cases.polyhedral_wedge_model:HIT",
+    "verify.cases.freewheel_friction_model:STILL",
+    "verify.cases.freewheel_clutch_fem:NEAR",
+)
+CONTACT = ("fem.contact.problem", "fem.beam.touching", "fem.fourier.contact", "fem.rotor.struts")
+# points of what bodies exert on each other; the law itself is exact: no pressure or no gap
+INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
+
+
+def reached(case: Case) -> frozenset[str]:
+    """Modules that the case's finite elements reach, its own among them."""
+    return frozenset(cache.parts_of(case.fem)[1]) | {case.fem.__module__}
+
+
+def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:
+    """The tolerances of the solvers that a case reaches, each `factor` times itself."""
+    modules = reached(case)
+    return tuple(
+        Constant(target, factor) for target in TOLERANCES if target.partition(":")[0] in modules
+    )
+
+
+def without(case: Case) -> tuple[Without, ...]:
+    """Causes that nothing a case reaches has."""
+    modules = reached(case)
+    found = []
+    if not any(name in modules for name in CONTACT):
+        found.append(Without(Cause.CONTACT, "no contact in it"))
+    if not any(name.startswith(("fem.plane", "fem.contact.problem")) for name in modules):
+        found.append(Without(Cause.PLANE, "no plane model"))
+    return tuple(found)
+
+
+def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
+    """Contacts by an exact law, integrated at more points; none where there is no such contact."""
+    modules = reached(case)
+    return tuple(
+        Rerun(
+            cause=Cause.CONTACT, what="exact law, integrated at twice as many points",
+            changes=(Constant(target, 2),), levels=levels,
+        )
+        for target in INTEGRATED if target.partition(":")[0] in modules
+    )  # fmt: skip

@@ -1,0 +1,103 @@
+"""The keywords of a calculix deck, written one by one; nodes and elements count from 1."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.plane.material import Elastic
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Term = tuple[int, int, float]  # node, component from 1, factor
+Side = tuple[int, int]  # element and its side, both from 1
+A_LINE = 14  # numbers of nodes in a line of *ELEMENT, of the 16 that are read
+
+
+def nodes(deck: TextIO, number: Indices, x: Array, name: str = "") -> None:
+    """`x` (nodes, 2 or 3); calculix reads 20 characters of a number, exponent and all."""
+    deck.write("*NODE" + (f", NSET={name}" if name else "") + "\n")
+    space = np.column_stack([x, np.zeros((len(x), 3 - x.shape[1]))])
+    np.savetxt(deck, np.column_stack([number, space]), fmt="%d,%.12e,%.12e,%.12e")
+
+
+def elements(deck: TextIO, kind: str, name: str, cells: Indices, number: Indices) -> None:
+    """`cells` (elements, nodes) of one kind as a set; `number` (elements,)."""
+    deck.write(f"*ELEMENT, TYPE={kind}, ELSET={name}\n")
+    for own, cell in zip(number.tolist(), cells.astype(str).tolist(), strict=True):
+        rows = [cell[i : i + A_LINE] for i in range(0, len(cell), A_LINE)]
+        deck.write(f"{own}," + ",\n".join(",".join(row) for row in rows) + "\n")
+
+
+def solid(deck: TextIO, name: str, material: Elastic, thickness: float = 1.0) -> None:
+    """Material and section of a set of elements."""
+    _elastic(deck, name, material)
+    deck.write(f"*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{thickness:.12e}\n")
+
+
+def dense(deck: TextIO, name: str, material: Elastic, rho: float, thickness: float = 1.0) -> None:
+    """The same with a density."""
+    _elastic(deck, name, material)
+    deck.write(f"*DENSITY\n{rho:.12e}\n")
+    deck.write(f"*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{thickness:.12e}\n")
+
+
+def shell(deck: TextIO, name: str, material: Elastic, thickness: float) -> None:
+    """Material and section of a set of shell elements."""
+    _elastic(deck, name, material)
+    deck.write(f"*SHELL SECTION, ELSET={name}, MATERIAL={name}\n{thickness:.12e}\n")
+
+
+def _elastic(deck: TextIO, name: str, material: Elastic) -> None:
+    deck.write(f"*MATERIAL, NAME={name}\n*ELASTIC\n{material.E:.12e},{material.nu:.12e}\n")
+
+
+def node_set(deck: TextIO, name: str, number: Iterable[int]) -> None:
+    deck.write(f"*NSET, NSET={name}\n" + "".join(f"{i},\n" for i in number))
+
+
+def boundary(deck: TextIO, held: Iterable[Term]) -> None:
+    """Node, component and its value."""
+    rows = [f"{node},{i},{i},{value:.12e}\n" for node, i, value in held]
+    if rows:
+        deck.write("*BOUNDARY\n" + "".join(rows))
+
+
+def equation(deck: TextIO, terms: Sequence[Term]) -> None:
+    """Terms whose sum vanishes; calculix eliminates the first, and reads four a line."""
+    said = [f"{node},{component},{factor:.12e}" for node, component, factor in terms]
+    rows = [",".join(said[i : i + 4]) for i in range(0, len(said), 4)]
+    deck.write("*EQUATION\n" + "\n".join([str(len(terms)), *rows, ""]))
+
+
+def forces(deck: TextIO, loads: Iterable[Term]) -> None:
+    """Dead forces on nodes."""
+    rows = [f"{node},{i},{value:.12e}\n" for node, i, value in loads]
+    if rows:
+        deck.write("*CLOAD\n" + "".join(rows))
+
+
+def pressures(deck: TextIO, sides: Iterable[Side], pressure: float) -> None:
+    """The same pressure on sides of elements, integrated by calculix."""
+    deck.write("*DLOAD\n" + "".join(f"{cell},P{side},{pressure:.12e}\n" for cell, side in sides))
+
+
+def surfaces(deck: TextIO, sides: Mapping[str, Iterable[Side]]) -> None:
+    for name, own in sides.items():
+        deck.write(f"*SURFACE, NAME={name}\n")
+        deck.writelines(f"{cell},S{side}\n" for cell, side in own)
+
+
+def interaction(deck: TextIO, name: str, slope: float, mu: float = 0.0, stick: float = 0.0) -> None:
+    """A pressure of `slope` times the overlap, and friction with a slope of its own."""
+    deck.write(f"*SURFACE INTERACTION, NAME={name}\n*SURFACE BEHAVIOR, ")
+    deck.write(f"PRESSURE-OVERCLOSURE=LINEAR\n{slope:.12e}\n")
+    if mu:
+        deck.write(f"*FRICTION\n{mu!r},{stick:.12e}\n")
+
+
+def contact_pair(
+    deck: TextIO, slave: str, master: str, name: str, pairing: str = "SURFACE TO SURFACE"
+) -> None:
+    deck.write(f"*CONTACT PAIR, INTERACTION={name}, TYPE={pairing}\n{slave},{master}\n")

@@ -1,0 +1,14 @@
+"""How long the project's own side takes."""
+
+import time
+from collections.abc import Callable
+from typing import TypeVar
+
+T = TypeVar("T")
+
+
+def timed(solve: Callable[[], T]) -> tuple[T, float]:
+    """What `solve` gives and the seconds that it took."""
+    start = time.perf_counter()
+    found = solve()
+    return found, time.perf_counter() - start

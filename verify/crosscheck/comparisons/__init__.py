@@ -1,0 +1,1 @@
+"""What is compared with second solvers, by subject."""

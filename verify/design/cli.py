@@ -1,0 +1,43 @@
+"""How `freewheel design` is called, for springs and for sprags."""
+
+from pathlib import Path
+
+from verify.arguments import Number
+
+
+def design(
+    file: Path,
+    /,
+    *,
+    choose: Number | None = None,
+    fem: bool = True,
+    json: bool = False,
+    out: Path | None = None,
+) -> int:
+    """Find the accordion springs that do a task, or the crown of a sprag with the least pressure.
+
+    Parameters
+    ----------
+    file
+        The task (TOML), see `freewheel init design-spring` and `freewheel init design-sprag`; a
+        file of sprag-clutch does as well.
+    choose
+        Of springs, the member of the front to go on with; by default the one nearest to the best
+        of everything that finite elements keep.
+    fem
+        Set finite elements beside every member of the front, a half-space beside the crown.
+    json
+        Print JSON instead of text.
+    out
+        Folder for the page, all candidates and a parameter file of what is chosen.
+    """
+    from verify.inputs import read_parameter_file
+
+    case, _, _ = read_parameter_file(file)
+    if case in ("design-sprag", "sprag-clutch"):
+        from verify.design_sprag.command import run_design as run_sprag
+
+        return run_sprag(file, choose=choose, use_fem=fem, as_json=json, out=out)
+    from verify.design.command import run_design
+
+    return run_design(file, choose=choose, use_fem=fem, as_json=json, out=out)

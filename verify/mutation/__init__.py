@@ -1,0 +1,1 @@
+"""What the suite catches: references, formulas, judging and finite elements changed on purpose."""

@@ -1,0 +1,143 @@
+"""Changes that any code can suffer: a node of the syntax tree in, the nodes in its place out.
+
+An operator takes a node and the names around it, and yields every replacement it makes; a node
+that it doesn't know yields none. Replacements are new nodes, the given one stays as it is.
+"""
+
+import ast
+from collections.abc import Callable, Iterator
+from copy import deepcopy
+from dataclasses import dataclass
+
+SMALL = 1e-6  # smaller constants guard against round-off: no change of one can be seen
+
+
+@dataclass(frozen=True)
+class Around:
+    """What a function knows: names it binds or reads, and attributes anywhere in its module."""
+
+    names: frozenset[str]
+    attributes: frozenset[str]
+
+
+Operator = Callable[[ast.AST, Around], Iterator[ast.AST]]
+
+OPPOSITE: dict[type[ast.operator], type[ast.operator]] = {
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
+}  # fmt: skip
+TURNED: dict[type[ast.cmpop], type[ast.cmpop]] = {
+    ast.Lt: ast.GtE, ast.GtE: ast.Lt, ast.Gt: ast.LtE, ast.LtE: ast.Gt, ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
+}  # fmt: skip
+BOUNDARY: dict[type[ast.cmpop], type[ast.cmpop]] = {
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt,
+}  # fmt: skip
+FUNCTIONS = {
+    "sin": "cos", "cos": "sin", "tan": "sin", "sinh": "cosh", "cosh": "sinh", "tanh": "sinh",
+    "asin": "acos", "acos": "asin", "arcsin": "arccos", "arccos": "arcsin", "atan": "sin",
+    "arctan": "sin",
+}  # fmt: skip
+EXTREMES = {
+    "min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "argmin": "argmax",
+    "argmax": "argmin", "fmin": "fmax", "fmax": "fmin",
+}  # fmt: skip
+DROPPED = ("sqrt", "abs", "hypot", "floor", "ceil", "square")
+
+
+def arithmetic(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """+ for -, * for /, and the other way round."""
+    if isinstance(node, ast.BinOp | ast.AugAssign) and type(node.op) in OPPOSITE:
+        changed = deepcopy(node)
+        changed.op = OPPOSITE[type(node.op)]()
+        yield changed
+
+
+def power(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """The exponent dropped: nu for nu**2."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+        yield deepcopy(node.left)
+
+
+def sign(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """A minus dropped."""
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        yield deepcopy(node.operand)
+
+
+def constant(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """A number twice and half as large, of the other sign, one more or 1 % more."""
+    if not isinstance(node, ast.Constant) or type(node.value) not in (int, float):
+        return
+    value = node.value
+    assert isinstance(value, int | float)
+    if isinstance(value, int):
+        found = [1] if value == 0 else [value + 1, 2 * value, value / 2, -value]
+    else:
+        found = [1.0] if value == 0 else [1.01 * value, 2 * value, value / 2, -value]
+    if value == 0 or abs(value) >= SMALL:
+        for other in dict.fromkeys(found):
+            yield ast.Constant(other)
+
+
+def comparison(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """A comparison turned into its opposite."""
+    yield from _compared(node, TURNED)
+
+
+def boundary(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """< for <=, where the two sides may be equal."""
+    yield from _compared(node, BOUNDARY)
+
+
+def _compared(
+    node: ast.AST, others: dict[type[ast.cmpop], type[ast.cmpop]]
+) -> Iterator[ast.Compare]:
+    if isinstance(node, ast.Compare):
+        for n, op in enumerate(node.ops):
+            if type(op) in others:
+                changed = deepcopy(node)
+                changed.ops[n] = others[type(op)]()
+                yield changed
+
+
+def function(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """Sin for cos, sin for tan, and their like."""
+    yield from _called(node, FUNCTIONS)
+
+
+def extreme(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """Min for max."""
+    yield from _called(node, EXTREMES)
+
+
+def _called(node: ast.AST, others: dict[str, str]) -> Iterator[ast.Call]:
+    if isinstance(node, ast.Call) and (other := others.get(name_of(node.func))):
+        changed = deepcopy(node)
+        if isinstance(changed.func, ast.Name):
+            changed.func.id = other
+        elif isinstance(changed.func, ast.Attribute):
+            changed.func.attr = other
+        yield changed
+
+
+def dropped(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """A square root, an absolute value and their like left out: their argument alone."""
+    if isinstance(node, ast.Call) and name_of(node.func) in DROPPED and node.args:
+        yield deepcopy(node.args[0])
+
+
+def condition(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
+    """And for or; a not dropped."""
+    if isinstance(node, ast.BoolOp):
+        changed = deepcopy(node)
+        changed.op = ast.Or() if isinstance(node.op, ast.And) else ast.And()
+        yield changed
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+        yield deepcopy(node.operand)
+
+
+def name_of(node: ast.AST) -> str:
+    """The last part of a name: sin of np.sin; empty where there is none."""
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    return node.id if isinstance(node, ast.Name) else ""

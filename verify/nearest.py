@@ -1,0 +1,16 @@
+"""Names offered where one is unknown."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+FEW = 6  # names that a line has room for
+LIKE = 0.4  # of difflib's ratio: below, names have nothing in common
+
+
+def nearest(name: str, known: Iterable[str], *, most: int = FEW, between: str = ", ") -> str:
+    """Known names in words, those like `name` first; of more than `most` how many are left out."""
+    every = list(known)
+    like = get_close_matches(name, every, n=most, cutoff=LIKE)
+    order = [*like, *(one for one in every if one not in like)]
+    more = f" and {len(order) - most} more" if len(order) > most else ""
+    return f"{between.join(order[:most])}{more}"

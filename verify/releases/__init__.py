@@ -1,0 +1,1 @@
+"""What earlier releases found, row by row, and what has moved since."""
