@@ -1,0 +1,13 @@
+"""Errors of the contact solvers, by what they prove.
+
+Invalid input is a plain ValueError. `NoEquilibriumError` is a physical result. `NotFoundError` is
+not: a caller must never read it as a state of the bodies.
+"""
+
+
+class NoEquilibriumError(ArithmeticError, ValueError):
+    """Proven: no admissible contact forces balance the loads."""
+
+
+class NotFoundError(ArithmeticError):
+    """No equilibrium was found; that does not prove that there is none."""
