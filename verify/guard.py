@@ -17,6 +17,12 @@ def named(error: BaseException) -> str:
     return f"{type(error).__name__}: {text}" if text else type(error).__name__
 
 
+def unsolved(error: BaseException) -> bool:
+    """Whether a solver raised the error to report that it has no solution; others are faults."""
+    faults = ZeroDivisionError, OverflowError, FloatingPointError
+    return isinstance(error, ArithmeticError) and not isinstance(error, faults)
+
+
 class Guard:
     """Runs what a case brings; `rows` holds a red row for each failure, `traces` its traceback."""
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from verify import cache
 from verify.case import Case, Check, Context, FemResult, Values
 from verify.described import described
-from verify.guard import Guard, named
+from verify.guard import Guard, named, unsolved
 from verify.inputs import Inputs
 from verify.results import CaseResult, Row
 
@@ -98,7 +98,7 @@ def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> 
         result = case.fem(inputs, level)
     except Exception as error:  # gmsh raises Exception itself
         seconds = time.perf_counter() - start
-        if type(error) is ArithmeticError:  # what solvers raise when they do not converge
+        if unsolved(error):
             failure = f"not converged: level {level}: {' '.join(str(error).split())}"
             return Solved(None, failure, seconds, cached=False)
         failure, trace = f"level {level}: {named(error)}", traceback.format_exc()

@@ -29,10 +29,12 @@ from fem.contact.along import Along, Pull
 from fem.contact.along_problem import AlongProblem
 from fem.contact.approach import approached
 from fem.contact.bodies import Bodies, Response
-from fem.contact.complementarity import OPEN, Rest
+from fem.contact.complementarity import Rest
+from fem.contact.errors import NoEquilibriumError, NotFoundError
 from fem.contact.interface import ROUND_OFF, Interface, Surfaces
 from fem.contact.pairs import Obstacle, Pair, Rigid
 from fem.contact.solution import ContactSolution
+from fem.contact.system import OPEN
 from fem.plane.discretisation import Array, Indices
 from fem.plane.loads import Pressure, Vector
 from fem.plane.material import Assumption, Elastic
@@ -162,9 +164,11 @@ class ContactProblem:
         Raises
         ------
         ValueError
-            For unknown names, and loads that no contact forces balance: they pull bodies apart.
-        ArithmeticError
-            Where the contact does not converge, or comes to no rest: bodies slide or roll away.
+            For unknown names and wrong values.
+        NoEquilibriumError
+            For loads that no contact forces balance: proven, they move a body. Also a ValueError.
+        NotFoundError
+            Where no state of rest was found. That proves nothing about the bodies.
         """
         actions = [
             *self.loads.actions(
@@ -209,8 +213,8 @@ class ContactProblem:
                 return found
             moved = Interface(self.bodies, self.surfaces, bases)
             found = self._equilibrium(actions, pull, moved, after)
-        raise ArithmeticError(
-            f"the bodies did not come to rest: after {MAX_APPROACHES} approaches they still move"
+        raise NotFoundError(
+            f"no state of rest was found: after {MAX_APPROACHES} approaches bodies still move"
         )
 
     def _equilibrium(
@@ -298,7 +302,7 @@ class ContactProblem:
             return slips
         try:
             rest = smooth.solve(interface.gaps + LIGHT * w[:m], LIGHT * e)
-        except ArithmeticError:
+        except NotFoundError:
             return slips
         return LIGHT * w[m:] + kernel.B[m:, :m] @ rest.multipliers + kernel.D[m:] @ rest.motion
 
@@ -319,12 +323,12 @@ class ContactProblem:
     def _check_small(
         self, interface: Interface, responses: Sequence[tuple[float, Response]], rest: Rest
     ) -> None:
-        """ArithmeticError where bodies run away from how they deform and what gaps they close.
+        """NotFoundError where bodies move by far more than they deform and gaps that they close.
 
-        Facets stop in the end what nothing stops in truth.
+        Only the facets of the mesh stop such motions; the assumption of small motions has ended.
         """
-        if not rest.motion.size:
-            return
+        if not (rest.motion.size and np.any(rest.multipliers)):
+            return  # where nothing touches, bodies rest in any place
         elastic = self.bodies.compliance(interface.C.T @ rest.multipliers)
         elastic += sum(share * response.at_rest for share, response in responses)
         closed = np.flatnonzero(rest.states)
@@ -333,15 +337,15 @@ class ContactProblem:
         size += ROUND_OFF * float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
         moved = float(np.abs(self.bodies.motions @ rest.motion).max())
         if moved > RUNAWAY * size:
-            raise ArithmeticError(
+            raise NotFoundError(
                 f"{self.bodies.named(rest.motion)}, and does so by {moved:.3g} where surfaces "
                 f"deform by {size:.3g}: under these loads it slides or rolls away"
             )
 
     def _refuse(self, missing: Array) -> None:
-        """ValueError where loads on rigid motions are `missing` (k,) their contact forces."""
+        """NoEquilibriumError where loads on rigid motions lack contact forces `missing` (k,)."""
         if np.any(missing):
-            raise ValueError(
+            raise NoEquilibriumError(
                 f"{self.bodies.named(missing)}, and the loads do move it: contact can only push, "
                 "and no contact force balances them"
             )

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 from fem.contact.actions import Action
 from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies, Response
-from fem.contact.complementarity import OPEN, STICK, Rest
+from fem.contact.complementarity import Rest
 from fem.contact.interface import Interface
 from fem.contact.mortar import Mortar
+from fem.contact.system import OPEN, STICK
 from fem.plane.discretisation import Array
 from fem.plane.solution import Held, PlaneSolution
 

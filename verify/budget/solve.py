@@ -19,7 +19,7 @@ from verify.budget.generic import LOOSER, TIGHTER, tolerances
 from verify.budget.plan import Plan, Step
 from verify.case import FemResult
 from verify.files import write_whole
-from verify.guard import named
+from verify.guard import named, unsolved
 from verify.run import keep_level
 
 FOLDER = "budget"  # in the cache
@@ -54,7 +54,7 @@ def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
             float(result.h), time.perf_counter() - start,
         )  # fmt: skip
     except Exception as error:  # gmsh raises Exception itself
-        said = str(error) if type(error) is ArithmeticError else named(error)
+        said = str(error) if unsolved(error) else named(error)
         found = Solution({}, {}, {}, math.nan, time.perf_counter() - start, " ".join(said.split()))
     if path is not None and not found.problem:
         text = json.dumps(asdict(found))

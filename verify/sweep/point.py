@@ -15,7 +15,7 @@ import numpy as np
 
 from verify import cache as sources
 from verify.case import Case, Portion
-from verify.guard import named
+from verify.guard import named, unsolved
 from verify.inputs import Inputs
 from verify.sweep.pairs import LEVELS, whole
 
@@ -112,6 +112,6 @@ def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
 
 
 def _said(where: str, error: Exception) -> str:
-    if type(error) is ArithmeticError:  # what solvers raise when they do not converge
+    if unsolved(error):
         return f"not converged: {where}: {' '.join(str(error).split())}"
     return f"{where}: {named(error)}"

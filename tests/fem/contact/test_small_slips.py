@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from fem.contact.complementarity import FORWARD, OPEN, STICK, Complementarity
+from fem.contact.active_sets import fitting_states
+from fem.contact.complementarity import Complementarity
+from fem.contact.system import FORWARD, OPEN, STICK
 
 
 def test_a_slip_is_measured_by_its_own_row_not_by_a_gap_far_away():
@@ -40,5 +42,6 @@ def test_a_gap_counts_against_the_way_whichever_way_a_body_goes(sense, left, sta
     # it went by 1e3 to where the gap is `left` of that
     way = np.array([1e3 * sense])
     w_0 = np.array([1e3 * (1 + left)])
-    found = beside_an_obstacle(sense)._wanted(w_0, np.zeros(1), way, np.zeros(1, np.int8), None)
+    system, none = beside_an_obstacle(sense), np.zeros(1, np.int8)
+    found = fitting_states(system, w_0, np.zeros(1), way, none)
     assert found.tolist() == [state]

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from fem.contact.complementarity import OPEN, STICK
 from fem.contact.pairs import Obstacle, Pair
 from fem.contact.problem import ContactProblem
 from fem.contact.shapes import Circle, Flat
+from fem.contact.system import OPEN, STICK
 from fem.plane.material import Elastic
 from meshes.contact.disc import quarter_disc
 

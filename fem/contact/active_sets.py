@@ -1,0 +1,173 @@
+"""Primal-dual active sets: the fast method for the condensed contact problem.
+
+Every row is in one state (open, stick, slip to either side), the linear system of the states is
+solved, and rows that contradict their state change it: all together while their number falls,
+singly where it does not (block principal pivoting, Judice and Pires 1994; finite without
+friction). With friction the states may repeat in a cycle; the method then ends without a solution.
+Rigid motions start on weak springs that are released step by step.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fem.contact.errors import NotFoundError
+from fem.contact.system import BACKWARD, FORWARD, OPEN, SIGN, STICK, ContactSystem
+from fem.plane.discretisation import Array, Indices
+
+States = NDArray[np.int8]
+
+SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
+WEAKEST_SPRING = 1e-12
+STATE_TOLERANCE = 1e-11  # of a row's own terms: a gap, slip or traction within it is zero
+RELEASED = 1e-13  # of the forces on rigid motions: what springs may still carry
+NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not
+MAX_BLOCK_EXCHANGES = 10  # full exchanges without progress before single ones
+MAX_EXCHANGES, EXCHANGES_PER_ROW = 100, 10  # without friction, where the method is finite
+MAX_FRICTION_EXCHANGES = 40  # a slower descent costs more than Lemke's method
+MAX_RELEASES = 60
+
+
+@dataclass(frozen=True)
+class ActiveSets:
+    """The method for one system under `w_0` (n,), `e` (k,); `changes` counts rows, in place."""
+
+    system: ContactSystem
+    w_0: Array
+    e: Array
+    changes: list[int] = field(default_factory=list)
+
+    def released(self, states: States, springs: tuple[float, ...]) -> tuple[Array, Array, States]:
+        """Multipliers, motions and states from given states, on ever weaker springs, then none.
+
+        NotFoundError where the states repeat or keep changing, or motions keep growing.
+        """
+        system = self.system
+        motion = np.zeros(system.D.shape[1])
+        if not motion.size:
+            springs = (0.0,)
+        for share in springs:
+            multipliers, motion, states = self.exchanged(motion, system.springs(share), states)
+        missed, size = system.missed(self.e, multipliers)
+        nothing, spring = system.loads_at_round_off(self.w_0), springs[-1]
+        for _ in range(MAX_RELEASES):
+            if missed <= max(RELEASED * size, nothing):
+                return multipliers, motion, states
+            multipliers, motion, states = self.exchanged(motion, system.springs(spring), states)
+            before = missed
+            missed, size = system.missed(self.e, multipliers)
+            if missed > before / 2:
+                if missed <= NEUTRAL * size:
+                    return multipliers, motion, states  # a neutral motion stays where it is
+                spring = max(spring / 10, WEAKEST_SPRING)  # a gap still has to close
+        raise NotFoundError(f"contact forces still miss the loads by {missed:.1e} of {size:.1e}")
+
+    def exchanged(
+        self, motion: Array, spring: Array, states: States
+    ) -> tuple[Array, Array, States]:
+        """Multipliers, motions and states that fit, with springs (k, k) back to `motion` (k,)."""
+        rough, seen = bool(self.system.rough.size), set()
+        fewest, patience = states.size + 1, MAX_BLOCK_EXCHANGES
+        most = MAX_FRICTION_EXCHANGES if rough else MAX_EXCHANGES + EXCHANGES_PER_ROW * states.size
+        for _ in range(most):
+            multipliers, moved = linear(self.system, self.w_0, self.e, motion, spring, states)
+            wanted = fitting_states(self.system, self.w_0, multipliers, moved, states)
+            other = np.flatnonzero(wanted != states)
+            self.changes.append(other.size)
+            if not other.size:
+                return multipliers, moved, states
+            if other.size < fewest:
+                fewest, patience = other.size, MAX_BLOCK_EXCHANGES
+            elif patience > 0:
+                patience -= 1
+            else:
+                other = other[-1:]
+            states = states.copy()
+            states[other] = wanted[other]
+            known = states.tobytes(), patience
+            if rough and known in seen:
+                raise NotFoundError("the states of the contact repeat")
+            seen.add(known)
+        raise NotFoundError(f"{other.size} of {states.size} points still change their state")
+
+
+@dataclass(frozen=True)
+class StateEquations:
+    """The linear system A x = known that `states` imply, on springs (k, k).
+
+    x holds the multipliers of the rows `own`, then the motions; slipping rows `slip` have `drag`
+    times the multiplier `at` as friction.
+    """
+
+    own: Indices
+    slip: Indices
+    at: Indices
+    drag: Array
+    A: Array
+
+    @classmethod
+    def of(cls, system: ContactSystem, states: States, spring: Array) -> "StateEquations":
+        """The equations of `states` (m,)."""
+        closed = np.flatnonzero(states != OPEN)
+        stick = np.flatnonzero((states == STICK) & (system.partner >= 0))
+        slip = np.flatnonzero(SIGN[states] != 0)
+        own, at = np.concatenate([closed, system.partner[stick]]), np.searchsorted(closed, slip)
+        drag = SIGN[states[slip]] * system.friction[slip]
+        columns, pull = system.B[np.ix_(own, own)], system.D[own].T.copy()
+        columns[:, at] += drag * system.B[np.ix_(own, system.partner[slip])]
+        pull[:, at] += drag * system.D[system.partner[slip]].T
+        A = np.block([[columns, system.D[own]], [pull, -spring]])
+        return cls(own, system.partner[slip], at, drag, A)
+
+    def unpacked(self, x: Array, n: int) -> tuple[Array, Array]:
+        """Multipliers (n,) and motions (k,) of a solution."""
+        multipliers = np.zeros(n)
+        multipliers[self.own] = x[: self.own.size]
+        multipliers[self.slip] = self.drag * x[self.at]
+        return multipliers, x[self.own.size :]
+
+
+def linear(
+    system: ContactSystem, w_0: Array, e: Array, motion: Array, spring: Array, states: States
+) -> tuple[Array, Array]:
+    """Multipliers (n,) and motions (k,) that `states` imply, with springs back to `motion`.
+
+    NotFoundError where the states leave them undetermined.
+    """
+    equations = StateEquations.of(system, states, spring)
+    scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])
+    known = np.concatenate([-w_0[equations.own], -e - spring @ motion])
+    try:
+        x = scale * np.linalg.solve(scale[:, None] * equations.A * scale, scale * known)
+    except np.linalg.LinAlgError:
+        raise NotFoundError("the states of the contact leave its forces undetermined") from None
+    return equations.unpacked(x, w_0.size)
+
+
+def fitting_states(
+    system: ContactSystem, w_0: Array, multipliers: Array, motion: Array, states: States
+) -> States:
+    """The states (m,) that multipliers and gaps call for, from those that gave them."""
+    m, rough = system.friction.size, system.rough
+    w = w_0 + system.B @ multipliers + system.D @ motion
+    # of each row's own terms: far from the contact gaps are larger than any slip in it
+    reach = np.sqrt(system.compliance)
+    size = np.abs(w_0) + reach * (reach @ np.abs(multipliers))
+    w_tolerance = STATE_TOLERANCE * (size + np.abs(system.D) @ np.abs(motion))
+    normal, partner = multipliers[:m], system.partner[rough]
+    tolerance = STATE_TOLERANCE * np.abs(normal).max(initial=0)
+    tangential, bound = multipliers[partner], system.friction[rough] * normal[rough] + tolerance
+    before = states[rough]
+    along = np.where(before == OPEN, STICK, before)
+    sticks = along == STICK
+    along[sticks & (tangential > bound)] = FORWARD
+    along[sticks & (tangential < -bound)] = BACKWARD
+    along[SIGN[before] * w[partner] > w_tolerance[partner]] = STICK
+    wanted = np.full(m, STICK, np.int8)
+    wanted[rough] = along
+    opens = (states != OPEN) & (normal < -tolerance)
+    closes = (states == OPEN) & (w[:m] < -w_tolerance[:m])
+    wanted[closes] = STICK
+    wanted[opens | ((states == OPEN) & ~closes)] = OPEN
+    return wanted

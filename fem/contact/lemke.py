@@ -1,0 +1,79 @@
+"""Lemke's method for linear complementarity problems: w = q + M z, w >= 0, z >= 0, w'z = 0.
+
+An artificial variable z_0 with a positive covering vector d makes q + d z_0 non-negative. Pivots
+exchange complementary variables until z_0 leaves the basis (a solution) or nothing blocks the
+entering variable (a ray). A ray alone does not prove that there is no solution. Source: Cottle,
+Pang and Stone, The Linear Complementarity Problem (1992), algorithm 4.4.5.
+"""
+
+import numpy as np
+from scipy.linalg.blas import dger
+
+from fem.plane.discretisation import Array, Indices
+
+PIVOT_TOLERANCE = 1e-9  # of the largest entry of its column: a smaller pivot is round-off
+TIE_TOLERANCE = 1e-13  # of the largest q: rows that come this close to zero block together
+ARTIFICIAL_TOLERANCE = 1e-12  # of its first value: z_0 below it has left the basis
+PIVOTS_PER_ROW = 4
+
+
+def lemke(M: Array, q: Array, d: Array) -> Array | None:
+    """A solution z (N,) for `M` (N, N), `q` (N,); None after a ray or too many pivots.
+
+    `d` (N,) is the covering vector, positive. The round-off of all pivots is in z: a caller solves
+    the linear system of its basis once more.
+    """
+    N, size = q.size, float(np.abs(q).max(initial=0.0))
+    if np.all(q >= 0):
+        return np.zeros(N)
+    tableau = np.asfortranarray(np.column_stack([M, d, q / size]))
+    basic, nonbasic = np.arange(N), np.append(N + np.arange(N), 2 * N)  # w, then z, then z_0
+    row, column = int(np.argmin(q / d)), N
+    first = -tableau[row, -1] / d[row]
+    for _ in range(PIVOTS_PER_ROW * N):
+        _exchange(tableau, row, column)
+        basic[row], nonbasic[column] = nonbasic[column], basic[row]
+        at = np.flatnonzero(basic == 2 * N)
+        if not at.size or tableau[at[0], -1] <= ARTIFICIAL_TOLERANCE * first:
+            return size * _solution(basic, tableau[:, -1])
+        left = nonbasic[column]
+        column = int(np.flatnonzero(nonbasic == (left + N if left < N else left - N))[0])
+        row = _blocking(tableau[:, column], tableau[:, -1], int(at[0]))
+        if row < 0:
+            return None
+    return None
+
+
+def _exchange(tableau: Array, row: int, column: int) -> None:
+    """Exchange the basic variable of `row` with the nonbasic one of `column`, in place."""
+    pivot, entries = tableau[row, column], tableau[row] / tableau[row, column]
+    rates = tableau[:, column].copy()
+    rates[row] = 0.0
+    entries[column] = 0.0
+    dger(-1.0, rates, entries, a=tableau, overwrite_a=True)
+    tableau[:, column] = rates / pivot
+    tableau[row] = -entries
+    tableau[row, column] = 1 / pivot
+
+
+def _blocking(rates: Array, values: Array, artificial: int) -> int:
+    """The row whose basic variable reaches zero first as the entering one grows; -1 for a ray.
+
+    Of rows that reach zero together z_0 leaves first, else the row with the largest pivot.
+    """
+    falling = np.flatnonzero(rates < -PIVOT_TOLERANCE * np.abs(rates).max())
+    if not falling.size:
+        return -1
+    rates, values = rates[falling], np.maximum(values[falling], 0.0)
+    step = float(np.min(values / -rates))
+    tied = values + step * rates <= TIE_TOLERANCE
+    if np.any(falling[tied] == artificial):
+        return artificial
+    return int(falling[tied][np.argmin(rates[tied])])
+
+
+def _solution(basic: Indices, values: Array) -> Array:
+    z, N = np.zeros(basic.size), basic.size
+    chosen = (basic >= N) & (basic < 2 * N)
+    z[basic[chosen] - N] = np.maximum(values[chosen], 0.0)
+    return z

@@ -1,0 +1,55 @@
+"""How well multipliers and motions meet the laws of contact, each residual over its own scale."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from fem.contact.system import ContactSystem
+from fem.plane.discretisation import Array
+
+CLOSING_SHARE = 1e-6  # of the forces that close the overlaps: smaller contact forces are zero
+TRAVEL_SHARE = 1e-5  # of gaps and travel: what round-off leaves of a gap is measured against it
+
+
+@dataclass(frozen=True)
+class Residual:
+    """Largest violation of each law, dimensionless.
+
+    `gap`: overlap over the elastic approach of a row under the largest contact force.
+    `complementarity`: pressure across an open gap, over the largest contact force.
+    `friction`: tangential traction beside its projection on Coulomb's bounds, over the same.
+    `balance`: loads on rigid motions that contact does not balance, over the forces there.
+    """
+
+    gap: float
+    complementarity: float
+    friction: float
+    balance: float
+
+    @property
+    def largest(self) -> float:
+        """The largest of the four; infinite where one is not a number."""
+        found = (self.gap, self.complementarity, self.friction, self.balance)
+        return max(found) if np.all(np.isfinite(found)) else np.inf
+
+
+def residual(
+    system: ContactSystem, w_0: Array, e: Array, multipliers: Array, motion: Array
+) -> Residual:
+    """Residual of `multipliers` (n,) and `motion` (k,) under `w_0` (n,), `e` (k,)."""
+    m, rough, B = system.friction.size, system.rough, system.compliance
+    w, normal = w_0 + system.B @ multipliers + system.D @ motion, multipliers[:m]
+    overlap = np.maximum(-w_0[:m], 0.0) / B[:m]
+    force = max(normal.max(initial=0.0), CLOSING_SHARE * overlap.max(initial=0.0)) or 1.0
+    travel = TRAVEL_SHARE * (np.abs(w_0) + np.abs(system.D) @ np.abs(motion))
+    share = w / np.maximum(B * force, travel)  # of a row's elastic approach
+    t, p = system.partner[rough], normal[rough] / force
+    bound, traction = system.friction[rough] * p, multipliers[t] / force
+    projected = np.clip(traction - share[t], -np.maximum(bound, 0.0), np.maximum(bound, 0.0))
+    missed, size = system.missed(e, multipliers)
+    return Residual(
+        gap=float(np.maximum(-share[:m], 0.0).max(initial=0.0)),
+        complementarity=float(np.abs(np.minimum(normal / force, share[:m])).max(initial=0.0)),
+        friction=float(np.abs(traction - projected).max(initial=0.0)),
+        balance=missed / size if missed > system.loads_at_round_off(w_0) else 0.0,
+    )

@@ -1,0 +1,140 @@
+"""The condensed contact problem: weighted gaps and slips that depend linearly on tractions.
+
+Unknown are the multipliers l = (normal, tangential) and amplitudes a of the rigid motions that
+only contact holds. Weighted gaps and slips depend on them linearly, and the motions' equilibrium
+closes the system:
+
+    w = w_0 + B l + D a,    e + D' l = 0.
+
+Normal rows: l_n >= 0, w_n >= 0, l_n w_n = 0. Tangential rows, each beside a normal one:
+|l_t| <= mu l_n, and l_t opposes w_t where it reaches that bound.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+from scipy.optimize import nnls
+
+from fem.plane.discretisation import Array, Indices
+
+OPEN, STICK, FORWARD, BACKWARD = 0, 1, 2, 3  # slip states by the sign of l_t: + and -
+SIGN = np.array([0.0, 0.0, 1.0, -1.0])
+STAYING = 1e-2  # of the contact's own stiffness: holds neutral motions where they are
+FELT = 1e-7  # of the largest stiffness against a rigid motion: below, the motion is neutral
+LOAD_TOLERANCE = 1e-13  # of the forces that would close the gaps: smaller loads are round-off
+BALANCE_TOLERANCE = 1e-9  # of the loads on rigid motions: less than that may be missing
+BARE = 1e-12  # of the largest: rows that act on no rigid motion
+ASKEW = 1e-2  # of the loads: so much may act on a neutral motion until surfaces are paired again
+OFFSET = 1e-3  # and this much where they are: moments count about places in the mesh
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactSystem:
+    """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
+
+    `friction` (m,) is mu of each normal row; row `partner` (m,) is its tangential one, or -1.
+    `part` (m,) numbers the surface that a normal row belongs to; rows follow each other along it.
+    """
+
+    B: Array
+    D: Array
+    friction: Array
+    partner: Indices
+    part: Indices
+
+    @cached_property
+    def rough(self) -> Indices:
+        """Normal rows with friction."""
+        return np.flatnonzero(self.partner >= 0)
+
+    @cached_property
+    def compliance(self) -> Array:
+        """Diagonal (n,) of B."""
+        return np.diag(self.B).copy()
+
+    @cached_property
+    def scales(self) -> tuple[Array, Array]:
+        """Units (n,) of multipliers and (k,) of motions, in which the system is about one."""
+        own = 1 / np.sqrt(self.compliance)
+        felt = np.sqrt(((own[:, None] * self.D) ** 2).sum(axis=0))
+        return own, 1 / np.maximum(felt, BARE * felt.max(initial=BARE))
+
+    @cached_property
+    def stiffness(self) -> float:
+        """The contact's own stiffness against the motion that it resists most."""
+        own = (self.D**2 / self.compliance[:, None]).sum(axis=0)
+        return float(own.max(initial=0.0))
+
+    @cached_property
+    def motions(self) -> tuple[Array, Array]:
+        """Motions (k, .) that the contact resists, and neutral ones that it hardly resists.
+
+        A smooth pin in a hole may turn: facets alone resist that.
+        """
+        own = self.D / np.sqrt(self.compliance)[:, None]
+        size, motions = np.linalg.eigh(own.T @ own)
+        resisted = size > FELT * size.max(initial=0.0)
+        return motions[:, resisted], motions[:, ~resisted]
+
+    def springs(self, share: float) -> Array:
+        """Springs (k, k) on rigid motions; those on neutral ones stay as they are."""
+        resisted, neutral = self.motions
+        return self.stiffness * (
+            share * resisted @ resisted.T + STAYING * neutral @ neutral.T
+        )  # fmt: skip
+
+    def loads_at_round_off(self, w_0: Array) -> float:
+        """Loads on motions that round-off of `w_0` (n,) makes."""
+        closing = float(np.max(np.abs(w_0) / self.compliance, initial=0.0))
+        return LOAD_TOLERANCE * closing * float(np.abs(self.D).max(initial=0.0))
+
+    def missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
+        """What is missing to balance on the rigid motions, and the size of the forces there."""
+        size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
+        missed = np.abs(self.motions[0].T @ (e + self.D.T @ multipliers))
+        return float(missed.max(initial=0.0)), float(size.max(initial=0.0))
+
+    def missing(self, e: Array) -> Array:
+        """What no admissible contact forces can balance of the loads `e` (k,) on rigid motions.
+
+        Zero where they can, to round-off.
+        """
+        m, (resisted, neutral) = self.friction.size, self.motions
+        if not np.any(e):
+            return np.zeros_like(e)
+        if np.linalg.norm(neutral.T @ e) > ASKEW * np.linalg.norm(e):
+            return neutral @ (neutral.T @ e)
+        D = self.D @ resisted
+        normal, held = D[:m].T, self.rough
+        sideways = self.friction[held] * D[self.partner[held]].T
+        cone = np.hstack([normal, normal[:, held] + sideways, normal[:, held] - sideways])
+        size = np.abs(cone).max(axis=0, initial=0.0)
+        cone = cone[:, size > BARE * size.max(initial=0.0)]
+        cone /= np.hypot.reduce(cone, axis=0)
+        share, _ = nnls(cone, -resisted.T @ e, maxiter=100 * cone.shape[1])
+        missed = resisted @ (resisted.T @ e + cone @ share)
+        balanced = np.linalg.norm(missed) <= BALANCE_TOLERANCE * np.linalg.norm(e)
+        return np.zeros_like(e) if balanced else missed
+
+    def unfelt(self, e: Array) -> Array:
+        """What of the loads `e` (k,) acts on neutral motions; zero where that is little."""
+        _, neutral = self.motions
+        found = neutral @ (neutral.T @ e)
+        return found if np.linalg.norm(found) > OFFSET * np.linalg.norm(e) else np.zeros_like(e)
+
+    def groups(self, group: int) -> Indices:
+        """Numbers (m,) of the groups that normal rows belong to, `group` rows each."""
+        along = np.arange(self.part.size) - np.searchsorted(self.part, self.part)
+        return np.asarray(np.cumsum(along % group == 0) - 1)
+
+    def smooth(self, group: int = 1) -> Self:
+        """The same without friction, and with `group` rows of a surface at a time in one."""
+        start = np.flatnonzero(np.diff(self.groups(group), prepend=-1))
+        m = self.friction.size
+        return type(self)(
+            B=np.add.reduceat(np.add.reduceat(self.B[:m, :m], start, axis=0), start, axis=1),
+            D=np.add.reduceat(self.D[:m], start, axis=0), friction=np.zeros(start.size),
+            partner=np.full(start.size, -1), part=self.part[start],
+        )  # fmt: skip
