@@ -4,10 +4,9 @@ Every row is in one state (open, stick, slip to either side), the linear system 
 solved, and rows that contradict their state change it: all together while their number falls,
 singly where it does not (block principal pivoting, Judice and Pires 1994; finite without
 friction). With friction the states may repeat in a cycle; the method then ends without a solution.
-Rigid motions start on weak springs that are released step by step.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,79 +16,45 @@ from fem.contact.system import BACKWARD, FORWARD, OPEN, SIGN, STICK, ContactSyst
 from fem.plane.discretisation import Array, Indices
 
 States = NDArray[np.int8]
+Solution = tuple[Array, Array, States]  # multipliers (n,), motions (k,), states (m,)
 
-SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
-WEAKEST_SPRING = 1e-12
 STATE_TOLERANCE = 1e-11  # of a row's own terms: a gap, slip or traction within it is zero
-RELEASED = 1e-13  # of the forces on rigid motions: what springs may still carry
-NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not
 MAX_BLOCK_EXCHANGES = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES, EXCHANGES_PER_ROW = 100, 10  # without friction, where the method is finite
 MAX_FRICTION_EXCHANGES = 40  # a slower descent costs more than Lemke's method
-MAX_RELEASES = 60
 
 
-@dataclass(frozen=True)
-class ActiveSets:
-    """The method for one system under `w_0` (n,), `e` (k,); `changes` counts rows, in place."""
+def exchanged(
+    system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int]
+) -> Solution:
+    """Multipliers, motions and states that fit, on springs (k, k), from given `states` (m,).
 
-    system: ContactSystem
-    w_0: Array
-    e: Array
-    changes: list[int] = field(default_factory=list)
-
-    def released(self, states: States, springs: tuple[float, ...]) -> tuple[Array, Array, States]:
-        """Multipliers, motions and states from given states, on ever weaker springs, then none.
-
-        NotFoundError where the states repeat or keep changing, or motions keep growing.
-        """
-        system = self.system
-        motion = np.zeros(system.D.shape[1])
-        if not motion.size:
-            springs = (0.0,)
-        for share in springs:
-            multipliers, motion, states = self.exchanged(motion, system.springs(share), states)
-        missed, size = system.missed(self.e, multipliers)
-        nothing, spring = system.loads_at_round_off(self.w_0), springs[-1]
-        for _ in range(MAX_RELEASES):
-            if missed <= max(RELEASED * size, nothing):
-                return multipliers, motion, states
-            multipliers, motion, states = self.exchanged(motion, system.springs(spring), states)
-            before = missed
-            missed, size = system.missed(self.e, multipliers)
-            if missed > before / 2:
-                if missed <= NEUTRAL * size:
-                    return multipliers, motion, states  # a neutral motion stays where it is
-                spring = max(spring / 10, WEAKEST_SPRING)  # a gap still has to close
-        raise NotFoundError(f"contact forces still miss the loads by {missed:.1e} of {size:.1e}")
-
-    def exchanged(
-        self, motion: Array, spring: Array, states: States
-    ) -> tuple[Array, Array, States]:
-        """Multipliers, motions and states that fit, with springs (k, k) back to `motion` (k,)."""
-        rough, seen = bool(self.system.rough.size), set()
-        fewest, patience = states.size + 1, MAX_BLOCK_EXCHANGES
-        most = MAX_FRICTION_EXCHANGES if rough else MAX_EXCHANGES + EXCHANGES_PER_ROW * states.size
-        for _ in range(most):
-            multipliers, moved = linear(self.system, self.w_0, self.e, motion, spring, states)
-            wanted = fitting_states(self.system, self.w_0, multipliers, moved, states)
-            other = np.flatnonzero(wanted != states)
-            self.changes.append(other.size)
-            if not other.size:
-                return multipliers, moved, states
-            if other.size < fewest:
-                fewest, patience = other.size, MAX_BLOCK_EXCHANGES
-            elif patience > 0:
-                patience -= 1
-            else:
-                other = other[-1:]
-            states = states.copy()
-            states[other] = wanted[other]
-            known = states.tobytes(), patience
-            if rough and known in seen:
-                raise NotFoundError("the states of the contact repeat")
-            seen.add(known)
-        raise NotFoundError(f"{other.size} of {states.size} points still change their state")
+    `changes` counts the rows of each exchange, in place. NotFoundError where the states repeat or
+    keep changing.
+    """
+    rough, seen = bool(system.rough.size), set()
+    fewest, patience = states.size + 1, MAX_BLOCK_EXCHANGES
+    most = MAX_FRICTION_EXCHANGES if rough else MAX_EXCHANGES + EXCHANGES_PER_ROW * states.size
+    for _ in range(most):
+        multipliers, motion = linear(system, w_0, e, spring, states)
+        wanted = fitting_states(system, w_0, multipliers, motion, states)
+        other = np.flatnonzero(wanted != states)
+        changes.append(other.size)
+        if not other.size:
+            return multipliers, motion, states
+        if other.size < fewest:
+            fewest, patience = other.size, MAX_BLOCK_EXCHANGES
+        elif patience > 0:
+            patience -= 1
+        else:
+            other = other[-1:]
+        states = states.copy()
+        states[other] = wanted[other]
+        known = states.tobytes(), patience
+        if rough and known in seen:
+            raise NotFoundError("the states of the contact repeat")
+        seen.add(known)
+    raise NotFoundError(f"{other.size} of {states.size} points still change their state")
 
 
 @dataclass(frozen=True)
@@ -129,15 +94,15 @@ class StateEquations:
 
 
 def linear(
-    system: ContactSystem, w_0: Array, e: Array, motion: Array, spring: Array, states: States
+    system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States
 ) -> tuple[Array, Array]:
-    """Multipliers (n,) and motions (k,) that `states` imply, with springs back to `motion`.
+    """Multipliers (n,) and motions (k,) that `states` imply, on springs (k, k).
 
     NotFoundError where the states leave them undetermined.
     """
     equations = StateEquations.of(system, states, spring)
     scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])
-    known = np.concatenate([-w_0[equations.own], -e - spring @ motion])
+    known = np.concatenate([-w_0[equations.own], -e])
     try:
         x = scale * np.linalg.solve(scale[:, None] * equations.A * scale, scale * known)
     except np.linalg.LinAlgError:

@@ -10,16 +10,17 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.contact.active_sets import SPRINGS, ActiveSets, StateEquations
+from fem.contact.active_sets import StateEquations
 from fem.contact.errors import NoEquilibriumError, NotFoundError
 from fem.contact.friction_lcp import COVERING_VECTORS, FrictionLcp
+from fem.contact.release import ACCEPTED_RESIDUAL, SPRINGS, Release
 from fem.contact.residual import residual
 from fem.contact.system import BACKWARD, FELT, FORWARD, OPEN, STAYING, STICK, ContactSystem
 from fem.plane.discretisation import Array
 
 __all__ = ["BACKWARD", "FELT", "FORWARD", "OPEN", "STAYING", "STICK", "Complementarity", "Rest"]
 
-ACCEPTED_RESIDUAL = 1e-9
+METHODS = "active sets", "Lemke's method"  # the slower one where it took part
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
 AWAY = "; bodies may slide or roll away under these loads, unless held or pressed together first"
 
@@ -36,7 +37,7 @@ class Rest:
     motion: Array
     states: NDArray[np.int8]
     changes: tuple[int, ...] = field(default=(), compare=False)
-    method: str = "active sets"
+    method: str = METHODS[False]
 
 
 class Complementarity(ContactSystem):
@@ -73,18 +74,18 @@ class Complementarity(ContactSystem):
         self, w_0: Array, e: Array, start: NDArray[np.int8] | None, changes: list[int]
     ) -> Iterator[Rest]:
         """Results of the methods, the fast ones first."""
-        sets = ActiveSets(self, w_0, e, changes)
+        release = Release(self, w_0, e, changes)
         if start is None:
             start = self._start(w_0, e)
         starts = [] if start is None or not start.any() else [(start, SPRINGS[-1:])]
         for states, springs in [*starts, (np.zeros(self.friction.size, np.int8), SPRINGS)]:
             try:
-                found = sets.released(states, springs)
+                found = release.rest(states, springs)
             except NotFoundError:
                 continue
-            yield Rest(*found, tuple(changes))
-        for found in FrictionLcp(self, w_0, e).candidates():
-            yield Rest(*found, tuple(changes), "Lemke's method")
+            yield Rest(*found, tuple(changes), METHODS[bool(release.pivoted)])
+        for found in FrictionLcp(self, w_0, e, self.springs(0.0)).candidates():
+            yield Rest(*found, tuple(changes), METHODS[True])
 
     def is_proven_non_unique(self, rest: Rest, e: Array) -> bool:
         """Whether `rest` proves that `e` (k,) and its `w_0` have further solutions.

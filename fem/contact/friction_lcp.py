@@ -23,11 +23,12 @@ SPREAD = 0.5  # of the covering vector's entries: breaks ties of symmetric probl
 
 @dataclass(frozen=True)
 class FrictionLcp:
-    """One system under `w_0` (n,), `e` (k,), in units in which its entries are about one."""
+    """One system under `w_0` (n,), `e` (k,) on springs (k, k), in units of about one."""
 
     system: ContactSystem
     w_0: Array
     e: Array
+    spring: Array
 
     def candidates(self) -> Iterator[tuple[Array, Array, States]]:
         """Multipliers, motions and states that may solve the problem, by several covering vectors.
@@ -51,7 +52,7 @@ class FrictionLcp:
         own, motions = system.scales
         Q, rows = self._tractions, self._rows
         D = own[:, None] * system.D * motions
-        K = motions[:, None] * system.springs(0.0) * motions
+        K = motions[:, None] * self.spring * motions
         M = np.zeros((m + 2 * r + 2 * k, m + 2 * r + 2 * k))
         slip, bound, a = m + np.arange(r), m + r + np.arange(r), m + 2 * r
         M[: m + r, : m + r] = (own[rows, None] * system.B[rows] * own) @ Q
@@ -113,8 +114,7 @@ class FrictionLcp:
     def _polished(self, multipliers: Array, motion: Array, states: States) -> tuple[Array, Array]:
         """The solution of the states' own linear system that is nearest to the pivots' result."""
         system = self.system
-        spring = system.springs(0.0)
-        equations = StateEquations.of(system, states, spring)
+        equations = StateEquations.of(system, states, self.spring)
         scale = np.concatenate([system.scales[0][equations.own], system.scales[1]])
         A = scale[:, None] * equations.A * scale
         known = scale * np.concatenate([-self.w_0[equations.own], -self.e])

@@ -15,6 +15,7 @@ BISECTIONS = 5
 COARSE = 6  # cells on the half-width: forces do not depend on it
 HELD = 0.9  # of N: more is left of it, or the roller is on its way out
 ANY = 0.5  # the same where approaches are alike and forces are not, wedge by wedge
+LOST = 1e-6  # of N: less is what round-off leaves of a contact that has opened
 ANGLES = (0.1, 0.3, 0.5, 0.7, 0.9, 0.98, 1.02, 1.2, 1.45)  # tan(alpha/2)/mu of the sweep
 
 
@@ -64,9 +65,7 @@ class Limit:
         return Geometry(self.q.R, half, self.q.a)
 
     def _pressed(self, wedge: Wedge) -> tuple[float, float]:
-        """N over the given one, and T/N; nothing where the roller comes to no rest."""
-        try:
-            N, T = wedge.forces(wedge.at(self.down))
-        except ArithmeticError:
-            return 0.0, 0.0
-        return N / self.q.line_load, T / N
+        """N over the given one, and T/N; zeros where the roller has lost its contact."""
+        N, T = wedge.forces(wedge.at(self.down))
+        left = N / self.q.line_load
+        return (left, T / N) if left > LOST else (0.0, 0.0)

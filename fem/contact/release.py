@@ -1,0 +1,77 @@
+"""Contact of bodies that only contact holds: rigid motions on springs that are released.
+
+Springs hold the motions to where they are; on strong springs there is one solution. Ever weaker
+ones follow it, until nothing pulls at them.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from fem.contact.active_sets import Solution, States, exchanged
+from fem.contact.errors import NotFoundError
+from fem.contact.friction_lcp import FrictionLcp
+from fem.contact.residual import residual
+from fem.contact.system import ContactSystem
+from fem.plane.discretisation import Array
+
+SPRINGS = (1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)  # of the contact's own stiffness
+WEAKEST_SPRING = 1e-12
+RELEASED = 1e-13  # of the forces on rigid motions: what springs may still carry
+NEUTRAL = 1e-6  # of the forces on rigid motions: what facets may exert where the surface does not
+MAX_RELEASES = 60
+ACCEPTED_RESIDUAL = 1e-9
+
+
+@dataclass(frozen=True)
+class Release:
+    """The method for one system under `w_0` (n,), `e` (k,).
+
+    `changes` counts the rows that changed their state, exchange by exchange; `pivoted` the
+    solutions that Lemke's method found.
+    """
+
+    system: ContactSystem
+    w_0: Array
+    e: Array
+    changes: list[int] = field(default_factory=list)
+    pivoted: list[int] = field(default_factory=list)
+
+    def rest(self, states: States, springs: tuple[float, ...]) -> Solution:
+        """The solution from given states, on ever weaker springs, then on none.
+
+        NotFoundError where none of the methods solves a step, or motions keep growing.
+        """
+        system, motion = self.system, np.zeros(self.system.D.shape[1])
+        for share in springs if motion.size else (0.0,):
+            multipliers, motion, states = self._settled(motion, share, states)
+        missed, size = system.missed(self.e, multipliers)
+        nothing, share = system.loads_at_round_off(self.w_0), springs[-1]
+        for _ in range(MAX_RELEASES):
+            if missed <= max(RELEASED * size, nothing):
+                return multipliers, motion, states
+            multipliers, motion, states = self._settled(motion, share, states)
+            before = missed
+            missed, size = system.missed(self.e, multipliers)
+            if missed > before / 2:
+                if missed <= NEUTRAL * size:
+                    return multipliers, motion, states  # a neutral motion stays where it is
+                share = max(share / 10, WEAKEST_SPRING)  # a gap still has to close
+        raise NotFoundError(f"contact forces still miss the loads by {missed:.1e} of {size:.1e}")
+
+    def _settled(self, motion: Array, share: float, states: States) -> Solution:
+        """The solution on springs that pull back to `motion` (k,)."""
+        spring = self.system.springs(share)
+        e = self.e + spring @ motion
+        try:
+            return exchanged(self.system, self.w_0, e, spring, states, self.changes)
+        except NotFoundError:
+            if not self.system.rough.size:
+                raise
+        for found in FrictionLcp(self.system, self.w_0, e, spring).candidates():
+            free = e - spring @ found[1]
+            missed = residual(self.system, self.w_0, free, found[0], found[1])
+            if missed.largest <= ACCEPTED_RESIDUAL:
+                self.pivoted.append(len(self.changes))
+                return found
+        raise NotFoundError("neither active sets nor Lemke's method solve the problem on springs")
