@@ -16,6 +16,8 @@ from fem.contact.system import OPEN, STICK
 from fem.plane.discretisation import Array
 from fem.plane.solution import Held, PlaneSolution
 
+STICKING_TOLERANCE = 1e-9  # of the normal force: less on sticking nodes is round-off
+
 
 @dataclass(frozen=True)
 class Touch:
@@ -69,6 +71,16 @@ class Touch:
     def force_z(self) -> float:
         """Force along the third axis on the master."""
         return float(self.q_z @ self.weight)
+
+    @property
+    def sticking_share(self) -> float:
+        """Part of the normal force on nodes that stick, 0 to 1; 0 without contact.
+
+        Where it is zero, the whole contact slides.
+        """
+        load = self.pressure * self.mortar.size
+        total = float(load.sum())
+        return float(load[self.sticks].sum()) / total if total > 0 else 0.0
 
     def moment(self, about: tuple[float, float] = (0.0, 0.0), *, on: str = "master") -> float:
         """Moment of the tractions on the "master", or on the "slave", about a point."""
@@ -141,6 +153,11 @@ class ContactSolution:
     def changes(self) -> tuple[int, ...]:
         """How many nodes changed between open, stick and slip, iteration by iteration."""
         return self.rest.changes
+
+    @property
+    def slides(self) -> bool:
+        """Whether some pair slides as a whole, or has lost its contact: no loaded node sticks."""
+        return any(touch.sticking_share <= STICKING_TOLERANCE for touch in self.touches)
 
     @cached_property
     def slips(self) -> Array:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.contact.errors import NoEquilibriumError, NotFoundError
 from verify.cases.freewheel_bodies import BODIES, Bodies, OneClutch
 
 if TYPE_CHECKING:
@@ -92,7 +93,12 @@ class Sector:
             if max(abs(out), abs(turned)) <= STILL * (state.place.d_i + state.place.d_o):
                 return state
             drags = drags[0] - out - turned, drags[1] - out + turned
-        raise ArithmeticError(f"the roller moves by {out:.1e} m after {MOST} steps")
+        if state.solution.slides:
+            raise NoEquilibriumError(
+                "friction does not hold the roller: every node of a contact slips, and the roller "
+                f"moves by {out:.1e} m in each of {MOST} steps"
+            )
+        raise NotFoundError(f"the roller still moves by {out:.1e} m after {MOST} steps")
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":
         """The state with the surfaces of inner and outer part turned into the wedge by `drags` [m].

@@ -6,14 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.freewheel.geometry import InnerCam
-from verify.cases.freewheel_fem import Place, Sector
+from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_friction_model import Borne, creeping, fem_along, sector, slipping
 from verify.cases.freewheel_sweep import COARSE, Start
 
 Array = NDArray[np.float64]
 
-BELOW, ABOVE, BISECTIONS = 1e-3, 1.4e-3, 4  # of tan(psi/2): bracket of the onset under torque
+BELOW, ABOVE = 1e-3, 1.4e-3  # of tan(psi/2): first bracket of the onset under torque
+STICKING_TOLERANCE = 1e-9  # of N: less on sticking nodes is round-off
+ONSET_WIDTH = 1e-6  # of tan(psi/2): last bracket
 AXIAL_BELOW, AXIAL_ABOVE, AXIAL_BISECTIONS = 2e-3, 3e-3, 2  # of mu_req, with axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
@@ -33,12 +35,15 @@ class Limit:
         self.tan = math.tan(self.place.psi / 2)
 
     def slipping(self, mu: float) -> Array:
-        """Share of N (2,) on slipping nodes of both contacts; 1 where no rest is found."""
-        there = Sector(self.place, self.start.widths, COARSE, mu=mu)
-        try:
-            return slipping(there.at(self.drags))
-        except ArithmeticError:
-            return np.ones(2)
+        """Share of N (2,) on slipping nodes of both contacts; 1 where contact is lost."""
+        return slipping(self._under_torque(mu))
+
+    def sticks(self, mu: float) -> bool:
+        """Whether loaded nodes of at least one contact stick: friction holds the roller."""
+        return bool(self.slipping(mu).min() < 1 - STICKING_TOLERANCE)
+
+    def _under_torque(self, mu: float) -> State:
+        return Sector(self.place, self.start.widths, COARSE, mu=mu).at(self.drags)
 
     def shares(self) -> Array:
         """mu/tan(alpha) and the shares of N that slip, (3, m)."""
@@ -47,8 +52,9 @@ class Limit:
 
     def of_torque(self) -> Array:
         """Friction over tan(psi/2) (2,) at which all of both contacts slips: value, half-width."""
+        steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
         return self._bisected(
-            lambda k: bool(self.slipping(k * self.tan).min() < 1), 1 - BELOW, 1 + ABOVE, BISECTIONS
+            lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps
         )
 
     def of_load(self) -> Array:
@@ -109,23 +115,15 @@ def over_angles(
 
 
 def _one_angle(there: Sector, drags: tuple[float, float], N: float, most: float) -> list[float]:
-    try:
-        state = there.at(drags)
-    except ArithmeticError:
-        return [0.0] * 6
+    state = there.at(drags)
     borne = Borne.on_mesh(state)
     mean = float(borne.N.mean())
     if mean < HELD * N:
         return [mean / N] + [0.0] * 5
     mu = there.problem.surfaces.pairs[0].friction
     alone = borne.tangent / mu
-    try:
-        for u in DRIVEN:
-            state = there.at(
-                drags, after=state.solution, axial_displacements={"ring.rim": u * most}
-            )
-    except ArithmeticError:
-        return [mean / N, alone] + [0.0] * 4
+    for u in DRIVEN:
+        state = there.at(drags, after=state.solution, axial_displacements={"ring.rim": u * most})
     b = Borne.on_mesh(state)
     t, z = b.F_t / (mu * b.N), np.abs(b.F_z) / (mu * b.N)
     return [mean / N, alone, t[0], z[0], t[1], z[1]]

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from fem.contact.errors import NoEquilibriumError, NotFoundError
 from verify.cases.sprag_bodies import Place
 
 if TYPE_CHECKING:
@@ -54,9 +55,13 @@ class Sector:
             if max(abs(below), abs(above)) <= bound:
                 return state
             drags = drags[0] + below, drags[1] + above
-        raise ArithmeticError(
-            f"the sprag moves on by {max(abs(below), abs(above)):.1e} m a step after {MOST} steps: "
-            "friction does not hold it"
+        if state.solution.slides:
+            raise NoEquilibriumError(
+                "friction does not hold the sprag: every node of a contact slips, and the sprag "
+                f"moves by {max(abs(below), abs(above)):.1e} m in each of {MOST} steps"
+            )
+        raise NotFoundError(
+            f"the sprag still moves by {max(abs(below), abs(above)):.1e} m after {MOST} steps"
         )
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":

@@ -88,12 +88,8 @@ def onset(sweep: Sweep) -> dict[str, float]:
 
 
 def stays(state: State, mu: float) -> bool:
-    """Whether the sprag comes to rest with the friction `mu`."""
-    try:
-        Sector(state.start, state.widths, 4, mu=mu).rest(state.drags)
-    except ArithmeticError:
-        return False
-    return True
+    """Whether friction `mu` holds the sprag: at both contacts some nodes stick."""
+    return not Sector(state.start, state.widths, 4, mu=mu).at(state.drags).solution.slides
 
 
 def field(state: State) -> Field:
