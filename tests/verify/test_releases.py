@@ -173,6 +173,8 @@ def test_the_order_of_convergence_may_scatter():
 
 COMPUTED = replace(APPROXIMATE, interval=(-0.00827639401, 0.0249590585))  # a tenth: 0.00166
 ABOUT = replace(COMPUTED, interval=(-0.0918544437, -0.0898544437))  # 0.002 about a computed centre
+# its tenth is 1e-4, the numerical error of both runs √2 · 0.001
+NARROW = replace(COMPUTED, interval=(-0.00100123456, 0.00100234567))
 ONE_END = replace(COMPUTED, interval=(-0.02816191, 0.004))
 ESTIMATED_BOUND = replace(BALANCE, tolerance=7.19491842e-7)  # a condition number times epsilon
 RESIDUAL = replace(ROW, u_num=1e-9, u_ref=1.2587554e-4)
@@ -193,6 +195,8 @@ LOOSENED = [
      "-0.827639 to +2.49591 % -> -0.828 to +2.49591 %"),  # a literal instead
     (COMPUTED, {"interval": (-0.00827639401, 0.0266590585)}, "interval",
      "-0.827639 to +2.49591 % -> -0.827639 to +2.66591 %"),
+    (NARROW, {"interval": (-0.00250123456, -0.00049765433)}, "interval",
+     "-0.100123 to +0.100235 % -> -0.2501235 to -0.04976543 %"),
     (ABOUT, {"interval": (-0.0918644437, -0.0898444437)}, "interval",
      "-9.1854444 to -8.9854444 % -> -9.1864444 to -8.9844444 %"),
     (ONE_END, {"interval": (-0.02816191, 0.00404)}, "interval",
@@ -303,6 +307,7 @@ def test_a_figure_is_the_same_whatever_the_uncertainty_leaves_of_it():
         (DEVIATION, {"u_num": 3e-4, "tolerance": 4e-4, "detects": 5e-4}, [("uncertainty", False)]),
         (APPROXIMATE, {"detects": None}, [("detects", False)]),
         (FACT, {"tolerance": 0.019}, []),
+        (replace(FACT, tolerance=1e-4), {"tolerance": 9e-4}, [("uncertainty", False)]),
         (FACT, {"tolerance": 0.021}, [("uncertainty", False)]),
         (replace(ROW, detects=1e-13, u_num=1e-14), {"detects": 9e-11, "u_num": 9e-11}, []),
         (replace(ROW, detects=1e-4), {"detects": 1.09e-3}, []),  # a tenth of the demand is 1e-3
@@ -328,6 +333,7 @@ def test_growth_is_told_in_times():
         (COMPUTED, {"interval": (-0.00827639401, 0.0265590585)}),
         (ABOUT, {"interval": (-0.0918554437, -0.0898554437)}),
         (ONE_END, {"interval": (-0.02816191 * (1 + 1e-5), 0.004)}),
+        (NARROW, {"interval": (-0.00240123456, -0.00039765433)}),
         (ESTIMATED_BOUND, {"tolerance": 1.09 * 7.19491842e-7}),
         (RESIDUAL, {"u_ref": 1.09 * 1.2587554e-4}),
         # below the numerical error of both runs, √2 · 0.001
@@ -412,6 +418,13 @@ def test_a_row_with_a_new_name_and_the_old_numbers_is_the_same_row():
 def test_a_renamed_row_is_found_on_another_processor(by, reported):
     moved = replace(ROW, quantity="p", fem=ROW.fem * (1 + by), difference=0.0011, u_num=0.0012)
     assert aspects(found(ROW, moved)) == reported
+
+
+def test_renamed_rows_of_nearly_the_same_value_are_distinguished_on_the_same_processor():
+    twin = replace(ROW, quantity="twin", fem=ROW.fem * (1 + 1e-7))
+    now = [replace(ROW, quantity="p"), replace(twin, quantity="r")]
+    changed = drift(release(ROW, twin), [result(*now)], ())
+    assert [(c.row, c.was) for c in changed.changes] == [("c/p", "q"), ("c/r", "twin")]
 
 
 def test_a_new_name_with_another_figure_in_it_needs_a_reason():

@@ -33,7 +33,7 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 class Figure:
     """A number that lets more pass the larger it is, in both runs, over the row's scale.
 
-    A difference counts beyond `limit`; a figure that only one run has counts in any case.
+    A difference counts beyond `limit`; a figure that is no longer there counts as loosened.
     """
 
     aspect: str
@@ -49,8 +49,9 @@ class Figure:
     @property
     def is_tightened(self) -> bool:
         """Whether it has become smaller."""
-        both = self.was is not None and self.now is not None
-        return both and self.was - self.now > self.limit  # type: ignore[operator]
+        if self.was is None or self.now is None:
+            return False
+        return self.was - self.now > self.limit
 
 
 def figures(was: Kept, now: Kept) -> Iterator[Figure]:
@@ -78,8 +79,8 @@ def is_wider(
 ) -> bool:
     """Whether an interval lets more pass than the old one at either end, or by its stated width.
 
-    `error` is the numerical error of the row, relative like the interval. A stated width may
-    stand about a computed centre.
+    `error` is the numerical error of the row, relative like the interval. The centre of an
+    interval of stated width may be computed.
     """
     if old is None or new is None:
         return old is not None
