@@ -114,5 +114,5 @@ class Complementarity(ContactSystem):
         first = np.flatnonzero(np.diff(group, prepend=-1))
         try:
             return simpler.solve(np.add.reduceat(w_0[:m], first), e).states[group]
-        except NotFoundError:
+        except (NoEquilibriumError, NotFoundError):
             return None

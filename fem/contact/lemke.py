@@ -12,7 +12,7 @@ from scipy.linalg.blas import dger
 from fem.plane.discretisation import Array, Indices
 
 PIVOT_TOLERANCE = 1e-9  # of the largest entry of its column: a smaller pivot is round-off
-TIE_TOLERANCE = 1e-13  # of the largest q: rows that come this close to zero block together
+TIE_TOLERANCE = 1e-13  # of the largest value: rows that come this close to zero block together
 ARTIFICIAL_TOLERANCE = 1e-12  # of its first value: z_0 below it has left the basis
 PIVOTS_PER_ROW = 4
 
@@ -28,17 +28,18 @@ def lemke(M: Array, q: Array, d: Array) -> Array | None:
         return np.zeros(N)
     tableau = np.asfortranarray(np.column_stack([M, d, q / size]))
     basic, nonbasic = np.arange(N), np.append(N + np.arange(N), 2 * N)  # w, then z, then z_0
+    places = np.concatenate([basic, basic, [N]])  # of each variable, in a row or a column
     row, column = int(np.argmin(q / d)), N
-    first = -tableau[row, -1] / d[row]
+    artificial, first = row, -tableau[row, -1] / d[row]
     for _ in range(PIVOTS_PER_ROW * N):
         _exchange(tableau, row, column)
-        basic[row], nonbasic[column] = nonbasic[column], basic[row]
-        at = np.flatnonzero(basic == 2 * N)
-        if not at.size or tableau[at[0], -1] <= ARTIFICIAL_TOLERANCE * first:
+        entered, left = nonbasic[column], basic[row]
+        basic[row], nonbasic[column] = entered, left
+        places[entered], places[left] = row, column
+        if left == 2 * N or tableau[artificial, -1] <= ARTIFICIAL_TOLERANCE * first:
             return size * _solution(basic, tableau[:, -1])
-        left = nonbasic[column]
-        column = int(np.flatnonzero(nonbasic == (left + N if left < N else left - N))[0])
-        row = _blocking(tableau[:, column], tableau[:, -1], int(at[0]))
+        column = int(places[left + N if left < N else left - N])
+        row = _blocking(tableau[:, column], tableau[:, -1], artificial)
         if row < 0:
             return None
     return None
@@ -61,15 +62,17 @@ def _blocking(rates: Array, values: Array, artificial: int) -> int:
 
     Of rows that reach zero together z_0 leaves first, else the row with the largest pivot.
     """
-    falling = np.flatnonzero(rates < -PIVOT_TOLERANCE * np.abs(rates).max())
+    falling = (rates < -PIVOT_TOLERANCE * max(rates.max(), -rates.min())).nonzero()[0]
     if not falling.size:
         return -1
     rates, values = rates[falling], np.maximum(values[falling], 0.0)
-    step = float(np.min(values / -rates))
-    tied = values + step * rates <= TIE_TOLERANCE
-    if np.any(falling[tied] == artificial):
+    step = (values / -rates).min()
+    if not np.isfinite(step):
+        return -1
+    tied = values + step * rates <= TIE_TOLERANCE * max(1.0, values.max())
+    if tied[falling == artificial].any():
         return artificial
-    return int(falling[tied][np.argmin(rates[tied])])
+    return int(falling[tied][rates[tied].argmin()])
 
 
 def _solution(basic: Indices, values: Array) -> Array:

@@ -302,7 +302,7 @@ class ContactProblem:
             return slips
         try:
             rest = smooth.solve(interface.gaps + LIGHT * w[:m], LIGHT * e)
-        except NotFoundError:
+        except (NoEquilibriumError, NotFoundError):
             return slips
         return LIGHT * w[m:] + kernel.B[m:, :m] @ rest.multipliers + kernel.D[m:] @ rest.motion
 

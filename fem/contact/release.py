@@ -48,13 +48,13 @@ class Release:
         missed, size = system.missed(self.e, multipliers)
         nothing, share = system.loads_at_round_off(self.w_0), springs[-1]
         for _ in range(MAX_RELEASES):
-            if missed <= max(RELEASED * size, nothing):
+            if missed <= RELEASED * size:
                 return multipliers, motion, states
             multipliers, motion, states = self._settled(motion, share, states)
             before = missed
             missed, size = system.missed(self.e, multipliers)
             if missed > before / 2:
-                if missed <= NEUTRAL * size:
+                if missed <= max(NEUTRAL * size, nothing):
                     return multipliers, motion, states  # a neutral motion stays where it is
                 share = max(share / 10, WEAKEST_SPRING)  # a gap still has to close
         raise NotFoundError(f"contact forces still miss the loads by {missed:.1e} of {size:.1e}")

@@ -7,7 +7,7 @@ import numpy as np
 from fem.contact.system import ContactSystem
 from fem.plane.discretisation import Array
 
-CLOSING_SHARE = 1e-6  # of the forces that close the overlaps: smaller contact forces are zero
+CLOSING_SHARE = 1e-3  # of the forces that close the overlaps: a scale where no load is one
 TRAVEL_SHARE = 1e-5  # of gaps and travel: what round-off leaves of a gap is measured against it
 
 
@@ -15,6 +15,8 @@ TRAVEL_SHARE = 1e-5  # of gaps and travel: what round-off leaves of a gap is mea
 class Residual:
     """Largest violation of each law, dimensionless.
 
+    Forces are measured against the largest contact force; where no load acts on the bodies, so that
+    they may move apart, at least against a part of the forces that would close the overlaps.
     `gap`: overlap over the elastic approach of a row under the largest contact force.
     `complementarity`: pressure across an open gap, over the largest contact force.
     `friction`: tangential traction beside its projection on Coulomb's bounds, over the same.
@@ -40,16 +42,20 @@ def residual(
     m, rough, B = system.friction.size, system.rough, system.compliance
     w, normal = w_0 + system.B @ multipliers + system.D @ motion, multipliers[:m]
     overlap = np.maximum(-w_0[:m], 0.0) / B[:m]
-    force = max(normal.max(initial=0.0), CLOSING_SHARE * overlap.max(initial=0.0)) or 1.0
+    force, nothing = float(normal.max(initial=0.0)), system.loads_at_round_off(w_0)
+    missed, size = system.missed(e, multipliers)
+    if np.abs(e).max(initial=0.0) <= nothing:
+        force = max(force, CLOSING_SHARE * float(overlap.max(initial=0.0)))
+        size = max(size, force * float(np.abs(system.D).max(initial=0.0)))
+    force = force or 1.0
     travel = TRAVEL_SHARE * (np.abs(w_0) + np.abs(system.D) @ np.abs(motion))
     share = w / np.maximum(B * force, travel)  # of a row's elastic approach
     t, p = system.partner[rough], normal[rough] / force
     bound, traction = system.friction[rough] * p, multipliers[t] / force
     projected = np.clip(traction - share[t], -np.maximum(bound, 0.0), np.maximum(bound, 0.0))
-    missed, size = system.missed(e, multipliers)
     return Residual(
         gap=float(np.maximum(-share[:m], 0.0).max(initial=0.0)),
         complementarity=float(np.abs(np.minimum(normal / force, share[:m])).max(initial=0.0)),
         friction=float(np.abs(traction - projected).max(initial=0.0)),
-        balance=missed / size if missed > system.loads_at_round_off(w_0) else 0.0,
+        balance=missed / size if missed > nothing else 0.0,
     )

@@ -53,9 +53,7 @@ class Limit:
     def of_torque(self) -> Array:
         """Friction over tan(psi/2) (2,) at which all of both contacts slips: value, half-width."""
         steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
-        return self._bisected(
-            lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps
-        )
+        return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
         """Friction over Eq. 8 (2,) below which the axial load finds no rest: value, half-width."""
