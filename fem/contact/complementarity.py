@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import linprog
 
 from fem.contact.active_sets import StateEquations
 from fem.contact.errors import NoEquilibriumError, NotFoundError
@@ -87,17 +88,31 @@ class Complementarity(ContactSystem):
         for found in FrictionLcp(self, w_0, e, self.springs(0.0)).candidates():
             yield Rest(*found, tuple(changes), METHODS[True])
 
-    def is_proven_non_unique(self, rest: Rest, e: Array) -> bool:
-        """Whether `rest` proves that `e` (k,) and its `w_0` have further solutions.
+    def is_proven_non_unique(self, rest: Rest, w_0: Array, e: Array) -> bool:
+        """Whether the problem of `rest`, under `w_0` (n,) and `e` (k,), has further solutions.
 
-        The indices of all solutions sum to +1 where loads can be balanced without friction, so
-        that one of index -1 has at least two more beside it. False proves nothing.
+        Proven by the index of the solution, the sign of the determinant of its states: where loads
+        can be balanced without friction, all indices sum to +1, so that -1 has company. And where
+        no load acts, by a motion that parts all surfaces: zero force is a solution then, too. False
+        proves nothing.
         """
-        k = self.D.shape[1]
         if np.any(self.smooth().missing(e)):
             return False
         A = StateEquations.of(self, rest.states, self.springs(0.0)).A
-        return bool(np.linalg.slogdet(A)[0] * (-1) ** k < 0)
+        if np.linalg.slogdet(A)[0] * (-1) ** self.D.shape[1] < 0:
+            return True
+        loaded = np.abs(e).max(initial=0.0) > self.loads_at_round_off(w_0)
+        return bool(not loaded and np.any(rest.multipliers) and self._can_part(w_0))
+
+    def _can_part(self, w_0: Array) -> bool:
+        """Whether some motion opens all gaps without any force."""
+        m, k = self.friction.size, self.D.shape[1]
+        scale = np.sqrt(self.compliance[:m])
+        D, gaps = self.D[:m] * self.scales[1] / scale[:, None], w_0[:m] / scale
+        if not k:
+            return bool(np.all(gaps >= 0))
+        size = np.abs(gaps).max() or 1.0
+        return bool(linprog(np.zeros(k), A_ub=-D, b_ub=gaps / size, bounds=(None, None)).success)
 
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
         """Where the surfaces would touch without friction, as a start; None if that is not found.

@@ -155,6 +155,16 @@ class ContactSolution:
         return self.rest.changes
 
     @property
+    def is_proven_non_unique(self) -> bool:
+        """Whether other states of rest under the same loads and history are proven to exist.
+
+        In the plane; false proves nothing. See `Complementarity.is_proven_non_unique`.
+        """
+        kernel, rest = self.interface.kernel, self.rest
+        w_0 = self.w - kernel.B @ rest.multipliers - kernel.D @ rest.motion
+        return self.along is None and kernel.is_proven_non_unique(rest, w_0, self.e)
+
+    @property
     def slides(self) -> bool:
         """Whether some pair slides as a whole, or has lost its contact: no loaded node sticks."""
         return any(touch.sticking_share <= STICKING_TOLERANCE for touch in self.touches)

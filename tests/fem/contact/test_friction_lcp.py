@@ -1,0 +1,145 @@
+"""Friction by active sets and by Lemke's method: both meet the laws, and errors state a proof."""
+
+import numpy as np
+import pytest
+
+from benchmarks.friction import HELD, PULLED, problem, steps
+from fem.contact import active_sets, lemke
+from fem.contact.complementarity import METHODS, Complementarity, Rest
+from fem.contact.errors import NoEquilibriumError, NotFoundError
+from fem.contact.friction_lcp import FrictionLcp
+from fem.contact.lemke import lemke as solve_lcp
+from fem.contact.residual import residual
+from fem.contact.system import BACKWARD, FORWARD, OPEN, STICK
+
+COUPLED = np.array([[1.0, -0.9], [-0.9, 1.0]])  # pressure and slip of one node
+
+
+def node(B=COUPLED, mu=1.5):
+    return Complementarity(
+        B=B, D=np.zeros((2, 0)), friction=np.array([mu]), partner=np.array([1]), part=np.array([0])
+    )
+
+
+def pressed(kind):
+    """The first random problem of a kind, with `w_0` and `e` of its fifth step."""
+    one = next(one for one in map(problem, range(1000)) if one.kind == kind)
+    return one, one.ground[4] + np.concatenate([one.gaps, 0 * one.gaps]), one.loads[4]
+
+
+@pytest.mark.parametrize(
+    ("push", "state", "friction"),
+    [(0.1, STICK, -0.1), (-0.1, STICK, 0.1), (3.0, BACKWARD, -0.6), (-3.0, FORWARD, 0.6)],
+)
+def test_a_node_without_coupling_sticks_below_mu_p_and_slips_at_it(push, state, friction):
+    # an overlap of 2 on unit compliance: p = 2, mu p = 0.6
+    kernel = node(np.eye(2), mu=0.3)
+    for found in (
+        kernel.solve(np.array([-2.0, push]), np.zeros(0)),
+        Rest(*next(FrictionLcp(kernel, np.array([-2.0, push]), np.zeros(0),
+                               np.zeros((0, 0))).candidates())),
+    ):  # fmt: skip
+        assert found.states.tolist() == [state]
+        assert found.multipliers == pytest.approx([2.0, friction])
+
+
+def test_both_methods_give_the_same_forces():
+    one, w_0, e = pressed(HELD)
+    fast = one.kernel.solve(w_0, e)
+    slow = next(FrictionLcp(one.kernel, w_0, e, one.kernel.springs(0.0)).candidates())
+    assert fast.method == METHODS[0]
+    assert slow[0] == pytest.approx(fast.multipliers, rel=1e-9, abs=1e-9 * fast.multipliers.max())
+
+
+@pytest.mark.parametrize(
+    ("row", "factor", "law"),
+    [
+        pytest.param(0, -1.0, "gap", id="tension"),
+        pytest.param(1, 1.001, "friction", id="traction beyond the cone"),
+        pytest.param(1, -1.0, "friction", id="friction along the slip"),
+        pytest.param(0, 1.001, "complementarity", id="pressure across a gap"),
+    ],
+)
+def test_a_wrong_force_violates_its_law(row, factor, law):
+    kernel, w_0, none = node(np.eye(2), mu=0.3), np.array([-2.0, 3.0]), np.zeros(0)
+    right = kernel.solve(w_0, none)
+    assert residual(kernel, w_0, none, right.multipliers, none).largest < 1e-12
+    wrong = right.multipliers * np.where(np.arange(2) == row, factor, 1.0)
+    assert getattr(residual(kernel, w_0, none, wrong, none), law) > 2e-4
+
+
+def test_of_three_solutions_the_one_of_index_minus_one_proves_the_others():
+    # open, slipping forward at n = 0.1/0.35, and sticking: by hand
+    kernel, w_0, none = node(), np.array([0.1, -0.3]), np.zeros(0)
+    slipping = Rest(np.array([1.0, 1.5]) * 0.1 / 0.35, none, np.array([FORWARD], np.int8))
+    sticking = Rest(np.linalg.solve(COUPLED, -w_0), none, np.array([STICK], np.int8))
+    lost = Rest(np.zeros(2), none, np.array([OPEN], np.int8))
+    for rest in (slipping, sticking, lost):
+        assert residual(kernel, w_0, none, rest.multipliers, none).largest < 1e-12
+    assert kernel.is_proven_non_unique(slipping, w_0, none)
+    assert not kernel.is_proven_non_unique(lost, w_0, none)
+
+
+def test_a_wedge_held_by_friction_has_zero_force_as_another_solution():
+    # a body between two plates at +-5 deg, drawn out of the wedge by neither: tan 5 deg = 0.087
+    c, s = np.cos(np.radians(5)), np.sin(np.radians(5))
+    D = np.array([[s, c], [s, -c], [-c, s], [c, s]])
+    kernel = Complementarity(
+        B=np.eye(4), D=D, friction=np.full(2, 0.2), partner=np.array([2, 3]),
+        part=np.array([0, 1]),
+    )  # fmt: skip
+    w_0, e = np.array([-1.0, -1.0, 0.0, 0.0]), np.zeros(2)
+    held = kernel.solve(w_0, e)
+    assert held.multipliers[:2] == pytest.approx(held.multipliers[0])
+    assert held.multipliers[0] > 0.5
+    assert kernel.is_proven_non_unique(held, w_0, e)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
+    found = list(steps(problem(seed)))
+    assert all(outcome in (*METHODS, "proven", "not found") for outcome, _, _ in found)
+    assert max(missed for _, _, missed in found) < 1e-9
+
+
+def test_problems_whose_states_repeat_are_solved_by_pivots():
+    methods = {outcome for seed in range(60) for outcome, _, _ in steps(problem(seed))}
+    assert set(METHODS) <= methods
+
+
+def test_loads_outside_the_cone_of_forces_are_proven_to_have_no_equilibrium():
+    one, w_0, e = pressed(PULLED)
+    with pytest.raises(NoEquilibriumError, match="no admissible contact forces"):
+        one.kernel.solve(w_0, e)
+    assert issubclass(NoEquilibriumError, ValueError)
+
+
+def test_a_failed_search_is_no_proof():
+    assert not issubclass(NotFoundError, ValueError | NoEquilibriumError)
+
+
+def test_friction_with_the_wrong_sign_is_not_accepted(monkeypatch):
+    # a node that slips forward by active sets of the wrong sign; the residual rejects that
+    monkeypatch.setattr(active_sets, "SIGN", -active_sets.SIGN)
+    rest = node(np.eye(2), mu=0.3).solve(np.array([-2.0, -3.0]), np.zeros(0))
+    assert rest.multipliers == pytest.approx([2.0, 0.6])
+    assert rest.method == METHODS[1]
+
+
+def test_rows_that_block_together_leave_by_the_largest_pivot_and_the_artificial_one_first():
+    rates, values = np.array([-1e-8, -1.0, -0.5]), np.array([0.0, 1e-15, 1.0])
+    assert lemke._blocking(rates, values, artificial=2) == 1
+    assert lemke._blocking(rates, values, artificial=0) == 0
+    assert lemke._blocking(-rates, values, artificial=2) == -1
+
+
+def test_a_symmetric_problem_is_solved_without_random_covering():
+    # n equal nodes tie at every pivot
+    n = 40
+    M = np.eye(n) + 0.5 * np.ones((n, n))
+    z = solve_lcp(M, -np.ones(n), np.ones(n))
+    assert z == pytest.approx(np.full(n, 1 / (1 + 0.5 * n)))
+
+
+def test_a_ray_is_no_solution():
+    assert solve_lcp(np.array([[-1.0]]), np.array([-1.0]), np.array([1.0])) is None
