@@ -29,7 +29,7 @@ LIBRARIES = (
     ("libfontconfig.so.1", "libfontconfig1", MESHES),
     ("libgomp.so.1", "libgomp1", MESHES),
 )
-PACKAGES = ("python3-venv", "make", *(package for _, package, _ in LIBRARIES))
+PACKAGES = ("python3-venv", *(package for _, package, _ in LIBRARIES))
 OPENGL = ("libEGL.so.1", "libGL.so.1")
 DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # what OpenGL without a screen draws with
 
@@ -50,7 +50,9 @@ def python_problem(version: Sequence[int]) -> str:
     minors = range(NEWEST[1], OLDEST[1] - 1, -1)
     found = [name for name in (f"python3.{minor}" for minor in minors) if shutil.which(name)]
     remedy = f"make PYTHON={found[0]}" if found else "set PYTHON"
-    return f"needs Python 3.{OLDEST[1]} to 3.{NEWEST[1]}, this is {version[0]}.{version[1]}: {remedy}"
+    return (
+        f"needs Python 3.{OLDEST[1]} to 3.{NEWEST[1]}, this is {version[0]}.{version[1]}: {remedy}"
+    )
 
 
 def loads(library: str) -> bool:

@@ -54,7 +54,9 @@ def debian_family(os_release: str) -> bool:
     """Whether the text of /etc/os-release is that of Debian, Ubuntu or a descendant."""
     pairs = (line.partition("=")[::2] for line in os_release.splitlines())
     names = {key: value.strip("\"'").split() for key, value in pairs}
-    return "debian" in names.get("ID", []) + names.get("ID_LIKE", []) or "ubuntu" in names.get("ID", [])
+    return "debian" in names.get("ID", []) + names.get("ID_LIKE", []) or "ubuntu" in names.get(
+        "ID", []
+    )
 
 
 def venv_package(prefix: str, version: Sequence[int]) -> str:

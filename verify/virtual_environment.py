@@ -27,7 +27,16 @@ FAILED = "failed.txt"  # why the last set-up ended early
 SHARED = "shared.pth"
 GROUP = 8  # packages that one pip installs: a killed set-up repeats that many at most
 PIN = re.compile(r"([A-Za-z0-9._-]+)==([^\s;\\]+)")
-PIP = ("-I", "-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check", "--no-deps")
+PIP = (
+    "-I",
+    "-m",
+    "pip",
+    "install",
+    "--quiet",
+    "--no-input",
+    "--disable-pip-version-check",
+    "--no-deps",
+)
 NO_NETWORK = ("Retrying (", "Temporary failure", "No route to host")
 
 
@@ -53,8 +62,12 @@ def normalized(name: str) -> str:
 
 
 def remove_incomplete(site: Path) -> list[str]:
-    """Forget packages whose installation was killed: their record, which pip writes last, is missing."""
-    killed = [info for info in site.glob("*.dist-info") if not (info / "RECORD").is_file()]
+    """Forget packages whose installation was killed, so that they are installed again.
+
+    pip writes RECORD last, and puts a package that it replaces aside with a "~" in its name.
+    """
+    found = site.glob("*.dist-info")
+    killed = [x for x in found if not (x / "RECORD").is_file() or x.name.startswith("~")]
     for info in killed:
         shutil.rmtree(info)
     return [info.name for info in killed]

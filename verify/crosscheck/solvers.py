@@ -66,7 +66,9 @@ def _module(name: str) -> Solver:
 
 
 def _failed() -> str:
-    """Why the environment of the solvers is not complete, in one line; "" where nothing is known."""
+    """Why `make crosscheck` could not install the solvers, in one line; "" where nothing is known."""
+    if os.environ.get("FREEWHEEL_CROSSCHECK"):
+        return ""
     failed = OWN / FAILED
     return " ".join(failed.read_text("utf-8").split()) if failed.exists() else ""
 
