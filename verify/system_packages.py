@@ -1,4 +1,4 @@
-"""Before the set-up: the Python in use and the system libraries, installed by apt-get where allowed.
+"""Before the set-up: the Python in use and system libraries, installed by apt-get where allowed.
 
 Standard library only, and read by any Python 3.7: `python3 -m verify.system_packages` runs before
 there is a virtual environment. Exit status 0 or, after one line that names what to do, 2.
@@ -60,7 +60,7 @@ def debian_family(os_release: str) -> bool:
 
 
 def venv_package(prefix: str, version: Sequence[int]) -> str:
-    """Debian package with the venv module for a Python installed at `prefix`; "" if there is none."""
+    """Debian package with venv for the Python installed at `prefix`; "" if there is none."""
     return f"python{version[0]}.{version[1]}-venv" if prefix == "/usr" else ""
 
 

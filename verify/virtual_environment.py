@@ -74,7 +74,7 @@ def remove_incomplete(site: Path) -> list[str]:
 
 
 def usable(folder: Path) -> bool:
-    """Whether `folder` holds an environment that was made there by this version of Python, with pip."""
+    """Whether `folder` has an environment that this version of Python made there, with pip."""
     pip = folder / "bin" / "pip"
     try:
         made_here = f"{folder}/bin/python" in pip.read_text("utf-8", "replace")

@@ -10,9 +10,18 @@ import pytest
 
 from verify import virtual_environment
 from verify.virtual_environment import (
-    FAILED, GROUP, LOG, READY, SetUpError, pins, reason, remove_incomplete, set_up, site_packages,
+    FAILED,
+    GROUP,
+    LOG,
+    READY,
+    SetUpError,
+    pins,
+    reason,
+    remove_incomplete,
+    set_up,
+    site_packages,
     usable,
-)  # fmt: skip
+)
 
 ROOT = Path(__file__).parents[2]
 NAMES = [f"package-{number}" for number in range(2 * GROUP + 1)]
