@@ -96,7 +96,7 @@ def findings() -> Iterator[Finding]:
 
 
 def _machine() -> Iterator[Finding]:
-    problem = environment.python_problem(sys.version_info)
+    problem = environment.python_problem(sys.version_info[:2])
     detail = f"{platform.python_version()}, {sys.executable}" + (f": {problem}" if problem else "")
     yield Finding("Python", MISSING if problem else OK, detail, fatal=bool(problem))
     yield Finding("machine", OK, f"{platform.platform()}, {_cores()} cores, {_memory()}")

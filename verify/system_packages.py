@@ -141,11 +141,11 @@ def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
 
 def check(machine: Machine) -> str:
     """Install what is missing or name it: "" where set-up can go on, else one line why not."""
-    problem = python_problem(sys.version_info)
+    problem = python_problem(sys.version_info[:2])
     if problem:
         return problem
     lacking = _without_venv()
-    venv = venv_package(sys.base_prefix, sys.version_info) if lacking else ""
+    venv = venv_package(sys.base_prefix, sys.version_info[:2]) if lacking else ""
     if lacking and not venv:
         return f"{sys.executable} has no module venv or ensurepip: set PYTHON to one that has"
     missing = missing_libraries()

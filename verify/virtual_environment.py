@@ -47,7 +47,8 @@ class SetUpError(Exception):
 def pins(lock: str) -> dict[str, str]:
     """The lock's entries, each with its hashes, by name and version ("numpy==2.4.6")."""
     entries = re.split(r"^(?=[A-Za-z0-9])", lock, flags=re.MULTILINE)[1:]
-    return {PIN.match(entry)[0]: entry for entry in entries if PIN.match(entry)}
+    matches = ((PIN.match(entry), entry) for entry in entries)
+    return {match[0]: entry for match, entry in matches if match}
 
 
 def installed(site: Path) -> set[str]:
@@ -78,7 +79,11 @@ def usable(folder: Path) -> bool:
     pip = folder / "bin" / "pip"
     try:
         made_here = f"{folder}/bin/python" in pip.read_text("utf-8", "replace")
-        words = [folder / "bin" / "python", "-c", "import pip, sys; print(*sys.version_info[:2])"]
+        words = [
+            str(folder / "bin" / "python"),
+            "-Ic",
+            "import pip, sys; print(*sys.version_info[:2])",
+        ]
         done = subprocess.run(words, capture_output=True, text=True, check=False)  # noqa: S603
     except OSError:
         return False
