@@ -1,4 +1,4 @@
-# What a fresh checkout needs is made on the way; the second time it costs nothing.
+# Every target does the set-up that it needs; where that is done it costs nothing.
 PYTHON ?= python3
 BIN := .venv/bin
 
@@ -48,21 +48,20 @@ bench: .venv/.ready
 readme: verify
 	$(BIN)/python tools/readme.py
 
-.venv/.ready: requirements.txt pyproject.toml tools/system-check
-	PYTHON=$(PYTHON) tools/system-check
-	$(PYTHON) -m venv .venv
-	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
-	$(BIN)/pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
-	touch $@
+# System libraries, then packages, in groups: what an interrupted set-up had installed is not downloaded again.
+.venv/.ready: requirements.txt pyproject.toml
+	@PYTHON=$(PYTHON) tools/system-check
+	@$(PYTHON) -m verify.virtual_environment .venv requirements.txt --project
 
-# The lock is whole, so that nothing is resolved; without the solvers, why is kept in failed.txt.
-.venv-crosscheck/.ready: requirements-crosscheck.txt
-	rm -rf .venv-crosscheck && mkdir .venv-crosscheck
-	{ $(PYTHON) -m venv .venv-crosscheck && .venv-crosscheck/bin/pip install --quiet \
-		--disable-pip-version-check --no-deps --require-hashes -r $<; } 2> .venv-crosscheck/said.txt \
-		|| { grep -m 1 -i error .venv-crosscheck/said.txt > .venv-crosscheck/failed.txt; \
-		rm -rf .venv-crosscheck/bin; }
-	touch $@
+# Also where the folder was moved, its Python is gone, or PYTHON was given and is of another version.
+ifneq ($(shell tools/is-ready $(if $(filter file,$(origin PYTHON)),,$(PYTHON)) && echo yes),yes)
+.PHONY: .venv/.ready
+endif
+
+# Solvers that cannot be installed stop nothing: failed.txt has the reason, and the next run tries again.
+.venv-crosscheck/.ready: requirements-crosscheck.txt .venv/.ready
+	@.venv/bin/python -m verify.virtual_environment .venv-crosscheck requirements-crosscheck.txt --shared .venv \
+		|| echo "without tamaas and ROSS"
 
 # Needs uv, which the project itself does not.
 lock:

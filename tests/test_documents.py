@@ -10,7 +10,7 @@ from reports.verdicts import markdown
 from verify.cases.registry import CASES
 from verify.cli import run
 from verify.commands import make_report
-from verify.environment import PACKAGES
+from verify.environment import NEWEST, OLDEST, PACKAGES, python_problem
 from verify.inputs import build
 
 ROOT = Path(__file__).parents[1]
@@ -28,9 +28,16 @@ def test_the_parameter_file_of_the_readme_is_one():
     assert build(case.inputs, data["inputs"], "README").n == 12
 
 
-@pytest.mark.parametrize("file", ["README.md", ".ci/run"])
-def test_the_debian_packages_are_the_same_everywhere(file):
-    assert re.search(rf"[ (]{' '.join(PACKAGES)}[)\n]", (ROOT / file).read_text("utf-8"))
+def test_the_debian_packages_are_those_of_the_set_up():
+    assert f"apt-get install -y {' '.join(PACKAGES)}\n" in README
+
+
+def test_the_range_of_python_versions_is_the_same_everywhere():
+    oldest, newest = (".".join(map(str, version)) for version in (OLDEST, NEWEST))
+    assert f"Python {oldest} to {newest}" in README
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert project["requires-python"] == f">={oldest},<3.{NEWEST[1] + 1}"
+    assert f"Python {oldest} to {newest}" in python_problem((3, 10))
 
 
 def test_the_table_of_verdicts_is_that_of_this_code(judged):

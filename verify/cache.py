@@ -14,6 +14,7 @@ import io
 import json
 import os
 import struct
+import sys
 import time
 import zipfile
 import zlib
@@ -278,4 +279,13 @@ def _plain(node: ast.AST) -> str:
             and isinstance(body[0].value, ast.Constant) and isinstance(body[0].value.value, str)
         ):  # fmt: skip
             item.body = body[1:] or [ast.Pass()]  # type: ignore[attr-defined]
-    return ast.dump(node)
+    return dump(node)
+
+
+def dump(node: ast.AST) -> str:
+    """Text of a syntax tree, the same in every version of Python from 3.11 on.
+
+    Python 3.12 added `type_params`, and 3.13 leaves empty fields out unless `show_empty` is set.
+    """
+    whole: dict[str, Any] = {"show_empty": True} if sys.version_info >= (3, 13) else {}
+    return ast.dump(node, **whole).replace(", type_params=[]", "")

@@ -96,10 +96,9 @@ def findings() -> Iterator[Finding]:
 
 
 def _machine() -> Iterator[Finding]:
-    old = sys.version_info < environment.OLDEST
-    oldest = ".".join(map(str, environment.OLDEST))
-    detail = f"{platform.python_version()}, {sys.executable}" + (f": needs {oldest}" if old else "")
-    yield Finding("Python", MISSING if old else OK, detail, fatal=old)
+    problem = environment.python_problem(sys.version_info[:2])
+    detail = f"{platform.python_version()}, {sys.executable}" + (f": {problem}" if problem else "")
+    yield Finding("Python", MISSING if problem else OK, detail, fatal=bool(problem))
     yield Finding("machine", OK, f"{platform.platform()}, {_cores()} cores, {_memory()}")
 
 

@@ -1,20 +1,20 @@
-"""What the project needs of the machine beneath it: Python, shared libraries, Debian packages.
+"""What the project needs of the machine: versions of Python, shared libraries, Debian packages.
 
-Standard library only, and read by any Python 3: `python3 verify/environment.py` says what is
-missing before there is a virtual environment. This is the one list of libraries and packages.
+Standard library only, and read by any Python 3.7, because the set-up (`verify.system_packages`)
+runs before there is a virtual environment. This is the one list of libraries and packages.
 """
 
 from __future__ import annotations
 
 import ctypes
 import importlib
-import importlib.util
+import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 
-OLDEST = (3, 11)
+OLDEST, NEWEST = (3, 11), (3, 14)  # all wheels of requirements.txt exist for these and between
 MESHES, PICTURES = "meshes", "pictures"  # gmsh does not start without these; pictures are fewer
 
 # shared library, its Debian package, what needs it
@@ -29,7 +29,7 @@ LIBRARIES = (
     ("libfontconfig.so.1", "libfontconfig1", MESHES),
     ("libgomp.so.1", "libgomp1", MESHES),
 )
-PACKAGES = ("python3-venv", "make", *(package for _, package, _ in LIBRARIES))
+PACKAGES = ("python3-venv", *(package for _, package, _ in LIBRARIES))
 OPENGL = ("libEGL.so.1", "libGL.so.1")
 DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # what OpenGL without a screen draws with
 
@@ -41,6 +41,18 @@ plotter.add_mesh(pyvista.Sphere(), color="red")
 raise SystemExit(0 if plotter.screenshot(return_img=True).std() > 1 else 3)
 """
 RENDER_SECONDS = 60.0
+
+
+def python_problem(version: Sequence[int]) -> str:
+    """Why a Python of `version` (major, minor, ...) is not supported, in one line; "" if it is."""
+    if OLDEST <= tuple(version[:2]) <= NEWEST:
+        return ""
+    minors = range(NEWEST[1], OLDEST[1] - 1, -1)
+    found = [name for name in (f"python3.{minor}" for minor in minors) if shutil.which(name)]
+    remedy = f"make PYTHON={found[0]}" if found else "set PYTHON"
+    return (
+        f"needs Python 3.{OLDEST[1]} to 3.{NEWEST[1]}, this is {version[0]}.{version[1]}: {remedy}"
+    )
 
 
 def loads(library: str) -> bool:
@@ -119,29 +131,3 @@ def require_gmsh() -> None:
         importlib.import_module("gmsh")  # by name: what asks for libraries needs no gmsh itself
     except (ImportError, OSError) as error:
         raise OSError(missing_for_meshes(str(error))) from error
-
-
-def main() -> int:
-    """Say what is missing for a virtual environment and a run; 2 where it is fatal."""
-    everything = f"apt-get install {' '.join(PACKAGES)}"
-    if sys.version_info < OLDEST:
-        version, oldest = sys.version.split()[0], ".".join(map(str, OLDEST))
-        return _complain(f"needs Python {oldest} or newer, this is {version}: set PYTHON")
-    missing = list(missing_libraries(MESHES))
-    if importlib.util.find_spec("ensurepip") is None:
-        missing.insert(0, "venv")
-    if missing:
-        return _complain(f"missing {' '.join(missing)}: {everything}")
-    fewer = missing_libraries(PICTURES)
-    if fewer:
-        _complain(f"without {' '.join(fewer)} pictures are fewer: {install_line(fewer)}")
-    return 0
-
-
-def _complain(message: str) -> int:
-    print(f"freewheel: {message}", file=sys.stderr)
-    return 2
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,7 +1,7 @@
 """The bodies of a contact problem: elastic and rigid ones, condensed to their contact surfaces."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import get_args
 
@@ -44,7 +44,7 @@ class Response:
 
     def plus(self, other: "Response", share: float) -> "Response":
         return Response(*(
-            getattr(self, name) + share * getattr(other, name) for name in self.__annotations__
+            getattr(self, x.name) + share * getattr(other, x.name) for x in fields(self)
         ))  # fmt: skip
 
 

@@ -3,14 +3,12 @@
 import signal
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
 from verify import environment
-from verify.environment import LIBRARIES, PICTURES
+from verify.environment import LIBRARIES, NEWEST, OLDEST, PICTURES
 
-ROOT = Path(__file__).parents[2]
 LOST = "libGLU.so.1: cannot open shared object file: No such file or directory"
 RING = """\
 case = "ring-lame"
@@ -70,35 +68,19 @@ def test_libraries_are_asked_for_on_linux_alone(without, monkeypatch):
     assert environment.missing_libraries() == ()
 
 
-@pytest.mark.parametrize(
-    ("lost", "status", "message"),
-    [
-        ((), 0, ""),
-        (("libGLU.so.1", "libXft.so.2"), 2, "missing libGLU.so.1 libXft.so.2: apt-get install py"),
-        (("libEGL.so.1",), 0, "without libEGL.so.1 pictures are fewer: apt-get install libegl1"),
-    ],
-    ids=["all there", "no meshes", "fewer pictures"],
-)
-def test_before_the_first_set_up(lost, status, message, without, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "platform", "linux")
-    without(*lost)
-    assert environment.main() == status
-    assert message in capsys.readouterr().err
+@pytest.mark.parametrize("version", [OLDEST, (3, 12, 1), (*NEWEST, 7)])
+def test_pythons_of_the_lock_are_accepted(version):
+    assert environment.python_problem(version) == ""
 
 
-def test_an_old_python_is_refused(monkeypatch, capsys):
-    monkeypatch.setattr(sys, "version_info", (3, 9, 2))
-    assert environment.main() == 2
-    assert "needs Python 3.11 or newer" in capsys.readouterr().err
-
-
-def test_a_python_without_packages_runs_the_check():
-    """Isolated and without site-packages, as before there is a virtual environment."""
-    done = subprocess.run(
-        [sys.executable, "-I", "-S", ROOT / "verify" / "environment.py"],
-        capture_output=True, text=True, check=False, timeout=60,
-    )  # fmt: skip
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+@pytest.mark.parametrize("version", [(3, 10, 13), (NEWEST[0], NEWEST[1] + 1, 0), (4, 0, 0)])
+def test_an_older_or_newer_python_is_refused_in_one_line(version, monkeypatch):
+    monkeypatch.setattr(environment.shutil, "which", lambda name: name == "python3.12")
+    assert environment.python_problem(version) == (
+        f"needs Python 3.11 to 3.14, this is {version[0]}.{version[1]}: make PYTHON=python3.12"
+    )
+    monkeypatch.setattr(environment.shutil, "which", lambda name: None)
+    assert environment.python_problem(version).endswith(": set PYTHON")
 
 
 @pytest.mark.parametrize(

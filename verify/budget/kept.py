@@ -98,7 +98,7 @@ def _arithmetic() -> str:
 
 @memoised
 def _hash(*modules: ModuleType) -> str:
-    texts = [ast.dump(ast.parse(inspect.getsource(module))) for module in modules]
+    texts = [cache.dump(ast.parse(inspect.getsource(module))) for module in modules]
     return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
 
 
