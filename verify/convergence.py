@@ -19,8 +19,14 @@ from typing import Literal
 import numpy as np
 from scipy.optimize import brentq
 
-ROUND_OFF = 1e-10  # differences below this share of the scale say nothing about an order
-FLOOR = 1e-12  # and no value is trusted beyond this share
+ROUND_OFF = 1e-10  # of the scale: what round-off may change of a difference of two values
+# Of the scale: an order needs a last difference above this. Round-off then changes the logarithm of
+# the ratio of differences by a third at most, whatever the processor.
+RESOLVED = 5 * ROUND_OFF
+FLOOR = 1e-12  # of the scale: no value is trusted beyond
+NEAR_FORMAL, FAR_FROM_FORMAL = 0.5, 0.55  # |observed - formal| where F leaves 1.25 and reaches 3
+FACTOR, LARGE_FACTOR = 1.25, 3.0
+LEAST_ORDER = 0.5
 ORDER_LIMITS = (-20.0, 60.0)
 
 Behaviour = Literal["monotone", "oscillating", "slow", "noisy", "round-off", "diverging", "short"]
@@ -58,7 +64,9 @@ def grid_convergence(
     """Judge how `values` on meshes of size `h` converge.
 
     Differences grow, and the series diverges, where |v3 - v2| exceeds |v2 - v1| scaled to the
-    ratios of the meshes (a series in log h keeps it) by more than iteration can explain, 4 u_it.
+    ratios of the meshes (a series in log h keeps it) by more than iteration can explain, 4 u_it,
+    and round-off. A last difference that round-off may make has neither growth nor sign nor order:
+    the index is a multiple of the spread, :func:`unresolved_multiple`.
 
     Parameters
     ----------
@@ -83,29 +91,54 @@ def grid_convergence(
     (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
     spread = max(v1, v2, v3) - min(v1, v2, v3)
     fine, coarse = v1 - v2, v2 - v3
-    if max(abs(fine), abs(coarse)) < ROUND_OFF * scale:
-        return GridConvergence("round-off", max(spread, floor))
+    no_order = max(3 * spread, floor)
+    noisy = u_it > 0.01 * abs(fine)
+    if abs(fine) <= RESOLVED * scale:
+        gci = max(unresolved_multiple(fine, coarse, scale) * spread, floor)
+        resolved = max(abs(fine), abs(coarse)) >= ROUND_OFF * scale
+        return GridConvergence("noisy" if noisy and resolved else "round-off", gci)
     r21, r32 = h2 / h1, h3 / h2
     flat = math.log(r32) / math.log(r21)  # |coarse/fine| of a series that neither grows nor shrinks
-    if flat * abs(fine) - abs(coarse) > 4 * u_it:
+    growth = flat * abs(fine) - abs(coarse)
+    if growth > 4 * u_it + (flat + 1) * ROUND_OFF * scale:
         return GridConvergence("diverging", math.inf)
-    no_order = max(3 * spread, floor)
-    if u_it > 0.01 * abs(fine):
+    if noisy:
         return GridConvergence("noisy", no_order)
-    if fine == 0:  # the last refinement changed nothing: no order, and all of the spread counts
-        return GridConvergence("round-off", max(spread, floor))
-    if fine * coarse < 0:
+    if fine * coarse <= 0:
         return GridConvergence("oscillating", no_order)
     observed = observed_order(coarse / fine, r21, r32)
-    if observed < 0.5:
+    if observed < LEAST_ORDER:
         return GridConvergence("slow", no_order)
     if formal is None:
         return GridConvergence("monotone", no_order, observed)
-    p = min(observed, formal)
-    F = 1.25 if abs(observed - formal) <= 0.5 else 3.0
+    p, F = min(observed, formal), safety_factor(observed, formal)
     gci = F * abs(fine) / (r21**p - 1)
     limit = v1 + fine / (r21**observed - 1)
     return GridConvergence("monotone", max(gci, floor), observed, limit, used=p, factor=F)
+
+
+def unresolved_multiple(fine: float, coarse: float, scale: float) -> float:
+    """Index over the spread of the last three values where the last difference is round-off.
+
+    1 where both differences are well below `ROUND_OFF` of the scale, 3 from there on, as for every
+    series without an order; linear in between, so that no index jumps at the limit.
+    """
+    return 1 + 2 * _ramp(max(abs(fine), abs(coarse)) / (ROUND_OFF * scale), 0.5, 1.0)
+
+
+def safety_factor(observed: float, formal: float) -> float:
+    """F of the index: 1.25 where the orders are within 0.5, 3 beyond 0.55, linear in between.
+
+    An order of exactly half an order more or less is common (a singularity), and must not decide by
+    its last bits between two indices that differ by 2.4.
+    """
+    share = _ramp(abs(observed - formal), NEAR_FORMAL, FAR_FROM_FORMAL)
+    return FACTOR + (LARGE_FACTOR - FACTOR) * share
+
+
+def _ramp(x: float, low: float, high: float) -> float:
+    """0 up to `low`, 1 from `high` on, linear in between."""
+    return min(max((x - low) / (high - low), 0.0), 1.0)
 
 
 def observed_order(ratio: float, r21: float, r32: float) -> float:

@@ -18,6 +18,7 @@ from analytic.freewheel.clutch import Clutch
 from analytic.freewheel.load_path import LoadPath
 
 POINTS = 4001
+AT_ZERO = 1e-10  # of the largest load: what round-off leaves where thousands of cycles cross zero
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -65,20 +66,28 @@ def follow(clutch: Clutch, path: LoadPath, *, mu: float, t: ArrayLike | None = N
     """
     t = np.linspace(0, path.duration, POINTS) if t is None else np.asarray(t, dtype=np.float64)
     criterion.friction(mu)
-    T, locked = path.torque(t), path.torque(t) >= 0
+    T, F_ax = _without_round_off(path.torque(t)), _without_round_off(path.axial_load(t))
+    locked = T >= 0
     alpha = np.where(locked, state.loaded(clutch, np.where(locked, T, 0.0)).alpha, np.nan)
     mu_req = criterion.required_friction_of_ratio(
         alpha=alpha, ratio=path.ratio(t), R=clutch.cam.race
     )
-    F_ax = path.axial_load(t)
     mu_req = np.where(_released_under_load(T, F_ax), np.inf, mu_req)
     return Course(t=t, T=T, F_ax=F_ax, alpha=alpha, mu_req=mu_req, mu=mu)
 
 
+def _without_round_off(load: Array) -> Array:
+    """The load over time, 0 where it is so but for round-off."""
+    return np.where(np.abs(load) <= AT_ZERO * np.abs(load).max(initial=0.0), 0.0, load)
+
+
 def _released_under_load(T: Array, F_ax: Array) -> NDArray[np.bool_]:
-    """Locked times next to overrunning ones with an axial load that keeps its sign in between."""
+    """Locked times next to overrunning ones with an axial load that keeps its sign in between.
+
+    A time without torque but with an axial load is one of them.
+    """
     passing = (T[1:] * T[:-1] < 0) & (F_ax[1:] * F_ax[:-1] > 0)
     beside = np.zeros(T.shape, dtype=np.bool_)
     beside[1:] |= passing
     beside[:-1] |= passing
-    return beside & (T > 0)
+    return (beside & (T > 0)) | ((T == 0) & (F_ax != 0))

@@ -109,3 +109,16 @@ def test_a_series_that_is_slow_is_judged_by_its_spread_though_it_has_an_order():
     verdict = convergence_verdict(grid, H, [1.4, 1.2, 1.1], 0.0, 0.01)
     assert verdict.status is Status.FAIL
     assert "slow: spread" in verdict.reason
+
+
+@pytest.mark.parametrize("p", [0.5 - 1e-3, 0.5 + 1e-3])
+def test_an_order_of_about_a_half_has_one_verdict(p):
+    """Iteration may take it to either side: the spread decides on both."""
+    h = (0.4, 0.2, 0.1)
+    v = [1 + 1e-4 * x**p for x in h]
+    u = 1e-3 * (v[1] - v[2])
+    spread = v[0] - v[2]
+    grid = grid_convergence(h, v, formal=2, scale=1.0, u_it=u)
+    assert grid.behaviour == ("slow" if p < 0.5 else "monotone")
+    assert convergence_verdict(grid, h, v, u, 3.01 * spread).status is Status.PASS
+    assert convergence_verdict(grid, h, v, u, 2.99 * spread).status is Status.FAIL

@@ -2,7 +2,15 @@
 
 import math
 
-from verify.convergence import FLOOR, ROUND_OFF, GridConvergence, grid_convergence
+from verify.convergence import (
+    FAR_FROM_FORMAL,
+    FLOOR,
+    NEAR_FORMAL,
+    RESOLVED,
+    GridConvergence,
+    grid_convergence,
+    unresolved_multiple,
+)
 from verify.derivation.lines import Step, amount, long, short
 from verify.judge import numerical_uncertainty
 from verify.results import Grid
@@ -12,7 +20,7 @@ MEANING = {
     "oscillating": "the last differences change sign",
     "slow": "the observed order is below 0.5",
     "noisy": "iteration leaves more than 1 % of the last difference",
-    "round-off": f"the last differences are below {ROUND_OFF:g} of the scale, or nothing",
+    "round-off": f"the last difference is below {RESOLVED:g} of the scale",
     "diverging": "the differences grow, or a value is not finite",
     "short": "fewer than three levels",
 }
@@ -73,19 +81,26 @@ def _index(g: Grid, again: GridConvergence) -> list[Step]:
     if again.used is None or again.factor is None or again.order is None or g.formal is None:
         last = short(spread)
         if again.behaviour == "round-off":
-            how = f"spread of the last three values, {last}"
+            times = unresolved_multiple(v1 - v2, v2 - v3, g.scale)
+            how = (
+                f"{'' if times == 1 else f'{times:.3g} × '}spread of the last three values, {last}"
+            )
         else:
             why = "theory gives no order" if g.formal is None else "there is no order to use"
             how = f"3 × spread of the last three values, 3 × {last}: {why}"
         return [("GCI", f"{_floored(g, again.gci, how)} = {gci}")]
     apart = abs(again.order - g.formal)
     ratio = g.levels[-2][0] / g.levels[-1][0]
-    word = "within" if apart <= 0.5 else "beyond"
+    word = (
+        f"within {NEAR_FORMAL}" if apart <= NEAR_FORMAL
+        else f"beyond {NEAR_FORMAL}" if apart >= FAR_FROM_FORMAL
+        else f"between {NEAR_FORMAL} and {FAR_FROM_FORMAL}"
+    )  # fmt: skip
     return [
         ("p", f"min(observed, theory) = {again.used:.4f}"),
         (
             "F",
-            f"{again.factor:g}: observed and theory are {apart:.2g} apart, {word} 0.5",
+            f"{again.factor:g}: observed and theory are {apart:.2g} apart, {word}",
         ),
         (
             "GCI",

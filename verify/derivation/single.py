@@ -2,7 +2,7 @@
 
 from verify import judge
 from verify.claims import convergence_verdict
-from verify.convergence import fit_order
+from verify.convergence import LEAST_ORDER, fit_order, order_from_iteration
 from verify.derivation.grid import grid_steps, regrid, uncertainty_steps
 from verify.derivation.lines import (
     Derivation,
@@ -129,13 +129,18 @@ def convergence(row: Row) -> Derivation:
     found = grid_steps(g)
     word = WORDS[verdict.status]
     if again.behaviour == "monotone" and again.order is not None:
+        margin, noise = again.order - LEAST_ORDER, order_from_iteration(h, v, g.u_it)
         found.append(
             (
                 "test",
                 "order − 0.5 > what iteration may make of it, values off by u_it either way: "
-                f"{again.order - 0.5:.4g} > {short(verdict.tolerance)}: {word}",
+                f"{margin:.4g} > {short(noise)}: {word if margin > noise else 'undecided'}",
             )
         )
+        if not margin > noise:
+            spread = 3 * (max(v[-3:]) - min(v[-3:]))
+            found.append(("test", f"3 × spread < demand × scale, whatever the order: "
+                          f"{short(spread)} < {amount(g.allowed, g.unit)}: {word}"))  # fmt: skip
     elif again.behaviour != "round-off" and again.converges:
         found += uncertainty_steps(g)[:1]
         found.append(("test", f"GCI < demand × scale, where there is no order: "

@@ -86,6 +86,27 @@ def test_torque_that_crosses_zero_under_axial_load_asks_for_infinite_friction(st
     assert np.isfinite(follow(star, lifted, mu=0.1).peak)
 
 
+@pytest.mark.parametrize("ulp", [-4, 0, 4])
+def test_the_end_of_a_half_cycle_is_locked_whatever_the_last_bits_of_its_time(cup, ulp):
+    """The torque of an outer cam's most demanding time is zero but for the sine of half a turn."""
+    path = BothAlternating(T=10.0, F=500.0, frequency=1.0, duration=1e3)
+    t = 500 + np.array([0.25, 0.49, 0.5 + ulp * np.spacing(500.5)])
+    course = follow(cup, path, mu=0.1, t=t)
+    limit = np.tan(float(cup.cam.alpha0)) * np.hypot(1, 50.0 * 0.5005 * cup.cam.race)
+    assert course.when == t[-1]
+    assert course.peak == pytest.approx(float(limit), rel=1e-9)
+
+
+@pytest.mark.parametrize("ulp", [-4, 0, 4])
+def test_torque_at_zero_under_axial_load_asks_for_infinite_friction(star, ulp):
+    """T_m + T sin(7 pi/6) is zero but for round-off where T_m = T/2."""
+    path = BothAlternating(T=20.0, F=3000.0, frequency=1.0, duration=10.0, T_m=10.0)
+    t = 5 + np.array([0.25, 7 / 12 + ulp * np.spacing(5.5)])
+    mu_req = follow(star, path, mu=0.1, t=t).mu_req
+    assert np.isfinite(mu_req[0])
+    assert mu_req[1] == np.inf
+
+
 @pytest.mark.parametrize(
     ("make", "rule"),
     [
