@@ -33,6 +33,7 @@ from fem.fourier.vibration_mounts import (
 )
 from fem.fourier.vibration_parts import by_body, gyroscopic_form, mass_matrix, mean_motion
 from fem.plane.discretisation import Array
+from fem.rotor.splitting import Whirl, gyroscopic_splitting
 
 RESIDUAL_LIMIT = 1e-5  # of a mode, in the energy's norm: its frequency errs by the square
 TOLERANCE = 1e-12  # Lanczos', of 1/w
@@ -45,7 +46,8 @@ class WhirlModes:
     """Angular frequencies (count,) of the waves that run forward and backward at `speed`, growing.
 
     `forward_shapes` and `backward_shapes` (unknowns, count) hold amplitudes (U, V, W) of unit
-    modal mass.
+    modal mass. `splitting` (count,) is forward less backward, accurate to as many digits as a
+    frequency, however small.
     """
 
     speed: float
@@ -53,6 +55,7 @@ class WhirlModes:
     backward: Array
     forward_shapes: Array
     backward_shapes: Array
+    splitting: Array
 
 
 @dataclass(frozen=True)
@@ -150,7 +153,10 @@ class RotatingSolid:
         half = speed * (q * (G @ q)).sum(axis=0) / 2
         w = half + np.sign(found) * np.sqrt(half**2 + (q * (K @ q)).sum(axis=0))
         self._check(w, q, K @ q + (w * speed) * (G @ q) - w**2 * (M @ q))
-        return WhirlModes(speed, *_sorted(w, np.asarray(self.T @ q)))
+        ahead, behind = _sorted(w, q)
+        splitting = gyroscopic_splitting(speed, M, G, ahead, behind)
+        shapes = (np.asarray(self.T @ whirl.shapes) for whirl in (ahead, behind))
+        return WhirlModes(speed, ahead.w, behind.w, *shapes, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
         """The lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
@@ -197,8 +203,9 @@ def _start(size: int) -> Array:
     return np.random.default_rng(SEED).standard_normal(size)
 
 
-def _sorted(w: Array, shapes: Array) -> tuple[Array, Array, Array, Array]:
+def _sorted(w: Array, shapes: Array) -> tuple[Whirl, Whirl]:
+    """Forward and backward whirl, each by rising frequency."""
     ahead = np.flatnonzero(w > 0)
     behind = np.flatnonzero(w < 0)
     ahead, behind = ahead[np.argsort(w[ahead])], behind[np.argsort(-w[behind])]
-    return w[ahead], -w[behind], shapes[:, ahead], shapes[:, behind]
+    return Whirl(w[ahead], shapes[:, ahead]), Whirl(-w[behind], shapes[:, behind])

@@ -262,3 +262,17 @@ def test_nothing_is_warned_of_at_the_paper_s_numbers():
     for case in (FLAT, PAIR, RING):
         q = case.inputs()
         assert not case.warnings(q, case.analytic(q))
+
+
+def test_the_peak_of_a_narrow_contact_is_rounded_as_stated():
+    """Lengths times 1.03 round everywhere else: a/R = 1e-3, and the largest coordinate is R."""
+    q, e, found = FLAT.inputs(), 1e-3, []
+    for size in (1.0, 1.03):
+        one = q.model_copy(update={"R": size * q.R})
+        P = contact_line_flat.swept_load(one, e)
+        found.append(contact_line_flat.disc_fem(one, P, e * one.R, 3))
+    difference = abs(found[1].peak - found[0].peak)
+    stated = found[0].rounding("p0", found[0].peak)
+    assert 1e-10 * found[0].peak < difference < stated < 1e-6 * found[0].peak
+    width = found[0].half_width
+    assert abs(found[1].half_width / 1.03 - width) < found[0].rounding("a", width) < 1e-8 * width

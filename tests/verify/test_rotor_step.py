@@ -218,3 +218,17 @@ def test_a_shaft_of_one_s_own_has_no_row_in_red(monkeypatch, red):
     q = StepInputs(L=0.8, d_1=0.05, d_2=0.065, L_2=0.1, a=0.1, k=5e7, n=0.0)
     runs = [solve_level(STEP, q, level, None) for level in STEP.levels]
     assert not red(judge_case(Job(STEP, q), runs))
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("cone", [False, True])
+@pytest.mark.parametrize(("ratio", "share"), [(2.0, 0.4), (2.5, 0.05), (3.0, 0.1)])
+def test_cells_are_as_many_where_inputs_differ_by_round_off(seed, cone, ratio, share):
+    """Both cones of a short thick part end in one station, and counts of cells are whole."""
+    q = rotor_step_fem.middle(StepInputs(), ratio, share)
+    noise = 1 + 1e-13 * np.random.default_rng(seed).standard_normal(5)
+    names = ("L", "d_1", "d_2", "L_2", "b")
+    near = q.model_copy(update={n: getattr(q, n) * x for n, x in zip(names, noise, strict=True)})
+    meshes = [rotor_step_fem.fem_weak(one, 1, cone=cone).basis.mesh for one in (q, near)]
+    assert meshes[0].nelements == meshes[1].nelements
+    assert np.diff(np.sort(meshes[1].p[0])).min() > 1e-4 * q.L

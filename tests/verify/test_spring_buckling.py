@@ -167,6 +167,21 @@ def test_two_searches_of_one_spring_give_the_same_digits(thin):
     assert thin.linear_load() == other.linear_load()
 
 
+@pytest.mark.parametrize("tail", ["arc", "mid-leaf"])
+def test_a_spring_of_other_size_has_the_same_linear_load_to_its_rounding(tail):
+    """Lengths times 1.07 round everywhere else; the load grows with their square."""
+    one, other = (
+        Spring(
+            {k: v * size if k in ("L1", "radius") else v for k, v in BucklingInputs().path.items()}
+            | {"tail": tail},
+            **SLENDER | {"b": 5e-5 * size, "h": 0.056 * size, "per_arc": 16, "per_leaf": 8},
+        ).linear_load()
+        for size in (1.0, 1.07)
+    )
+    assert other[0] / 1.07**2 == pytest.approx(one[0], rel=1e-11)
+    assert one[1] < 1e-10 * one[0]
+
+
 ODD = [
     pytest.param({"n": 9}, id="odd n"),
     pytest.param({"n": 24, "L1": "3 mm"}, id="slender"),

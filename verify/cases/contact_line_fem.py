@@ -4,8 +4,8 @@ The cut through a disc's centre that moves as a rigid line makes the quarter an 
 disc pressed from both sides.
 """
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,9 @@ CELLS = 6  # on it, on the mesh of level 1: four on the half-width
 COARSE = 2  # the level that says where the contact ends
 HIT = 1e-12  # of P, within which the load is met
 MOST = 40
+SOLVED = 1e-10  # of a value: what follows smoothly from a load met within HIT, rounded
+PLACES = 8.0  # of the pressure by which places of nodes, rounded in double precision, move a peak
+INTEGRAL = 0.02  # of that, over the peak, which is left in integrals of the pressure
 AXIS = np.linspace(0.5, 1.25, 301)  # depths over a at which stresses are taken
 VIEW = 4.0  # half-widths about the contact whose cells are shown
 
@@ -45,7 +48,7 @@ class Pressed:
         the levels differ in nothing but their size.
         """
         self.P, self.cut = P, cut
-        self.start = P * softness
+        self.start, self.softness, self.level = P * softness, softness, level
         self.problem = build(ZONE * guess, CELLS, COARSE)
         self.solution, self.approach = self._under_load()
         self.a = self.half_width
@@ -79,6 +82,18 @@ class Pressed:
         """Peak pressure, half-width and approach in SI units."""
         return {"p0": self.peak, "a": self.half_width, "approach": self.approach}
 
+    def rounding(self, key: str, value: float) -> float:
+        """Round-off of one of the values [its unit].
+
+        Nodes on a circle are rounded on the scale of the largest coordinate x: over a cell of the
+        size h that is a strain x eps/h, and a pressure of that over the softness of both bodies.
+        """
+        largest = float(abs(self.solution.plane.basis.mesh.p).max())
+        cell = ZONE * self.a / (CELLS * self.level)
+        pressure = PLACES * largest * float(np.finfo(float).eps) / (cell * self.softness)
+        share = 1.0 if key == "p0" else INTEGRAL
+        return (SOLVED + share * pressure / self.peak) * abs(value)
+
     def balance(self, supports: tuple[str, ...]) -> dict[str, float]:
         """What is left of forces [N/m] and moment about the origin [N] on the pushed body."""
         plane, touch = self.solution.plane, self.touch
@@ -104,18 +119,23 @@ class Pressed:
         top = float(np.real(tops[np.argmin(np.abs(tops - first))]))
         return float(fit(top)), top * self.a
 
-    def result(self, level: int, supports: tuple[str, ...], **more: Any) -> FemResult:
-        """All of it; `more` values, and arrays of the pressure for profiles."""
+    def result(
+        self, level: int, supports: tuple[str, ...], others: "Mapping[str, Pressed] | None" = None
+    ) -> FemResult:
+        """All of it, with the values of `others` by what follows their names, and profiles."""
         shear, depth = self.shear()
-        values = self.values() | self.balance(supports) | {"shear": shear, "depth": depth} | more
+        values = self.values() | self.balance(supports) | {"shear": shear, "depth": depth}
+        u_it = {key: self.rounding(key, value) for key, value in values.items()}
+        for where, other in (others or {}).items():
+            for key, value in other.values().items():
+                values[f"{key}{where}"] = value
+                u_it[f"{key}{where}"] = other.rounding(key, value)
         x, _ = self.load
         order = np.argsort(x)
         arrays = {"x": x[order], "p": self.touch.p[order], "weight": self.touch.weight[order]}
         vertices = np.argsort(self.touch.x[0])
         arrays |= {"x at vertices": self.touch.x[0, vertices]}
         arrays |= {"p at vertices": self.touch.pressure[vertices]}
-        # the load is met within HIT, and everything follows from it smoothly
-        u_it = {key: 10 * HIT * abs(value) for key, value in values.items()}
         return FemResult(
             h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(self._field(),)
         )

@@ -59,11 +59,8 @@ def analytic(q: FlatInputs) -> Values:
 
 
 def fem(q: FlatInputs, level: int) -> FemResult:
-    swept: dict[str, float] = {}
-    for e in SWEEP:
-        at = disc_fem(q, swept_load(q, e), e * q.R, level).values()
-        swept |= {f"{key}, a/R = {e:g}": value for key, value in at.items()}
-    return disc_fem(q, q.P, q.guess, level).result(level, ("axis", "middle"), **swept)
+    swept = {f", a/R = {e:g}": disc_fem(q, swept_load(q, e), e * q.R, level) for e in SWEEP}
+    return disc_fem(q, q.P, q.guess, level).result(level, ("axis", "middle"), swept)
 
 
 def swept_load(q: FlatInputs, ratio: float) -> float:

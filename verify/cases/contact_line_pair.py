@@ -11,7 +11,7 @@ from verify.cases import contact_line_shown
 from verify.cases.contact_line_checks import BALANCES, about, hertz_profile
 from verify.cases.contact_line_fem import Pressed
 from verify.cases.contact_line_inputs import PairInputs, too_small
-from verify.cases.contact_line_unlike import UNLIKE, unlike_fem, unlike_values
+from verify.cases.contact_line_unlike import UNLIKE, WHERE, unlike, unlike_values
 from verify.cases.contact_line_warnings import warnings
 from verify.checks import Approximation
 
@@ -42,8 +42,8 @@ def analytic(q: PairInputs) -> Values:
 
 
 def fem(q: PairInputs, level: int) -> FemResult:
-    soft = unlike_fem(q, lambda other: pair_fem(other, level))
-    return pair_fem(q, level).result(level, ("upper.axis", "upper.middle"), **soft)
+    soft = {f", {WHERE}": pair_fem(unlike(q), level)}
+    return pair_fem(q, level).result(level, ("upper.axis", "upper.middle"), soft)
 
 
 def pair_fem(q: PairInputs, level: int) -> Pressed:

@@ -4,17 +4,13 @@ At the paper's load and with like materials the terms of `pair_series` drown in 
 """
 
 import math
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from analytic.contact import hertz_line, pair_series
 from verify.case import Values
 from verify.cases.contact_line_checks import about
 from verify.cases.contact_line_inputs import PairInputs
 from verify.checks import Approximation
-
-if TYPE_CHECKING:
-    from verify.cases.contact_line_fem import Pressed
 
 RATIO = 0.1  # Hertz's a over the smaller radius
 SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
@@ -43,12 +39,6 @@ def unlike_values(q: PairInputs) -> Values:
         "left out": left_out,
     }  # fmt: skip
     return {f"{key}, {WHERE}": value for key, value in found.items()}
-
-
-def unlike_fem(q: PairInputs, press: Callable[[PairInputs], "Pressed"]) -> dict[str, float]:
-    """Half-width and peak pressure of the finite elements, which `press` runs."""
-    found = press(unlike(q)).values()
-    return {f"{key}, {WHERE}": found[key] for key in ("p0", "a")}
 
 
 def series(key: str) -> Any:

@@ -31,7 +31,7 @@ def fem(q: ShaftInputs, level: int) -> FemResult:
         "limit": np.array([_half_at_rest(q, q.d_o / ratio, level) for ratio in RATIOS]),
     }
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
-    for name in ("beam timoshenko", "weak timoshenko", "solid"):
+    for name in ("beam timoshenko", "weak timoshenko"):
         ahead, behind = values[f"{name} 1 forward"], values[f"{name} 1 backward"]
         values[f"{name} split"] = ahead - behind
         u_it[f"{name} split"] = ROUND * ahead
@@ -112,6 +112,7 @@ def fem_solid(q: ShaftInputs, body: "RotatingSolid", values: dict[str, float]) -
     for j in MODES:
         values[f"solid {j} forward"] = found.forward[j - 1]
         values[f"solid {j} backward"] = found.backward[j - 1]
+    values["solid split"] = found.splitting[0]
     at_rest = body.modes(0.0, len(MODES)).forward
     for j in MODES:
         values[f"solid {j} at rest"] = at_rest[j - 1]

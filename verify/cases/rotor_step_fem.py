@@ -16,6 +16,8 @@ MODES = (1, 2, 3)
 ELEMENTS = 4  # in each piece of the shaft, times the level
 CELLS = 10  # of the weak form along the shaft, at least, times the level
 CONE = 8  # of it in a cone of the 45° rule, times the level
+WITH_CONES = 2  # times CELLS: else their error of order four hides that of the cones, order two
+SAME = 1e-9  # of the length: stations that differ by less are one; of a count of cells: round-off
 FIRST = 0.03  # cells at the corners over d_1, coarsest mesh
 MAPPED = 2  # level of the map
 MAP_FIRST = 0.06
@@ -29,8 +31,9 @@ ROUND = 1e-9  # of a frequency: what the factors of slender shafts lose
 def fem(q: StepInputs, level: int) -> FemResult:
     values: dict[str, float] = {}
     fem_elements(q, level, values)
-    for name, cone in (("weak", False), ("weak 45°", True)):
-        ahead, behind = fem_weak(q, level, cone=cone).whirl(q.n, count=len(MODES))
+    weak = {"weak": fem_weak(q, level), "weak 45°": fem_weak(q, level, cone=True)}
+    for name, shaft in weak.items():
+        ahead, behind = shaft.whirl(q.n, count=len(MODES))
         for j in MODES:
             values |= {f"{name} {j} forward": ahead[j - 1], f"{name} {j} backward": behind[j - 1]}
     body = fem_body(q, level, FIRST)
@@ -40,9 +43,8 @@ def fem(q: StepInputs, level: int) -> FemResult:
     }
     if level == MAPPED:
         arrays["map"] = np.array([[_errors(q, r, share) for r in RATIOS] for share in SHARES])
+    values["weak 45° split"] = weak["weak 45°"].splitting(q.n, count=len(MODES))[1]
     u_it = {key: ROUND * abs(value) for key, value in values.items()}
-    values["weak 45° split"] = values["weak 45° 2 forward"] - values["weak 45° 2 backward"]
-    u_it["weak 45° split"] = ROUND * values["weak 45° 2 forward"]
     return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
 
 
@@ -74,12 +76,12 @@ def fem_weak(q: StepInputs, level: int, *, cone: bool = False) -> Any:
     from fem.rotor.weak import weak_shaft
 
     first, last, seats = q.start, q.start + q.L_2, (q.b / 2, q.L - q.b / 2)
-    reach = min((q.d_2 - q.d_1) / 2, q.L_2 / 2)
-    cones = (first + reach, last - reach) if cone else ()
+    reach = min((q.d_2 - q.d_1) / 2, q.L_2 / 2) if cone else 0.0
     z = [0.0]
-    for low, high in pairwise(sorted({0.0, *seats, first, last, *cones, q.L})):
-        slope = cone and (low == first or high == last)
-        n = CONE if slope else int(np.ceil(CELLS * (high - low) / q.L))
+    for low, high in pairwise(_stations(q, (*seats, first, first + reach, last - reach, last))):
+        depth = min((low + high) / 2 - first, last - (low + high) / 2)
+        cells = (WITH_CONES if cone else 1) * CELLS * (high - low) / q.L
+        n = CONE if 0 < depth < reach else int(np.ceil(cells - SAME))
         z += np.linspace(low, high, level * n + 1)[1:].tolist()
     inwards = np.minimum(m := (np.array(z[1:]) + z[:-1]) / 2, first + last - m) - first
     d = np.where(inwards > 0, q.d_2, q.d_1)
@@ -91,6 +93,15 @@ def fem_weak(q: StepInputs, level: int, *, cone: bool = False) -> Any:
         mass=q.rho * np.pi / 4 * d**2, rotary=q.rho * np.pi / 64 * d**4,
     )  # fmt: skip
     return own.on_springs(dict.fromkeys(seats, q.k))
+
+
+def _stations(q: StepInputs, inner: tuple[float, ...]) -> list[float]:
+    """Ends of the shaft and the `inner` stations in order, one where some are the same."""
+    found = [0.0]
+    for z in sorted((*inner, q.L)):
+        if z - found[-1] > SAME * q.L:
+            found.append(z)
+    return found
 
 
 def fem_body(q: StepInputs, level: int, first: float, *, half: bool = False) -> "RotatingSolid":

@@ -17,7 +17,7 @@ from verify.cases.spring_buckling_inputs import (
     THICKNESSES,
     BucklingInputs,
 )
-from verify.cases.spring_large_fem import Spring
+from verify.cases.spring_large_fem import PLACES, Spring
 from verify.shown import Field
 
 SWEPT = 8  # the level of sweeps and the map
@@ -44,7 +44,8 @@ def fem(q: BucklingInputs, level: int) -> FemResult:
         k_y, u_it[f"k_y, {tail}"] = one.lateral_stiffness(one.guided.rest())
         values[f"k_y, {tail}"] = k_y
         for share, moved in zip(DRIFT, drift(one, q.P), strict=True):
-            values[f"drift {share:g} P, {tail}"] = moved.u[one.head, 1]
+            u_y = values[f"drift {share:g} P, {tail}"] = moved.u[one.head, 1]
+            u_it[f"drift {share:g} P, {tail}"] = PLACES * abs(u_y)
         if level == SWEPT:
             arrays |= {f"{name}, {tail}": array for name, array in along(one, q).items()}
             arrays[f"let go, {tail}"] = (one.line.points + state.u[:, :2])[

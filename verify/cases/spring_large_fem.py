@@ -8,14 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.optimize import brentq
-from scipy.sparse.linalg import LinearOperator, eigsh, splu
+from scipy.sparse.linalg import splu
+
+from verify.cases.spring_linear_fem import AtRest
 
 if TYPE_CHECKING:
     from fem.beam.large import LargeFrame
     from fem.beam.large_state import State
 
 LOCATED = 1e-13  # of the displacement
-CORRECTIONS = 4  # of a linear solution, each of which gains digits
+ITERATIONS = 3  # inverse ones from a mode of six digits: each gains two digits and more of its load
+PLACES = 1e-11  # of a load, displacement or stiffness: nodes' places, rounded in double precision
 NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacement to the next
 
 
@@ -116,41 +119,26 @@ class Spring:
     def lateral_stiffness(self, state: "State") -> tuple[float, float]:
         """Of the guided head against a movement along y, and its rounding [force/length]."""
         S, rounding = self.head_stiffness(state)
-        return float(S[1, 1]), float(rounding[1, 1])
+        return float(S[1, 1]), float(rounding[1, 1]) + PLACES * abs(float(S[1, 1]))
 
     def linear_load(self) -> tuple[float, float]:
         """Force at which a free head's spring buckles if it does not deform before [force].
 
-        And what another step of inverse iteration changes of it.
+        And its rounding: what the last step of inverse iteration changes of it, and nodes' places.
         """
         frame = self.frame("")
-        e = frame.elements
-        rest = frame.rest()
-        strain, _, t = e.strains(rest.exact)
-        S, free = e.increments(strain, t), ~rest.held
-        K = e.tangent_stiffness(S, strain, t, 0 * strain)[free][:, free]
-        factor = splu(K.tocsc())
-        push = (np.arange(free.size) == 3 * self.head).astype(float)
-        u = np.zeros(free.size, np.longdouble)
-        for _ in range(CORRECTIONS):
-            left = push - e.change_of_forces(S, strain, t, 0 * strain, u.reshape(-1, 3))
-            u[free] += factor.solve(left[free])
-        no_moduli = replace(e, moduli=0 * e.moduli)
-        stress = e.moduli * e.change(S, u.astype(float).reshape(-1, 3))
-        G = no_moduli.tangent_stiffness(S, strain, t, stress)[free][:, free]
-        inverse = LinearOperator(G.shape, factor.solve)
-        _, modes = eigsh(-G, 1, K, which="LA", Minv=inverse, v0=factor.solve(push[free]))
-
-        def load(mode: Any) -> float:
-            """By the mode's own strains: K times the mode would round."""
-            moved = np.zeros(free.size)
-            moved[free] = mode
-            bent = e.change(S, moved.reshape(-1, 3))
-            energy = ((e.moduli * bent**2).sum(axis=-1) * e.weight).sum()
-            return float(-energy / (mode @ G @ mode))
-
-        before, mode = modes[:, 0], factor.solve(-G @ modes[:, 0])
-        return load(mode), abs(load(mode) - load(before))
+        rest, e = frame.rest(), frame.elements
+        at_rest = AtRest(e, *e.strains(rest.exact), ~rest.held)
+        push = (np.arange(rest.held.size) == 3 * self.head).astype(float)
+        stress = e.moduli * at_rest.strains(at_rest.solve(push))
+        G = at_rest.stiffness(stress, replace(e, moduli=0 * e.moduli))
+        mode = at_rest.lowest(G, push)
+        loads = [at_rest.load(mode, G)]
+        for _ in range(ITERATIONS):
+            mode = at_rest.solve(-(G @ mode.astype(float)))
+            mode /= abs(mode).max()
+            loads.append(at_rest.load(mode, G))
+        return loads[-1], abs(loads[-1] - loads[-2]) + PLACES * loads[-1]
 
     def gives_way(self, until: float) -> "tuple[float, float, State | None]":
         """Where a guided head, let go, first gives way: displacement, its rounding, and state.
@@ -189,7 +177,7 @@ class Spring:
         slope = self.determinant(before, "free") / step
         S, rounding = self.head_stiffness(here)
         lost = abs(np.linalg.det(S + rounding) - np.linalg.det(S))
-        return at + step, float(lost) / slope + LOCATED * u, here
+        return at + step, float(lost) / slope + (LOCATED + PLACES) * u, here
 
 
 def line_fem(path: dict[str, Any], per_arc: int, per_leaf: int) -> Any:

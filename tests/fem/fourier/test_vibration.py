@@ -96,6 +96,14 @@ def test_a_rigid_rotor_on_springs_whirls_as_its_four_unknowns_do(speed):
     assert found.backward == pytest.approx(behind, rel=1e-5)
 
 
+def test_splitting_has_as_many_digits_at_a_low_speed_where_a_difference_has_four():
+    body = RotatingSolid(solid(tube(b=0.9, start=0), STEEL, {"start": "rt", "end": "rt"}), RHO)
+    fast, slow = body.modes(1.0, 2), body.modes(1e-4, 2)
+    assert fast.splitting == pytest.approx(fast.forward - fast.backward, rel=1e-6)
+    assert slow.splitting == pytest.approx(fast.splitting * 1e-4, rel=1e-9)
+    assert abs((slow.forward - slow.backward) / slow.splitting - 1).max() > 1e-7
+
+
 def test_a_rigid_rotor_s_critical_speeds_are_those_of_its_four_unknowns():
     """A disc tilts at no speed of its own, as its polar moment exceeds the diametral one."""
     a = B / 2

@@ -7,6 +7,7 @@ from skfem import MeshLine
 from analytic.rotor.shafts import UniformShaft, hutchinson
 from fem.rotor.model import Element, Material, Rotor, Shaft, Support
 from fem.rotor.modes import modes
+from fem.rotor.splitting import Whirl, gyroscopic_splitting
 from fem.rotor.weak import weak_shaft
 
 E, NU, RHO, L = 210e9, 0.3, 7850.0, 0.6
@@ -36,6 +37,31 @@ def test_whirl_converges_to_the_closed_form_at_order_four(theory, d):
     assert np.all(errors > 0)
     assert np.log2(errors[1] / errors[2]) == pytest.approx(np.full((2, 3), 4), abs=0.1)
     assert errors[2, :, 0] == pytest.approx(0, abs=3e-7)
+
+
+@pytest.mark.parametrize("theory", ["rayleigh", "timoshenko"])
+def test_splitting_is_forward_less_backward_whirl(theory):
+    own = weak(uniform(0.2), 16, theory)
+    forward, backward = own.whirl(SPEED, held=[0, L])
+    assert own.splitting(SPEED, held=[0, L]) == pytest.approx(forward - backward, rel=1e-9)
+
+
+def test_splitting_has_as_many_digits_at_a_low_speed_where_a_difference_has_four():
+    own = weak(uniform(0.06), 16)
+    slow, fast = 1e-4, 1.0
+    expected = own.splitting(fast, held=[0, L]) * slow / fast
+    assert own.splitting(slow, held=[0, L]) == pytest.approx(expected, rel=1e-9)
+    forward, backward = own.whirl(slow, held=[0, L])
+    assert abs((forward - backward) / expected - 1).max() > 1e-7
+
+
+def test_shapes_that_are_no_pair_leave_the_difference():
+    """Mode 1 forward beside mode 2 backward: their shapes share no mass."""
+    M, G, shapes = np.eye(2), np.diag([1.0, 2.0]), np.eye(2)
+    found = gyroscopic_splitting(
+        1.0, M, G, Whirl(np.array([5.0]), shapes[:, :1]), Whirl(np.array([3.0]), shapes[:, 1:])
+    )
+    assert found == pytest.approx([2.0])
 
 
 def test_a_slender_shaft_does_not_lock():

@@ -1,0 +1,47 @@
+"""How far turning moves the frequencies of forward and backward whirl apart."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from fem.rotor.elements import Array
+
+PAIRED = 0.5  # M-product of two shapes of unit modal mass, from which on they are one pair
+
+
+class Matrix(Protocol):
+    """What multiplies columns: a dense or a sparse matrix."""
+
+    def __matmul__(self, other: Array, /) -> Array: ...
+
+
+@dataclass(frozen=True)
+class Whirl:
+    """Frequencies `w` (k,) [rad/s], positive, and shapes (n, k) of one sense of whirl."""
+
+    w: Array
+    shapes: Array
+
+
+def gyroscopic_splitting(
+    speed: float, M: Matrix, G: Matrix, forward: Whirl, backward: Whirl
+) -> Array:
+    r"""Forward less backward frequency (k,) [rad/s] of each pair of modes at `speed` [rad/s].
+
+    Both shapes satisfy :math:`(K + w\,\Omega G - w^2 M)\,v = 0`, at :math:`w_f > 0` and at
+    :math:`-w_b < 0`. Each equation times the other shape, one less the other, leaves
+
+    .. math:: w_f - w_b = \Omega\, \frac{v_b \cdot G v_f}{v_b \cdot M v_f}
+
+    without the round-off of K in a difference of nearly equal frequencies. Where the shapes number
+    k are not alike, at speeds that change the order of the modes, the difference is not small and
+    is taken as it is.
+    """
+    f, b = (
+        v.shapes / np.sqrt((v.shapes * (M @ v.shapes)).sum(axis=0)) for v in (forward, backward)
+    )
+    shared = (b * (M @ f)).sum(axis=0)
+    alike = abs(shared) > PAIRED
+    direct = speed * (b * (G @ f)).sum(axis=0) / np.where(alike, shared, 1.0)
+    return np.asarray(np.where(alike, direct, forward.w - backward.w))
