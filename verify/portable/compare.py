@@ -74,14 +74,8 @@ def differences(
     """Rows of the variant `name` whose status differs or whose value moves too far."""
     known = {row.id: row for row in baseline}
     found = {row.id: row for row in variant}
-    result = [
-        Difference(kind=Kind.MISSING, row=i, row_kind=row.kind, variant=name, was=row.status, now="")
-        for i, row in known.items() if i not in found
-    ]  # fmt: skip
-    result += [
-        Difference(kind=Kind.ADDED, row=i, row_kind=row.kind, variant=name, was="", now=row.status)
-        for i, row in found.items() if i not in known
-    ]  # fmt: skip
+    result = [_only_here(row, name) for i, row in known.items() if i not in found]
+    result += [_only_there(row, name) for i, row in found.items() if i not in known]
     for was, now in _pairs(known, found):
         result += _differences(was, now, name, perturbed=perturbed)
     return result + _order(list(known), list(found), known, name)
@@ -104,6 +98,18 @@ def move(was: Record, now: Record, *, perturbed: bool) -> float:
     parts = [_ratio(change, allowed) for change in values]
     parts.append(_ratio(_change(was.difference, now.difference), U or substitute))
     return max(parts)
+
+
+def _only_here(row: Record, name: str) -> Difference:
+    return Difference(
+        kind=Kind.MISSING, row=row.id, row_kind=row.kind, variant=name, was=row.status, now=""
+    )
+
+
+def _only_there(row: Record, name: str) -> Difference:
+    return Difference(
+        kind=Kind.ADDED, row=row.id, row_kind=row.kind, variant=name, was="", now=row.status
+    )
 
 
 def _pairs(

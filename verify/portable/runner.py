@@ -55,13 +55,13 @@ def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
             for name, (one, process) in list(running.items()):
                 if (status := process.poll()) is not None:
                     del running[name]
+                    _end(process)
                     if status:
                         failures[name] = _ending(one, status)
             show(progress.state([one for one, _ in running.values()]))
     finally:
         for _, process in running.values():
-            process.kill()
-            process.wait()
+            _end(process)
     return failures
 
 
@@ -110,6 +110,13 @@ def _start(one: Work) -> subprocess.Popen[bytes]:
             [*command, *one.cases], env=dict(one.environment), stdin=subprocess.PIPE, stdout=log,
             stderr=subprocess.STDOUT,
         )  # fmt: skip
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    process.kill()
+    process.wait()
+    if process.stdin is not None:
+        process.stdin.close()
 
 
 def _ending(one: Work, status: int) -> str:

@@ -100,7 +100,8 @@ def write(summary: Summary, folder: Path) -> None:
 
 def _markdown(summary: Summary) -> Iterator[str]:
     yield "# The same verdicts on every machine\n"
-    yield "| machine | what differs | in effect | cases | rows | seconds |\n|---|---|---|---|---|---|"
+    yield "| machine | what differs | in effect | cases | rows | seconds |"
+    yield "|---|---|---|---|---|---|"
     for m in summary.machines:
         in_effect = _effective(m.effective)
         yield f"| {m.name} | {m.what} | {in_effect} | {m.cases} | {m.rows} | {m.seconds:.0f} |"
