@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: verify quick deep crosscheck mutants test check bench readme lock clean
+.PHONY: verify quick deep crosscheck mutants test check portable bench readme lock clean
 
 verify: .venv/.ready
 	$(BIN)/freewheel verify
@@ -21,6 +21,10 @@ crosscheck: .venv/.ready .venv-crosscheck/.ready
 # What the suite catches of mistakes made on purpose; ALL=1 tries every mutant, for hours.
 mutants: .venv/.ready
 	$(BIN)/freewheel mutants $(if $(ALL),--all)
+
+# Every row on emulated machines: other BLAS kernels, threads, instruction sets, perturbed inputs.
+portable: .venv/.ready
+	$(BIN)/freewheel portable
 
 # One BLAS thread a worker, as `verify` has it: two workers of two threads each wait for each other.
 # A file is one worker's, so that what its tests share is solved once (pytest 9.2 tells xdist 3.8 no groups).

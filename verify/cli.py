@@ -19,6 +19,7 @@ from verify.crosscheck.cli import crosscheck  # noqa: E402
 from verify.definitions.cli import search  # noqa: E402
 from verify.design.cli import design  # noqa: E402
 from verify.mutation.cli import mutants  # noqa: E402
+from verify.portable.cli import portable  # noqa: E402
 from verify.sweep.cli import sweep  # noqa: E402
 
 app = App(
@@ -33,7 +34,7 @@ app = App(
 
 BAD_INPUT = 2
 
-for _command in (search, design, sweep, crosscheck, mutants):
+for _command in (search, design, sweep, crosscheck, mutants, portable):
     app.command(_command)
 
 

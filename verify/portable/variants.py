@@ -1,0 +1,116 @@
+"""The emulated machines: this one as it is, and what differs from it in one respect each."""
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+BASELINE = "baseline"
+SEEDS = 10
+CORE_TYPE, DISABLED, NUMBA = "OPENBLAS_CORETYPE", "NPY_DISABLE_CPU_FEATURES", "NUMBA_CPU_NAME"
+THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+CORES = {  # core type of OpenBLAS, and an instruction set without which its kernels end the process
+    "Prescott": "pni",
+    "Nehalem": "sse4_2",
+    "Sandybridge": "avx",
+    "Haswell": "avx2",
+    "Zen": "avx2",
+    "SkylakeX": "avx512vl",
+}
+
+Probe = Callable[[Mapping[str, str]], dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One emulated machine: variables of its environment, or a seed that perturbs the inputs."""
+
+    name: str
+    what: str
+    environment: Mapping[str, str] = field(default_factory=dict)
+    seed: int | None = None
+    flag: str = ""  # instruction set that the processor must have
+
+    def applied(self, environment: Mapping[str, str]) -> dict[str, str]:
+        """The environment of its processes: one BLAS thread, and what differs."""
+        return {**environment, **dict.fromkeys(THREADS, "1"), **self.environment}
+
+
+@dataclass(frozen=True)
+class Machines:
+    """The variants to run, what is in effect in each, and why the others are not emulated."""
+
+    variants: tuple[Variant, ...]
+    effective: Mapping[str, Mapping[str, Any]]
+    not_emulated: Mapping[str, str]
+
+
+def candidates(found: Sequence[str], seeds: int = SEEDS) -> tuple[Variant, ...]:
+    """All variants; `found` are the instruction sets that numpy selects on this machine."""
+    return (
+        Variant(BASELINE, "this machine, one BLAS thread"),
+        Variant("threads-2", "two BLAS threads", dict.fromkeys(THREADS, "2")),
+        *(
+            Variant(f"core-{core.lower()}", f"OpenBLAS kernels of {core}", {CORE_TYPE: core},
+                    flag=flag)
+            for core, flag in CORES.items()
+        ),
+        Variant("numpy-baseline", "numpy without run-time instruction sets",
+                {DISABLED: " ".join(found)}),
+        Variant("numba-generic", "numba for a generic processor", {NUMBA: "generic"}),
+        *(
+            Variant(f"perturbed-{seed}", f"inputs perturbed by 1e-13 (seed {seed})", seed=seed)
+            for seed in range(1, seeds + 1)
+        ),
+    )  # fmt: skip
+
+
+def machines(
+    wanted: Sequence[Variant],
+    probe: Probe,
+    flags: frozenset[str],
+    environment: Mapping[str, str] | None = None,
+) -> Machines:
+    """Which of the variants can be emulated here, by what `probe` finds in effect.
+
+    `wanted` begins with the baseline. `flags` are the instruction sets of the processor. A variant
+    in whose environment the same is in effect as in an earlier one's is not run again.
+    """
+    around = os.environ if environment is None else environment
+    chosen: list[Variant] = []
+    effective: dict[str, Mapping[str, Any]] = {}
+    refused: dict[str, str] = {}
+    for variant in wanted:
+        if reason := _missing(variant, flags, around):
+            refused[variant.name] = reason
+            continue
+        if variant.environment or not chosen:
+            try:
+                effective[variant.name] = probe(variant.applied(around))
+            except OSError as error:
+                if not chosen:
+                    raise
+                refused[variant.name] = str(error)
+                continue
+            alike = [v.name for v in chosen if effective[v.name] == effective[variant.name]]
+            if alike:
+                refused[variant.name] = f"the same is in effect as in {alike[0]}"
+                del effective[variant.name]
+                continue
+        else:
+            effective[variant.name] = effective[BASELINE]
+        chosen.append(variant)
+    return Machines(tuple(chosen), effective, refused)
+
+
+def _missing(variant: Variant, flags: frozenset[str], environment: Mapping[str, str]) -> str:
+    """Why the variant cannot be emulated, before anything is started; empty where it can."""
+    for name in variant.environment:
+        if name not in THREADS and environment.get(name):
+            return f"the environment fixes {name}={environment[name]}"
+    if variant.environment.get(DISABLED, "all") == "":
+        return "numpy selects no instruction set at run time here"
+    if variant.flag and variant.flag not in flags:
+        known = f"the processor lacks {variant.flag}"
+        return known if flags else "the instruction sets of the processor are unknown"
+    return ""
