@@ -174,7 +174,7 @@ def test_contacts_of_the_same_b_over_l_have_the_same_best_crown(load, length, E_
 
 @pytest.mark.parametrize("signs", [(1, 1, -1, 1, -1), (1, -1, -1, 1, -1)])
 def test_the_last_bits_of_the_inputs_do_not_choose_the_crown(signs):
-    """z_m hardly counts where no end touches: peaks of unlike crowns are equal but for round-off."""
+    """z_m hardly counts where no end touches: peaks of unlike crowns are then equal."""
     here = {
         "load": 3407.0, "length": 9e-3 * (1 + 2e-16), "R": 0.002951896893588896,
         "E_star": 103e9 / 0.91, "tilt": np.radians(0.03),
