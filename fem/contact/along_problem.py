@@ -11,7 +11,8 @@ from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies
 from fem.contact.complementarity import OPEN, Rest
 from fem.contact.cone import EXACT, State
-from fem.contact.cone_descent import RUNAWAY, Descent, SlidingError
+from fem.contact.cone_descent import Descent, SlidingError
+RUNAWAY = 100.0  # times what surfaces deform: beyond small displacements
 from fem.contact.cone_reach import missing
 from fem.contact.interface import Interface, Surfaces
 from fem.plane.discretisation import Array, Indices
