@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from fem.contact.complementarity import OPEN, STICK
-from fem.contact.cone import SLIP, Cone, State, Task
+from fem.contact.cone import SLIP, Cone
+from fem.contact.cone_system import State, Task
 from fem.plane.discretisation import Array, Indices
 
 NEGLIGIBLE = 1e-24  # of the largest stiffness against a motion, in whose units others are
@@ -67,17 +68,15 @@ class Linearised:
             known, there = np.append(np.zeros(column.size), to), 0.0
         else:
             there = t
-            known = np.append(
-                self.scale * (self._known + t * column), to + t * (row[:n] @ change)
-            )
+            known = np.append(self.scale * (self._known + t * column), to + t * (row[:n] @ change))
         size = np.abs(A).max(axis=1)
         size = np.where(size > 0, size, 1.0)
         A, known = A / size[:, None], known / size
         sign = float(np.linalg.slogdet(A)[0])
         y = np.linalg.solve(A, known) if sign else np.full(known.size, np.nan)
         x = self.scale * y[:-1]
-        l = Q @ x[: x.size - k] + (y[-1] - there) * change
-        return np.concatenate([l, x[x.size - k :], y[-1:]]), sign
+        multipliers = Q @ x[: x.size - k] + (y[-1] - there) * change
+        return np.concatenate([multipliers, x[x.size - k :], y[-1:]]), sign
 
     @property
     def _motions(self) -> int:
@@ -119,7 +118,7 @@ class Linearised:
     @cached_property
     def scale(self) -> Array:
         """Units of the unknowns, in which the system is about one."""
-        P, own = self._directions[0], self.cone.own
+        P, own = self._directions[0], self.cone.stiffness
         stiff = np.asarray(P.multiply(P).T @ np.diag(self.cone.B))
         least = NEGLIGIBLE * own.max(initial=0.0) or 1.0
         return np.asarray(1 / np.sqrt(np.concatenate([stiff, np.maximum(own, least)])))
@@ -133,7 +132,7 @@ class Linearised:
         A = (Q.T @ (P.T @ cone.B).T).T
         # the friction turns towards what slips across, the more the less has slipped
         across = len(A) - slip.size + np.arange(slip.size)
-        A[across, across] += (1 - share) / (share * cone.stiff[1][slip])
+        A[across, across] += (1 - share) / (share * cone.augmentation[1][slip])
         A = np.block([[A, P.T @ cone.D], [(Q.T @ cone.D).T, -self.task.K]])
         return np.asarray(self.scale[:, None] * A * self.scale)
 

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.contact.cone import Cone, State, Task
+from fem.contact.cone import Cone
 from fem.contact.cone_linear import Linearised, Rate
+from fem.contact.cone_system import State, Task
 from fem.contact.errors import NotFoundError
 from fem.plane.discretisation import Array
 
@@ -42,7 +43,7 @@ class Path:
     task: Callable[[float], tuple[Task, Rate]]
 
     def follow(self, at: State, t: float) -> State:
-        """An approximate solution at t = 1, from one `at` t < 1, to be corrected by Newton's method.
+        """An approximate solution at t = 1, from one `at` t < 1: correct it by Newton's method.
 
         NotFoundError where the path does not arrive within MAX_STEPS.
         """
@@ -134,7 +135,7 @@ class Path:
 
     def _weight(self, z: Array) -> Array:
         """Weights (n + k + 1,) of squares, in which forces and motions of now are about one."""
-        weight = np.append(np.diag(self.cone.B), self.cone.own)
+        weight = np.append(np.diag(self.cone.B), self.cone.stiffness)
         size = float(weight @ z[:-1] ** 2)
         return np.append(weight / (size or 1.0), 1.0)
 
