@@ -1,6 +1,7 @@
 """Contact with friction along the surface and along z: the plane step and the cone about it."""
 
 from collections.abc import Callable
+from contextlib import suppress
 
 import numpy as np
 
@@ -10,12 +11,16 @@ from fem.contact.along_interface import AlongInterface
 from fem.contact.along_step import AlongStep
 from fem.contact.bodies import Bodies
 from fem.contact.complementarity import OPEN, Rest
-from fem.contact.cone import EXACT, State
-from fem.contact.cone_descent import RUNAWAY, Descent, SlidingError
+from fem.contact.cone_descent import Descent, sticking
+from fem.contact.cone_newton import SlidingError
 from fem.contact.cone_reach import missing
+from fem.contact.cone_system import EXACT, State
+from fem.contact.errors import NoEquilibriumError, NotFoundError
 from fem.contact.interface import Interface, Surfaces
 from fem.plane.discretisation import Array, Indices
 from fem.plane.material import Assumption
+
+RUNAWAY = 100.0  # times what surfaces deform: beyond small displacements
 
 Before = tuple[Rest, AlongStep]
 
@@ -66,7 +71,7 @@ class AlongProblem:
             at = self._found(descent, e.size, before, in_plane)
             residual, states, moved = interface.cone.judged(descent.w_0, descent.e, at)
             if not residual.largest <= EXACT:
-                raise ArithmeticError(
+                raise NotFoundError(
                     f"the contact misses its laws by more than {EXACT:g}: {residual}"
                 )
             rest = Rest(at.multipliers[: w.size], at.motion[: e.size], states, ())
@@ -80,15 +85,19 @@ class AlongProblem:
     def _found(
         self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
     ) -> State:
-        """The solution of the cone; ArithmeticError or ValueError where bodies slide."""
-        self._refuse(missing(descent.cone, descent.e), motions)
-        starts = self._starts(descent, before, in_plane)
+        """The solution of the cone; NoEquilibriumError where loads leave it, NotFoundError."""
+        missed = missing(descent.cone, descent.e)
+        if np.any(missed):
+            raise NoEquilibriumError(
+                f"{self._who(missed, motions)}, and the loads do move it: along the surface and "
+                "along z together, friction holds no more than mu times the pressure"
+            )
         try:
-            return descent.solve(starts)
+            return descent.solve(_starts(descent, before, in_plane))
         except SlidingError as slide:
-            raise ArithmeticError(
-                f"{self._who(slide.missed, motions)}, and slides or rolls on: friction along the "
-                "surface and along z together is exhausted"
+            raise NotFoundError(
+                f"no state of rest was found: {self._who(slide.carried, motions)}, and slides or "
+                f"rolls on. Tried: {slide}"
             ) from None
 
     def _interface(self, plane: Interface) -> AlongInterface:
@@ -112,34 +121,6 @@ class AlongProblem:
         found[at[held]] = closing[1][held] * trial[at[held]]
         return found
 
-    @staticmethod
-    def _starts(
-        descent: Descent, before: Before | None, in_plane: Callable[[], Rest]
-    ) -> list[State]:
-        """What sticks along z in the plane's rest, and the step before."""
-        starts, failed = [], None
-        try:
-            rest = in_plane()
-        except ArithmeticError as error:
-            failed = error
-        else:
-            plane = State(rest.multipliers, rest.motion)
-            starts.append(descent.cone.stuck(descent.w_0, descent.e, plane))
-        if before is not None:
-            starts.append(_joined(before[0], before[1].traction, before[1].shift))
-        if failed is not None and not starts:
-            raise failed
-        return starts
-
-    def _refuse(self, missed: Array, motions: int) -> None:
-        """ValueError where loads on motions and shifts are `missed` (k,) by what friction holds."""
-        if not np.any(missed):
-            return
-        raise ValueError(
-            f"{self._who(missed, motions)}, and the loads do move it: along the surface and along "
-            "z together, friction holds no more than mu times the pressure"
-        )
-
     def _who(self, amplitudes: Array, motions: int) -> str:
         """The motion of the plane, or the shift along z, that most of the amplitudes belong to."""
         plane, along = amplitudes[:motions], amplitudes[motions:]
@@ -148,7 +129,10 @@ class AlongProblem:
         return self.bodies.bodies.named(plane)
 
     def _check_small(self, plane: Interface, rest: Rest, step: AlongStep) -> None:
-        """ArithmeticError where bodies slide along z by far more than they deform."""
+        """NotFoundError where bodies slide along z by far more than they deform.
+
+        That is a state of rest, but beyond small displacements.
+        """
         if not step.shift.size:
             return
         closed = rest.states[step.interface.cone.rough] != OPEN
@@ -157,7 +141,7 @@ class AlongProblem:
         pressed = self.bodies.bodies.compliance(plane.C.T @ rest.multipliers)
         size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
         if slip > RUNAWAY * size:
-            raise ArithmeticError(
+            raise NotFoundError(
                 f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g} where surfaces "
                 f"deform by {size:.3g}: under these loads it slides away"
             )
@@ -165,3 +149,15 @@ class AlongProblem:
 
 def _joined(rest: Rest, traction: Array, shift: Array) -> State:
     return State(np.concatenate([rest.multipliers, traction]), np.concatenate([rest.motion, shift]))
+
+
+def _starts(descent: Descent, before: Before | None, in_plane: Callable[[], Rest]) -> list[State]:
+    """The plane's rest with all nodes sticking along z, if it is found, and the step before."""
+    starts = []
+    with suppress(ArithmeticError):
+        rest = in_plane()
+        plane = State(rest.multipliers, rest.motion)
+        starts.append(sticking(descent.cone, descent.w_0, descent.e, plane))
+    if before is not None:
+        starts.append(_joined(before[0], before[1].traction, before[1].shift))
+    return starts

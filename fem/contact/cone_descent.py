@@ -1,41 +1,37 @@
-"""Solutions of a cone's equations under given loads, on springs that are let go.
+"""Solutions of a cone's equations under given loads.
 
-The motions are held by weak springs to where they were, until nothing pulls at these. Where
-Newton's method fails from a start, the springs are strong first, and then friction is high first:
-what sticks has one solution, from which the next one is not far.
+Newton's method from each start first. Where it fails from all of them, paths of solutions are
+followed through their turns: from no friction to the friction there is, on springs that hold the
+motions, then to weaker and weaker springs; and from friction at which everything sticks downwards.
+
+What that proves: on springs a solution exists for every friction and is bounded, so the first path
+cannot end before it arrives. As the springs weaken it stays bounded where pressures alone can
+balance the loads, -e = D_n' l_n with l_n >= 0 (without loads on motions always). There a state of
+rest exists for every friction, and the path leads to it but for rounding and for events that
+coincide. Where only friction balances the loads there may be no rest, or several: that none is
+found proves nothing, nor do bodies that move on as the springs weaken. `cone_reach` proves that
+there is none; between its cone and the loads at which the contact really slips lies what elasticity
+makes of the pressures, which nothing here bounds.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
+from scipy.optimize import nnls
 
-from fem.contact.complementarity import AWAY
-from fem.contact.cone import SPRING, Cone, State, Task
+from fem.contact.cone import Cone
+from fem.contact.cone_linear import Rate
+from fem.contact.cone_newton import SPRING, Newton, SlidingError
+from fem.contact.cone_path import Path
+from fem.contact.cone_system import State, Task
+from fem.contact.errors import NotFoundError
 from fem.plane.discretisation import Array
 
-FINE = 1e-13  # of the peak pressure: Newton's method ends
-GOOD = 1e-10  # here too, where rounding lets it come no closer
-MAX_STEPS = 40
-ROUGHLY = 0.2  # of the peak pressure: so much Newton's full step may miss, and more than before
-SHORTEST = 1.0 / 8  # of Newton's step, where it misses more than any of the steps before
-MEMORY = 6  # of these steps
-WEAKEST = 1e-12  # of the contact's own stiffness
-EASED, HARDLY = 0.1, 0.7  # of a spring, the next one: at first, and where that is too far
-RUNAWAY = 100.0  # times what surfaces deform: no friction holds what moves more
-FAR = 1.0  # nor what moves more than this, if no rest is found near there
-MAX_RELEASES = 60
-LOWER = 0.7  # friction from one solution on the way down to the next
-MAX_LOWER = 40
-BEYOND = 1.01  # of the friction that is used: no more is needed
-
-
-class SlidingError(ArithmeticError):
-    """Friction is exhausted: the loads `missed` (k,) move bodies on."""
-
-    def __init__(self, missed: Array) -> None:
-        super().__init__("friction is exhausted, and bodies slide on")
-        self.missed = missed
+STIFF = 1.0  # of the contact's stiffness: springs that hold motions on the way from no friction
+LEAST_FRICTION = 1e-4  # of what there is: where the path from no friction starts
+MOST_FRICTION = 1e6  # times what there is: everything sticks
+BEYOND = 1.01  # of the friction that is mobilised: there the path downwards starts
 
 
 @dataclass(frozen=True)
@@ -47,105 +43,90 @@ class Descent:
     e: Array
 
     def solve(self, starts: list[State]) -> State:
-        """The solution from the first start that leads to one.
+        """The solution from the first start that leads to one, else along a path.
 
-        Where none does, friction is lowered to its value from where everything sticks.
-        ArithmeticError where that fails too, or the bodies come to no rest.
+        SlidingError where a search ends with bodies that move on, else NotFoundError with the
+        reasons of all searches.
         """
-        failed: ArithmeticError | None = None
-        for solve in (self._released, self._lowered):
-            for start in starts:
-                try:
-                    return solve(start, self.cone.friction)
-                except SlidingError:
-                    raise
-                except ArithmeticError as error:
-                    failed = error
-        raise failed or ArithmeticError("the contact has no start")
-
-    def _lowered(self, at: State, friction: Array) -> State:
-        """From friction at which everything sticks, step by step down to what there is."""
-        at = self._released(at, friction * LOWER**-MAX_LOWER)
-        share = min(BEYOND * self.cone.use(at.multipliers).max(initial=0.0), LOWER**-MAX_LOWER)
-        while share > 1:
-            at = self._released(at, friction * share)
-            share *= LOWER
-        return self._released(at, friction)
-
-    def _released(self, at: State, friction: Array) -> State:
-        """The solution on springs that follow the motions until nothing pulls at them."""
-        try:
-            at = self._newton(at, SPRING, friction, most=MAX_STEPS // 2)
-        except ArithmeticError:
-            at = self._eased(at, friction)
-        spring = SPRING
-        missed = self.cone.missed(self.e, at)
-        for _ in range(MAX_RELEASES):
-            if missed <= FINE:
-                return at
-            before = missed
-            at = self._newton(at, spring, friction)
-            missed = self.cone.missed(self.e, at)
-            if missed > before / 2:
-                if missed <= GOOD:
-                    return at
-                spring = max(WEAKEST, spring / 10)
-        raise SlidingError(self.e + self.cone.D.T @ at.multipliers)
-
-    def _eased(self, at: State, friction: Array) -> State:
-        """On springs that are let go; what they still carry then slides."""
-        spring, share, moved = 1.0, EASED, 0.0
-        at = self._newton(at, spring, friction)
-        while spring > SPRING:
+        reasons: list[str] = []
+        carried: Array | None = None
+        searches = [(f"Newton's method from start {i + 1}", at) for i, at in enumerate(starts)]
+        paths = [("the path from no friction", self._from_smooth),
+                 ("the path from where all sticks", self._from_stuck)]  # fmt: skip
+        for name, start in [*searches, *paths]:
             try:
-                new = self._newton(at, max(share * spring, SPRING), friction)
-            except ArithmeticError:
-                share = float(np.sqrt(share))
-                if share <= HARDLY:
-                    continue
-                if moved > FAR:
-                    raise SlidingError(self.e + self.cone.D.T @ at.multipliers) from None
-                raise
-            at, spring, share = new, max(share * spring, SPRING), max(share**2, EASED)
-            # in what surfaces deform: a spring's stiffness is a share of theirs
-            moved = self.cone.missed(self.e, at) / spring
-            if moved > RUNAWAY:
-                raise SlidingError(self.e + self.cone.D.T @ at.multipliers)
-        return at
+                at = start if isinstance(start, State) else start()
+                return self._newton.at_rest(at, self.cone.friction)
+            except ArithmeticError as error:
+                reasons.append(f"{name}: {error}")
+                carried = error.carried if isinstance(error, SlidingError) else carried
+        if carried is not None:
+            raise SlidingError(carried, reasons)
+        raise NotFoundError(f"no state of rest was found ({'; '.join(reasons)})")
 
-    def _newton(self, at: State, spring: float, friction: Array, most: int = MAX_STEPS) -> State:
-        """The solution with springs that hold the motions where they are."""
-        K = self.cone.springs(spring)
-        task = Task(w_0=self.w_0, e=self.e + K @ at.motion, K=K, friction=friction)
-        error, states = self.cone.error(task, at)
-        errors = [error]
-        for _ in range(most):
-            before = states
-            at, error, states = self._step(task, at, states, errors)
-            errors.append(error)
-            ends = bool(np.all(states == before)) and error <= GOOD and error > errors[-2] / 10
-            if error <= FINE or ends:
-                return at
-        raise ArithmeticError(
-            f"the contact did not converge: after {most} steps Newton's method still misses "
-            f"Coulomb's law by {error:.2e} of the pressure{AWAY}"
-        )
+    @property
+    def _newton(self) -> Newton:
+        return Newton(self.cone, self.w_0, self.e)
 
-    def _step(
-        self, task: Task, at: State, states: NDArray[np.int8], errors: list[float]
-    ) -> tuple[State, float, NDArray[np.int8]]:
-        """Newton's step, or the part of it that misses no more than those before; else the best."""
-        goal, share = self.cone.linear(task, at, states), 1.0
-        found: list[tuple[float, State, NDArray[np.int8]]] = []
-        while share >= SHORTEST:
-            new = State(
-                at.multipliers + share * (goal.multipliers - at.multipliers),
-                at.motion + share * (goal.motion - at.motion),
-            )
-            error, wanted = self.cone.error(task, new)
-            if error <= max([ROUGHLY, *errors[-MEMORY:]]):
-                return new, error, wanted
-            found.append((error, new, wanted))
-            share /= 2
-        error, new, wanted = min(found, key=lambda one: one[0])
-        return new, error, wanted
+    def _from_smooth(self) -> State:
+        """The end of the path from no friction, on springs, and then to weaker springs."""
+        cone, mu, K = self.cone, self.cone.friction, self.cone.springs(STIFF)
+        none = np.zeros_like(K)
+
+        def rougher(t: float) -> tuple[Task, Rate]:
+            return self._task(t * mu, K), Rate(mu, none)
+
+        def weaker(t: float) -> tuple[Task, Rate]:
+            share = STIFF * (SPRING / STIFF) ** t
+            change = (cone.springs(2 * share) - cone.springs(share)) * np.log(SPRING / STIFF)
+            return self._task(mu, cone.springs(share)), Rate(np.zeros_like(mu), change)
+
+        at = self._newton.solve(self._smooth(K), rougher(LEAST_FRICTION)[0])
+        at = self._newton.solve(Path(cone, rougher).follow(at, LEAST_FRICTION), rougher(1.0)[0])
+        return Path(cone, weaker).follow(at, 0.0)
+
+    def _from_stuck(self) -> State:
+        """The end of the path from where everything sticks, on weak springs about that rest."""
+        cone, mu, K = self.cone, self.cone.friction, self.cone.springs(SPRING)
+        at = self._newton.at_rest(self._smooth(cone.springs(STIFF)), MOST_FRICTION * mu)
+        share = min(BEYOND * float(cone.utilisation(at.multipliers).max(initial=0)), MOST_FRICTION)
+        if share <= 1:
+            return at
+        e, none = self.e + K @ at.motion, np.zeros_like(K)
+
+        def smoother(t: float) -> tuple[Task, Rate]:
+            now = share ** (1 - t) * mu
+            return Task(w_0=self.w_0, e=e, K=K, friction=now), Rate(-np.log(share) * now, none)
+
+        return Path(cone, smoother).follow(self._newton.solve(at, smoother(0.0)[0]), 0.0)
+
+    def _smooth(self, K: Array) -> State:
+        """The solution without friction on springs `K`: the least energy of pressures alone."""
+        m = self.cone.friction.size
+        D = self.cone.D[:m]
+        yields = np.linalg.solve(K, np.column_stack([D.T, self.e]))
+        R = np.linalg.cholesky(self.cone.B[:m, :m] + D @ yields[:, :-1])
+        w = self.w_0[:m] + D @ yields[:, -1]
+        scale = float(np.abs(w).max(initial=0.0)) or 1.0
+        pressures, _ = nnls(R.T, -solve_triangular(R, w / scale, lower=True), maxiter=100 * m)
+        multipliers = np.zeros(len(self.cone.B))
+        multipliers[:m] = scale * pressures
+        return State(multipliers, np.linalg.solve(K, self.e + self.cone.D.T @ multipliers))
+
+    def _task(self, friction: Array, K: Array) -> Task:
+        return Task(w_0=self.w_0, e=self.e, K=K, friction=friction)
+
+
+def sticking(cone: Cone, w_0: Array, e: Array, plane: State) -> State:
+    """A start: a solution of the plane, with all nodes that touch sticking along z."""
+    n, k = len(cone.B) - cone.rough.size, plane.motion.size
+    closed = cone.z[plane.multipliers[cone.rough] > 0]
+    B, D = cone.B[np.ix_(closed, closed)], cone.D[closed, k:]
+    K = SPRING * (cone.stiffness[k:].max(initial=0.0) or 1.0) * np.eye(D.shape[1])
+    scale = 1 / np.sqrt(np.concatenate([np.diag(B), np.diag(K)]))
+    A = scale[:, None] * np.block([[B, D], [D.T, -K]]) * scale
+    found = scale * np.linalg.solve(A, scale * -np.concatenate([w_0[closed], e[k:]]))
+    multipliers = np.zeros(len(cone.B))
+    multipliers[:n] = plane.multipliers
+    multipliers[closed] = found[: closed.size]
+    return State(multipliers, np.concatenate([plane.motion, found[closed.size :]]))

@@ -1,4 +1,8 @@
-"""Whether friction within its cone can balance loads on rigid bodies at all."""
+"""Whether friction within its cone can balance loads on rigid bodies at all.
+
+Pressures may take any values here. So loads that are out of reach have no equilibrium, which is
+proven; loads within reach may have none, for want of pressures that elasticity does not supply.
+"""
 
 import numpy as np
 from scipy.optimize import nnls

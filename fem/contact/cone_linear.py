@@ -1,0 +1,150 @@
+"""The linear system of a cone at given states: Newton's step, and tangents of a path of solutions.
+
+Multipliers are l = Q x: pressures with the friction of slipping nodes, then what sticks, then
+friction across the direction of slip. The rows are P' w, with P' l = x, and the balance of forces.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+
+from fem.contact.complementarity import OPEN, STICK
+from fem.contact.cone import SLIP, Cone
+from fem.contact.cone_system import State, Task
+from fem.plane.discretisation import Array, Indices
+
+NEGLIGIBLE = 1e-24  # of the largest stiffness against a motion, in whose units others are
+
+
+@dataclass(frozen=True)
+class Rate:
+    """Change of `friction` (m,) and of springs `K` (k, k) per unit of a path's parameter."""
+
+    friction: Array
+    K: Array
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """The cone `cone` about `at`, each node open, sticking or slipping as `states` (m,) say."""
+
+    cone: Cone
+    task: Task
+    at: State
+    states: NDArray[np.int8]
+
+    def newton(self) -> State:
+        """Where Newton's step leads; ArithmeticError where the system is singular."""
+        x = self.scale * _solved(self._scaled, self.scale * self._known)
+        return State(self._directions[1] @ x[: -self._motions or None], x[x.size - self._motions :])
+
+    def bordered(self, rate: Rate, row: Array, t: float, to: float) -> tuple[Array, float]:
+        """The solution (n + k + 1,) on `row` z = `to`, of z = (l, a, t), and the sign of det.
+
+        `row` (n + k + 1,) is a plane across the path, `t` the parameter of the task. With t = nan
+        the right side is zero but for `to`: the result is the tangent, of any length.
+        """
+        n, k = self.cone.D.shape
+        Q = self._directions[1]
+        change = np.zeros(n)
+        for i, tau in enumerate((self.cone.t, self.cone.z)):
+            slip = self._slip
+            pressure = self.at.multipliers[self.cone.rough[slip]]
+            change[tau[slip]] = rate.friction[self.cone.rough[slip]] * self._d[i] * pressure
+        column = np.concatenate([
+            self._directions[0].T @ (self.cone.B @ change),
+            self.cone.D.T @ change - rate.K @ self.at.motion,
+        ])  # fmt: skip
+        across = np.concatenate([Q.T @ row[:n], row[n : n + k]])
+        last = row[-1] + row[:n] @ change
+        A = np.block([
+            [self._scaled, (self.scale * column)[:, None]],
+            [(across * self.scale)[None], np.array([[last]])],
+        ])  # fmt: skip
+        if np.isnan(t):
+            known, there = np.append(np.zeros(column.size), to), 0.0
+        else:
+            there = t
+            known = np.append(self.scale * (self._known + t * column), to + t * (row[:n] @ change))
+        size = np.abs(A).max(axis=1)
+        size = np.where(size > 0, size, 1.0)
+        A, known = A / size[:, None], known / size
+        sign = float(np.linalg.slogdet(A)[0])
+        y = np.linalg.solve(A, known) if sign else np.full(known.size, np.nan)
+        x = self.scale * y[:-1]
+        multipliers = Q @ x[: x.size - k] + (y[-1] - there) * change
+        return np.concatenate([multipliers, x[x.size - k :], y[-1:]]), sign
+
+    @property
+    def _motions(self) -> int:
+        return self.cone.D.shape[1]
+
+    @cached_property
+    def _slip(self) -> Indices:
+        return np.flatnonzero(self.states[self.cone.rough] == SLIP)
+
+    @cached_property
+    def _trial(self) -> tuple[Array, Array]:
+        _, pressure, trial = self.cone.trial(self.task.w_0, self.at)
+        return pressure, trial
+
+    @cached_property
+    def _d(self) -> Array:
+        """Directions (2, slipping) of the friction of slipping nodes."""
+        trial = self._trial[1][:, self._slip]
+        return np.asarray(trial / np.hypot(*trial))
+
+    @cached_property
+    def _directions(self) -> tuple[csr_array, csr_array]:
+        """P and Q (n, unknowns)."""
+        cone, slip, d = self.cone, self._slip, self._d
+        closed = np.flatnonzero(self.states != OPEN)
+        stick = np.flatnonzero(self.states[cone.rough] == STICK)
+        x = np.concatenate([closed, cone.t[stick], cone.z[stick]])
+        across = x.size + np.arange(slip.size)
+        tau = np.concatenate([cone.t[slip], cone.z[slip]])
+        shape = len(cone.B), x.size + slip.size
+        entries = np.concatenate([np.ones(x.size), -d[1], d[0]])
+        rows = np.concatenate([x, tau])
+        columns = np.concatenate([np.arange(x.size), across, across])
+        P = csr_array((entries, (rows, columns)), shape)
+        dragged = np.tile(np.searchsorted(closed, cone.rough[slip]), 2)
+        drag = (self.task.friction[cone.rough[slip]] * d).ravel()
+        return P, (P + csr_array((drag, (tau, dragged)), shape)).tocsr()
+
+    @cached_property
+    def scale(self) -> Array:
+        """Units of the unknowns, in which the system is about one."""
+        P, own = self._directions[0], self.cone.stiffness
+        stiff = np.asarray(P.multiply(P).T @ np.diag(self.cone.B))
+        least = NEGLIGIBLE * own.max(initial=0.0) or 1.0
+        return np.asarray(1 / np.sqrt(np.concatenate([stiff, np.maximum(own, least)])))
+
+    @cached_property
+    def _scaled(self) -> Array:
+        (P, Q), cone, slip = self._directions, self.cone, self._slip
+        pressure, trial = self._trial
+        limit = (self.task.friction * pressure)[cone.rough[slip]]
+        share = limit / np.hypot(*trial[:, slip])
+        A = (Q.T @ (P.T @ cone.B).T).T
+        # the friction turns towards what slips across, the more the less has slipped
+        across = len(A) - slip.size + np.arange(slip.size)
+        A[across, across] += (1 - share) / (share * cone.augmentation[1][slip])
+        A = np.block([[A, P.T @ cone.D], [(Q.T @ cone.D).T, -self.task.K]])
+        return np.asarray(self.scale[:, None] * A * self.scale)
+
+    @cached_property
+    def _known(self) -> Array:
+        return -np.concatenate([self._directions[0].T @ self.task.w_0, self.task.e])
+
+
+def _solved(A: Array, known: Array) -> Array:
+    try:
+        return np.linalg.solve(A, known)
+    except np.linalg.LinAlgError:
+        raise ArithmeticError(
+            "the contact has no unique forces: supports or another pair fix the same nodes"
+        ) from None

@@ -1,0 +1,100 @@
+"""The condensed system of a cone: compliance, motions, friction, and the scales of these."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+
+from fem.contact.complementarity import Complementarity
+from fem.plane.discretisation import Array, Indices
+
+EXACT = 1e-9  # of the peak pressure and of the forces: what the solution may miss
+RESISTED = 1e-7  # of the largest stiffness against a motion: below, only facets resist it
+NEUTRAL_SPRING = 1e-2  # of the contact's stiffness: holds motions that only facets resist
+
+
+@dataclass(frozen=True)
+class State:
+    """Multipliers (n,) and motions (k,)."""
+
+    multipliers: Array
+    motion: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class Task:
+    """Loads `w_0` (n,), `e` (k,), springs `K` (k, k) on the motions, and `friction` (m,)."""
+
+    w_0: Array
+    e: Array
+    K: Array
+    friction: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class System:
+    """`B` (n, n), `D` (n, k) as above; the first m rows are normal ones.
+
+    `friction` (m,) is mu of each normal row; `rough` (r,) are the normal rows with friction, and
+    the rows m to m + r and m + r to m + 2 r are theirs, tangential and along z.
+    """
+
+    B: Array
+    D: Array
+    friction: Array
+    rough: Indices
+
+    @classmethod
+    def of(cls, plane: Complementarity, B_z: Array, D_z: Array) -> Self:
+        """The plane system beside compliance `B_z` (r, r) and shifts `D_z` (r, k) along z."""
+        (n, k), (r, k_z) = plane.D.shape, D_z.shape
+        B, D = np.zeros((n + r, n + r)), np.zeros((n + r, k + k_z))
+        B[:n, :n], B[n:, n:] = plane.B, B_z
+        D[:n, :k], D[n:, k:] = plane.D, D_z
+        return cls(B=B, D=D, friction=plane.friction, rough=np.flatnonzero(plane.partner >= 0))
+
+    @property
+    def t(self) -> Indices:
+        """Rows (r,) of friction along the surface."""
+        return self.friction.size + np.arange(self.rough.size)
+
+    @property
+    def z(self) -> Indices:
+        """Rows (r,) of friction along z."""
+        return self.t + self.rough.size
+
+    @cached_property
+    def augmentation(self) -> tuple[Array, Array]:
+        """c_n (m,) and c (r,): pressures that close unit weighted gaps and slips."""
+        yields = np.diag(self.B)
+        return 1 / yields[: self.friction.size], 1 / np.sqrt(yields[self.t] * yields[self.z])
+
+    @cached_property
+    def stiffness(self) -> Array:
+        """The contact's stiffness (k,) against motions."""
+        return np.asarray((self.D**2 / np.diag(self.B)[:, None]).sum(axis=0))
+
+    @cached_property
+    def _resisted(self) -> Array:
+        """The part (k, k) of motions that the contact resists; facets alone resist the others."""
+        scaled = self.D / np.sqrt(np.diag(self.B))[:, None]
+        size, motions = np.linalg.eigh(scaled.T @ scaled)
+        resisted = motions[:, size > RESISTED * size.max(initial=0.0)]
+        return resisted @ resisted.T
+
+    def springs(self, share: float) -> Array:
+        """Springs (k, k) on motions, of a share of the contact's stiffness.
+
+        Those on motions that only facets resist are always the same.
+        """
+        neutral = np.eye(len(self._resisted)) - self._resisted
+        unit = float(self.stiffness.max(initial=0.0))
+        return unit * (share * self._resisted + NEUTRAL_SPRING * neutral)
+
+    def utilisation(self, multipliers: Array) -> Array:
+        """Friction (r,) as a share of what the pressure allows, zero without pressure."""
+        friction = np.hypot(multipliers[self.t], multipliers[self.z])
+        most = self.friction[self.rough] * multipliers[self.rough]
+        pressed = most > EXACT * most.max(initial=0.0)
+        return np.where(pressed, friction / np.where(pressed, most, 1.0), 0.0)
