@@ -90,4 +90,4 @@ def _released_under_load(T: Array, F_ax: Array) -> NDArray[np.bool_]:
     beside = np.zeros(T.shape, dtype=np.bool_)
     beside[1:] |= passing
     beside[:-1] |= passing
-    return (beside & (T > 0)) | ((T == 0) & (F_ax != 0))
+    return np.asarray((beside & (T > 0)) | ((T == 0) & (F_ax != 0)), dtype=np.bool_)

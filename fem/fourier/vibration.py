@@ -155,8 +155,8 @@ class RotatingSolid:
         self._check(w, q, K @ q + (w * speed) * (G @ q) - w**2 * (M @ q))
         ahead, behind = _sorted(w, q)
         splitting = gyroscopic_splitting(speed, M, G, ahead, behind)
-        shapes = (np.asarray(self.T @ whirl.shapes) for whirl in (ahead, behind))
-        return WhirlModes(speed, ahead.w, behind.w, *shapes, splitting)
+        forward, backward = (np.asarray(self.T @ whirl.shapes) for whirl in (ahead, behind))
+        return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
         """The lowest speeds W (found,) with a mode at w = `excitation` W, and their shapes.
