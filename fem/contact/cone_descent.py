@@ -14,6 +14,7 @@ there is none; between its cone and the loads at which the contact really slips 
 makes of the pressures, which nothing here bounds.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -51,8 +52,10 @@ class Descent:
         reasons: list[str] = []
         carried: Array | None = None
         searches = [(f"Newton's method from start {i + 1}", at) for i, at in enumerate(starts)]
-        paths = [("the path from no friction", self._from_smooth),
-                 ("the path from where all sticks", self._from_stuck)]  # fmt: skip
+        paths: list[tuple[str, Callable[[], State]]] = [
+            ("the path from no friction", self._from_smooth),
+            ("the path from where all sticks", self._from_stuck),
+        ]
         for name, start in [*searches, *paths]:
             try:
                 at = start if isinstance(start, State) else start()
@@ -111,7 +114,8 @@ class Descent:
         pressures, _ = nnls(R.T, -solve_triangular(R, w / scale, lower=True), maxiter=100 * m)
         multipliers = np.zeros(len(self.cone.B))
         multipliers[:m] = scale * pressures
-        return State(multipliers, np.linalg.solve(K, self.e + self.cone.D.T @ multipliers))
+        motion = np.linalg.solve(K, self.e + self.cone.D.T @ multipliers)
+        return State(multipliers, np.asarray(motion, np.float64))
 
     def _task(self, friction: Array, K: Array) -> Task:
         return Task(w_0=self.w_0, e=self.e, K=K, friction=friction)

@@ -143,7 +143,7 @@ class Linearised:
 
 def _solved(A: Array, known: Array) -> Array:
     try:
-        return np.linalg.solve(A, known)
+        return np.asarray(np.linalg.solve(A, known), np.float64)
     except np.linalg.LinAlgError:
         raise ArithmeticError(
             "the contact has no unique forces: supports or another pair fix the same nodes"

@@ -115,7 +115,7 @@ class Path:
             if error <= ON_PATH:
                 return z, states, step
             rate = self.task(z[-1])[1]
-            z = self._linear(z, states).bordered(rate, row, z[-1], to)[0]
+            z = self._linear(z, states).bordered(rate, row, float(z[-1]), float(to))[0]
         return None
 
     def _tangent(self, z: Array, states: NDArray[np.int8], row: Array, sign: float) -> Array:

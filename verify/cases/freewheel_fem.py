@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.contact.errors import NoEquilibriumError, NotFoundError
 from verify.cases.freewheel_bodies import BODIES, Bodies, OneClutch
 
 if TYPE_CHECKING:
@@ -87,6 +86,8 @@ class Sector:
         roller that creeps out, or turns, until friction holds it, would bear them beside its
         contacts.
         """
+        from fem.contact.errors import NoEquilibriumError, NotFoundError
+
         for _ in range(MOST):
             state = self.at(drags)
             out, turned = state.motion

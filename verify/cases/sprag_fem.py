@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fem.contact.errors import NoEquilibriumError, NotFoundError
 from verify.cases.sprag_bodies import Place
 
 if TYPE_CHECKING:
@@ -46,6 +45,8 @@ class Sector:
         `drags` [m], how far inner and outer race are turned anticlockwise where they are touched,
         are improved until it does not.
         """
+        from fem.contact.errors import NoEquilibriumError, NotFoundError
+
         bound = STILL * self.place.H
         for _ in range(MOST):
             state = self.at(drags)
