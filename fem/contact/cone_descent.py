@@ -51,12 +51,12 @@ class Descent:
         """
         reasons: list[str] = []
         carried: Array | None = None
-        searches = [(f"Newton's method from start {i + 1}", at) for i, at in enumerate(starts)]
-        paths: list[tuple[str, Callable[[], State]]] = [
+        searches: list[tuple[str, State | Callable[[], State]]] = [
+            *((f"Newton's method from start {i + 1}", at) for i, at in enumerate(starts)),
             ("the path from no friction", self._from_smooth),
             ("the path from where all sticks", self._from_stuck),
         ]
-        for name, start in [*searches, *paths]:
+        for name, start in searches:
             try:
                 at = start if isinstance(start, State) else start()
                 return self._newton.at_rest(at, self.cone.friction)
