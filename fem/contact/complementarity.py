@@ -78,7 +78,7 @@ class Complementarity(ContactSystem):
         release = Release(self, w_0, e, changes)
         if start is None:
             start = self._start(w_0, e)
-        starts = [] if start is None or not start.any() else [(start, SPRINGS[-1:])]
+        starts = [] if start is None else [(start, SPRINGS[-1:])]
         for states, springs in [*starts, (np.zeros(self.friction.size, np.int8), SPRINGS)]:
             try:
                 found = release.rest(states, springs)
