@@ -74,11 +74,11 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Least error of what the guard refuses, so that no right answer is."""
+    """Least median error of what the guard refuses, so that no right answer is."""
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
-    words = f"{len(stopped)} of {len(all_of_them)} refused, each off by {least:.0%} or more"
+    words = f"{len(stopped)} of {len(all_of_them)} refused, median errors of {least:.0%} or more"
     return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "none refused"
 
 
