@@ -123,7 +123,8 @@ def unresolved_multiple(fine: float, coarse: float, scale: float) -> float:
     1 where both differences are well below `ROUND_OFF` of the scale, 3 from there on, as for every
     series without an order; linear in between, so that no index jumps at the limit.
     """
-    return 1 + 2 * _ramp(max(abs(fine), abs(coarse)) / (ROUND_OFF * scale), 0.5, 1.0)
+    limit = ROUND_OFF * scale
+    return 1 + 2 * _ramp(max(abs(fine), abs(coarse)), limit / 2, limit)
 
 
 def safety_factor(observed: float, formal: float) -> float:
@@ -138,7 +139,9 @@ def safety_factor(observed: float, formal: float) -> float:
 
 def _ramp(x: float, low: float, high: float) -> float:
     """0 up to `low`, 1 from `high` on, linear in between."""
-    return min(max((x - low) / (high - low), 0.0), 1.0)
+    if x <= low:
+        return 0.0
+    return 1.0 if x >= high else (x - low) / (high - low)
 
 
 def observed_order(ratio: float, r21: float, r32: float) -> float:

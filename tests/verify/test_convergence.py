@@ -225,6 +225,11 @@ def test_an_order_is_found_above_round_off():
     assert found.order == pytest.approx(math.log2(5), abs=1e-6)  # 10/2 = 2^p
 
 
+def test_a_series_of_zeros_with_a_scale_of_zero_is_round_off():
+    found = grid_convergence(EVEN, (0.0, 0.0, 0.0), formal=1, scale=0.0)
+    assert (found.behaviour, found.gci) == ("round-off", 0.0)
+
+
 def test_a_last_refinement_without_effect_leaves_the_step_before_it_uncertain():
     found = grid_convergence(EVEN, (1.0, 1.1, 1.1), formal=2, scale=1.0)
     assert found.gci >= 0.1 - 1e-15

@@ -2,6 +2,7 @@
 
 import io
 import os
+from contextlib import suppress
 from itertools import pairwise
 
 import pytest
@@ -62,6 +63,15 @@ def test_a_quiet_run_says_nothing(capsys):
     assert capsys.readouterr() == ("", "")
 
 
+def everything(terminal):
+    """What can be read of it: a terminal hands out several writes one by one."""
+    text = b""
+    with suppress(BlockingIOError):
+        while read := os.read(terminal, 100_000):
+            text += read
+    return text.decode()
+
+
 def test_on_a_terminal_a_bar_appears_with_the_first_level_and_goes_with_the_last(monkeypatch):
     ours, theirs = os.openpty()
     with os.fdopen(theirs, "w") as terminal:
@@ -76,7 +86,8 @@ def test_on_a_terminal_a_bar_appears_with_the_first_level_and_goes_with_the_last
             os.read(ours, 10_000)
         with shown(quiet=False) as show:
             show(BUSY)
-        text = os.read(ours, 100_000).decode()
+        terminal.flush()
+        text = everything(ours)
     os.close(ours)
     for word in ("12/48", "about 14 s left", "spring-continuum level 8"):
         assert word in text

@@ -62,8 +62,10 @@ def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(bench):
     assert "displacement" in what or "stress" in what
 
 
-def test_a_grid_index_without_its_safety_is_named_where_the_mesh_makes_the_difference(bench):
-    fault = planted("verify.convergence", JUDGING, "grid_convergence", "1.25", "0.625")
+def test_a_grid_index_that_is_too_small_is_named_where_the_mesh_makes_the_difference(bench):
+    fault = planted(
+        "verify.convergence", JUDGING, "grid_convergence", "max(gci, floor)", "min(gci, floor)"
+    )
     by, what = verdict(partial(trial.tried, fault, [bench]))
     assert by == By.ROWS
     assert what.startswith("ring-lame/")
