@@ -1,7 +1,8 @@
 """One kernel for every plane contact problem: unilateral contact with Coulomb friction, condensed.
 
-Active sets are the fast method. Where they end without a solution, Lemke's method follows. A
-solution is accepted by its residual alone.
+Active sets are the fast method. Where they end without a solution, Lemke's method follows, and for
+bodies without loads a linear programme that moves them apart. A solution is accepted by its
+residual alone.
 """
 
 from collections.abc import Iterator
@@ -21,7 +22,8 @@ from fem.plane.discretisation import Array
 
 __all__ = ["BACKWARD", "FELT", "FORWARD", "OPEN", "STAYING", "STICK", "Complementarity", "Rest"]
 
-METHODS = "active sets", "Lemke's method"  # the slower one where it took part
+# the slowest one that took part; the last finds that bodies rest apart from each other
+METHODS = "active sets", "Lemke's method", "linear programme"
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
 AWAY = "; bodies may slide or roll away under these loads, unless held or pressed together first"
 
@@ -87,6 +89,9 @@ class Complementarity(ContactSystem):
             yield Rest(*found, tuple(changes), METHODS[bool(release.pivoted)])
         for found in FrictionLcp(self, w_0, e, self.springs(0.0)).candidates():
             yield Rest(*found, tuple(changes), METHODS[True])
+        if self._is_unloaded(w_0, e) and (apart := self._parting(w_0)) is not None:
+            none = np.zeros(w_0.size), apart, np.zeros(self.friction.size, np.int8)
+            yield Rest(*none, tuple(changes), METHODS[-1])
 
     def is_proven_non_unique(self, rest: Rest, w_0: Array, e: Array) -> bool:
         """Whether the problem of `rest`, under `w_0` (n,) and `e` (k,), has further solutions.
@@ -101,18 +106,29 @@ class Complementarity(ContactSystem):
         A = StateEquations.of(self, rest.states, self.springs(0.0)).A
         if np.linalg.slogdet(A)[0] * (-1) ** self.D.shape[1] < 0:
             return True
-        loaded = np.abs(e).max(initial=0.0) > self.loads_at_round_off(w_0)
-        return bool(not loaded and np.any(rest.multipliers) and self._can_part(w_0))
+        if not self._is_unloaded(w_0, e) or not np.any(rest.multipliers):
+            return False
+        return self._parting(w_0) is not None
 
-    def _can_part(self, w_0: Array) -> bool:
-        """Whether some motion opens all gaps without any force."""
+    def _is_unloaded(self, w_0: Array, e: Array) -> bool:
+        """Whether no load beyond round-off acts on the rigid motions."""
+        return float(np.abs(e).max(initial=0.0)) <= self.loads_at_round_off(w_0)
+
+    def _parting(self, w_0: Array) -> Array | None:
+        """The motion (k,) that opens all gaps most evenly without any force; None without one.
+
+        By a linear programme for the least gap, in units of the elastic approach of its row.
+        """
         m, k = self.friction.size, self.D.shape[1]
         scale = np.sqrt(self.compliance[:m])
         D, gaps = self.D[:m] * self.scales[1] / scale[:, None], w_0[:m] / scale
-        if not k:
-            return bool(np.all(gaps >= 0))
         size = np.abs(gaps).max() or 1.0
-        return bool(linprog(np.zeros(k), A_ub=-D, b_ub=gaps / size, bounds=(None, None)).success)
+        found = linprog(
+            np.append(np.zeros(k), -1.0), A_ub=np.column_stack([-D, np.ones(m)]),
+            b_ub=gaps / size, bounds=[(None, None)] * k + [(None, 1.0)],
+        )  # fmt: skip
+        is_open = found.success and found.x[-1] >= 0
+        return np.asarray(size * self.scales[1] * found.x[:k]) if is_open else None
 
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
         """Where the surfaces would touch without friction, as a start; None if that is not found.

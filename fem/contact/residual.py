@@ -45,6 +45,7 @@ def residual(
     force, nothing = float(normal.max(initial=0.0)), system.loads_at_round_off(w_0)
     missed, size = system.missed(e, multipliers)
     if np.abs(e).max(initial=0.0) <= nothing:
+        nothing = 0.0  # round-off of the gaps is a force between bodies that may move apart
         force = max(force, CLOSING_SHARE * float(overlap.max(initial=0.0)))
         size = max(size, force * float(np.abs(system.D).max(initial=0.0)))
     force = force or 1.0

@@ -104,7 +104,15 @@ def test_random_problems_meet_the_laws_of_contact_on_their_whole_path(seed):
 
 def test_problems_whose_states_repeat_are_solved_by_pivots():
     methods = {outcome for seed in range(60) for outcome, _, _ in steps(problem(seed))}
-    assert set(METHODS) <= methods
+    assert set(METHODS[:2]) <= methods
+
+
+@pytest.mark.parametrize("seed", [649, 844, 2470, 7004])
+def test_unloaded_bodies_rest_apart_where_only_round_off_presses_them(seed):
+    # pivots leave contact forces of 1e-13 there, which no load balances
+    found = list(steps(problem(seed)))
+    assert max(missed for _, _, missed in found) < 1e-9
+    assert "not found" not in {outcome for outcome, _, _ in found}
 
 
 def test_loads_outside_the_cone_of_forces_are_proven_to_have_no_equilibrium():
