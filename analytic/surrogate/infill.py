@@ -11,6 +11,10 @@ from analytic.surrogate.box import Box
 from analytic.surrogate.found import Found, Objective
 
 
+class NoAgreementError(ArithmeticError):
+    """Surrogate and true model still differ after all rounds; every answer was found."""
+
+
 class Predicts(Protocol):
     """What answers points (n, d) with values (n,)."""
 
@@ -70,8 +74,8 @@ def infill(
     one of them. Agreement is |true/predicted - 1| <= agree, in so
     many rounds `in_a_row`. A smallest value on a design that is
     there already is asked for once more: a model that is a function answers the same, and a
-    surrogate that interpolates agrees. ArithmeticError where it does not, where `rounds` have
-    passed without agreement, or for an answer that is not finite.
+    surrogate that interpolates agrees. ArithmeticError where it does not, or for an answer that
+    is not finite; NoAgreementError, one of them, where `rounds` have passed without agreement.
 
     Agreement is local. It says that the surrogate is right where it is smallest, not that nothing
     smaller lies where it is wrong. One process over the largest of three planes, four places of
@@ -106,7 +110,7 @@ def infill(
         agreed = agreed + 1 if this.error <= agree else 0
         if agreed == in_a_row or (agreed and on_design):
             return _best(surrogate, x, known, value, history, box)
-    raise ArithmeticError(
+    raise NoAgreementError(
         f"surrogate and true model do not agree within {agree:.2%} after {rounds} rounds: the last "
         f"has {this.predicted:.6g} for {this.true:.6g} at {this.x}"
     )

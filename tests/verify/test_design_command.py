@@ -19,6 +19,7 @@ from verify.design.inputs import default
 from verify.design.outcome import Outcome
 from verify.design.search import search
 from verify.design.template import template
+from verify.design.told import verdict
 
 # eight springs, two of them on the front
 SMALL = {
@@ -222,6 +223,40 @@ def test_leaves_that_touch_before_the_working_displacement_reject_a_spring():
     early = replace(made().curve, touches=8e-3)
     assert not made(curve=early).fits
     assert made(curve=replace(early, touches=8.1e-3)).fits
+
+
+def test_a_curve_that_ends_without_an_equilibrium_is_no_verdict_on_the_spring():
+    """Neither fitting nor rejected for its displacement: what comes after is not known."""
+    broken = replace(made().curve, U=np.array([0.0, 7e-3, 7.9e-3]), whole=False)
+    v = made(curve=broken)
+    assert v.unsolved
+    assert not v.fits
+    assert verdict(v) == "no equilibrium found beyond 7.9 mm"
+    assert made(curve=broken, U_w=7.9e-3 * (1 + 1e-12)).fits
+    assert verdict(made(curve=broken, delta=float("nan"), U_w=7.5e-3)).startswith("no equilibrium")
+    # a spring that never bears F_w on a whole curve is rejected
+    assert verdict(made(delta=float("nan"))) == "beyond ±3 %"
+
+
+def test_a_solver_that_fails_leaves_a_curve_open(monkeypatch):
+    from fem.beam.large import LargeFrame
+
+    right = LargeFrame.displaced
+
+    def fails(self, moved, factors, *, since=None):
+        if since is not None and since.steps and since.u[:, 0].max() > 3e-3:
+            raise ArithmeticError("no equilibrium found")
+        return right(self, moved, factors, since=since)
+
+    monkeypatch.setattr(LargeFrame, "displaced", fails)
+    base = default()
+    ranges = {"n": (8.0,), "b": (1.1e-4,), "L1": (13.8e-3,), "r": (0.45e-3,),
+              "alpha": (float(np.radians(78)),)}  # fmt: skip
+    found = search(type(base)("x", base.demands, ranges))
+    v = verified_by_fem(found.springs, found.formulas, 0, base.demands)
+    assert not v.curve.whole
+    assert v.unsolved
+    assert not v.fits
 
 
 def test_a_pressed_spring_needs_its_room_and_its_strength():

@@ -301,6 +301,21 @@ def test_stiff_springs_have_a_force():
     assert any("springs alone press" in words for words in warned)
 
 
+def test_springs_whose_state_is_not_found_have_no_force(monkeypatch):
+    def fails(*_, **__):
+        raise ArithmeticError("no load for which there is a state")
+
+    monkeypatch.setattr(sprag_clutch_values, "spring_equilibrium", fails)
+    forget()
+    try:
+        v = analytic(own())
+        assert "N_0" not in v
+        warned = CLUTCH.warnings(own(), v)
+    finally:
+        forget()
+    assert "no state that bears the springs alone was found: N_0 is not known" in warned
+
+
 def test_summary_says_what_programs_ask():
     q = own()
     record = CLUTCH.summary(q, analytic(q))

@@ -8,13 +8,19 @@ import pytest
 
 from analytic.sprag import parts
 from tests.conftest import solved
-from verify.cases import sprag_clutch_limits, sprag_clutch_model, sprag_clutch_paper_fem
+from verify.cases import (
+    sprag_clutch_limits,
+    sprag_clutch_model,
+    sprag_clutch_paper_fem,
+    sprag_optimum_fem,
+)
 from verify.cases import sprag_clutch_values as values
 from verify.cases import sprag_clutch_variants as variants
 from verify.cases.sprag_clutch import CLUTCH
 from verify.cases.sprag_clutch_claims import UNFITTED, corners, length
 from verify.cases.sprag_clutch_drawn_fem import Drawn
 from verify.cases.sprag_inputs import EngagementInputs
+from verify.cases.sprag_optimum_inputs import Optimum25Inputs
 from verify.run import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
@@ -140,6 +146,36 @@ def test_a_failed_calibration_turns_its_own_rows_red_and_no_other(monkeypatch, r
     found = red(judge_case(Job(CLUTCH, PAPER), [*coarse, last]))
     assert {row.reason for row in found} == {UNFITTED}
     assert len(found) == 6
+
+
+def test_a_wedge_angle_is_fitted_only_between_pressures_on_both_sides(monkeypatch):
+    low, high = map(float, sprag_clutch_paper_fem.ANGLES)
+    printed = sprag_clutch_paper_fem.PRINTED[25.0][1]
+
+    def fitted(zero):
+        """The angle found where the printed pressure is that of the angle `zero`."""
+        monkeypatch.setattr(
+            sprag_clutch_paper_fem, "peak_fem",
+            lambda _crown, _T, *, nu_0: printed + 1e11 * (zero - nu_0),
+        )  # fmt: skip
+        return sprag_clutch_paper_fem.fitted_angle_fem()
+
+    assert fitted(low - 1e-4) is None
+    assert fitted(high + 1e-4) is None
+    for zero in (low + 1e-4, high - 1e-4):
+        assert fitted(zero) == pytest.approx(zero, abs=2e-5)
+
+
+@pytest.mark.parametrize("error", [ArithmeticError, ValueError])
+def test_an_engagement_that_is_not_solved_is_no_failed_calibration(error, monkeypatch):
+    def fails(*_, **__):
+        raise error("the engagement is not followed")
+
+    monkeypatch.setattr(sprag_clutch_paper_fem, "peak_fem", fails)
+    with pytest.raises(error, match="not followed"):
+        sprag_clutch_paper_fem.calibrated_fem()
+    with pytest.raises(error, match="not followed"):
+        sprag_optimum_fem.calibrated_fem(Optimum25Inputs(), {})
 
 
 def test_the_rounding_of_mass_and_inertia_leaves_8_to_11_mm():

@@ -5,8 +5,9 @@ import pytest
 
 from analytic.contact import crown, slices
 from analytic.surrogate import genetic, kriging, largest
+from analytic.surrogate.infill import NoAgreementError
 from verify.case import Context, FemResult
-from verify.cases import sprag_optimum_deep, sprag_optimum_study_fem
+from verify.cases import sprag_optimum_deep, sprag_optimum_ends_fem, sprag_optimum_study_fem
 from verify.cases.sprag_optimum_inputs import Optimum25Inputs
 from verify.cases.sprag_optimum_surrogate_claims import SURROGATE
 from verify.cases.sprag_peaks import Peaks
@@ -162,3 +163,19 @@ def test_without_ends_that_carry_one_regime_is_kriged():
     surrogate = sprag_optimum_study_fem.fit_fem(x, answers, box)
     assert len(surrogate.models) == 1
     assert surrogate.predict(x) == pytest.approx([a.largest for a in answers], rel=1e-6)
+
+
+@pytest.mark.parametrize("error", [NoAgreementError, ArithmeticError])
+def test_a_crown_with_free_ends_is_missing_only_where_all_engagements_are_solved(
+    error, monkeypatch
+):
+    def fails(*_):
+        raise error("no crown")
+
+    monkeypatch.setattr(sprag_optimum_ends_fem, "infilled_fem", fails)
+    crowns = np.array([[Q.K_1, Q.K_2, Q.z_m]])
+    if error is NoAgreementError:
+        assert sprag_optimum_ends_fem.freed_fem(Q, crowns, np.array([N])) == {}
+        return
+    with pytest.raises(ArithmeticError, match="no crown"):
+        sprag_optimum_ends_fem.freed_fem(Q, crowns, np.array([N]))

@@ -5,6 +5,7 @@ import pytest
 
 from analytic.contact import strips
 from analytic.sprag.closure import wedged
+from verify.cases import sprag_peaks
 from verify.cases.sprag_clutch_model import built
 from verify.cases.sprag_clutch_run_fem import run_fem
 from verify.cases.sprag_engagement_model import gap
@@ -75,6 +76,16 @@ def test_what_does_not_lock_has_no_peak():
     slippery = Q.model_copy(update={"mu_s": 0.05, "mu_c": 0.05})
     with pytest.raises(NoLockError, match=r"T = 25 N m .*no crown mends that"):
         peaks_fem(slippery, CROWNS[:1], [25.0])
+
+
+def test_an_engagement_that_is_not_solved_is_not_one_that_does_not_lock(monkeypatch):
+    def fails(*_):
+        raise ValueError("dt is too long")
+
+    monkeypatch.setattr(sprag_peaks, "engaged_fem", fails)
+    with pytest.raises(ArithmeticError, match="no answer: ValueError: dt is too long") as error:
+        peaks_fem(Q, CROWNS[:1], [25.0])
+    assert not isinstance(error.value, NoLockError)
 
 
 def test_strips_let_no_crown_count_whose_ends_carry():

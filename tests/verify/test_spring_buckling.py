@@ -9,7 +9,13 @@ from analytic.spring import column, stability
 from analytic.spring.elastica import Elastica
 from verify.case import Context
 from verify.cases import spring_buckling, spring_buckling_fem, spring_large_fem
-from verify.cases.spring_buckling import BUCKLING, analytic, gives_way, too_large
+from verify.cases.spring_buckling import (
+    BUCKLING,
+    NOT_FOUND,
+    analytic,
+    critical_point,
+    too_large,
+)
 from verify.cases.spring_buckling_inputs import BucklingInputs
 from verify.cases.spring_large_fem import Spring
 from verify.inputs import InputError, build
@@ -36,9 +42,9 @@ def names(rows):
 @pytest.fixture
 def fresh():
     """Values of the elastica that a fault may have changed are not kept."""
-    gives_way.cache_clear()
+    critical_point.cache_clear()
     yield
-    gives_way.cache_clear()
+    critical_point.cache_clear()
 
 
 def test_no_row_is_red_on_the_paper_s_inputs(judged, red):
@@ -97,7 +103,7 @@ def test_a_wrong_formula_turns_its_row_red(
     owner, name, fault, row, judged, red, monkeypatch, fresh
 ):
     judged(BUCKLING)
-    gives_way.cache_clear()
+    critical_point.cache_clear()
     monkeypatch.setattr(owner, name, fault(getattr(owner, name)))
     bare = replace(BUCKLING, figures=lambda _: (), tables=lambda _: ())
     found = judged(bare)
@@ -227,6 +233,29 @@ def test_a_free_head_beyond_its_force_is_told_of():
 def test_springs_without_a_comparison_say_so(change, said):
     assert said in too_large(own(**change))
     assert not too_large(own())
+
+
+def test_an_elastica_that_is_not_found_is_no_spring_without_a_critical_point(monkeypatch, fresh):
+    def fails(*_given, **_more):
+        raise ArithmeticError("take smaller steps")
+
+    monkeypatch.setattr(stability, "critical", fails)
+    q = own()
+    with pytest.raises(ArithmeticError, match="take smaller steps"):
+        critical_point(q, "arc")
+    v = analytic(q)
+    assert not [key for key in v if key.startswith("U_cr")]
+    assert "Haringx U, free" in v
+    assert too_large(q) == f"{NOT_FOUND} (take smaller steps): check it without --fem"
+    assert BUCKLING.warnings(q, v) == [
+        "no critical point of the elastica was found, tail arc and mid-leaf"
+    ]
+
+
+def test_a_critical_point_that_beams_do_not_have_is_an_error(monkeypatch):
+    monkeypatch.setattr(spring_buckling_fem, "LAST", 0.01)
+    with pytest.raises(ArithmeticError, match="no critical point of the free head up to 1%"):
+        spring_buckling_fem.fem(own(), 2)
 
 
 def test_wrong_input_gets_one_line():

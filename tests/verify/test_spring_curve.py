@@ -208,13 +208,45 @@ def test_forces_must_be_retraced(own):
     assert is_red(BACK, context(own, **{"there and back": np.hstack([kept, back])}))
 
 
-def test_a_curve_that_ends_before_loops_meet_is_not_tenfold(own):
-    assert is_red(TENFOLD, context(own))
-    further = {
-        "curve 8 U": np.append(own.U, 17.5 * mm), "curve 8 F": np.append(own.F, own.F[-1] + 6),
-        "curve 8 press": np.vstack([own.press, own.press[-1]]),
-    }  # fmt: skip
-    assert not is_red(TENFOLD, context(own, **further))
+def further(curve, share, force):
+    """Arrays of the curve with one more state, at a share of its stroke and of its last force."""
+    return {
+        "curve 8 U": np.append(curve.U, share * Q.stroke),
+        "curve 8 F": np.append(curve.F, force * curve.F[-1]),
+        "curve 8 press": np.vstack([curve.press, curve.press[-1]]),
+    }
+
+
+def test_a_curve_that_ends_by_its_force_or_its_last_displacement_has_a_third_stage(own):
+    assert not is_red(TENFOLD, context(own, **further(own, 1.03, 2.01)))
+    soft = judge(TENFOLD, context(own, **further(own, 1 + runs.BEYOND[-1], 1.3)))
+    assert soft.status is Status.FAIL
+    assert soft.reason.startswith("not held")
+
+
+def test_a_curve_that_ends_for_want_of_an_equilibrium_has_no_third_stage(own):
+    for curve in ({}, further(own, 1.03, 1.99)):
+        found = judge(TENFOLD, context(own, **curve))
+        assert found.status is Status.FAIL
+        assert found.reason.startswith("not converged: no result, no equilibrium was found beyond")
+
+
+def test_a_state_that_is_not_found_ends_a_curve_beyond_its_stroke_and_no_other(monkeypatch):
+    """Up to the stroke the error goes on to the case."""
+    from fem.beam.large import LargeFrame
+
+    right = LargeFrame.displaced
+
+    def fails(self, moved, factors, *, since=None):
+        if since is not None and since.u[:, 0].max() > 1.9 * mm:
+            raise ArithmeticError("no equilibrium found")
+        return right(self, moved, factors, since=since)
+
+    monkeypatch.setattr(LargeFrame, "displaced", fails)
+    spring, U = runs.spring_of(Q), np.arange(1, 4) * mm
+    assert len(model.fem_compress(spring, U[:2], per_arc=CELLS, beyond=U[2:]).U) == 2
+    with pytest.raises(ArithmeticError, match="pressed to 3 mm: no equilibrium found"):
+        model.fem_compress(spring, U, per_arc=CELLS)
 
 
 def test_a_reading_that_is_nearer_to_k_1_is_told(own):
@@ -297,11 +329,13 @@ def test_points_are_named_by_what_presses(own):
 def test_what_is_not_reached_is_told_in_words(own):
     """At one's own inputs nothing turns red by that, and no row tells of nan."""
     short = replace(own, press=0 * own.press)
-    seen = context(short, inputs=CurveInputs(mu=0.1))
+    mine = CurveInputs(mu=0.1)
+    seen = context(short, inputs=mine)
+    whole = context(short, inputs=mine, **further(short, 1 + runs.BEYOND[-1], 1.3))
     rows = [judge(name, seen) for name in (DEPTH, SAME, HALVED, BALANCE, BACK, TENFOLD)]
     assert {row.status for row in rows} == {Status.SHOWN}
     assert not any("nan" in row.reason for row in rows)
-    assert "no leaves touch for long enough" in judge(TENFOLD, seen).reason
+    assert "no leaves touch for long enough" in judge(TENFOLD, whole).reason
     (table,) = tables(seen)
     assert [row[0] for row in table.rows] == ["E", "A, linear"]
     assert CURVE.figures(seen)

@@ -9,7 +9,7 @@ from analytic.spring import energy
 from verify.case import Context
 from verify.cases import spring_map, spring_map_fem
 from verify.cases.spring_large_fem import Spring
-from verify.cases.spring_map import DEEP_MAP, MAP, analytic, pressed
+from verify.cases.spring_map import DEEP_MAP, MAP, analytic, pressed, too_large
 from verify.cases.spring_map_inputs import (
     DEEP_LEAVES,
     DEEP_SLENDER,
@@ -164,6 +164,73 @@ def test_the_cells_of_a_column_have_its_slenderness():
 
 def test_a_cell_that_is_no_leaf_spring_is_left_out():
     assert spring_map_fem.measured(MapInputs(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
+
+
+LONG_LEAVES = 18, 8  # of the finer maps: alpha = 70 deg, L_1/r = 60
+
+
+def test_a_cell_whose_spring_becomes_unstable_has_no_forces():
+    """Before 60 % of its length the pivots' sign changes between two equilibria."""
+    q = MapInputs()
+    rows = [row for grid in points(q, deep=True).values() for row in grid]
+    cell = rows[LONG_LEAVES[0]][LONG_LEAVES[1]]
+    one = spring_map_fem.spring(q, cell, 4, 2)
+    U_cr = spring_map_fem.critical_displacement(one, 0.6 * cell.length)
+    assert U_cr == pytest.approx(0.5535 * cell.length, rel=1e-4)
+    assert spring_map_fem.critical_displacement(one, 0.55 * cell.length) is None
+    with pytest.raises(spring_map_fem.UnstableError, match=r"point at 55\.4% of the length"):
+        spring_map_fem.pressed(one, cell)
+    k, *secant = spring_map_fem.measured(q, cell)
+    assert k == pytest.approx(54.9127, rel=1e-5)
+    assert secant == [0.0, 0.0]
+
+
+def test_a_path_that_is_not_found_is_no_critical_point(monkeypatch):
+    """The paper's spring is stable: what its solver fails at is no result of the map."""
+    q = MapInputs()
+
+    def fails(self, U, since=None):
+        raise ArithmeticError("no equilibrium found")
+
+    monkeypatch.setattr(Spring, "compressed", fails)
+    with pytest.raises(ArithmeticError, match="no equilibrium found") as error:
+        spring_map_fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))
+    assert not isinstance(error.value, spring_map_fem.UnstableError)
+
+
+def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
+    q = MapInputs()
+    cell = Cell(q.n, q.b, q.r, q.L1, q.alpha)
+
+    def fails(self, *_loads, **_control):
+        raise ArithmeticError("no step goes on")
+
+    for name in ("displaced", "along_arc"):
+        monkeypatch.setattr("fem.beam.large.LargeFrame." + name, fails)
+    with pytest.raises(ArithmeticError, match="no step goes on") as error:
+        spring_map_fem.measured(q, cell)
+    assert not isinstance(error.value, spring_map_fem.UnstableError)
+
+
+def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
+    q, right = MapInputs(), Spring.compressed
+
+    def crossed(self, U, since=None):
+        *before, last = right(self, U, since)
+        return [*before, replace(last, negative=1)]
+
+    monkeypatch.setattr(Spring, "compressed", crossed)
+    assert spring_map_fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))[1:] == (0, 0)
+
+
+def test_an_elastica_that_is_not_found_says_nothing_of_stability():
+    """Flat leaves: Newton's method fails at these steps, beams are stable all the way."""
+    q = own(alpha="30 deg", x_r="2 mm", y_r="0.1 mm")
+    assert "F, 0.3" not in analytic(q)
+    assert too_large(q) == f"{spring_map.NOT_FOUND}: check it without --fem"
+    assert MAP.warnings(q, analytic(q)) == [spring_map.NOT_FOUND]
+    cell = Cell(q.n, q.b, q.r, q.L1, q.alpha)
+    assert len(spring_map_fem.pressed(spring_map_fem.spring(q, cell, 4, 2), cell)) == 2
 
 
 def test_the_finer_map_has_a_part_for_each_of_its_rows():

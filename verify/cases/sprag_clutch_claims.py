@@ -33,7 +33,7 @@ RESTS = 1e-3  # of the force, where N_e = N_i makes half as much
 ROUNDED = {"m_g": 0.05e-3, "I_g": 0.005e-8}  # kg, kg m²: half of the last digit in Table 1
 FOUND_FIT = 0.02  # of what was fitted
 FITTED = f"rests on {len(IDENTIFIED)} identified inputs"
-UNFITTED = "no wedge angle from {:.2g} to {:.2g}° has the pressure printed at 25 N m".format(
+UNFITTED = "the pressure printed at 25 N m does not lie between those at {:.2g} and {:.2g}°".format(
     *np.degrees(ANGLES)
 )
 

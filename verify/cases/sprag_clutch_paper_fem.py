@@ -71,19 +71,33 @@ def paper_fem() -> dict[str, Array]:
     } | calibrated_fem()  # fmt: skip
 
 
+def fitted_angle_fem() -> float | None:
+    """Wedge angle [rad] with the pressure printed at 25 N m, best crown.
+
+    None where both ends of ANGLES have more than that, or both less. An engagement that is not
+    found raises its own error.
+    """
+    T = TORQUES[0]
+
+    def excess(nu_0: float) -> float:
+        return peak_fem(BEST[T], T, nu_0=nu_0) - PRINTED[T][1]
+
+    low, high = (float(nu_0) for nu_0 in ANGLES)
+    if excess(low) * excess(high) > 0:
+        return None
+    return float(brentq(excess, low, high, xtol=1e-5))
+
+
 def calibrated_fem() -> dict[str, Array]:
     """The wedge angle and the slices from 25 N m, and what they predict; nan where none fit."""
-    best, (flat_25, best_25) = BEST[25.0], PRINTED[25.0]
     counts = np.array(COUNTS, dtype=np.float64)
-    try:
-        nu_0 = float(brentq(lambda nu: peak_fem(best, 25.0, nu_0=float(nu)) - best_25, *ANGLES,
-                            xtol=1e-5))  # fmt: skip
-    except (ArithmeticError, ValueError):
+    nu_0 = fitted_angle_fem()
+    if nu_0 is None:
         nothing = np.full(2, np.nan)
         return {"fitted": nothing, "flat, counts": counts, "flat, peaks": np.nan * counts,
                 "pair 25": nothing, "pair 40": nothing}  # fmt: skip
     flat = np.array([peak_fem(None, 25.0, nu_0=nu_0, slices=n) for n in COUNTS])
-    n = COUNTS[int(np.argmin(np.abs(flat - flat_25)))]
+    n = COUNTS[int(np.argmin(np.abs(flat - PRINTED[25.0][0])))]
     own = {"nu_0": nu_0, "slices": n}
     pairs = {T: [peak_fem(None, T, **own), peak_fem(BEST[T], T, **own)] for T in TORQUES}
     return {

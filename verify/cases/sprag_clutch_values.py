@@ -19,7 +19,7 @@ LAW_ALPHA = 1e-3  # the same of the turn and the yields, 0.15 % of the contacts'
 
 @lru_cache(maxsize=16)
 def blades(q: EngagementInputs) -> float:
-    """Force N_0 [N] of the springs alone; nan where they turn the sprags beyond all formulas."""
+    """Force N_0 [N] of the springs alone; nan where no state that bears them is found."""
     clutch = built(q).clutch
     if not q.alpha_max > wedged(clutch, 0.0).alpha:
         return 0.0

@@ -135,7 +135,7 @@ def warnings(q: SpragInputs, v: Values) -> Sequence[str]:
             f"the springs alone press with {newton(v['N_0'])}, more than a tenth of what the "
             "torque asks for"
             if "N_0" in v
-            else "the springs turn the sprags to their end"
+            else "no state that bears the springs alone was found: N_0 is not known"
         )
     found += [
         f"the {race} race gives way {v[key]:.3g} times as much under each sprag as Eq. 6's smeared "

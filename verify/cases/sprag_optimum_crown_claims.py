@@ -32,7 +32,7 @@ HALF_SPACE = "half-space"
 EDGE = 1e-4  # of a pressure: what it hangs on how cells lie on the edge of the contact
 SPREAD = 3.0  # times the last difference: uncertainty of what is refined
 GROWS = 0.02  # at each refinement, of a pressure that has no largest
-NONE_FREE = "no crown of the box was found whose ends are free"
+NONE_FREE = "no crown with free ends was found: surrogate and strips do not agree on one"
 
 
 def series(context: Context, crown: str, by: str, what: str) -> list[float]:

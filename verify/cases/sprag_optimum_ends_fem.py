@@ -8,6 +8,7 @@ import numpy as np
 
 from analytic.contact import slices, strips
 from analytic.sprag.closure import wedged
+from analytic.surrogate.infill import NoAgreementError
 from verify.cases.sprag_clutch_drawn_fem import crowned
 from verify.cases.sprag_clutch_model import built
 from verify.cases.sprag_optimum_inputs import OptimumInputs
@@ -36,7 +37,8 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
     """The best crown by strips, whose ends have to be free; the same kriging, infill and search.
 
-    N (n,) are the known forces with the crowns x (n, 3). Empty where no crown is found.
+    N (n,) are the known forces with the crowns x (n, 3). Empty where surrogate and strips do not
+    agree on a crown. Engagements and contacts that are not solved raise their own errors.
     """
     one = built(q)
     R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # which the crowns hardly change
@@ -49,7 +51,7 @@ def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
 
     try:
         last = infilled_fem(q, x, known, true)
-    except ArithmeticError:
+    except NoAgreementError:
         return {}
     return {"free": last.x, "free infill": np.array([[r.predicted, r.true] for r in last.history])}
 

@@ -1,12 +1,11 @@
 """What stands beside the formulas: strips at the crown at hand, the optimisation, its ends."""
 
 import numpy as np
-from scipy.optimize import brentq
 
 from verify.case import FemResult
 from verify.cases.sprag_clutch_drawn_fem import crowned
 from verify.cases.sprag_clutch_model import built, under
-from verify.cases.sprag_clutch_paper_fem import ANGLES, BEST, PRINTED, peak_fem
+from verify.cases.sprag_clutch_paper_fem import fitted_angle_fem, peak_fem
 from verify.cases.sprag_clutch_run_fem import run_fem
 from verify.cases.sprag_engagement_model import crowned_for
 from verify.cases.sprag_optimum_ends_fem import STRIPPED, ends_fem
@@ -74,12 +73,8 @@ def calibrated_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array
     """
     if q != type(q)():
         return {}
-    try:
-        nu_0 = float(brentq(
-            lambda nu: peak_fem(BEST[25.0], 25.0, nu_0=float(nu)) - PRINTED[25.0][1], *ANGLES,
-            xtol=1e-5,
-        ))  # fmt: skip
-    except (ArithmeticError, ValueError):
+    nu_0 = fitted_angle_fem()
+    if nu_0 is None:
         return {"fitted": np.full(3, np.nan)}
     K_1, K_2, z_m = (float(x) for x in found["best"])
     peaks = [peak_fem(crown, q.T, nu_0=nu_0) for crown in (None, (K_1, K_2, z_m))]

@@ -140,11 +140,14 @@ Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
 
 
 def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
-    """A chunk of crowns; why, where one has no answer."""
+    """A chunk of crowns; why, where an engagement does not lock.
+
+    An engagement that is not solved raises its own error: it says nothing about the clutch.
+    """
     q, torques, crowns, by = task
     try:
         return [one_fem(with_crown(q, crown), torques, by) for crown in crowns]
-    except (ArithmeticError, ValueError) as error:
+    except NoLockError as error:
         return str(error)
 
 
@@ -160,7 +163,8 @@ def peaks_fem(
     """Engagements with each of the crowns (n, 3), made for the same load, under each torque [N m].
 
     Pressures are those of the clutch's slices, or of STRIPS strips on a half-space. `progress` is
-    told how many crowns are done. ArithmeticError where one has no answer.
+    told how many crowns are done. NoLockError where one does not lock, another ArithmeticError
+    where an engagement is not solved.
     """
     torques, n = tuple(float(T) for T in torques), len(crowns)
     tasks = [

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -26,6 +27,7 @@ CUBE = 1e-3  # of the exponent, which strain and shear change by (b/L_1)^2
 KNOWN = (1e-3, 0.015)  # least and largest share of U_cr within which end effects are known
 SPREAD = 0.005  # of U_cr over a fourfold thickness
 HINGED_TO = 0.7  # of the free length
+NOT_FOUND = "no equilibrium of the elastica was found on the way to a critical point"
 NOISE = 1e-5  # rounding of finite elements of slender springs, times what it is seen as
 
 
@@ -36,19 +38,13 @@ def elastica(q: BucklingInputs, tail: frame.Tail) -> Elastica:
 
 
 @lru_cache(maxsize=8)
-def gives_way(q: BucklingInputs, tail: frame.Tail) -> Values:
-    """Where the head of the elastica gives way, and how it drifts before; empty where it does not.
+def critical_point(q: BucklingInputs, tail: frame.Tail) -> Values:
+    """The critical point of the elastica with a free head, and its drift before.
 
-    Nor where a spring that is held by its guide alone leaps aside before.
+    Empty where the determinant keeps its sign in all states of the path. ArithmeticError where a
+    state is not found, which says nothing about the spring. Small steps first, since slender
+    springs buckle early.
     """
-    try:
-        return _gives_way(q, tail)
-    except ArithmeticError:
-        return {}
-
-
-def _gives_way(q: BucklingInputs, tail: frame.Tail) -> Values:
-    """Small steps first, since slender springs give way early."""
     line = elastica(q, tail)
     load = line.linear_load()
     start = load * _flexibility(q, tail) / q.length
@@ -87,7 +83,8 @@ def analytic(q: BucklingInputs) -> Values:
             )
     if q.n <= MOST:
         for tail in TAILS:
-            values |= gives_way(q, tail)
+            with suppress(ArithmeticError):  # values are missing; `too_large` and `warnings` say so
+                values |= critical_point(q, tail)
     if q.F is not None:
         values["deflection"] = q.F / frame.stiffness(
             **q.path, **strip_of(q), head="guided", tail="arc", theory="shear"
@@ -102,8 +99,11 @@ def too_large(q: BucklingInputs) -> str:
             "column is right within 3 % there, check it without --fem"
         )
     heads = math.isfinite(float(column.critical_shortening("free", **q.path, b=q.b, nu=q.nu)))
-    if heads and all(gives_way(q, tail) for tail in TAILS):
-        return ""
+    try:
+        if heads and all(critical_point(q, tail) for tail in TAILS):
+            return ""
+    except ArithmeticError as error:
+        return f"{NOT_FOUND} ({error}): check it without --fem"
     return (
         "this spring is too short to give way sideways before its leaves meet: there is nothing "
         "to compare, check it without --fem"
@@ -199,6 +199,8 @@ def warnings(q: BucklingInputs, v: Values) -> Sequence[str]:
                 )
     if q.n > MOST:
         found.append(f"more than {MOST} segments: by Haringx's column alone")
+    elif missing := [tail for tail in TAILS if f"U_cr, {tail}" not in v]:
+        found.append(f"no critical point of the elastica was found, tail {' and '.join(missing)}")
     return found
 
 

@@ -35,8 +35,10 @@ def fem(q: BucklingInputs, level: int) -> FemResult:
     for tail in TAILS:
         one = spring(q, q.path | {"tail": tail}, q.b, level)
         U, u, state = one.gives_way(LAST * q.length)
-        if state is None:  # refused by the case before
-            raise ArithmeticError("no critical point of the free head found")
+        if state is None:  # the elastica has a critical point, else the case refuses the inputs
+            raise ArithmeticError(
+                f"no critical point of the free head up to {LAST:.0%} of the length, tail {tail}"
+            )
         F = one.force(state)
         values |= {f"U_cr, {tail}": U, f"F_cr, {tail}": F}
         u_it |= {f"U_cr, {tail}": u, f"F_cr, {tail}": u / U * F}

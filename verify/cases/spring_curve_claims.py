@@ -10,9 +10,10 @@ import numpy as np
 from analytic.spring.stages import stages
 from verify.agreement import Deviation, suites
 from verify.case import Context
-from verify.cases.spring_curve_fem import Array
+from verify.cases.spring_curve_fem import TWICE, Array
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_curve_runs import (
+    BEYOND,
     COARSE,
     FINE,
     THIN,
@@ -34,6 +35,7 @@ K1, K2, CROSSING, FORCE = 0.01, 0.05, 0.05, 0.04  # of Eq. 10
 SETTLED = 1e-4  # of b: how early contact may act, or late
 RETRACED = 1e-5  # of the force: contact is settled to 1e-4 b, a few millionths of it
 STIFFER = 10.0  # times k_2, once all loops meet
+ROUNDING = 1e-9  # of a displacement
 FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
 
 
@@ -59,7 +61,7 @@ class Lines:
 
 def fitted(curve: Array, stroke: float) -> Lines:
     """Least squares over U, F, N (3, k) up to the stroke; NaN where nothing touches."""
-    U, F, N = curve[:, stroke * (1 + 1e-9) >= curve[0]]
+    U, F, N = curve[:, stroke * (1 + ROUNDING) >= curve[0]]
     U_A, F_A, _ = touching(U, F, N)
     free = U <= U_A if np.isfinite(U_A) else np.ones(len(U), bool)
     if free.sum() < 3:
@@ -161,9 +163,19 @@ def retraced(context: Context) -> tuple[float, float, str]:
     return off, 0.0, f"forces on the way back differ by {off:.1e}"
 
 
-def stiffens(context: Context) -> tuple[float, float, str]:
-    """Slope at the end of the third stage over k_2."""
+def ends_early(context: Context) -> bool:
+    """Whether an equilibrium was not found before the force doubled or the last displacement."""
     U, F, _ = curve(context)
+    stroke = context.inputs.stroke
+    at_stroke = F[stroke * (1 + ROUNDING) >= U][-1]
+    return bool(stroke * (1 + BEYOND[-1]) * (1 - ROUNDING) > U[-1] and TWICE * at_stroke >= F[-1])
+
+
+def stiffens(context: Context) -> tuple[float, float, str]:
+    """Slope at the end of the third stage over k_2; NaN where the curve ends early."""
+    U, F, _ = curve(context)
+    if ends_early(context):
+        return np.nan, 0.0, f"no result, no equilibrium was found beyond {U[-1] / mm:.4g} mm"
     ratio = float((F[-1] - F[-2]) / (U[-1] - U[-2])) / lines(context).k2
     if not np.isfinite(ratio):
         return ratio, 0.0, without(context).removeprefix("; ")

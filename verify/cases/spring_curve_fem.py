@@ -81,7 +81,8 @@ def fem_compress(
     """The spring with its head moved to each of the displacements U [m] in turn.
 
     `times` is how much stiffer the contact is than usual. Displacements `beyond` the last of U
-    follow as far as equilibria are found and the force is less than TWICE that at the last of U.
+    follow until the force is TWICE that at the last of U. Where no equilibrium is found before, the
+    curve ends early, which says nothing about the spring.
 
     Raises ArithmeticError where a state at one of U is not found.
     """

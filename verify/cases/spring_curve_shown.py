@@ -11,6 +11,7 @@ from verify.cases.spring_curve_claims import (
     Lines,
     array,
     deviations,
+    ends_early,
     lines,
     printed_force,
     read,
@@ -102,9 +103,9 @@ def _whole(context: Context) -> Curves:
     return Curves(
         title="The whole curve", x_label="U [mm]", y_label="F [N]",
         curves=(Curve(name="beams that touch", x=U / mm, y=F, colour=1),),
-        note="Stages OA, AB and BE: free, leaves in touch, loops in touch. It ends where the force "
-        "has doubled after the stroke, after a quarter of the stroke more, or where no equilibrium "
-        "is found.",
+        note="Stages OA, AB and BE: free, leaves in touch, loops in touch. It ends where "
+        + ("no equilibrium was found: its end is none of the spring's." if ends_early(context) else
+           "the force has doubled after the stroke, or after a quarter of the stroke more."),
     )  # fmt: skip
 
 

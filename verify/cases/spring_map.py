@@ -31,7 +31,7 @@ MOST = 24  # segments of an elastica that a check has time for
 CLAIMED, FROM = 0.10, 240.0  # the paper's error at larger L_0/b
 THIRD = 1 / 3
 TEST_FORCE = 11.0  # N, the largest of Sec. 4
-LEAPS = "so slender a spring leaps aside between its guided ends"
+NOT_FOUND = f"no equilibrium of the guided elastica was found up to {SHARES[-1]:.0%} of its length"
 NOISE = 1e-4  # of the maps' finite elements
 WAY = 0.01  # of the force at the end of a straight way
 
@@ -40,7 +40,8 @@ WAY = 0.01  # of the force at the end of a straight way
 def pressed(q: MapInputs) -> Values:
     """The exact forces of a guided head at the shares of its length, and aside.
 
-    Empty for a slender spring that leaps aside on its way.
+    Empty where Newton's method finds no state on the way, whatever the reason: `too_large` and
+    `warnings` then say that there is no result, and nothing about the spring.
     """
     try:
         return _pressed(q)
@@ -80,7 +81,7 @@ def analytic(q: MapInputs) -> Values:
 def too_large(q: MapInputs) -> str:
     if q.n > MOST:
         return f"n = {q.n} segments are more than {MOST}: check it without --fem"
-    return "" if pressed(q) else f"{LEAPS}: check it without --fem"
+    return "" if pressed(q) else f"{NOT_FOUND}: check it without --fem"
 
 
 def mapped(context: Context, name: str) -> Any:
@@ -89,7 +90,7 @@ def mapped(context: Context, name: str) -> Any:
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
-    """Eqs. 1-9 over finite elements less one (rows, columns, 3); NaN where nothing was solved."""
+    """Eqs. 1-9 over finite elements less one (rows, columns, 3); NaN where there is none."""
     k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
                     for c in row] for row in cells])  # fmt: skip
     with np.errstate(divide="ignore"):
@@ -136,7 +137,7 @@ def way(context: Context) -> Pair:
 
 
 def warnings(q: MapInputs, v: Values) -> Sequence[str]:
-    found = [LEAPS] if v.get(f"F, {SHARES[0]:g}") is None and q.n <= MOST else []
+    found = [NOT_FOUND] if v.get(f"F, {SHARES[0]:g}") is None and q.n <= MOST else []
     for share in SHARES:
         if F := v.get(f"F, {share:g}"):
             m = v[f"k1 U, {share:g}"] / F - 1

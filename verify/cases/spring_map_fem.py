@@ -14,6 +14,10 @@ ON_LINE = (0.25, 0.5, 1.0, 1.5, 2.0)  # of b, on one centre line
 CLOSER = 4  # steps to the smallest share
 
 
+class UnstableError(ArithmeticError):
+    """Proven: the path of the guided spring has a critical point before the largest share."""
+
+
 def fem(q: MapInputs, level: int) -> FemResult:
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
     one = spring(q, here, level, max(1, level // 2))
@@ -44,26 +48,51 @@ def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> Spring:
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
     """Stiffness of a free head at small displacement, and secant ones of a guided head.
 
-    Zero where the strip is no leaf spring (b >= r), and where no equilibrium is found: slender
-    springs leap aside between their guided ends.
+    Zero where the strip is no leaf spring (b >= r), and the secant ones where the guided spring
+    becomes unstable before the largest share. A path that is not found raises ArithmeticError: it
+    says nothing about the spring.
     """
     if cell.b >= cell.r:
         return (0.0,) * (1 + len(SHARES))
     one = spring(q, cell, PER_ARC, PER_LEAF)
     try:
         forces = pressed(one, cell)
-    except ArithmeticError:
+    except UnstableError:
         return (one.stiffness, *(0.0,) * len(SHARES))
     secant = (F / (share * cell.length) for share, F in zip(SHARES, forces, strict=True))
     return (one.stiffness, *secant)
 
 
 def pressed(one: Spring, cell: Cell) -> list[float]:
-    """Forces of the guided head at the shares of its length."""
+    """Forces of the guided head at the shares of its length, all of stable equilibria.
+
+    UnstableError where there is a critical point before, ArithmeticError where nothing is found.
+    """
     first = np.linspace(0, SHARES[0], CLOSER + 1)[1:]
     U = np.unique([*first, *SHARES]) * cell.length
-    states = one.compressed(U)
+    try:
+        states = one.compressed(U)
+    except ArithmeticError as error:
+        if (U_cr := critical_displacement(one, float(U[-1]))) is None:
+            raise
+        raise UnstableError(f"critical point at {U_cr / cell.length:.1%} of the length") from error
+    if any(state.negative for state in states):
+        raise UnstableError(f"unstable before {SHARES[-1]:.0%} of the length")
     return [one.force(states[int(np.argmin(abs(U - s * cell.length)))]) for s in SHARES]
+
+
+def critical_displacement(one: Spring, until: float) -> float | None:
+    """First critical point of the guided spring [m]; None where there is none up to `until` [m].
+
+    Between two states that were found, the tangent stiffness ceases to be positive definite.
+    Control by the arc length passes limit points, where control by displacement finds no state.
+    """
+    path = one.guided.along_arc(
+        None, moved={one.head: {"x": 1.0}}, first=SHARES[0] / CLOSER * until,
+        until=lambda state: state.negative > 0 or state.factor > until,
+    )  # fmt: skip
+    found = [point.factor for point in one.guided.buckling(path)]
+    return min((U for U in found if until > U), default=None)
 
 
 def free(one: Spring, cell: Cell) -> float:

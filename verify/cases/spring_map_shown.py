@@ -45,17 +45,17 @@ def maps(name: str, m: Array, date: str) -> list[Map]:
 
     `date` is when the finer cells were measured, empty for those of the run.
     """
-    deep = bool(date)
+    deep, unstable = bool(date), f"guided spring unstable before {SHARES[-1]:.0%} of its length"
     columns: Sequence[float]
     rows: Sequence[float]
     if name == "slender":
         labels = "L_0/b", "segments n"
         columns, rows = (DEEP_SLENDER, DEEP_SEGMENTS) if deep else (SLENDER, SEGMENTS)
-        without, of = "b ≥ r, or leaps aside", "n and L_0/b"
+        without, of = f"b ≥ r, or {unstable}", "n and L_0/b"
     else:
         labels = "L_1/r", "α [deg]"
         columns, rows = (DEEP_LEAVES, DEEP_ANGLES) if deep else (LEAVES, ANGLES)
-        without, of = "leaps aside", "α and L_1/r"
+        without, of = unstable, "α and L_1/r"
     return [
         Map(
             title=f"Eqs. 1-9 over {of}, {when}", x_label=labels[0], y_label=labels[1],

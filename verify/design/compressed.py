@@ -22,7 +22,8 @@ class Curve:
 
     `touches` [m] is the first of them at which leaves touch, inf where they don't; `height` [m]
     what the spring takes across up to U_w, `couple` [N m] the largest bending couple at U_w. It is
-    not `whole` where no equilibrium was found up to the stroke.
+    not `whole` where an equilibrium was not found before the stroke: how the spring goes on is
+    unknown then.
     """
 
     U: Array
@@ -72,7 +73,7 @@ def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) ->
     while U[-1] < stroke:
         try:
             state = frame.displaced({head: {"x": U_w / PARTS}}, [1.0], since=state).last
-        except ArithmeticError:
+        except ArithmeticError:  # what is missing of the curve is read as unknown (`unsolved`)
             break
         U.append(len(U) * U_w / PARTS)
         F.append(float(state.reactions[head, 0]))

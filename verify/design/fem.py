@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import inf
+from math import inf, isnan
 
 from analytic.spring.energy import curvature_factor
 from verify.design.compressed import Curve, compressed
@@ -13,6 +13,7 @@ from verify.design.strip import HEAD_HELD, strip
 
 PER_ARC = (4, 8)  # elements of both meshes; the error falls with the fourth power
 SHARE = 1 / 3  # of what Eq. 11 leaves for the displacement, the formula's stiffness may take
+ROUNDING = 1e-9  # of a displacement
 STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compressed
 
 
@@ -48,6 +49,12 @@ class Verified:
         return self.stress > self.sigma
 
     @property
+    def unsolved(self) -> bool:
+        """Whether its curve ends without an equilibrium before it is known up to U_w and F_w."""
+        end = float(self.curve.U[-1]) * (1 + ROUNDING)
+        return not self.curve.whole and (self.U_w > end or isnan(self.delta))
+
+    @property
     def limit(self) -> float:
         """How far the formula's stiffness may be off."""
         return SHARE * self.e_max
@@ -64,8 +71,11 @@ class Verified:
 
     @property
     def fits(self) -> bool:
-        """Whether that keeps Eq. 11, no leaves touch up to U_w, and room and strength suffice."""
-        if self.too_high or self.overstressed or self.curve.touches <= self.U_w:
+        """Whether that keeps Eq. 11, no leaves touch up to U_w, and room and strength suffice.
+
+        What was not solved does not fit: it might do anything.
+        """
+        if self.too_high or self.overstressed or self.curve.touches <= self.U_w or self.unsolved:
             return False
         return abs(self.e_r) <= self.e_max  # a NaN does not
 

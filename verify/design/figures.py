@@ -142,7 +142,7 @@ def curve(outcome: Outcome) -> Curves:
                 f"{large.touches * 1e3:.4g} mm."
             )
         if not large.whole:
-            touching += " Their curve ends where they find no equilibrium."
+            touching += " Their curve ends where no equilibrium was found."
         name = "finite elements, large displacements"
         drawn.append(Curve(name=name, x=large.U * 1e3, y=large.F, style="dots", colour=1))
     drawn.append(

@@ -75,7 +75,7 @@ def record(outcome: Outcome) -> dict[str, Any]:
                 "k1": {"value": v.k1 / 1e3, "unit": "N/mm"}, "deviation": v.deviation,
                 "limit": v.limit, "mesh": v.mesh, "agrees": v.agrees,
                 "Delta": {"value": finite(v.delta * 1e3), "unit": "mm"}, "e_r": finite(v.e_r),
-                "fits": v.fits,
+                "fits": v.fits, "solved": not v.unsolved,
                 "force_at_U_w": {"value": finite(v.curve.force(v.U_w)), "unit": "N"},
                 "height": {"value": v.curve.height * 1e3, "unit": "mm"},
                 "stress": {"value": v.stress / 1e6, "unit": "MPa"},

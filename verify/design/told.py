@@ -81,6 +81,8 @@ def verdict(v: Verified) -> str:
         return f"leaves touch by {v.curve.touches * 1e3:.3g} mm"
     if v.too_high:
         return f"{v.curve.height * 1e3:.4g} mm high"
+    if v.unsolved:
+        return f"no equilibrium found beyond {v.curve.U[-1] * 1e3:.3g} mm"
     if v.overstressed:
         return f"{v.stress / 1e6:.4g} MPa"
     return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
@@ -101,11 +103,9 @@ def warnings(outcome: Outcome) -> list[str]:
             f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
             f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail held at its arc"
         )
-    if outcome.verified and verdict(outcome.verified[outcome.chosen or 0]) != "kept":
-        found.append(
-            "finite elements reject the chosen spring: "
-            f"{verdict(outcome.verified[outcome.chosen or 0])}"
-        )
+    if outcome.verified and (said := verdict(v := outcome.verified[outcome.chosen or 0])) != "kept":
+        what = "do not verify" if v.unsolved else "reject"
+        found.append(f"finite elements {what} the chosen spring: {said}")
     if outcome.verified and not any(v.agrees and v.fits for v in outcome.verified):
         found.append("finite elements keep no member of the front")
     return found

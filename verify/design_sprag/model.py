@@ -58,7 +58,10 @@ class Model:
         self.known = self._known(np.array([middle]), first)
 
     def answers(self, crowns: Array) -> Known:
-        """Answers for crowns (n, 3), z_m = 0 for none; NoLockError where one has none."""
+        """Answers for crowns (n, 3), z_m = 0 for none.
+
+        NoLockError where one does not lock, another ArithmeticError where one is not solved.
+        """
         return self._known(crowns, self._engaged(crowns))
 
     def ask(self, crowns: Array) -> Known:

@@ -107,7 +107,11 @@ class Outcome:
 
 
 def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> Outcome:
-    """The best crown of a task; InputError, in a line, where there is none to be trusted."""
+    """The best crown of a task; InputError, in a line, where there is none to be trusted.
+
+    The line says whether engagements do not lock, or were not solved, which says nothing about the
+    clutch.
+    """
     try:
         with progress.shown(quiet=quiet) as show:
 
@@ -118,7 +122,7 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
     except NoLockError as error:
         raise InputError(f"{where}: inputs: {unable(task) or error}") from error
     except ArithmeticError as error:
-        raise InputError(f"{where}: no crown to be trusted was found: {error}") from error
+        raise InputError(f"{where}: not solved, no crown can be chosen: {error}") from error
 
 
 def _carried_out(task: Task, tell: object, use_half_space: bool) -> Outcome:
