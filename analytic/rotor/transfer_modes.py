@@ -17,6 +17,7 @@ Whirl = Literal["forward", "backward"]
 SENSES: tuple[Whirl, ...] = ("forward", "backward")
 MOST_NODES = 400  # cut so fine, a rotor is far beyond what beam theory can say
 PLANAR = 1e-6
+ALIKE = 1e-9  # of the largest unknown: those of a symmetric shape differ by round-off
 
 
 @dataclass(frozen=True)
@@ -161,7 +162,8 @@ def _shape(search: _Search, bending: Bending, w: float, k: int) -> NDArray[np.co
     item = np.zeros(1, dtype=np.int64)
     _, vectors = np.linalg.eigh(search.stiffness(bending, np.array([w]), item)[0])
     v = vectors[:, k].astype(np.complex128)
-    v = np.asarray(v / v[np.abs(v).argmax()])
+    size = np.abs(v)
+    v = np.asarray(v / v[(size >= (1 - ALIKE) * size.max()).argmax()])
     if search.whirl is None:
         return v
     none = np.zeros_like(v)

@@ -14,6 +14,8 @@ from fem.rotor.pencil import Spectrum, spectrum
 SPARE = 4  # eigenvalues looked at beyond those asked for, which may come down among them
 BATCH = 64  # speeds solved together
 STILL = 1e-7  # Im lambda over its size, below which a motion does not oscillate
+# of a motion's squares [m², rad²]: less is round-off of a part at rest, some 1e-32 of the others
+NOTHING = 1e-20
 ROUND = 1e-6  # share of the other sense in a motion, below which it has one
 
 
@@ -129,11 +131,12 @@ def _tracked(chosen: list[Chosen], sense: int) -> Branches:
 def whirl_sense(shapes: Complex) -> NDArray[np.int64]:
     """+1 forward, -1 backward, 0 to and fro, of shapes (..., n) of e^(i omega t), omega > 0."""
     nodes = to_whirl(shapes).reshape(*shapes.shape[:-1], -1, 6)
-    across = (abs(nodes[..., :2]) ** 2).sum(axis=-2)
-    tilt = (abs(nodes[..., 3:5]) ** 2).sum(axis=-2)
-    size = across.sum(axis=-1, keepdims=True)
-    forward, backward = np.moveaxis(np.where(size > 0, across, tilt), -1, 0)
-    even = abs(forward - backward) <= ROUND * (forward + backward)
+    squares = (abs(nodes) ** 2).sum(axis=-2)
+    across, tilt, nothing = squares[..., :2], squares[..., 3:5], NOTHING * squares.sum(axis=-1)
+    moves = across.sum(axis=-1, keepdims=True) > nothing[..., None]
+    forward, backward = np.moveaxis(np.where(moves, across, tilt), -1, 0)
+    both = forward + backward
+    even = (abs(forward - backward) <= ROUND * both) | (both <= nothing)
     return np.where(even, 0, np.sign(forward - backward)).astype(int)
 
 

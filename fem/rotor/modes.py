@@ -11,6 +11,8 @@ from fem.rotor.elements import Array
 from fem.rotor.model import Rotor
 from fem.rotor.parts import UNKNOWNS
 
+ALIKE = 1e-9  # of the largest displacement: those of a symmetric shape differ by round-off
+
 
 @dataclass(frozen=True)
 class Modes:
@@ -61,5 +63,7 @@ def normalised(shapes: Complex) -> Complex:
     turned = nodes[:, :, 3:].reshape(len(nodes), -1)
     still = abs(moved).max(axis=1) <= 1e-9 * abs(turned).max(axis=1)
     chosen = np.where(still[:, None], turned, moved)
-    largest = np.take_along_axis(chosen, abs(chosen).argmax(axis=1)[:, None], axis=1)
+    size = abs(chosen)
+    first = (size >= (1 - ALIKE) * size.max(axis=1, keepdims=True)).argmax(axis=1)
+    largest = np.take_along_axis(chosen, first[:, None], axis=1)
     return np.asarray(nodes / largest[:, :, None])

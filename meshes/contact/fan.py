@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from meshes.contact.blocks import Block, Edge, Point
 from meshes.contact.grading import beta, cells_along, last_cell
+from meshes.counts import at_least
 
 # For a smooth pressure on two thirds of a disc's zone (zone/R = 0.015) the energy errs by 2e-4 on
 # the coarsest mesh and 7e-7 on the fourth: growth by 1.3 and a core as deep as 2/3 of its width
@@ -105,7 +106,7 @@ def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
     None is longer than GROWTH times that one, about two fifths of the thickness.
     """
     last = last_cell(length=beside.length, cells=beside.cells // zone.refine, beta=beside.beta)
-    return zone.refine * math.ceil(length / (GROWTH * last))
+    return zone.refine * at_least(length / (GROWTH * last))
 
 
 def graded(edges: list[tuple[Edge, float]], refine: int, *, least: int = 1) -> list[Edge]:

@@ -9,6 +9,8 @@ import math
 
 from scipy.optimize import brentq
 
+from meshes.counts import at_least
+
 FINEST, EVEN = 1e-9, 1e3  # bounds of beta - 1; at the upper one cells differ by 1e-6
 
 
@@ -19,7 +21,7 @@ def cells_along(*, length: float, first: float, growth: float) -> int:
     """
     rate = math.log(growth)
     beta = math.sqrt(1 + 2 * first / (rate * length))
-    return math.ceil(math.log((beta + 1) / (beta - 1)) / (beta * rate))
+    return at_least(math.log((beta + 1) / (beta - 1)) / (beta * rate))
 
 
 def beta(*, length: float, first: float, cells: int) -> float:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from meshes.contact.blocks import Block, Edge
 from meshes.contact.fan import Outline, Zone, fan, graded
 from meshes.contact.grading import last_cell
+from meshes.counts import at_least
 
 SLIM = 1.5  # a longer side goes on beside a fan about as wide as deep, in growing cells
 LONG = 0.6  # of the width across the strip, how long its cells far from the contact are about
@@ -99,6 +100,6 @@ def _beyond(edge: Edge, parts: list[tuple[str, float]], refine: int, longest: fl
         there = edge.end[0] * share, edge.end[1] * share
         size = last_cell(length=edge.length, cells=edge.cells // refine, beta=edge.beta)
         new = Edge(edge.end, there, 0, name=name)
-        (edge,) = graded([(new, size)], refine, least=math.ceil(new.length / longest))
+        (edge,) = graded([(new, size)], refine, least=at_least(new.length / longest))
         found.append(edge)
     return found

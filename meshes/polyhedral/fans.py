@@ -9,6 +9,7 @@ from dataclasses import replace
 from meshes.contact.blocks import Block, Edge, Point
 from meshes.contact.fan import Outline as Neighbourhood
 from meshes.contact.fan import Zone, fan, graded
+from meshes.counts import at_least
 from meshes.polyhedral.outline import Outline
 
 BODY = "ring"
@@ -92,7 +93,7 @@ def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
     bottom, top = ring.on_corner_ray(ring.r_i), ring.on_corner_ray(ring.r_e)
     start, above = across(ring, ring.half_flat)
     wall = ring.r_e - ring.r_i
-    n = refine * max(arc, math.ceil(ring.fillet * ring.angle * rows / wall))
+    n = refine * max(arc, at_least(ring.fillet * ring.angle * rows / wall))
     fine = Edge(start, bottom, n, ring.fillet_centre, name="fillet")
     rim = Edge(above, top, n, (0.0, 0.0), name="rim")
     left = Edge(start, above, rows * refine)
@@ -105,6 +106,6 @@ def _core(ring: Outline, rows: int, least: int) -> tuple[int, float]:
     Where a thin wall leaves it less, no arc rises as high as its cell is thin.
     """
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
-    n = max(least, math.ceil(arc / (SLENDER * wall)))
+    n = max(least, at_least(arc / (SLENDER * wall)))
     depth = min(rows * arc / n, DEEP * wall)
-    return max(n, math.ceil(arc / math.sqrt(2 * ring.fillet * depth / rows))), depth
+    return max(n, at_least(arc / math.sqrt(2 * ring.fillet * depth / rows))), depth

@@ -10,6 +10,7 @@ from skfem.mesh import Mesh2D
 
 from meshes.contact.blocks import Block, Edge, mesh_blocks
 from meshes.contact.fan import Zone
+from meshes.counts import at_least
 from meshes.polyhedral.fans import BODY, across, corner_column, corner_fan, roller_fan
 from meshes.polyhedral.outline import Outline
 
@@ -99,7 +100,7 @@ def _column(
     """The block between two lines across the wall, its cells about square."""
     (a, b), (c, d) = (across(ring, s) for s in ends)
     size = min(math.dist(a, b), math.dist(c, d)) / rows
-    n = refine * max(HUB if hub else 1, math.ceil(math.dist(a, c) / size))
+    n = refine * max(HUB if hub else 1, at_least(math.dist(a, c) / size))
     left = Edge(a, b, rows * refine, name="" if ends[0] else "mid")
     right = Edge(c, d, rows * refine)
     inside = Edge(a, c, n, name="hub" if hub else "flat")

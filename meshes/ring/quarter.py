@@ -5,6 +5,7 @@ import math
 import gmsh
 from skfem.mesh import Mesh2D
 
+from meshes.counts import at_least, nearest
 from meshes.plane import plane_mesh
 from meshes.session import gmsh_session
 
@@ -27,7 +28,7 @@ def quarter_ring(
     radii = (r_i, (r_i + r_o) / 2, r_o)
     # the rise of an arc over its chord stays below a quarter of the thinnest cell
     thin = math.log(r_o / radii[1])
-    around = refine * max(AROUND, math.ceil(math.pi / 2 / math.sqrt(2 * thin)))
+    around = refine * max(AROUND, at_least(math.pi / 2 / math.sqrt(2 * thin)))
     with gmsh_session():
         geo = gmsh.model.geo
         o = geo.addPoint(0, 0, 0)
@@ -40,7 +41,7 @@ def quarter_ring(
             geo.mesh.setTransfiniteCurve(curve, around + 1)
         for k, body in enumerate(("inner half", "outer half")):
             stretch = radii[k + 1] / radii[k]
-            cells = refine * max(1, round(math.log(stretch) / ACROSS))
+            cells = refine * max(1, nearest(math.log(stretch) / ACROSS))
             for curve in (feet[k], tops[k]):
                 geo.mesh.setTransfiniteCurve(
                     curve, cells + 1, "Progression", stretch ** (1 / cells)

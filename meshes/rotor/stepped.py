@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from skfem import MeshQuad1
 
+from meshes.counts import nearest
 from meshes.revolution.section import chain, stations
 
 Array = NDArray[np.float64]
@@ -65,7 +66,7 @@ def _between(
         return chain([_between(a, middle, own, first, growth, refine),
                       _between(middle, b, own, first, growth, refine)])  # fmt: skip
     if not fine & {a, b}:
-        return np.linspace(a, b, refine * max(1, round((b - a) / (8 * first))) + 1)
+        return np.linspace(a, b, refine * max(1, nearest((b - a) / (8 * first))) + 1)
     start, end = (a, b) if a in fine else (b, a)
     size = min(first, b - a)
     return stations(start=start, end=end, first=size, growth=growth, refine=refine)

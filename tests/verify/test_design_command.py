@@ -14,8 +14,12 @@ import pytest
 from verify.cases.spring_stages_inputs import StagesInputs
 from verify.cli import run
 from verify.commands import load as load_check
+from verify.design import told
+from verify.design.compressed import compressed
 from verify.design.fem import Verified, verified_by_fem
 from verify.design.inputs import default
+from verify.design.limits import Limit
+from verify.design.nearest import relaxation
 from verify.design.outcome import Outcome
 from verify.design.search import search
 from verify.design.template import template
@@ -279,3 +283,26 @@ def test_finite_elements_see_the_height_and_stress_of_a_pressed_spring():
     assert v.curve.height == pytest.approx(15.56e-3, rel=5e-3)
     assert v.stress == pytest.approx(394.5e6, rel=0.01)
     assert v.too_high
+
+
+@pytest.mark.parametrize("r", [0.45e-3, 0.46e-3, 0.47e-3])
+def test_a_pressed_spring_has_the_states_that_its_stroke_asks_for(r):
+    """A tenth beyond U_w, which is one of them to its last bit: touching there rejects it."""
+    base = default()
+    ranges = {"n": (8.0,), "b": (1.1e-4,), "L1": (13.8e-3,), "r": (r,),
+              "alpha": (float(np.radians(78)),)}  # fmt: skip
+    found = search(type(base)("x", base.demands, ranges))
+    U_w = float(found.formulas.U_w[0])
+    curve = compressed(found.springs, found.formulas, 0, base.demands, stroke=1.1 * U_w)
+    assert len(curve.U) == 12
+    assert curve.U[10] == U_w
+    assert curve.whole
+
+
+@pytest.mark.parametrize("off", [-1e-14, 0.0, 1e-14])
+def test_a_bound_that_is_whole_but_for_round_off_is_told_as_it_is(off):
+    limit = Limit(
+        key="room", what="", symbol="", unit="m", value=np.array([0.012 * (1 + off)]), bound=0.01,
+        source="",
+    )  # fmt: skip
+    assert told.rounded(relaxation(limit, 0)) == "0.012 m"

@@ -244,3 +244,12 @@ def test_finite_elements_that_say_otherwise_turn_a_row_red(row, fault, red):
     q = PathInputs()
     levels = [changed(level, fault) for level in solved()]
     assert row in names(red(judge_case(Job(PATHS, q), levels)))
+
+
+@pytest.mark.parametrize("off", [-1e-13, 1e-13])
+def test_round_off_of_the_frequency_moves_no_time_of_a_course(off):
+    """Cycles of the defaults are whole: one time more would move every time of slip."""
+    q = PathInputs()
+    own = courses(q)
+    for case, along in courses(q.model_copy(update={"f": q.f * (1 + off)})).items():
+        assert np.array_equal(along.t, own[case].t)

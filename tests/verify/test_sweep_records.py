@@ -106,6 +106,7 @@ def test_the_largest_error_is_of_either_sign_and_of_solved_points_alone(three):
     assert [largest(of) for of in three.courses] == [0, 0]
     plan = planned("a=1:3mm:3")
     assert largest(course(plan, [0.1, np.nan, -0.2])) == 2
+    assert largest(course(plan, [0.05, 0.2, -0.2 * (1 + 1e-13)])) == 1  # alike: the first
     assert largest(course(plan, np.nan)) is None
 
 

@@ -159,6 +159,16 @@ def test_the_break_is_the_one_next_to_the_nominal_point_as_a_share_of_the_axis()
     assert (by.axis.name, by.at) == ("a", pytest.approx(3.2e-3))
 
 
+@pytest.mark.parametrize("off", [-1e-13, 0.0, 1e-13])
+def test_round_off_chooses_no_point_and_no_break(off):
+    halfway = planned("a=1:4mm:2:log", a=2e-3 * (1 + off))
+    assert nominal_point(halfway) == 0
+    plan = planned("a=1:3mm:3", "b=1:3mm:3", a=2e-3, b=2e-3 * (1 + off))
+    a, b = np.round(plan.points.T * 1e3)
+    by = region(plan, 0.05, np.where((a != 2) | (b != 2), 0.06 * (1 + off), 0.04)).breaks
+    assert (by.axis.name, by.up) == ("a", True)
+
+
 def test_an_error_that_changes_its_sign_is_followed_through_zero():
     plan = planned("a=1:3mm:3", a=2e-3)
     found = region(plan, 0.05, [-0.04, -0.03, 0.07], 0.01)

@@ -23,6 +23,7 @@ SWAY = 0.01  # of the loads: inertia that may be neglected
 SHARES = (1.0, 0.3)  # sines of load case 3 at which mu_req is compared
 TIMES = 240  # of a cycle
 LEAST = 2000  # of a path
+ROUND_OFF = 1e-9  # of the cycles of a path: one time more would move all of them
 
 
 def paths(q: PathInputs) -> dict[int, LoadPath]:
@@ -41,7 +42,8 @@ def courses(q: PathInputs) -> dict[int, Course]:
 
 def course(q: PathInputs, case: int, mu: float) -> Course:
     """Load case `case` with this friction."""
-    points = 1 + max(LEAST, math.ceil(TIMES * q.f * q.duration))
+    cycles = q.f * q.duration * (1 - ROUND_OFF)
+    points = 1 + max(LEAST, math.ceil(TIMES * cycles))
     return follow(clutch(q), paths(q)[case], mu=mu, t=np.linspace(0, q.duration, points))
 
 

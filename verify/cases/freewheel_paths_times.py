@@ -17,6 +17,7 @@ from verify.cases.freewheel_paths_inputs import PathInputs
 Array = NDArray[np.float64]
 
 FINE = 400  # times of a cycle: a crossing below the top by less than 4e-5 of it may be missed
+ROUND_OFF = 1e-9  # of the cycles, so that their times are the same on all processors
 HIGH, LOW = 1.0, 0.3  # sines of load case 3 at which finite elements say mu_req
 
 
@@ -62,7 +63,8 @@ def tan_of(q: PathInputs, fem: Values) -> Callable[[float], float]:
 
 def _first(beyond: Callable[[float], float], start: float, end: float, f: float) -> float:
     """First root of `beyond` after which it is positive."""
-    times = np.linspace(start, end, 1 + math.ceil(FINE * f * (end - start)))
+    cycles = f * (end - start) * (1 - ROUND_OFF)
+    times = np.linspace(start, end, 1 + math.ceil(FINE * cycles))
     above = np.flatnonzero([beyond(float(t)) > 0 for t in times])
     if not above.size:
         return math.inf

@@ -12,6 +12,7 @@ from verify.design.strip import HEAD_HELD, strip
 Array = NDArray[np.float64]
 PER_ARC = 4
 PARTS = 10  # of the working displacement, so that U_w is one of the states
+ROUND_OFF = 1e-9  # of the stroke, which often is a whole number of those parts
 
 NEAR = 0.7  # of the closed form's U_A; large displacements bring it forward by up to an eighth
 
@@ -70,12 +71,13 @@ def compressed(s: Springs, f: Formulas, i: int, q: Demands, *, stroke: float) ->
     )  # fmt: skip
     U, F, touches, state = [0.0], [0.0], float("inf"), None
     height, couple = float(np.ptp(line.points[:, 1])), 0.0
+    stroke *= 1 - ROUND_OFF
     while U[-1] < stroke:
         try:
             state = frame.displaced({head: {"x": U_w / PARTS}}, [1.0], since=state).last
         except ArithmeticError:  # what is missing of the curve is read as unknown (`unsolved`)
             break
-        U.append(len(U) * U_w / PARTS)
+        U.append(len(U) / PARTS * U_w)  # so is U_w itself one of them, to its last bit
         F.append(float(state.reactions[head, 0]))
         if any(contact.record.normal.size for contact in contacts):
             touches = min(touches, U[-1])

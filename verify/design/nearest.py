@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from verify.design.inputs import Demands
-from verify.design.limits import Judged, Limit
+from verify.design.limits import ROUND_OFF, Judged, Limit
 from verify.inputs import BOUNDS, bounds_of
 
 KEPT = {word: getattr(operator, rule) for rule, word in BOUNDS.items()}
@@ -40,6 +41,11 @@ def relaxation(limit: Limit, i: int) -> Relaxation:
     return Relaxation(limit, i, given, needed)
 
 
+def _least(excess: NDArray[np.float64]) -> int:
+    """The candidate with the least excess, the first of those that differ by round-off."""
+    return int(np.argmax(excess <= excess.min() + ROUND_OFF))
+
+
 def nearest(judged: Judged) -> list[Relaxation]:
     """What the candidate with the smallest largest excess violates, the worst first.
 
@@ -48,7 +54,7 @@ def nearest(judged: Judged) -> list[Relaxation]:
     if not judged.possible.any():
         return []
     excess = np.array([limit.excess for limit in judged.limits])
-    i = int(np.where(judged.possible, excess.max(axis=0), np.inf).argmin())
+    i = _least(np.where(judged.possible, excess.max(axis=0), np.inf))
     found = [relaxation(limit, i) for limit in judged.limits if limit.violated[i]]
     return sorted(found, key=lambda r: -r.excess)
 
@@ -63,5 +69,5 @@ def alone(judged: Judged) -> Sequence[Relaxation]:
     for limit, bad in zip(judged.limits, judged.violations, strict=True):
         which = np.flatnonzero(lonely & bad)
         if which.size:
-            found.append(relaxation(limit, int(which[limit.excess[which].argmin()])))
+            found.append(relaxation(limit, int(which[_least(limit.excess[which])])))
     return sorted((r for r in found if r.possible), key=lambda r: r.excess)

@@ -19,6 +19,7 @@ from verify.sweep.plan import Plan
 
 LIMITS = (0.02, 0.05, 0.10)  # of the error
 INSIDE, OUTSIDE, UNDECIDED, UNSOLVED = 1, -1, 0, -9
+SAME = 1e-9  # of an axis: places and distances along it that differ by less are alike
 NAMES = {INSIDE: "inside", OUTSIDE: "outside", UNDECIDED: "undecided", UNSOLVED: "unsolved"}
 
 Verdicts = NDArray[np.int8]
@@ -169,13 +170,14 @@ def nominal_point(plan: Plan) -> int | None:
         return 0
     near = []
     for one in plan.axes:
-        room = 1e-9 * (one.values[-1] - one.values[0])
+        room = SAME * (one.values[-1] - one.values[0])
         if one.nominal is None or not (
             one.values[0] - room <= one.nominal <= one.values[-1] + room
         ):
             return None
         place = _places(one, np.array([*one.values, one.nominal]))
-        near.append(int(np.abs(place[:-1] - place[-1]).argmin()))
+        apart = np.abs(place[:-1] - place[-1])
+        near.append(int(np.argmax(apart <= apart.min() + SAME * np.ptp(place))))
     return int(np.ravel_multi_index(near, plan.shape))
 
 
@@ -207,9 +209,9 @@ def _first_break(
             reached = one.first if one.at is None else one.at
             place = _places(line.axis, np.array([line.x[line.base], reached, *line.x[[0, -1]]]))
             share = abs(place[1] - place[0]) / (place[3] - place[2])
-            rank = (one.verdict == UNSOLVED, float(share))
-            if rank < least:
-                best, least = one, rank
+            unsolved = one.verdict == UNSOLVED
+            if (unsolved, share + SAME) < least:  # of alike ones the first
+                best, least = one, (unsolved, float(share))
     return best
 
 

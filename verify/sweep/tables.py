@@ -17,6 +17,7 @@ from verify.sweep.outcome import Course, Outcome
 from verify.sweep.pairs import Pair
 from verify.sweep.region import NAMES, Region, regions
 
+ALIKE = 1e-9  # of the largest error: round-off of where an input does not matter
 SOLVED, REFUSED, FAILED = "solved", "refused", "failed"
 Cell = str | int | float | None
 
@@ -41,9 +42,11 @@ def reasons(found: Outcome) -> tuple[str, ...]:
 
 
 def largest(course: Course) -> int | None:
-    """The point with the largest error; None where no point has one."""
+    """The point with the largest error, the first of alike ones; None where no point has one."""
     size = np.abs(course.error)
-    return int(np.nanargmax(size)) if np.isfinite(size).any() else None
+    if not np.isfinite(size).any():
+        return None
+    return int(np.argmax(size >= (1 - ALIKE) * np.nanmax(size)))
 
 
 def points_csv(found: Outcome) -> str:

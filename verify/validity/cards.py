@@ -18,6 +18,7 @@ from verify.validity.kept import Measured, measured
 from verify.validity.left_out import LEFT_OUT, MAPS, SUBJECTS
 from verify.validity.regions import region
 
+ALIKE = 1e-9  # of the largest error: round-off of where an input does not matter
 STALE = "not measured for this code: freewheel deep validity:{} does it"
 
 
@@ -89,7 +90,8 @@ def _exact(pair: Pair, courses: Sequence[Course]) -> ValidityExact:
         np.concatenate([getattr(c, name) for c in courses]) for name in ("error", "U_error")
     )
     solved = np.isfinite(error)
-    largest = int(np.abs(np.where(solved, error, 0.0)).argmax()) if solved.any() else None
+    size = np.abs(np.where(solved, error, 0.0))
+    largest = int(np.argmax(size >= (1 - ALIKE) * size.max())) if solved.any() else None
     return ValidityExact(
         quantity=pair.name, symbol=pair.symbol, points=len(error), unsolved=int((~solved).sum()),
         largest=None if largest is None else float(error[largest]),

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from fem.rotor.branches import whirl_sense
 from fem.rotor.damping import Modal, Rayleigh
 from fem.rotor.model import Disc, Element, Link, Material, Rotor, Shaft, Support
 from fem.rotor.modes import modes
@@ -244,3 +245,13 @@ def test_modal_and_rayleigh_damping_give_the_ratios_asked_for():
     rayleigh = Rotor([Shaft(els)], damping=Rayleigh.at((w[0], 0.02), (w[4], 0.05)), **parts)
     found = modes(rayleigh, 0.0, 6, "all").damping
     assert found[[0, 4]] == pytest.approx([0.02, 0.05], rel=1e-6)
+
+
+def test_round_off_of_a_part_at_rest_does_not_say_how_a_shaft_whirls():
+    noise = np.random.default_rng(1).standard_normal((2, 8, 2)) * 1e-17
+    tilts, turns = np.zeros((2, 8, 12), complex)
+    tilts[:, [3, 9]], tilts[:, [4, 10]] = 1, -1j  # every place forward, the axis stays where it is
+    turns[:, 5] = 1
+    for shapes, sense in ((tilts, 1), (turns, 0)):
+        shapes[:, :2] = noise[0] + 1j * noise[1]
+        assert whirl_sense(shapes).tolist() == [sense] * 8
