@@ -57,7 +57,7 @@ class Newton:
             if imbalance > before / 2:
                 if imbalance <= GOOD:
                     return at
-                if spring <= WEAKEST:
+                if spring <= WEAKEST * (1 + 1e-9):  # not the last bit of a product
                     break
                 spring = max(WEAKEST, spring / 10)
         raise SlidingError(self.e + self.cone.D.T @ at.multipliers)

@@ -45,6 +45,7 @@ from fem.plane.ties import Tie
 MAX_APPROACHES = 8
 RUNAWAY = 100.0  # times elastic displacements and closed gaps: no contact holds what moves more
 LIGHT = 1e-6  # the part of the loads that brings bodies together and hardly deforms them
+GAP_TOLERANCE = 1e-13  # of the mesh's extent: less is what rounded places of nodes make of no gap
 
 
 class ContactProblem:
@@ -250,6 +251,11 @@ class ContactProblem:
             e=e, w=w + kernel.B @ rest.multipliers + kernel.D @ rest.motion,
         )  # fmt: skip
 
+    def _no_gap(self, interface: Interface) -> Array:
+        """Weighted gaps (m,) up to which surfaces touch, but for round-off."""
+        extent = float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
+        return GAP_TOLERANCE * extent * interface.sizes
+
     @staticmethod
     def _trial(interface: Interface, w: Array, after: ContactSolution | None) -> Array:
         """What `w` leads to where contact forces stay as they are."""
@@ -268,7 +274,7 @@ class ContactProblem:
         that only contact holds: how these move is not known beforehand.
         """
         kernel, m = interface.kernel, interface.gaps.size
-        gaps, touching = interface.gaps, interface.gaps <= 0
+        gaps, touching = interface.gaps, interface.gaps <= self._no_gap(interface)
         if after is not None:
             gaps, touching = after.w[:m], after.states != OPEN
         trial = self._trial(interface, w, after)
@@ -298,7 +304,8 @@ class ContactProblem:
         slips = np.zeros(w.size - m)
         driven = np.linalg.norm(kernel.D.T @ (w / np.diag(kernel.B)))
         moved = np.linalg.norm(e) > ROUND_OFF * driven
-        if not (slips.size and moved and interface.gaps.min() >= 0) or np.any(smooth.missing(e)):
+        overlap = np.any(interface.gaps < -self._no_gap(interface))
+        if overlap or not (slips.size and moved) or np.any(smooth.missing(e)):
             return slips
         try:
             rest = smooth.solve(interface.gaps + LIGHT * w[:m], LIGHT * e)
