@@ -52,7 +52,7 @@ bench: .venv/.ready
 readme: verify
 	$(BIN)/python tools/readme.py
 
-# System libraries, then packages, in groups: what an interrupted set-up had installed is not downloaded again.
+# System libraries, then packages, in groups: what an interrupted set-up had downloaded is not downloaded again.
 .venv/.ready: requirements.txt pyproject.toml
 	@PYTHON=$(PYTHON) tools/system-check
 	@$(PYTHON) -m verify.virtual_environment .venv requirements.txt --project

@@ -1,7 +1,8 @@
 """Before the set-up: the Python in use and system libraries, installed by apt-get where allowed.
 
 Standard library only, and read by any Python 3.7: `python3 -m verify.system_packages` runs before
-there is a virtual environment. Exit status 0 or, after one line that names what to do, 2.
+there is a virtual environment. Exit status 0 or, after one line that names what to do, 2; 130
+after Ctrl-C.
 """
 
 from __future__ import annotations
@@ -109,13 +110,18 @@ def _update() -> str:
 
 
 def _run(words: Sequence[str]) -> tuple[int, str]:
-    """Exit status and output of a command that asks nothing."""
+    """Exit status and output of a command that asks nothing; its end is waited for on Ctrl-C."""
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
-    done = subprocess.run(  # noqa: S603 - our own words
+    with subprocess.Popen(  # noqa: S603 - our own words
         words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
-    )  # fmt: skip
-    return done.returncode, done.stdout
+        stderr=subprocess.STDOUT, text=True, errors="replace",
+    ) as process:  # fmt: skip
+        try:
+            output = process.communicate()[0]
+        except KeyboardInterrupt:  # apt-get has it too, and ends where dpkg is not cut in two
+            process.communicate()
+            raise
+    return process.returncode, output
 
 
 def _os_release() -> str:
@@ -151,7 +157,7 @@ def check(machine: Machine) -> str:
     missing = missing_libraries()
     if (missing or venv) and machine.may_install:
         return _install(missing, venv, machine)
-    what = " ".join([*(["the module ensurepip"] if venv else []), *missing])
+    what = ", ".join([*(["the module ensurepip"] if venv else []), *missing])
     line = line_to_run(missing, venv, machine)
     if venv or missing_libraries(MESHES):
         return f"missing {what}; run: {line}"
@@ -161,7 +167,11 @@ def check(machine: Machine) -> str:
 
 
 def main() -> int:
-    problem = check(this_machine())
+    try:
+        problem = check(this_machine())
+    except KeyboardInterrupt:
+        _say("system libraries are not complete; the next make continues")
+        return 130
     if problem:
         _say(problem)
     return 2 if problem else 0

@@ -1,8 +1,8 @@
 """A virtual environment from a lock with hashes; an interrupted set-up is continued.
 
 Standard library only: `python3 -m verify.virtual_environment FOLDER LOCK` is run by the Python that
-the environment is for. Packages are installed in small groups. What a killed set-up had installed
-is not downloaded again, and `pip` caches the rest where the index allows it.
+the environment is for. Packages are installed in small groups. What a killed set-up had downloaded
+is not downloaded again, also where the index lets `pip` cache nothing.
 Exit status 0, or 2 after one line that names the reason.
 """
 
@@ -10,9 +10,11 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import hashlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -25,8 +27,10 @@ READY = ".ready"  # in a complete environment: its parent folder and Python, rea
 LOG = "pip.txt"  # output of the last pip
 FAILED = "failed.txt"  # why the last set-up ended early
 SHARED = "shared.pth"
-GROUP = 8  # packages that one pip installs: a killed set-up repeats that many at most
+DOWNLOADS = "downloads"  # pip's temporary files, where a killed pip leaves what it had loaded
+GROUP = 8  # packages that one pip installs
 PIN = re.compile(r"([A-Za-z0-9._-]+)==([^\s;\\]+)")
+HASH = re.compile(r"--hash=sha256:([0-9a-f]{64})")
 PIP = (
     "-I",
     "-m",
@@ -106,14 +110,23 @@ def create(folder: Path) -> None:
     run([sys.executable, "-I", "-m", "venv", str(folder)], folder / LOG)
 
 
-def run(words: list[str], log: Path) -> None:
-    """Run a command with its output in `log`; raise SetUpError with its reason where it fails."""
+def run(words: list[str], log: Path, **environ: str) -> None:
+    """Run a command with its output in `log`; raise SetUpError with its reason where it fails.
+
+    Ctrl-C kills it without a warning, so that pip does not delete what it has downloaded. It has
+    the lock of `alone` too: where this process is killed alone, the next set-up waits for its end.
+    """
     with log.open("w", encoding="utf-8") as output:
         done = subprocess.run(  # noqa: S603 - our own words
-            words, stdout=output, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, check=False
-        )
+            words, stdout=output, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, check=False,
+            env={**os.environ, **environ}, close_fds=False, preexec_fn=ignore_interrupts,
+        )  # fmt: skip
     if done.returncode:
         raise SetUpError(reason(log.read_text("utf-8", "replace"), done.returncode))
+
+
+def ignore_interrupts() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def reason(output: str, status: int) -> str:
@@ -127,6 +140,7 @@ def reason(output: str, status: int) -> str:
 
 def install(folder: Path, lock: str, others: set[str]) -> None:
     """Install what the lock names and neither `folder` nor `others` has, with progress."""
+    install_downloaded(folder, lock)
     there = installed(site_packages(folder)) | others
     todo = [entry for name, entry in pins(lock).items() if name not in there]
     with tempfile.TemporaryDirectory() as place:
@@ -138,8 +152,23 @@ def install(folder: Path, lock: str, others: set[str]) -> None:
             pip(folder, "--require-hashes", "-r", str(group))
 
 
+def install_downloaded(folder: Path, lock: str) -> None:
+    """Install the files that a killed pip left, as far as they are whole: those of the lock."""
+    hashes = set(HASH.findall(lock))
+    found = sorted((folder / DOWNLOADS).rglob("*.whl"))
+    whole = [x for x in found if hashlib.sha256(x.read_bytes()).hexdigest() in hashes]
+    once = {path.name: str(path) for path in whole}
+    if once:
+        say(f"installing packages that were downloaded before: {len(once)}")
+        pip(folder, "--no-index", *once.values())
+    shutil.rmtree(folder / DOWNLOADS, ignore_errors=True)
+
+
 def pip(folder: Path, *words: str) -> None:
-    run([str(folder / "bin" / "python"), *PIP, *words], folder / LOG)
+    temporary = folder / DOWNLOADS
+    temporary.mkdir(exist_ok=True)
+    command = [str(folder / "bin" / "python"), *PIP, *words]
+    run(command, folder / LOG, TMPDIR=str(temporary))
 
 
 @contextlib.contextmanager
@@ -151,6 +180,7 @@ def alone() -> Iterator[None]:
         yield
         return
     handle = os.open(ROOT, os.O_RDONLY)
+    os.set_inheritable(handle, True)
     try:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -182,6 +212,7 @@ def set_up(folder: Path, lock: Path, *, project: bool, shared: Path | None) -> N
     install(folder, lock.read_text("utf-8"), others)
     if project:
         pip(folder, "--no-build-isolation", "-e", str(ROOT))
+    shutil.rmtree(folder / DOWNLOADS, ignore_errors=True)
     version = "{}.{}".format(*sys.version_info[:2])
     (folder / READY).write_text(f"{ROOT} {version}\n", "utf-8")
     say(f"{folder.name} is complete")

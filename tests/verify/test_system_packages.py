@@ -1,8 +1,11 @@
 """System libraries are installed where that is allowed, else the one line to run is printed."""
 
 import os
+import signal
 import subprocess
 import sys
+import textwrap
+import time
 from pathlib import Path
 
 import pytest
@@ -134,6 +137,46 @@ def test_an_unsupported_python_ends_before_anything_is_installed(machine, monkey
     monkeypatch.setattr(sys, "version_info", (3, 9, 2))
     assert check(DEBIAN_ROOT).startswith("needs Python 3.11 to ")
     assert commands == []
+
+
+def test_ctrl_c_is_one_line(monkeypatch, capsys):
+    def interrupted(machine):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(system_packages, "check", interrupted)
+    assert system_packages.main() == 130
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line == "freewheel: system libraries are not complete; the next make continues"
+
+
+APT_GET = """
+    import pathlib, sys, time
+    pathlib.Path(sys.argv[1]).touch()
+    try:
+        time.sleep(60)
+    except KeyboardInterrupt:  # dpkg is at work
+        time.sleep(1)
+        pathlib.Path(sys.argv[1]).write_text("ended by itself")
+"""
+
+
+def test_ctrl_c_lets_apt_get_end_by_itself(tmp_path):
+    script, mark = tmp_path / "apt-get.py", tmp_path / "mark"
+    script.write_text(textwrap.dedent(APT_GET))
+    code = (
+        "import sys; from verify.system_packages import _run; _run([sys.executable, *sys.argv[1:]])"
+    )
+    words = [sys.executable, "-c", code, str(script), str(mark)]
+    with subprocess.Popen(
+        words, cwd=ROOT, start_new_session=True, stderr=subprocess.DEVNULL
+    ) as process:
+        end = time.monotonic() + 60
+        while not mark.exists():
+            assert time.monotonic() < end
+            time.sleep(0.02)
+        os.killpg(process.pid, signal.SIGINT)
+        process.wait(timeout=60)
+    assert mark.read_text() == "ended by itself"
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,14 @@
 """The set-up installs what is missing, in groups, and continues where it was interrupted."""
 
+import fcntl
+import hashlib
+import os
 import shutil
+import signal
 import subprocess
 import sys
+import textwrap
+import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -10,11 +16,13 @@ import pytest
 
 from verify import virtual_environment
 from verify.virtual_environment import (
+    DOWNLOADS,
     FAILED,
     GROUP,
     LOG,
     READY,
     SetUpError,
+    install_downloaded,
     pins,
     reason,
     remove_incomplete,
@@ -93,6 +101,88 @@ def test_a_package_whose_installation_was_killed_is_installed_again(project):
     project.asked = []
     complete(project)
     assert project.asked == ["package-3"]
+
+
+def test_what_a_killed_pip_had_downloaded_whole_is_installed_from_there(tmp_path, monkeypatch):
+    calls = []
+    monkeypatch.setattr(virtual_environment, "pip", lambda folder, *words: calls.append(words))
+    place = tmp_path / DOWNLOADS / "pip-unpack-x"
+    place.mkdir(parents=True)
+    (place / "whole-1.0-py3-none-any.whl").write_bytes(b"whole")
+    (place / "part-1.0-py3-none-any.whl").write_bytes(b"who")
+    digest = hashlib.sha256(b"whole").hexdigest()
+    lock = f"whole==1.0 --hash=sha256:{digest}\npart==1.0 --hash=sha256:{'0' * 64}\n"
+    install_downloaded(tmp_path, lock)
+    assert calls == [("--no-index", str(place / "whole-1.0-py3-none-any.whl"))]
+    assert not (tmp_path / DOWNLOADS).exists()
+
+
+PIP = """
+    import os, pathlib, sys, time
+    try:
+        pathlib.Path(os.environ["TMPDIR"], "a.whl").touch()
+        time.sleep(float(sys.argv[1]))
+    finally:
+        pathlib.Path(os.environ["TMPDIR"], "a.whl").unlink()
+"""
+SET_UP = """
+    import pathlib, sys
+    from verify import virtual_environment
+    with virtual_environment.alone():
+        words = [sys.executable, *sys.argv[1:3]]
+        virtual_environment.run(words, pathlib.Path(sys.argv[3]), TMPDIR=sys.argv[4])
+"""
+
+
+@pytest.fixture
+def downloading(tmp_path):
+    """Start a set-up whose pip takes some seconds: the process and what it has downloaded."""
+    started = []
+
+    def start(seconds):
+        script, place = tmp_path / "pip.py", tmp_path / DOWNLOADS
+        script.write_text(textwrap.dedent(PIP))
+        place.mkdir()
+        words = [sys.executable, "-c", textwrap.dedent(SET_UP), script, seconds, tmp_path / LOG]
+        started.append(
+            subprocess.Popen(
+                [*map(str, words), str(place)], cwd=ROOT, start_new_session=True,
+                stderr=subprocess.DEVNULL,
+            )
+        )  # fmt: skip
+        wait_until((place / "a.whl").exists)
+        return started[0], place / "a.whl"
+
+    yield start
+    for process in started:
+        process.kill()
+        process.wait()
+
+
+def wait_until(condition):
+    end = time.monotonic() + 60
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def test_an_interrupted_pip_does_not_delete_what_it_has_downloaded(downloading):
+    process, wheel = downloading(60)
+    os.killpg(process.pid, signal.SIGINT)
+    process.wait(timeout=60)
+    assert wheel.exists()
+
+
+def test_a_pip_that_outlives_its_set_up_keeps_the_next_one_waiting(downloading):
+    process, wheel = downloading(3)
+    process.kill()
+    process.wait(timeout=60)
+    handle = os.open(ROOT, os.O_RDONLY)
+    with pytest.raises(BlockingIOError):
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    wait_until(lambda: not wheel.exists())
+    fcntl.flock(handle, fcntl.LOCK_EX)
+    os.close(handle)
 
 
 def test_a_changed_version_alone_is_installed(project):
