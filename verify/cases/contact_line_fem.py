@@ -160,6 +160,8 @@ class Pressed:
 
     def _under_load(self) -> "tuple[ContactSolution, float]":
         """The state that carries P and how far the cut has moved, by a secant method."""
+        from fem.contact.errors import NotFoundError
+
         before, now = self.start, 3 * self.start
         missing = self._missing(before)[1]
         for _ in range(MOST):
@@ -169,7 +171,7 @@ class Pressed:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise ArithmeticError(f"the load is missed by {more:.1e} of itself")
+        raise NotFoundError(f"the load is missed by {more:.1e} of itself")
 
     def _missing(self, d: float) -> "tuple[ContactSolution, float]":
         """The state with the cut moved down by `d` and the share of P that it lacks."""

@@ -35,6 +35,8 @@ class Rollers:
 
         `cut` is where to start looking (Broyden's method).
         """
+        from fem.contact.errors import NotFoundError
+
         target, flexibility = np.array([Q, -self.q.P]), self.flexibility
         state = self.at(cut, after)
         for _ in range(50):
@@ -49,7 +51,7 @@ class Rollers:
             flexibility = flexibility + np.outer(miss, step @ flexibility) / (
                 step @ flexibility @ gained
             )
-        raise ArithmeticError(
+        raise NotFoundError(
             f"loads not met after 50 steps: forces still miss by {np.abs(missing).max():.2e} N/m"
         )
 

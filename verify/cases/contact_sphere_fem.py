@@ -98,8 +98,10 @@ def at_load(
 ) -> tuple[float, "ContactSolution"]:
     """Approach [m] at which the force is `P`, by secants from a state at `approach`.
 
-    ArithmeticError where they do not meet it.
+    NotFoundError where they do not meet it.
     """
+    from fem.contact.errors import NotFoundError
+
     force, step = push(state), 0.6 * approach * (P / push(state) - 1)
     for _ in range(STEPS):
         if abs(force / P - 1) <= HIT:
@@ -109,7 +111,7 @@ def at_load(
         force = push(state)
         if force != before:
             step *= (P - force) / (force - before)
-    raise ArithmeticError(f"the load {P:g} N is missed by {force / P - 1:.1e} of it")
+    raise NotFoundError(f"the load {P:g} N is missed by {force / P - 1:.1e} of it")
 
 
 def peak(r: Array, p: Array, a: float) -> float:

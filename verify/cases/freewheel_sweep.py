@@ -78,6 +78,8 @@ def given_angle(q: OneClutch) -> float:
 @lru_cache(maxsize=16)
 def starts(q: StarInputs) -> tuple[Start, ...]:
     """Starts of all states of the sweep, from coarse meshes."""
+    from fem.contact.errors import NotFoundError
+
     P = rigid_force(q) / q.L
     whole = FIRST * P * (1 - q.nu**2) / q.E
     d = (SPLIT * whole, (1 - SPLIT) * whole)
@@ -89,7 +91,7 @@ def starts(q: StarInputs) -> tuple[Start, ...]:
         if abs(share - 1) < NEAR:
             break
     else:
-        raise ArithmeticError(f"the normal force of a rigid clutch is missed by {share - 1:.1%}")
+        raise NotFoundError(f"the normal force of a rigid clutch is missed by {share - 1:.1%}")
     found, before = [], 1.0
     for share in sorted(SHARES, reverse=True):
         now = after(now.scaled(share / before).state(q, COARSE))
