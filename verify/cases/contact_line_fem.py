@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.case import FemResult
+from verify.cases.contact_errors import fem_errors
 from verify.shown import Field
 
 if TYPE_CHECKING:
@@ -160,8 +161,6 @@ class Pressed:
 
     def _under_load(self) -> "tuple[ContactSolution, float]":
         """The state that carries P and how far the cut has moved, by a secant method."""
-        from fem.contact.errors import NotFoundError
-
         before, now = self.start, 3 * self.start
         missing = self._missing(before)[1]
         for _ in range(MOST):
@@ -171,7 +170,7 @@ class Pressed:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise NotFoundError(f"the load is missed by {more:.1e} of itself")
+        raise fem_errors().NotFoundError(f"the load is missed by {more:.1e} of itself")
 
     def _missing(self, d: float) -> "tuple[ContactSolution, float]":
         """The state with the cut moved down by `d` and the share of P that it lacks."""

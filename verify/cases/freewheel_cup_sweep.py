@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, minimize_scalar
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_cup_inputs import CupInputs
 from verify.cases.freewheel_fem import Place
 from verify.cases.freewheel_sweep import COARSE, FIRST, Start, Sweep, after, rigid_force
@@ -64,8 +65,6 @@ def starts(q: CupInputs) -> tuple[Start, ...]:
 
 def under_torque(q: CupInputs) -> Start:
     """A start that bears the torque T, about."""
-    from fem.contact.errors import NotFoundError
-
     D, most = FIRST * rigid_force(q) / q.L * (1 - q.nu**2) / q.E, through(q)
     D = min(D, 0.3 * most)
     d = INNER * D, (1 - INNER) * D
@@ -79,7 +78,9 @@ def under_torque(q: CupInputs) -> Start:
         steepness = max(STEEP - D / (2 * (most - D)), FLAT)
         share = math.exp(float(np.clip(miss / steepness, -1.5, 0.5)))
         now = now.scaled(min(share, (D + 0.5 * (most - D)) / D))
-    raise NotFoundError(f"T = {q.T:g} N m is missed by {miss:.1%}: the torque has its summit near")
+    raise fem_errors().NotFoundError(
+        f"T = {q.T:g} N m is missed by {miss:.1%}: the torque has its summit near"
+    )
 
 
 class CupSweep(Sweep):

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.freewheel.geometry import InnerCam
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_friction_model import Borne, fem_along, slipping
@@ -59,15 +60,13 @@ class Limit:
 
     def of_load(self) -> Array:
         """Friction over Eq. 8 (2,) at which the axial load is the limit: value, half-width."""
-        from fem.contact.errors import NoEquilibriumError
-
         if self.asked == 0:
             return self.of_torque()
         first = 1 + AXIAL_ABOVE
         second, _ = self._corrected(first)
         try:
             found, doubt = self._corrected(second)
-        except NoEquilibriumError:
+        except fem_errors().NoEquilibriumError:
             if second >= first:
                 raise
             # the first one bears more than the load; with the second, torque alone is too much
@@ -89,14 +88,12 @@ class Limit:
 
         NotFoundError where the axial load is the limit but for what this is uncertain by.
         """
-        from fem.contact.errors import NoEquilibriumError, NotFoundError
-
         try:
             lever, doubt = self._lever(mu)
-        except NoEquilibriumError:  # the torque alone lets the roller out
+        except fem_errors().NoEquilibriumError:  # the torque alone lets the roller out
             return False
         if abs(lever - self.asked) <= doubt:
-            raise NotFoundError(
+            raise fem_errors().NotFoundError(
                 f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
                 "whether it holds is not decided"
             )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_sweep import COARSE, FIRST, SPLIT, Start, after, rigid_force
@@ -97,8 +98,6 @@ def ample(q: FrictionInputs, place: Place) -> float:
 @lru_cache(maxsize=8)
 def wedged(q: FrictionInputs) -> Start:
     """Where the clutch lies under its torque, by coarse meshes."""
-    from fem.contact.errors import NotFoundError
-
     P = rigid_force(q) / q.L
     whole = FIRST * P * (1 - q.nu**2) / q.E
     d = SPLIT * whole, (1 - SPLIT) * whole
@@ -109,7 +108,7 @@ def wedged(q: FrictionInputs) -> Start:
         now = after(state).scaled(share**HARDER)
         if abs(share - 1) < NEAR:
             return now
-    raise NotFoundError(f"the torque is missed by {share - 1:.1%}")
+    raise fem_errors().NotFoundError(f"the torque is missed by {share - 1:.1%}")
 
 
 def at_torque(q: FrictionInputs, cells: int) -> Start:
@@ -143,8 +142,6 @@ def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> S
     needed: then nodes that slip do so in the last solve, too. NotFoundError where the roller does
     not come to rest, or a solve finds no equilibrium.
     """
-    from fem.contact.errors import NotFoundError
-
     drags, size = (state.drags[0], state.drags[1] + ahead), state.start.d_i + state.start.d_o
     for _ in range(MOST):
         new = there.at(drags, after=state.solution, **along)
@@ -152,4 +149,4 @@ def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> S
         if abs(out) <= STILL * size:
             return new
         drags = drags[0], drags[1] - 2 * out
-    raise NotFoundError(f"the roller moves by {out:.1e} m after {MOST} steps")
+    raise fem_errors().NotFoundError(f"the roller moves by {out:.1e} m after {MOST} steps")

@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_fem import Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_friction_model import (
@@ -117,8 +118,6 @@ class Drive:
 
     def _slip(self, at: Driven, step: float) -> tuple[float, float]:
         """The largest F_ax R/T on the way to slip, and what is `left` there."""
-        from fem.contact.errors import NotFoundError
-
         largest, ahead = 0.0, 0.0
         for _ in range(MOST):
             new = self._onward(at, step * self.way, ahead)
@@ -127,15 +126,13 @@ class Drive:
             largest = max(largest, new.force * self.q.z * self.q.R / new.state.torque)
             if new.state.solution.slides and left <= MOBILISED:
                 return largest, left
-        raise NotFoundError(
+        raise fem_errors().NotFoundError(
             f"no slip was found: {MOST} steps along z leave {left:.1e} of the axial force to the "
             "friction cone"
         )
 
     def _to(self, force: float, at: Driven) -> Driven:
         """On to an axial force [N/m], which secants approach from where it comes."""
-        from fem.contact.errors import NotFoundError
-
         slope = self.unit / self.way
         for _ in range(MOST):
             missing = force - at.force
@@ -146,7 +143,9 @@ class Drive:
             at = new
             if not slope > 0:
                 break
-        raise NotFoundError(f"the axial force {force:.4g} N/m is missed by {missing:.1e} N/m")
+        raise fem_errors().NotFoundError(
+            f"the axial force {force:.4g} N/m is missed by {missing:.1e} N/m"
+        )
 
     def _onward(self, at: Driven, du: float, ahead: float = 0.0) -> Driven:
         u = at.u + du

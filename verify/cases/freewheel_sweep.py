@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_bodies import OneClutch
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_inputs import StarInputs
@@ -78,8 +79,6 @@ def given_angle(q: OneClutch) -> float:
 @lru_cache(maxsize=16)
 def starts(q: StarInputs) -> tuple[Start, ...]:
     """Starts of all states of the sweep, from coarse meshes."""
-    from fem.contact.errors import NotFoundError
-
     P = rigid_force(q) / q.L
     whole = FIRST * P * (1 - q.nu**2) / q.E
     d = (SPLIT * whole, (1 - SPLIT) * whole)
@@ -91,7 +90,9 @@ def starts(q: StarInputs) -> tuple[Start, ...]:
         if abs(share - 1) < NEAR:
             break
     else:
-        raise NotFoundError(f"the normal force of a rigid clutch is missed by {share - 1:.1%}")
+        raise fem_errors().NotFoundError(
+            f"the normal force of a rigid clutch is missed by {share - 1:.1%}"
+        )
     found, before = [], 1.0
     for share in sorted(SHARES, reverse=True):
         now = after(now.scaled(share / before).state(q, COARSE))

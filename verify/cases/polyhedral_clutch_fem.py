@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.optimize import brentq
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.polyhedral_clutch_inputs import ClutchInputs
 from verify.cases.polyhedral_locking_fem import LockedRing
 
@@ -79,12 +80,12 @@ class DrivenRing:
 
 def _root(f: Callable[[float], float], a: float, b: float) -> float:
     """Zero of a function that is nearly linear, by the secant method."""
-    from fem.contact.errors import NotFoundError
-
     f_a, f_b = f(a), f(b)
     for _ in range(MOST):
         if abs(b - a) <= CLOSE * abs(b) or f_b == f_a:
             return b
         a, b, f_a = b, b - f_b * (b - a) / (f_b - f_a), f_b
         f_b = f(b)
-    raise NotFoundError(f"the rollers' force is missed by {f_b:.1e} after {MOST} steps")
+    raise fem_errors().NotFoundError(
+        f"the rollers' force is missed by {f_b:.1e} after {MOST} steps"
+    )

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
+
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
@@ -78,8 +80,6 @@ class Wedge:
 
         The search starts `near` a place [m], or at about half of where Hertz has it.
         """
-        from fem.contact.errors import NotFoundError
-
         now = near or self.geometry.a**2 / self.geometry.R
         before = now / 2 if near is None else 0.99 * near
         missing = self._missing(self.at(before, along=along, push=push), N)
@@ -91,7 +91,7 @@ class Wedge:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise NotFoundError(f"the normal force is missed by {more:.1e} of itself")
+        raise fem_errors().NotFoundError(f"the normal force is missed by {more:.1e} of itself")
 
     def _missing(self, state: "ContactSolution", N: float) -> float:
         return self.forces(state)[0] / N - 1

@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.sprag_bodies import OneClutch, Place
 from verify.cases.sprag_fem import Sector, State
 
@@ -65,8 +66,6 @@ class Start:
 
     def settled(self) -> tuple["Start", State]:
         """Where the sprag comes to rest, and the last coarse state."""
-        from fem.contact.errors import NotFoundError
-
         start = self
         for _ in range(MOST):
             state = start.state(COARSE)
@@ -75,7 +74,7 @@ class Start:
             moved = now.D - last.D, now.OA - last.OA, now.OB - last.OB
             if max(map(abs, moved)) <= SETTLED * now.H:
                 return start, state
-        raise NotFoundError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
+        raise fem_errors().NotFoundError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
 
 
 @lru_cache(256)
@@ -87,8 +86,6 @@ def at_rotation(q: OneClutch, alpha: float) -> Start:
 @lru_cache(256)
 def at_force(q: OneClutch, P: float) -> Start:
     """Where the sprag lies whose inner contact bears about `P` [N/m] on coarse meshes."""
-    from fem.contact.errors import NotFoundError
-
     start = Start.guessed(q, _rotation(q, SOFT * P * (1 - q.nu**2) / q.E))
     for _ in range(MOST):
         start, state = start.settled()
@@ -97,7 +94,7 @@ def at_force(q: OneClutch, P: float) -> Start:
             return start
         # forces grow a little faster than yields, and these about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
-    raise NotFoundError(f"the force {P:.4g} N/m is missed by {share - 1:.1%}")
+    raise fem_errors().NotFoundError(f"the force {P:.4g} N/m is missed by {share - 1:.1%}")
 
 
 def _rotation(q: OneClutch, H: float) -> float:
