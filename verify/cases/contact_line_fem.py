@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.case import FemResult
+from verify.cases.contact_errors import fem_errors
 from verify.shown import Field
 
 if TYPE_CHECKING:
@@ -169,7 +170,7 @@ class Pressed:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise ArithmeticError(f"the load is missed by {more:.1e} of itself")
+        raise fem_errors().NotFoundError(f"the load is missed by {more:.1e} of itself")
 
     def _missing(self, d: float) -> "tuple[ContactSolution, float]":
         """The state with the cut moved down by `d` and the share of P that it lacks."""

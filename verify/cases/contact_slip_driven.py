@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.contact_slip_inputs import SlipInputs
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ class Rollers:
             flexibility = flexibility + np.outer(miss, step @ flexibility) / (
                 step @ flexibility @ gained
             )
-        raise ArithmeticError(
+        raise fem_errors().NotFoundError(
             f"loads not met after 50 steps: forces still miss by {np.abs(missing).max():.2e} N/m"
         )
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.case import FemResult
+from verify.cases.contact_errors import fem_errors
 from verify.cases.contact_sphere_inputs import PAIRS, SphereInputs
 from verify.shown import Field
 
@@ -98,7 +99,7 @@ def at_load(
 ) -> tuple[float, "ContactSolution"]:
     """Approach [m] at which the force is `P`, by secants from a state at `approach`.
 
-    ArithmeticError where they do not meet it.
+    NotFoundError where they do not meet it.
     """
     force, step = push(state), 0.6 * approach * (P / push(state) - 1)
     for _ in range(STEPS):
@@ -109,7 +110,7 @@ def at_load(
         force = push(state)
         if force != before:
             step *= (P - force) / (force - before)
-    raise ArithmeticError(f"the load {P:g} N is missed by {force / P - 1:.1e} of it")
+    raise fem_errors().NotFoundError(f"the load {P:g} N is missed by {force / P - 1:.1e} of it")
 
 
 def peak(r: Array, p: Array, a: float) -> float:

@@ -59,12 +59,12 @@ def angle(q: ClutchInputs, dX: float, f_i: float, f_o: float) -> float:
 
 
 def lets_go(context: Context) -> tuple[float, float]:
-    """Friction a per cent below mu_req finds no state that bears torque and axial load."""
+    """With friction a per cent below mu_req the limit of slip is below the axial load."""
     return float(0.5 - context.fem[-1].arrays["around"][0]), 0.0
 
 
 def bears(context: Context) -> tuple[float, float]:
-    """And a per cent above it does."""
+    """And a per cent above it is higher."""
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, minimize_scalar
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_cup_inputs import CupInputs
 from verify.cases.freewheel_fem import Place
 from verify.cases.freewheel_sweep import COARSE, FIRST, Start, Sweep, after, rigid_force
@@ -77,7 +78,7 @@ def under_torque(q: CupInputs) -> Start:
         steepness = max(STEEP - D / (2 * (most - D)), FLAT)
         share = math.exp(float(np.clip(miss / steepness, -1.5, 0.5)))
         now = now.scaled(min(share, (D + 0.5 * (most - D)) / D))
-    raise ArithmeticError(
+    raise fem_errors().NotFoundError(
         f"T = {q.T:g} N m is missed by {miss:.1%}: the torque has its summit near"
     )
 

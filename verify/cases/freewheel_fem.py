@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_bodies import BODIES, Bodies, OneClutch
 
 if TYPE_CHECKING:
@@ -86,8 +87,6 @@ class Sector:
         roller that creeps out, or turns, until friction holds it, would bear them beside its
         contacts.
         """
-        from fem.contact.errors import NoEquilibriumError, NotFoundError
-
         for _ in range(MOST):
             state = self.at(drags)
             out, turned = state.motion
@@ -95,11 +94,13 @@ class Sector:
                 return state
             drags = drags[0] - out - turned, drags[1] - out + turned
         if state.solution.slides:
-            raise NoEquilibriumError(
+            raise fem_errors().NoEquilibriumError(
                 "friction does not hold the roller: every node of a contact slips, and the roller "
                 f"moves by {out:.1e} m in each of {MOST} steps"
             )
-        raise NotFoundError(f"the roller still moves by {out:.1e} m after {MOST} steps")
+        raise fem_errors().NotFoundError(
+            f"the roller still moves by {out:.1e} m after {MOST} steps"
+        )
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":
         """The state with the surfaces of inner and outer part turned into the wedge by `drags` [m].

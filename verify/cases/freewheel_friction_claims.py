@@ -55,7 +55,7 @@ def onset(context: Context) -> Pair:
 
 
 def axial_onset(context: Context) -> Pair:
-    """The axial load finds no rest where friction is below mu_req."""
+    """With friction mu_req the axial load is the limit, at which the clutch slips."""
     share, half = context.fem[-1].arrays["axial onset"]
     tan, q = context.fem[-1].arrays["tan"][1], context.inputs
     needed = required(context, loaded=True, of_mesh=True)

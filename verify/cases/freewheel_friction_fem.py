@@ -11,6 +11,7 @@ from verify.cases.freewheel_fem import Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_friction_limit import Limit, over_angles
 from verify.cases.freewheel_friction_model import (
+    EDGES,
     Borne,
     ample,
     at_torque,
@@ -18,6 +19,7 @@ from verify.cases.freewheel_friction_model import (
     lever_left,
     pulled,
     sector,
+    yielding,
 )
 from verify.cases.freewheel_sweep import Start
 from verify.shown import Field
@@ -25,10 +27,8 @@ from verify.shown import Field
 Array = NDArray[np.float64]
 
 LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
-FIRST = 0.3  # mu P'/G, the first step of the ring along z; it says how far all would yield
 STEPS = (1.0, 2.0, 3.0, 4.0)  # of the ring along z, over what parts yield at the limit
 FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
-EDGES = 1e-4  # of a value, as the ends of contacts lie between two nodes
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 
@@ -82,16 +82,6 @@ def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[State, Stat
     there = sector(q, start, cells, ample(q, there.place), driven=False)
     rest = there.rest(start.drags)
     return rest, pulled(q, there, rest)
-
-
-def yielding(q: FrictionInputs, there: Sector, stuck: State) -> float:
-    """How far [m] the ring would yield along z up to the limit if nothing slipped."""
-    borne = Borne.on_mesh(stuck)
-    N = borne.N.mean()
-    u = FIRST * q.mu * N * 2 * (1 + q.nu) / q.E
-    first = there.at(stuck.drags, after=stuck.solution, axial_displacements={"ring.rim": u})
-    limit = N * math.sqrt(q.mu**2 - borne.tangent**2)
-    return float(u * limit / Borne.on_mesh(first).F_z[0])
 
 
 def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:

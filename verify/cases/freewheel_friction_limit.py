@@ -1,14 +1,17 @@
 """Where friction no longer holds a freewheel: over friction, over wedge angles, with axial load."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from analytic.freewheel.geometry import InnerCam
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
-from verify.cases.freewheel_friction_model import Borne, creeping, fem_along, sector, slipping
+from verify.cases.freewheel_friction_model import Borne, fem_along, slipping
+from verify.cases.freewheel_slip import Drive, Driven
 from verify.cases.freewheel_sweep import COARSE, Start
 
 Array = NDArray[np.float64]
@@ -16,7 +19,7 @@ Array = NDArray[np.float64]
 BELOW, ABOVE = 1e-3, 1.4e-3  # of tan(psi/2): first bracket of the onset under torque
 STICKING_TOLERANCE = 1e-9  # of N: less on sticking nodes is round-off
 ONSET_WIDTH = 1e-6  # of tan(psi/2): last bracket
-AXIAL_BELOW, AXIAL_ABOVE, AXIAL_BISECTIONS = 2e-3, 3e-3, 2  # of mu_req, with axial load
+AXIAL_ABOVE = 1e-3  # of mu_req: the first friction with an axial load
 SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
 ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
 HELD = 0.5  # of N: more is left of it where places are alike and forces are not
@@ -56,24 +59,56 @@ class Limit:
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Friction over Eq. 8 (2,) below which the axial load finds no rest: value, half-width."""
-        needed = self.tan * math.hypot(1.0, self.q.F_ax * self.q.R / self.q.T)
-        return self._bisected(
-            lambda k: self.bears(k * needed), 1 - AXIAL_BELOW, 1 + AXIAL_ABOVE, AXIAL_BISECTIONS
-        )
+        """Friction over Eq. 8 (2,) at which the axial load is the limit: value, half-width."""
+        if self.asked == 0:
+            return self.of_torque()
+        first = 1 + AXIAL_ABOVE
+        second, _ = self._corrected(first)
+        try:
+            found, doubt = self._corrected(second)
+        except fem_errors().NoEquilibriumError:
+            if second >= first:
+                raise
+            # the first one bears more than the load; with the second, torque alone is too much
+            return np.array([(first + second) / 2, (first - second) / 2])
+        return np.array([found, doubt + abs(found - second)])
+
+    def _corrected(self, k: float) -> tuple[float, float]:
+        """Friction over Eq. 8 at which the load is the limit, from slip with `k`; uncertainty.
+
+        Where all slips mu is F_t/N times the root of 1 + (F_ax R/T)², and F_t/N hardly changes.
+        """
+        full = math.hypot(1.0, self.asked)
+        lever, doubt = self._lever(k * full * self.tan)
+        found = k * full / math.hypot(1.0, lever)
+        return found, found * doubt * lever / (1 + lever**2)
 
     def bears(self, mu: float) -> bool:
-        """Whether friction `mu` holds the clutch under its torque and its axial load."""
-        there = sector(self.q, self.start, COARSE, mu, driven=False)
-        force = self.q.F_ax / (self.q.z * self.q.L)
+        """Whether friction `mu` holds the clutch under its torque and its axial load.
+
+        NotFoundError where the axial load is the limit but for what this is uncertain by.
+        """
         try:
-            rest = there.rest(self.drags)
-            # the coarse mesh has a torque of its own
-            force *= rest.torque * self.q.L / self.q.T
-            creeping(there, rest, axial_forces={"ring.rim": force})
-        except (ArithmeticError, ValueError):  # no rest, or no forces at all that balance the load
+            lever, doubt = self._lever(mu)
+        except fem_errors().NoEquilibriumError:  # the torque alone lets the roller out
             return False
-        return True
+        if abs(lever - self.asked) <= doubt:
+            raise fem_errors().NotFoundError(
+                f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
+                "whether it holds is not decided"
+            )
+        return lever > self.asked
+
+    @property
+    def asked(self) -> float:
+        """F_ax R/T."""
+        return self.q.F_ax * self.q.R / self.q.T
+
+    def _lever(self, mu: float) -> tuple[float, float]:
+        """F_ax R/T at slip with friction `mu` on coarse meshes, and its uncertainty."""
+        start = replace(self.start, drags=self.drags)
+        drive = Drive.at(self.q.model_copy(update={"mu": mu}), start, COARSE)
+        return drive.lever(Driven(drive.rest, 0.0))
 
     @staticmethod
     def _bisected(holds, low: float, high: float, steps: int) -> Array:  # type: ignore[no-untyped-def]

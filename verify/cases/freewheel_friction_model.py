@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_friction_inputs import FrictionInputs
 from verify.cases.freewheel_sweep import COARSE, FIRST, SPLIT, Start, after, rigid_force
@@ -21,6 +22,8 @@ AMPLE = 2.0  # friction over what statics asks for, where forces are measured
 HARDER = 0.85  # d ln(approach)/d ln(T), about
 NEAR, MOST = 1e-4, 12  # how near the torque coarse meshes come, and in how many steps
 STILL = 1e-6  # of both approaches: what the roller may move while the ring creeps
+EDGES = 1e-4  # of a value, as the ends of contacts lie between two nodes
+PROBE = 0.3  # mu P'/G, the first step of the ring along z; it says how far all would yield
 
 
 @dataclass(frozen=True)
@@ -105,7 +108,7 @@ def wedged(q: FrictionInputs) -> Start:
         now = after(state).scaled(share**HARDER)
         if abs(share - 1) < NEAR:
             return now
-    raise ArithmeticError(f"the torque is missed by {share - 1:.1%}")
+    raise fem_errors().NotFoundError(f"the torque is missed by {share - 1:.1%}")
 
 
 def at_torque(q: FrictionInputs, cells: int) -> Start:
@@ -122,16 +125,28 @@ def pulled(q: FrictionInputs, there: Sector, rest: State) -> State:
     return there.at(rest.drags, axial_forces=force, after=rest.solution)
 
 
-def creeping(there: Sector, state: State, **along: Any) -> State:
+def yielding(q: FrictionInputs, there: Sector, stuck: State) -> float:
+    """How far [m] the ring would yield along z up to the limit if nothing slipped."""
+    borne = Borne.on_mesh(stuck)
+    N = borne.N.mean()
+    u = PROBE * q.mu * N * 2 * (1 + q.nu) / q.E
+    first = there.at(stuck.drags, after=stuck.solution, axial_displacements={"ring.rim": u})
+    limit = N * math.sqrt(q.mu**2 - borne.tangent**2)
+    return float(u * limit / Borne.on_mesh(first).F_z[0])
+
+
+def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
     """On from `state` with the roller in its place: what it is let out, the ring takes it back.
 
-    The ring turns on then, and N stays. ArithmeticError where that finds no rest.
+    The ring turns on then, and N stays; by `ahead` [m] from the start, where that is known to be
+    needed: then nodes that slip do so in the last solve, too. NotFoundError where the roller does
+    not come to rest, or a solve finds no equilibrium.
     """
-    drags, size = state.drags, state.start.d_i + state.start.d_o
+    drags, size = (state.drags[0], state.drags[1] + ahead), state.start.d_i + state.start.d_o
     for _ in range(MOST):
         new = there.at(drags, after=state.solution, **along)
         out, _ = new.motion
         if abs(out) <= STILL * size:
             return new
         drags = drags[0], drags[1] - 2 * out
-    raise ArithmeticError(f"the roller moves by {out:.1e} m after {MOST} steps")
+    raise fem_errors().NotFoundError(f"the roller moves by {out:.1e} m after {MOST} steps")

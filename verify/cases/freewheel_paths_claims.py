@@ -136,7 +136,8 @@ def in_time(context: Context, case: int) -> Pair:
         f"{ALIKE:.0%} of their load"
     )
     allowed = early / found - 1, late / found - 1
-    return Pair(own, found, above - below + step / 2, words, allowed)
+    U = max(above - found, found - below) + step / 2
+    return Pair(own, found, U, words, allowed)
 
 
 def in_phase(share: float) -> Approximation:

@@ -7,7 +7,7 @@ both loads come on together.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,12 +21,12 @@ from verify.cases.freewheel_friction_model import (
     Borne,
     ample,
     creeping,
-    lever_left,
     sector,
     slipping,
 )
 from verify.cases.freewheel_friction_model import at_torque as start_at
 from verify.cases.freewheel_paths_inputs import PathInputs
+from verify.cases.freewheel_slip import Drive, axial_unit
 from verify.cases.freewheel_sweep import Start, after
 
 Array = NDArray[np.float64]
@@ -39,13 +39,12 @@ QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how 
 SOLVED = 1e-6  # of mu_req
 CORRECTIONS = 2  # of a place under another torque
 OTHERS = (0.6, 0.9)  # and further ones, of the figure alone
-WINDOWS = (0.985, 1.005), (0.9, 0.985)  # of the unit, in which the limit is looked for
-BISECTIONS = 4
+TOGETHER = 0.95  # of the way to the limit in load case 3: what comes from no load at once
 
 
 @dataclass(frozen=True)
 class Held:
-    """The clutch under its torque, and a unit [N/m] of one roller: what friction leaves for F_z."""
+    """The clutch under its torque and axial forces, in a unit of what friction leaves for F_z."""
 
     q: PathInputs
     there: Sector
@@ -59,31 +58,20 @@ class Held:
     @property
     def unit(self) -> float:
         """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
-        q = self.q
-        return self.rest.torque / (q.z * q.R) * lever_left(q.mu, self.rest.start)
-
-    @property
-    def whole(self) -> float:
-        """What it stands for [N]: on the whole clutch, at the torque asked for and its angle."""
-        return self.q.T / self.q.R * lever_left(self.q.mu, self.rest.place)
+        return axial_unit(self.q, self.rest)
 
     def to(self, share: float, state: State) -> State:
-        """On from `state` to an axial load; ArithmeticError or ValueError where it slips."""
+        """On from `state` to an axial load; NotFoundError where no rest is found under it."""
         return creeping(self.there, state, axial_forces={"ring.rim": share * self.unit})
-
-    def together(self, share: float) -> State:
-        """From no load to both."""
-        force = {"ring.rim": share * self.unit}
-        return self.to(share, self.there.at(self.rest.drags, axial_forces=force))
 
 
 def fem(q: PathInputs, level: int) -> FemResult:
     start = start_at(q, level)
-    held = Held.at(q, start, level, q.mu)
+    held, drive = Held.at(q, start, level, q.mu), Drive.at(q, start, level)
     ramp, growing = follow(held, RAMP), follow(held, GROWING)
     values = in_phase(q, start, level)
     u_it = dict.fromkeys(values, SOLVED)
-    values["F_1"], u_it["F_1"] = bracket(held, lambda k: held.to(k, ramp[-1]))
+    values["F_1"], u_it["F_1"] = drive.load(drive.along(RAMP))
     arrays = {
         "ramp": rows(held, RAMP, ramp), "growing": rows(held, GROWING, growing),
         "own": np.array([
@@ -93,9 +81,9 @@ def fem(q: PathInputs, level: int) -> FemResult:
     if level != LEVELS[0]:
         arrays["cycles"] = np.array([walk(held, share) for share in (QUIET, LOUD)])
     if level == LEVELS[-1]:
-        last = held if q.T_critical == q.T else critical(q, start, level)
+        last = drive if q.T_critical == q.T else critical(q, start, level)
         arrays["slips"] = np.array([
-            bracket(held, lambda k: held.to(k, growing[-1])), bracket(last, last.together),
+            drive.load(drive.along(GROWING)), last.load(last.together(TOGETHER)),
         ])  # fmt: skip
         coarse = Held.at(q, start_at(q, LEVELS[0]), LEVELS[0], q.mu)
         arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
@@ -118,10 +106,10 @@ def in_phase(q: PathInputs, near: Start, cells: int) -> dict[str, float]:
     return values
 
 
-def critical(q: PathInputs, near: Start, cells: int) -> Held:
+def critical(q: PathInputs, near: Start, cells: int) -> Drive:
     """The clutch at the torque of load case 3 at which the least amplitude slips."""
     there = q.model_copy(update={"T": q.T_critical})
-    return Held.at(there, under(there, near, q, cells), cells, q.mu)
+    return Drive.at(there, under(there, near, q, cells), cells)
 
 
 def under(there: PathInputs, near: Start, q: PathInputs, cells: int) -> Start:
@@ -141,28 +129,6 @@ def follow(held: Held, shares: Sequence[float]) -> list[State]:
         state = held.to(share, state)
         states.append(state)
     return states
-
-
-def bracket(held: Held, state: Callable[[float], State]) -> tuple[float, float]:
-    """Axial load [N] at which no rest is found any more, and half the bracket; nan without."""
-    for below, high in WINDOWS:
-        if _held(state, high):
-            break
-        low = below
-        for _ in range(BISECTIONS):
-            middle = (low + high) / 2
-            low, high = (middle, high) if _held(state, middle) else (low, middle)
-        if low > below or _held(state, low):
-            return (low + high) / 2 * held.whole, (high - low) / 2 * held.whole
-    return math.nan, 0.0
-
-
-def _held(state: Callable[[float], State], share: float) -> bool:
-    try:
-        state(share)
-    except (ArithmeticError, ValueError):  # bodies slide on; or no forces at all balance the loads
-        return False
-    return True
 
 
 def walk(held: Held, share: float) -> Array:

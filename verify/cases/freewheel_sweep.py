@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.freewheel_bodies import OneClutch
 from verify.cases.freewheel_fem import Place, Sector, State
 from verify.cases.freewheel_inputs import StarInputs
@@ -89,7 +90,9 @@ def starts(q: StarInputs) -> tuple[Start, ...]:
         if abs(share - 1) < NEAR:
             break
     else:
-        raise ArithmeticError(f"the normal force of a rigid clutch is missed by {share - 1:.1%}")
+        raise fem_errors().NotFoundError(
+            f"the normal force of a rigid clutch is missed by {share - 1:.1%}"
+        )
     found, before = [], 1.0
     for share in sorted(SHARES, reverse=True):
         now = after(now.scaled(share / before).state(q, COARSE))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.optimize import brentq
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.polyhedral_clutch_inputs import ClutchInputs
 from verify.cases.polyhedral_locking_fem import LockedRing
 
@@ -85,4 +86,6 @@ def _root(f: Callable[[float], float], a: float, b: float) -> float:
             return b
         a, b, f_a = b, b - f_b * (b - a) / (f_b - f_a), f_b
         f_b = f(b)
-    raise ArithmeticError(f"the rollers' force is missed by {f_b:.1e} after {MOST} steps")
+    raise fem_errors().NotFoundError(
+        f"the rollers' force is missed by {f_b:.1e} after {MOST} steps"
+    )

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
+
 if TYPE_CHECKING:
     from skfem.mesh import Mesh2D
 
@@ -89,7 +91,7 @@ class Wedge:
             if more == missing:
                 break
             before, now, missing = now, now - more * (now - before) / (more - missing), more
-        raise ArithmeticError(f"the normal force is missed by {more:.1e} of itself")
+        raise fem_errors().NotFoundError(f"the normal force is missed by {more:.1e} of itself")
 
     def _missing(self, state: "ContactSolution", N: float) -> float:
         return self.forces(state)[0] / N - 1

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.sprag_bodies import Place
 
 if TYPE_CHECKING:
@@ -45,8 +46,6 @@ class Sector:
         `drags` [m], how far inner and outer race are turned anticlockwise where they are touched,
         are improved until it does not.
         """
-        from fem.contact.errors import NoEquilibriumError, NotFoundError
-
         bound = STILL * self.place.H
         for _ in range(MOST):
             state = self.at(drags)
@@ -57,11 +56,11 @@ class Sector:
                 return state
             drags = drags[0] + below, drags[1] + above
         if state.solution.slides:
-            raise NoEquilibriumError(
+            raise fem_errors().NoEquilibriumError(
                 "friction does not hold the sprag: every node of a contact slips, and the sprag "
                 f"moves by {max(abs(below), abs(above)):.1e} m in each of {MOST} steps"
             )
-        raise NotFoundError(
+        raise fem_errors().NotFoundError(
             f"the sprag still moves by {max(abs(below), abs(above)):.1e} m after {MOST} steps"
         )
 

@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+from verify.cases.contact_errors import fem_errors
 from verify.cases.sprag_bodies import OneClutch, Place
 from verify.cases.sprag_fem import Sector, State
 
@@ -73,7 +74,7 @@ class Start:
             moved = now.D - last.D, now.OA - last.OA, now.OB - last.OB
             if max(map(abs, moved)) <= SETTLED * now.H:
                 return start, state
-        raise ArithmeticError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
+        raise fem_errors().NotFoundError(f"the sprag at {self.place.alpha:.4g} rad finds no place")
 
 
 @lru_cache(256)
@@ -93,7 +94,7 @@ def at_force(q: OneClutch, P: float) -> Start:
             return start
         # forces grow a little faster than yields, and these about as the rotation
         start = start.turned(start.place.alpha * share**0.9)
-    raise ArithmeticError(f"the force {P:.4g} N/m is missed by {share - 1:.1%}")
+    raise fem_errors().NotFoundError(f"the force {P:.4g} N/m is missed by {share - 1:.1%}")
 
 
 def _rotation(q: OneClutch, H: float) -> float:

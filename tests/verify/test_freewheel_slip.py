@@ -1,0 +1,142 @@
+"""The axial load at which a freewheel slips, read from solved states; nothing from failed ones."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from fem.contact.errors import NoEquilibriumError, NotFoundError
+from verify.cases import freewheel_friction_limit, freewheel_slip
+from verify.cases.freewheel_friction_limit import Limit
+from verify.cases.freewheel_friction_model import Borne, at_torque, creeping, sector
+from verify.cases.freewheel_paths_inputs import PathInputs
+from verify.cases.freewheel_slip import Drive, Driven
+from verify.cases.freewheel_sweep import COARSE
+
+pytestmark = pytest.mark.xdist_group("freewheel-paths")
+
+
+@cache
+def start():
+    return at_torque(PathInputs(), COARSE)
+
+
+@cache
+def drive():
+    return Drive.at(PathInputs(), start(), COARSE)
+
+
+@cache
+def limit():
+    return drive().lever(drive().along((0.95,)))
+
+
+def bound(mu=0.08):
+    return Limit(PathInputs(mu=mu, F_ax=600.0), start(), start().drags)
+
+
+def test_the_limit_is_what_the_cone_leaves_for_the_axis():
+    """All of mu N, at the angle of the mesh, which micro-slip changes by next to nothing."""
+    lever, doubt = limit()
+    law = math.sqrt((0.08 / math.tan(drive().rest.start.psi / 2)) ** 2 - 1)
+    assert lever == pytest.approx(law, rel=2e-3)
+    assert 0 < doubt < 3e-3 * law
+
+
+def test_forces_that_grow_in_small_steps_are_borne_up_to_next_to_the_limit():
+    q = PathInputs()
+    there = sector(q, start(), COARSE, q.mu, driven=False)
+    rest = state = there.rest(start().drags)
+    for share in (0.6, 0.95, 0.99, 0.997, 0.9985):
+        force = {"ring.rim": share * drive().unit}
+        state = creeping(there, state, axial_forces=force)
+    borne = force["ring.rim"] * q.z * q.R / state.torque
+    lever, doubt = limit()
+    assert 0.99 * lever < borne < lever + doubt
+    assert state.torque == pytest.approx(rest.torque, rel=2e-3)
+
+
+def test_a_path_ends_at_its_last_load_and_short_of_slip():
+    at = drive().along((0.5, -0.4))
+    assert at.force / drive().unit == pytest.approx(-0.4, abs=freewheel_slip.MET)
+    assert drive().left(at) == math.inf  # of a force along the rim's way
+    back = drive().along((0.4,))
+    assert drive().left(back) > 1
+
+
+def test_where_all_slips_the_resultant_is_mu_n(monkeypatch):
+    last = []
+    onward = Drive._onward
+    monkeypatch.setattr(Drive, "_onward", lambda *a: last.append(onward(*a)) or last[-1])
+    drive()._slip(Driven(drive().rest, 0.0), 0.5)
+    borne = Borne.on_mesh(last[-1].state)
+    assert (np.hypot(borne.F_t, borne.F_z) / borne.N).max() == pytest.approx(0.08, rel=1e-6)
+    assert last[-1].state.solution.slides
+    assert all(drive().left(at) > freewheel_slip.MOBILISED for at in last[:-1])
+
+
+def test_a_drive_that_ends_before_slip_has_no_limit(monkeypatch):
+    monkeypatch.setattr(freewheel_slip, "MOST", 2)
+    with pytest.raises(NotFoundError, match="no slip was found: 2 steps"):
+        drive().lever(Driven(drive().rest, 0.0))
+
+
+# Decisions.
+def not_found(*_a, **_k):
+    raise NotFoundError("no state of rest was found")
+
+
+def test_a_solve_that_finds_nothing_is_no_slip(monkeypatch):
+    drive()
+    monkeypatch.setattr(freewheel_slip, "creeping", not_found)
+    for ask in (lambda: bound().bears(0.08), bound().of_load, lambda: drive().along((0.3,)),
+                lambda: drive().together(0.9)):  # fmt: skip
+        with pytest.raises(NotFoundError, match="no state of rest"):
+            ask()
+
+
+def test_a_torque_that_alone_is_proven_to_slip_bears_no_axial_load(monkeypatch):
+    def proven(*_a):
+        raise NoEquilibriumError("every node slips")
+
+    monkeypatch.setattr(Limit, "_lever", proven)
+    assert not bound().bears(0.05)
+    with pytest.raises(NoEquilibriumError):
+        bound().of_load()
+
+
+@pytest.mark.parametrize(("off", "held"), [(-0.01, False), (0.01, True)])
+def test_a_load_is_borne_below_its_limit_and_not_above(off, held, monkeypatch):
+    monkeypatch.setattr(Limit, "_lever", lambda self, _mu: ((1 + off) * self.asked, 1e-3))
+    assert bound().bears(0.08) is held
+
+
+@pytest.mark.parametrize("off", [-1e-3, 0.0, 1e-3])
+def test_within_its_uncertainty_of_the_limit_nothing_is_decided(off, monkeypatch):
+    monkeypatch.setattr(Limit, "_lever", lambda self, _mu: (self.asked + off, 2e-3))
+    with pytest.raises(NotFoundError, match="not decided"):
+        bound().bears(0.08)
+
+
+def test_the_friction_of_a_load_is_that_of_eq_8_where_slip_is_the_cone_s(monkeypatch):
+    def coulomb(self, mu):
+        return math.sqrt((mu / self.tan) ** 2 - 1), 1e-6
+
+    monkeypatch.setattr(freewheel_friction_limit.Limit, "_lever", coulomb)
+    value, half = bound().of_load()
+    assert value == pytest.approx(1.0, abs=1e-12)
+    assert 0 < half < 2e-6
+
+
+def test_a_light_load_s_friction_lies_between_one_that_holds_and_torque_alone(monkeypatch):
+    def light(self, mu):
+        if mu < self.tan * 1.0005:
+            raise NoEquilibriumError("the torque alone lets the roller out")
+        return 0.05, 1e-6
+
+    monkeypatch.setattr(freewheel_friction_limit.Limit, "_lever", light)
+    one = Limit(PathInputs(F_ax=1.0), start(), start().drags)
+    value, half = one.of_load()
+    assert value + half == pytest.approx(1 + freewheel_friction_limit.AXIAL_ABOVE, abs=1e-9)
+    assert half > 0
