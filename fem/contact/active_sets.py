@@ -19,14 +19,16 @@ States = NDArray[np.int8]
 Solution = tuple[Array, Array, States]  # multipliers (n,), motions (k,), states (m,)
 
 STATE_TOLERANCE = 1e-11  # of a row's own terms: a gap, slip or traction within it is zero
+FINE = 1e-3  # of that, where contact forces are small against those that would close the gaps
 MAX_BLOCK_EXCHANGES = 10  # full exchanges without progress before single ones
 MAX_EXCHANGES, EXCHANGES_PER_ROW = 100, 10  # without friction, where the method is finite
 MAX_FRICTION_EXCHANGES = 40  # a slower descent costs more than Lemke's method
 
 
 def exchanged(
-    system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int]
-) -> Solution:
+    system: ContactSystem, w_0: Array, e: Array, spring: Array, states: States, changes: list[int],
+    finer: float = 1.0,
+) -> Solution:  # fmt: skip
     """Multipliers, motions and states that fit, on springs (k, k), from given `states` (m,).
 
     `changes` counts the rows of each exchange, in place. NotFoundError where the states repeat or
@@ -37,7 +39,7 @@ def exchanged(
     most = MAX_FRICTION_EXCHANGES if rough else MAX_EXCHANGES + EXCHANGES_PER_ROW * states.size
     for _ in range(most):
         multipliers, motion = linear(system, w_0, e, spring, states)
-        wanted = fitting_states(system, w_0, multipliers, motion, states)
+        wanted = fitting_states(system, w_0, multipliers, motion, states, finer)
         other = np.flatnonzero(wanted != states)
         changes.append(other.size)
         if not other.size:
@@ -111,17 +113,21 @@ def linear(
 
 
 def fitting_states(
-    system: ContactSystem, w_0: Array, multipliers: Array, motion: Array, states: States
-) -> States:
-    """The states (m,) that multipliers and gaps call for, from those that gave them."""
+    system: ContactSystem, w_0: Array, multipliers: Array, motion: Array, states: States,
+    finer: float = 1.0,
+) -> States:  # fmt: skip
+    """The states (m,) that multipliers and gaps call for, from those that gave them.
+
+    `finer` is a factor of the tolerances.
+    """
     m, rough = system.friction.size, system.rough
     w = w_0 + system.B @ multipliers + system.D @ motion
     # of each row's own terms: far from the contact gaps are larger than any slip in it
     reach = np.sqrt(system.compliance)
     size = np.abs(w_0) + reach * (reach @ np.abs(multipliers))
-    w_tolerance = STATE_TOLERANCE * (size + np.abs(system.D) @ np.abs(motion))
+    w_tolerance = finer * STATE_TOLERANCE * (size + np.abs(system.D) @ np.abs(motion))
     normal, partner = multipliers[:m], system.partner[rough]
-    tolerance = STATE_TOLERANCE * np.abs(normal).max(initial=0)
+    tolerance = finer * STATE_TOLERANCE * np.abs(normal).max(initial=0)
     tangential, bound = multipliers[partner], system.friction[rough] * normal[rough] + tolerance
     before = states[rough]
     along = np.where(before == OPEN, STICK, before)

@@ -41,7 +41,7 @@ class FrictionLcp:
             z = lemke(M, q, d)
             if z is not None:
                 multipliers, motion, states = self._unpacked(z)
-                yield *self._polished(multipliers, motion, states), states
+                yield *self.polished(multipliers, motion, states), states
                 yield multipliers, motion, states
 
     @cached_property
@@ -111,7 +111,7 @@ class FrictionLcp:
         a = z[m + 2 * r :]
         return multipliers, motions * (a[:k] - a[k:]), states
 
-    def _polished(self, multipliers: Array, motion: Array, states: States) -> tuple[Array, Array]:
+    def polished(self, multipliers: Array, motion: Array, states: States) -> tuple[Array, Array]:
         """The solution of the states' own linear system that is nearest to the pivots' result."""
         system = self.system
         equations = StateEquations.of(system, states, self.spring)

@@ -36,6 +36,7 @@ class Release:
     e: Array
     changes: list[int] = field(default_factory=list)
     pivoted: list[int] = field(default_factory=list)
+    finer: float = 1.0  # factor of the tolerances of states
 
     def rest(self, states: States, springs: tuple[float, ...]) -> Solution:
         """The solution from given states, on ever weaker springs, then on none.
@@ -64,7 +65,7 @@ class Release:
         spring = self.system.springs(share)
         e = self.e + spring @ motion
         try:
-            return exchanged(self.system, self.w_0, e, spring, states, self.changes)
+            return exchanged(self.system, self.w_0, e, spring, states, self.changes, self.finer)
         except NotFoundError:
             if not self.system.rough.size:
                 raise

@@ -29,10 +29,15 @@ class Residual:
     balance: float
 
     @property
+    def laws(self) -> float:
+        """The largest but for the balance."""
+        found = (self.gap, self.complementarity, self.friction)
+        return max(found) if np.all(np.isfinite(found)) else np.inf
+
+    @property
     def largest(self) -> float:
         """The largest of the four; infinite where one is not a number."""
-        found = (self.gap, self.complementarity, self.friction, self.balance)
-        return max(found) if np.all(np.isfinite(found)) else np.inf
+        return max(self.laws, self.balance) if np.isfinite(self.balance) else np.inf
 
 
 def residual(
@@ -42,10 +47,9 @@ def residual(
     m, rough, B = system.friction.size, system.rough, system.compliance
     w, normal = w_0 + system.B @ multipliers + system.D @ motion, multipliers[:m]
     overlap = np.maximum(-w_0[:m], 0.0) / B[:m]
-    force, nothing = float(normal.max(initial=0.0)), system.loads_at_round_off(w_0)
+    force = float(normal.max(initial=0.0))
     missed, size = system.missed(e, multipliers)
-    if np.abs(e).max(initial=0.0) <= nothing:
-        nothing = 0.0  # round-off of the gaps is a force between bodies that may move apart
+    if np.abs(e).max(initial=0.0) <= system.loads_at_round_off(w_0):
         force = max(force, CLOSING_SHARE * float(overlap.max(initial=0.0)))
         size = max(size, force * float(np.abs(system.D).max(initial=0.0)))
     force = force or 1.0
@@ -58,5 +62,5 @@ def residual(
         gap=float(np.maximum(-share[:m], 0.0).max(initial=0.0)),
         complementarity=float(np.abs(np.minimum(normal / force, share[:m])).max(initial=0.0)),
         friction=float(np.abs(traction - projected).max(initial=0.0)),
-        balance=missed / size if missed > nothing else 0.0,
+        balance=missed / size if missed > 0 else 0.0,
     )
