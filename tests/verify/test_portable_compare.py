@@ -73,6 +73,14 @@ def test_without_a_tolerance_a_millionth_of_the_scale_is_the_limit(difference):
     assert differences([row], **others) == []
 
 
+@pytest.mark.parametrize(("now", "size"), [(1.35, 0.1), (0.0, 1.0)])
+def test_a_fact_moves_by_a_share_of_the_margin_that_it_may_lose(now, size):
+    # an order of 2 against 0.5, of which 1e-9 is uncertain: the margin is 1.5
+    row = replace(ROW, kind="fact", values={"reference": 2.0}, difference=1.5, tolerance=1e-9)
+    other = replace(row, values={"reference": 0.5 + now}, difference=now)
+    assert move(row, other, perturbed=False) == pytest.approx(size, rel=1e-6)
+
+
 def test_a_row_without_a_scale_takes_its_largest_number():
     row = replace(ROW, tolerance=None, scale=None, difference=None, values={"formula": 50.0})
     assert move(row, replace(row, values={"formula": 50.0005}), perturbed=False) == pytest.approx(1)

@@ -1,9 +1,9 @@
 """What differs between the rows of two machines. Nothing here runs or writes anything.
 
-A move is counted in tolerances of the row on this machine. A row without a tolerance takes
-1e-5 of its scale for one, so that the limit of a tenth is 1e-6 of the scale. Perturbed inputs move
-both sides of a row alike: there its difference counts, and its values are compared to 1e-6 of the
-scale as well.
+A move is counted in tolerances of the row on this machine. For a fact the tolerance is its margin,
+what may be lost until the verdict changes. A row without a tolerance takes 1e-5 of its scale for
+one, so that the limit of a tenth is 1e-6 of the scale. Perturbed inputs move both sides of a row
+together: there its difference counts, and its values beyond 1e-6 of the scale.
 """
 
 import math
@@ -15,6 +15,7 @@ from verify.results import Row
 
 LIMIT = 0.1  # tolerances
 SUBSTITUTE = 1e-5  # of the scale, where a row has no tolerance
+FACT = "fact"
 
 Number = float | None
 
@@ -91,13 +92,18 @@ def moves(
 
 def move(was: Record, now: Record, *, perturbed: bool) -> float:
     """How far a row moved, in tolerances; infinite where a number is there or finite once only."""
-    U = was.tolerance if was.tolerance is not None and was.tolerance > 0 else None
-    substitute = SUBSTITUTE * _scale(was)
+    allowed, substitute = _allowed(was), SUBSTITUTE * _scale(was)
     values = [_change(was.values.get(n), now.values.get(n)) for n in {**was.values, **now.values}]
-    allowed = substitute if U is None or perturbed else U
-    parts = [_ratio(change, allowed) for change in values]
-    parts.append(_ratio(_change(was.difference, now.difference), U or substitute))
-    return max(parts)
+    parts = [_ratio(one, max(allowed, substitute) if perturbed else allowed) for one in values]
+    return max(*parts, _ratio(_change(was.difference, now.difference), allowed))
+
+
+def _allowed(row: Record) -> float:
+    """What the row may differ by: its tolerance, of a fact its margin, else a part of the scale."""
+    U = row.tolerance if row.tolerance is not None and row.tolerance > 0 else 0.0
+    if row.kind == FACT and row.difference is not None:
+        return max(abs(row.difference) - U, 0.0)
+    return U or SUBSTITUTE * _scale(row)
 
 
 def _only_here(row: Record, name: str) -> Difference:
