@@ -142,8 +142,9 @@ class AlongProblem:
         size = np.abs(pushed).max() + np.abs(pressed).max() + np.abs(step.pull.u_0).max()
         if slip > RUNAWAY * size:
             raise NotFoundError(
+                "no state of rest was found within small motions: by the solution found, "
                 f"{self.bodies.named(step.shift)}, and slips along z by {slip:.3g} where surfaces "
-                f"deform by {size:.3g}: under these loads it slides away"
+                f"deform by {size:.3g}"
             )
 
 

@@ -16,15 +16,16 @@ from scipy.optimize import linprog
 from fem.contact.active_sets import FINE, StateEquations
 from fem.contact.errors import NoEquilibriumError, NotFoundError
 from fem.contact.friction_lcp import COVERING_VECTORS, FrictionLcp
-from fem.contact.release import ACCEPTED_RESIDUAL, SPRINGS, Release
+from fem.contact.release import ACCEPTED_RESIDUAL, NEUTRAL, SPRINGS, Release
 from fem.contact.residual import residual
-from fem.contact.system import BACKWARD, FELT, FORWARD, OPEN, STAYING, STICK, ContactSystem
+from fem.contact.system import BACKWARD, FELT, FORWARD, OPEN, SIGN, STAYING, STICK, ContactSystem
 from fem.plane.discretisation import Array
 
 __all__ = ["BACKWARD", "FELT", "FORWARD", "OPEN", "STAYING", "STICK", "Complementarity", "Rest"]
 
 # the slowest one that took part; the last finds that bodies rest apart from each other
 METHODS = "active sets", "Lemke's method", "linear programme"
+STRICT = 1e-7  # of the largest contact force or its approach: what a state is sure by
 FEW, GROUP = 24, 4  # rows that need no coarse start, and how many are taken in one for it
 AWAY = "; bodies may slide or roll away under these loads, unless held or pressed together first"
 
@@ -50,8 +51,9 @@ class Complementarity(ContactSystem):
     def solve(self, w_0: Array, e: Array, start: NDArray[np.int8] | None = None) -> Rest:
         """Multipliers and motions under `w_0` (n,), `e` (k,), from given states or from none.
 
-        Every residual of the result is below 1e-9 of its scale. The balance of a motion that facets
-        alone resist may be missed by as much as round-off of the gaps makes of it.
+        Every residual of the result is below 1e-9 of its scale: the largest contact force, and the
+        approach that it makes. Loads of which facets alone balance the last 1e-6, or less than
+        round-off of the gaps makes of them, leave the body where it is.
 
         Raises
         ------
@@ -61,7 +63,9 @@ class Complementarity(ContactSystem):
             Where neither active sets nor Lemke's method find a solution.
         """
         changes: list[int] = []
-        least = np.inf
+        least, neutral = np.inf, None
+        if self.is_unloaded(w_0, e):
+            w_0 = self.without_round_off(w_0)
         for rest in self._candidates(w_0, e, start, changes):
             missed = residual(self, w_0, e, rest.multipliers, rest.motion)
             if missed.largest <= ACCEPTED_RESIDUAL / 10:
@@ -70,6 +74,13 @@ class Complementarity(ContactSystem):
             if held or missed.largest <= ACCEPTED_RESIDUAL:
                 return self._polished(w_0, e, rest)
             least = min(least, missed.largest)
+            if (
+                neutral is None
+                and max(missed.laws / ACCEPTED_RESIDUAL, missed.balance / NEUTRAL) <= 1
+            ):
+                neutral = rest
+        if neutral is not None:
+            return neutral
         if np.any(self.missing(e)):
             raise NoEquilibriumError("no admissible contact forces balance the loads")
         best = f"; the best candidate violates a law by {least:.1e}" if least < np.inf else ""
@@ -97,7 +108,7 @@ class Complementarity(ContactSystem):
             yield Rest(*found, tuple(changes), METHODS[1])
             with suppress(NotFoundError):  # states that pivots leave within their round-off
                 yield Rest(*fine.rest(found[2], SPRINGS[-1:]), tuple(changes), METHODS[1])
-        if self._is_unloaded(w_0, e) and (apart := self._parting(w_0)) is not None:
+        if self.is_unloaded(w_0, e) and (apart := self._parting(w_0)) is not None:
             none = np.zeros(w_0.size), apart, np.zeros(self.friction.size, np.int8)
             yield Rest(*none, tuple(changes), METHODS[-1])
 
@@ -105,23 +116,40 @@ class Complementarity(ContactSystem):
         """Whether the problem of `rest`, under `w_0` (n,) and `e` (k,), has further solutions.
 
         Proven by the index of the solution, the sign of the determinant of its states: where loads
-        can be balanced without friction, all indices sum to +1, so that -1 has company. And where
+        can be balanced without friction, all indices sum to +1, so that -1 has company; no row may
+        lie at the limit between two states. And where
         no load acts, by a motion that parts all surfaces: zero force is a solution then, too. False
         proves nothing.
         """
         if np.any(self.smooth().missing(e)):
             return False
+        if not self._is_strict(rest, w_0):
+            return False
         A = StateEquations.of(self, rest.states, self.springs(0.0)).A
         if np.linalg.slogdet(A)[0] * (-1) ** self.D.shape[1] < 0:
             return True
-        if not self._is_unloaded(w_0, e) or not np.any(rest.multipliers):
+        if not self.is_unloaded(w_0, e) or not np.any(rest.multipliers):
             return False
         return self._parting(w_0) is not None
+
+    def _is_strict(self, rest: Rest, w_0: Array) -> bool:
+        """Whether every row is well within its state: no gap, pressure, slip or reserve is zero."""
+        force = float(rest.multipliers[: self.friction.size].max(initial=0.0))
+        share = w_0 + self.B @ rest.multipliers + self.D @ rest.motion
+        share /= self.compliance * (force or 1.0)  # of a row's elastic approach
+        closed, rough = rest.states != OPEN, self.rough
+        pressure = rest.multipliers[: self.friction.size] / (force or 1.0)
+        partner, slips = self.partner[rough], SIGN[rest.states[rough]] != 0
+        reserve = self.friction[rough] * pressure[rough]
+        reserve -= np.abs(rest.multipliers[partner]) / (force or 1.0)
+        along = np.where(slips, np.abs(share[partner]), reserve)[closed[rough]]
+        margins = np.where(closed, pressure, share[: closed.size])
+        return bool(min(margins.min(initial=np.inf), along.min(initial=np.inf)) > STRICT)
 
     def _is_balanced_to_round_off(self, w_0: Array, e: Array, rest: Rest) -> bool:
         """Whether loads are balanced but for what round-off of the gaps makes of them."""
         missed, _ = self.missed(e, rest.multipliers)
-        return missed <= self.loads_at_round_off(w_0) and not self._is_unloaded(w_0, e)
+        return missed <= self.loads_at_round_off(w_0) and not self.is_unloaded(w_0, e)
 
     def _polished(self, w_0: Array, e: Array, rest: Rest) -> Rest:
         """The solution of the linear system of the states of `rest` if it misses less, else `rest`.
@@ -134,10 +162,6 @@ class Complementarity(ContactSystem):
             residual(self, w_0, e, *one).largest for one in (found, (rest.multipliers, rest.motion))
         )
         return replace(rest, multipliers=found[0], motion=found[1]) if missed < before else rest
-
-    def _is_unloaded(self, w_0: Array, e: Array) -> bool:
-        """Whether no load beyond round-off acts on the rigid motions."""
-        return float(np.abs(e).max(initial=0.0)) <= self.loads_at_round_off(w_0)
 
     def _parting(self, w_0: Array) -> Array | None:
         """The motion (k,) that opens all gaps most evenly without any force; None without one.

@@ -7,10 +7,11 @@ from typing import Self
 import numpy as np
 
 from fem.contact.complementarity import Complementarity
+from fem.contact.system import directions
 from fem.plane.discretisation import Array, Indices
 
 EXACT = 1e-9  # of the peak pressure and of the forces: what the solution may miss
-RESISTED = 1e-7  # of the largest stiffness against a motion: below, only facets resist it
+RESISTED = 1e-7  # of the squares of what motions move: below, only facets resist the motion
 NEUTRAL_SPRING = 1e-2  # of the contact's stiffness: holds motions that only facets resist
 
 
@@ -78,8 +79,8 @@ class System:
     @cached_property
     def _resisted(self) -> Array:
         """The part (k, k) of motions that the contact resists; facets alone resist the others."""
-        scaled = self.D / np.sqrt(np.diag(self.B))[:, None]
-        size, motions = np.linalg.eigh(scaled.T @ scaled)
+        rows = directions(self.D)
+        size, motions = np.linalg.eigh(rows.T @ rows)
         resisted = motions[:, size > RESISTED * size.max(initial=0.0)]
         return resisted @ resisted.T
 

@@ -244,7 +244,7 @@ class ContactProblem:
         else:
             before = None if after is None or after.along is None else (after.rest, after.along)
             rest, along = self.along.solve(interface, w, e, pull, before, closing, in_plane)
-        self._check_small(interface, responses, rest)
+        self._check_small(interface, responses, rest, after)
         return ContactSolution(
             bodies=self.bodies, interface=interface, actions=tuple(actions),
             responses=tuple(responses), rest=rest, slips_before=slips, along=along,
@@ -309,7 +309,7 @@ class ContactProblem:
             return slips
         try:
             rest = smooth.solve(interface.gaps + LIGHT * w[:m], LIGHT * e)
-        except (NoEquilibriumError, NotFoundError):
+        except NoEquilibriumError:
             return slips
         return LIGHT * w[m:] + kernel.B[m:, :m] @ rest.multipliers + kernel.D[m:] @ rest.motion
 
@@ -328,26 +328,37 @@ class ContactProblem:
         return self._shifts[key]
 
     def _check_small(
-        self, interface: Interface, responses: Sequence[tuple[float, Response]], rest: Rest
-    ) -> None:
+        self, interface: Interface, responses: Sequence[tuple[float, Response]], rest: Rest,
+        after: ContactSolution | None,
+    ) -> None:  # fmt: skip
         """NotFoundError where bodies move by far more than they deform and gaps that they close.
 
         Only the facets of the mesh stop such motions; the assumption of small motions has ended.
+        Motions count from the step before, and deformations of both steps.
         """
         if not (rest.motion.size and np.any(rest.multipliers)):
             return  # where nothing touches, bodies rest in any place
+        size, motion = self._deformation(interface, responses, rest), rest.motion
+        if after is not None and after.interface is interface:
+            size = max(size, self._deformation(interface, after.responses, after.rest))
+            motion = motion - after.rest.motion
+        moved = float(np.abs(self.bodies.motions @ motion).max())
+        if moved > RUNAWAY * size:
+            raise NotFoundError(
+                f"no state of rest was found within small motions: by the solution found, "
+                f"{self.bodies.named(motion)}, by {moved:.3g} where surfaces deform by {size:.3g}"
+            )
+
+    def _deformation(
+        self, interface: Interface, responses: Sequence[tuple[float, Response]], rest: Rest
+    ) -> float:
+        """How far surfaces deform and closed gaps were open."""
         elastic = self.bodies.compliance(interface.C.T @ rest.multipliers)
         elastic += sum(share * response.at_rest for share, response in responses)
         closed = np.flatnonzero(rest.states)
         gaps = interface.gaps[closed] / interface.sizes[closed]
         size = np.abs(elastic).max() + np.abs(gaps).max(initial=0.0)
-        size += ROUND_OFF * float(np.ptp(self.bodies.basis.mesh.p, axis=1).max())
-        moved = float(np.abs(self.bodies.motions @ rest.motion).max())
-        if moved > RUNAWAY * size:
-            raise NotFoundError(
-                f"{self.bodies.named(rest.motion)}, and does so by {moved:.3g} where surfaces "
-                f"deform by {size:.3g}: under these loads it slides or rolls away"
-            )
+        return float(size + ROUND_OFF * np.ptp(self.bodies.basis.mesh.p, axis=1).max())
 
     def _refuse(self, missing: Array) -> None:
         """NoEquilibriumError where loads on rigid motions lack contact forces `missing` (k,)."""

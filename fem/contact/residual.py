@@ -49,7 +49,7 @@ def residual(
     overlap = np.maximum(-w_0[:m], 0.0) / B[:m]
     force = float(normal.max(initial=0.0))
     missed, size = system.missed(e, multipliers)
-    if np.abs(e).max(initial=0.0) <= system.loads_at_round_off(w_0):
+    if system.is_unloaded(w_0, e):
         force = max(force, CLOSING_SHARE * float(overlap.max(initial=0.0)))
         size = max(size, force * float(np.abs(system.D).max(initial=0.0)))
     force = force or 1.0

@@ -22,12 +22,23 @@ from fem.plane.discretisation import Array, Indices
 OPEN, STICK, FORWARD, BACKWARD = 0, 1, 2, 3  # slip states by the sign of l_t: + and -
 SIGN = np.array([0.0, 0.0, 1.0, -1.0])
 STAYING = 1e-2  # of the contact's own stiffness: holds neutral motions where they are
-FELT = 1e-7  # of the largest stiffness against a rigid motion: below, the motion is neutral
+FELT = 1e-7  # of the squares of what motions move: below, only facets resist the motion
 LOAD_TOLERANCE = 1e-13  # of the forces that would close the gaps: smaller loads are round-off
+GAP_TOLERANCE = 1e-14  # of the largest gap or slip: smaller gaps of unloaded bodies are none
 BALANCE_TOLERANCE = 1e-9  # of the loads on rigid motions: less than that may be missing
 BARE = 1e-12  # of the largest: rows that act on no rigid motion
 ASKEW = 1e-2  # of the loads: so much may act on a neutral motion until surfaces are paired again
 OFFSET = 1e-3  # and this much where they are: moments count about places in the mesh
+
+
+def directions(D: Array) -> Array:
+    """Rows of `D` (n, k) of unit length: which motions contact resists, however soft the bodies.
+
+    Rows that act on no rigid motion are zero.
+    """
+    length = np.sqrt((D**2).sum(axis=1))
+    acts = length > BARE * length.max(initial=0.0)
+    return np.asarray(D * (acts / np.where(acts, length, 1.0))[:, None])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,8 +84,8 @@ class ContactSystem:
 
         A smooth pin in a hole may turn: facets alone resist that.
         """
-        own = self.D / np.sqrt(self.compliance)[:, None]
-        size, motions = np.linalg.eigh(own.T @ own)
+        rows = directions(self.D)
+        size, motions = np.linalg.eigh(rows.T @ rows)
         resisted = size > FELT * size.max(initial=0.0)
         return motions[:, resisted], motions[:, ~resisted]
 
@@ -89,6 +100,16 @@ class ContactSystem:
         """Loads on motions that round-off of `w_0` (n,) makes."""
         closing = float(np.max(np.abs(w_0) / self.compliance, initial=0.0))
         return LOAD_TOLERANCE * closing * float(np.abs(self.D).max(initial=0.0))
+
+    def is_unloaded(self, w_0: Array, e: Array) -> bool:
+        """Whether no load beyond round-off acts on the rigid motions, if there are any."""
+        return float(np.abs(e).max(initial=0.0)) <= self.loads_at_round_off(w_0)
+
+    def without_round_off(self, w_0: Array) -> Array:
+        """`w_0` (n,) with zeros for gaps that round-off of all gaps and slips may make."""
+        size = self.scales[0] * np.abs(w_0)
+        normal = np.arange(w_0.size) < self.friction.size
+        return np.where(normal & (size <= GAP_TOLERANCE * size.max(initial=0.0)), 0.0, w_0)
 
     def missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
         """What is missing to balance on the rigid motions, and the size of the forces there."""

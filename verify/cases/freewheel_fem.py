@@ -93,13 +93,10 @@ class Sector:
             if max(abs(out), abs(turned)) <= STILL * (state.place.d_i + state.place.d_o):
                 return state
             drags = drags[0] - out - turned, drags[1] - out + turned
-        if state.solution.slides:
-            raise fem_errors().NoEquilibriumError(
-                "friction does not hold the roller: every node of a contact slips, and the roller "
-                f"moves by {out:.1e} m in each of {MOST} steps"
-            )
+        slips = ", and every node of a contact slips" if state.solution.slides else ""
         raise fem_errors().NotFoundError(
-            f"the roller still moves by {out:.1e} m after {MOST} steps"
+            f"no place at rest was found: the roller still moves by {out:.1e} m after "
+            f"{MOST} steps{slips}"
         )
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":

@@ -64,13 +64,10 @@ class Limit:
             return self.of_torque()
         first = 1 + AXIAL_ABOVE
         second, _ = self._corrected(first)
-        try:
-            found, doubt = self._corrected(second)
-        except fem_errors().NoEquilibriumError:
-            if second >= first:
-                raise
+        if second < first and not self.sticks(second * self.full):
             # the first one bears more than the load; with the second, torque alone is too much
             return np.array([(first + second) / 2, (first - second) / 2])
+        found, doubt = self._corrected(second)
         return np.array([found, doubt + abs(found - second)])
 
     def _corrected(self, k: float) -> tuple[float, float]:
@@ -78,9 +75,8 @@ class Limit:
 
         Where all slips mu is F_t/N times the root of 1 + (F_ax R/T)², and F_t/N hardly changes.
         """
-        full = math.hypot(1.0, self.asked)
-        lever, doubt = self._lever(k * full * self.tan)
-        found = k * full / math.hypot(1.0, lever)
+        lever, doubt = self._lever(k * self.full)
+        found = k * math.hypot(1.0, self.asked) / math.hypot(1.0, lever)
         return found, found * doubt * lever / (1 + lever**2)
 
     def bears(self, mu: float) -> bool:
@@ -88,10 +84,9 @@ class Limit:
 
         NotFoundError where the axial load is the limit but for what this is uncertain by.
         """
-        try:
-            lever, doubt = self._lever(mu)
-        except fem_errors().NoEquilibriumError:  # the torque alone lets the roller out
+        if not self.sticks(mu):  # under the torque alone
             return False
+        lever, doubt = self._lever(mu)
         if abs(lever - self.asked) <= doubt:
             raise fem_errors().NotFoundError(
                 f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
@@ -103,6 +98,11 @@ class Limit:
     def asked(self) -> float:
         """F_ax R/T."""
         return self.q.F_ax * self.q.R / self.q.T
+
+    @property
+    def full(self) -> float:
+        """Friction of Eq. 8 at the bisector's angle."""
+        return math.hypot(1.0, self.asked) * self.tan
 
     def _lever(self, mu: float) -> tuple[float, float]:
         """F_ax R/T at slip with friction `mu` on coarse meshes, and its uncertainty."""

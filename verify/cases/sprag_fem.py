@@ -55,13 +55,10 @@ class Sector:
             if max(abs(below), abs(above)) <= bound:
                 return state
             drags = drags[0] + below, drags[1] + above
-        if state.solution.slides:
-            raise fem_errors().NoEquilibriumError(
-                "friction does not hold the sprag: every node of a contact slips, and the sprag "
-                f"moves by {max(abs(below), abs(above)):.1e} m in each of {MOST} steps"
-            )
+        slips = ", and every node of a contact slips" if state.solution.slides else ""
         raise fem_errors().NotFoundError(
-            f"the sprag still moves by {max(abs(below), abs(above)):.1e} m after {MOST} steps"
+            "no place at rest was found: the sprag still moves by "
+            f"{max(abs(below), abs(above)):.1e} m after {MOST} steps{slips}"
         )
 
     def at(self, drags: tuple[float, float], **more: Any) -> "State":

@@ -71,7 +71,7 @@ def test_what_hardly_holds_slides_far_and_is_refused(angle):
     # friction that has turned into the pull all over: it rests after 200 times what it deforms
     problem = on_flat()
     pressed = problem.solve(forces={"up.top": (0.0, -P)})
-    with pytest.raises(ArithmeticError, match=r"it slides (or rolls )?away"):
+    with pytest.raises(ArithmeticError, match="within small motions"):
         pulled(problem, pressed, angle, 1 - 1e-7)
 
 

@@ -159,3 +159,20 @@ def test_a_symmetric_problem_is_solved_without_random_covering():
 
 def test_a_ray_is_no_solution():
     assert solve_lcp(np.array([[-1.0]]), np.array([-1.0]), np.array([1.0])) is None
+
+
+def test_a_soft_body_beside_a_stiff_one_is_in_balance_too():
+    # two bodies on springs of 1 and 5e-8, each pressed by 1
+    kernel = Complementarity(
+        B=np.diag([1.0, 2e7]), D=np.eye(2), friction=np.zeros(2), partner=np.array([-1, -1]),
+        part=np.array([0, 1]),
+    )  # fmt: skip
+    rest = kernel.solve(np.zeros(2), np.array([-1.0, -1.0]))
+    assert rest.multipliers == pytest.approx([1.0, 1.0], rel=1e-9)
+
+
+def test_without_force_a_row_at_the_limit_of_its_state_proves_no_other_solution():
+    kernel, none = node(), np.zeros(0)
+    rest = kernel.solve(np.zeros(2), none, np.array([FORWARD], np.int8))
+    assert not np.any(rest.multipliers)
+    assert not kernel.is_proven_non_unique(rest, np.zeros(2), none)
