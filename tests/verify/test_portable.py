@@ -11,7 +11,8 @@ from verify.cases.registry import CASES, find
 from verify.cli import run
 from verify.inputs import EntryError, Inputs, count, quantity, table, word
 from verify.portable import command, effective, reasons, runner
-from verify.portable.compare import Kind, Record
+from verify.portable.compare import Kind
+from verify.portable.moving import Record
 from verify.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
 from verify.portable.store import CaseRecord, Results, save
 from verify.portable.variants import BASELINE, CORE_TYPE, Machines, Variant, candidates, machines
@@ -226,6 +227,13 @@ def test_a_reason_makes_a_move_portable_and_one_that_explains_nothing_is_named(t
     assert not summary_of(tmp_path, with_changes(status="FAIL"), (used,)).is_portable
     not_a_number = with_changes(difference=math.nan)
     assert [d.kind for d in summary_of(tmp_path, not_a_number).differences] == [Kind.VALUE]
+
+
+def test_another_tolerance_is_told_as_such(tmp_path):
+    loose = summary_of(tmp_path, with_changes(tolerance=1e9))
+    assert not loose.is_portable
+    said = "value: ring/bore has another tolerance without a reason in there"
+    assert said in "\n".join(command.lines(loose))
 
 
 def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):

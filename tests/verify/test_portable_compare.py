@@ -7,7 +7,8 @@ import pytest
 
 from verify.inputs import InputError
 from verify.portable import reasons
-from verify.portable.compare import Kind, Record, differences, move, moves, record
+from verify.portable.compare import Kind, differences, moves
+from verify.portable.moving import Record, move, record
 from verify.portable.store import CaseRecord, Results, load, save
 from verify.results import Kind as RowKind
 from verify.results import Partner, Row, Status
@@ -52,6 +53,77 @@ def test_a_value_that_moves_by_more_than_a_tenth_of_the_tolerance_is_reported(by
 @pytest.mark.parametrize("by", [-0.09, 0.0, 0.05])
 def test_a_smaller_move_is_none(by):
     assert compared(moved(by)) == []
+
+
+def test_the_limit_is_a_tenth_of_the_tolerance():
+    assert compared(moved(0.1 - 1e-6)) == []
+    assert [one.kind for one in compared(moved(0.1 + 1e-6))] == [Kind.VALUE]
+
+
+@pytest.mark.parametrize("tolerance", [math.nan, math.inf, None, 0.0])
+def test_a_tolerance_that_is_not_finite_is_none(tolerance):
+    row = replace(ROW, tolerance=tolerance)
+    far = {**row.values, "reference": 7.0}
+    for other in (far, {**far, "formula": None}):
+        rows = [row], [replace(row, values=other)]
+        assert [one.kind for one in differences(*rows, "there", perturbed=False)] == [Kind.VALUE]
+    assert move(row, replace(row, values=far), perturbed=False) == pytest.approx(4.999 / 2e-5)
+    fact = replace(row, kind="fact", difference=1.5)
+    assert move(fact, replace(fact, difference=1.2), perturbed=False) == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize("difference", [math.nan, math.inf])
+def test_a_margin_that_is_not_finite_hides_no_value(difference):
+    fact = replace(ROW, kind="fact", difference=difference)
+    other = replace(fact, values={**fact.values, "formula": 2.1})
+    assert move(fact, other, perturbed=False) == pytest.approx(10)
+
+
+def test_nan_is_no_move_where_both_have_it_and_one_where_not():
+    row = replace(ROW, values={"formula": math.nan, "reference": 2.001})
+    assert differences([row], [row], "there", perturbed=False) == []
+    for pair in ((row, ROW), (ROW, row)):
+        assert move(*pair, perturbed=False) == math.inf
+
+
+def test_a_row_without_values_moves_by_its_difference():
+    row = replace(ROW, values={})
+    assert move(row, replace(row, difference=0.001), perturbed=False) == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "told"), [(0.0201, "0.0201"), (0.0049, "0.0049"), (1e9, "1000000000"),
+                            (None, "none"), (math.inf, "inf"), (math.nan, "nan")],
+)  # fmt: skip
+def test_another_tolerance_is_a_difference_with_both_in_words(tolerance, told):
+    (one,) = compared(replace(ROW, tolerance=tolerance))
+    assert (one.kind, one.move) == (Kind.VALUE, 0.0)
+    assert one.was.endswith(", tolerance 0.01")
+    assert one.now.endswith(f", tolerance {told}")
+    (both,) = compared(replace(moved(0.5), tolerance=tolerance))
+    assert both.move == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("tolerance", [0.0199, 0.0051])
+def test_a_tolerance_that_is_estimated_may_differ_by_a_factor_of_two(tolerance):
+    assert compared(replace(ROW, tolerance=tolerance)) == []
+
+
+def test_the_uncertainty_of_a_fact_counts_by_the_share_of_its_margin():
+    row = replace(ROW, kind="fact", difference=1.5, tolerance=1e-9)
+    for U, kinds in ((1e-7, []), (0.14, []), (0.16, [Kind.VALUE])):
+        rows = [row], [replace(row, tolerance=U)]
+        assert [one.kind for one in differences(*rows, "there", perturbed=False)] == kinds
+
+
+def test_rows_of_the_same_name_are_reported():
+    twice = [ROW, replace(ROW, values={"formula": 9.0}), *OTHERS]
+    for rows, times in (((twice, twice), ("2 times", "2 times")),
+                        ((ROWS, twice), ("1 times", "2 times")),
+                        ((twice, ROWS), ("2 times", "1 times"))):  # fmt: skip
+        told = differences(*rows, "there", perturbed=False)
+        (one,) = (one for one in told if one.kind is Kind.DUPLICATE)
+        assert (one.row, one.was, one.now) == (ROW.id, *times)
 
 
 def test_both_sides_that_move_alike_count_on_the_same_inputs_and_not_on_perturbed_ones():

@@ -11,7 +11,7 @@ from verify import commands
 from verify.cases.ring import LAME
 from verify.cli import run
 from verify.inputs import InputError
-from verify.releases import kept, making, reasons, since, thresholds
+from verify.releases import digits, kept, making, reasons, since
 from verify.releases.compare import drift
 from verify.releases.kept import Release, load, newest, store
 from verify.releases.reasons import Reason
@@ -138,6 +138,30 @@ def test_the_margin_of_a_fact_counts_beyond_both_uncertainties_and_a_tenth(U, by
     assert aspects(found(row, replace(row, difference=0.4 + by))) == reported
 
 
+def test_a_fact_with_values_counts_by_its_margin():
+    row = replace(FACT, analytic=2.0, fem=1.6)
+    moved = replace(row, analytic=2.039, difference=0.439)
+    assert aspects(found(row, moved)) == []
+    moved = replace(row, analytic=2.041, difference=0.441)
+    assert aspects(found(row, moved)) == [("formula", False), ("margin", False)]
+    wide = replace(row, tolerance=0.01, difference=0.05)  # the uncertainty of both: 0.014
+    assert aspects(found(wide, replace(wide, analytic=2.02))) == [("formula", False)]
+
+
+@pytest.mark.parametrize(("by", "reported"), [(0.9e-4, []), (1.1e-4, [("finite elements", False)])])
+def test_the_value_of_a_limit_counts_beyond_a_tenth_of_its_tolerance(by, reported):
+    row = replace(
+        ROW, kind=Kind.ASYMPTOTIC, analytic=0.0, fem=1e-5, difference=1e-5, scale=1.0, u_num=None,
+        u_ref=None, tolerance=1e-3, detects=None,
+    )  # fmt: skip
+    assert aspects(found(row, replace(row, fem=1e-5 + by))) == reported
+
+
+def test_a_numerical_error_that_one_run_lacks_is_that_of_the_other():
+    other = replace(ROW, u_num=None, detects=None, fem=ROW.fem + 0.0021)
+    assert ("finite elements", False) in aspects(found(replace(ROW, detects=None), other))
+
+
 # numerical error of both runs: 0.00283; a tenth of the band: 0.004, half of the interval being 0.04
 @pytest.mark.parametrize(("key", "aspect"), [("analytic", "formula"), ("fem", "finite elements")])
 def test_a_value_counts_beyond_its_error_and_a_tenth_of_its_band(key, aspect):
@@ -164,6 +188,8 @@ def test_numbers_that_print_alike_are_no_change():
         same = found(row, replace(row, demand=demand))
         assert (same.changes, same.tightened) == ((), 0)
     assert aspects(found(row, replace(row, demand=0.02395))) == [("demand", True)]
+    assert aspects(found(row, replace(row, demand=0.023941))) == []
+    assert aspects(found(row, replace(row, demand=0.0239412))) == [("demand", True)]
 
 
 def test_the_order_of_convergence_may_scatter():
@@ -177,6 +203,8 @@ ABOUT = replace(COMPUTED, interval=(-0.0918544437, -0.0898544437))  # 0.002 abou
 NARROW = replace(COMPUTED, interval=(-0.00100123456, 0.00100234567))
 ONE_END = replace(COMPUTED, interval=(-0.02816191, 0.004))
 ESTIMATED_BOUND = replace(BALANCE, tolerance=7.19491842e-7)  # a condition number times epsilon
+SIX_DIGITS = replace(APPROXIMATE, interval=(-0.0123456, 0.512345678))
+TWO_FIGURES = replace(FACT, reason="held: 1% accepted, 5% accepted")
 RESIDUAL = replace(ROW, u_num=1e-9, u_ref=1.2587554e-4)
 
 LOOSENED = [
@@ -215,6 +243,25 @@ LOOSENED = [
     (DEVIATION, {"tolerance": 1e-3, "u_num": 5e-5, "detects": 1e-3}, "acceptance",
      "0.1 % -> 0.11 %"),
     (DEVIATION, {"interval_source": ""}, "acceptance", "0.1 % -> none"),
+    (ROW, {"scale": 200.0, "tolerance": 0.2}, "scale", "2 mm -> 200 mm"),
+    (ROW, {"scale": 2.21}, "scale", "2 mm -> 2.21 mm"),
+    (replace(ROW, u_ref=None), {"scale": None}, "scale", "2 mm -> none"),
+    (FACT, {"reason": "held: off by +0.07%"}, "acceptance", "0.2 % accepted -> none"),
+    (FACT, {"reason": "held: off by +0.07%, 50% asked"}, "acceptance",
+     "0.2 % accepted -> 50 % asked"),
+    (FACT, {"reason": "held: off by +0.07%, 0.3% accepted, 1% asked"}, "acceptance",
+     "0.2 % accepted -> 0.3 % accepted, 1 % asked"),
+    (TWO_FIGURES, {"reason": "held: 5% accepted"}, "acceptance",
+     "1 % accepted, 5 % accepted -> 5 % accepted"),
+    # stated numbers are told with the digits that differ
+    (replace(ROW, demand=0.02), {"demand": 0.0200006}, "demand", "2 % -> 2.0001 %"),
+    (APPROXIMATE, {"interval": (-0.01, 0.030000001)}, "interval",
+     "-1 to +3 % -> -1 to +3.0000001 %"),
+    # ends of five and six digits, and a zero one, are stated
+    (SIX_DIGITS, {"interval": (-0.0123567, 0.512345678)}, "interval",
+     "-1.23456 to +51.2346 % -> -1.23567 to +51.2346 %"),
+    (replace(APPROXIMATE, interval=(0.0, 0.512345678)), {"interval": (-0.021234567, 0.512345678)},
+     "interval", "+0 to +51.2346 % -> -2.12346 to +51.2346 %"),
     (ROW, {"status": Status.SHOWN}, "status", "PASS -> SHOWN"),
     (ROW, {"status": Status.CALIBRATED}, "status", "PASS -> CALIBRATED"),
 ]  # fmt: skip
@@ -283,6 +330,54 @@ def test_a_row_that_turned_red_says_which_side_moved_and_by_how_much(key, aspect
     assert (status.aspect, status.now) == ("status", "FAIL")
     assert value.aspect == aspect
     assert value.size.startswith("+0.1 of the scale")
+
+
+def test_a_smaller_scale_or_a_new_one_is_told_and_not_red():
+    assert aspects(found(ROW, replace(ROW, scale=1.79))) == [("scale", False)]
+    assert aspects(found(replace(ROW, scale=None), ROW)) == [("scale", False)]
+    shown = replace(ROW, status=Status.SHOWN)  # judges nothing
+    assert aspects(found(shown, replace(shown, scale=3.0))) == [("scale", False)]
+
+
+@pytest.mark.parametrize("scale", [1.81, 2.19])
+def test_a_scale_may_move_by_a_tenth_or_the_numerical_error(scale):
+    assert aspects(found(ROW, replace(ROW, scale=scale))) == []
+    uncertain = replace(ROW, u_num=0.2)  # of both runs: 2 √2 · 0.2 = 0.57
+    assert aspects(found(uncertain, replace(uncertain, scale=2.5))) == []
+
+
+def test_every_judged_row_of_the_release_is_loosened_by_a_larger_scale():
+    judged = [row for row in newest().rows.values() if row.status == "PASS" and row.scale]
+    for row in judged:
+        times = {
+            name: 100 * value
+            for name in ("scale", "tolerance", "u_ref")
+            if (value := getattr(row, name)) is not None
+        }
+        assert ("scale", True) in changes_of(row, replace(row, **times))
+    assert len(judged) > 700
+
+
+def test_an_additional_figure_is_told_and_not_red():
+    more = replace(FACT, reason="held: off by +0.07%, 0.2% accepted, 1% asked")
+    assert aspects(found(FACT, more)) == [("acceptance", False)]
+
+
+@pytest.mark.parametrize(
+    ("row", "change", "aspect"),
+    [
+        (ROW, {"demand": 0.5}, "demand"),
+        (DEVIATION, {"tolerance": 8.8e-3}, "acceptance"),
+        (FACT, {"reason": "held: off by +0.07%, 0.3% accepted"}, "acceptance"),
+        (APPROXIMATE, {"interval": None}, "interval"),
+        (ROW, {"scale": 200.0}, "scale"),
+    ],
+)
+def test_a_row_that_holds_again_by_a_looser_band_is_red(row, change, aspect):
+    failed = replace(row, status=Status.FAIL)
+    assert [c.aspect for c in found(failed, replace(row, **change)).unexplained] == [aspect]
+    other = replace(row, kind=Kind.TREND)
+    assert aspects(found(failed, other))[:2] == [("status", False), ("kind", False)]
 
 
 def test_a_row_that_turned_red_without_its_numbers_says_no_more():
@@ -358,14 +453,22 @@ def test_a_computed_reference_counts_beyond_a_tenth():
      (-0.02, True), (None, False), (0.12345, False), (3.59745921e-07, False)],
 )  # fmt: skip
 def test_a_stated_number_has_few_digits(value, stated):
-    assert thresholds.is_stated(value) is stated
+    assert digits.is_stated(value) is stated
+
+
+@pytest.mark.parametrize(
+    ("value", "literal"),
+    [(0.0, True), (0.12345, True), (-0.00511875, True), (0.1234567, False), (None, False)],
+)
+def test_a_literal_that_is_stored_itself_has_up_to_six_digits(value, literal):
+    assert digits.is_literal(value) is literal
 
 
 def is_about_stated(interval):
     """Whether an end or the width of an interval is stated."""
     low, high = interval
     rounding = 1e-9 * max(abs(low), abs(high))
-    return any(map(thresholds.is_stated, interval)) or thresholds.is_stated(high - low, rounding)
+    return any(map(digits.is_literal, interval)) or digits.is_stated(high - low, rounding)
 
 
 def changes_of(was, now):
@@ -382,7 +485,7 @@ def test_every_stated_band_of_the_release_is_loosened_by_one_per_cent():
                 row, replace(row, interval=(low - by, high + by))
             )
             widened += 1
-        if thresholds.is_stated(row.bound):
+        if digits.is_stated(row.bound):
             assert ("bound", True) in changes_of(row, replace(row, tolerance=1.01 * row.tolerance))
             widened += 1
     assert widened > 150
@@ -393,11 +496,11 @@ def test_no_computed_number_of_the_release_is_loosened_by_another_processor():
     for row in newest().rows.values():
         share = 1 + 1e-5
         noisy = {}
-        if row.interval and not any(map(thresholds.is_stated, row.interval)):
+        if row.interval and not any(map(digits.is_literal, row.interval)):
             low, high = row.interval
             by = min(1e-5 * max(map(abs, row.interval)), 0.04 * (high - low))  # two are 3e-6 wide
             noisy["interval"] = tuple(end + by for end in row.interval)
-        if row.bound and not thresholds.is_stated(row.bound):
+        if row.bound and not digits.is_stated(row.bound):
             noisy["tolerance"] = row.tolerance * share
         if row.u_ref and row.u_num:
             noisy["u_ref"] = row.u_ref * share

@@ -19,7 +19,8 @@ def portable(
 
     A machine is another core type of OpenBLAS, another number of BLAS threads, numpy or numba
     for another processor, or inputs perturbed by 1e-13. Each runs with a cache of its own. Lists
-    rows whose status differs and rows whose value moves by more than a tenth of the tolerance; 1
+    rows whose status differs and rows whose value moves by more than a tenth of the tolerance
+    or whose tolerance differs; 1
     where there are any of the first kind, or of the second without a stated reason. A run goes on
     where one was interrupted.
 

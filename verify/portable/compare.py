@@ -1,23 +1,15 @@
 """What differs between the rows of two machines. Nothing here runs or writes anything.
 
-A move is counted in tolerances of the row on this machine. For a fact the tolerance is its margin,
-what may be lost until the verdict changes. A row without a tolerance takes 1e-5 of its scale for
-one, so that the limit of a tenth is 1e-6 of the scale. Perturbed inputs move both sides of a row
-together: there its difference counts, and its values beyond 1e-6 of the scale.
+How far a row moves and may move is in verify.portable.moving.
 """
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from verify.results import Row
-
-LIMIT = 0.1  # tolerances
-SUBSTITUTE = 1e-5  # of the scale, where a row has no tolerance
-FACT = "fact"
-
-Number = float | None
+from verify.portable.moving import LIMIT, Number, Record, is_other_tolerance, move
 
 
 class Kind(StrEnum):
@@ -26,22 +18,9 @@ class Kind(StrEnum):
     STATUS = "status"
     MISSING = "missing row"
     ADDED = "additional row"
+    DUPLICATE = "row of the same name"
     ORDER = "order of rows"
     VALUE = "value"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Record:
-    """What is compared of one row; dimensional numbers are in its unit."""
-
-    id: str
-    kind: str
-    status: str
-    reason: str = ""
-    values: Mapping[str, Number] = field(default_factory=dict)
-    difference: Number = None
-    tolerance: Number = None
-    scale: Number = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,25 +37,18 @@ class Difference:
     reason: str = ""
 
 
-def record(row: Row) -> Record:
-    """What is compared of a row."""
-    values = {"formula": row.analytic, "reference": row.fem}
-    if row.partner is not None:
-        values["partner"] = row.partner.value
-    return Record(
-        id=row.id, kind=row.kind.value, status=row.status.value, reason=row.reason, values=values,
-        difference=row.difference, tolerance=row.tolerance, scale=row.scale,
-    )  # fmt: skip
-
-
 def differences(
     baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
 ) -> list[Difference]:
-    """Rows of the variant `name` whose status differs or whose value moves too far."""
+    """Rows of the variant `name` whose status or tolerance differs, or whose value moves too far.
+
+    Of rows that share an id only the last is compared, which is why they are told.
+    """
     known = {row.id: row for row in baseline}
     found = {row.id: row for row in variant}
     result = [_only_here(row, name) for i, row in known.items() if i not in found]
     result += [_only_there(row, name) for i, row in found.items() if i not in known]
+    result += _duplicates(baseline, variant, name)
     for was, now in _pairs(known, found):
         result += _differences(was, now, name, perturbed=perturbed)
     return result + _order(list(known), list(found), known, name)
@@ -90,22 +62,6 @@ def moves(
     return [_moved(was, now, name, perturbed=perturbed) for was, now in _pairs(known, found)]
 
 
-def move(was: Record, now: Record, *, perturbed: bool) -> float:
-    """How far a row moved, in tolerances; infinite where a number is there or finite once only."""
-    allowed, substitute = _allowed(was), SUBSTITUTE * _scale(was)
-    values = [_change(was.values.get(n), now.values.get(n)) for n in {**was.values, **now.values}]
-    parts = [_ratio(one, max(allowed, substitute) if perturbed else allowed) for one in values]
-    return max(*parts, _ratio(_change(was.difference, now.difference), allowed))
-
-
-def _allowed(row: Record) -> float:
-    """What the row may differ by: its tolerance, of a fact its margin, else a part of the scale."""
-    U = row.tolerance if row.tolerance is not None and row.tolerance > 0 else 0.0
-    if row.kind == FACT and row.difference is not None:
-        return max(abs(row.difference) - U, 0.0)
-    return U or SUBSTITUTE * _scale(row)
-
-
 def _only_here(row: Record, name: str) -> Difference:
     return Difference(
         kind=Kind.MISSING, row=row.id, row_kind=row.kind, variant=name, was=row.status, now=""
@@ -116,6 +72,19 @@ def _only_there(row: Record, name: str) -> Difference:
     return Difference(
         kind=Kind.ADDED, row=row.id, row_kind=row.kind, variant=name, was="", now=row.status
     )
+
+
+def _duplicates(
+    baseline: Sequence[Record], variant: Sequence[Record], name: str
+) -> Iterator[Difference]:
+    """Ids that several rows of one machine have."""
+    here, there = (Counter(row.id for row in rows) for rows in (baseline, variant))
+    for row in {row.id: row for row in (*variant, *baseline)}.values():
+        if max(here[row.id], there[row.id]) > 1:
+            yield Difference(
+                kind=Kind.DUPLICATE, row=row.id, row_kind=row.kind, variant=name,
+                was=f"{here[row.id]} times", now=f"{there[row.id]} times",
+            )  # fmt: skip
 
 
 def _pairs(
@@ -132,7 +101,12 @@ def _differences(was: Record, now: Record, name: str, *, perturbed: bool) -> Ite
         )  # fmt: skip
         return
     moved = _moved(was, now, name, perturbed=perturbed)
-    if not moved.move <= LIMIT:
+    if is_other_tolerance(was, now):
+        yield replace(
+            moved, was=f"{moved.was}, tolerance {_told(was.tolerance)}",
+            now=f"{moved.now}, tolerance {_told(now.tolerance)}",
+        )  # fmt: skip
+    elif not moved.move <= LIMIT:
         yield moved
 
 
@@ -156,26 +130,6 @@ def _order(
     return []
 
 
-def _change(was: Number, now: Number) -> float:
-    if was is None or now is None:
-        return 0.0 if was is now else math.inf
-    if was == now or (math.isnan(was) and math.isnan(now)):
-        return 0.0
-    return abs(now - was) if math.isfinite(was) and math.isfinite(now) else math.inf
-
-
-def _ratio(change: float, allowed: float) -> float:
-    return 0.0 if change == 0 else change / allowed if allowed > 0 else math.inf
-
-
-def _scale(row: Record) -> float:
-    """The row's scale, else its largest number."""
-    if row.scale is not None and math.isfinite(row.scale) and row.scale > 0:
-        return row.scale
-    numbers = (*row.values.values(), row.difference)
-    return max((abs(v) for v in numbers if v is not None and math.isfinite(v)), default=0.0)
-
-
 def _verdict(row: Record) -> str:
     return f"{row.status} ({row.reason})" if row.reason else row.status
 
@@ -183,4 +137,8 @@ def _verdict(row: Record) -> str:
 def _numbers(row: Record) -> str:
     """The numbers of a row in one line: "formula 1.25, reference 1.26, difference -0.01"."""
     all_numbers = {**row.values, "difference": row.difference}
-    return ", ".join(f"{n} {v:.12g}" for n, v in all_numbers.items() if v is not None)
+    return ", ".join(f"{n} {_told(v)}" for n, v in all_numbers.items() if v is not None)
+
+
+def _told(value: Number) -> str:
+    return "none" if value is None else f"{value:.12g}"

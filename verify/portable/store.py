@@ -13,7 +13,7 @@ from verify import cache
 from verify.files import write_whole
 from verify.mutation.digest import digest
 from verify.mutation.tracing import ROOT
-from verify.portable.compare import Record
+from verify.portable.moving import Record
 
 FILE = "rows.json"
 SOURCES = ("analytic", "fem", "meshes", "verify")

@@ -9,6 +9,7 @@ from typing import Any
 
 from verify.files import write_whole
 from verify.portable.compare import Difference, Kind
+from verify.portable.moving import LIMIT
 
 LARGEST = 15
 
@@ -41,12 +42,12 @@ class Summary:
 
     @property
     def first_kind(self) -> tuple[Difference, ...]:
-        """Rows whose status differs, or that only one machine has."""
+        """Rows whose status differs, that only one machine has, or of the same name."""
         return tuple(d for d in self.differences if d.kind is not Kind.VALUE)
 
     @property
     def unexplained(self) -> tuple[Difference, ...]:
-        """Rows whose value moves too far, without a stated reason."""
+        """Rows whose value moves too far or whose tolerance differs, without a stated reason."""
         return tuple(d for d in self.differences if d.kind is Kind.VALUE and not d.reason)
 
     @property
@@ -85,8 +86,8 @@ def lines(summary: Summary) -> Iterator[str]:
     first, unexplained = ({d.row for d in part} for part in (summary.first_kind,
                                                              summary.unexplained))  # fmt: skip
     yield (f"{len(summary.machines)} machines: {len(first)} rows whose status differs, "
-           f"{len(unexplained)} whose value moves by more than a tenth of the tolerance "
-           "without a reason")  # fmt: skip
+           f"{len(unexplained)} whose value moves by more than a tenth of the tolerance, "
+           "or whose tolerance differs, without a reason")  # fmt: skip
 
 
 def write(summary: Summary, folder: Path) -> None:
@@ -116,8 +117,9 @@ def _markdown(summary: Summary) -> Iterator[str]:
 def _line(one: Difference) -> str:
     """A difference in words, the same for all variants in which the row differs alike."""
     if one.kind is Kind.VALUE:
+        does = "has another tolerance" if one.move <= LIMIT else "moves"
         words = f": {one.reason}" if one.reason else " without a reason"
-        return f"{one.kind.value}: {one.row} moves{words}"
+        return f"{one.kind.value}: {one.row} {does}{words}"
     was, now = (text.partition(" (")[0] or "no row" for text in (one.was, one.now))
     return f"{one.kind.value}: {one.row}: {was} here, {now}"
 

@@ -18,8 +18,8 @@ from verify.case import Case
 from verify.cases.registry import CASES, find
 from verify.files import remove_abandoned
 from verify.mutation.tracing import ROOT
-from verify.portable.compare import record
 from verify.portable.effective import effective
+from verify.portable.moving import record
 from verify.portable.perturbation import Outcome, perturb_defaults
 from verify.portable.store import CaseRecord, Results, load, save
 from verify.run import Job

@@ -2,17 +2,19 @@
 
 Kinds, statuses, demands, stated bands and figures count whenever they differ; computed numbers
 beyond the row's numerical error and 10 % of its band (verify.releases.thresholds). A loosened
-demand or band, a row that is gone or that judges less, needs a stated reason
-(verify.releases.reasons); without one the run fails. Numbers that print alike are no change.
+demand or band, a larger scale of either, a row that is gone or that judges less, needs a stated
+reason (verify.releases.reasons); without one the run fails. Numbers that print alike are no
+change, for which stated ones are printed with all digits that differ.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
+from verify.releases.bands import STRENGTH, tightened
 from verify.releases.kept import Kept, Release, kept
 from verify.releases.reasons import Reason, stated
 from verify.releases.renames import case_of, name_change, renamed_rows
-from verify.releases.row_changes import STRENGTH, row_changes, tightened
+from verify.releases.row_changes import row_changes
 from verify.results import CaseResult, Change, Drift, Status
 
 

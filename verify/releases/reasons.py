@@ -15,7 +15,9 @@ FILE = Path(__file__).parent / "changes.toml"
 
 Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
 Why = Annotated[str, StringConstraints(min_length=20, strip_whitespace=True)]
-Aspect = Literal["demand", "interval", "bound", "reference", "acceptance", "status", "gone", "name"]
+Aspect = Literal[
+    "demand", "interval", "bound", "reference", "acceptance", "scale", "status", "gone", "name"
+]
 
 
 class Reason(BaseModel):

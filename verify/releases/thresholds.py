@@ -7,11 +7,9 @@ from a series) depends in its last digits on the processor, and where equations 
 conditioned in more of them: it counts beyond the numerical error of the row in both runs and
 beyond 10 % of the row's band.
 
-A record does not say which of the two a number is, but its digits do. Stated figures have one or
-two significant digits, computed ones fill the nine that are stored. A number of up to four is
-taken as stated: a computed one is that round once in ten thousand, and then it merely has to
-repeat. It is enough that either run's number is stated: who replaces an estimate by a literal, or
-a literal by an estimate, has changed the source.
+A record does not say which of the two a number is, but its digits do (verify.releases.digits). It
+is enough that either run's number is stated: who replaces an estimate by a literal, or a literal
+by an estimate, has changed the source.
 """
 
 import math
@@ -19,10 +17,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from verify.judge import COVERAGE
+from verify.releases.digits import RECORDED_TOL, is_literal, is_printed, is_stated
 from verify.releases.kept import Kept
 
-STATED_DIGITS = 4  # significant digits of a number that a person writes, at most
-RECORDED_TOL = 1e-8  # relative: nine significant digits are stored
 BAND_SHARE = 0.1  # of the row's band
 ROUND_OFF = 1e-10  # over the row's scale: closed formulas on any processor
 SOLVE_TOL = 1e-6  # relative, of solved values whose error is not recorded: 4e-9 between processors
@@ -33,13 +30,15 @@ RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
 class Figure:
     """A number that lets more pass the larger it is, in both runs, over the row's scale.
 
-    A difference counts beyond `limit`; a figure that is no longer there counts as loosened.
+    A difference counts beyond `limit`; a figure that is no longer there counts as loosened. One
+    that is `stated` is told with the digits that differ.
     """
 
     aspect: str
     was: float | None
     now: float | None
     limit: float
+    stated: bool
 
     @property
     def is_loosened(self) -> bool:
@@ -57,11 +56,13 @@ class Figure:
 def figures(was: Kept, now: Kept) -> Iterator[Figure]:
     """Demand, bound, acceptance figure and the reference's uncertainty of one row."""
     error = relative_error(was, now)
-    yield _figure("demand", was.demand, now.demand, True, 0.0)
+    limit = RECORDED_TOL * (was.demand or 0.0) + RELATIVE_ROUND_OFF
+    demanded = _either_literal(was.demand, now.demand)
+    yield Figure("demand", was.demand, now.demand, limit, demanded)
     yield _figure("bound", was.bound, now.bound, _either_stated(was.bound, now.bound), 0.0)
-    accepted = _either_stated(was.accepted, now.accepted)
+    accepted = _either_literal(was.accepted, now.accepted)
     yield _figure("acceptance", was.accepted, now.accepted, accepted, error)
-    printed = any(_is_printed(u) for u in (was.u_ref, now.u_ref))
+    printed = any(is_printed(u) for u in (was.u_ref, now.u_ref))
     old, new = _relative(was.u_ref, was.scale), _relative(now.u_ref, now.scale)
     yield _figure("reference", old, new, printed, error / COVERAGE)
 
@@ -71,7 +72,7 @@ def _figure(
 ) -> Figure:
     size = abs(was or 0.0)
     limit = RECORDED_TOL * size if stated else max(error, BAND_SHARE * size)
-    return Figure(aspect, was, now, limit + RELATIVE_ROUND_OFF)
+    return Figure(aspect, was, now, limit + RELATIVE_ROUND_OFF, stated)
 
 
 def is_wider(
@@ -88,38 +89,28 @@ def is_wider(
     width, new_width = old[1] - old[0], new[1] - new[0]
     computed = max(error, BAND_SHARE * width / 2)
     for was, now, beyond in ((old[0], new[0], old[0] - new[0]), (old[1], new[1], new[1] - old[1])):
-        if beyond > rounding + (0.0 if _either_stated(was, now) else computed):
+        if beyond > rounding + (0.0 if _either_literal(was, now) else computed):
             return True
     stated = is_stated(width, rounding) or is_stated(new_width, rounding)
     return stated and new_width - width > 2 * rounding
-
-
-def is_stated(value: float | None, rounding: float = 0.0) -> bool:
-    """Whether a number that is not zero has no more digits than a person writes.
-
-    >>> is_stated(0.025), is_stated(3.59745921e-07)
-    (True, False)
-    """
-    if not value:
-        return False
-    nearest = float(f"{value:.{STATED_DIGITS}g}")
-    return math.isclose(value, nearest, rel_tol=RECORDED_TOL, abs_tol=rounding)
 
 
 def _either_stated(was: float | None, now: float | None) -> bool:
     return is_stated(was) or is_stated(now)
 
 
-def _is_printed(u: float | None) -> bool:
-    """Whether a standard uncertainty is stated, or is half of a printed digit over √3."""
-    return u is not None and (is_stated(u) or is_stated(u * math.sqrt(12)))
+def _either_literal(was: float | None, now: float | None) -> bool:
+    return is_literal(was) or is_literal(now)
 
 
 def numerical_error(was: Kept, now: Kept) -> float:
-    """Expanded numerical error of both runs [unit]; of a limit or balance what is allowed."""
-    if was.u_num is None or now.u_num is None:
+    """Expanded numerical error of both runs [unit]; of a balance what is allowed.
+
+    The tolerance of a fact is the uncertainty of its margin; that of a limit is its band.
+    """
+    if was.kind in ("exact", "fact"):
         return math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
-    return COVERAGE * math.hypot(was.u_num, now.u_num)
+    return COVERAGE * math.hypot(was.u_num or 0.0, now.u_num or 0.0)
 
 
 def relative_error(was: Kept, now: Kept) -> float:
@@ -141,8 +132,16 @@ def value_limit(was: Kept, now: Kept) -> float:
 
     The numerical error of both runs, or 10 % of the narrower band. Zero where a row has neither.
     """
+    if was.kind == "fact":
+        return margin_limit(was, now)
     bands = [(half_width(row) or 0.0) * (row.scale or 0.0) for row in (was, now)]
     return max(numerical_error(was, now), BAND_SHARE * min(bands))
+
+
+def scale_limit(was: Kept, now: Kept) -> float:
+    """How far the scale may move [unit]: the numerical error of both runs, or 10 % of itself."""
+    scale = abs(was.scale or 0.0)
+    return max(relative_error(was, now), BAND_SHARE) * scale
 
 
 def margin_limit(was: Kept, now: Kept) -> float:

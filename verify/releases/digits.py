@@ -1,0 +1,41 @@
+"""Whether a stored number is one that a person wrote: its digits say so, for records do not.
+
+Stated figures have one or two significant digits, computed ones fill the nine that are stored. A
+number of up to four is taken as stated: a computed one is that round once in ten thousand, and
+then it merely has to repeat. Ends of intervals and acceptance figures are stored themselves, not
+as a quotient, so that six digits without any remainder tell them: once in a thousand.
+"""
+
+import math
+
+STATED_DIGITS = 4  # significant digits of a number that a person writes, at most
+LITERAL_DIGITS = 6  # of one that is stored as it is written
+RECORDED_TOL = 1e-8  # relative: nine significant digits are stored
+
+
+def is_stated(value: float | None, rounding: float = 0.0) -> bool:
+    """Whether a number that is not zero has no more digits than a person writes.
+
+    >>> is_stated(0.025), is_stated(3.59745921e-07)
+    (True, False)
+    """
+    if not value:
+        return False
+    nearest = float(f"{value:.{STATED_DIGITS}g}")
+    return math.isclose(value, nearest, rel_tol=RECORDED_TOL, abs_tol=rounding)
+
+
+def is_literal(value: float | None) -> bool:
+    """Whether a number that is stored as it was given is stated; zero is.
+
+    >>> is_literal(0.0), is_literal(0.512345), is_literal(0.512345678)
+    (True, True, False)
+    """
+    if value is None:
+        return False
+    return is_stated(value) or value == float(f"{value:.{LITERAL_DIGITS}g}")
+
+
+def is_printed(u: float | None) -> bool:
+    """Whether a standard uncertainty is stated, or is half of a printed digit over √3."""
+    return u is not None and (is_stated(u) or is_stated(u * math.sqrt(12)))
