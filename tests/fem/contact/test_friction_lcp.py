@@ -41,6 +41,7 @@ def test_a_node_without_coupling_sticks_below_mu_p_and_slips_at_it(push, state, 
     ):  # fmt: skip
         assert found.states.tolist() == [state]
         assert found.multipliers == pytest.approx([2.0, friction])
+    assert kernel.solve(np.array([-2.0, push]), np.zeros(0)).method == METHODS[0]
 
 
 def test_both_methods_give_the_same_forces():

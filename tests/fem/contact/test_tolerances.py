@@ -1,0 +1,65 @@
+"""Each tolerance of the contact solver from both sides: without it, or a thousand times wider."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from fem.contact.active_sets import fitting_states
+from fem.contact.complementarity import Complementarity
+from fem.contact.solution import ContactSolution
+from fem.contact.system import OPEN, STICK
+
+
+def smooth(D=None):
+    """Two nodes without friction on unit compliance."""
+    return Complementarity(
+        B=np.eye(2), D=np.zeros((2, 0)) if D is None else D, friction=np.zeros(2),
+        partner=np.array([-1, -1]), part=np.array([0, 0]),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("tension", "state"), [(1e-13, STICK), (1e-9, OPEN)])
+def test_a_node_opens_under_tension_and_not_under_round_off(tension, state):
+    closed = np.array([STICK, STICK], np.int8)
+    found = fitting_states(
+        smooth(), np.array([-1.0, 0.0]), np.array([1.0, -tension]), np.zeros(0), closed
+    )
+    assert found[1] == state
+
+
+@pytest.mark.parametrize(("overlap", "state"), [(1e-13, OPEN), (1e-9, STICK)])
+def test_a_node_closes_by_an_overlap_and_not_by_round_off(overlap, state):
+    # the gap of 1 and the approach of 1 + overlap
+    states, w_0 = np.array([STICK, OPEN], np.int8), np.array([-1.0, 1.0 - overlap])
+    system = Complementarity(
+        B=np.array([[1.0, -1.0], [-1.0, 2.0]]), D=np.zeros((2, 0)), friction=np.zeros(2),
+        partner=np.array([-1, -1]), part=np.array([0, 0]),
+    )  # fmt: skip
+    found = fitting_states(system, w_0, np.array([1.0, 0.0]), np.zeros(0), states)
+    assert found[1] == state
+
+
+@pytest.mark.parametrize(("load", "unloaded"), [(1e-14, True), (1e-12, False)])
+def test_a_load_counts_beyond_round_off_of_the_gaps(load, unloaded):
+    assert smooth(np.ones((2, 1))).is_unloaded(np.ones(2), np.array([load])) is unloaded
+
+
+@pytest.mark.parametrize(("gap", "left"), [(1e-15, 0.0), (1e-12, 1e-12)])
+def test_a_gap_of_an_unloaded_body_counts_beyond_round_off_of_the_largest(gap, left):
+    assert smooth().without_round_off(np.array([1.0, gap])).tolist() == [1.0, left]
+
+
+@pytest.mark.parametrize(("share", "is_held"), [(1 - 1e-6, True), (1 + 1e-6, False)])
+def test_a_body_on_a_slope_is_held_up_to_the_angle_of_friction(share, is_held):
+    D = np.array([[0.0, 1.0], [1.0, 0.0]])  # a point with friction 0.3 that moves along x and y
+    body = Complementarity(
+        B=np.eye(2), D=D, friction=np.array([0.3]), partner=np.array([1]), part=np.array([0])
+    )
+    assert np.any(body.missing(np.array([0.3 * share, -1.0]))) != is_held
+
+
+@pytest.mark.parametrize(("share", "slides"), [(1e-12, True), (1e-6, False)])
+def test_a_contact_slides_where_sticking_nodes_carry_round_off_alone(share, slides):
+    one = SimpleNamespace(touches=[SimpleNamespace(sticking_share=share)])
+    assert ContactSolution.slides.fget(one) is slides
