@@ -15,11 +15,46 @@ from verify.inputs import build
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")
+VERIFIED = (ROOT / "docs" / "verified.md").read_text("utf-8")
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
+MOST_LINES, MOST_BYTES = 150, 12_000  # of README
 
 
-def test_readme_names_every_case():
+def test_readme_is_short():
+    assert len(README.splitlines()) <= MOST_LINES
+    assert len(README.encode()) <= MOST_BYTES
+
+
+def test_the_verdicts_name_every_case():
     for case in CASES:
-        assert f"`{case.id}`" in README
+        assert f"`{case.id}`" in VERIFIED
+
+
+def sessions():
+    """Commands of the README's consoles, each with the lines that it prints first."""
+    for block in CONSOLE.findall(README):
+        for part in block.split("$ ")[1:]:
+            command, *shown = part.splitlines()
+            yield command, shown
+
+
+def test_the_examples_print_what_the_readme_shows(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    compared = 0
+    for command, shown in sessions():
+        words, _, target = command.partition(" > ")
+        name, *arguments = words.split()
+        if name != "freewheel" or "--fem" in arguments:
+            continue
+        capsys.readouterr()
+        run(arguments)
+        printed = capsys.readouterr().out
+        if target:
+            Path(target).write_text(printed, "utf-8")
+        assert printed.splitlines()[: len(shown)] == shown, command
+        compared += len(shown)
+    assert compared > 15
 
 
 def test_the_parameter_file_of_the_readme_is_one():
@@ -43,18 +78,30 @@ def test_the_range_of_python_versions_is_the_same_everywhere():
 def test_the_table_of_verdicts_is_that_of_this_code(judged):
     cases = [judged(case) for case in CASES]
     table = markdown(make_report(cases, CASES, 0.0))
-    printed = README.partition("<!-- verdicts -->\n")[2].partition("\n<!-- /verdicts -->")[0]
+    printed = VERIFIED.partition("<!-- verdicts -->\n")[2].partition("\n<!-- /verdicts -->")[0]
     assert printed == table, "run make readme"
 
 
-@pytest.mark.parametrize("command", re.findall(r"^freewheel (\S+)", README, re.MULTILINE))
-def test_every_command_of_the_readme_is_one(command):
+COMMANDS = sorted(
+    {
+        command
+        for page in PAGES
+        for command in re.findall(
+            r"^(?:\$ )?freewheel (\S+)", page.read_text("utf-8"), re.MULTILINE
+        )
+    }
+)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_of_the_documents_is_one(command):
     assert run([command.strip("`."), "--help"]) == 0
 
 
-def test_links_of_the_readme_lead_somewhere():
-    for target in re.findall(r"\]\(([^)#]+)\)", README):
-        assert (ROOT / target).exists(), target
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page):
+    for target in re.findall(r"\]\(([^)#]+)\)", page.read_text("utf-8")):
+        assert "://" in target or (page.parent / target).exists(), target
 
 
 def test_requirements_are_locked_with_hashes_and_name_no_index():

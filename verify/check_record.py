@@ -1,39 +1,43 @@
-"""What `check --json` prints: one's own parameters and what follows from them, for programs."""
+"""What `check --json` prints: the answer to a user's parameters, for programs."""
 
 from collections.abc import Sequence
 from typing import Any
 
 from verify import units
-from verify.case import Case, Output, Values
+from verify.answers.keys import identifier
+from verify.answers.record import answer_record
+from verify.case import Output, Values
+from verify.check_console import Checked
 from verify.dynamic import DynamicResult
 from verify.inputs import Inputs
-from verify.results import CaseResult, Row
+from verify.results import CaseResult
+
+SCHEMA_VERSION = 2  # 1 had no answer, and keys with spaces
 
 
-def check_record(
-    case: Case,
-    inputs: Inputs,
-    values: Values,
-    result: CaseResult,
-    rows: Sequence[Row],
-    dynamic: DynamicResult | None,
-) -> dict[str, Any]:
-    """Inputs and values in display units, the rows; `dynamic` is None where it did not run.
+def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, Any]:
+    """The answer, then what it rests on, in display units; `check.schema.json` describes it.
 
-    The verdict, and the findings with it, are those of both parts together where there are.
+    `dynamic` is None where it did not run, `rows` are empty without finite elements.
     """
     from reports.records import row_record  # only the command line knows reports
 
+    case, result, dynamic = checked.case, checked.result, checked.dynamic
     return {
+        "schema": SCHEMA_VERSION,
         "name": result.name,
         "case": case.id,
-        **case.summary(inputs, values),
-        **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),
+        "answer": answer_record(checked.answer),
+        "notes": list(checked.notes),
+        "details": {
+            **case.summary(inputs, values),
+            **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),
+        },
         "inputs": inputs.record(),
         "values": _values(case.outputs, values),
         "findings": list(_findings(result, dynamic)),
         "warnings": list(result.warnings),
-        "rows": [row_record(row) for row in rows],
+        "rows": [row_record(row) for row in result.rows] if checked.used_fem else [],
         "dynamic": None if dynamic is None else _dynamic(dynamic),
     }
 
@@ -56,7 +60,7 @@ def _dynamic(found: DynamicResult) -> dict[str, Any]:
 
 def _values(outputs: Sequence[Output], values: Values) -> list[dict[str, Any]]:
     return [
-        {"key": o.key, "symbol": o.symbol, "what": o.what, "unit": o.unit,
+        {"key": identifier(o.key), "symbol": o.symbol, "what": o.what, "unit": o.unit,
          "value": values[o.key] / units.factor(o.unit)}
         for o in outputs if o.key in values
     ]  # fmt: skip

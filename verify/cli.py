@@ -87,11 +87,14 @@ def check(
     fem: bool = False,
     dynamic: bool = False,
     json: bool = False,
+    keys: bool = False,
     out: Path | None = None,
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """Put the parameters of a file through the formulas and warn where they leave their range.
+    """Say whether a part holds, the number to design with, its margin and what limits it.
+
+    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 neither is known.
 
     Parameters
     ----------
@@ -103,7 +106,9 @@ def check(
         Run the motion in time too, of a case that has one; compiled the first time, which takes
         some seconds.
     json
-        Print JSON instead of text.
+        Print JSON instead of text; `--keys` lists its keys.
+    keys
+        List the keys of the inputs and values of the file's case; a case may stand for the file.
     out
         Folder for a report on these parameters: the page, tables, pictures, meshes.
     jobs
@@ -111,11 +116,14 @@ def check(
     cache
         Reuse finite-element results of earlier runs.
     """
-    from verify.commands import run_check
+    from verify.check_command import Options, run_check
 
-    return run_check(
-        file, use_fem=fem, use_dynamic=dynamic, as_json=json, jobs=jobs, use_cache=cache, out=out
-    )
+    if keys:
+        from verify.check_keys import run_keys
+
+        return run_keys(file)
+    options = Options(fem=fem, dynamic=dynamic, json=json, jobs=jobs, cache=cache, out=out)
+    return run_check(file, options)
 
 
 @app.command

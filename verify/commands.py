@@ -1,13 +1,11 @@
 """What the commands do, apart from reading the command line."""
 
-import json
 import math
 import shlex
 import sys
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,11 +13,9 @@ import numpy as np
 from verify import cache, environment
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
-from verify.check_record import check_record
 from verify.definitions.tried import searches
 from verify.design.inputs import CASE as DESIGN
 from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
-from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
 from verify.published.ledger import cited
@@ -27,7 +23,7 @@ from verify.releases.since import lines, since
 from verify.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
-from verify.told import print_check, print_verdicts, raised
+from verify.told import print_verdicts, raised
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)
@@ -63,7 +59,7 @@ def run_verify(
     results = solve(work, where, use_cache)
     report = make_report(results, cases, time.perf_counter() - start)
     print_verdicts(report)
-    page = _write(report, out, use_cache)
+    page = write_report(report, out, use_cache)
     if report.drift:
         print("\n".join(raised(line) for line in lines(report.drift)))
     print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
@@ -75,66 +71,6 @@ def run_verify(
     )
     loosened = report.drift is not None and report.drift.unexplained
     return 1 if failed or loosened else 0
-
-
-def run_check(
-    path: Path,
-    *,
-    use_fem: bool,
-    use_dynamic: bool,
-    as_json: bool,
-    jobs: int,
-    use_cache: bool,
-    out: Path | None,
-) -> int:
-    """Formulas, warnings and what else is asked for on a user's parameters.
-
-    That is finite elements, the dynamic part, a report.
-    """
-    name, case, inputs, values = load(path)
-    if use_dynamic:
-        asked_for(case, str(path))
-    if use_fem and (reason := case.too_large(inputs)):
-        raise InputError(f"{path}: inputs: {reason}")
-    if out is not None:
-        writable(out)
-    start = time.perf_counter()
-    dynamic = None
-    if use_dynamic:
-        dynamic = run_dynamic(
-            case, inputs, values, where=str(path), drawn=out is not None, quiet=as_json
-        )
-    job = Job(case, inputs, use_fem=use_fem, values=values, drawn=out is not None)
-    (result,) = solve([job], Where(jobs), use_cache, quiet=as_json)
-    flags = "--fem " * use_fem + "--dynamic " * use_dynamic
-    result = replace(result, name=name, command=f"freewheel check {flags}{shlex.quote(path.name)}")
-    if not use_fem:
-        result = refused(result, case, inputs)
-    if dynamic is not None and result.refused:
-        dynamic = dynamic.unjudged()
-    if as_json:
-        rows = result.rows if use_fem else ()
-        record = check_record(case, inputs, values, result, rows, dynamic)
-        print(json.dumps(record, ensure_ascii=False))
-    else:
-        offered = case.dynamic.what if case.dynamic else ""
-        print_check(result, use_fem=use_fem, dynamic=dynamic, offered=offered)
-    if out is not None:
-        result = result if dynamic is None else with_dynamic(result, dynamic)
-        report = make_report([result], [case], time.perf_counter() - start, name)
-        page = _write(report, out, use_cache)
-        print(f"report: {page}", file=sys.stderr if as_json else sys.stdout)
-    return 1 if any(row.status in BAD for row in result.rows) else 0
-
-
-def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
-    """The result with the reason, if any, why finite elements cannot judge its values."""
-    with np.errstate(all="ignore"):
-        reason = case.too_large(inputs).partition("; check ")[0]
-    if not reason:
-        return result
-    values = tuple(replace(value, judged=False) for value in result.values)
-    return replace(result, refused=reason, values=values)
 
 
 def writable(out: Path) -> None:
@@ -150,7 +86,7 @@ def writable(out: Path) -> None:
         raise InputError(f"{out}: cannot be written: {error.strerror}") from error
 
 
-def _write(report: Report, out: Path, use_cache: bool) -> Path:
+def write_report(report: Report, out: Path, use_cache: bool) -> Path:
     """Write the report into `out` and say what had to be done in another way; the page."""
     from reports.write import write  # only the command line knows reports
 

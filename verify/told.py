@@ -1,11 +1,9 @@
-"""What the commands print: verdicts of a run, and how one's own parameters fare."""
+"""What the commands print of judged rows."""
 
 import re
 from collections.abc import Mapping, Sequence
 
-from verify.dynamic import DynamicResult
-from verify.results import CaseResult, Kind, Report, Row, Status
-from verify.shown import FormulaValue
+from verify.results import Kind, Report, Row, Status
 
 COMPANION = ": convergence"  # rows that stand beside the one they are about
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
@@ -29,42 +27,8 @@ def print_verdicts(report: Report) -> None:
     print(f"{len(report.rows)} rows")
 
 
-def print_check(
-    result: CaseResult, *, use_fem: bool, dynamic: DynamicResult | None = None, offered: str = ""
-) -> None:
-    """What was found in words, inputs, formula values, the judged rows in short, warnings last.
-
-    `offered` is what `--dynamic` would add where it was not asked for.
-    """
-    print(f"{result.name}: {result.title} ({result.id})")
-    findings = dynamic.after(result.findings) if dynamic else result.findings
-    for found in findings:
-        print(raised(f"  {found}"))
-    if findings:
-        print("inputs")
-    for line in aligned([(i.symbol, _number(i.value), _unit(i.unit), i.what)
-                          for i in result.inputs]):  # fmt: skip
-        print(f"  {line}")
-    print("formulas")
-    for line in aligned([_value(v) for v in result.values]):
-        print(f"  {line}")
-    if dynamic:
-        print(dynamic.what)
-        for line in aligned([_value(v) for v in dynamic.values]):
-            print(f"  {line}")
-    elif offered:
-        print(f"(check --dynamic adds {offered})")
-    if use_fem:
-        _print_rows(result.rows)
-    elif result.refused:
-        print(f"(no check --fem here: {result.refused})")
-    else:
-        print("(check --fem judges what is marked * with finite elements)")
-    for warning in result.warnings:
-        print(raised(f"warning: {warning}"))
-
-
-def _print_rows(rows: Sequence[Row]) -> None:
+def print_rows(rows: Sequence[Row]) -> None:
+    """The judged rows in short, the reasons of those that did not pass, and the total."""
     print("formulas against finite elements")
     known = {row.quantity for row in rows}
     shown = [
@@ -96,8 +60,8 @@ def _sharpest(rows: Sequence[Row]) -> str:
 
 def _compared(row: Row) -> tuple[str, ...]:
     """Status, quantity, both values, formula less FE and what is allowed, relative."""
-    cells = [row.status.value, row.quantity, _number(row.analytic), _reference(row),
-             _unit(row.unit)]  # fmt: skip
+    cells = [row.status.value, row.quantity, number(row.analytic), _reference(row),
+             unit_text(row.unit)]  # fmt: skip
     if row.analytic is None or row.reference is None or not row.scale or row.kind is Kind.FACT:
         return (*cells, "", "")
     cells.append(_percent((row.analytic - row.reference) / row.scale, signed=True))
@@ -108,11 +72,7 @@ def _compared(row: Row) -> tuple[str, ...]:
 
 
 def _reference(row: Row) -> str:
-    return _number(row.reference) + (f" ({row.by})" if row.by != "FE" else "")
-
-
-def _value(v: FormulaValue) -> tuple[str, ...]:
-    return v.symbol, f"{v.value:.6g}", _unit(v.unit), f"{v.what}{' *' if v.judged else ''}"
+    return number(row.reference) + (f" ({row.by})" if row.by != "FE" else "")
 
 
 def _causes(rows: Sequence[Row]) -> Mapping[tuple[Status, str, str], list[Row]]:
@@ -135,11 +95,11 @@ def raised(text: str) -> str:
     return _POWER.sub(lambda match: match[1].translate(_RAISED), text)
 
 
-def _number(value: float | int | str | None) -> str:
+def number(value: float | int | str | None) -> str:
     return "" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-def _unit(unit: str) -> str:
+def unit_text(unit: str) -> str:
     return "" if unit == "1" else unit
 
 

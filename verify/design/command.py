@@ -8,7 +8,11 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
+from verify.answers.answer import EXIT_STATUS, Verdict
+from verify.answers.console import headline
+from verify.answers.record import answer_record
 from verify.commands import writable
+from verify.design.answer import answer
 from verify.design.inputs import load
 from verify.design.outcome import CHOSEN, Outcome, carry_out, chosen_file
 from verify.design.records import candidates_csv, record
@@ -21,23 +25,26 @@ PAGE, TABLE = "design.html", "candidates.csv"
 def run_design(
     path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None
 ) -> int:
-    """Springs for the task in a file; 0 where one is found and finite elements agree, else 1."""
+    """Springs for the task in a file; 0 one is found and confirmed, 1 none, 3 not decided."""
     task = load(path)
     if out is not None:
         writable(out)
     outcome = carry_out(
         task, choose=choose, use_fem=use_fem, drawn=as_json or out is not None, quiet=as_json
     )
+    found = answer(outcome)
     if as_json:
-        print(json.dumps(record(outcome), ensure_ascii=False))
+        print(json.dumps({**record(outcome), "answer": answer_record(found)}, ensure_ascii=False))
     else:
+        notes = () if outcome.verified else ("not verified by finite elements",)
+        print("\n".join(headline(task.name, found, notes)))
         print_outcome(outcome)
     if out is not None:
         made = files(outcome, command(path, choose, use_fem=use_fem))
         _write(made, out)
         told = f"written: {', '.join(str(out / name) for name in made)}"
         print(told, file=sys.stderr if as_json else sys.stdout)
-    return 0 if outcome.passed else 1
+    return EXIT_STATUS[found.verdict] if outcome.passed else EXIT_STATUS[Verdict.FAILS]
 
 
 def command(path: Path, choose: int | None, *, use_fem: bool) -> str:

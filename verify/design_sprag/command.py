@@ -8,7 +8,11 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
+from verify.answers.answer import EXIT_STATUS, Verdict
+from verify.answers.console import headline
+from verify.answers.record import answer_record
 from verify.commands import writable
+from verify.design_sprag.answer import answer
 from verify.design_sprag.inputs import load
 from verify.design_sprag.outcome import Outcome, carry_out
 from verify.design_sprag.records import CHOSEN, chosen_file, designs_csv, profile_csv, record
@@ -22,16 +26,19 @@ PAGE = "design.html"
 def run_design(
     path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None
 ) -> int:
-    """The best crown for a task; 0 where it is verified and keeps p_lim, else 1."""
+    """The optimal crown for a task; 0 confirmed and within limits, 1 not, 3 not decided."""
     task = load(path)
     if choose is not None:
         raise InputError("--choose: a crown has one best, there is no front to choose from")
     if out is not None:
         writable(out)
     outcome = carry_out(task, str(path), use_half_space=use_fem, quiet=as_json)
+    found = answer(outcome)
     if as_json:
-        print(json.dumps(record(outcome), ensure_ascii=False))
+        print(json.dumps({**record(outcome), "answer": answer_record(found)}, ensure_ascii=False))
     else:
+        notes = () if outcome.checks else ("not verified by a half-space",)
+        print("\n".join(headline(task.name, found, notes)))
         print_outcome(outcome)
     if out is not None:
         made = files(outcome, f"freewheel design {'' if use_fem else '--no-fem '}"
@@ -44,7 +51,7 @@ def run_design(
                 raise OSError(f"{out / name} cannot be written: {error.strerror}") from error
         told = f"written: {', '.join(str(out / name) for name in made)}"
         print(told, file=sys.stderr if as_json else sys.stdout)
-    return 0 if outcome.passed else 1
+    return EXIT_STATUS[found.verdict] if outcome.passed else EXIT_STATUS[Verdict.FAILS]
 
 
 def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:

@@ -1,0 +1,136 @@
+"""Verdict and margin of criteria, limits with their sources, usual ranges, identifiers."""
+
+import math
+
+import pytest
+
+from verify.answers.answer import Answer, Criterion, Verdict
+from verify.answers.assessment import Assessment
+from verify.answers.console import headline, limits, number
+from verify.answers.keys import identifier
+from verify.answers.registry import RULES, answer
+from verify.answers.strengths import contact_pressure, strip_strength, yield_strength
+from verify.answers.usual import unusual
+from verify.cases.registry import CASES, find
+
+STEEL = 206e9
+
+
+def criterion(value, limit, **more):
+    given = {"key": "stress", "what": "stress", "unit": "MPa", "source": "given", **more}
+    return Criterion(value=value, limit=limit, **given)
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "minimum", "margin", "met"),
+    [
+        (200e6, 400e6, False, 2.0, True),
+        (400e6, 400e6, False, 1.0, True),
+        (400e6 * (1 + 1e-12), 400e6, False, 1.0, True),
+        (400e6 * (1 + 1e-6), 400e6, False, 1.0, False),
+        (200e6, 400e6, True, 0.5, False),
+        (0.0, 400e6, False, math.inf, True),
+        (-5.0, 400e6, True, 0.0, False),
+    ],
+)
+def test_margin_is_limit_over_value_or_value_over_a_minimum(value, limit, minimum, margin, met):
+    found = criterion(value, limit, minimum=minimum)
+    assert found.margin == pytest.approx(margin, rel=1e-5)
+    assert found.is_met is met
+
+
+def test_one_criterion_that_is_not_met_decides_before_what_is_unknown():
+    met, broken = criterion(1.0, 2.0), criterion(3.0, 2.0)
+    assert Answer(design=None, criteria=(met,)).verdict is Verdict.HOLDS
+    assert Answer(design=None, criteria=(met,), unknowns=("no F",)).verdict is Verdict.CANNOT_SAY
+    assert Answer(design=None, criteria=(met, broken), unknowns=("no F",)).verdict is Verdict.FAILS
+    assert Answer(design=None, criteria=(met,), failures=("open",)).verdict is Verdict.FAILS
+    assert Answer(design=None).verdict is Verdict.CANNOT_SAY
+
+
+def test_steel_has_limits_with_a_source_and_another_material_has_none():
+    assert contact_pressure(None, STEEL).value == 4000e6
+    assert contact_pressure(None, STEEL, point=True).value == 4200e6
+    assert "ISO 76" in contact_pressure(None, STEEL).source
+    assert yield_strength(None, STEEL, wall=8e-3).value == 900e6
+    assert yield_strength(None, STEEL, wall=8.1e-3).value == 750e6
+    assert "ISO 683-2" in yield_strength(None, STEEL, wall=8e-3).source
+    assert strip_strength(None, STEEL).value == pytest.approx(840e6)
+    for soft in (contact_pressure(None, 70e9), yield_strength(None, STEEL, 70e9, wall=1e-3),
+                 strip_strength(None, 110e9), yield_strength(None, STEEL, wall=0.2)):  # fmt: skip
+        assert soft.value is None
+    assert yield_strength(300e6, 70e9, wall=1.0).value == 300e6
+
+
+def test_a_pressure_beyond_the_standard_and_within_the_given_limit_is_not_decided():
+    part = Assessment()
+    part.pressure("p", "pressure", 4300e6, STEEL, given=4500e6)
+    assert part.answer().verdict is Verdict.CANNOT_SAY
+    assert "ISO 76" in part.answer().reasons[0]
+    part = Assessment()
+    part.pressure("p", "pressure", 3900e6, STEEL, given=4500e6)
+    assert part.answer().verdict is Verdict.HOLDS
+    part = Assessment()
+    part.pressure("p", "pressure", 4300e6, STEEL)
+    assert part.answer().verdict is Verdict.FAILS
+
+
+def test_a_value_that_is_not_a_number_is_unknown():
+    part = Assessment()
+    part.at_most("T", "torque", math.nan, 1.0, "N m", "given")
+    assert part.answer().verdict is Verdict.CANNOT_SAY
+
+
+def test_every_case_has_a_rule_whose_design_value_is_an_output():
+    assert set(RULES) == {case.id for case in CASES}
+    for case in CASES:
+        keys = {o.key for o in case.outputs}
+        assert RULES[case.id].design in keys | {""}, case.id
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_every_case_answers_with_sources_and_reasons(case):
+    q = case.inputs()
+    found = answer(case, q, case.analytic(q))
+    assert all(c.source and c.what for c in found.criteria)
+    assert found.verdict is Verdict.HOLDS or found.reasons or found.limiting.margin < 1
+    lines = headline(case.id, found, ())
+    assert lines[0].startswith(f"{case.id}: {found.verdict}")
+    assert (found.design is None) == (RULES[case.id].design == "")
+    assert len(limits(found)) == len(found.criteria)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_keys_are_unique_identifiers(case):
+    keys = [identifier(o.key) for o in case.outputs]
+    assert all(key.isidentifier() and key.isascii() for key in keys)
+    assert len(set(keys)) == len(keys)
+
+
+@pytest.mark.parametrize(
+    ("key", "expected"),
+    [("K mid 3", "K_mid_3"), ("a/R", "a_per_R"), ("1 %", "_1_percent"), ("E*", "E_star"),
+     ("alpha, 5 %", "alpha_5_percent"), ("45° critical", "_45_deg_critical")],
+)  # fmt: skip
+def test_identifiers(key, expected):
+    assert identifier(key) == expected
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
+def test_the_papers_inputs_are_usual(case):
+    assert unusual(case.inputs()) == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "part"),
+    [("E", 206e6, "60 to 420 GPa"), ("nu", 0.05, "0.2 to 0.36"), ("m_g", 4.5, "steel block"),
+     ("mu_s", 0.8, "0.03 to 0.3"), ("density", 7.85, "1500 to 9000"), ("l", 9.0, "mm")],
+)  # fmt: skip
+def test_an_unusual_input_is_named_with_its_range(name, value, part):
+    q = find("sprag-clutch").inputs().model_copy(update={name: value})
+    assert part in unusual(q)[name]
+
+
+def test_numbers_have_four_digits_and_no_power_of_ten_where_they_are_read():
+    assert number(22236.8 * math.pi / 30, "r/min") == "22237 r/min"
+    assert number(1.2345678e-3, "1") == "0.001235"

@@ -1,0 +1,1 @@
+"""What a user's parameters mean for the part: verdict, number to design with, margin, limits."""

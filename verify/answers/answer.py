@@ -1,0 +1,90 @@
+"""The answer about a part: whether it holds, the number to design with, its limits and margin."""
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+
+ROUND_OFF = 1e-9  # relative; a limit that is reached exactly is met
+
+
+class Verdict(StrEnum):
+    """What the formulas state about the part."""
+
+    HOLDS = "holds"
+    FAILS = "fails"
+    CANNOT_SAY = "cannot say"
+
+
+EXIT_STATUS = {Verdict.HOLDS: 0, Verdict.FAILS: 1, Verdict.CANNOT_SAY: 3}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quantity:
+    """A value [SI] with the unit in which it is shown."""
+
+    key: str
+    symbol: str
+    value: float
+    unit: str
+    what: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Criterion:
+    """A value [SI] beside its limit [SI]; `minimum` where the value must not be below it.
+
+    `source` says where the limit comes from; `assumed` that the user did not give it.
+    """
+
+    key: str
+    what: str
+    value: float
+    limit: float
+    unit: str
+    source: str
+    assumed: bool = False
+    minimum: bool = False
+
+    @property
+    def margin(self) -> float:
+        """How many times the limit exceeds the value, or the value a minimum; met from 1 on."""
+        above, below = (self.value, self.limit) if self.minimum else (self.limit, self.value)
+        if below <= 0:
+            return math.inf
+        return max(above, 0.0) / below
+
+    @property
+    def is_met(self) -> bool:
+        """Whether the value is within its limit."""
+        return self.margin >= 1 - ROUND_OFF
+
+
+@dataclass(frozen=True, kw_only=True)
+class Answer:
+    """The criteria of a part, what makes it fail beside them, and what is unknown about it."""
+
+    design: Quantity | None
+    criteria: tuple[Criterion, ...] = ()
+    failures: tuple[str, ...] = ()
+    unknowns: tuple[str, ...] = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """Fails before unknown: one criterion that is not met decides."""
+        if self.failures or not all(c.is_met for c in self.criteria):
+            return Verdict.FAILS
+        return Verdict.CANNOT_SAY if self.unknowns or not self.criteria else Verdict.HOLDS
+
+    @property
+    def limiting(self) -> Criterion | None:
+        """The criterion with the smallest margin."""
+        return min(self.criteria, key=lambda c: c.margin, default=None)
+
+    @property
+    def reasons(self) -> tuple[str, ...]:
+        """Why the verdict is not "holds", in words, where no margin shows it."""
+        if self.verdict is Verdict.FAILS:
+            return self.failures
+        if self.criteria or self.unknowns:
+            return self.unknowns
+        return ("no limit applies to this case: it compares formulas",)

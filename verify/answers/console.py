@@ -1,0 +1,60 @@
+"""The first lines of `check`: verdict, number to design with, margin, what limits it."""
+
+from collections.abc import Sequence
+
+from verify import units
+from verify.answers.answer import Answer, Criterion, Quantity, Verdict
+
+WHOLE = (1e4, 1e7)  # shown without decimals and without a power of ten
+LARGE = 1000.0  # a margin beyond it is no information
+
+
+def headline(name: str, answer: Answer, notes: Sequence[str]) -> list[str]:
+    """Verdict, design value and margin as lines; `notes` follow the verdict's reasons."""
+    lines = [f"{name}: {answer.verdict}{_because(answer)}"]
+    if answer.design is not None:
+        lines.append(f"  design value: {_quantity(answer.design)}, {answer.design.what}")
+    if (worst := answer.limiting) is not None and not answer.failures:
+        lines.append(f"  margin: {margin(worst)}, limited by {_beside(worst)}")
+    lines += [f"  {reason}" for reason in answer.reasons[1:]]
+    return lines + [f"  {note}" for note in notes]
+
+
+def limits(answer: Answer) -> list[tuple[str, ...]]:
+    """Every criterion as cells: state, what, value, limit, margin, source."""
+    return [
+        ("ok" if c.is_met else "NOT MET", c.what, number(c.value, c.unit),
+         f"{'≥' if c.minimum else '≤'} {number(c.limit, c.unit)}", f"margin {margin(c)}",
+         ("assumed: " if c.assumed else "") + c.source)
+        for c in answer.criteria
+    ]  # fmt: skip
+
+
+def number(value: float, unit: str) -> str:
+    """A value [SI] in its unit with four digits."""
+    shown = value / units.factor(unit)
+    text = f"{shown:.0f}" if WHOLE[0] <= abs(shown) < WHOLE[1] else f"{shown:.4g}"
+    return text if unit == "1" else f"{text} {unit}"
+
+
+def margin(criterion: Criterion) -> str:
+    """The margin with three digits."""
+    return f"{criterion.margin:.3g}" if criterion.margin < LARGE else f"above {LARGE:g}"
+
+
+def _because(answer: Answer) -> str:
+    if answer.verdict is Verdict.FAILS and not answer.failures:
+        return f": {_beside(answer.limiting)}" if answer.limiting else ""
+    return f": {answer.reasons[0]}" if answer.reasons else ""
+
+
+def _quantity(quantity: Quantity) -> str:
+    return f"{quantity.symbol} = {number(quantity.value, quantity.unit)}"
+
+
+def _beside(criterion: Criterion) -> str:
+    relation = "minimum" if criterion.minimum else "limit"
+    return (
+        f"{criterion.what}: {number(criterion.value, criterion.unit)}, {relation} "
+        f"{number(criterion.limit, criterion.unit)}{' (assumed)' if criterion.assumed else ''}"
+    )

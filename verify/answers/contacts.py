@@ -1,0 +1,64 @@
+"""Criteria of rollers, spheres and crowned rollers in contact."""
+
+from typing import Any
+
+from verify.answers.assessment import Assessment
+from verify.answers.strengths import GIVEN, Strength
+from verify.case import Values
+
+OTHER = "no limit is known for this material"
+
+
+def line(q: Any, v: Values, part: Assessment) -> None:
+    """Hertz's pressure of a line contact, and the shear stress below it where R_p is given."""
+    moduli = (q.E,) if hasattr(q, "E") else (q.E_1, q.E_2)
+    part.pressure("contact_pressure", "Hertzian pressure", v["Hertz p0"], *moduli, option=OTHER)
+    _subsurface(q, v["Hertz shear"], part)
+
+
+def sphere(q: Any, v: Values, part: Assessment) -> None:
+    """Hertz's pressure of the point contact with a flat, the larger one."""
+    p = v["flat: p_0"]
+    part.pressure("contact_pressure", "Hertzian pressure on the flat", p, q.E_1, q.E_2,
+                  contact="point", option=OTHER)  # fmt: skip
+    _subsurface(q, v["flat: upper shear"], part)
+
+
+def slip(q: Any, v: Values, part: Assessment) -> None:
+    """Hertz's pressure of the roller that carries an alternating tangential force."""
+    p = v["peak pressure"]
+    part.pressure("contact_pressure", "Hertzian pressure", p, q.E, option=OTHER)
+
+
+def roller(q: Any, v: Values, part: Assessment) -> None:
+    """Largest pressure along a crowned roller; ends that carry load are not decided."""
+    p = v["strips peak"]
+    part.pressure("contact_pressure", "largest pressure away from the ends", p, q.E_1, q.E_2,
+                  option=OTHER)  # fmt: skip
+    if v["strips loaded ends"]:
+        part.unknowns.append(
+            "the ends of the roller carry load: the pressure there has no limit in this model and "
+            "grows with the number of strips; a crown removes it"
+        )
+
+
+def crowns(q: Any, v: Values, part: Assessment) -> None:
+    """Pressure of Lundberg's crown away from the ends."""
+    part.pressure("contact_pressure", "pressure at mid-length, Lundberg's crown",
+                  v["Lundberg mid"], q.E_1, q.E_2, option=OTHER)  # fmt: skip
+
+
+def end_face(q: Any, v: Values, part: Assessment) -> None:
+    """Pressure of a crowned roller at mid-length; that at its end face is not a criterion."""
+    part.pressure("contact_pressure", "pressure at mid-length, crowned", v["crowned mid"],
+                  q.E_1, q.E_2, option=OTHER)  # fmt: skip
+    part.unknowns.append(
+        "the pressure at the end face is not limited by this model: compare the load on the end "
+        "zones with that of the crowned roller"
+    )
+
+
+def _subsurface(q: Any, shear: float, part: Assessment) -> None:
+    if q.R_p is not None:
+        part.stress("subsurface_shear", "largest shear stress below the surface", shear,
+                    Strength(q.R_p / 2, f"{GIVEN} R_p / 2 (Tresca)", False))  # fmt: skip

@@ -1,0 +1,52 @@
+"""What an engagement in time and finite elements add to the answer of the formulas."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from verify import units
+from verify.answers.answer import Answer
+from verify.answers.console import number
+from verify.dynamic import DynamicResult
+from verify.results import Row, Status
+
+HOLDS = ("", "holds", "locks")
+UNDECIDED = ("not followed",)
+SAME_VALUE = 1e-9  # relative; the design value in a row's unit
+
+
+def with_dynamic(answer: Answer, dynamic: DynamicResult) -> Answer:
+    """The answer with the verdict of the part that runs in time."""
+    if dynamic.verdict in HOLDS:
+        return answer
+    reason = dynamic.first[0] if dynamic.first else f"{dynamic.what}: {dynamic.verdict}"
+    if dynamic.verdict in UNDECIDED:
+        return replace(answer, unknowns=(reason, *answer.unknowns))
+    return replace(answer, failures=(reason, *answer.failures))
+
+
+def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
+    """The answer where finite elements judged the formulas: a failed row leaves it undecided."""
+    failed = [row.quantity for row in rows if row.status in (Status.FAIL, Status.SKIP)]
+    if not failed:
+        return answer
+    more = f" and {len(failed) - 1} more" if len(failed) > 1 else ""
+    reason = f"the reference does not confirm the formulas: row {failed[0]!r}{more} failed"
+    return replace(answer, unknowns=(reason, *answer.unknowns))
+
+
+def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
+    """The design value by the reference of the row that has it; empty where no row has."""
+    if answer.design is None:
+        return ""
+    value, unit = answer.design.value, answer.design.unit
+    shown = value / units.factor(unit)
+    for row in rows:
+        if row.analytic is None or not row.reference or row.unit != unit:
+            continue
+        if math.isclose(row.analytic, shown, rel_tol=SAME_VALUE):
+            by = "finite elements" if row.by == "FE" else row.by
+            other = number(row.reference * units.factor(unit), unit)
+            off = (row.analytic - row.reference) / row.reference
+            return f"{by}: {other}; the formula differs by {off:+.2%}"
+    return "no row compares the design value with a reference"

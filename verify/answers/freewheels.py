@@ -1,0 +1,96 @@
+"""Criteria of roller freewheels: friction, contact pressure, tilting, end of the cams."""
+
+import math
+from typing import Any
+
+from verify.answers.answer import Quantity
+from verify.answers.assessment import Assessment
+from verify.answers.strengths import contact_pressure
+from verify.case import Values
+from verify.cases.freewheel_clutch_limits import allowed_shift, as_torque_grows
+from verify.cases.freewheel_clutch_model import past_corners
+from verify.cases.freewheel_clutch_words import verdict
+
+MU = "friction coefficient μ, given"
+MARGIN = "required friction coefficient"
+
+
+def under_torque(q: Any, v: Values, part: Assessment) -> None:
+    """Contact pressures; friction is not an input of these cases."""
+    _pressures(q, v, part)
+    part.unknowns.append(
+        f"the friction coefficient is not an input: the clutch grips above {v['F_t/N']:.4g}; case "
+        "freewheel-clutch compares it with μ"
+    )
+
+
+def cup(q: Any, v: Values, part: Assessment) -> None:
+    """The same, and the largest torque before the rollers pass between cam and shaft."""
+    part.at_most("torque", "torque", q.T, v["T summit"], "N m", "largest torque before pop-through")
+    under_torque(q, v, part)
+
+
+def with_axial_load(q: Any, v: Values, part: Assessment) -> None:
+    """Friction under torque and axial load."""
+    part.at_most("friction", MARGIN, v["mu_req"], q.mu, "1", MU)
+
+
+def load_paths(q: Any, v: Values, part: Assessment) -> None:
+    """Largest required friction of the three load cases of the test rig."""
+    part.at_most("friction_torque", f"{MARGIN} under torque alone", v["mu_t"], q.mu, "1", MU)
+    for case in (1, 2, 3):
+        if f"peak {case}" in v:
+            part.at_most(f"friction_load_case_{case}", f"{MARGIN}, load case {case}",
+                         v[f"peak {case}"], q.mu, "1", MU)  # fmt: skip
+        else:
+            part.unknowns.append(f"load case {case}: no required friction with these inputs")
+
+
+def clutch(q: Any, v: Values, part: Assessment) -> None:
+    """Friction, pressure with the tilted rollers' ends, tilting, ends of the cam flats."""
+    if q.T < 0:
+        part.unknowns.append("the torque acts against the locking direction: the clutch overruns")
+        return
+    part.at_most("friction_unloaded", f"{MARGIN} without load, tan α_0", v["mu_0"], q.mu, "1", MU)
+    if q.T == 0:
+        if q.F_ax > 0:
+            part.failures.append("no torque presses the rollers: the axial load meets no friction")
+        return
+    part.design = _permissible_torque(q)
+    if "safety" not in v:
+        part.failures.append(verdict(q, v))
+        return
+    part.at_most("friction", MARGIN, v["mu_req"], q.mu, "1", MU)
+    worst = v.get("p_end", math.inf)
+    part.pressure("contact_pressure", "largest contact pressure, rollers' ends included", worst,
+                  *_moduli(q), given=q.p_lim, option="give p_lim")  # fmt: skip
+    source = "one end lifts off" if q.e_lim is None else "given"
+    part.at_most("tilting", "shift e/L of the contact forces by tilting", v["e/L"],
+                 allowed_shift(q), "1", source)  # fmt: skip
+    if past_corners(q, v):
+        part.failures.append("the rollers are beyond the end of the cam flats")
+
+
+def _permissible_torque(q: Any) -> Quantity | None:
+    """The smallest limit of the torque at this axial load; without p_lim that of ISO 76 counts."""
+    if q.p_lim is None:
+        limit = contact_pressure(None, *_moduli(q)).value
+        q = q.model_copy(update={"p_lim": limit})
+    ordered = as_torque_grows(q)
+    if not ordered:
+        return None
+    first = ordered[0]
+    return Quantity(
+        key="permissible_torque", symbol="T_max", value=first.at, unit="N m",
+        what=f"permissible torque at this axial load; beyond it {first.words}",
+    )  # fmt: skip
+
+
+def _moduli(q: Any) -> list[float]:
+    return [q.E if E is None else E for E in (q.E_r, q.E_i, q.E_o)]
+
+
+def _pressures(q: Any, v: Values, part: Assessment) -> None:
+    for key, place in (("p_i", "inner"), ("p_o", "outer")):
+        what = f"pressure of the {place} contacts"
+        part.pressure(f"contact_pressure_{place}", what, v[key], q.E)

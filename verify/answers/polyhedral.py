@@ -1,0 +1,71 @@
+"""Criteria of the polyhedral ring clutch and of its parts."""
+
+import math
+from typing import Any
+
+from verify.answers.assessment import Assessment
+from verify.answers.strengths import yield_strength
+from verify.case import Values
+
+EXPELLED = "the rollers are expelled from the wedge: tan(α/2) exceeds the friction coefficient"
+
+
+def round_ring(q: Any, v: Values, part: Assessment) -> None:
+    """Tresca stress in the bore of the round ring that reaches its rollers."""
+    per_pressure = 2 * q.d_e**2 / (q.d_e**2 - q.d_i**2)
+    strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
+    stress = per_pressure * v["Lamé, plane stress"]
+    part.stress("tresca_stress", "Tresca stress in the bore", stress, strength)
+
+
+def ring(q: Any, v: Values, part: Assessment) -> None:
+    """Stress in the fillets where the ring reaches its rollers, or under the pressure p_t."""
+    strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
+    part.stress("fillet_stress", "hoop stress in the fillets", v["fillet"], strength)
+
+
+def locking(q: Any, v: Values, part: Assessment) -> None:
+    """Reach of the rollers, stress in the fillets, pressure on the rollers."""
+    part.at_least("pressure", "pressure p_t beside p_1r, from which the ring reaches its rollers",
+                  q.p_t, v["p_1r"], "MPa", "Eq. 11")  # fmt: skip
+    ring(q, v, part)
+    if "p_0" in v:
+        part.pressure("contact_pressure", "contact pressure on the ring", v["p_0"], q.E)
+
+
+def wedge(q: Any, v: Values, part: Assessment) -> None:
+    """Friction that a free roller needs, and its pressure."""
+    part.at_most("friction", "required friction coefficient tan(α/2)", math.tan(q.alpha / 2), q.mu,
+                 "1", "friction coefficient μ, given")  # fmt: skip
+    part.pressure("contact_pressure", "Hertzian pressure of the rollers", v["p_0"], q.E,
+                  given=q.p_lim, option="give p_lim")  # fmt: skip
+
+
+def clutch(q: Any, v: Values, part: Assessment) -> None:
+    """Torque beside the target torque, stress in the fillets, pressure on the rollers."""
+    if q.alpha is not None and math.tan(q.alpha / 2) >= q.mu:
+        part.failures.append(EXPELLED)
+    elif q.p_t <= v["p_1r"]:
+        part.failures.append(
+            f"p_t = {q.p_t / 1e6:.4g} MPa does not reach the rollers: needs p_1r = "
+            f"{v['p_1r'] / 1e6:.4g} MPa, and {_pressure_for_torque(v)}"
+        )
+    elif "M series" not in v:
+        part.unknowns.append(
+            "the hub force alone wedges the rollers: pressure does not limit the torque, strength "
+            "does; a larger e or a smaller μ avoids this"
+        )
+    else:
+        part.at_least("torque", "torque of the elastic ring and rollers", v["M series"], q.M_t,
+                      "N m", "target torque M_t, given")  # fmt: skip
+    ring(q, v, part)
+    for key, body in (("p_0 ring", "ring"), ("p_0 race", "race")):
+        if key in v:
+            what = f"Hertzian pressure of the rollers on the {body}"
+            part.pressure(f"contact_pressure_{body}", what, v[key], q.E)
+
+
+def _pressure_for_torque(v: Values) -> str:
+    if "p series" not in v:
+        return "no pressure gives the target torque"
+    return f"{v['p series'] / 1e6:.4g} MPa for the target torque"

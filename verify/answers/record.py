@@ -1,0 +1,42 @@
+"""The answer as JSON; `check.schema.json` describes it."""
+
+import math
+from typing import Any
+
+from verify import units
+from verify.answers.answer import Answer, Criterion, Quantity
+
+
+def answer_record(answer: Answer) -> dict[str, Any]:
+    """Verdict, reasons, design value, margin and criteria in display units."""
+    worst = answer.limiting
+    return {
+        "verdict": str(answer.verdict),
+        "reasons": list(answer.reasons),
+        "design": None if answer.design is None else _quantity(answer.design),
+        "margin": None if worst is None else finite(worst.margin),
+        "limited_by": None if worst is None else worst.key,
+        "criteria": [_criterion(c) for c in answer.criteria],
+    }
+
+
+def finite(value: float) -> float | None:
+    """The value, None where JSON has no number for it."""
+    return value if math.isfinite(value) else None
+
+
+def _quantity(quantity: Quantity) -> dict[str, Any]:
+    return {
+        "key": quantity.key, "symbol": quantity.symbol, "what": quantity.what,
+        "value": quantity.value / units.factor(quantity.unit), "unit": quantity.unit,
+    }  # fmt: skip
+
+
+def _criterion(c: Criterion) -> dict[str, Any]:
+    factor = units.factor(c.unit)
+    return {
+        "key": c.key, "what": c.what, "value": finite(c.value / factor),
+        "limit": finite(c.limit / factor), "unit": c.unit,
+        "kind": "minimum" if c.minimum else "maximum", "margin": finite(c.margin),
+        "is_met": c.is_met, "source": c.source, "assumed": c.assumed,
+    }  # fmt: skip

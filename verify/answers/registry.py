@@ -1,0 +1,93 @@
+"""The answer of every case: which value to design with, and which criteria apply."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from verify.answers import contacts, freewheels, polyhedral, rings, rotors, sprags, springs
+from verify.answers.answer import Answer, Quantity
+from verify.answers.assessment import Assessment
+from verify.answers.keys import identifier
+from verify.case import Case, Values
+from verify.inputs import Inputs
+
+NO_PART = "this case maps the error of a formula: it has no part, no load and no limit"
+
+
+@dataclass(frozen=True)
+class Rule:
+    """The output that a case's part is designed with, and how its criteria are collected."""
+
+    design: str
+    assess: Callable[[Any, Values, Assessment], None]
+
+
+def no_part(_q: Any, _v: Values, part: Assessment) -> None:
+    """A map of formulas over a range."""
+    part.unknowns.append(NO_PART)
+
+
+RULES: Mapping[str, Rule] = {
+    "ring-lame": Rule("bore displacement, plane stress", rings.under_pressure),
+    "ring-loads-outer": Rule("load", rings.under_sprags),
+    "ring-loads-inner": Rule("load", rings.under_sprags),
+    "ring-loads-map": Rule("", no_part),
+    "ring-rotation": Rule("bore growth, plane stress", rings.rotating),
+    "polyhedral-pressure": Rule("Lamé, plane stress", polyhedral.round_ring),
+    "polyhedral-ring": Rule("p_1r", polyhedral.ring),
+    "polyhedral-map": Rule("", no_part),
+    "polyhedral-locking": Rule("N elastic", polyhedral.locking),
+    "polyhedral-wedge": Rule("M_free", polyhedral.wedge),
+    "polyhedral-clutch": Rule("M series", polyhedral.clutch),
+    "freewheel-torque": Rule("phi", freewheels.under_torque),
+    "freewheel-cup": Rule("phi", freewheels.cup),
+    "freewheel-friction": Rule("F_lim", freewheels.with_axial_load),
+    "freewheel-paths": Rule("F_lim", freewheels.load_paths),
+    "freewheel-clutch": Rule("mu_req", freewheels.clutch),
+    "sprag-wedge": Rule("theta", sprags.wedge),
+    "sprag-engagement": Rule("N_max", sprags.engagement),
+    "sprag-friction": Rule("mu_b", sprags.stick_slip),
+    "sprag-clutch": Rule("stiffness", sprags.clutch),
+    "sprag-crown": Rule("p peak", sprags.crown),
+    "sprag-optimum": Rule("static peak", sprags.optimum),
+    "sprag-optimum-40": Rule("static peak", sprags.optimum),
+    "spring-accordion": Rule("k wide", springs.free_stage),
+    "spring-continuum": Rule("k wide", springs.free_stage),
+    "spring-stages": Rule("k1", springs.stages),
+    "spring-width": Rule("k", springs.compared),
+    "spring-curve": Rule("k1", springs.curve),
+    "spring-buckling": Rule("F_cr, arc", springs.buckling),
+    "spring-map": Rule("k1", springs.compared),
+    "contact-flat": Rule("Hertz p0", contacts.line),
+    "contact-pair": Rule("Hertz p0", contacts.line),
+    "contact-ring": Rule("Hertz p0", contacts.line),
+    "contact-slip": Rule("stick at Q_max", contacts.slip),
+    "contact-sphere": Rule("flat: p_0", contacts.sphere),
+    "contact-press-fit": Rule("rings, plane stress: p", rings.pressed_together),
+    "contact-roller": Rule("strips peak", contacts.roller),
+    "contact-roller-tilted": Rule("strips peak", contacts.roller),
+    "contact-roller-flat": Rule("strips peak", contacts.roller),
+    "contact-roller-crowns": Rule("Lundberg mid", contacts.crowns),
+    "contact-roller-end": Rule("crowned mid", contacts.end_face),
+    "rotor-clutch": Rule("K_zz", rotors.link),
+    "rotor-shaft": Rule("timoshenko critical", rotors.shaft),
+    "rotor-step": Rule("45° critical", rotors.stepped),
+    "rotor-system": Rule("critical 1.1", rotors.system),
+    "rotor-sprag": Rule("forward critical 1", rotors.sprag_rotor),
+}
+
+
+def answer(case: Case, inputs: Inputs, values: Values) -> Answer:
+    """The answer to a user's `inputs`, whose formula `values` are known."""
+    rule = RULES[case.id]
+    part = Assessment(design=_output(case, rule.design, values))
+    rule.assess(inputs, values, part)
+    return part.answer()
+
+
+def _output(case: Case, key: str, values: Values) -> Quantity | None:
+    for output in case.outputs:
+        if output.key == key and key in values:
+            return Quantity(key=identifier(key), symbol=output.symbol, value=values[key],
+                            unit=output.unit, what=output.what)  # fmt: skip
+    return None

@@ -1,0 +1,53 @@
+"""Criteria of rings under pressure, sprag forces and rotation."""
+
+from typing import Any
+
+import numpy as np
+
+from analytic.ring import lame
+from verify.answers.assessment import Assessment
+from verify.answers.strengths import yield_strength
+from verify.case import Values
+
+
+def under_pressure(q: Any, _: Values, part: Assessment) -> None:
+    """Tresca stress at bore and rim of a ring that is free along its axis."""
+    loads = {"r_i": q.r_i, "r_o": q.r_o, "p_i": q.p_i, "p_o": q.p_o}
+    hoop = lame.stresses([q.r_i, q.r_o], **loads)[1]
+    radial = np.array([-q.p_i, -q.p_o])
+    largest = float(np.maximum.reduce([abs(hoop - radial), abs(hoop), abs(radial)]).max())
+    strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
+    part.stress("tresca_stress", "Tresca stress of the ring", largest, strength)
+
+
+def under_sprags(q: Any, v: Values, part: Assessment) -> None:
+    """Hoop stress between the forces and pressure below them."""
+    strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
+    part.stress("hoop_stress", "hoop stress of the race", v["stress scale"], strength)
+    part.pressure("contact_pressure", "contact pressure under a sprag", v["p_0"], q.E)
+
+
+def rotating(q: Any, v: Values, part: Assessment) -> None:
+    """Hoop stress of a rotating race at its bore."""
+    strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
+    stress = v["bore hoop stress, plane stress"]
+    part.stress("hoop_stress", "hoop stress of the race at its bore", stress, strength)
+
+
+def pressed_together(q: Any, v: Values, part: Assessment) -> None:
+    """Tresca stress of both rings of a press fit."""
+    name = "rings, plane stress"
+    p = v[f"{name}: p"]
+    surfaces = {"inner bore": q.p_i, "inner rim": p, "outer bore": p, "outer rim": q.p_o}
+    tresca = {
+        at: max(abs(v[f"{name}: hoop, {at}"] + load), abs(v[f"{name}: hoop, {at}"]))
+        for at, load in surfaces.items()
+    }
+    walls = {"inner": q.r_f - q.r_i, "outer": q.r_o - q.r_f}
+    moduli = {"inner": q.E_i, "outer": q.E_o}
+    for ring, wall in walls.items():
+        strength = yield_strength(q.R_p, moduli[ring], wall=wall)
+        worst = max(tresca[f"{ring} bore"], tresca[f"{ring} rim"])
+        part.stress(f"tresca_stress_{ring}", f"Tresca stress of the {ring} ring", worst, strength)
+    if p <= 0:
+        part.failures.append("the rings do not press on each other")

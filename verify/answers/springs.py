@@ -1,0 +1,97 @@
+"""Criteria of the accordion spring, and the stiffness to design it with."""
+
+import math
+from typing import Any
+
+from analytic.spring import energy
+from analytic.spring.wide_leaf import width_factor
+from verify.answers.answer import Quantity
+from verify.answers.assessment import Assessment
+from verify.answers.strengths import strip_strength
+from verify.case import Values
+
+FREE_STAGE = 0.47  # of the free length, where the leaves of the paper's spring touch (Wang 2023)
+LARGEST_STROKE = 0.6  # of the free length (Eq. 12)
+NO_FORCE = "no working force F is given: neither stress nor deflection is checked"
+
+
+def free_stage(q: Any, v: Values, part: Assessment) -> None:
+    """Recommended stiffness, bending stress and deflection under the working force."""
+    leaf = (q.L1 + 2 * q.R * math.cos(q.alpha)) / math.sin(q.alpha)
+    f = float(width_factor(q.h, leaf, nu=q.nu))
+    k = f * v["k clean"]
+    part.design = Quantity(
+        key="stiffness", symbol="k", value=k, unit="N/mm",
+        what=f"stiffness: true centre line, widened strip (factor {f:.4g}), head free",
+    )  # fmt: skip
+    if q.F is None:
+        part.unknowns.append(NO_FORCE)
+        return
+    bending_stress(q, q.F, part)
+    _deflection(q.F / k, v["L0"], part)
+
+
+def stages(q: Any, v: Values, part: Assessment) -> None:
+    """Bending stress and deflection, and the displacement at which the leaves touch."""
+    if q.F is None:
+        part.unknowns.append(NO_FORCE)
+        return
+    bending_stress(q, q.F, part)
+    part.at_most("deflection", "deflection under F", v["U_w"], v["U_A"], "mm",
+                 "the leaves touch beyond it (linear theory)")  # fmt: skip
+
+
+def curve(q: Any, v: Values, part: Assessment) -> None:
+    """Force at the stroke by two straight lines, its stress, and the largest stroke of Eq. 12."""
+    U_A = v.get("U_A", math.inf)
+    U = min(q.stroke, U_A)
+    force = v["k1"] * U + (v["k2"] * (q.stroke - U) if "k2" in v else 0.0)
+    part.design = Quantity(
+        key="force_at_stroke", symbol="F(U_max)", value=force, unit="N",
+        what="force at the stroke by two straight lines (k_1, then k_2); `check --fem` has the "
+        "curve",
+    )  # fmt: skip
+    bending_stress(q, force, part)
+    L0 = v.get("L0", _free_length(q))
+    part.at_most("stroke", "stroke", q.stroke, LARGEST_STROKE * L0, "mm", "0.6 L_0 (Eq. 12)")
+
+
+def compared(_q: Any, _v: Values, part: Assessment) -> None:
+    """A comparison of formulas without a working force."""
+    part.unknowns.append(
+        "this case compares formulas and has no working force: spring-accordion checks stress and "
+        "deflection"
+    )
+
+
+def buckling(q: Any, v: Values, part: Assessment) -> None:
+    """Working force of a free head beside the critical force."""
+    if q.F is None:
+        part.unknowns.append("no working force F is given: it is not compared with F_cr")
+        return
+    part.at_most("force", "working force", q.F, v["F_cr, arc"], "N",
+                 "critical force of a free head, tail clamped at the end of the arc")  # fmt: skip
+
+
+def bending_stress(q: Any, F: float, part: Assessment) -> None:
+    """Largest bending stress in the loops under `F` [N]."""
+    stress = float(energy.bending_stress(F=F, b=q.b, h=q.h, r=q.r, L1=q.L1))
+    strength = strip_strength(getattr(q, "R_p", None), q.E)
+    part.stress("bending_stress", f"bending stress under {F:.4g} N", stress, strength)
+
+
+def _deflection(U: float, L0: float, part: Assessment) -> None:
+    part.at_most("deflection", "deflection under F", U, LARGEST_STROKE * L0, "mm",
+                 "0.6 L_0 (Eq. 12)")  # fmt: skip
+    if FREE_STAGE * L0 < U <= LARGEST_STROKE * L0:
+        part.unknowns.append(
+            f"a deflection of {U / L0:.0%} of L_0 may be beyond the free stage, which ended at "
+            f"{FREE_STAGE:.0%} for the paper's spring: spring-curve follows the whole curve"
+        )
+
+
+def _free_length(q: Any) -> float:
+    from analytic.spring import frame
+
+    r = q.R - q.b / 2
+    return float(frame.free_length(n=q.n, b=q.b, r=r, L1=q.L1, alpha=q.alpha))

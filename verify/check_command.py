@@ -1,0 +1,125 @@
+"""`freewheel check`: a user's parameters through the formulas, and through finite elements."""
+
+import json
+import shlex
+import sys
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from verify.answers.answer import EXIT_STATUS, Answer, Verdict
+from verify.answers.evidence import with_dynamic as answer_with_dynamic
+from verify.answers.evidence import with_rows
+from verify.answers.registry import answer as answer_of
+from verify.answers.usual import unusual
+from verify.case import Case, Values
+from verify.check_console import Checked, answer_lines, print_check
+from verify.check_record import check_record
+from verify.commands import load, make_report, writable, write_report
+from verify.dynamic import DynamicResult, asked_for, run_dynamic, with_dynamic
+from verify.engines import Where
+from verify.inputs import InputError, Inputs
+from verify.results import CaseResult, Status
+from verify.run import Job
+from verify.solving import solve
+
+FAILED = (Status.FAIL, Status.SKIP)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """What `check` is asked for beside the formulas."""
+
+    fem: bool = False
+    dynamic: bool = False
+    json: bool = False
+    jobs: int = 0
+    cache: bool = True
+    out: Path | None = None
+
+
+def run_check(path: Path, options: Options) -> int:
+    """Print the answer to a parameter file; 0 it holds, 1 it or a row fails, 3 it is not decided.
+
+    InputError where the file, or what is asked for, is wrong.
+    """
+    name, case, inputs, values = load(path)
+    if options.dynamic:
+        asked_for(case, str(path))
+    if options.fem and (reason := case.too_large(inputs)):
+        raise InputError(f"{path}: inputs: {reason}")
+    if options.out is not None:
+        writable(options.out)
+    start = time.perf_counter()
+    drawn = options.out is not None
+    dynamic = None
+    if options.dynamic:
+        dynamic = run_dynamic(
+            case, inputs, values, where=str(path), drawn=drawn, quiet=options.json
+        )
+    job = Job(case, inputs, use_fem=options.fem, values=values, drawn=drawn)
+    (result,) = solve([job], Where(options.jobs), options.cache, quiet=options.json)
+    odd = unusual(inputs)
+    warnings = (*odd.values(), *result.warnings)
+    result = replace(result, name=name, command=_command(path, options), warnings=warnings)
+    if not options.fem:
+        result = refused(result, case, inputs)
+    if dynamic is not None and result.refused:
+        dynamic = dynamic.unjudged()
+    answer = _answer(case, inputs, values, result, dynamic)
+    notes = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
+    checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
+                      dynamic=dynamic, notes=notes)  # fmt: skip
+    if options.json:
+        print(json.dumps(check_record(checked, inputs, values), ensure_ascii=False))
+    else:
+        print_check(checked)
+    if options.out is not None:
+        _write(checked, options, time.perf_counter() - start)
+    return exit_status(checked)
+
+
+def exit_status(checked: Checked) -> int:
+    """0 the part holds, 1 it or a row fails, 3 neither is known."""
+    if any(row.status in FAILED for row in checked.result.rows):
+        return EXIT_STATUS[Verdict.FAILS]
+    return EXIT_STATUS[checked.answer.verdict]
+
+
+def _answer(
+    case: Case, inputs: Inputs, values: Values, result: CaseResult, dynamic: DynamicResult | None
+) -> Answer:
+    found = answer_of(case, inputs, values)
+    if dynamic is not None:
+        found = answer_with_dynamic(found, dynamic)
+    return with_rows(found, result.rows)
+
+
+def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
+    """The result with the reason, if any, why finite elements cannot judge its values."""
+    with np.errstate(all="ignore"):
+        reason = case.too_large(inputs).partition("; check ")[0]
+    if not reason:
+        return result
+    values = tuple(replace(value, judged=False) for value in result.values)
+    return replace(result, refused=reason, values=values)
+
+
+def _command(path: Path, options: Options) -> str:
+    flags = "--fem " * options.fem + "--dynamic " * options.dynamic
+    return f"freewheel check {flags}{shlex.quote(path.name)}"
+
+
+def _write(checked: Checked, options: Options, seconds: float) -> None:
+    """The report of one part, whose findings begin with the answer."""
+    result = checked.result
+    if checked.dynamic is not None:
+        result = with_dynamic(result, checked.dynamic)
+    first = tuple(line.strip() for line in answer_lines(checked))
+    result = replace(result, findings=(*first, *result.findings))
+    report = make_report([result], [checked.case], seconds, result.name)
+    assert options.out is not None
+    page = write_report(report, options.out, options.cache)
+    print(f"report: {page}", file=sys.stderr if options.json else sys.stdout)

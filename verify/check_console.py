@@ -1,0 +1,82 @@
+"""What `check` prints: the answer, its limits, values, inputs, and the evidence."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from verify.answers.answer import Answer
+from verify.answers.console import headline, limits
+from verify.answers.evidence import reference_of_design
+from verify.case import Case
+from verify.dynamic import DynamicResult
+from verify.results import CaseResult
+from verify.shown import FormulaValue
+from verify.told import aligned, number, print_rows, raised, unit_text
+
+
+@dataclass(frozen=True, kw_only=True)
+class Checked:
+    """A checked part: the answer and what it rests on; `notes` stand below the margin."""
+
+    case: Case
+    result: CaseResult
+    answer: Answer
+    used_fem: bool
+    dynamic: DynamicResult | None = None
+    notes: tuple[str, ...] = ()
+
+
+def answer_lines(checked: Checked) -> list[str]:
+    """The first lines: verdict, design value, margin, what limits it, then notes."""
+    notes = checked.notes
+    if checked.used_fem and (beside := reference_of_design(checked.answer, checked.result.rows)):
+        notes = (beside, *notes)
+    return headline(checked.result.name, checked.answer, notes)
+
+
+def print_check(checked: Checked) -> None:
+    """The whole answer, the verdict first and the evidence last."""
+    result, dynamic = checked.result, checked.dynamic
+    print("\n".join(map(raised, answer_lines(checked))))
+    _print_table("limits", limits(checked.answer))
+    for warning in result.warnings:
+        print(raised(f"warning: {warning}"))
+    _print_list("notes", dynamic.after(result.findings) if dynamic else result.findings)
+    _print_table(f"values by the formulas: {result.title} ({result.id})",
+                 [_value(v) for v in result.values])  # fmt: skip
+    if dynamic:
+        _print_table(dynamic.what, [_value(v) for v in dynamic.values])
+    _print_table("inputs", [(i.symbol, number(i.value), unit_text(i.unit), i.what)
+                            for i in result.inputs])  # fmt: skip
+    if checked.used_fem:
+        print_rows(result.rows)
+    for hint in _hints(checked):
+        print(hint)
+
+
+def _hints(checked: Checked) -> list[str]:
+    found = []
+    if checked.case.dynamic and not checked.dynamic:
+        found.append(f"(check --dynamic adds {checked.case.dynamic.what})")
+    if checked.used_fem:
+        return found
+    if checked.result.refused:
+        return [*found, f"(check --fem is not possible: {checked.result.refused})"]
+    return [*found, "(check --fem compares the values marked * with finite elements)"]
+
+
+def _print_table(title: str, lines: Sequence[tuple[str, ...]]) -> None:
+    if lines:
+        print(title)
+        for line in aligned(lines):
+            print(f"  {line}")
+
+
+def _print_list(title: str, lines: Sequence[str]) -> None:
+    if lines:
+        print(title)
+        for line in lines:
+            print(raised(f"  {line}"))
+
+
+def _value(v: FormulaValue) -> tuple[str, ...]:
+    return v.symbol, f"{v.value:.6g}", unit_text(v.unit), f"{v.what}{' *' if v.judged else ''}"
