@@ -81,7 +81,8 @@ def test_nothing_heavy_is_imported_before_it_is_needed(arguments, spring):
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=False, timeout=60
     )
-    assert done.stderr.splitlines()[-1] == "loaded [] 0"
+    status = 1 if arguments[0] == "check" else 0  # the spring of this file yields
+    assert done.stderr.splitlines()[-1] == f"loaded [] {status}"
 
 
 def test_help_names_the_commands_and_the_exit_status():
@@ -97,7 +98,8 @@ LIBRARIES = "import numpy, scipy.optimize, scipy.integrate, scipy.interpolate, p
 def seconds(command, **more):
     """Processor seconds of `command`."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([sys.executable, *command], capture_output=True, check=True, **more)
+    done = subprocess.run([sys.executable, *command], capture_output=True, check=False, **more)
+    assert done.returncode in (0, 1)  # the spring of the file yields
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
@@ -159,10 +161,10 @@ def test_a_ring_of_60_and_90_mm_by_hand(ring, capsys):
     status, found = checked(ring, capsys=capsys)
     values = {v["key"]: v["value"] for v in found["values"]}
     assert status == 0
-    assert values["bore hoop stress"] == pytest.approx(260.0, rel=1e-12)
-    assert values["rim hoop stress"] == pytest.approx(160.0, rel=1e-12)
+    assert values["bore_hoop_stress"] == pytest.approx(260.0, rel=1e-12)
+    assert values["rim_hoop_stress"] == pytest.approx(160.0, rel=1e-12)
     # u(r_i) = r_i/E (2.6 p + nu p), plane stress, in µm
-    assert values["bore displacement, plane stress"] == pytest.approx(
+    assert values["bore_displacement_plane_stress"] == pytest.approx(
         60e3 / 210e3 * (260 + 0.3 * 100), rel=1e-12
     )
     assert found["inputs"]["p_o"] == {"value": 0.0, "unit": "MPa"}  # left out: no pressure
@@ -173,7 +175,7 @@ def test_a_spring_of_twelve_segments_is_softer_than_the_paper_s(spring, capsys):
     """Two more leaves: compliance grows by two units' share, 0.60096 (8 + 1.3)/(10 + 1.3)."""
     status, found = checked(spring, capsys=capsys)
     values = {v["key"]: v["value"] for v in found["values"]}
-    assert status == 0
+    assert (status, found["answer"]["limited_by"]) == (1, "bending_stress")
     k = values["k1"]
     assert 0.60096 * 8 / 10 < k < 0.60096 * 9 / 11
     assert values["deflection"] == pytest.approx(5.0 / k, rel=1e-12)
@@ -184,10 +186,10 @@ def test_a_spring_of_twelve_segments_is_softer_than_the_paper_s(spring, capsys):
     assert "above 240 (Eq. 13)" in text
 
 
-@pytest.mark.parametrize("name", ["ring", "spring"])
-def test_own_parameters_are_judged_with_finite_elements(name, request, capsys):
+@pytest.mark.parametrize(("name", "expected"), [("ring", 0), ("spring", 1)])
+def test_user_parameters_are_judged_with_finite_elements(name, expected, request, capsys):
     status, found = checked(request.getfixturevalue(name), "--fem", capsys=capsys)
-    assert status == 0
+    assert status == expected  # the spring yields, its rows pass
     assert {row["status"] for row in found["rows"]} == {"PASS"}
     assert all(row["fem"] is not None for row in found["rows"] if row["kind"] == "identity")
     assert not any(row["published"] for row in found["rows"])  # these speak of the paper's own
@@ -201,7 +203,7 @@ def test_a_ring_that_yields_is_warned_of(ring, capsys):
 
 
 def test_check_prints_inputs_values_and_warnings(spring, capsys):
-    assert run(["check", str(spring)]) == 0
+    assert run(["check", str(spring)]) == 1
     out = capsys.readouterr().out
     assert "twelve segments" in out
     assert re.search(r"b +0\.1 +mm +thickness", out)
@@ -331,7 +333,7 @@ def test_more_cells_than_memory_holds_are_refused_in_one_line(tmp_path, capsys):
     path = tmp_path / "long.toml"
     assert run(["init", "spring-continuum", "--out", str(path)]) == 0
     path.write_text(path.read_text("utf-8").replace("n = 10 ", "n = 90 "), "utf-8")
-    assert run(["check", str(path)]) == 0  # the formulas hold for any length
+    assert run(["check", str(path)]) == 3  # formulas for any length; no force is given
     capsys.readouterr()
     assert run(["check", "--fem", str(path)]) == 2
     said = capsys.readouterr().err

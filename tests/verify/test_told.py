@@ -4,10 +4,12 @@ from dataclasses import replace
 
 import pytest
 
+from verify.answers.registry import answer as answer_of
 from verify.cases.registry import CASES
+from verify.check_console import Checked, print_check
 from verify.commands import make_report
 from verify.results import Status
-from verify.told import print_check, print_verdicts, raised
+from verify.told import print_verdicts, raised
 
 
 @pytest.fixture
@@ -15,26 +17,36 @@ def ring(judged):
     return judged(CASES[0])
 
 
-def test_a_check_ends_with_the_total_and_the_warnings(ring, capsys):
-    print_check(replace(ring, name="mine", warnings=("it yields",)), use_fem=True)
-    *_, total, warning = capsys.readouterr().out.splitlines()
+def printed(result, *, used_fem=True, answer=None):
+    """`check` on a judged result of the first case."""
+    case = CASES[0]
+    answer = answer or answer_of(case, case.inputs(), case.analytic(case.inputs()))
+    print_check(Checked(case=case, result=result, answer=answer, used_fem=used_fem))
+
+
+def test_a_check_begins_with_the_answer_and_ends_with_the_rows(ring, capsys):
+    printed(replace(ring, name="mine", warnings=("it yields",)))
+    first, *_, total = capsys.readouterr().out.splitlines()
+    assert first == "mine: holds"
     assert total.startswith(f"{len(ring.rows)} of {len(ring.rows)} rows pass")
     assert "at most 0.0041 % apart, and any error above 0.0093 % would have been seen" in total
-    assert warning == "warning: it yields"
 
 
-def test_findings_stand_before_the_numbers(ring, capsys):
-    print_check(replace(ring, findings=("green: it holds", "and so on")), use_fem=False)
+def test_warnings_and_notes_stand_before_the_numbers(ring, capsys):
+    notes = ("green: it holds", "and so on")
+    printed(replace(ring, findings=notes, warnings=("it yields",)), used_fem=False)
     lines = capsys.readouterr().out.splitlines()
-    assert lines[1:4] == ["  green: it holds", "  and so on", "inputs"]
+    at = lines.index("warning: it yields")
+    assert lines[at + 1 : at + 4] == ["notes", "  green: it holds", "  and so on"]
+    assert lines[at + 4].startswith("values by the formulas")
 
 
 def test_convergence_is_told_only_where_it_failed(ring, capsys):
-    print_check(ring, use_fem=True)
+    printed(ring)
     assert "convergence;" not in capsys.readouterr().out
     bad = [replace(r, status=Status.FAIL, reason="grows") if r.quantity.endswith("convergence")
            else r for r in ring.rows[:2]]  # fmt: skip
-    print_check(replace(ring, rows=tuple(bad)), use_fem=True)
+    printed(replace(ring, rows=tuple(bad)))
     said = capsys.readouterr().out
     assert f"FAIL {bad[1].quantity}: grows" in said
     assert "1 of 2 rows pass" in said
@@ -43,7 +55,7 @@ def test_convergence_is_told_only_where_it_failed(ring, capsys):
 def test_differences_are_formula_less_fe_in_per_cent(ring, capsys):
     (row,) = (r for r in ring.rows if r.quantity == "bore hoop stress, plane stress")
     high = replace(row, analytic=row.fem + 0.5 * row.scale, status=Status.FAIL, reason="far")
-    print_check(replace(ring, rows=(high,)), use_fem=True)
+    printed(replace(ring, rows=(high,)))
     assert "+50 %" in capsys.readouterr().out
 
 
@@ -67,7 +79,7 @@ def test_powers_are_raised_in_the_terminal(written, read):
 
 def test_units_of_inputs_have_raised_powers(ring, capsys):
     inputs = (replace(ring.inputs[0], unit="kg m^2"), *ring.inputs[1:])
-    print_check(replace(ring, name="mine", inputs=inputs), use_fem=False)
+    printed(replace(ring, name="mine", inputs=inputs), used_fem=False)
     said = capsys.readouterr().out
     assert "kg m²" in said
     assert "^" not in said

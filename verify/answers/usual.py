@@ -67,7 +67,7 @@ def _warning(name: str, value: float, unit: str, usual: Usual) -> str:
     shown, low, high = (x / units.factor(unit) for x in (value, usual.low, usual.high))
     unit = "" if unit == "1" else f" {unit}"
     return (
-        f"{name} = {shown:.4g}{unit} is outside the usual range {low:.3g} to {high:.4g}{unit} "
+        f"{name} = {shown:.4g}{unit} is outside the usual range {low:.4g} to {high:.4g}{unit} "
         f"({usual.of}): check value and unit"
     )
 

@@ -58,7 +58,7 @@ def test_a_ring_without_enough_pressure_fails_with_the_pressure_it_needs(tmp_pat
     assert status == 1
     assert out.splitlines()[0] == (
         "my polyhedral-clutch: fails: p_t = 10 MPa does not reach the rollers: needs p_1r = "
-        "20.26 MPa, and 28.77 MPa for the target torque"
+        "20.26 MPa, and 28.78 MPa for the target torque"
     )
 
 
