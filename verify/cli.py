@@ -87,6 +87,7 @@ def check(
     fem: bool = False,
     dynamic: bool = False,
     json: bool = False,
+    units: Literal["si", "mm", "inch"] | None = None,
     out: Path | None = None,
     jobs: Jobs = 0,
     cache: bool = True,
@@ -104,6 +105,9 @@ def check(
         some seconds.
     json
         Print JSON instead of text.
+    units
+        Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi); by default
+        inch where most lengths of the file are in inches, else mm.
     out
         Folder for a report on these parameters: the page, tables, pictures, meshes.
     jobs
@@ -114,8 +118,9 @@ def check(
     from verify.commands import run_check
 
     return run_check(
-        file, use_fem=fem, use_dynamic=dynamic, as_json=json, jobs=jobs, use_cache=cache, out=out
-    )
+        file, use_fem=fem, use_dynamic=dynamic, as_json=json, jobs=jobs, use_cache=cache, out=out,
+        system=units,
+    )  # fmt: skip
 
 
 @app.command

@@ -1,7 +1,6 @@
 """What the commands do, apart from reading the command line."""
 
 import json
-import math
 import shlex
 import sys
 import tempfile
@@ -13,21 +12,22 @@ from pathlib import Path
 import numpy as np
 
 from verify import cache, environment
+from verify.assumed.listed import print_assumed
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.check_record import check_record
 from verify.definitions.tried import searches
-from verify.design.inputs import CASE as DESIGN
-from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
-from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
+from verify.inputs import REQUIRED, InputError, Inputs, meta
+from verify.parameter_file import read
 from verify.published.ledger import cited
 from verify.releases.since import lines, since
 from verify.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts, raised
+from verify.unit_systems import System, assumed_in, dynamic_in_units, in_units, record_in_units
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)
@@ -86,12 +86,16 @@ def run_check(
     jobs: int,
     use_cache: bool,
     out: Path | None,
+    system: System | None = None,
 ) -> int:
     """Formulas, warnings and what else is asked for on a user's parameters.
 
-    That is finite elements, the dynamic part, a report.
+    That is finite elements, the dynamic part, a report. The answer is in the units of the file
+    unless `system` names others.
     """
-    name, case, inputs, values = load(path)
+    file = read(path)
+    name, case, inputs, values = file.name, file.case, file.inputs, file.values
+    system = system or file.system
     if use_dynamic:
         asked_for(case, str(path))
     if use_fem and (reason := case.too_large(inputs)):
@@ -112,13 +116,17 @@ def run_check(
         result = refused(result, case, inputs)
     if dynamic is not None and result.refused:
         dynamic = dynamic.unjudged()
+    answer, in_time = in_units(result, system), dynamic_in_units(dynamic, system)
+    assumed = assumed_in(file.assumed, system)
     if as_json:
-        rows = result.rows if use_fem else ()
-        record = check_record(case, inputs, values, result, rows, dynamic)
-        print(json.dumps(record, ensure_ascii=False))
+        rows = answer.rows if use_fem else ()
+        record = check_record(case, inputs, values, answer, rows, in_time)
+        record["assumed"] = [one.record() for one in assumed]
+        print(json.dumps(record_in_units(record, system), ensure_ascii=False))
     else:
         offered = case.dynamic.what if case.dynamic else ""
-        print_check(result, use_fem=use_fem, dynamic=dynamic, offered=offered)
+        print_check(answer, use_fem=use_fem, dynamic=in_time, offered=offered)
+        print_assumed(assumed)
     if out is not None:
         result = result if dynamic is None else with_dynamic(result, dynamic)
         report = make_report([result], [case], time.perf_counter() - start, name)
@@ -167,26 +175,8 @@ def load(path: Path) -> tuple[str, Case, Inputs, Values]:
 
     InputError says in one line what is wrong.
     """
-    case_id, name, raw = read_parameter_file(path)
-    try:
-        case = find(case_id)
-    except ValueError as error:
-        if case_id in (DESIGN, DESIGN_SPRAG):
-            said = f"a task for freewheel design: freewheel design {shlex.quote(str(path))}"
-            raise InputError(f"{path}: case: {said}") from error
-        raise InputError(f"{path}: case: {error}") from error
-    inputs = build(case.inputs, raw, str(path))
-    try:
-        with np.errstate(over="raise", divide="raise", invalid="raise"):
-            values = case.analytic(inputs)
-    except FloatingPointError as error:
-        reason = "the formulas divide by zero or overflow with these values"
-        raise InputError(f"{path}: inputs: {reason} ({error})") from error
-    except (ValueError, ArithmeticError) as error:
-        raise InputError(f"{path}: inputs: {error}") from error
-    if wild := [key for key, value in values.items() if not math.isfinite(value)]:
-        raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
-    return name, case, inputs, values
+    file = read(path)
+    return file.name, file.case, file.inputs, file.values
 
 
 def make_report(

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
+from verify.assumed.listed import print_assumed
 from verify.commands import writable
 from verify.design.inputs import load
 from verify.design.outcome import CHOSEN, Outcome, carry_out, chosen_file
@@ -29,9 +30,11 @@ def run_design(
         task, choose=choose, use_fem=use_fem, drawn=as_json or out is not None, quiet=as_json
     )
     if as_json:
-        print(json.dumps(record(outcome), ensure_ascii=False))
+        listed = {"assumed": [one.record() for one in task.assumed]}
+        print(json.dumps(record(outcome) | listed, ensure_ascii=False))
     else:
         print_outcome(outcome)
+        print_assumed(task.assumed)
     if out is not None:
         made = files(outcome, command(path, choose, use_fem=use_fem))
         _write(made, out)

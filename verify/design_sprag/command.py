@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
+from verify.assumed.listed import print_assumed
 from verify.commands import writable
 from verify.design_sprag.inputs import load
 from verify.design_sprag.outcome import Outcome, carry_out
@@ -30,9 +31,11 @@ def run_design(
         writable(out)
     outcome = carry_out(task, str(path), use_half_space=use_fem, quiet=as_json)
     if as_json:
-        print(json.dumps(record(outcome), ensure_ascii=False))
+        listed = {"assumed": [one.record() for one in task.assumed]}
+        print(json.dumps(record(outcome) | listed, ensure_ascii=False))
     else:
         print_outcome(outcome)
+        print_assumed(task.assumed)
     if out is not None:
         made = files(outcome, f"freewheel design {'' if use_fem else '--no-fem '}"
                               f"--out {shlex.quote(out.name or '.')} "
