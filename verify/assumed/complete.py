@@ -9,6 +9,7 @@ from verify import units
 from verify.assumed.registry import ASSUMPTIONS
 from verify.assumed.rules import Assumed, Assumption, Given, NotGivenError
 from verify.inputs import (
+    LARGEST_INTEGER,
     REQUIRED,
     InputError,
     Inputs,
@@ -29,7 +30,9 @@ def complete(
 
     InputError names the inputs that are missing and have no assumption.
     """
-    assumptions = ASSUMPTIONS.get(case_id, ())
+    assumptions = ASSUMPTIONS.get(case_id)
+    if assumptions is None:
+        return dict(raw), ()
     _refuse_missing(model, raw, {one.name for one in assumptions}, where)
     given, readable = _given(model, raw)
     whole, found = dict(raw), []
@@ -78,7 +81,7 @@ def _refuse_missing(
 ) -> None:
     """InputError for required inputs that nothing is assumed for, unless a key is unknown."""
     fields = model.model_fields
-    if not assumable or any(key not in fields and key not in assumable for key in raw):
+    if any(key not in fields and key not in assumable for key in raw):
         return  # `build` says what is wrong
     needed = [
         name for name, field in fields.items()
@@ -122,8 +125,12 @@ def _read(model: type[Inputs], name: str, value: Any) -> Any:
     kind, unit = kind_of(field), meta(field)["unit"]
     if kind is float and isinstance(value, str):
         return units.parse(value, unit)
-    if kind in (int, float) and (isinstance(value, bool | str) or (kind is float and unit != "1")):
-        raise ValueError(f"{name} needs {unit}")
+    if kind not in (int, float):
+        return value
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"{name} needs a number")
+    if (kind is float and unit != "1") or not abs(value) <= LARGEST_INTEGER:
+        raise ValueError(f"{name} needs a number in {unit}")
     return value
 
 
