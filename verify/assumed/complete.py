@@ -40,9 +40,9 @@ def complete(
         if one.name in raw:
             continue
         try:
-            value = _raw_value(model, one, given)
+            value = _raw_value(model, one, given) if readable else _placeholder(model, one)
         except (NotGivenError, ValueError, ArithmeticError, TypeError, KeyError) as error:
-            if readable and isinstance(error, ValueError):
+            if isinstance(error, ValueError):
                 raise InputError(f"{where}: inputs: {one.name} does not follow: {error}") from error
             value = _placeholder(model, one)  # `build` refuses the file for another input
         whole[one.name] = value

@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from verify.assumed.rollers import FREEWHEEL_CLUTCH, POLYHEDRAL_CLUTCH
 from verify.assumed.rotors import ROTOR_SYSTEM
 from verify.assumed.rules import Assumption
-from verify.assumed.sprags import SPRAG_CLUTCH
+from verify.assumed.sprags import SEED, SPRAG_CLUTCH
 from verify.assumed.springs import DESIGN_SPRING, SPRING_ACCORDION, SPRING_CURVE
 
 ASSUMPTIONS: Mapping[str, tuple[Assumption, ...]] = {
     "sprag-clutch": SPRAG_CLUTCH,
-    "design-sprag": SPRAG_CLUTCH,
+    "design-sprag": (*SPRAG_CLUTCH, SEED),
     "freewheel-clutch": FREEWHEEL_CLUTCH,
     "polyhedral-clutch": POLYHEDRAL_CLUTCH,
     "rotor-system": ROTOR_SYSTEM,

@@ -51,6 +51,9 @@ SCALED = "the paper's inertia times (R_i/11.11 mm)^4 l/(9 mm), Huang 2018, Table
 OF_SPRAG = "of a rectangle of height R_e - R_i and width 0.76 b, which has m_g and I_g of "\
     "Huang 2018, Table 1"  # fmt: skip
 
+SEED = Assumption(name="seed", value=0, source="numerical: seed of the random numbers",
+                  varied=False)  # fmt: skip
+
 SPRAG_CLUTCH = (
     Assumption(name="R_id", value=lambda g: R_ID / R_I * g.R_i,
                source="0.649 R_i, the proportion of Huang 2018, Table 1"),

@@ -97,7 +97,7 @@ def load(path: Path) -> Task:
     own = (TORQUES.name, *(r.name for r in RANGES), *_wished()) if case == CLUTCH else ()
     if alien := [key for key in raw if key in own]:
         raise InputError(f'{path}: inputs.{alien[0]}: belongs to case = "{CASE}"')
-    whole, assumed = complete(CASE, Wishes, {"seed": 0} | dict(raw), str(path))
+    whole, assumed = complete(CASE, Wishes, raw, str(path))
     return replace(task(whole, name, str(path)), assumed=assumed)
 
 
