@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from verify import cache, environment
-from verify.assumed.listed import print_assumed
+from verify.assumed.listed import print_assumed, with_sources
+from verify.assumed.registry import ASSUMPTIONS
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.check_record import check_record
@@ -36,12 +37,14 @@ BAD = (Status.FAIL, Status.SKIP)
 def run_list() -> int:
     """Print each case with its subject and its inputs, their units, and which may be left out."""
     for case in CASES:
+        assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
         needed: list[str] = []
         optional: list[str] = []
         for name, field in case.inputs.model_fields.items():
             unit = meta(field)["unit"]
             text = name if unit == "1" else f"{name} [{unit}]"
-            (needed if meta(field)["omitted"] == REQUIRED else optional).append(text)
+            is_needed = meta(field)["omitted"] == REQUIRED and name not in assumable
+            (needed if is_needed else optional).append(text)
         print(f"{case.id:20} {case.title} ({cited(case.paper)}, {case.place})")
         print(f"{'':20} inputs: {', '.join(needed)}")
         if optional:
@@ -112,6 +115,7 @@ def run_check(
     (result,) = solve([job], Where(jobs), use_cache, quiet=as_json)
     flags = "--fem " * use_fem + "--dynamic " * use_dynamic
     result = replace(result, name=name, command=f"freewheel check {flags}{shlex.quote(path.name)}")
+    result = with_sources(result, file.assumed)
     if not use_fem:
         result = refused(result, case, inputs)
     if dynamic is not None and result.refused:

@@ -196,6 +196,7 @@ def _input(one: InputValue, system: System) -> InputValue:
 
 def _row(row: Row, system: System) -> Row:
     """A row with its dimensional numbers converted; relative ones stay, and printed values."""
+    row = replace(row, reason=text_in(row.reason, system))
     target = unit_in(row.unit, system)
     if target == row.unit:
         return row

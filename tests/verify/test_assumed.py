@@ -172,3 +172,19 @@ def test_several_shafts_need_their_table():
     raw["inputs"]["segments"][1]["shaft"] = "other"
     with pytest.raises(InputError, match="several shafts need a table of their speed ratios"):
         build_completed("rotor-system", find("rotor-system").inputs, raw["inputs"], "file")
+
+
+def test_list_names_what_is_needed_apart_from_what_is_assumed(capsys):
+    assert run(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    at = next(k for k, line in enumerate(lines) if line.startswith("sprag-clutch "))
+    assert lines[at + 1].strip() == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
+    assert "R_id [mm]" in lines[at + 2]
+
+
+def test_a_report_names_the_source_of_an_assumed_input(tmp_path, capsys):
+    path = next(path for path in PARTS if path.stem == "accordion-spring-20")
+    assert run(["check", str(path), "--out", str(tmp_path / "out")]) == 0
+    capsys.readouterr()
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert "assumed, typical: steel at room temperature" in page

@@ -3,10 +3,11 @@
 import json
 
 from verify.assumed.registry import ASSUMPTIONS
+from verify.assumed.sprags import SEED
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.design_sprag.inputs import CASE, TORQUES, Wishes
 from verify.design_sprag.ranges import RANGES
-from verify.template_lines import aligned, commented, sections
+from verify.template_lines import aligned, commented, if_left_out, sections
 
 HEAD = f"""\
 # A design task: the crown of a sprag clutch with the lowest pressures as it engages, after
@@ -30,6 +31,8 @@ def template() -> str:
     clutch = sections(EngagementInputs, ASSUMPTIONS[CASE], "the paper's")
     wished = commented(Wishes)[len(EngagementInputs.model_fields) :]
     torques = json.dumps(TORQUES.default)
+    text, about = wished.pop()  # the seed is the last one
+    wished.append((text, f"{about}; {if_left_out(SEED)}"))
     task = [
         (f"{TORQUES.name} = {torques}", f"{TORQUES.what}; {TORQUES.rule}; optional, T if left out"),
         *((f'{r.name} = "{r.default}"', f"{r.what}, {r.symbol}; {r.rule}; Eq. 19") for r in RANGES),
