@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from verify import cache, environment
+from verify.answer_units import assumed_in, dynamic_in_units, in_units, record_in_units
 from verify.assumed.listed import print_assumed, with_sources
 from verify.assumed.registry import ASSUMPTIONS
 from verify.case import Case, Values
@@ -28,7 +29,7 @@ from verify.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, S
 from verify.run import Job
 from verify.solving import solve
 from verify.told import print_check, print_verdicts, raised
-from verify.unit_systems import System, assumed_in, dynamic_in_units, in_units, record_in_units
+from verify.unit_systems import System
 
 ROOT = Path(__file__).parent.parent
 BAD = (Status.FAIL, Status.SKIP)

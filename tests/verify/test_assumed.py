@@ -188,3 +188,16 @@ def test_a_report_names_the_source_of_an_assumed_input(tmp_path, capsys):
     capsys.readouterr()
     page = (tmp_path / "out" / "report.html").read_text("utf-8")
     assert "assumed, typical: steel at room temperature" in page
+
+
+@pytest.mark.parametrize("path", CHECKED, ids=of_path)
+@pytest.mark.parametrize("wrong", ["0 mm", "-3 mm", "1e300 mm", "1e-300 mm", 10**400, [{}], True])
+def test_whatever_is_wrong_in_a_short_file_ends_with_one_line_or_an_answer(path, wrong, recwarn):
+    case_id, model, raw = with_model(path)
+    for name in {*raw, *(one.name for one in ASSUMPTIONS[case_id])}:
+        try:
+            build_completed(case_id, model, raw | {name: wrong}, "file")
+        except InputError as error:
+            assert str(error).startswith("file: inputs")
+            assert "\n" not in str(error)
+    assert not recwarn.list

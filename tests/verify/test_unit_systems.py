@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from verify import units
+from verify.answer_units import in_units
 from verify.cases.registry import CASES
 from verify.cli import run
 from verify.commands import load
@@ -13,7 +14,7 @@ from verify.engines import Where
 from verify.inputs import entry_model, is_table, meta
 from verify.run import Job
 from verify.solving import solve
-from verify.unit_systems import DISPLAYED, converted, in_units, system_of, text_in
+from verify.unit_systems import DISPLAYED, converted, system_of, text_in
 
 PARTS = Path(__file__).parent / "parts"
 SPRAG = PARTS / "sprag-clutch-55.toml"

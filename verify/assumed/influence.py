@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from verify import units
-from verify.assumed.complete import si_value
 from verify.assumed.registry import ASSUMPTIONS, assumption_of
 from verify.assumed.rules import Assumed, Assumption, Given
+from verify.assumed.values import si_value
 from verify.case import Case
 from verify.inputs import Inputs, is_table, kind_of
 
