@@ -9,21 +9,25 @@ from pathlib import Path
 
 import numpy as np
 
+from verify.answer_units import assumed_in, dynamic_in_units, in_units, record_in_units
 from verify.answers.answer import EXIT_STATUS, Answer, Verdict
 from verify.answers.evidence import with_dynamic as answer_with_dynamic
 from verify.answers.evidence import with_rows
 from verify.answers.registry import answer as answer_of
 from verify.answers.usual import unusual
+from verify.assumed.listed import with_sources
 from verify.case import Case, Values
 from verify.check_console import Checked, answer_lines, print_check
 from verify.check_record import check_record
-from verify.commands import load, make_report, writable, write_report
+from verify.commands import make_report, writable, write_report
 from verify.dynamic import DynamicResult, asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import InputError, Inputs
+from verify.parameter_file import read
 from verify.results import CaseResult, Status
 from verify.run import Job
 from verify.solving import solve
+from verify.unit_systems import System
 
 FAILED = (Status.FAIL, Status.SKIP)
 
@@ -38,6 +42,7 @@ class Options:
     jobs: int = 0
     cache: bool = True
     out: Path | None = None
+    units: System | None = None
 
 
 def run_check(path: Path, options: Options) -> int:
@@ -45,7 +50,9 @@ def run_check(path: Path, options: Options) -> int:
 
     InputError where the file, or what is asked for, is wrong.
     """
-    name, case, inputs, values = load(path)
+    file = read(path)
+    name, case, inputs, values = file.name, file.case, file.inputs, file.values
+    system = options.units or file.system
     if options.dynamic:
         asked_for(case, str(path))
     if options.fem and (reason := case.too_large(inputs)):
@@ -64,6 +71,7 @@ def run_check(path: Path, options: Options) -> int:
     odd = unusual(inputs)
     warnings = (*odd.values(), *result.warnings)
     result = replace(result, name=name, command=_command(path, options), warnings=warnings)
+    result = with_sources(result, file.assumed)
     if not options.fem:
         result = refused(result, case, inputs)
     if dynamic is not None and result.refused:
@@ -71,14 +79,24 @@ def run_check(path: Path, options: Options) -> int:
     answer = _answer(case, inputs, values, result, dynamic)
     notes = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
     checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
-                      dynamic=dynamic, notes=notes)  # fmt: skip
+                      dynamic=dynamic, notes=notes, assumed=file.assumed)  # fmt: skip
     if options.json:
-        print(json.dumps(check_record(checked, inputs, values), ensure_ascii=False))
+        record = check_record(in_system(checked, system), inputs, values)
+        print(json.dumps(record_in_units(record, system), ensure_ascii=False))
     else:
-        print_check(checked)
+        print_check(in_system(checked, system), system)
     if options.out is not None:
         _write(checked, options, time.perf_counter() - start)
     return exit_status(checked)
+
+
+def in_system(checked: Checked, system: System) -> Checked:
+    """The same with its result, dynamic part and assumed inputs in the units of a system."""
+    return replace(
+        checked, result=in_units(checked.result, system),
+        dynamic=dynamic_in_units(checked.dynamic, system),
+        assumed=assumed_in(checked.assumed, system),
+    )  # fmt: skip
 
 
 def exit_status(checked: Checked) -> int:

@@ -6,11 +6,14 @@ from dataclasses import dataclass
 from verify.answers.answer import Answer
 from verify.answers.console import headline, limits
 from verify.answers.evidence import reference_of_design
+from verify.assumed.listed import print_assumed
+from verify.assumed.rules import Assumed
 from verify.case import Case
 from verify.dynamic import DynamicResult
 from verify.results import CaseResult
 from verify.shown import FormulaValue
 from verify.told import aligned, number, print_rows, raised, unit_text
+from verify.unit_systems import System, text_in
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,21 +26,26 @@ class Checked:
     used_fem: bool
     dynamic: DynamicResult | None = None
     notes: tuple[str, ...] = ()
+    assumed: tuple[Assumed, ...] = ()
 
 
 def answer_lines(checked: Checked) -> list[str]:
     """The first lines: verdict, design value, margin, what limits it, then notes."""
     notes = checked.notes
+    if checked.assumed:
+        notes = (*notes, f"assumed inputs: {', '.join(one.text for one in checked.assumed)}")
     if checked.used_fem and (beside := reference_of_design(checked.answer, checked.result.rows)):
         notes = (beside, *notes)
     return headline(checked.result.name, checked.answer, notes)
 
 
-def print_check(checked: Checked) -> None:
-    """The whole answer, the verdict first and the evidence last."""
+def print_check(checked: Checked, system: System = "mm") -> None:
+    """The whole answer in the units of a system, the verdict first and the evidence last."""
     result, dynamic = checked.result, checked.dynamic
-    print("\n".join(map(raised, answer_lines(checked))))
-    _print_table("limits", limits(checked.answer))
+    for line in answer_lines(checked):
+        print(raised(text_in(line, system)))
+    _print_table("limits", [tuple(text_in(cell, system) for cell in line)
+                            for line in limits(checked.answer)])  # fmt: skip
     for warning in result.warnings:
         print(raised(f"warning: {warning}"))
     _print_list("notes", dynamic.after(result.findings) if dynamic else result.findings)
@@ -47,6 +55,7 @@ def print_check(checked: Checked) -> None:
         _print_table(dynamic.what, [_value(v) for v in dynamic.values])
     _print_table("inputs", [(i.symbol, number(i.value), unit_text(i.unit), i.what)
                             for i in result.inputs])  # fmt: skip
+    print_assumed(checked.assumed)
     if checked.used_fem:
         print_rows(result.rows)
     for hint in _hints(checked):

@@ -29,6 +29,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
         "case": case.id,
         "answer": answer_record(checked.answer),
         "notes": list(checked.notes),
+        "assumed": [one.record() for one in checked.assumed],
         "details": {
             **case.summary(inputs, values),
             **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),

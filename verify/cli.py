@@ -88,6 +88,7 @@ def check(
     dynamic: bool = False,
     json: bool = False,
     keys: bool = False,
+    units: Literal["si", "mm", "inch"] | None = None,
     out: Path | None = None,
     jobs: Jobs = 0,
     cache: bool = True,
@@ -109,6 +110,9 @@ def check(
         Print JSON instead of text; `--keys` lists its keys.
     keys
         List the keys of the inputs and values of the file's case; a case may stand for the file.
+    units
+        Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi); by default
+        inch where most lengths of the file are in inches, else mm.
     out
         Folder for a report on these parameters: the page, tables, pictures, meshes.
     jobs
@@ -122,7 +126,8 @@ def check(
         from verify.check_keys import run_keys
 
         return run_keys(file)
-    options = Options(fem=fem, dynamic=dynamic, json=json, jobs=jobs, cache=cache, out=out)
+    options = Options(fem=fem, dynamic=dynamic, json=json, jobs=jobs, cache=cache, out=out,
+                      units=units)  # fmt: skip
     return run_check(file, options)
 
 

@@ -8,6 +8,7 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 from verify.engines import Engine, GoneError
+from verify.workers import GUARD
 
 PATIENCE = 10.0  # s for a scheduler to answer, and for its first worker
 EVERY = 1.0  # s between two questions for the workers
@@ -35,10 +36,15 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
     with dask.config.set({"distributed.comm.timeouts.connect": f"{PATIENCE}s"} | ENVIRONMENT):
         cluster: Any = None
         if not scheduler:
-            cluster = LocalCluster(
-                n_workers=processes, threads_per_worker=1, processes=True, dashboard_address=None,
-                silence_logs=logging.CRITICAL, host="127.0.0.1",
-            )  # fmt: skip
+            try:
+                cluster = LocalCluster(
+                    n_workers=processes, threads_per_worker=1, processes=True,
+                    dashboard_address=None, silence_logs=logging.CRITICAL, host="127.0.0.1",
+                )  # fmt: skip
+            except RuntimeError as error:
+                raise GoneError(
+                    f"no worker can be started ({error}); in a script, {GUARD}"
+                ) from error
         try:
             client: Any = Client(cluster or scheduler, timeout=PATIENCE, set_as_default=False)
         except OSError as error:

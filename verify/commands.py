@@ -1,23 +1,19 @@
 """What the commands do, apart from reading the command line."""
 
-import math
-import shlex
 import sys
 import tempfile
 import time
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
 from verify import cache, environment
+from verify.assumed.registry import ASSUMPTIONS
 from verify.case import Case, Values
 from verify.cases.registry import CASES, find
 from verify.definitions.tried import searches
-from verify.design.inputs import CASE as DESIGN
-from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.engines import Where
-from verify.inputs import REQUIRED, InputError, Inputs, build, meta, read_parameter_file
+from verify.inputs import REQUIRED, InputError, Inputs, meta
+from verify.parameter_file import read
 from verify.published.ledger import cited
 from verify.releases.since import lines, since
 from verify.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
@@ -32,12 +28,14 @@ BAD = (Status.FAIL, Status.SKIP)
 def run_list() -> int:
     """Print each case with its subject and its inputs, their units, and which may be left out."""
     for case in CASES:
+        assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
         needed: list[str] = []
         optional: list[str] = []
         for name, field in case.inputs.model_fields.items():
             unit = meta(field)["unit"]
             text = name if unit == "1" else f"{name} [{unit}]"
-            (needed if meta(field)["omitted"] == REQUIRED else optional).append(text)
+            is_needed = meta(field)["omitted"] == REQUIRED and name not in assumable
+            (needed if is_needed else optional).append(text)
         print(f"{case.id:20} {case.title} ({cited(case.paper)}, {case.place})")
         print(f"{'':20} inputs: {', '.join(needed)}")
         if optional:
@@ -103,26 +101,8 @@ def load(path: Path) -> tuple[str, Case, Inputs, Values]:
 
     InputError says in one line what is wrong.
     """
-    case_id, name, raw = read_parameter_file(path)
-    try:
-        case = find(case_id)
-    except ValueError as error:
-        if case_id in (DESIGN, DESIGN_SPRAG):
-            said = f"a task for freewheel design: freewheel design {shlex.quote(str(path))}"
-            raise InputError(f"{path}: case: {said}") from error
-        raise InputError(f"{path}: case: {error}") from error
-    inputs = build(case.inputs, raw, str(path))
-    try:
-        with np.errstate(over="raise", divide="raise", invalid="raise"):
-            values = case.analytic(inputs)
-    except FloatingPointError as error:
-        reason = "the formulas divide by zero or overflow with these values"
-        raise InputError(f"{path}: inputs: {reason} ({error})") from error
-    except (ValueError, ArithmeticError) as error:
-        raise InputError(f"{path}: inputs: {error}") from error
-    if wild := [key for key, value in values.items() if not math.isfinite(value)]:
-        raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
-    return name, case, inputs, values
+    file = read(path)
+    return file.name, file.case, file.inputs, file.values
 
 
 def make_report(

@@ -105,7 +105,7 @@ def local(processes: int) -> Iterator[Engine]:
         return
     executor = Processes(processes)
     try:
-        yield Engine(executor, lambda: processes, renew=executor.renew)
+        yield Engine(executor, lambda: processes, gone=executor.gone, renew=executor.renew)
     finally:
         executor.shutdown()
 

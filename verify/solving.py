@@ -14,6 +14,7 @@ from verify.progress import State, shown
 from verify.results import CaseResult
 from verify.run import Job
 from verify.schedule import run
+from verify.workers import refuse_reimport
 
 
 def solve(
@@ -23,6 +24,7 @@ def solve(
 
     KeyboardInterrupt says how much of the work is kept, GoneError why there is no more of it.
     """
+    refuse_reimport()
     folder = _writable_cache(work) if use_cache and any(job.use_fem for job in work) else None
     done = Done(stored=folder is not None)
     try:

@@ -12,11 +12,33 @@ import threading
 import traceback
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
-from multiprocessing import connection, get_context, parent_process, resource_tracker
+from multiprocessing import (
+    connection,
+    current_process,
+    get_context,
+    parent_process,
+    resource_tracker,
+)
 from typing import Any
 
 SPAWN = get_context("spawn")  # a forked child would share gmsh's state
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+UNGUARDED = 97  # exit status of a process whose script starts processes while it is imported
+GUARD = (
+    "each process that was started imports the script again, and the script then starts processes "
+    'itself: put the calls of the script under `if __name__ == "__main__":`'
+)
+
+
+def refuse_reimport() -> None:
+    """End this process where it only imports the script of its parent, which reports it.
+
+    A process that is spawned imports that script before it has a task; without the guard in GUARD
+    the script would run in every process, and write its files there, too.
+    """
+    if getattr(current_process(), "_inheriting", False):  # set by multiprocessing until it is done
+        os._exit(UNGUARDED)
 
 
 class WorkerDiedError(BrokenExecutor):
@@ -35,6 +57,7 @@ class Processes(ThreadPoolExecutor):
     """
 
     def __init__(self, count: int) -> None:
+        refuse_reimport()
         for name in THREADS:  # inherited: two processes of two threads each wait for each other
             os.environ.setdefault(name, "1")
         resource_tracker.ensure_running()  # started by a thread it would let Ctrl-C through there
@@ -42,11 +65,16 @@ class Processes(ThreadPoolExecutor):
         self._own = threading.local()
         self._workers: set[_Worker] = set()
         self._ended = False
+        self._unguarded = False
         self._changing = threading.Lock()
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """The future of `function(*args, **kwargs)` in one of the processes."""
         return super().submit(self._remotely, function, args, kwargs)
+
+    def gone(self) -> str:
+        """Why no process will ever answer, "" while one may."""
+        return GUARD if self._unguarded else ""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:
         """Kill the processes; what they were at is lost, what waited is cancelled."""
@@ -84,6 +112,7 @@ class Processes(ThreadPoolExecutor):
 
     def _end(self, worker: "_Worker") -> str:
         how = worker.end()
+        self._unguarded |= worker.process.exitcode == UNGUARDED
         with self._changing:
             self._workers.discard(worker)
         return how

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.verify.template_text import whole
 from verify.cases.spring_stages_inputs import StagesInputs
 from verify.cli import run
 from verify.commands import load as load_check
@@ -38,7 +39,7 @@ SMALL = {
 
 def task(tmp_path, **changes):
     """The template with other lines."""
-    text = template()
+    text = whole(template())
     for key, value in (SMALL | changes).items():
         text, found = re.subn(rf"(?m)^(# )?{key} = .*$", f"{key} = {value}", text)
         assert found == 1, key

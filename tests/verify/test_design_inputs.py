@@ -1,16 +1,16 @@
 """Design tasks: what is read, and the one line that says what is wrong with the others."""
 
 import math
-import tomllib
 
 import pytest
 
+from tests.verify.template_text import inputs_of, whole
 from verify.cli import run
 from verify.design.inputs import CASE, SWEEPS, default, load, task
 from verify.design.template import template
 from verify.inputs import InputError
 
-GOOD = tomllib.loads(template())["inputs"]
+GOOD = inputs_of(template())
 
 
 def read(**changes):
@@ -20,14 +20,14 @@ def read(**changes):
 
 def test_the_template_reads_as_the_default_task(tmp_path):
     path = tmp_path / "task.toml"
-    path.write_text(template(), encoding="utf-8")
+    path.write_text(whole(template()), encoding="utf-8")
     found = load(path)
     assert found.demands == default().demands
     assert found.ranges == default().ranges
 
 
 def test_every_value_of_the_template_has_its_unit():
-    for line in template().splitlines():
+    for line in whole(template()).splitlines():
         if "=" in line and not line.startswith(("case", "name", "#")):
             text, comment = line.split("  # ", 1)
             bare = "a number" in comment or "one of" in comment or text.startswith("n =")

@@ -9,6 +9,7 @@ import sys
 import numpy as np
 import pytest
 
+from tests.verify.template_text import whole
 from verify.cases.registry import find
 from verify.cases.sprag_peaks import peaks_fem
 from verify.cli import run
@@ -25,7 +26,9 @@ HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba")
 def task(folder, **changes):
     """The paper's clutch with few slices and a narrow box about its best crown."""
     lines = {"slices": "11", "t_end": '"0.02 s"'} | changes
-    text = template(find("sprag-clutch")).replace('case = "sprag-clutch"', 'case = "design-sprag"')
+    text = whole(template(find("sprag-clutch"))).replace(
+        'case = "sprag-clutch"', 'case = "design-sprag"'
+    )
     for key, value in lines.items():
         text, found = re.subn(rf"(?m)^(# )?{key} = [^#]*", f"{key} = {value} ", text)
         if not found:

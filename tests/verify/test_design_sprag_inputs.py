@@ -1,10 +1,9 @@
 """Tasks of a crown: what is read, and the one line that says what is wrong with the others."""
 
-import tomllib
-
 import numpy as np
 import pytest
 
+from tests.verify.template_text import inputs_of, whole
 from verify.cases.registry import find
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.cli import run
@@ -14,7 +13,7 @@ from verify.design_sprag.template import template
 from verify.inputs import InputError
 from verify.template import template as case_template
 
-GOOD = tomllib.loads(template())["inputs"]
+GOOD = inputs_of(template())
 
 
 def read(**changes):
@@ -24,7 +23,7 @@ def read(**changes):
 
 def test_the_template_reads_as_the_default_task(tmp_path):
     path = tmp_path / "task.toml"
-    path.write_text(template(), encoding="utf-8")
+    path.write_text(whole(template()), encoding="utf-8")
     found, meant = load(path), default()
     assert (found.low, found.high, found.torques) == (meant.low, meant.high, meant.torques)
     assert found.clutch == meant.clutch == EngagementInputs()
@@ -44,7 +43,7 @@ def test_init_prints_the_template(capsys):
 
 def test_a_file_of_the_case_is_a_task_at_its_own_torque_without_tolerance(tmp_path):
     path = tmp_path / "clutch.toml"
-    text = case_template(find("sprag-clutch")).replace('T = "25 N m"', 'T = "31 N m"')
+    text = whole(case_template(find("sprag-clutch"))).replace('T = "25 N m"', 'T = "31 N m"')
     path.write_text(text, encoding="utf-8")
     found = load(path)
     assert found.torques == (31.0,)
@@ -106,14 +105,14 @@ def test_wrong_input_is_told_in_one_line(changes, said):
 
 def test_check_sends_a_design_task_to_the_right_command(tmp_path, capsys):
     path = tmp_path / "task.toml"
-    path.write_text(template(), encoding="utf-8")
+    path.write_text(whole(template()), encoding="utf-8")
     assert run(["check", str(path)]) == 2
     assert "a task for freewheel design" in capsys.readouterr().err
 
 
 def test_a_crown_has_no_front_to_choose_from(tmp_path, capsys):
     path = tmp_path / "task.toml"
-    path.write_text(template(), encoding="utf-8")
+    path.write_text(whole(template()), encoding="utf-8")
     assert run(["design", "--choose", "2", str(path)]) == 2
     assert "--choose: a crown has one best" in capsys.readouterr().err
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify import commands, progress, units
+from verify import parameter_file, progress, units
 from verify.case import Dynamic, Output
 from verify.cases import registry
 from verify.cases.ring import LAME
@@ -66,7 +66,7 @@ def swings(monkeypatch):
 
     def give(part=SWINGS, **more):
         case = replace(LAME, dynamic=part, findings=lambda q, v: ("holds",), **more)
-        monkeypatch.setattr(commands, "find", lambda _id: case)
+        monkeypatch.setattr(parameter_file, "find", lambda _id: case)
         return case
 
     return give

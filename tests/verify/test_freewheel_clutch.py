@@ -9,6 +9,7 @@ import pytest
 
 from analytic.freewheel import criterion, state
 from tests.conftest import solved
+from tests.verify.template_text import whole
 from verify import units
 from verify.cases import freewheel_clutch_claims, freewheel_clutch_fem, freewheel_clutch_model
 from verify.cases import freewheel_clutch_remedies as remedies
@@ -458,7 +459,7 @@ def test_what_elements_cannot_do_is_said_in_one_line(changes, words):
 
 def test_check_prints_the_verdict_before_the_numbers_and_puts_it_into_json(tmp_path, capsys):
     path = tmp_path / "clutch.toml"
-    path.write_text(template(CLUTCH))
+    path.write_text(whole(template(CLUTCH)))
     assert run(["check", str(path)]) == 0
     assert capsys.readouterr().out.splitlines()[1].startswith("  green: μ/μ_req = 1.109")
     assert run(["check", "--json", str(path)]) == 0
@@ -478,7 +479,7 @@ def test_check_prints_the_verdict_before_the_numbers_and_puts_it_into_json(tmp_p
 )
 def test_finite_elements_are_not_offered_where_they_refuse(was, now, reason, tmp_path, capsys):
     path = tmp_path / "clutch.toml"
-    path.write_text(template(CLUTCH).replace(was, now, 1))
+    path.write_text(whole(template(CLUTCH)).replace(was, now, 1))
     assert run(["check", str(path), "--out", str(tmp_path / "out")]) == 0
     said, page = capsys.readouterr().out, (tmp_path / "out" / "report.html").read_text()
     offers = "judges what is marked *" in said, "sets finite elements beside" in page
@@ -521,7 +522,7 @@ def test_what_a_clutch_that_slips_would_carry_is_said_to_be_that():
 
 def test_the_report_gives_the_values_once_and_says_of_what_percentiles_are(tmp_path, capsys):
     path = tmp_path / "clutch.toml"
-    path.write_text(template(CLUTCH))
+    path.write_text(whole(template(CLUTCH)))
     assert run(["check", str(path), "--out", str(tmp_path / "out")]) == 0
     page = (tmp_path / "out" / "report.html").read_text()
     assert page.count("normal force of one contact") == 1

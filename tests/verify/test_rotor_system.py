@@ -1,7 +1,6 @@
 """Rotors of one's own: what a file may say, what is found, and that faults turn rows red."""
 
 import json
-import tomllib
 from dataclasses import replace
 from functools import cache
 
@@ -9,6 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.rotor import transfer_bending, transfer_model, transfer_torsion
+from tests.verify.template_text import inputs_of, whole
 from verify import units
 from verify.case import Context
 from verify.cases import rotor_system_model
@@ -24,7 +24,7 @@ from verify.run import Job, Solved, judge_case
 from verify.template import template
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
-RAW = tomllib.loads(template(SYSTEM))["inputs"]
+RAW = inputs_of(template(SYSTEM))
 
 
 @pytest.fixture(autouse=True)
@@ -250,7 +250,9 @@ def test_what_makes_no_sense_is_refused_in_one_line(raw, message):
 def test_check_refuses_with_status_two(tmp_path, capsys):
     path = tmp_path / "r.toml"
     path.write_text(
-        template(SYSTEM).replace("[[inputs.links]]\nnode = 5 ", "[[inputs.links]]\nnode = 55")
+        whole(template(SYSTEM)).replace(
+            "[[inputs.links]]\nnode = 5 ", "[[inputs.links]]\nnode = 55"
+        )
     )
     assert run(["check", str(path)]) == 2
     err = capsys.readouterr().err
@@ -369,7 +371,7 @@ def test_short_segments_of_one_diameter_are_judged_together():
 
 def test_check_prints_findings_and_json_has_every_entry(tmp_path, capsys):
     path = tmp_path / "r.toml"
-    path.write_text(template(SYSTEM))
+    path.write_text(whole(template(SYSTEM)))
     assert run(["check", str(path)]) == 0
     assert "clear: no critical speed within" in capsys.readouterr().out
     assert run(["check", str(path), "--json"]) == 0

@@ -16,6 +16,7 @@ from analytic.sprag.motion import Motion, Speeds
 from analytic.sprag.rest import at_rest
 from analytic.sprag.table import tabulated
 from tests.conftest import solved
+from tests.verify.template_text import whole
 from verify.case import Context
 from verify.cases import sprag_clutch_limits, sprag_clutch_model, sprag_clutch_values
 from verify.cases.sprag_clutch import CLUTCH, too_large
@@ -433,7 +434,7 @@ def test_the_motion_has_a_verdict_in_words(changes, words):
 
 
 def test_a_band_too_narrow_is_refused_in_a_line(tmp_path, capsys):
-    text = template(CLUTCH).replace('T = "25 N m"', 'T = "40 N m"')
+    text = whole(template(CLUTCH)).replace('T = "25 N m"', 'T = "40 N m"')
     text = text.replace('alpha_max = "0.5 rad"', 'alpha_max = "0.02 rad"')
     text = text.replace('# D_V = "0.05 m/s"', 'D_V = "0.001 m/s"')
     path = tmp_path / "my.toml"
@@ -445,7 +446,7 @@ def test_a_band_too_narrow_is_refused_in_a_line(tmp_path, capsys):
 
 def test_a_step_that_is_too_long_is_refused_in_a_line_with_one_that_will_do(tmp_path, capsys):
     path = tmp_path / "my.toml"
-    path.write_text(template(CLUTCH).replace('dt = "1e-05 s"', 'dt = "0.001 s"'))
+    path.write_text(whole(template(CLUTCH)).replace('dt = "1e-05 s"', 'dt = "0.001 s"'))
     assert run(["check", str(path), "--dynamic"]) == 2
     said = capsys.readouterr()
     (line,) = said.err.strip().splitlines()
@@ -503,7 +504,7 @@ def test_the_worse_of_rest_and_motion_comes_first(changes, verdict, words):
 
 def test_the_verdict_of_both_reaches_the_reader_and_programs(tmp_path, capsys):
     path = tmp_path / "my.toml"
-    path.write_text(template(CLUTCH).replace('T = "25 N m"', 'T = "72 N m"'))
+    path.write_text(whole(template(CLUTCH)).replace('T = "25 N m"', 'T = "72 N m"'))
     assert run(["check", str(path), "--dynamic"]) == 0
     assert "holds at rest, rolls over" in capsys.readouterr().out.splitlines()[1]
     assert run(["check", str(path), "--dynamic", "--json"]) == 0
@@ -524,7 +525,7 @@ def test_a_table_that_ends_before_the_peak_is_made_longer():
 
 def test_the_record_has_the_dynamic_part(tmp_path, capsys):
     path = tmp_path / "my.toml"
-    path.write_text(template(CLUTCH))
+    path.write_text(whole(template(CLUTCH)))
     assert run(["check", str(path), "--dynamic", "--json"]) == 0
     record = json.loads(capsys.readouterr().out)
     assert "locks" in json.dumps(record["dynamic"])

@@ -9,8 +9,13 @@ import tomllib
 
 import pytest
 
+from tests.verify.template_text import whole
+from verify.assumed.complete import complete
+from verify.assumed.registry import ASSUMPTIONS
 from verify.cases.registry import CASES
 from verify.cli import run
+from verify.design.inputs import load as load_spring
+from verify.design_sprag.inputs import load as load_sprag
 from verify.inputs import REQUIRED, Inputs, build, choices, entry_model, is_table, meta, quantity
 from verify.template import template
 
@@ -26,7 +31,9 @@ def inputs_of(text):
 def lines_of(case):
     """Commented out or not, name, value and comment of every input's line, tables left out."""
     body = template(case).partition("[inputs]\n")[2].partition("\n# Or ")[0]
-    return lines_in(TABLE.split(body)[0].partition("\n\n")[0])
+    body = TABLE.split(body)[0]
+    body = body if case.id in ASSUMPTIONS else body.partition("\n\n")[0]
+    return [found.groups() for line in body.splitlines() if (found := LINE.fullmatch(line))]
 
 
 def lines_in(text):
@@ -47,17 +54,53 @@ def inputs_in(case):
 
 
 @EACH
-def test_a_template_builds_to_the_paper_s_inputs(case):
-    data = tomllib.loads(template(case))
+def test_a_template_with_its_optional_lines_builds_to_the_paper_s_inputs(case):
+    text = whole(template(case)) if case.id in ASSUMPTIONS else template(case)
+    data = tomllib.loads(text)
     assert data["case"] == case.id
     assert build(case.inputs, data["inputs"], "template") == case.inputs()
+
+
+@pytest.mark.parametrize("case", [c for c in CASES if c.id in ASSUMPTIONS], ids=lambda c: c.id)
+def test_a_template_of_a_tool_begins_with_at_most_eight_lines_and_needs_no_more(case):
+    begin = template(case).partition("[inputs]\n")[2].partition("\n\n")[0].splitlines()
+    assert 1 <= len(begin) <= 8
+    assert not [line for line in begin if line.startswith("#")]
+    given = tomllib.loads(template(case))["inputs"]
+    scalars = {name for name, value in given.items() if not isinstance(value, list)}
+    assert scalars == {line.partition(" =")[0] for line in begin}
+    complete(case.id, case.inputs, given, "template")
+
+
+@pytest.mark.parametrize("task", ["design-spring", "design-sprag"])
+def test_a_template_of_a_task_begins_with_what_it_needs(task, tmp_path, capsys):
+    assert run(["init", task]) == 0
+    text = capsys.readouterr().out
+    assert len(tomllib.loads(text)["inputs"]) == 4
+    path = tmp_path / "task.toml"
+    path.write_text(text, encoding="utf-8")
+    found = {"design-spring": load_spring, "design-sprag": load_sprag}[task](path)
+    assert found.assumed
+    sources = [one.source for one in found.assumed]
+    assert all(source in text for source in sources)
+
+
+@pytest.mark.parametrize("case", [c for c in CASES if c.id in ASSUMPTIONS], ids=lambda c: c.id)
+def test_every_assumption_stands_beside_its_line(case):
+    lines = {name: (hidden, comment) for hidden, name, _, comment in lines_of(case)}
+    for one in ASSUMPTIONS[case.id]:
+        if is_table(case.inputs.model_fields[one.name]):
+            continue
+        hidden, comment = lines[one.name]
+        assert hidden
+        assert one.source in comment
 
 
 @EACH
 def test_with_every_optional_line_it_still_builds(case):
     text = re.sub(r"^# (\w+ = )", r"\1", template(case), flags=re.MULTILINE)
     given = inputs_of(text)
-    assert list(given) == list(case.inputs.model_fields)
+    assert set(given) == set(case.inputs.model_fields)
     own = build(case.inputs, given, "template")
     assert not [name for name in case.inputs.model_fields if getattr(own, name) is None]
 
@@ -65,12 +108,13 @@ def test_with_every_optional_line_it_still_builds(case):
 @EACH
 def test_every_line_has_a_unit_a_description_a_range_and_a_source(case):
     for fields, lines in inputs_in(case):
-        assert [name for _, name, _, _ in lines] == list(fields)
+        assert {name for _, name, _, _ in lines} == set(fields)
+        assert len(lines) == len(fields)
         for line in lines:
-            check_line(fields, *line)
+            check_line(case, fields, *line)
 
 
-def check_line(fields, hidden, name, value, comment):
+def check_line(case, fields, hidden, name, value, comment):
     about = meta(fields[name])
     assert about["what"] in comment
     if words := choices(fields[name]):
@@ -81,8 +125,11 @@ def check_line(fields, hidden, name, value, comment):
         assert value.strip('"').endswith(about["unit"])
     if fields[name].metadata:
         assert re.search(r"at (least|most)|(greater|less) than", comment)
-    assert ("optional" in comment) == (about["omitted"] != REQUIRED)
-    assert not hidden or about["omitted"] != REQUIRED
+    assumed = {one.name for one in ASSUMPTIONS.get(case.id, ())} & set(case.inputs.model_fields)
+    optional = about["omitted"] != REQUIRED or (fields[name] is case.inputs.model_fields.get(name)
+                                                and name in assumed)  # fmt: skip
+    assert ("optional" in comment) == optional
+    assert not hidden or optional
     if about["claims"]:
         assert about["claims"].partition(":")[0] in comment
 
@@ -110,7 +157,7 @@ def test_the_printed_template_is_utf_8_whatever_the_terminal_takes():
         timeout=60,
     )  # fmt: skip
     assert done.returncode == 0
-    assert inputs_of(done.stdout.decode("utf-8"))["alpha"] == "80 deg"
+    assert inputs_of(whole(done.stdout.decode("utf-8")))["alpha"] == "80 deg"
 
 
 def test_a_file_that_exists_is_not_overwritten(tmp_path, capsys):

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from analytic.spring import energy
+from analytic.spring import energy, frame
 from analytic.spring.wide_leaf import width_factor
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
@@ -52,7 +52,7 @@ def curve(q: Any, v: Values, part: Assessment) -> None:
         "curve",
     )  # fmt: skip
     bending_stress(q, force, part)
-    L0 = v.get("L0", _free_length(q))
+    L0 = float(frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha))
     part.at_most("stroke", "stroke", q.stroke, LARGEST_STROKE * L0, "mm", "0.6 L_0 (Eq. 12)")
 
 
@@ -88,10 +88,3 @@ def _deflection(U: float, L0: float, part: Assessment) -> None:
             f"a deflection of {U / L0:.0%} of L_0 may be beyond the free stage, which ended at "
             f"{FREE_STAGE:.0%} for the paper's spring: spring-curve follows the whole curve"
         )
-
-
-def _free_length(q: Any) -> float:
-    from analytic.spring import frame
-
-    r = q.R - q.b / 2
-    return float(frame.free_length(n=q.n, b=q.b, r=r, L1=q.L1, alpha=q.alpha))

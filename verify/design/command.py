@@ -11,6 +11,7 @@ from typing import IO
 from verify.answers.answer import EXIT_STATUS, Verdict
 from verify.answers.console import headline
 from verify.answers.record import answer_record
+from verify.assumed.listed import print_assumed
 from verify.commands import writable
 from verify.design.answer import answer
 from verify.design.inputs import load
@@ -34,11 +35,14 @@ def run_design(
     )
     found = answer(outcome)
     if as_json:
-        print(json.dumps({**record(outcome), "answer": answer_record(found)}, ensure_ascii=False))
+        listed = {"assumed": [one.record() for one in task.assumed]}
+        whole = record(outcome) | listed | {"answer": answer_record(found)}
+        print(json.dumps(whole, ensure_ascii=False))
     else:
         notes = () if outcome.verified else ("not verified by finite elements",)
         print("\n".join(headline(task.name, found, notes)))
         print_outcome(outcome)
+        print_assumed(task.assumed)
     if out is not None:
         made = files(outcome, command(path, choose, use_fem=use_fem))
         _write(made, out)

@@ -2,12 +2,14 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from pydantic import model_validator
 
+from verify.assumed.complete import complete
+from verify.assumed.rules import Assumed
 from verify.design.sweep import Sweep
 from verify.inputs import InputError, Inputs, build, quantity, read_parameter_file, word
 
@@ -134,11 +136,12 @@ class Demands(Inputs):
 
 @dataclass(frozen=True)
 class Task:
-    """A design task: `demands`, and the SI values of every swept parameter."""
+    """A design task: `demands`, the SI values of every swept parameter, what the file left out."""
 
     name: str
     demands: Demands
     ranges: Mapping[str, tuple[float, ...]]
+    assumed: tuple[Assumed, ...] = ()
 
     @property
     def count(self) -> int:
@@ -153,7 +156,8 @@ def load(path: Path) -> Task:
         raise InputError(
             f"{path}: case: design takes {CASE}, design-sprag or sprag-clutch, got {case[:60]!r}"
         )
-    return task(raw, name, str(path))
+    whole, assumed = complete(CASE, Demands, raw, str(path))
+    return replace(task(whole, name, str(path)), assumed=assumed)
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:

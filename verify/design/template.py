@@ -2,9 +2,10 @@
 
 import json
 
-from verify import template as case_template
+from verify.assumed.registry import ASSUMPTIONS, assumption_of
 from verify.design.inputs import CASE, SWEEPS, Demands
 from verify.design.sweep import Sweep
+from verify.template_lines import aligned, if_left_out, sections
 
 HEAD = f"""\
 # A design task: accordion springs by the rules of Wang et al. 2023 (Eqs. 11-13, Fig. 12) and more.
@@ -22,13 +23,14 @@ SWEPT = '# What may vary: a value, a list, or a range "first : last : number of 
 
 
 def template() -> str:
-    """A file that reads as the default task."""
-    demanded = case_template.aligned(case_template.commented(Demands))
-    swept = case_template.aligned([_line(sweep) for sweep in SWEEPS.values()])
+    """A file that, with the lines behind a #, reads as the default task."""
+    demanded = sections(Demands, ASSUMPTIONS[CASE], "this task's", also=("L_w",))
+    swept = aligned([_line(sweep) for sweep in SWEEPS.values()])
     return f"{HEAD}{demanded}\n{SWEPT}\n{swept}"
 
 
 def _line(sweep: Sweep) -> tuple[str, str]:
     symbol = f", {sweep.symbol}" if sweep.symbol else ""
     text = json.dumps(sweep.default, ensure_ascii=False)
-    return f"{sweep.name} = {text}", f"{sweep.what}{symbol}; {sweep.rule}"
+    about = if_left_out(assumption_of(CASE, sweep.name))
+    return f"# {sweep.name} = {text}", f"{sweep.what}{symbol}; {sweep.rule}; {about}"

@@ -11,6 +11,7 @@ from typing import IO
 from verify.answers.answer import EXIT_STATUS, Verdict
 from verify.answers.console import headline
 from verify.answers.record import answer_record
+from verify.assumed.listed import print_assumed
 from verify.commands import writable
 from verify.design_sprag.answer import answer
 from verify.design_sprag.inputs import load
@@ -35,11 +36,14 @@ def run_design(
     outcome = carry_out(task, str(path), use_half_space=use_fem, quiet=as_json)
     found = answer(outcome)
     if as_json:
-        print(json.dumps({**record(outcome), "answer": answer_record(found)}, ensure_ascii=False))
+        listed = {"assumed": [one.record() for one in task.assumed]}
+        whole = record(outcome) | listed | {"answer": answer_record(found)}
+        print(json.dumps(whole, ensure_ascii=False))
     else:
         notes = () if outcome.checks else ("not verified by a half-space",)
         print("\n".join(headline(task.name, found, notes)))
         print_outcome(outcome)
+        print_assumed(task.assumed)
     if out is not None:
         made = files(outcome, f"freewheel design {'' if use_fem else '--no-fem '}"
                               f"--out {shlex.quote(out.name or '.')} "

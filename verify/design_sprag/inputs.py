@@ -1,12 +1,14 @@
 """What a crown is asked to do: the clutch, its torques, the ranges and tolerances of the crown."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from pydantic import model_validator
 
+from verify.assumed.complete import complete
+from verify.assumed.rules import Assumed
 from verify.cases.sprag_clutch_advice import why
 from verify.cases.sprag_clutch_limits import verdict
 from verify.cases.sprag_clutch_values import analytic
@@ -62,13 +64,17 @@ class Wishes(EngagementInputs):
 
 @dataclass(frozen=True)
 class Task:
-    """A design task: `clutch` with its crown now, and SI bounds of (K_1, K_2, z_m)."""
+    """A design task: `clutch` with its crown now, and SI bounds of (K_1, K_2, z_m).
+
+    `assumed` are the inputs that the file left out.
+    """
 
     name: str
     wishes: Wishes
     torques: tuple[float, ...]
     low: tuple[float, float, float]
     high: tuple[float, float, float]
+    assumed: tuple[Assumed, ...] = ()
 
     @property
     def clutch(self) -> EngagementInputs:
@@ -91,7 +97,8 @@ def load(path: Path) -> Task:
     own = (TORQUES.name, *(r.name for r in RANGES), *_wished()) if case == CLUTCH else ()
     if alien := [key for key in raw if key in own]:
         raise InputError(f'{path}: inputs.{alien[0]}: belongs to case = "{CASE}"')
-    return task(raw, name, str(path))
+    whole, assumed = complete(CASE, Wishes, raw, str(path))
+    return replace(task(whole, name, str(path)), assumed=assumed)
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:

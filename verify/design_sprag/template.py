@@ -2,10 +2,12 @@
 
 import json
 
-from verify import template as case_template
+from verify.assumed.registry import ASSUMPTIONS
+from verify.assumed.sprags import SEED
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.design_sprag.inputs import CASE, TORQUES, Wishes
 from verify.design_sprag.ranges import RANGES
+from verify.template_lines import aligned, commented, if_left_out, sections
 
 HEAD = f"""\
 # A design task: the crown of a sprag clutch with the lowest pressures as it engages, after
@@ -25,13 +27,16 @@ TASK = '# The task; a list of torques may also be a range "10 N m : 40 N m : 4" 
 
 
 def template() -> str:
-    """A file that reads as the default task."""
-    lines = case_template.commented(Wishes)
-    clutch = len(EngagementInputs.model_fields)
+    """A file that, with the lines behind a #, reads as the default task."""
+    clutch = sections(EngagementInputs, ASSUMPTIONS[CASE], "the paper's")
+    wished = commented(Wishes)[len(EngagementInputs.model_fields) :]
     torques = json.dumps(TORQUES.default)
-    own = [
+    text, about = wished.pop()  # the seed is the last one
+    wished.append((text, f"{about}; {if_left_out(SEED)}"))
+    task = [
         (f"{TORQUES.name} = {torques}", f"{TORQUES.what}; {TORQUES.rule}; optional, T if left out"),
         *((f'{r.name} = "{r.default}"', f"{r.what}, {r.symbol}; {r.rule}; Eq. 19") for r in RANGES),
-        *lines[clutch:],
+        *wished,
     ]
-    return f"{HEAD}{case_template.aligned(lines[:clutch])}\n{TASK}\n{case_template.aligned(own)}"
+    hidden = [(f"# {text.removeprefix('# ')}", about) for text, about in task]
+    return f"{HEAD}{clutch}\n{TASK}\n{aligned(hidden)}"

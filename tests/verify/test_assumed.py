@@ -1,0 +1,206 @@
+"""Inputs that a file leaves out: every one has a source, is listed, and never changes a given one.
+
+The files of `parts` have at most ten lines, as a designer has them from a drawing or a catalogue.
+"""
+
+import json
+import math
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from verify.assumed.complete import assumed_inputs, build_completed, complete
+from verify.assumed.registry import ASSUMPTIONS
+from verify.cases.registry import find
+from verify.cases.sprag_inputs import EngagementInputs
+from verify.cli import run
+from verify.design.inputs import Demands
+from verify.design_sprag.inputs import Wishes
+from verify.inputs import REQUIRED, InputError, meta
+
+PARTS = sorted((Path(__file__).parent / "parts").glob("*.toml"))
+TASKS = {"design-spring": Demands, "design-sprag": Wishes}
+CHECKED = [path for path in PARTS if not path.stem.startswith("design-")]
+DESIGNED = [path for path in PARTS if path.stem.startswith("design-")]
+SOURCES = ("typical:", "numerical:", "Huang 2018", "Wang 2023", "Timoshenko", "EN ")
+RULES = ("R_i", "R_e", "L_max", "L_0", "b/(2 r_i)", "segments name", "is given", "speed", "node of")
+PAPER = {
+    "R_i": "11.11 mm", "R_e": "19.44 mm", "l": "9 mm", "T": "25 N m",
+}  # fmt: skip
+
+
+def model_of(case_id):
+    return TASKS.get(case_id) or find(case_id).inputs
+
+
+def raw_of(path):
+    data = tomllib.loads(path.read_text("utf-8"))
+    return data["case"], data["inputs"]
+
+
+def of_path(path):
+    return path.stem
+
+
+@pytest.mark.parametrize("path", PARTS, ids=of_path)
+def test_a_file_has_at_most_ten_lines(path):
+    lines = [line for line in path.read_text("utf-8").splitlines() if line.strip()]
+    assert len(lines) <= 10
+
+
+def test_every_tool_has_a_file():
+    assert {raw_of(path)[0] for path in PARTS} == set(ASSUMPTIONS)
+
+
+@pytest.mark.parametrize("path", CHECKED, ids=of_path)
+def test_check_answers_and_lists_every_assumed_input(path, capsys):
+    case_id, raw = raw_of(path)
+    assert run(["check", str(path), "--json"]) in (0, 1)
+    found = json.loads(capsys.readouterr().out)
+    assert found["values"]
+    listed = {one["name"]: one for one in found["assumed"]}
+    fields = find(case_id).inputs.model_fields
+    left_out = {n for n, f in fields.items() if n not in raw and meta(f)["omitted"] == REQUIRED}
+    assert left_out
+    assert left_out <= set(listed)
+    for name in left_out & set(found["inputs"]):
+        if isinstance(found["inputs"][name], dict):
+            assert found["inputs"][name]["value"] == pytest.approx(listed[name]["value"])
+    assert run(["check", str(path)]) in (0, 1)
+    text = capsys.readouterr().out
+    assert all(one["source"].split("^")[0] in text for one in listed.values())
+
+
+@pytest.mark.parametrize("path", DESIGNED, ids=of_path)
+def test_design_answers_and_lists_every_assumed_input(path, capsys):
+    assert run(["design", "--no-fem", str(path)]) in (0, 1)
+    text = capsys.readouterr().out
+    assert "assumed, because the file does not give them" in text
+    for one in assumed_inputs(*with_model(path)):
+        assert one.source.split("^")[0] in text
+
+
+def with_model(path):
+    case_id, raw = raw_of(path)
+    return case_id, model_of(case_id), raw
+
+
+@pytest.mark.parametrize(
+    ("case_id", "one"),
+    [pytest.param(c, a, id=f"{c} {a.name}") for c, every in ASSUMPTIONS.items() for a in every],
+)
+def test_every_assumption_has_a_source(case_id, one):
+    named = one.source.startswith(SOURCES) or any(word in one.source for word in SOURCES)
+    assert named or any(word in one.source for word in RULES), one.source
+    assert len(one.source) > len("typical: 1 ")
+
+
+@pytest.mark.parametrize("path", PARTS, ids=of_path)
+def test_a_given_value_always_wins(path):
+    case_id, model, raw = with_model(path)
+    whole, assumed = complete(case_id, model, raw, "file")
+    assert {k: whole[k] for k in raw} == raw
+    for one in assumed:
+        again, others = complete(case_id, model, raw | {one.name: whole[one.name]}, "file")
+        assert one.name not in [other.name for other in others]
+        assert again[one.name] == whole[one.name]
+
+
+def test_the_paper_s_clutch_is_assumed_from_its_main_sizes():
+    q, assumed = build_completed("sprag-clutch", EngagementInputs, PAPER, "file")
+    paper = EngagementInputs()
+    same = ("R_id", "R_ed", "r_i", "nu_0", "z", "E", "nu", "mu_s", "mu_c", "I_bi", "I_be", "K_r")
+    for name in same:
+        assert getattr(q, name) == pytest.approx(getattr(paper, name), rel=1e-5), name
+    assert q.b == pytest.approx(paper.b, rel=1e-3)
+    assert q.alpha_max == pytest.approx(paper.alpha_max, rel=6e-3)
+    assert q.m_g == pytest.approx(paper.m_g, rel=5e-3)
+    assert q.I_g == pytest.approx(paper.I_g, rel=5e-3)
+    assert len(assumed) == len(ASSUMPTIONS["sprag-clutch"])
+
+
+def test_derived_values_follow_the_given_ones():
+    raw = PAPER | {"b": "5 mm", "density": "8000 kg/m^3", "z": 10}
+    q, assumed = build_completed("sprag-clutch", EngagementInputs, raw, "file")
+    assert not {"b", "density", "z"} & {one.name for one in assumed}
+    assert q.z == 10
+    mass = 8000 * 9e-3 * 0.7625 * 5e-3 * 8.33e-3
+    assert q.m_g == pytest.approx(mass, rel=1e-5)
+    assert q.alpha_max == pytest.approx(5 / 8.04, rel=1e-5)
+
+
+def test_flats_of_both_cams_have_the_wedge_angle():
+    case = find("freewheel-clutch")
+    for kind in ("inner cam", "outer cam"):
+        raw = {"kind": kind, "R": "20 mm", "r": "3 mm", "L": "10 mm", "T": "20 N m"}
+        q, _ = build_completed(case.id, case.inputs, raw, "file")
+        wedge = 2 * math.degrees(case.analytic(q)["alpha_0"])
+        assert wedge == pytest.approx(7, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"T": None}, "inputs: missing T"),
+        ({"R_i": None, "T": None}, "inputs: missing R_i, T"),
+        ({"T": "25"}, 'inputs.T: "25" has no unit'),
+        ({"R_i": "11.11 N"}, 'inputs.R_i: "11.11 N" is not a length'),
+        ({"R_i": "-1 mm"}, "inputs.R_i = -1 mm: must be greater than"),
+        ({"R_i": "nan mm"}, 'inputs.R_i: "nan mm" is not finite'),
+        ({"R_i": 10**30}, "inputs.R_i: an integer of 100 bits is out of range"),
+        ({"R_i": "20 mm"}, "inputs: r_i does not follow: the sprags need room between the races"),
+        ({"R_k": "20 mm"}, "inputs.R_k: unknown key"),
+        ({"z": 60}, "b = 3.9984 mm; assumed: b = 3.9984 mm (typical: 0.48 (R_e - R_i))"),
+        ({"R_ed": "19 mm"}, "the outer race needs a wall"),
+        ({"mu_s": True}, "inputs.mu_s: needs a number"),
+    ],
+)
+def test_wrong_input_gets_one_line(change, message, tmp_path, capsys):
+    raw = {k: v for k, v in (PAPER | change).items() if v is not None}
+    path = tmp_path / "my.toml"
+    lines = [f"{k} = {json.dumps(v)}\n" for k, v in raw.items()]
+    path.write_text('case = "sprag-clutch"\n[inputs]\n' + "".join(lines), encoding="utf-8")
+    assert run(["check", str(path)]) == 2
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1
+    assert message in told
+
+
+def test_several_shafts_need_their_table():
+    raw = tomllib.loads((Path(__file__).parent / "parts/fan-rotor-inch.toml").read_text("utf-8"))
+    raw["inputs"]["segments"][1]["shaft"] = "other"
+    with pytest.raises(InputError, match="several shafts need a table of their speed ratios"):
+        build_completed("rotor-system", find("rotor-system").inputs, raw["inputs"], "file")
+
+
+def test_list_names_what_is_needed_apart_from_what_is_assumed(capsys):
+    assert run(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    at = next(k for k, line in enumerate(lines) if line.startswith("sprag-clutch "))
+    assert lines[at + 1].strip() == "inputs: R_i [mm], R_e [mm], l [mm], T [N m]"
+    assert "R_id [mm]" in lines[at + 2]
+
+
+def test_a_report_names_the_source_of_an_assumed_input(tmp_path, capsys):
+    path = next(path for path in PARTS if path.stem == "accordion-spring-20")
+    assert run(["check", str(path), "--out", str(tmp_path / "out")]) == 0
+    capsys.readouterr()
+    page = (tmp_path / "out" / "report.html").read_text("utf-8")
+    assert "assumed, typical: steel at room temperature" in page
+
+
+@pytest.mark.parametrize("path", CHECKED, ids=of_path)
+@pytest.mark.parametrize("wrong", ["0 mm", "-3 mm", "1e300 mm", "1e-300 mm", 10**400, [{}], True])
+def test_whatever_is_wrong_in_a_short_file_ends_with_one_line_or_an_answer(path, wrong, recwarn):
+    case_id, model, raw = with_model(path)
+    messages = []
+    for name in {*raw, *(one.name for one in ASSUMPTIONS[case_id])}:
+        try:
+            build_completed(case_id, model, raw | {name: wrong}, "file")
+        except InputError as error:
+            messages.append(str(error))
+    assert messages
+    assert all(message.startswith("file: inputs") for message in messages)
+    assert not any("\n" in message for message in messages)
+    assert not recwarn.list

@@ -1,0 +1,28 @@
+"""Which inputs of which tool have an assumption, in the order in which they are made."""
+
+from collections.abc import Mapping
+
+from verify.assumed.rollers import FREEWHEEL_CLUTCH, POLYHEDRAL_CLUTCH
+from verify.assumed.rotors import ROTOR_SYSTEM
+from verify.assumed.rules import Assumption
+from verify.assumed.sprags import SEED, SPRAG_CLUTCH
+from verify.assumed.springs import DESIGN_SPRING, SPRING_ACCORDION, SPRING_CURVE
+
+ASSUMPTIONS: Mapping[str, tuple[Assumption, ...]] = {
+    "sprag-clutch": SPRAG_CLUTCH,
+    "design-sprag": (*SPRAG_CLUTCH, SEED),
+    "freewheel-clutch": FREEWHEEL_CLUTCH,
+    "polyhedral-clutch": POLYHEDRAL_CLUTCH,
+    "rotor-system": ROTOR_SYSTEM,
+    "spring-accordion": SPRING_ACCORDION,
+    "spring-curve": SPRING_CURVE,
+    "design-spring": DESIGN_SPRING,
+}
+
+
+def assumption_of(case_id: str, name: str) -> Assumption:
+    """The assumption of one input; LookupError where there is none."""
+    for one in ASSUMPTIONS.get(case_id, ()):
+        if one.name == name:
+            return one
+    raise LookupError(f"{case_id} assumes no {name}")
