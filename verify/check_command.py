@@ -11,6 +11,7 @@ import numpy as np
 
 from verify.answer_units import assumed_in, dynamic_in_units, in_units, record_in_units
 from verify.answers.answer import EXIT_STATUS, Answer, Verdict
+from verify.answers.dependence import margin_notes
 from verify.answers.evidence import with_dynamic as answer_with_dynamic
 from verify.answers.evidence import with_rows
 from verify.answers.registry import answer as answer_of
@@ -77,7 +78,8 @@ def run_check(path: Path, options: Options) -> int:
     if dynamic is not None and result.refused:
         dynamic = dynamic.unjudged()
     answer = _answer(case, inputs, values, result, dynamic)
-    notes = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
+    notes: tuple[str, ...] = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
+    notes += margin_notes(case, inputs, file.assumed)
     checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
                       dynamic=dynamic, notes=notes, assumed=file.assumed)  # fmt: skip
     if options.json:

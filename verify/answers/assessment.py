@@ -16,9 +16,13 @@ from verify.answers.strengths import (
 
 @dataclass
 class Assessment:
-    """The criteria that a case's inputs and values are held to; `design` is the number to use."""
+    """The criteria that a case's inputs and values are held to; `design` is the number to use.
+
+    Without `with_design` a number to use that takes long to compute may be left out.
+    """
 
     design: Quantity | None = None
+    with_design: bool = True
     criteria: list[Criterion] = field(default_factory=list)
     failures: list[str] = field(default_factory=list)
     unknowns: list[str] = field(default_factory=list)

@@ -56,7 +56,8 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         if q.F_ax > 0:
             part.failures.append("no torque presses the rollers: the axial load meets no friction")
         return
-    part.design = _permissible_torque(q)
+    if part.with_design:
+        part.design = _permissible_torque(q)
     if "safety" not in v:
         part.failures.append(verdict(q, v))
         return

@@ -77,10 +77,13 @@ RULES: Mapping[str, Rule] = {
 }
 
 
-def answer(case: Case, inputs: Inputs, values: Values) -> Answer:
-    """The answer to a user's `inputs`, whose formula `values` are known."""
+def answer(case: Case, inputs: Inputs, values: Values, *, with_design: bool = True) -> Answer:
+    """The answer to a user's `inputs`, whose formula `values` are known.
+
+    Where only the criteria are needed, `with_design` is False.
+    """
     rule = RULES[case.id]
-    part = Assessment(design=_output(case, rule.design, values))
+    part = Assessment(design=_output(case, rule.design, values), with_design=with_design)
     rule.assess(inputs, values, part)
     return part.answer()
 

@@ -29,7 +29,8 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
 def clutch(q: Any, v: Values, part: Assessment) -> None:
     """Friction, pressures, end of the profile and yielding of the races, torque rising slowly."""
     state = verdict(q, v)
-    part.design = _permissible_torque(q)
+    if part.with_design:
+        part.design = _permissible_torque(q)
     part.at_most("friction", FRICTION, v.get("mu_req", v["mu_0"]), q.mu_s, "1", STATIC)
     if state == "no state":
         part.failures.append(why(q, v))

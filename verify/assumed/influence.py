@@ -1,7 +1,8 @@
 """Which assumed inputs matter: each of them varied, by the formulas alone."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -9,12 +10,13 @@ from verify import units
 from verify.assumed.registry import ASSUMPTIONS, assumption_of
 from verify.assumed.rules import Assumed, Assumption, Given
 from verify.assumed.values import si_value
-from verify.case import Case
+from verify.case import Case, Values
 from verify.inputs import Inputs, is_table, kind_of
 
 STEP = 0.1  # of the value, where no usual range is stated
 UNCHANGED = 1e-9  # relative change of a value that an input does not enter
 NO_SOLUTION = "no solution"
+Result = Callable[[Any, Values], float | None]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,18 +48,20 @@ class Influence:
 
 
 def influence(
-    case: Case, inputs: Inputs, assumed: Sequence[Assumed], key: str
+    case: Case, inputs: Inputs, assumed: Sequence[Assumed], result: str | Result
 ) -> tuple[Influence, ...]:
-    """How the value `key` of `case.analytic` follows each assumed number, the strongest first.
+    """How a result of the formulas follows each assumed number, the strongest first.
 
-    Each is varied alone over its usual range, or by 10 %; assumed inputs that follow from it by a
-    rule change with it. Words, tables, and what only --dynamic uses are left out. ValueError where
-    the inputs themselves have no value `key`.
+    `result` is the key of a value, or computes a number from inputs and values. Each input is
+    varied alone over its usual range, or by 10 %; assumed inputs that follow from it by a rule
+    change with it. Words, tables, and what only --dynamic uses are left out. ValueError where the
+    inputs themselves have no such result.
     """
-    middle = _value(case, inputs, key)
+    of = result if callable(result) else _by_key(result)
+    middle = _value(case, inputs, of)
     if middle is None:
-        raise ValueError(f"{case.id} has no value {key} with these inputs")
-    study = _Study(case, inputs, tuple(one.name for one in assumed), key, middle)
+        raise ValueError(f"{case.id} has no value {result} with these inputs")
+    study = _Study(case, inputs, tuple(one.name for one in assumed), of, middle)
     found = [study.of(one) for one in assumed if _is_varied(case, one)]
     return tuple(sorted(found, key=lambda one: one.largest, reverse=True))
 
@@ -70,12 +74,12 @@ def _is_varied(case: Case, one: Assumed) -> bool:
 
 @dataclass(frozen=True)
 class _Study:
-    """The value `key` of a case, `middle` with these inputs, of which `names` are assumed."""
+    """A result of a case, `middle` with these inputs, of which `names` are assumed."""
 
     case: Case
     inputs: Inputs
     names: tuple[str, ...]
-    key: str
+    of_result: Result
     middle: float
 
     def of(self, one: Assumed) -> Influence:
@@ -117,7 +121,7 @@ class _Study:
         try:
             for one in self._derived(name):
                 given[one.name] = si_value(self.case.inputs, one, one.value, given)
-            found = _value(self.case, type(self.inputs)(**given), self.key)
+            found = _value(self.case, type(self.inputs)(**given), self.of_result)
         except (ValueError, ArithmeticError):
             return None
         return None if found is None else _relative(found, self.middle)
@@ -129,7 +133,14 @@ def _relative(value: float, middle: float) -> float:
     return (value - middle) / abs(middle)
 
 
-def _value(case: Case, inputs: Inputs, key: str) -> float | None:
+def _by_key(key: str) -> Result:
+    def value(_inputs: Any, values: Values) -> float | None:
+        return values.get(key)
+
+    return value
+
+
+def _value(case: Case, inputs: Inputs, of: Result) -> float | None:
     with np.errstate(over="raise", divide="raise", invalid="raise"):
-        found = case.analytic(inputs).get(key)
+        found = of(inputs, case.analytic(inputs))
     return None if found is None or not np.isfinite(found) else float(found)
