@@ -17,9 +17,10 @@ def ring(judged):
 
 def test_a_check_ends_with_the_total_and_the_warnings(ring, capsys):
     print_check(replace(ring, name="mine", warnings=("it yields",)), use_fem=True)
-    *_, total, warning = capsys.readouterr().out.splitlines()
-    assert total.startswith(f"{len(ring.rows)} of {len(ring.rows)} rows pass")
-    assert "at most 0.0041 % apart, and any error above 0.0093 % would have been seen" in total
+    *_, total, apart, limit, warning = capsys.readouterr().out.splitlines()
+    assert total == f"{len(ring.rows)} of {len(ring.rows)} rows pass, their convergence included"
+    assert apart.startswith("largest difference between formula and reference: -0.0041 % of stress")
+    assert limit == "smallest error that every judged row is certain to detect: 0.0093 %"
     assert warning == "warning: it yields"
 
 
