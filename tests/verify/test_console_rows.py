@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 
 from verify import judge
-from verify.cases.registry import find
+from verify.cache import parts_of
+from verify.cases.registry import CASES, find
 from verify.claims import make_row
 from verify.console_rows import closing, row_cells, title
 from verify.paper_tables import _claim
@@ -98,3 +99,16 @@ def test_the_column_of_finite_elements_beside_a_printed_table_holds_nothing_else
     value = published("huang2018:table1-r-e")
     assert _claim(row("a", 1.0, None), value).fem is not None
     assert _claim(row("a", 1.0, None, case="contact-roller"), value).fem is None
+
+
+def test_every_case_whose_reference_uses_no_finite_elements_is_known():
+    """By the modules that its reference runs; struts between rigid hubs are no elements."""
+    bare = {
+        case.id for case in CASES
+        if not any(
+            name.startswith("fem.") and not name.startswith("fem.rotor.struts")
+            for name in parts_of(case.fem)[1]
+        )
+    }  # fmt: skip
+    assert len(bare) >= 9
+    assert bare <= set(OTHERS) <= {case.id for case in CASES}
