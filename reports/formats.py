@@ -141,22 +141,29 @@ def relative(row: Row, name: str) -> Markup:
 
 def fraction(row: Row, value: float | None, *, signed: bool = False) -> Markup:
     """A fraction in percent; of a balance or an order as it is."""
-    if value is None or not math.isfinite(value):
-        return Markup("–")
     if row.kind in (Kind.EXACT, Kind.TREND):
         return power(value)
+    return percents(value, signed=signed)
+
+
+def percents(value: float | None, *, signed: bool = False) -> Markup:
+    """A fraction as a percentage with two significant digits, a dash for none."""
+    if value is None or not math.isfinite(value):
+        return Markup("–")
     return _cell(f"{significant(100 * value, 2, signed=signed)} %")
 
 
 def _cell(text: str) -> Markup:
-    """A text of numbers with true minuses and powers of ten; an interval on two lines."""
+    """A text of numbers with true minuses and powers of ten; an interval, a scale on two lines."""
     if not text:
         return Markup("–")
     value, of, name = text.partition(" of ")
     parts = [_POWER_OF_TEN.sub(_raised, part.replace(" %", "\u202f%").replace("-", MINUS))
              for part in value.split(" to ")]  # fmt: skip
     shown = Markup(" to<br>").join(Markup(part) for part in parts)  # noqa: S704 - numbers alone
-    return shown + Markup(" <small>of {}</small>").format(prose(name)) if of else shown
+    return (
+        shown + Markup('<br><small class="by">of {}</small>').format(prose(name)) if of else shown
+    )
 
 
 def _raised(match: re.Match[str]) -> str:

@@ -275,7 +275,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "symbol": formats.symbol, "prose": formats.prose, "power": formats.power,
         "maths": glyphs.maths, "number": formats.number, "written": formats.written,
         "values": formats.values, "difference": formats.difference, "tolerance": formats.tolerance,
-        "relative": formats.relative, "fraction": formats.fraction,
+        "relative": formats.relative, "fraction": formats.fraction, "percents": formats.percents,
         "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "on_meshes": plots.on_meshes,
         "sketch": sketch, "plot": plot, "claims": claims,
