@@ -108,5 +108,5 @@ def _difference(check: Crosscheck) -> list[Run]:
     if check.difference is None or check.allowed is None:
         return ["–"]
     mark = " !" if check.state is CrossState.OUTSIDE else ""
-    found = runs(formats.power(check.difference, signed=True))
-    return [*found, " (", *runs(formats.power(check.allowed, digits=0)), f"){mark}"]
+    found = runs(formats.percents(check.difference, signed=True))
+    return [*found, " (", *runs(formats.percents(check.allowed)), f"){mark}"]

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 from markupsafe import Markup, escape
 
-from reports.signature import formula_offset
-from verify.results import Row
+from verify.differences import difference_texts, divisor, significant
+from verify.references import FE, reference_name
+from verify.results import Kind, Row
 
 MINUS = "−"
 
@@ -15,6 +16,7 @@ MINUS = "−"
 _INDEX = re.compile(r"(?<![\w.])([A-Za-zΑ-ωΔ])_(\{[^}]*\}|[A-Za-z0-9Α-ω∞]{1,6})(?![\w])")
 _LEDGER = re.compile(r"ledger ([a-z]+\d*):([a-zA-Z0-9-]+)")
 _POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
+_POWER_OF_TEN = re.compile(rf"e({MINUS}?\d+)")
 _MINUS = re.compile(r"(?<![\w./^-])-(?=\d)")
 
 
@@ -71,9 +73,9 @@ def small(value: float | None, digits: int = 6) -> str | Markup:
 
 
 class Shown(NamedTuple):
-    """Formula, and FE with its standard uncertainty in brackets: 0.5817896(40).
+    """Formula, and reference with its standard uncertainty in brackets: 0.5817896(40).
 
-    Another method's value stands in the place of FE, with its name `by`.
+    `by` names the reference where it is not finite elements.
     """
 
     formula: str
@@ -82,14 +84,16 @@ class Shown(NamedTuple):
 
 
 def values(row: Row) -> Shown:
-    """Formula and FE with as many decimals as u has: 0.5820205 and 0.5817896(40).
+    """Formula and reference with as many decimals as u has: 0.5820205 and 0.5817896(40).
 
     The digits in brackets are those of u, in units of the last decimal.
     """
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # an order beside that of theory
         return Shown(number(row.analytic, 3), "–" if row.fem is None else f"{row.fem:.2f}")
-    by = row.by if row.grid is not None and row.by != "FE" else ""
+    name = reference_name(row)
+    told = name != FE and row.reference is not None and not _is_printed(row)
+    by = name if told else ""
     found = row.reference if by else row.fem
     if row.kind == "fact" or found is None or not u or not math.isfinite(u):
         digits = 3 if row.kind in ("fact", "exact") else 6
@@ -97,6 +101,11 @@ def values(row: Row) -> Shown:
     fem, decimals = concise(found, u)
     known = row.analytic
     return Shown("–" if known is None else f"{known:.{decimals}f}".replace("-", MINUS), fem, by)
+
+
+def _is_printed(row: Row) -> bool:
+    """Whether the reference is the printed number itself, which has columns of its own."""
+    return row.partner is not None and row.fem is None and row.by.startswith("printed")
 
 
 def concise(value: float, u: float) -> tuple[str, int]:
@@ -112,28 +121,53 @@ def concise(value: float, u: float) -> tuple[str, int]:
 
 
 def difference(row: Row) -> Markup:
-    """Formula less reference on the row's scale; a fact has none."""
-    offset = formula_offset(row)
-    if offset is None or not row.scale or row.kind == "fact":
-        return Markup("–")
-    return power(offset / row.scale, signed=True)
+    """Formula less reference in percent of the reference, or of the scale that is named."""
+    return _cell(difference_texts(row)[0])
 
 
 def tolerance(row: Row) -> Markup:
-    """Tolerance on the row's scale, or the ends of the expected interval."""
-    if row.interval is not None:
-        ends = {d: [power(m, signed=True, digits=d) for m in row.interval] for d in (1, 2, 3, 4)}
-        low, high = next((both for both in ends.values() if both[0] != both[1]), ends[4])
-        return Markup("{} to<br>{}").format(low, high)
-    if row.tolerance is None or not row.scale or row.kind == "fact":
-        return Markup("–")
-    return power(row.tolerance / row.scale)
+    """The ends of the expected interval, or the uncertainty that is allowed, as `difference`."""
+    text = difference_texts(row)[1]
+    if not text and row.tolerance is not None and row.kind is not Kind.FACT:
+        return relative(row, "tolerance")
+    return _cell(text.removeprefix("±"))
 
 
 def relative(row: Row, name: str) -> Markup:
-    """An uncertainty of the row on its scale."""
-    value = getattr(row, name)
-    return power(value / row.scale) if value is not None and row.scale else Markup("–")
+    """An uncertainty of the row in percent of what its difference is a part of."""
+    value, size = getattr(row, name), divisor(row)
+    return fraction(row, value / size) if value is not None and size else Markup("–")
+
+
+def fraction(row: Row, value: float | None, *, signed: bool = False) -> Markup:
+    """A fraction in percent; of a balance or an order as it is."""
+    if row.kind in (Kind.EXACT, Kind.TREND):
+        return power(value)
+    return percents(value, signed=signed)
+
+
+def percents(value: float | None, *, signed: bool = False) -> Markup:
+    """A fraction as a percentage with two significant digits, a dash for none."""
+    if value is None or not math.isfinite(value):
+        return Markup("–")
+    return _cell(f"{significant(100 * value, 2, signed=signed)} %")
+
+
+def _cell(text: str) -> Markup:
+    """A text of numbers with true minuses and powers of ten; an interval, a scale on two lines."""
+    if not text:
+        return Markup("–")
+    value, of, name = text.partition(" of ")
+    parts = [_POWER_OF_TEN.sub(_raised, part.replace(" %", "\u202f%").replace("-", MINUS))
+             for part in value.split(" to ")]  # fmt: skip
+    shown = Markup(" to<br>").join(Markup(part) for part in parts)  # noqa: S704 - numbers alone
+    return (
+        shown + Markup('<br><small class="by">of {}</small>').format(prose(name)) if of else shown
+    )
+
+
+def _raised(match: re.Match[str]) -> str:
+    return f"<small>×10<sup>{match[1]}</sup></small>"
 
 
 def order(row: Row) -> str:

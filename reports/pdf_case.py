@@ -86,7 +86,7 @@ def line_data(line: Line, anchors: Mapping[str, str]) -> Data:
         "difference": runs(formats.difference(row)),
         "signature": standalone(signature.signature(row)),
         "tolerance": runs(formats.tolerance(row)),
-        "detects": runs(formats.power(row.detects)),
+        "detects": runs(formats.fraction(row, row.detects)),
         "order": formats.order(beside) if beside else "",
         "order_label": anchors[beside.id] if beside else None,
         "order_status": beside.status.value if beside else "",

@@ -48,8 +48,8 @@ def _budget_line(row: Row, mark: str) -> list[list[Run]]:
         quantity(row), [row.kind.value], [row.grid.behaviour if row.grid else ""],
         [formats.order(row)], [formats.number(row.formal_order, 3)],
         runs(formats.relative(row, "u_num")), runs(formats.relative(row, "u_ref")),
-        runs(formats.tolerance(row)), runs(formats.power(row.detects)),
-        [*runs(formats.power(row.demand)), *([["sup", mark]] if mark else [])],
+        runs(formats.tolerance(row)), runs(formats.fraction(row, row.detects)),
+        [*runs(formats.fraction(row, row.demand)), *([["sup", mark]] if mark else [])],
     ]  # fmt: skip
 
 
@@ -75,7 +75,7 @@ def _sizes(row: Row) -> tuple[float, ...]:
 def expected(row: Row) -> list[list[Run]]:
     """The ends of the interval of an approximation, and where it is known from."""
     assert row.interval is not None
-    ends = (runs(formats.power(m, signed=True)) for m in row.interval)
+    ends = (runs(formats.fraction(row, m, signed=True)) for m in row.interval)
     return [quantity(row), *ends, prose(row.interval_source)]
 
 

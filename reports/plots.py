@@ -10,6 +10,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.outlines import simplified
+from verify.references import is_finite_elements
 from verify.results import Kind, Row
 from verify.shown import Array, Dots, Profile
 
@@ -85,7 +86,7 @@ class Axes:
 
 
 def profile(p: Profile) -> Markup:
-    """Finite elements on the formula, and below what is left, in the band of its uncertainty."""
+    """The reference on the formula, and below their difference in the band of its uncertainty."""
     x = float(min(p.x.min(), p.x_fem.min())), float(max(p.x.max(), p.x_fem.max()))
     low, high = min(p.y.min(), p.y_fem.min()), max(p.y.max(), p.y_fem.max())
     margin = 0.06 * (high - low) or abs(high) or 1.0
@@ -94,7 +95,7 @@ def profile(p: Profile) -> Markup:
     top.titles("", p.y_label)
     top.curve(p.x, p.y, "formula")
     top.dots(p.x_fem, p.y_fem, "fe")
-    rest, U = (p.y_fem - p.y_ref) / p.scale, 2 * p.u / p.scale
+    rest, U = (p.y_ref - p.y_fem) / p.scale, 2 * p.u / p.scale
     reach = 1.2 * float(max(np.abs(rest).max(), U.max(), 1e-15))
     exponent = math.floor(math.log10(reach))
     k = 10.0**exponent
@@ -110,13 +111,13 @@ def profile(p: Profile) -> Markup:
         )
     )
     below.dots(p.x_fem, rest / k, "fe", 2.2)
-    label = f"{p.title}: finite elements on the formula, and their difference"
+    label = f"{p.title}: reference on the formula, and their difference"
     return svg.drawing(WIDTH, HEIGHT, top.body + below.body, label, "chart")
 
 
 def _rest(p: Profile) -> str:
     """What the lower part of a profile shows, in words."""
-    difference = f"FE {svg.MINUS} formula"
+    difference = f"formula {svg.MINUS} reference"
     if p.scale == 1 and not p.scale_name:
         return difference
     unit = re.search(r"\[([^\]]+)\]$", p.y_label)
@@ -163,7 +164,7 @@ def convergence(rows: Sequence[Row]) -> Markup:
 
 def on_meshes(rows: Sequence[Row]) -> bool:
     """Whether any of the rows is of finite elements; others refine steps or slices."""
-    return any(row.by == "FE" for row in rows)
+    return any(is_finite_elements(row) for row in rows)
 
 
 def _apart(h: Sequence[float], axes: Axes) -> list[float]:

@@ -6,38 +6,51 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from reports import second
 from reports.xml_text import clean
+from verify.differences import difference, offset
+from verify.references import reference_name
 from verify.results import Crosscheck, Row
 
 COLUMNS = (
     "case", "quantity", "symbol", "unit", "kind", "by", "analytic", "fem", "reference",
     "difference", "scale", "tolerance", "u_num", "u_ref", "u_input", "order", "status", "reason",
 )  # fmt: skip
-RELATIVE = (
-    "difference_relative", "tolerance_relative", "detects_relative", "demand_relative",
-    "expected_low_relative", "expected_high_relative",
+PERCENT = (
+    "difference_percent", "tolerance_percent", "percent_of", "detects_percent", "demand_percent",
+    "expected_low_percent", "expected_high_percent",
 )  # fmt: skip
 PRINTED = ("printed_theory", "printed_FEA", "printed_test")
-HEADER = (*COLUMNS, *RELATIVE, *second.COLUMNS, *PRINTED)
+HEADER = (*COLUMNS, *PERCENT, *second.COLUMNS, *PRINTED)
 FORMULAS = ("=", "+", "-", "@", "\t", "\r")  # what makes a spreadsheet compute a text
 
 Cell = str | float | None
 
 
 def cells(row: Row, beside: Sequence[Crosscheck] = ()) -> list[Cell]:
-    """One row: values in its unit, what is relative to its scale, second solvers, the papers."""
-    scale = row.scale if row.kind != "fact" else None
-    relative = (
-        row.difference / scale if scale and row.difference is not None else None,
-        row.tolerance / scale if scale and row.tolerance is not None else None,
-        row.detects, row.demand, *(row.interval or (None, None)),
-    )  # fmt: skip
+    """One row: values in its unit, percents as on the page, second solvers, the papers.
+
+    `difference` is formula less reference.
+    """
     printed = (
         "; ".join(p.printed for p in row.published if p.kind == kind.partition("_")[2])
         for kind in PRINTED
     )
-    named = {c: getattr(row, c) for c in COLUMNS}
-    named["by"] = row.by if row.reference is not None and row.kind != "fact" else ""
-    return [*named.values(), *relative, *second.cells(beside), *printed]
+    named = {c: getattr(row, c) for c in COLUMNS} | {"difference": offset(row)}
+    named["by"] = reference_name(row) if row.reference is not None and row.kind != "fact" else ""
+    return [*named.values(), *_percents(row), *second.cells(beside), *printed]
+
+
+def _percents(row: Row) -> list[Cell]:
+    found = difference(row)
+    if found is None or not found.percent:
+        value, U, of = None, None, ""
+    else:
+        value, U, of = found.value, found.U, found.of or "reference"
+    limits = (row.detects, row.demand, *(row.interval or (None, None)))
+    return [_hundredfold(value), _hundredfold(U), of, *map(_hundredfold, limits)]
+
+
+def _hundredfold(fraction: float | None) -> float | None:
+    return None if fraction is None else 100 * fraction
 
 
 def rows_csv(rows: Iterable[Row], beside: Mapping[str, Sequence[Crosscheck]] | None = None) -> str:

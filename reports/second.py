@@ -54,7 +54,7 @@ def value(check: Crosscheck, row: Row) -> Markup:
 def apart(check: Crosscheck) -> Markup:
     """How far both solvers are apart and how long the other took, as a line has it."""
     outside = ", more than allowed" if check.state is CrossState.OUTSIDE else ""
-    difference = formats.power(check.difference, signed=True) if check.difference else "alike"
+    difference = formats.percents(check.difference, signed=True) if check.difference else "alike"
     return Markup("{}, {:.2g} s{}").format(difference, check.seconds[1], outside)
 
 

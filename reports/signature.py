@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 
 from reports import svg
+from verify.differences import difference, sense
 from verify.results import CaseResult, Kind, Published, Row, Status
 
 HALF = 36.0  # half the tolerance band in the signature's units
@@ -27,22 +28,13 @@ def position(row: Row) -> float | None:
     An approximation lies in its expected interval: from -1 to 1 there. A balance has no formula:
     its residual is what is placed.
     """
-    if row.interval is not None and row.analytic is not None and row.reference:
+    found = difference(row)
+    if found is None:
+        return None
+    if row.interval is not None:
         low, high = row.interval
-        return (row.analytic / row.reference - 1 - (low + high) / 2) / ((high - low) / 2)
-    if not row.tolerance or row.kind is Kind.FACT:
-        return None
-    offset = formula_offset(row)
-    return None if offset is None else offset / row.tolerance
-
-
-def formula_offset(row: Row) -> float | None:
-    """Formula less reference in the row's unit; a balance's residual as it is."""
-    if row.difference is None:
-        return None
-    computed = row.fem is not None or row.grid is not None
-    as_judged = row.kind in (Kind.IDENTITY, Kind.TREND) and computed  # reference - formula
-    return -row.difference if as_judged else row.difference
+        return (found.value - (low + high) / 2) / ((high - low) / 2)
+    return found.value / found.U if found.U else None
 
 
 def signature(row: Row) -> Markup:
@@ -85,7 +77,7 @@ def _mark(row: Row, entry: Published) -> Markup:
     reference = row.reference
     if reference is None or not row.tolerance or row.interval is not None:
         return Markup("")
-    at = (entry.value - reference) / row.tolerance
+    at = sense(row) * (entry.value - reference) / row.tolerance
     if abs(at) > FAR or entry.kind not in MARKS:
         return Markup("")
     x = CENTRE + HALF * at

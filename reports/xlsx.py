@@ -6,7 +6,7 @@ from typing import Any
 
 from reports.html import claims, title
 from reports.pdf import made
-from reports.rows import HEADER, RELATIVE, cells
+from reports.rows import HEADER, PERCENT, cells
 from reports.second import seconds
 from reports.sheets import Sheets
 from reports.workbook import Book, Cell, Link, Printed
@@ -15,7 +15,7 @@ from verify.results import CaseResult, Crosscheck, PaperTable, Report, Row, Stat
 RELATIVE_FORMAT = "0.0E+00"
 LEDGER = re.compile(r"ledger (\w+):([\w-]+)")
 SMALL = (
-    *RELATIVE, "second_difference_relative", "tolerance", "difference", "u_num", "u_ref",
+    *PERCENT, "second_difference_relative", "tolerance", "difference", "u_num", "u_ref",
     "u_input", "u",
 )  # fmt: skip
 NUMBERS = dict.fromkeys(SMALL, RELATIVE_FORMAT) | {"order": "0.00"}

@@ -27,6 +27,7 @@ from verify.inputs import InputError, Inputs
 from verify.parameter_file import read
 from verify.results import CaseResult, Status
 from verify.run import Job
+from verify.shared_readings import shared_readings
 from verify.solving import solve
 from verify.unit_systems import System
 
@@ -81,7 +82,8 @@ def run_check(path: Path, options: Options) -> int:
     notes: tuple[str, ...] = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
     notes += margin_notes(case, inputs, file.assumed)
     checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
-                      dynamic=dynamic, notes=notes, assumed=file.assumed)  # fmt: skip
+                      dynamic=dynamic, notes=notes, assumed=file.assumed,
+                      shared=shared_readings(case.id, inputs, values))  # fmt: skip
     if options.json:
         record = check_record(in_system(checked, system), inputs, values)
         print(json.dumps(record_in_units(record, system), ensure_ascii=False))

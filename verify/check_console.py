@@ -9,11 +9,16 @@ from verify.answers.evidence import reference_of_design
 from verify.assumed.listed import print_assumed
 from verify.assumed.rules import Assumed
 from verify.case import Case
+from verify.console_rows import number, unit_of
 from verify.dynamic import DynamicResult
+from verify.references import case_method
 from verify.results import CaseResult
+from verify.shared_readings import SharedReading
 from verify.shown import FormulaValue
-from verify.told import aligned, number, print_rows, raised, unit_text
+from verify.told import aligned, print_rows, raised
 from verify.unit_systems import System, text_in
+
+NOTABLE = 0.01  # relative error that formula and reference share
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,11 +32,17 @@ class Checked:
     dynamic: DynamicResult | None = None
     notes: tuple[str, ...] = ()
     assumed: tuple[Assumed, ...] = ()
+    shared: tuple[SharedReading, ...] = ()
+
+
+def is_notable(one: SharedReading) -> bool:
+    """Whether the error that both sides share is known and large enough for the first lines."""
+    return one.effect is not None and abs(one.effect) >= NOTABLE
 
 
 def answer_lines(checked: Checked) -> list[str]:
     """The first lines: verdict, design value, margin, what limits it, then notes."""
-    notes = checked.notes
+    notes = (*(one.sentence for one in checked.shared if is_notable(one)), *checked.notes)
     if checked.assumed:
         notes = (*notes, f"assumed inputs: {', '.join(one.text for one in checked.assumed)}")
     if checked.used_fem and (beside := reference_of_design(checked.answer, checked.result.rows)):
@@ -53,9 +64,11 @@ def print_check(checked: Checked, system: System = "mm") -> None:
                  [_value(v) for v in result.values])  # fmt: skip
     if dynamic:
         _print_table(dynamic.what, [_value(v) for v in dynamic.values])
-    _print_table("inputs", [(i.symbol, number(i.value), unit_text(i.unit), i.what)
+    _print_table("inputs", [(i.symbol, number(i.value), unit_of(i.unit), i.what)
                             for i in result.inputs])  # fmt: skip
     print_assumed(checked.assumed)
+    _print_list("assumptions that formula and reference share",
+                [one.sentence for one in checked.shared if not is_notable(one)])  # fmt: skip
     if checked.used_fem:
         print_rows(result.rows)
     for hint in _hints(checked):
@@ -70,7 +83,8 @@ def _hints(checked: Checked) -> list[str]:
         return found
     if checked.result.refused:
         return [*found, f"(check --fem is not possible: {checked.result.refused})"]
-    return [*found, "(check --fem compares the values marked * with finite elements)"]
+    method = case_method(checked.case.id)
+    return [*found, f"(check --fem compares the values marked * with: {method})"]
 
 
 def _print_table(title: str, lines: Sequence[tuple[str, ...]]) -> None:
@@ -88,4 +102,4 @@ def _print_list(title: str, lines: Sequence[str]) -> None:
 
 
 def _value(v: FormulaValue) -> tuple[str, ...]:
-    return v.symbol, f"{v.value:.6g}", unit_text(v.unit), f"{v.what}{' *' if v.judged else ''}"
+    return v.symbol, f"{v.value:.6g}", unit_of(v.unit), f"{v.what}{' *' if v.judged else ''}"

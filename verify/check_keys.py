@@ -6,15 +6,16 @@ from pathlib import Path
 from verify.answers.keys import identifier
 from verify.case import Case, Output
 from verify.cases.registry import CASES, find
+from verify.console_rows import unit_of
 from verify.inputs import meta, read_parameter_file
-from verify.told import aligned, unit_text
+from verify.told import aligned
 
 
 def run_keys(file: Path) -> int:
     """Print keys, units and descriptions of the case that `file` names, or of the case `file`."""
     case = _case(file)
     inputs = [
-        (name, unit_text(meta(field)["unit"]), meta(field)["what"])
+        (name, unit_of(meta(field)["unit"]), meta(field)["what"])
         for name, field in case.inputs.model_fields.items()
     ]
     _print(f"{case.id}: inputs", inputs)
@@ -32,7 +33,7 @@ def _case(file: Path) -> Case:
 
 
 def _lines(outputs: tuple[Output, ...]) -> list[tuple[str, ...]]:
-    return [(identifier(o.key), unit_text(o.unit), o.what) for o in outputs]
+    return [(identifier(o.key), unit_of(o.unit), o.what) for o in outputs]
 
 
 def _print(title: str, lines: Sequence[tuple[str, ...]]) -> None:

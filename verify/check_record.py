@@ -1,6 +1,7 @@
 """What `check --json` prints: the answer to a user's parameters, for programs."""
 
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 from verify import units
@@ -30,6 +31,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
         "answer": answer_record(checked.answer),
         "notes": list(checked.notes),
         "assumed": [one.record() for one in checked.assumed],
+        "shared": [asdict(one) for one in checked.shared],
         "details": {
             **case.summary(inputs, values),
             **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),

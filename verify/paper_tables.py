@@ -8,6 +8,7 @@ from verify.inputs import meta
 from verify.published.entries import Value
 from verify.published.ledger import Paper, papers
 from verify.published.tables import PrintedTable, named_tables, referred
+from verify.references import is_finite_elements
 from verify.results import CaseResult, PaperCell, PaperClaim, PaperTable, Row
 
 
@@ -66,5 +67,6 @@ def _table(
 def _claim(row: Row, value: Value) -> PaperClaim:
     """The row's numbers in the printed unit; a row has the dimension of what it claims."""
     f = units.factor(row.unit) / units.factor(value.unit)
-    analytic, fem, u = (None if v is None else v * f for v in (row.analytic, row.fem, row.u_num))
+    fem = row.fem if is_finite_elements(row) else None
+    analytic, fem, u = (None if v is None else v * f for v in (row.analytic, fem, row.u_num))
     return PaperClaim(row=row.id, status=row.status, analytic=analytic, fem=fem, u=u)

@@ -88,7 +88,7 @@ def test_problems_are_grouped_in_their_order():
 def test_the_pdf_marks_what_is_outside(checked):
     (first,) = crosscheck_data(checked.crosschecks)
     said = [_flat(row[-1]) for row in first["rows"]]
-    assert said == ["+4.6×10⁻⁶ (5×10⁻⁵)", "+1.0×10⁻¹ (5×10⁻⁵) !"]
+    assert said == ["+0.00046\u202f% (0.0050\u202f%)", "+10\u202f% (0.0050\u202f%) !"]
     (sentence,) = document(checked, {})["crosschecks_left"]
     assert "".join(map(str, sentence)).startswith("Not measured for this code")
     assert document(checked, {})["crosschecks_told"] == told(checked.crosschecks)
@@ -123,7 +123,7 @@ def test_a_row_shows_the_second_solver_and_leads_to_its_line(beside):
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == 1
     assert 'href="#cross-0"' in cell
-    assert "21.7673, +4.6<small>×10<sup>−6</sup></small>, 0.52 s<" in cell
+    assert "21.7673, +0.00046\u202f%, 0.52 s<" in cell
     assert "5522 unknowns: 21.7673 µm; here 21.7672 µm" in cell
     section = html.partition('<section id="crosscheck">')[2]
     assert [f'<tr id="cross-{i}"' in section for i in range(4)] == [True, True, True, False]

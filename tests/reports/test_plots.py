@@ -32,10 +32,10 @@ def words(drawing):
 @pytest.mark.parametrize(
     ("changed", "told"),
     [
-        ({}, "(FE − formula)/(2 MPa), in 10"),
-        ({"scale_name": "p"}, "(FE − formula)/p, in 10"),
-        ({"scale": 1.0}, "FE − formula, in 10"),
-        ({"y_label": "p"}, "(FE − formula)/2, in 10"),
+        ({}, "(formula − reference)/(2 MPa), in 10"),
+        ({"scale_name": "p"}, "(formula − reference)/p, in 10"),
+        ({"scale": 1.0}, "formula − reference, in 10"),
+        ({"y_label": "p"}, "(formula − reference)/2, in 10"),
     ],
 )
 def test_a_difference_is_named_by_what_divides_it(changed, told):

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from reports.rows import rows_csv
+from verify.results import Kind
 
 
 def read(text):
@@ -21,10 +22,18 @@ def test_no_text_is_a_formula(report, start):
 
 
 def test_negative_numbers_remain_numbers(report):
-    row = replace(report.rows[0], analytic=-1.5, difference=-1e-9)
+    row = replace(report.rows[0], analytic=-1.5, fem=-1.0, scale_name="")
     (cells,) = read(rows_csv([row]))
     assert float(cells["analytic"]) == -1.5
-    assert float(cells["difference"]) == -1e-9
+    assert float(cells["difference"]) == -0.5  # formula less reference
+    assert float(cells["difference_percent"]) == 50.0  # the formula has the larger magnitude
+    assert cells["percent_of"] == "reference"
+
+
+def test_the_reference_of_a_case_without_finite_elements_is_named(report):
+    row = replace(report.rows[0], case="contact-roller", kind=Kind.EXACT)
+    (cells,) = read(rows_csv([row]))
+    assert cells["by"] == "half-space"
 
 
 def test_a_carriage_return_ends_no_line(report):

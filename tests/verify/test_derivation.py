@@ -194,7 +194,7 @@ def test_the_index_is_shown_with_its_numbers_put_in():
     assert said["u_num"] == "√((GCI/2)² + u_it²) = √((0.0025/2)² + 0²) = 0.00125 µm"
     assert said["U"].endswith("= 2 √(0.00125² + 0² + 0²) = 0.0025 µm")
     assert said["test"] == "|d| ≤ U, that is 0.002 ≤ 0.0025: holds"
-    assert said["detects"].startswith("(U + |d|)/scale = (0.0025 + 0.002)/5 = 0.0009")
+    assert said["detects"].startswith("(U + |d|)/scale = (0.0025 + 0.002)/5 = 0.090 %")
 
 
 def test_a_row_that_was_not_run_keeps_its_verdict():

@@ -26,10 +26,11 @@ def printed(result, *, used_fem=True, answer=None):
 
 def test_a_check_begins_with_the_answer_and_ends_with_the_rows(ring, capsys):
     printed(replace(ring, name="mine", warnings=("it yields",)))
-    first, *_, total = capsys.readouterr().out.splitlines()
+    first, *_, total, apart, limit = capsys.readouterr().out.splitlines()
     assert first == "mine: holds"
-    assert total.startswith(f"{len(ring.rows)} of {len(ring.rows)} rows pass")
-    assert "at most 0.0041 % apart, and any error above 0.0093 % would have been seen" in total
+    assert total == f"{len(ring.rows)} of {len(ring.rows)} rows pass, their convergence included"
+    assert apart.startswith("largest difference between formula and reference: -0.0041 % of stress")
+    assert limit == "smallest error that every judged row is certain to detect: 0.0093 %"
 
 
 def test_warnings_and_notes_stand_before_the_numbers(ring, capsys):

@@ -8,6 +8,7 @@ from verify import units
 from verify.answers.answer import Answer
 from verify.answers.console import number
 from verify.dynamic import DynamicResult
+from verify.references import FE, FINITE_ELEMENTS, reference_name
 from verify.results import Row, Status
 
 HOLDS = ("", "holds", "locks")
@@ -45,7 +46,8 @@ def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
         if row.analytic is None or not row.reference or row.unit != unit:
             continue
         if math.isclose(row.analytic, shown, rel_tol=SAME_VALUE):
-            by = "finite elements" if row.by == "FE" else row.by
+            by = reference_name(row)
+            by = FINITE_ELEMENTS if by == FE else by
             other = number(row.reference * units.factor(unit), unit)
             off = (row.analytic - row.reference) / row.reference
             return f"{by}: {other}; the formula differs by {off:+.2%}"

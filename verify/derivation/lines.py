@@ -5,7 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from verify import judge
-from verify.results import Row
+from verify.differences import difference, difference_texts, offset, percent
+from verify.results import Kind, Row
 
 Step = tuple[str, str]  # what it is, and how it came about
 
@@ -59,12 +60,21 @@ def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step,
     if d is None or U is None or scale is None:
         return (*lines, ("test", "a number is not finite: not converged"))
     lines += [
-        ("d", f"{what} = {amount(d, row.unit)}, {d / scale:+.2e} of the scale"),
+        ("d", f"{what} = {amount(offset(row), row.unit)}{_share(row)}"),
         ("test", f"|d| ≤ U, that is {short(abs(d))} ≤ {short(U)}: "
          f"{'holds' if abs(d) <= U else 'does not hold'}"),
         sharpness(row, verdict, f"(U + |d|)/scale = ({short(U)} + {short(abs(d))})/{short(scale)}"),
     ]  # fmt: skip
     return tuple(lines)
+
+
+def _share(row: Row) -> str:
+    """The difference in the convention of all pages, and what it is a part of."""
+    found = difference(row)
+    if found is None or row.kind is Kind.TREND:
+        return ""
+    text, _ = difference_texts(row)
+    return f", {text}" if found.of else f", {text} of the reference"
 
 
 def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
@@ -74,7 +84,8 @@ def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
     asked = demand(row)
     word = "meets" if verdict.detects <= asked else "misses"
     reason = row.demand_reason or "the suite's default"
-    return (
-        "detects",
-        f"{how} = {short(verdict.detects)}, which {word} the demand {asked:g} ({reason})",
-    )
+    limit, most = (
+        (short(verdict.detects), f"{asked:g}") if row.kind in (Kind.EXACT, Kind.TREND)
+        else (percent(verdict.detects), percent(asked))
+    )  # fmt: skip
+    return ("detects", f"{how} = {limit}, which {word} the demand {most} ({reason})")

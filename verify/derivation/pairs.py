@@ -15,7 +15,9 @@ from verify.derivation.lines import (
     sharpness,
     short,
 )  # fmt: skip
+from verify.differences import percent, significant
 from verify.published.digits import half_last_digit
+from verify.references import is_finite_elements, reference_name
 from verify.results import Row, Status
 from verify.units import factor
 
@@ -27,6 +29,7 @@ def identity(row: Row) -> Derivation:
     assert row.scale is not None
     again, u_num = regrid(row.grid)
     v, r = row.grid.levels[-1][1], row.analytic
+    name = reference_name(row)
     found: list[Step] = [
         ("formula", amount(r, row.unit, long)),
         _finest(row, v),
@@ -43,7 +46,7 @@ def identity(row: Row) -> Derivation:
         ("u_ref", evaluated if u_ref else "0: the formula is evaluated to round-off"),
         ("u_input", "0: both sides take the same inputs"),
         expanded(row.unit, u_num, u_ref, 0.0, U),
-        *difference_steps(row, verdict, f"{row.by} − formula"),
+        *difference_steps(row, verdict, f"formula − {name}"),
     ]
     return Derivation(tuple(found), verdict, u_num)
 
@@ -92,7 +95,7 @@ def approximation(row: Row) -> Derivation:
     verdict = judge.approximation(formula, v, U=U, interval=row.interval, demand=demand(row))
     found += [
         *uncertainty_steps(row.grid),
-        ("u_ref", f"0: the reference is {row.by}, and u_num its own"),
+        ("u_ref", f"0: the reference is {reference_name(row)}, and u_num its own"),
         ("u_input", "0: both sides take the same inputs"),
         expanded(row.unit, u_num, 0.0, 0.0, U),
         *_model_error(row, formula, v, U, verdict),
@@ -101,8 +104,13 @@ def approximation(row: Row) -> Derivation:
 
 
 def _finest(row: Row, v: float) -> Step:
-    where = "on the finest mesh" if row.by == "FE" else "at the finest refinement"
-    return (row.by, f"{amount(v, row.unit, long)} {where}")
+    where = "on the finest mesh" if is_finite_elements(row) else "at the finest refinement"
+    return (reference_name(row), f"{amount(v, row.unit, long)} {where}")
+
+
+def _percent(fraction: float) -> str:
+    """With five significant digits, that show on which side of an end a number lies."""
+    return f"{significant(100 * fraction, 5, signed=True)} %"
 
 
 def _model_error(
@@ -111,9 +119,10 @@ def _model_error(
     if v == 0 or not math.isfinite(U):
         return (("test", "a number is not finite, or zero: not converged"),)
     m, U_m = formula / v - 1, abs(formula / v) * U / abs(v)
+    name = reference_name(row)
     found: list[Step] = [
-        ("m", f"formula/{row.by} − 1 = {m:+.4e}, the signed model error"),
-        ("U_m", f"|formula/{row.by}| U/|{row.by}| = {short(U_m)}"),
+        ("m", f"formula/{name} − 1 = {_percent(m)}, the signed model error"),
+        ("U_m", f"|formula/{name}| U/|{name}| = {percent(U_m)}"),
     ]
     if row.interval is None:
         return (*found, ("expected", f"no interval known beforehand ({row.interval_source})"))
@@ -121,11 +130,11 @@ def _model_error(
     inside = low + U_m <= m <= high - U_m
     return (
         *found,
-        ("expected", f"{low:+.4e} to {high:+.4e}: {row.interval_source}"),
+        ("expected", f"{_percent(low)} to {_percent(high)}: {row.interval_source}"),
         (
             "test",
-            f"low + U_m ≤ m ≤ high − U_m, that is {low + U_m:+.4e} ≤ {m:+.4e} ≤ {high - U_m:+.4e}: "
-            f"{'holds' if inside else 'does not hold'}",
+            f"low + U_m ≤ m ≤ high − U_m, that is {_percent(low + U_m)} ≤ {_percent(m)} ≤ "
+            f"{_percent(high - U_m)}: {'holds' if inside else 'does not hold'}",
         ),
         sharpness(row, verdict, "the change of the formula that surely takes m out on either side"),
     )
@@ -141,7 +150,7 @@ def agreement(row: Row) -> Derivation:
     )
     found = (
         ("value", amount(row.analytic, row.unit, long)),
-        (row.by, amount(row.reference, row.unit, long)),
+        (reference_name(row), amount(row.reference, row.unit, long)),
         expanded(row.unit, row.u_num or 0.0, 0.0, 0.0, U),
         *_model_error(row, row.analytic, row.reference, U, verdict),
     )
@@ -158,14 +167,14 @@ def deviation(row: Row) -> Derivation:
     )
     u = judge.COVERAGE * (row.u_num or 0.0)
     found = (
-        ("size", f"{amount(row.reference, row.unit)}, {row.by}"),
+        ("size", f"{amount(row.reference, row.unit)}, {reference_name(row)}"),
         ("accepted", f"{amount(row.tolerance + u, row.unit)}: {row.interval_source}"),
         (
             "U",
             f"accepted − U of the size = {short(row.tolerance + u)} − {short(u)} = "
             f"{amount(row.tolerance, row.unit)}",
         ),
-        *difference_steps(row, verdict, "size − 0"),
+        *difference_steps(row, verdict, "0 − size"),
     )
     return Derivation(found, verdict, row.u_num)
 
@@ -175,7 +184,7 @@ def shown(row: Row) -> Derivation:
     assert row.analytic is not None
     assert row.difference is not None
     reference = row.analytic - row.difference
-    printed = f"printed {row.published[0].printed}" if row.published else "finite elements"
+    printed = f"printed {row.published[0].printed}" if row.published else reference_name(row)
     by = row.partner.by if row.partner else printed
     found = (
         ("formula", amount(row.analytic, row.unit, long)),
@@ -183,7 +192,7 @@ def shown(row: Row) -> Derivation:
         (
             "d",
             f"formula − reference = {amount(row.difference, row.unit)}, "
-            f"{row.difference / abs(reference):+.2%} of the reference",
+            f"{percent(row.difference / reference, signed=True)} of the reference",
         ),
         ("test", "none: the reference states no uncertainty to judge by"),
     )

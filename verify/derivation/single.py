@@ -41,7 +41,7 @@ def trend(row: Row) -> Derivation:
         ),
         expanded("1", fit.u, 0.0, 0.0, U),
         ("theory", f"{row.analytic:g}"),
-        *difference_steps(row, verdict, "observed − theory"),
+        *difference_steps(row, verdict, "theory − observed"),
     )
     return Derivation(found, verdict, fit.u)
 
@@ -56,7 +56,7 @@ def coefficient(row: Row, theory: float) -> Derivation:
         *((f"ε = {e:.4g}", f"formula/FE − 1 = {y:+.4e}, u = {short(u)}") for (e, y), u in points),
         ("fit", f"c ε² + e ε⁴ with c = {c:+.5f}; the points' u add up to U = {short(U)}"),
         ("theory", f"{theory:g}"),
-        *difference_steps(row, verdict, "observed − theory"),
+        *difference_steps(row, verdict, "theory − observed"),
     )
     return Derivation(found, verdict, U / judge.COVERAGE)
 

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from verify import judge
 from verify.derivation import pairs, single
 from verify.derivation.lines import Derivation, Step, long
+from verify.references import reference_name
 from verify.results import Kind, Published, Row, Status
 
 PAIRED: Mapping[Kind, Callable[[Row], Derivation]] = {  # with finite-element levels
@@ -59,7 +60,7 @@ def _has_numbers(row: Row) -> bool:
 def _printed(row: Row, entry: Published) -> Step:
     """A published value with what formula and finite elements give of it."""
     computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
-    ours = (("formula", row.analytic), (row.by, row.reference if computed else None))
+    ours = (("formula", row.analytic), (reference_name(row), row.reference if computed else None))
     ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]
     unit = "" if entry.unit == "1" else f" {entry.unit}"
     text = f"{entry.printed}{unit} ({entry.kind}, {entry.document}, {entry.place})"

@@ -1,0 +1,1 @@
+"""What formula and reference of a case both assume, by subject."""

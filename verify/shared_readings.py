@@ -1,0 +1,24 @@
+"""What formula and reference of a case both assume: agreement says nothing about that."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.shared.clutches import CLUTCHES
+from verify.shared.contacts import CONTACTS
+from verify.shared.record import Function, SharedReading, Values
+from verify.shared.rings import RINGS
+from verify.shared.springs import SPRINGS
+
+__all__ = ["SHARED", "SharedReading", "shared_readings"]
+
+SHARED: Mapping[str, Function] = {**RINGS, **CLUTCHES, **SPRINGS, **CONTACTS}
+
+
+def shared_readings(case_id: str, inputs: Any, values: Values) -> tuple[SharedReading, ...]:
+    """The assumptions that both sides of a case share, with their effects for these inputs.
+
+    `values` are those of the case's formulas. ValueError for a case without an entry.
+    """
+    if case_id not in SHARED:
+        raise ValueError(f"no shared readings are stated for case {case_id!r}")
+    return SHARED[case_id](inputs, values)
