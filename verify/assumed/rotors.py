@@ -25,7 +25,8 @@ ROTOR_SYSTEM = (
     Assumption(name="shafts", value=one_shaft,
                source="all segments name one shaft, which turns at the speed n",
                varied=False),
-    Assumption(name="speed_from", value="0 r/min", source="no lower operating speed is given"),
+    Assumption(name="speed_from", value=lambda g: 0.9 * g.speed_to,
+               source="0.9 of the highest operating speed; run-up passes lower critical speeds"),
     Assumption(name="speed", value=lambda g: g.speed_to, source="the highest operating speed"),
     Assumption(name="margin", value=0.15, usual=(0.1, 0.2),
                source="typical: separation of critical speeds of 10 to 20 % of the operating "
