@@ -104,7 +104,7 @@ def _levels(row: Row) -> Iterator[list[Cell]]:
 
 
 def _paper_table(book: Book, name: str, table: PaperTable) -> None:
-    """As printed; each claim of a printed row has a line, the first beside the row itself."""
+    """As printed; each claim or input of a printed row has a line, the first beside the row."""
     above = [[f"{table.paper}, {table.name}"], [table.caption], [table.note]]
     lines: list[list[Cell]] = []
     for printed in table.rows:
@@ -118,7 +118,8 @@ def _paper_table(book: Book, name: str, table: PaperTable) -> None:
         made_of += [[place[i.column], "input", i.words, None, None, None] for i in found.inputs]
         aside = "; ".join(found.errata)
         texts: list[Cell] = [Printed(cell.text) for cell in printed]
-        for i, claim in enumerate(made_of or [[""] * 6]):
+        nothing: list[Cell] = ["", "", "", None, None, None]
+        for i, claim in enumerate(made_of or [nothing]):
             lines.append([*(texts if i == 0 else [""] * len(texts)), *claim, "" if i else aside])
     ours = ("compared with", "status", "row or input", "formula", "FE", "u", "errata")
     book.table(name, (*table.header, *ours), lines, above=above, numbers=NUMBERS)

@@ -40,6 +40,10 @@ def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width)
     assert seen["spilled"] == []
 
 
+def test_the_rows_of_all_cases_fit_a_wide_page(folder):
+    assert looked_at(folder, "report", 1400)["wider"] <= 0
+
+
 @pytest.fixture(scope="module")
 def wordy_folder(tmp_path_factory, wordy) -> Path:
     place = tmp_path_factory.mktemp("wordy")
