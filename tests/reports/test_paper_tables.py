@@ -126,11 +126,10 @@ def test_the_spring_constants_of_the_suite_stand_where_they_belong(
     assert line[header.index(column)] == value
 
 
-@pytest.mark.parametrize("row", range(1, 10))
+# Row 4 is a fitted point, row 10 misprinted: the suite has no value of their errors.
+@pytest.mark.parametrize("row", [1, 2, 3, 5, 6, 7, 8, 9])
 def test_an_error_of_the_kriging_model_stands_below_the_printed_one(rendered, row):
     """|predicted - actual| / predicted of the printed pair, in %, which the paper means."""
-    if row == 4:
-        pytest.skip("row 4 is a fitted point: the suite has no error of it")
     header, blocks = rendered["huang2018", "Table 2"]
     printed = blocks[row - 1].printed
     actual, predicted = map(float, printed[:2])
