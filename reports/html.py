@@ -31,8 +31,10 @@ from reports.drawable import drawable, nothing
 from reports.equations import Glyphs
 from reports.error_map import error_map
 from reports.frames import Frame
+from reports.paper_rows import printed_row
 from reports.parallel import parallel
 from reports.refinement import refinement
+from reports.row_lines import failed_first, groups_failed_first, lines
 from reports.shapes import shapes
 from reports.sketch import sketch
 from reports.slim import slim
@@ -40,7 +42,7 @@ from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
 from reports.zones import zones
-from verify.results import CaseResult, PaperCell, PaperClaim, Report, Row, Status
+from verify.results import CaseResult, Report, Row, Status
 from verify.shown import (
     Bars,
     Campbell,
@@ -60,7 +62,7 @@ from verify.shown import (
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")
-COMPANION = ": convergence"
+NAMED_IN_MENU = 3  # cases, at most, that the menu names one by one
 LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
@@ -70,34 +72,6 @@ WORDS = {
     Status.SHOWN: "compared; no stated uncertainty, or no expected error, to judge it by",
     Status.PASS: "within a tolerance that was derived",
 }
-
-
-@dataclass(frozen=True)
-class Line:
-    """A row of the table; its convergence, a row of its own, shares the line where it passed."""
-
-    row: Row
-    convergence: Row | None = None
-
-    @property
-    def reason(self) -> str:
-        """What stands below the line: nothing where a plain PASS needs no words."""
-        said = self.row.kind == "fact" or self.row.status is not Status.PASS
-        return self.row.reason if said else ""
-
-
-def lines(rows: Sequence[Row]) -> list[Line]:
-    """Rows in their order, each with its convergence beside it."""
-    known = {row.quantity for row in rows}
-    companions = {
-        row.quantity.removesuffix(COMPANION): row
-        for row in rows
-        if row.quantity.endswith(COMPANION)
-        and row.quantity.removesuffix(COMPANION) in known
-        and row.status in (Status.PASS, Status.SKIP)
-    }
-    apart = {row.quantity for row in companions.values()}
-    return [Line(r, companions.get(r.quantity)) for r in rows if r.quantity not in apart]
 
 
 def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | None = None) -> str:
@@ -111,7 +85,7 @@ def page(report: Report, frames: Mapping[str, Sequence[Frame]], cache: Path | No
     checks = crosscheck.of_cases(report)
     body = _environment(glyphs).get_template("report.html.j2").render(
         report=report, crosschecks=checks, seconds=second.seconds(checks), rows=report.rows,
-        groups=groups, statuses=tuple(Status), words=WORDS,
+        groups=groups, listed=groups_failed_first(groups), statuses=tuple(Status), words=WORDS,
         title=title(report), partly=partly(report),
         counts=_counts(report.rows), anchors=anchors(report.rows),
         subjects=validity.subjects(report.validity),
@@ -197,44 +171,6 @@ def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
     return {row.id: f"row-{i}" for i, row in enumerate(rows)}
 
 
-@dataclass(frozen=True)
-class Claim:
-    """A claim as the table of a paper shows it."""
-
-    row: str
-    name: str
-    status: Status
-    formula: str | Markup
-    fem: Markup
-
-
-@dataclass(frozen=True)
-class Said:
-    """What the suite says of one row of a printed table."""
-
-    rows: Sequence[Claim]
-    formulas: Sequence[str | Markup]
-    inputs: Sequence[str]
-    errata: Sequence[str]
-
-
-def claims(cells: Sequence[PaperCell]) -> Said:
-    """Everything that is said of the cells of one printed row, each thing once."""
-    rows = {claim.row: _claim(claim) for cell in cells for claim in cell.rows}
-    inputs = dict.fromkeys(i for cell in cells for i in cell.inputs)
-    errata = dict.fromkeys(e for cell in cells for e in cell.errata)
-    formulas = dict.fromkeys(claim.formula for claim in rows.values())  # one value, told once
-    return Said(list(rows.values()), list(formulas), list(inputs), list(errata))
-
-
-def _claim(claim: PaperClaim) -> Claim:
-    name, fem = claim.row.partition("/")[2], Markup("")
-    if claim.fem is not None:
-        shown = formats.concise(claim.fem, claim.u)[0] if claim.u else formats.small(claim.fem)
-        fem = Markup("{}").format(shown)
-    return Claim(claim.row, name, claim.status, formats.small(claim.analytic), fem)
-
-
 def plot(figure: Figure) -> Markup:
     """The drawing of a figure, or a note where it has no points."""
     if not drawable(figure):
@@ -278,8 +214,8 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "relative": formats.relative, "fraction": formats.fraction, "percents": formats.percents,
         "order": formats.order, "signature": signature.signature,
         "convergence": plots.convergence, "on_meshes": plots.on_meshes,
-        "sketch": sketch, "plot": plot, "claims": claims,
-        "causes": causes,
+        "sketch": sketch, "plot": plot, "printed_row": printed_row,
+        "causes": causes, "failed_first": failed_first,
         "columns": columns,
         "validity_figure": validity.figure, "validity_limits": validity.limits,
         "share": caught.share, "moved": caught.moved, "green": caught.green,
@@ -299,7 +235,7 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
-    env.globals |= {"LONG_LIST": LONG_LIST, "CHANGED": caught.NAMES}
+    env.globals |= {"LONG_LIST": LONG_LIST, "NAMED_IN_MENU": NAMED_IN_MENU, "CHANGED": caught.NAMES}
     return env
 
 

@@ -5,10 +5,11 @@ from collections.abc import Mapping, Sequence
 from reports import formats, plots, second, signature
 from reports.crosscheck import Problem
 from reports.frames import Frame
-from reports.html import Line, lines, plot, present, printed, reproduce
+from reports.html import plot, present, printed, reproduce
 from reports.mathematics import tree
 from reports.pdf_tables import Data, budget, expected, levels, prose, quantity, shortened
 from reports.richtext import Run, digits, runs
+from reports.row_lines import Line, failed_first, lines
 from reports.second import NOTHING, Seconds
 from reports.sketch import sketch
 from reports.standalone import Drawing, standalone
@@ -31,8 +32,8 @@ def case_data(
     `sheets` name the workbook's sheet of each of the case's tables; `beside` holds what second
     solvers found.
     """
-    group = lines(case.rows)
-    refined = [row for row in case.rows if row.grid and row.levels]
+    rows, group = failed_first(case.rows), lines(case.rows)
+    refined = [row for row in rows if row.grid and row.levels]
     return {
         "id": case.id,
         "name": case.name,
@@ -61,7 +62,7 @@ def case_data(
         "budget": budget([line.row for line in group]),
         "finer": "on every mesh" if plots.on_meshes(refined) else "at every refinement",
         "levels": levels(refined),
-        "expected": [expected(row) for row in case.rows if row.interval],
+        "expected": [expected(row) for row in rows if row.interval],
         "tables": [shortened(t, sheet) for t, sheet in zip(case.tables, sheets, strict=True)],
         "command": reproduce(case),
     }

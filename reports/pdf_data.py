@@ -11,7 +11,8 @@ from markupsafe import Markup
 from reports import signature
 from reports.crosscheck import crosscheck_data, left_out_data, of_cases, told
 from reports.frames import Frame
-from reports.html import WORDS, anchors, causes, cited, claims, drawn_by, partly, title, warnings
+from reports.html import WORDS, anchors, causes, cited, drawn_by, partly, title, warnings
+from reports.paper_rows import printed_row
 from reports.pdf_budget import budget_data
 from reports.pdf_case import case_data, maths, value_cells
 from reports.pdf_caught import caught_data
@@ -141,16 +142,17 @@ def _paper_table(
         return [{"id": name, "label": label} for name, label in known if label]
 
     def row(cells: Sequence[PaperCell]) -> Data:
-        said = claims(cells)
+        found = printed_row(cells)
         return {
             "printed": [prose(cell.text) for cell in cells],
             "claims": [
                 {"label": places.get(c.row), "name": prose(c.name), "status": c.status.value,
-                 "formula": runs(c.formula), "fem": runs(c.fem)}
-                for c in said.rows
+                 "formulas": [runs(c.formula if k in c.columns else "") for k in range(len(cells))],
+                 "fem": runs(c.fem)}
+                for c in found.claims
             ],
-            "inputs": [prose(i) for i in said.inputs],
-            "errata": linked(said.errata),
+            "inputs": [{"column": i.column, "words": prose(i.words)} for i in found.inputs],
+            "errata": linked(found.errata),
         }  # fmt: skip
 
     return {

@@ -12,7 +12,8 @@ from verify.results import CaseResult, Kind, Published, Row, Status
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0
 WIDE = 1216.0
-LINE, NAMES = 16.0, 6  # height of a line of names, and how many there may be
+LETTER = 8.0  # room for a letter of a name
+NAME = 40  # letters of a name that are shown
 LEAST = -12  # decades of the strip
 FAR = 1.7  # tolerances from which a dot becomes an arrow
 MARKS = {
@@ -87,29 +88,35 @@ def _mark(row: Row, entry: Published) -> Markup:
 def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
     """Every row with a difference on a logarithmic scale; a row not run is a hole.
 
+    Names stand level below their groups where all fit, else upright.
+
     A dot is how far apart the two sides are, a tick the smallest error that the row surely shows.
     """
     shown = [(case, drawn) for case in cases if (drawn := [r for r in case.rows if _drawn(r)])]
     total = sum(len(rows) for _, rows in shown) or 1
-    gap, left, top, bottom = 18.0, 44.0, 10.0, 130.0
+    gap, left, top, bottom = 18.0, 50.0, 10.0, 130.0
     room = WIDE - left - gap * max(len(shown) - 1, 0)
     parts = [_decade(e, left, top, bottom) for e in range(LEAST, 1, 2)]
     demand = _height(0.01, top, bottom)
     parts += [svg.line(left, demand, WIDE, demand, "demand")]
-    x, taken = left, [-gap] * NAMES
-    for case, rows in shown:
-        wide = room * len(rows) / total
+    widths = [room * len(rows) / total for _, rows in shown]
+    names = [_short(case.name or case.id) for case, _ in shown]
+    lengths = [LETTER * len(name) for name in names]
+    upright = any(n > w for n, w in zip(lengths, widths, strict=True))
+    x = left
+    for (_, rows), name, wide in zip(shown, names, widths, strict=True):
         step = wide / len(rows)
         parts += [
-            _name(case, x, wide, bottom + 24, taken),
+            _upright(name, x + wide / 2, bottom + 10) if upright
+            else svg.text(x, bottom + 24, name, "part"),
             svg.line(x, bottom, x + wide, bottom, "zero"),
             *(_bar(row, anchors[row.id], x + step * (i + 0.5), top, bottom)
               for i, row in enumerate(rows)),
         ]  # fmt: skip
         x += wide + gap
     words = "relative difference of every row, and the smallest error that it surely shows"
-    lines = sum(end > 0 for end in taken)
-    return svg.drawing(WIDE, bottom + 16 + LINE * max(lines, 1), parts, words, "overview")
+    below = 10 + max(lengths) if upright else 32
+    return svg.drawing(WIDE, bottom + below, parts, words, "overview")
 
 
 def _height(value: float, top: float, bottom: float) -> float:
@@ -127,19 +134,15 @@ def _decade(exponent: int, left: float, top: float, bottom: float) -> Markup:
     return svg.line(left, y, WIDE, y, "grid") + label
 
 
-def _name(case: CaseResult, x: float, wide: float, y: float, taken: list[float]) -> Markup:
-    """The case's name below its rows, from the right where it would leave the image.
+def _short(name: str) -> str:
+    return name if len(name) <= NAME else f"{name[: NAME - 1]}…"
 
-    It stands on the first line on which the last name ends (`taken`) before it.
-    """
-    words = case.name or case.id
-    long = 8.0 * len(words)
-    right = x + long > WIDE
-    start = x + wide - long if right else x
-    line = next((i for i, end in enumerate(taken) if end < start), len(taken) - 1)
-    taken[line] = start + long + 6
-    y += LINE * line
-    return svg.text(x + wide, y, words, "part", "end") if right else svg.text(x, y, words, "part")
+
+def _upright(name: str, x: float, y: float) -> Markup:
+    """The name of a case from the bottom up, ending at (x, y): a narrow group has room for it."""
+    return Markup('<g transform="translate({} {}) rotate(-90)">{}</g>').format(
+        svg.short(x), svg.short(y), svg.text(0, 4, name, "part", "end")
+    )
 
 
 def _drawn(row: Row) -> bool:

@@ -4,7 +4,8 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from reports.html import claims, title
+from reports.html import title
+from reports.paper_rows import printed_row
 from reports.pdf import made
 from reports.rows import HEADER, PERCENT, cells
 from reports.second import seconds
@@ -103,21 +104,24 @@ def _levels(row: Row) -> Iterator[list[Cell]]:
 
 
 def _paper_table(book: Book, name: str, table: PaperTable) -> None:
-    """As printed; each claim of a printed row has a line, the first beside the row itself."""
+    """As printed; each claim or input of a printed row has a line, the first beside the row."""
     above = [[f"{table.paper}, {table.name}"], [table.caption], [table.note]]
     lines: list[list[Cell]] = []
     for printed in table.rows:
-        said = claims(printed)
-        made_of = [
-            [c.status.value, c.row, a.analytic, a.fem, a.u]
-            for c in said.rows
-            for a in [next(a for cell in printed for a in cell.rows if a.row == c.row)]
-        ] or [["", "; ".join(said.inputs), None, None, None]]
-        aside = "; ".join(said.errata)
+        found = printed_row(printed)
+        place = [f"{name} {cell.text}" for name, cell in zip(table.header, printed, strict=True)]
+        made_of: list[list[Cell]] = [
+            ["; ".join(place[k] for k in c.columns), c.status.value, c.row,
+             c.numbers.analytic, c.numbers.fem, c.numbers.u]
+            for c in found.claims
+        ]  # fmt: skip
+        made_of += [[place[i.column], "input", i.words, None, None, None] for i in found.inputs]
+        aside = "; ".join(found.errata)
         texts: list[Cell] = [Printed(cell.text) for cell in printed]
-        for i, claim in enumerate(made_of):
+        nothing: list[Cell] = ["", "", "", None, None, None]
+        for i, claim in enumerate(made_of or [nothing]):
             lines.append([*(texts if i == 0 else [""] * len(texts)), *claim, "" if i else aside])
-    ours = ("status", "row or input", "formula", "FE", "u", "errata")
+    ours = ("compared with", "status", "row or input", "formula", "FE", "u", "errata")
     book.table(name, (*table.header, *ours), lines, above=above, numbers=NUMBERS)
 
 

@@ -1,10 +1,6 @@
 """The page in a real browser without network: silent, narrow enough, readable, filterable."""
 
-import html
-import json
 import re
-import shutil
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,20 +9,13 @@ import pytest
 
 from reports.frames import frames
 from reports.html import page
+from tests.reports.browser import DARK, NEEDS_CHROMIUM, browse, looked_at
+from tests.reports.conftest import NAME
 from tests.reports.paths import walked
 from verify.cache import picture_folder
 
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
-)
-pytestmark = [
-    pytest.mark.skipif(not CHROMIUM, reason="no chromium: the page is not looked at in a browser"),
-    pytest.mark.xdist_group("browser"),
-]
-HOST = Path(__file__).with_name("browser_host.html")
-OFFLINE = ("--host-resolver-rules=MAP * ~NOTFOUND", "--disable-background-networking",
-           "--disable-component-update", "--disable-sync", "--no-first-run")  # fmt: skip
-DARK = "--blink-settings=preferredColorScheme=0"
+pytestmark = NEEDS_CHROMIUM
+DECADES = 7  # of the overview's scale
 
 
 @pytest.fixture(scope="module")
@@ -39,26 +28,6 @@ def folder(tmp_path_factory, report, hostile) -> Path:
     return place
 
 
-def browse(folder: Path, *flags: str) -> subprocess.CompletedProcess[str]:
-    base = (CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-            f"--user-data-dir={folder / 'profile'}", "--allow-file-access-from-files",
-            "--enable-logging=stderr", "--window-size=1320,900", *OFFLINE)  # fmt: skip
-    return subprocess.run([*base, *flags], capture_output=True, text=True, timeout=120, check=False)
-
-
-def looked_at(folder: Path, name: str, width: int, *flags: str) -> dict[str, object]:
-    """What the host measured of the page `name` in a frame of `width` pixels."""
-    host = folder / f"host-{name}-{width}.html"
-    text = HOST.read_text("utf-8").replace("PAGE", f"{name}.html").replace("WIDTH", str(width))
-    host.write_text(text, "utf-8")
-    done = browse(folder, *flags, "--virtual-time-budget=20000", "--dump-dom", host.as_uri())
-    found = re.search(r'<pre id="result">(.*?)</pre>', done.stdout, re.DOTALL)
-    assert found, done.stderr[-2000:]
-    result = json.loads(html.unescape(found[1]))
-    result["console"] = re.findall(r"CONSOLE.*", done.stderr)
-    return result
-
-
 @pytest.mark.parametrize("name", ["report", "hostile"])
 @pytest.mark.parametrize("width", [390, 1280])
 def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width):
@@ -69,6 +38,10 @@ def test_nothing_scrolls_sideways_and_the_console_is_silent(folder, name, width)
     assert not seen["alerts"]
     assert seen["canvases"] == seen["painted"]
     assert seen["spilled"] == []
+
+
+def test_the_rows_of_all_cases_fit_a_wide_page(folder):
+    assert looked_at(folder, "report", 1400)["wider"] <= 0
 
 
 @pytest.fixture(scope="module")
@@ -115,6 +88,40 @@ def test_it_prints(folder, report):
     data = target.read_bytes()
     assert data.startswith(b"%PDF")
     assert 10 < len(re.findall(rb"/Type\s*/Page\b", data)) < 8 * len(report.cases)
+
+
+@pytest.mark.parametrize(("name", "width"), [("report", 1400), ("report", 400), ("hostile", 1400)])
+def test_every_link_leads_to_a_place_in_sight_below_a_menu_of_one_line(folder, name, width):
+    seen = looked_at(folder, name, width, host="links_host.html")
+    assert seen["menu_lines"] == 1
+    assert seen["menu_height"] < 50
+    assert seen["menu_links"] >= 9
+    assert width < 1400 or seen["menu_hidden"] <= 0
+    assert seen["links"] > 600
+    assert seen["problems"] == []
+
+
+@pytest.mark.parametrize("width", [400, 1400])
+def test_a_link_shows_a_row_that_a_filter_hides(folder, width):
+    seen = looked_at(folder, "report", width, host="links_host.html", status="skip")
+    assert seen["links"] == 20
+    assert seen["problems"] == []
+
+
+def test_no_label_of_the_overview_lies_on_another(folder, report):
+    seen = looked_at(folder, "report", 1280)
+    assert seen["labels"] == len(report.cases) + DECADES
+    assert seen["overprinted"] == seen["outside"] == []
+
+
+@pytest.mark.parametrize("name", ["", NAME])
+def test_nor_in_a_report_of_few_cases(folder, report, name):
+    cases = tuple(replace(case, name=name) for case in report.cases[:3])
+    few = replace(report, name=name, cases=cases, tables=(), validity=(), budgets=())
+    (folder / "few.html").write_text(page(few, {}, picture_folder()), "utf-8")
+    seen = looked_at(folder, "few", 1280)
+    assert seen["labels"] == len(cases) + DECADES
+    assert seen["overprinted"] == seen["outside"] == []
 
 
 @pytest.fixture(scope="module")

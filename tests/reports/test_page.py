@@ -10,8 +10,9 @@ import pytest
 
 from reports.formats import concise, values
 from reports.frames import frames
-from reports.html import COMPANION, anchors, causes, lines, page
+from reports.html import anchors, causes, page
 from reports.pdf_case import case_data
+from reports.row_lines import COMPANION, lines
 from verify.cache import picture_folder
 from verify.cases.sprag_crown import CROWN
 from verify.commands import make_report
@@ -138,7 +139,7 @@ def test_convergence_shares_the_line_of_its_quantity_unless_it_failed():
     a, good, b = row("a"), row("a: convergence"), row("b")
     bad = row("b: convergence", Status.FAIL)
     assert [(x.row, x.convergence) for x in lines([a, good, b, bad])] == [
-        (a, good), (b, None), (bad, None),
+        (bad, None), (a, good), (b, None),
     ]  # fmt: skip
     assert [x.row for x in lines([good])] == [good]  # alone, it is a line of its own
 

@@ -1,0 +1,83 @@
+"""A printed row of a paper's table with the rows of the suite that are compared with its numbers.
+
+Each compared row is a line of its own: its value stands in the column of the printed number.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+from reports import formats
+from reports.row_lines import rank
+from verify.results import PaperCell, PaperClaim, Status
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A row of the suite below a printed row; `columns` are those of the numbers it claims."""
+
+    row: str
+    name: str
+    status: Status
+    columns: tuple[int, ...]
+    numbers: PaperClaim
+
+    @property
+    def formula(self) -> str | Markup:
+        """The formula's value in the printed unit; a dash where the row has none."""
+        return formats.small(self.numbers.analytic)
+
+    @property
+    def fem(self) -> str | Markup:
+        """The finite elements' value with its standard uncertainty; empty where there is none."""
+        fem, u = self.numbers.fem, self.numbers.u
+        if fem is None:
+            return ""
+        return formats.concise(fem, u)[0] if u else formats.small(fem)
+
+
+@dataclass(frozen=True)
+class Uses:
+    """The case inputs that repeat the printed number in a column, in words."""
+
+    column: int
+    words: str
+
+
+@dataclass(frozen=True)
+class PrintedRow:
+    """What the suite has on one row of a printed table."""
+
+    claims: Sequence[Claim]
+    inputs: Sequence[Uses]
+    errata: Sequence[str]
+
+
+def printed_row(cells: Sequence[PaperCell]) -> PrintedRow:
+    """The rows, inputs and errata on the numbers of one printed row.
+
+    They are in the order of its cells; failed rows come first, then those not run.
+    """
+    columns: dict[str, list[int]] = {}
+    numbers: dict[str, PaperClaim] = {}
+    for k, cell in enumerate(cells):
+        for claim in cell.rows:
+            columns.setdefault(claim.row, []).append(k)
+            numbers[claim.row] = claim
+    claims = [
+        Claim(row, row.partition("/")[2], numbers[row].status, tuple(found), numbers[row])
+        for row, found in columns.items()
+    ]
+    claims.sort(key=lambda claim: rank(claim.status))
+    inputs = [Uses(k, _uses(cell.inputs)) for k, cell in enumerate(cells) if cell.inputs]
+    errata = dict.fromkeys(e for cell in cells for e in cell.errata)
+    return PrintedRow(claims, inputs, list(errata))
+
+
+def _uses(inputs: Sequence[str]) -> str:
+    """Cases by the name of their input: "n of ring-lame, ring-rotation; z of sprag-wedge"."""
+    cases: dict[str, list[str]] = {}
+    for name, _, case in (use.removeprefix("input ").partition(" of ") for use in inputs):
+        cases.setdefault(name, []).append(case)
+    return "; ".join(f"{name} of {', '.join(of)}" for name, of in cases.items())

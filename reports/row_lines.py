@@ -1,0 +1,66 @@
+"""The lines of the tables of rows: a row beside its convergence, failed rows before all others."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from verify.results import CaseResult, Row, Status
+
+COMPANION = ": convergence"
+LISTED_FIRST = (Status.FAIL, Status.SKIP)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A row of the table; its convergence, a row of its own, shares the line where it passed."""
+
+    row: Row
+    convergence: Row | None = None
+
+    @property
+    def reason(self) -> str:
+        """What stands below the line: nothing where a plain PASS needs no words."""
+        said = self.row.kind == "fact" or self.row.status is not Status.PASS
+        return self.row.reason if said else ""
+
+    @property
+    def rank(self) -> int:
+        """The rank of the more urgent of its two rows."""
+        return min(rank(row.status) for row in (self.row, self.convergence) if row is not None)
+
+
+Group = tuple[CaseResult, Sequence[Line]]
+
+
+def rank(status: Status) -> int:
+    """0 for a failed row, 1 for one that was not run, 2 for any other."""
+    return LISTED_FIRST.index(status) if status in LISTED_FIRST else len(LISTED_FIRST)
+
+
+def failed_first(rows: Iterable[Row]) -> list[Row]:
+    """Failed rows, then those not run, then all others, each in their order."""
+    return sorted(rows, key=lambda row: rank(row.status))
+
+
+def lines(rows: Sequence[Row]) -> list[Line]:
+    """Rows, each with its convergence beside it; failed ones first, then those not run."""
+    known = {row.quantity for row in rows}
+    companions = {
+        row.quantity.removesuffix(COMPANION): row
+        for row in rows
+        if row.quantity.endswith(COMPANION)
+        and row.quantity.removesuffix(COMPANION) in known
+        and row.status in (Status.PASS, Status.SKIP)
+    }
+    apart = {row.quantity for row in companions.values()}
+    found = [Line(r, companions.get(r.quantity)) for r in rows if r.quantity not in apart]
+    return sorted(found, key=lambda line: line.rank)
+
+
+def groups_failed_first(groups: Sequence[Group]) -> list[Group]:
+    """Groups of one table over all cases: failed lines of every case before any other line."""
+    return [
+        (case, listed)
+        for wanted in range(len(LISTED_FIRST) + 1)
+        for case, group in groups
+        if (listed := [line for line in group if line.rank == wanted])
+    ]
