@@ -17,17 +17,17 @@ from verify.answers.evidence import with_rows
 from verify.answers.registry import answer as answer_of
 from verify.answers.usual import unusual
 from verify.assumed.listed import with_sources
-from verify.case import Case, Values
+from verify.case import Case
 from verify.check_console import Checked, answer_lines, print_check
 from verify.check_record import check_record
 from verify.commands import make_report, writable, write_report
-from verify.dynamic import DynamicResult, asked_for, run_dynamic, with_dynamic
+from verify.dynamic import asked_for, run_dynamic, with_dynamic
 from verify.engines import Where
 from verify.inputs import InputError, Inputs
-from verify.parameter_file import read
+from verify.parameter_file import ParameterFile, read
 from verify.results import CaseResult, Status
 from verify.run import Job
-from verify.shared_readings import shared_readings
+from verify.shared_readings import SharedReading, shared_readings
 from verify.solving import solve
 from verify.unit_systems import System
 
@@ -70,6 +70,7 @@ def run_check(path: Path, options: Options) -> int:
         )
     job = Job(case, inputs, use_fem=options.fem, values=values, drawn=drawn)
     (result,) = solve([job], Where(options.jobs), options.cache, quiet=options.json)
+    part = _assessed(file, path)
     odd = unusual(inputs)
     warnings = (*odd.values(), *result.warnings)
     result = replace(result, name=name, command=_command(path, options), warnings=warnings)
@@ -78,12 +79,13 @@ def run_check(path: Path, options: Options) -> int:
         result = refused(result, case, inputs)
     if dynamic is not None and result.refused:
         dynamic = dynamic.unjudged()
-    answer = _answer(case, inputs, values, result, dynamic)
+    answer = part.answer if dynamic is None else answer_with_dynamic(part.answer, dynamic)
+    answer = with_rows(answer, result.rows)
     notes: tuple[str, ...] = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
-    notes += margin_notes(case, inputs, file.assumed)
+    notes += part.notes
     checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
                       dynamic=dynamic, notes=notes, assumed=file.assumed,
-                      shared=shared_readings(case.id, inputs, values))  # fmt: skip
+                      shared=part.shared)  # fmt: skip
     if options.json:
         record = check_record(in_system(checked, system), inputs, values)
         print(json.dumps(record_in_units(record, system), ensure_ascii=False))
@@ -110,13 +112,29 @@ def exit_status(checked: Checked) -> int:
     return EXIT_STATUS[checked.answer.verdict]
 
 
-def _answer(
-    case: Case, inputs: Inputs, values: Values, result: CaseResult, dynamic: DynamicResult | None
-) -> Answer:
-    found = answer_of(case, inputs, values)
-    if dynamic is not None:
-        found = answer_with_dynamic(found, dynamic)
-    return with_rows(found, result.rows)
+@dataclass(frozen=True, kw_only=True)
+class _Assessed:
+    """What follows from the inputs and the formulas' values of a part."""
+
+    answer: Answer
+    notes: tuple[str, ...]
+    shared: tuple[SharedReading, ...]
+
+
+def _assessed(file: ParameterFile, path: Path) -> _Assessed:
+    """Criteria, dependence on assumed inputs, shared readings; InputError where one overflows."""
+    case, inputs, values = file.case, file.inputs, file.values
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            return _Assessed(
+                answer=answer_of(case, inputs, values),
+                notes=margin_notes(case, inputs, file.assumed),
+                shared=shared_readings(case.id, inputs, values),
+            )
+    except (ValueError, ArithmeticError) as error:
+        raise InputError(
+            f"{path}: inputs: the criteria cannot be evaluated with these values ({error})"
+        ) from error
 
 
 def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:

@@ -92,13 +92,15 @@ def test_its_findings_and_values_stand_after_the_static_ones(ring, swings, capsy
     swings()
     assert run(["check", "--dynamic", str(ring)]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[1:4] == ["  holds", "  swings to 2 times", "inputs"]
+    notes = lines.index("notes")
+    assert lines[notes + 1 : notes + 3] == ["  holds", "  swings to 2 times"]
     at = lines.index("the swing")
-    assert lines.index("formulas") < at
+    assert lines[notes + 3].startswith("values by the formulas")
+    assert notes + 3 < at
     # r_i/E (2.6 + nu) p by hand is 82.857 µm at the bore
     assert lines[at + 1].split() == ["u_max", "165.714", "µm", "largest", "displacement"]
     assert lines[at + 2].split()[:3] == ["t", "0.003", "s"]
-    assert lines[at + 3] == "(check --fem judges what is marked * with finite elements)"
+    assert lines[-1] == "(check --fem compares the values marked * with: finite elements)"
 
 
 def test_without_being_asked_it_is_offered_and_does_not_run(ring, swings, capsys):
@@ -175,13 +177,15 @@ def test_a_report_has_its_figures_values_and_findings(ring, swings, tmp_path):
 def test_the_verdict_of_both_parts_together_comes_first(ring, swings, capsys, tmp_path):
     said = ("holds at rest, breaks as it swings", "at rest: holds")
     swings(replace(SWINGS, overall=lambda q, v: ("breaks", said)))
-    assert run(["check", "--dynamic", str(ring), "--out", str(tmp_path / "out")]) == 0
+    assert run(["check", "--dynamic", str(ring), "--out", str(tmp_path / "out")]) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert lines[1:5] == [*(f"  {words}" for words in said), "  swings to 2 times", "inputs"]
+    assert lines[0] == f"ring: fails: {said[0]}"
+    at = lines.index("notes")
+    assert lines[at + 1 : at + 4] == [*(f"  {words}" for words in said), "  swings to 2 times"]
     assert said[0] in (tmp_path / "out" / "report.html").read_text("utf-8")
-    assert run(["check", "--json", "--dynamic", str(ring)]) == 0
+    assert run(["check", "--json", "--dynamic", str(ring)]) == 1
     found = json.loads(capsys.readouterr().out)
-    assert found["verdict"] == "breaks"
+    assert found["details"]["verdict"] == "breaks"
     assert found["findings"] == list(said)
     assert run(["check", "--json", str(ring)]) == 0
     assert json.loads(capsys.readouterr().out)["findings"] == ["holds"]

@@ -378,11 +378,11 @@ def test_check_prints_findings_and_json_has_every_entry(tmp_path, capsys):
     found = json.loads(capsys.readouterr().out)
     assert found["inputs"]["segments"][3]["d_o"] == {"value": 60.0, "unit": "mm"}
     assert found["inputs"]["supports"][0]["node"] == {"value": 1, "unit": "1"}
-    assert found["verdict"] == "clear"
-    speeds = [c["speed"] for c in found["critical_speeds"]]
+    assert found["details"]["verdict"] == "clear"
+    speeds = [c["speed"] for c in found["details"]["critical_speeds"]]
     assert speeds == sorted(speeds)
     by_key = {v["key"]: v["value"] for v in found["values"]}
-    assert by_key["critical 1.1"] in speeds
+    assert by_key["critical_1_1"] in speeds
 
 
 def test_figures_are_made_without_beams(judged):

@@ -505,10 +505,11 @@ def test_the_worse_of_rest_and_motion_comes_first(changes, verdict, words):
 def test_the_verdict_of_both_reaches_the_reader_and_programs(tmp_path, capsys):
     path = tmp_path / "my.toml"
     path.write_text(whole(template(CLUTCH)).replace('T = "25 N m"', 'T = "72 N m"'))
-    assert run(["check", str(path), "--dynamic"]) == 0
-    assert "holds at rest, rolls over" in capsys.readouterr().out.splitlines()[1]
-    assert run(["check", str(path), "--dynamic", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["verdict"] == "rolls over"
+    assert run(["check", str(path), "--dynamic"]) == 1
+    assert "fails: holds at rest, rolls over" in capsys.readouterr().out.splitlines()[0]
+    assert run(["check", str(path), "--dynamic", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert (found["answer"]["verdict"], found["details"]["verdict"]) == ("fails", "rolls over")
 
 
 def test_ways_that_are_round_off_are_none_and_long_ones_are_in_millimetres():

@@ -337,7 +337,7 @@ def test_check_answers_in_words_and_json(tmp_path, capsys):
     assert run(["check", str(file)]) == 0
     assert "K_1 Q" in capsys.readouterr().out
     assert run(["check", str(file), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["verdict"] in ("suits", "uneven")
+    assert json.loads(capsys.readouterr().out)["details"]["verdict"] in ("suits", "uneven")
 
 
 def test_every_row_on_the_paper_s_numbers_holds_or_is_told(judged, red):

@@ -10,6 +10,7 @@ import tomllib
 import pytest
 
 from tests.verify.template_text import whole
+from verify.answers.answer import EXIT_STATUS
 from verify.assumed.complete import complete
 from verify.assumed.registry import ASSUMPTIONS
 from verify.cases.registry import CASES
@@ -138,8 +139,9 @@ def check_line(case, fields, hidden, name, value, comment):
 def test_check_takes_a_template_as_it_is(case, tmp_path, capsys):
     path = tmp_path / "my.toml"
     assert run(["init", case.id, "--out", str(path)]) == 0
-    assert run(["check", str(path), "--json"]) == 0
+    status = run(["check", str(path), "--json"])
     found = json.loads(capsys.readouterr().out)
+    assert status == EXIT_STATUS[found["answer"]["verdict"]]
     assert found["case"] == case.id
     assert found["values"]
 

@@ -102,20 +102,21 @@ def test_sentences_are_converted_number_by_number(text, expected):
 
 def check(path, capsys, *more):
     assert run(["check", str(path), "--json", *more]) in (0, 1)
-    return json.loads(capsys.readouterr().out)
+    found = json.loads(capsys.readouterr().out)
+    return found | found["details"] | {"criteria": found["answer"]["criteria"]}
 
 
 def test_json_has_the_same_quantities_in_each_system(capsys):
     found = {system: check(SPRAG, capsys, "--units", system) for system in DISPLAYED}
-    for part in ("values", "limits", "assumed"):
+    parts = {"values": "value", "limits": "at", "assumed": "value", "criteria": "limit"}
+    for part, key in parts.items():
         for k, metric in enumerate(found["mm"][part]):
-            key = "at" if part == "limits" else "value"
             for system in ("si", "inch"):
                 other = found[system][part][k]
                 si = [one[key] * units.factor(one["unit"]) for one in (metric, other)]
                 assert si[1] == pytest.approx(si[0], rel=1e-12)
-    torque = next(v for v in found["inch"]["values"] if v["key"] == "T end")
-    metric = next(v for v in found["mm"]["values"] if v["key"] == "T end")
+    torque = next(v for v in found["inch"]["values"] if v["key"] == "T_end")
+    metric = next(v for v in found["mm"]["values"] if v["key"] == "T_end")
     assert torque["unit"] == "lbf in"
     assert torque["value"] == pytest.approx(metric["value"] / 0.1129848290276167, rel=1e-12)
     assert found["inch"]["inputs"]["T"]["unit"] == "lbf in"
