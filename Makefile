@@ -2,7 +2,9 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: verify quick deep crosscheck mutants test check portable bench readme lock clean
+.PHONY: setup verify quick deep crosscheck mutants test check portable bench readme lock clean
+
+setup: .venv/.ready
 
 verify: .venv/.ready
 	$(BIN)/freewheel verify

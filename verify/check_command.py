@@ -18,7 +18,7 @@ from verify.answers.registry import answer as answer_of
 from verify.answers.usual import unusual
 from verify.assumed.listed import with_sources
 from verify.case import Case
-from verify.check_console import Checked, answer_lines, print_check
+from verify.check_console import Checked, answer_lines, limits_table, print_check
 from verify.check_record import check_record
 from verify.commands import make_report, writable, write_report
 from verify.dynamic import asked_for, run_dynamic, with_dynamic
@@ -31,6 +31,7 @@ from verify.shared_readings import SharedReading, shared_readings
 from verify.solving import solve
 from verify.unit_systems import System
 
+GIVE_STRENGTH = "give R_p"
 FAILED = (Status.FAIL, Status.SKIP)
 
 
@@ -72,7 +73,8 @@ def run_check(path: Path, options: Options) -> int:
     (result,) = solve([job], Where(options.jobs), options.cache, quiet=options.json)
     part = _assessed(file, path)
     odd = unusual(inputs)
-    warnings = (*odd.values(), *result.warnings)
+    doubts = [w for w in result.warnings if not w.endswith(GIVE_STRENGTH)]  # a limit decides that
+    warnings = (*odd.values(), *doubts)
     result = replace(result, name=name, command=_command(path, options), warnings=warnings)
     result = with_sources(result, file.assumed)
     if not options.fem:
@@ -127,7 +129,7 @@ def _assessed(file: ParameterFile, path: Path) -> _Assessed:
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             return _Assessed(
-                answer=answer_of(case, inputs, values),
+                answer=answer_of(case, inputs, values, assumed=[one.name for one in file.assumed]),
                 notes=margin_notes(case, inputs, file.assumed),
                 shared=shared_readings(case.id, inputs, values),
             )
@@ -158,7 +160,8 @@ def _write(checked: Checked, options: Options, seconds: float) -> None:
     if checked.dynamic is not None:
         result = with_dynamic(result, checked.dynamic)
     first = tuple(line.strip() for line in answer_lines(checked))
-    result = replace(result, findings=(*first, *result.findings))
+    result = replace(result, findings=(*first, *result.findings),
+                     tables=(limits_table(checked), *result.tables))  # fmt: skip
     report = make_report([result], [checked.case], seconds, result.name)
     assert options.out is not None
     page = write_report(report, options.out, options.cache)

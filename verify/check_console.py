@@ -14,7 +14,7 @@ from verify.dynamic import DynamicResult
 from verify.references import case_method
 from verify.results import CaseResult
 from verify.shared_readings import SharedReading
-from verify.shown import FormulaValue
+from verify.shown import FormulaValue, Table
 from verify.told import aligned, print_rows, raised
 from verify.unit_systems import System, text_in
 
@@ -48,6 +48,12 @@ def answer_lines(checked: Checked) -> list[str]:
     if checked.used_fem and (beside := reference_of_design(checked.answer, checked.result.rows)):
         notes = (beside, *notes)
     return headline(checked.result.name, checked.answer, notes)
+
+
+def limits_table(checked: Checked) -> Table:
+    """The limits of the part as a table of its report."""
+    header = ("", "criterion", "value", "limit", "margin", "source")
+    return Table(title="Limits of the part", header=header, rows=tuple(limits(checked.answer)))
 
 
 def print_check(checked: Checked, system: System = "mm") -> None:

@@ -23,7 +23,7 @@ PARTS = sorted((Path(__file__).parent / "parts").glob("*.toml"))
 TASKS = {"design-spring": Demands, "design-sprag": Wishes}
 CHECKED = [path for path in PARTS if not path.stem.startswith("design-")]
 DESIGNED = [path for path in PARTS if path.stem.startswith("design-")]
-SOURCES = ("typical:", "numerical:", "Huang 2018", "Wang 2023", "Timoshenko", "EN ")
+SOURCES = ("typical:", "numerical:", "Huang 2018", "Wang 2023", "Timoshenko", "EN ", "ISO ")
 RULES = ("R_i", "R_e", "L_max", "L_0", "b/(2 r_i)", "segments name", "is given", "speed", "node of")
 PAPER = {
     "R_i": "11.11 mm", "R_e": "19.44 mm", "l": "9 mm", "T": "25 N m",
@@ -56,7 +56,7 @@ def test_every_tool_has_a_file():
 @pytest.mark.parametrize("path", CHECKED, ids=of_path)
 def test_check_answers_and_lists_every_assumed_input(path, capsys):
     case_id, raw = raw_of(path)
-    assert run(["check", str(path), "--json"]) in (0, 1)
+    assert run(["check", str(path), "--json"]) in (0, 1, 3)
     found = json.loads(capsys.readouterr().out)
     assert found["values"]
     listed = {one["name"]: one for one in found["assumed"]}
@@ -67,7 +67,7 @@ def test_check_answers_and_lists_every_assumed_input(path, capsys):
     for name in left_out & set(found["inputs"]):
         if isinstance(found["inputs"][name], dict):
             assert found["inputs"][name]["value"] == pytest.approx(listed[name]["value"])
-    assert run(["check", str(path)]) in (0, 1)
+    assert run(["check", str(path)]) in (0, 1, 3)
     text = capsys.readouterr().out
     assert all(one["source"].split("^")[0] in text for one in listed.values())
 

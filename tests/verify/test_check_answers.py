@@ -1,6 +1,7 @@
 """`check` on files: the first lines, the exit status, JSON by its schema."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import jsonschema
@@ -8,11 +9,20 @@ import pytest
 
 import verify.answers
 from tests.verify.template_text import whole
-from verify.cases.registry import CASES
+from verify.answers.answer import Verdict
+from verify.answers.evidence import with_rows
+from verify.answers.registry import answer
+from verify.cases.registry import CASES, find
+from verify.check_command import exit_status
+from verify.check_console import Checked
 from verify.cli import run
+from verify.results import Status
 from verify.template import run_init
 
 SCHEMA = json.loads((Path(verify.answers.__file__).parent / "check.schema.json").read_text("utf-8"))
+
+
+ROLLER = (Path(__file__).parent / "parts" / "roller-clutch-31.toml").read_text("utf-8")
 
 
 def written(tmp_path, case, replaced=None, removed=()):
@@ -43,7 +53,8 @@ def test_json_meets_its_schema_and_the_status_its_verdict(case, tmp_path, capsys
 
 
 def test_the_answer_comes_first(tmp_path, capsys):
-    status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)
+    path = written(tmp_path, "polyhedral-clutch", {'M_t = "100 N m"': 'M_t = "80 N m"'})
+    status, out = checked(path, capsys=capsys)
     first, design, margin, *rest = out.splitlines()
     assert status == 0
     assert first == "my polyhedral-clutch: holds"
@@ -52,6 +63,32 @@ def test_the_answer_comes_first(tmp_path, capsys):
     heads = [x.split(":")[0].split(" by ")[0] for x in rest if not x.startswith(("  ", "("))]
     shared = "assumptions that formula and reference share"
     assert [h for h in heads if h != "warning"] == ["limits", "values", "inputs", shared]
+
+
+def test_a_target_between_plane_stress_and_plane_strain_is_not_decided(tmp_path, capsys):
+    status, out = checked(written(tmp_path, "polyhedral-clutch"), capsys=capsys)
+    assert status == 3
+    assert "between plane stress (115.2 N m) and plane strain (90.5 N m)" in out.splitlines()[0]
+
+
+def test_a_sprag_without_a_crown_is_not_decided(tmp_path, capsys):
+    status, out = checked(written(tmp_path, "sprag-clutch", removed=("z_m",)), capsys=capsys)
+    assert status == 0  # a crown is assumed
+    path = tmp_path / "flat.toml"
+    text = (tmp_path / "sprag-clutch.toml").read_text("utf-8")
+    path.write_text(text + '\nz_m = "0 mm"\n', "utf-8")
+    status, out = checked(path, capsys=capsys)
+    assert status == 3
+    assert "grows with the number of slices" in out.splitlines()[0]
+
+
+def test_where_the_part_fails_in_the_range_of_an_assumed_input_it_is_stated(tmp_path, capsys):
+    path = tmp_path / "roller.toml"
+    path.write_text(ROLLER, "utf-8")
+    status, out = checked(path, capsys=capsys)
+    assert status == 0
+    assert "μ = 0.06 to 0.12: -25% (fails) to +50%" in out
+    assert "(assumed)" in out.splitlines()[2]
 
 
 def test_a_ring_without_enough_pressure_fails_with_the_pressure_it_needs(tmp_path, capsys):
@@ -119,6 +156,19 @@ def test_keys_lists_inputs_and_values(named, tmp_path, capsys):
     assert status == 0
     assert "  K_mid_3 " in out
     assert "  delta_1 " in out
+
+
+def test_a_failed_row_ends_with_one_and_leaves_the_part_undecided(tmp_path, capsys, judged):
+    case = find("ring-lame")
+    result = judged(case)
+    failed = replace(result.rows[0], status=Status.FAIL, reason="far")
+    inputs = case.inputs()
+    found = with_rows(answer(case, inputs, case.analytic(inputs)), [failed])
+    assert found.verdict is Verdict.CANNOT_SAY
+    checked = Checked(
+        case=case, result=replace(result, rows=(failed,)), answer=found, used_fem=True
+    )
+    assert exit_status(checked) == 1
 
 
 def test_finite_elements_stand_beside_the_design_value(tmp_path, capsys):

@@ -61,12 +61,16 @@ class Criterion:
 
 @dataclass(frozen=True, kw_only=True)
 class Answer:
-    """The criteria of a part, what makes it fail beside them, and what is unknown about it."""
+    """The criteria of a part, what makes it fail beside them, and what is unknown about it.
+
+    `remarks` state what the criteria leave out.
+    """
 
     design: Quantity | None
     criteria: tuple[Criterion, ...] = ()
     failures: tuple[str, ...] = ()
     unknowns: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> Verdict:

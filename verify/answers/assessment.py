@@ -18,21 +18,31 @@ from verify.answers.strengths import (
 class Assessment:
     """The criteria that a case's inputs and values are held to; `design` is the number to use.
 
-    Without `with_design` a number to use that takes long to compute may be left out.
+    Without `with_design` a number to use that takes long to compute may be left out. `assumed`
+    are the names of the inputs that the file does not give.
     """
 
     design: Quantity | None = None
     with_design: bool = True
+    assumed: frozenset[str] = frozenset()
     criteria: list[Criterion] = field(default_factory=list)
     failures: list[str] = field(default_factory=list)
     unknowns: list[str] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
 
     def answer(self) -> Answer:
         """What has been collected."""
         return Answer(
             design=self.design, criteria=tuple(self.criteria), failures=tuple(self.failures),
-            unknowns=tuple(self.unknowns),
+            unknowns=tuple(self.unknowns), remarks=tuple(self.remarks),
         )  # fmt: skip
+
+    def below_input(self, key: str, what: str, value: float, name: str, limit: float,
+                    unit: str) -> None:  # fmt: skip
+        """`value` [SI] must not exceed the input `name`, whose value is `limit` [SI]."""
+        is_assumed = name in self.assumed
+        source = f"input {name}" if is_assumed else f"input {name}, given"
+        self.at_most(key, what, value, limit, unit, source, assumed=is_assumed)
 
     def at_most(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
                 *, assumed: bool = False) -> None:  # fmt: skip
@@ -44,10 +54,12 @@ class Assessment:
         """`value` [SI] must not be below `limit` [SI]."""
         self._add(key, what, value, limit, unit, source, assumed=assumed, minimum=True)
 
-    def stress(self, key: str, what: str, value: float, strength: Strength) -> None:
+    def stress(
+        self, key: str, what: str, value: float, strength: Strength, option: str = "give R_p"
+    ) -> None:
         """A stress [Pa], by magnitude, beside the strength of the part."""
         if strength.value is None:
-            self.unknowns.append(f"{what}: {strength.source}; give R_p")
+            self.unknowns.append(f"{what} {abs(value) / 1e6:.4g} MPa: {strength.source}; {option}")
             return
         self.at_most(key, what, abs(value), strength.value, "MPa", strength.source,
                      assumed=strength.assumed)  # fmt: skip
@@ -64,10 +76,12 @@ class Assessment:
         point = contact == "point"
         limit = contact_pressure(given, *moduli, point=point)
         if limit.value is None:
-            self.unknowns.append(f"{what}: {limit.source}; {option}")
+            self.unknowns.append(f"{what} {p / 1e6:.4g} MPa: {limit.source}; {option}")
             return
+        is_assumed = limit.assumed or "p_lim" in self.assumed
+        source = SOURCES[ROLLER_STATIC] if "p_lim" in self.assumed else limit.source
         standard = BALL_STATIC if point else ROLLER_STATIC
-        self.at_most(key, what, p, limit.value, "MPa", limit.source, assumed=limit.assumed)
+        self.at_most(key, what, p, limit.value, "MPa", source, assumed=is_assumed)
         if standard < p <= limit.value:
             self.unknowns.append(
                 f"{what} {p / 1e6:.4g} MPa is within the given limit and beyond "

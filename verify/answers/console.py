@@ -16,7 +16,7 @@ def headline(name: str, answer: Answer, notes: Sequence[str]) -> list[str]:
         lines.append(f"  design value: {_quantity(answer.design)}, {answer.design.what}")
     if (worst := answer.limiting) is not None and not answer.failures:
         lines.append(f"  margin: {margin(worst)}, limited by {_beside(worst)}")
-    lines += [f"  {reason}" for reason in answer.reasons[1:]]
+    lines += [f"  {text}" for text in (*answer.reasons[1:], *answer.remarks)]
     return lines + [f"  {note}" for note in notes]
 
 

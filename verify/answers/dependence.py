@@ -1,5 +1,6 @@
 """Which assumed inputs the margin of a part depends on."""
 
+import math
 from collections.abc import Sequence
 from functools import partial
 
@@ -21,22 +22,33 @@ def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tupl
         found = influence(case, inputs, assumed, partial(_margin, case))
     except ValueError:  # no margin with these inputs
         return ()
+    middle = _margin(case, inputs, case.analytic(inputs)) or 0.0
     notable = [one for one in found if one.largest > NOTABLE]
     if not notable:
         return (f"no assumed input changes the margin by more than {NOTABLE:.0%}",)
-    named = "; ".join(map(_sentence, notable[:MOST]))
+    named = "; ".join(_sentence(one, middle) for one in notable[:MOST])
     more = f"; and {len(notable) - MOST} more" if len(notable) > MOST else ""
     return (f"of the assumed inputs the margin depends most on {named}{more}",)
 
 
 def _margin(case: Case, inputs: Inputs, values: Values) -> float | None:
-    worst = answer(case, inputs, values, with_design=False).limiting
-    return None if worst is None else worst.margin
+    """The smallest margin, 0 where the part fails for another reason."""
+    found = answer(case, inputs, values, with_design=False)
+    if found.failures:
+        return 0.0
+    return None if found.limiting is None else found.limiting.margin
 
 
-def _sentence(one: Influence) -> str:
+def _sentence(one: Influence, margin: float) -> str:
     unit = "" if one.assumed.unit == "1" else f" {one.assumed.unit}"
-    ends = f"{one.assumed.symbol or one.assumed.name} = {one.low:.4g} to {one.high:.4g}{unit}"
+    ends = f"{one.assumed.symbol or one.assumed.name} = {one.low:.6g} to {one.high:.6g}{unit}"
     if one.at_low is None or one.at_high is None:
         return f"{ends}: {one.note}"
-    return f"{ends}: {one.at_low:+.0%} to {one.at_high:+.0%}"
+    low, high = (_changed(change, margin) for change in (one.at_low, one.at_high))
+    return f"{ends}: {low} to {high}"
+
+
+def _changed(change: float, margin: float) -> str:
+    """A relative change of the margin, and whether the part then fails."""
+    text = f"{change:+.0%}" if math.isfinite(change) else "no bound"
+    return f"{text} (fails)" if margin >= 1 > (1 + change) * margin else text

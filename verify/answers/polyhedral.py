@@ -35,8 +35,8 @@ def locking(q: Any, v: Values, part: Assessment) -> None:
 
 def wedge(q: Any, v: Values, part: Assessment) -> None:
     """Friction that a free roller needs, and its pressure."""
-    part.at_most("friction", "required friction coefficient tan(α/2)", math.tan(q.alpha / 2), q.mu,
-                 "1", "friction coefficient μ, given")  # fmt: skip
+    part.below_input("friction", "required friction coefficient tan(α/2)",
+                     math.tan(q.alpha / 2), "mu", q.mu, "1")  # fmt: skip
     part.pressure("contact_pressure", "Hertzian pressure of the rollers", v["p_0"], q.E,
                   given=q.p_lim, option="give p_lim")  # fmt: skip
 
@@ -58,6 +58,11 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     else:
         part.at_least("torque", "torque of the elastic ring and rollers", v["M series"], q.M_t,
                       "N m", "target torque M_t, given")  # fmt: skip
+        if v.get("M wide", q.M_t) < q.M_t <= v["M series"]:
+            part.unknowns.append(
+                f"the ring is between plane stress ({v['M series']:.4g} N m) and plane strain "
+                f"({v['M wide']:.4g} N m): the target torque of {q.M_t:.4g} N m lies between"
+            )
     ring(q, v, part)
     for key, body in (("p_0 ring", "ring"), ("p_0 race", "race")):
         if key in v:

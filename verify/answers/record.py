@@ -13,6 +13,7 @@ def answer_record(answer: Answer) -> dict[str, Any]:
     return {
         "verdict": str(answer.verdict),
         "reasons": list(answer.reasons),
+        "remarks": list(answer.remarks),
         "design": None if answer.design is None else _quantity(answer.design),
         "margin": None if worst is None else finite(worst.margin),
         "limited_by": None if worst is None else worst.key,

@@ -1,6 +1,6 @@
 """The answer of every case: which value to design with, and which criteria apply."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -77,13 +77,17 @@ RULES: Mapping[str, Rule] = {
 }
 
 
-def answer(case: Case, inputs: Inputs, values: Values, *, with_design: bool = True) -> Answer:
-    """The answer to a user's `inputs`, whose formula `values` are known.
+def answer(
+    case: Case, inputs: Inputs, values: Values, *, assumed: Iterable[str] = (),
+    with_design: bool = True,
+) -> Answer:  # fmt: skip
+    """The answer to a user's `inputs`, of which `assumed` were not given.
 
-    Where only the criteria are needed, `with_design` is False.
+    `values` are those of the formulas. Where only the criteria are needed, `with_design` is False.
     """
     rule = RULES[case.id]
-    part = Assessment(design=_output(case, rule.design, values), with_design=with_design)
+    part = Assessment(design=_output(case, rule.design, values), with_design=with_design,
+                      assumed=frozenset(assumed))  # fmt: skip
     rule.assess(inputs, values, part)
     return part.answer()
 

@@ -44,7 +44,7 @@ def system(q: Any, _: Values, part: Assessment) -> None:
     )  # fmt: skip
     what = "distance of the nearest critical speed from the operating range"
     part.at_least("separation", what, abs(distance(q, nearest.speed)), q.margin, "%",
-                  "margin, given")  # fmt: skip
+                  "input margin", assumed="margin" in part.assumed)  # fmt: skip
 
 
 def sprag_rotor(q: Any, v: Values, part: Assessment) -> None:

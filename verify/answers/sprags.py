@@ -11,7 +11,9 @@ from verify.cases.sprag_clutch_advice import why
 from verify.cases.sprag_clutch_limits import as_torque_grows, verdict
 
 FRICTION = "required friction coefficient tan ν of the inner contact"
-STATIC = "static friction coefficient μ_s, given"
+NO_CROWN = (
+    "without a crown (z_m = 0) the pressure at the sprag's ends grows with the number of slices"
+)
 MISSING = "give p_lim"
 
 
@@ -31,7 +33,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     state = verdict(q, v)
     if part.with_design:
         part.design = _permissible_torque(q)
-    part.at_most("friction", FRICTION, v.get("mu_req", v["mu_0"]), q.mu_s, "1", STATIC)
+    part.below_input("friction", FRICTION, v.get("mu_req", v["mu_0"]), "mu_s", q.mu_s, "1")
     if state == "no state":
         part.failures.append(why(q, v))
     if "T end" in v:
@@ -42,6 +44,8 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         what = f"largest pressure at the {place} race"
         part.pressure(f"contact_pressure_{place}", what, v[key], q.E, given=q.p_lim,
                       option=MISSING)  # fmt: skip
+    if q.z_m == 0:
+        part.unknowns.append(NO_CROWN)
     walls = {"inner": ("Tresca_i", q.R_i - q.R_id), "outer": ("Tresca_e", q.R_ed - q.R_e)}
     for place, (key, wall) in walls.items():
         strength = yield_strength(q.R_p, q.E, wall=wall)
@@ -69,13 +73,13 @@ def engagement(q: Any, v: Values, part: Assessment) -> None:
     if "N_max" not in v:
         part.failures.append("the sprags roll over, or no state exists, in the first peak")
         return
-    part.at_most("friction", "largest required friction coefficient", v["mu_asked"], q.mu_s, "1",
-                 STATIC)  # fmt: skip
+    what = "largest required friction coefficient"
+    part.below_input("friction", what, v["mu_asked"], "mu_s", q.mu_s, "1")
 
 
 def stick_slip(q: Any, v: Values, part: Assessment) -> None:
     """Static friction beside that at which the sprags begin to slide."""
-    part.at_most("friction", FRICTION, v["mu_b"], q.mu_s, "1", STATIC)
+    part.below_input("friction", FRICTION, v["mu_b"], "mu_s", q.mu_s, "1")
 
 
 def crown(q: Any, v: Values, part: Assessment) -> None:
@@ -83,12 +87,14 @@ def crown(q: Any, v: Values, part: Assessment) -> None:
     if "p peak" not in v:
         part.failures.append("no state within the sprags' profile carries the first peak")
         return
+    if q.z_m == 0:
+        part.unknowns.append(NO_CROWN)
     part.pressure("contact_pressure", "largest pressure in the first peak", v["p peak"], q.E,
                   given=q.p_lim, option=MISSING)  # fmt: skip
 
 
 def optimum(q: Any, v: Values, part: Assessment) -> None:
     """Friction and pressure under the static load; the optimum itself needs `check --fem`."""
-    part.at_most("friction", FRICTION, v["mu_req"], q.mu_s, "1", STATIC)
+    part.below_input("friction", FRICTION, v["mu_req"], "mu_s", q.mu_s, "1")
     part.pressure("contact_pressure", "largest pressure under the static load", v["static peak"],
                   q.E, given=q.p_lim, option=MISSING)  # fmt: skip

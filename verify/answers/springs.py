@@ -51,6 +51,9 @@ def curve(q: Any, v: Values, part: Assessment) -> None:
         what="force at the stroke by two straight lines (k_1, then k_2); `check --fem` has the "
         "curve",
     )  # fmt: skip
+    if "stroke" in part.assumed:
+        part.unknowns.append("no stroke is given: the force is that at 0.6 L_0, the end of Eq. 12")
+        return
     bending_stress(q, force, part)
     L0 = float(frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha))
     part.at_most("stroke", "stroke", q.stroke, LARGEST_STROKE * L0, "mm", "0.6 L_0 (Eq. 12)")
@@ -77,7 +80,8 @@ def bending_stress(q: Any, F: float, part: Assessment) -> None:
     """Largest bending stress in the loops under `F` [N]."""
     stress = float(energy.bending_stress(F=F, b=q.b, h=q.h, r=q.r, L1=q.L1))
     strength = strip_strength(getattr(q, "R_p", None), q.E)
-    part.stress("bending_stress", f"bending stress under {F:.4g} N", stress, strength)
+    option = "give R_p" if hasattr(q, "R_p") else "spring-accordion takes R_p"
+    part.stress("bending_stress", f"bending stress under {F:.4g} N", stress, strength, option)
 
 
 def _deflection(U: float, L0: float, part: Assessment) -> None:

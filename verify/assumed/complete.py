@@ -32,6 +32,8 @@ def complete(
             if isinstance(error, ValueError):
                 raise InputError(f"{where}: inputs: {one.name} does not follow: {error}") from error
             value = placeholder(model, one)  # `build` refuses the file for another input
+        if value is None:  # nothing can be assumed, such as a limit of an unknown material
+            continue
         whole[one.name] = value
         given[one.name] = read_value(model, one.name, value)
         found.append(listed(model, one, value))

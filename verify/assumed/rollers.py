@@ -3,7 +3,7 @@
 import math
 from functools import partial
 
-from verify.assumed.materials import ROLLER_FRICTION, STEEL
+from verify.assumed.materials import CONTACT_PRESSURE, ROLLER_FRICTION, STEEL
 from verify.assumed.rules import Assumption, Given
 
 WEDGE, NARROW, WIDE = (math.radians(angle) for angle in (7.0, 6.0, 8.0))  # between flat and race
@@ -55,6 +55,7 @@ FREEWHEEL_CLUTCH = (
     Assumption(name="F_ax", value="0 N", source="no axial load is given"),
     ROLLER_FRICTION,
     *STEEL,
+    CONTACT_PRESSURE,
 )  # fmt: skip
 
 CLEARANCE, LARGE, SMALL = 0.0006, 0.0009, 0.0003  # j_D over D_i

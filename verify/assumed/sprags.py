@@ -6,7 +6,7 @@ The paper's clutch: R_id = 7.21 mm, R_i = 11.11 mm, R_e = 19.44 mm, R_ed = 26.23
 
 import math
 
-from verify.assumed.materials import DENSITY, STEEL
+from verify.assumed.materials import CONTACT_PRESSURE, DENSITY, STEEL
 from verify.assumed.rules import Assumption, Given
 
 R_ID, R_I, R_E, R_ED = 7.21e-3, 11.11e-3, 19.44e-3, 26.23e-3  # m, Huang 2018, Table 1
@@ -71,6 +71,10 @@ SPRAG_CLUTCH = (
                source="typical: 0.48 (R_e - R_i)"),
     *STEEL,
     DENSITY,
+    CONTACT_PRESSURE,
+    Assumption(name="z_m", value="10 µm",
+               source="Huang 2018, Fig. 12: drop of the crown at the ends; a sprag without a crown "
+               "carries most at its ends"),
     Assumption(name="mu_s", value=0.12, usual=(0.1, 0.15),
                source="typical: hardened steel with oil at rest, 0.10 to 0.15"),
     Assumption(name="mu_c", value=lambda g: min(0.08, g.mu_s),
