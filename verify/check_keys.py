@@ -5,7 +5,7 @@ from pathlib import Path
 
 from verify.answers.keys import identifier
 from verify.case import Case, Output
-from verify.cases.registry import CASES, find
+from verify.cases.registry import find
 from verify.console_rows import unit_of
 from verify.inputs import meta, read_parameter_file
 from verify.told import aligned
@@ -26,9 +26,8 @@ def run_keys(file: Path) -> int:
 
 
 def _case(file: Path) -> Case:
-    named = str(file)
-    if any(case.id == named for case in CASES) and not file.exists():
-        return find(named)
+    if not file.exists() and file.suffix != ".toml":
+        return find(str(file))
     return find(read_parameter_file(file)[0])
 
 

@@ -175,3 +175,10 @@ def test_finite_elements_stand_beside_the_design_value(tmp_path, capsys):
     status, out = checked(written(tmp_path, "ring-lame"), "--fem", capsys=capsys)
     assert status == 0
     assert out.splitlines()[3].startswith("  finite elements: 22.71 µm; the formula differs by ")
+
+
+def test_keys_of_an_unknown_case_or_file_get_one_line(tmp_path, capsys):
+    for named, words in (("nosuch", "unknown case"), (tmp_path / "no.toml", "No such file")):
+        assert run(["check", "--keys", str(named)]) == 2
+        (line,) = capsys.readouterr().err.splitlines()
+        assert words in line
