@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from reports.verdicts import markdown
-from verify.cases.registry import CASES
+from verify.cases.registry import CASES, find
 from verify.cli import run
 from verify.commands import make_report
 from verify.environment import NEWEST, OLDEST, PACKAGES, python_problem
@@ -61,6 +61,25 @@ def test_the_parameter_file_of_the_readme_is_one():
     data = tomllib.loads(re.search(r"```toml\n(.*?)```", README, re.DOTALL)[1])
     case = next(c for c in CASES if c.id == data["case"])
     assert build(case.inputs, data["inputs"], "README").n == 12
+
+
+def test_the_papers_table_has_the_numbers_of_the_formulas():
+    def values(name):
+        case = find(name)
+        return case.analytic(case.inputs())
+
+    ring, star, strip = (
+        values(x) for x in ("polyhedral-clutch", "freewheel-torque", "spring-width")
+    )
+    for text in (
+        f"transmits {ring['M series']:.0f} N m",
+        f"promises {ring['M Eq. 21']:.0f} N m",
+        f"overestimates the wind-up by {star['phi printed'] / star['phi'] - 1:.0%}".replace(
+            "%", " %"
+        ),
+        f"adds up to {100 * (strip['f'] - 1):.1f} %",
+    ):
+        assert text in README, text
 
 
 def test_the_debian_packages_are_those_of_the_set_up():

@@ -67,6 +67,7 @@ def test_a_pressure_beyond_the_standard_and_within_the_given_limit_is_not_decide
     part.pressure("p", "pressure", 4300e6, STEEL, given=4500e6)
     assert part.answer().verdict is Verdict.CANNOT_SAY
     assert "ISO 76" in part.answer().reasons[0]
+    assert limits(part.answer())[0][0] == "undecided"
     part = Assessment()
     part.pressure("p", "pressure", 3900e6, STEEL, given=4500e6)
     assert part.answer().verdict is Verdict.HOLDS

@@ -33,7 +33,8 @@ class Quantity:
 class Criterion:
     """A value [SI] beside its limit [SI]; `minimum` where the value must not be below it.
 
-    `source` says where the limit comes from; `assumed` that the user did not give it.
+    `source` says where the limit comes from; `assumed` that the user did not give it; `doubt` why
+    a value within the limit does not decide.
     """
 
     key: str
@@ -44,6 +45,7 @@ class Criterion:
     source: str
     assumed: bool = False
     minimum: bool = False
+    doubt: str = ""
 
     @property
     def margin(self) -> float:

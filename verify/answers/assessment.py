@@ -45,14 +45,16 @@ class Assessment:
         self.at_most(key, what, value, limit, unit, source, assumed=is_assumed)
 
     def at_most(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
-                *, assumed: bool = False) -> None:  # fmt: skip
+                *, assumed: bool = False, doubt: str = "") -> None:  # fmt: skip
         """`value` [SI] must not exceed `limit` [SI]."""
-        self._add(key, what, value, limit, unit, source, assumed=assumed, minimum=False)
+        self._add(Criterion(key=key, what=what, value=value, limit=limit, unit=unit, source=source,
+                            assumed=assumed, doubt=doubt))  # fmt: skip
 
     def at_least(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
                  *, assumed: bool = False) -> None:  # fmt: skip
         """`value` [SI] must not be below `limit` [SI]."""
-        self._add(key, what, value, limit, unit, source, assumed=assumed, minimum=True)
+        self._add(Criterion(key=key, what=what, value=value, limit=limit, unit=unit, source=source,
+                            assumed=assumed, minimum=True))  # fmt: skip
 
     def stress(
         self, key: str, what: str, value: float, strength: Strength, option: str = "give R_p"
@@ -81,19 +83,14 @@ class Assessment:
         is_assumed = limit.assumed or "p_lim" in self.assumed
         source = SOURCES[ROLLER_STATIC] if "p_lim" in self.assumed else limit.source
         standard = BALL_STATIC if point else ROLLER_STATIC
-        self.at_most(key, what, p, limit.value, "MPa", source, assumed=is_assumed)
+        doubt = ""
         if standard < p <= limit.value:
-            self.unknowns.append(
-                f"{what} {p / 1e6:.4g} MPa is within the given limit and beyond "
-                f"{standard / 1e6:g} MPa, {SOURCES[standard]}"
-            )
+            doubt = f"beyond {standard / 1e6:g} MPa, {SOURCES[standard]}"
+            self.unknowns.append(f"{what} {p / 1e6:.4g} MPa is within the given limit and {doubt}")
+        self.at_most(key, what, p, limit.value, "MPa", source, assumed=is_assumed, doubt=doubt)
 
-    def _add(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
-             *, assumed: bool, minimum: bool) -> None:  # fmt: skip
-        if math.isnan(value) or math.isnan(limit):
-            self.unknowns.append(f"{what}: no value with these inputs")
-            return
-        self.criteria.append(
-            Criterion(key=key, what=what, value=value, limit=limit, unit=unit, source=source,
-                      assumed=assumed, minimum=minimum)
-        )  # fmt: skip
+    def _add(self, one: Criterion) -> None:
+        if math.isnan(one.value) or math.isnan(one.limit):
+            self.unknowns.append(f"{one.what}: no value with these inputs")
+        else:
+            self.criteria.append(one)

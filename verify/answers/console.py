@@ -23,11 +23,17 @@ def headline(name: str, answer: Answer, notes: Sequence[str]) -> list[str]:
 def limits(answer: Answer) -> list[tuple[str, ...]]:
     """Every criterion as cells: state, what, value, limit, margin, source."""
     return [
-        ("ok" if c.is_met else "NOT MET", c.what, number(c.value, c.unit),
+        (_state(c), c.what, number(c.value, c.unit),
          f"{'≥' if c.minimum else '≤'} {number(c.limit, c.unit)}", f"margin {margin(c)}",
-         ("assumed: " if c.assumed else "") + c.source)
+         ("assumed: " if c.assumed else "") + c.source + (f"; {c.doubt}" if c.doubt else ""))
         for c in answer.criteria
     ]  # fmt: skip
+
+
+def _state(criterion: Criterion) -> str:
+    if not criterion.is_met:
+        return "NOT MET"
+    return "undecided" if criterion.doubt else "ok"
 
 
 def number(value: float, unit: str) -> str:

@@ -40,4 +40,5 @@ def _criterion(c: Criterion) -> dict[str, Any]:
         "limit": finite(c.limit / factor), "unit": c.unit,
         "kind": "minimum" if c.minimum else "maximum", "margin": finite(c.margin),
         "is_met": c.is_met, "source": c.source, "assumed": c.assumed,
+        "doubt": c.doubt,
     }  # fmt: skip
