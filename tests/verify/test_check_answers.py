@@ -182,3 +182,14 @@ def test_keys_of_an_unknown_case_or_file_get_one_line(tmp_path, capsys):
         assert run(["check", "--keys", str(named)]) == 2
         (line,) = capsys.readouterr().err.splitlines()
         assert words in line
+
+
+def test_a_thin_outer_ring_of_a_roller_clutch_fails(tmp_path, capsys):
+    """Ten forces of some 7.6 kN on a wall of 2 mm: bending near 1200 MPa by a curved beam."""
+    path = tmp_path / "thin.toml"
+    path.write_text(ROLLER + '\nR_a = "33 mm"\nmu = 0.12\n', "utf-8")
+    status, out = checked(path, "--json", capsys=capsys)
+    found = {c["key"]: c for c in json.loads(out)["answer"]["criteria"]}
+    assert status == 1
+    assert found["hoop_stress_ring"]["value"] > 1000
+    assert not found["hoop_stress_ring"]["is_met"]

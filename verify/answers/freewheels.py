@@ -5,14 +5,16 @@ from typing import Any
 
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
-from verify.answers.strengths import contact_pressure
+from verify.answers.strengths import contact_pressure, yield_strength
 from verify.case import Values
 from verify.cases.freewheel_clutch_limits import allowed_shift, as_torque_grows
 from verify.cases.freewheel_clutch_model import past_corners
 from verify.cases.freewheel_clutch_words import verdict
+from verify.cases.ring_loads import OUTER
+from verify.cases.ring_loads_inputs import OuterInputs
 
 LOST = 0.01  # share of the clutches within tolerance
-RING = "the bending stress of the outer ring is not checked: see case ring-loads-outer"
+NO_RING = "the bending stress of the outer ring is not checked"
 MARGIN = "required friction coefficient"
 
 
@@ -54,8 +56,6 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         return
     what = f"{MARGIN} without load, tan α_0"
     part.below_input("friction_unloaded", what, v["mu_0"], "mu", q.mu, "1")
-    if q.is_star:
-        part.remarks.append(RING)
     if q.T == 0:
         if q.F_ax > 0:
             part.failures.append("no torque presses the rollers: the axial load meets no friction")
@@ -74,8 +74,27 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     source = "one end lifts off" if q.e_lim is None else "given"
     part.at_most("tilting", "shift e/L of the contact forces by tilting", v["e/L"],
                  allowed_shift(q), "1", source)  # fmt: skip
+    if q.is_star:
+        _outer_ring(q, v, part)
     if past_corners(q, v):
         part.failures.append("the rollers are beyond the end of the cam flats")
+
+
+def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
+    """Hoop stress of the outer ring under the forces of its rollers, as in case ring-loads-outer.
+
+    A housing is taken as part of the ring, as R_a is.
+    """
+    E = _moduli(q)[2]
+    try:
+        ring = OuterInputs(r_i=q.R, r_o=q.R_a, n=q.z, F=v["N"], L=q.L, R=q.r, E=E, nu=q.nu)
+        stress = OUTER.analytic(ring)["stress scale"]
+    except ValueError:  # dimensions beyond those of the ring's case
+        part.remarks.append(NO_RING)
+        return
+    strength = yield_strength(None, E, wall=q.R_a - q.R)
+    part.stress("hoop_stress_ring", "hoop stress of the outer ring", stress, strength,
+                "ring-loads-outer takes R_p")  # fmt: skip
 
 
 def _within_tolerances(v: Values, part: Assessment) -> None:
