@@ -262,7 +262,7 @@ def test_json_of_a_clutch_without_a_limit_or_a_torque_has_numbers_alone(line, tm
     file.write_text("\n".join(['case = "polyhedral-clutch"', "[inputs]", *lines, line]), "utf-8")
     with pytest.raises(SystemExit) as ended:
         main(["check", "--json", str(file)])
-    assert not ended.value.code
+    assert ended.value.code in (1, 3)  # it fails, or pressure does not decide
     told = json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
     assert told["values"]
 
