@@ -3,9 +3,9 @@
 import math
 from typing import Any
 
-from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
-from verify.answers.strengths import contact_pressure, yield_strength
+from verify.answers.strengths import yield_strength
+from verify.answers.torque import permissible
 from verify.case import Values
 from verify.cases.freewheel_clutch_limits import allowed_shift, as_torque_grows
 from verify.cases.freewheel_clutch_model import past_corners
@@ -62,7 +62,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         return
     part.design = None
     if part.with_design and v["mu_0"] <= q.mu:
-        part.design = _permissible_torque(q)
+        part.design = permissible(as_torque_grows(q), " at this axial load")
     _within_tolerances(v, part)
     if "safety" not in v:
         part.failures.append(verdict(q, v))
@@ -104,21 +104,6 @@ def _within_tolerances(v: Values, part: Assessment) -> None:
         part.unknowns.append(
             f"{lost:.3g} of the clutches within the tolerances slip or do not wedge"
         )
-
-
-def _permissible_torque(q: Any) -> Quantity | None:
-    """The smallest limit of the torque at this axial load; without p_lim that of ISO 76 counts."""
-    if q.p_lim is None:
-        limit = contact_pressure(None, *_moduli(q)).value
-        q = q.model_copy(update={"p_lim": limit})
-    ordered = as_torque_grows(q)
-    if not ordered:
-        return None
-    first = ordered[0]
-    return Quantity(
-        key="permissible_torque", symbol="T_max", value=first.at, unit="N m",
-        what=f"permissible torque at this axial load; beyond it {first.words}",
-    )  # fmt: skip
 
 
 def _moduli(q: Any) -> list[float]:

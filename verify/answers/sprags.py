@@ -3,9 +3,9 @@
 import math
 from typing import Any
 
-from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
-from verify.answers.strengths import contact_pressure, yield_strength
+from verify.answers.strengths import yield_strength
+from verify.answers.torque import permissible
 from verify.case import Values
 from verify.cases.sprag_clutch_advice import why
 from verify.cases.sprag_clutch_limits import as_torque_grows, verdict
@@ -32,7 +32,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     """Friction, pressures, end of the profile and yielding of the races, torque rising slowly."""
     state = verdict(q, v)
     if part.with_design:
-        part.design = _permissible_torque(q)
+        part.design = permissible(as_torque_grows(q), ", rising slowly")
     part.below_input("friction", FRICTION, v.get("mu_req", v["mu_0"]), "mu_s", q.mu_s, "1")
     if state == "no state":
         part.failures.append(why(q, v))
@@ -52,20 +52,6 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         part.stress(
             f"tresca_stress_{place}", f"Tresca stress of the {place} race", v[key], strength
         )
-
-
-def _permissible_torque(q: Any) -> Quantity | None:
-    """The smallest limit of a torque that rises slowly; without p_lim that of ISO 76 counts."""
-    if q.p_lim is None:
-        q = q.model_copy(update={"p_lim": contact_pressure(None, q.E).value})
-    ordered = as_torque_grows(q)
-    if not ordered:
-        return None
-    first = ordered[0]
-    return Quantity(
-        key="permissible_torque", symbol="T_max", value=first.at, unit="N m",
-        what=f"permissible torque, rising slowly; beyond it {first.words}",
-    )  # fmt: skip
 
 
 def engagement(q: Any, v: Values, part: Assessment) -> None:
