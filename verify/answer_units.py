@@ -67,6 +67,8 @@ def record_in_units(record: Any, system: System) -> Any:
 
 
 def _number(one: Shown, system: System) -> Shown:
+    if isinstance(one.value, str):
+        return replace(one, value=text_in(one.value, system))
     if not isinstance(one.value, float):
         return one
     value, unit = converted(one.value, one.unit, system)

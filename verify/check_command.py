@@ -29,9 +29,10 @@ from verify.results import CaseResult, Status
 from verify.run import Job
 from verify.shared_readings import SharedReading, shared_readings
 from verify.solving import solve
-from verify.unit_systems import System
+from verify.unit_systems import System, text_in
 
 GIVE_STRENGTH = "give R_p"
+DRAWN_IN_MM = "equations, figures and further tables of this page are in mm, N and MPa"
 FAILED = (Status.FAIL, Status.SKIP)
 
 
@@ -94,7 +95,7 @@ def run_check(path: Path, options: Options) -> int:
     else:
         print_check(in_system(checked, system), system)
     if options.out is not None:
-        _write(checked, options, time.perf_counter() - start)
+        _write(in_system(checked, system), options, system, time.perf_counter() - start)
     return exit_status(checked)
 
 
@@ -154,14 +155,17 @@ def _command(path: Path, options: Options) -> str:
     return f"freewheel check {flags}{shlex.quote(path.name)}"
 
 
-def _write(checked: Checked, options: Options, seconds: float) -> None:
+def _write(checked: Checked, options: Options, system: System, seconds: float) -> None:
     """The report of one part, whose findings begin with the answer."""
     result = checked.result
     if checked.dynamic is not None:
         result = with_dynamic(result, checked.dynamic)
-    first = tuple(line.strip() for line in answer_lines(checked))
+    first = tuple(text_in(line.strip(), system) for line in answer_lines(checked))
+    limits = limits_table(checked, system)
+    if system != "mm":
+        first += (DRAWN_IN_MM,)
     result = replace(result, findings=(*first, *result.findings),
-                     tables=(limits_table(checked), *result.tables))  # fmt: skip
+                     tables=(limits, *result.tables))  # fmt: skip
     report = make_report([result], [checked.case], seconds, result.name)
     assert options.out is not None
     page = write_report(report, options.out, options.cache)

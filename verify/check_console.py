@@ -16,7 +16,7 @@ from verify.results import CaseResult
 from verify.shared_readings import SharedReading
 from verify.shown import FormulaValue, Table
 from verify.told import aligned, print_rows, raised
-from verify.unit_systems import System, text_in
+from verify.unit_systems import System, cells_in, text_in
 
 NOTABLE = 0.01  # relative error that formula and reference share
 
@@ -50,10 +50,14 @@ def answer_lines(checked: Checked) -> list[str]:
     return headline(checked.result.name, checked.answer, notes)
 
 
-def limits_table(checked: Checked) -> Table:
+def limits_table(checked: Checked, system: System) -> Table:
     """The limits of the part as a table of its report."""
     header = ("", "criterion", "value", "limit", "margin", "source")
-    return Table(title="Limits of the part", header=header, rows=tuple(limits(checked.answer)))
+    return Table(
+        title="Limits of the part",
+        header=header,
+        rows=tuple(cells_in(limits(checked.answer), system)),
+    )
 
 
 def print_check(checked: Checked, system: System = "mm") -> None:
@@ -61,8 +65,7 @@ def print_check(checked: Checked, system: System = "mm") -> None:
     result, dynamic = checked.result, checked.dynamic
     for line in answer_lines(checked):
         print(raised(text_in(line, system)))
-    _print_table("limits", [tuple(text_in(cell, system) for cell in line)
-                            for line in limits(checked.answer)])  # fmt: skip
+    _print_table("limits", cells_in(limits(checked.answer), system))
     for warning in result.warnings:
         print(raised(f"warning: {warning}"))
     _print_list("notes", dynamic.after(result.findings) if dynamic else result.findings)

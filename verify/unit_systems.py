@@ -1,7 +1,7 @@
 """Units of an answer: those of the case (mm, N, MPa), SI base units, or inch and pound-force."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal
 
 from verify import units
@@ -32,6 +32,7 @@ INCH_WORDS = frozenset((
 LENGTH = units.dimensions("mm")
 NUMBER = r"[-+±]?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?"
 FEWEST_DIGITS, MOST_DIGITS = 3, 5  # of a number in a sentence
+LARGEST_WHOLE = 1e7  # larger numbers have a power of ten
 
 
 def system_of(raw: Any) -> System:
@@ -100,6 +101,11 @@ def text_in(text: str, system: System) -> str:
     return re.sub(pattern, lambda match: _phrase(match[0], names, system), text)
 
 
+def cells_in(lines: Iterable[Sequence[str]], system: System) -> list[tuple[str, ...]]:
+    """Lines of a table whose cells are converted like sentences."""
+    return [tuple(text_in(cell, system) for cell in line) for line in lines]
+
+
 def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
     """Numbers and their unit, each number with at least as many digits as before."""
     unit = next(name for name in names if phrase.endswith(f" {name}"))
@@ -114,5 +120,5 @@ def _text(number: str, factor: float) -> str:
     value = float(bare.replace(",", "")) * factor
     digits = len(re.sub(r"e.*|[-+.,]", "", bare).lstrip("0"))
     digits = min(max(FEWEST_DIGITS, digits), MOST_DIGITS)
-    whole = f"{value:.0f}" if abs(value) >= 10**digits else f"{value:.{digits}g}"
-    return sign + whole
+    is_whole = 10**digits <= abs(value) < LARGEST_WHOLE
+    return sign + (f"{value:.0f}" if is_whole else f"{value:.{digits}g}")

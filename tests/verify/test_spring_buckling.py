@@ -1,4 +1,4 @@
-"""Springs that give way sideways: faults turn rows red; odd springs; what is refused."""
+"""Lateral buckling of springs: faults turn rows red; odd springs; what is refused."""
 
 from dataclasses import replace
 
@@ -25,8 +25,8 @@ pytestmark = pytest.mark.xdist_group("spring-buckling")
 
 PAPER = {"n": 10, "b": "0.1 mm", "h": "56 mm", "r": "0.45 mm", "L1": "11.6 mm", "alpha": "80 deg",
          "E": "206 GPa", "nu": 0.3}  # fmt: skip
-U_CR = "displacement at which a free head gives way, tail held at its arc"
-F_CR = "force at which a free head gives way, tail held at its arc"
+U_CR = "displacement at which the spring with a free head buckles, tail held at its arc"
+F_CR = "force at which the spring with a free head buckles, tail held at its arc"
 COLUMN = "Haringx's column, tail held at its arc"
 MANY = "Haringx's column with ever more units, tail held at its arc"
 
@@ -222,13 +222,13 @@ def test_a_free_head_beyond_its_force_is_told_of():
     q = own(F="2 N")
     found = BUCKLING.warnings(q, analytic(q))
     assert len(found) == 1
-    assert "a head that is free gives way at 1.46 mm: it needs a guide" in found[0]
+    assert "with a free head the spring buckles at 1.46 mm: the head needs a guide" in found[0]
     assert not BUCKLING.warnings(own(F="0.5 N"), analytic(own(F="0.5 N")))
 
 
 @pytest.mark.parametrize(
     ("change", "said"),
-    [({"n": 30}, "n = 30 segments are more than 24"), ({"n": 4}, "too short to give way sideways")],
+    [({"n": 30}, "n = 30 segments are more than 24"), ({"n": 4}, "too short to buckle sideways")],
 )
 def test_springs_without_a_comparison_say_so(change, said):
     assert said in too_large(own(**change))

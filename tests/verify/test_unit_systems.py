@@ -1,6 +1,7 @@
 """Units of an answer follow the file: lengths, forces, torques and pressures converted alike."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -83,7 +84,7 @@ def test_the_system_of_a_file_is_that_of_most_lengths(raw, system):
     ("text", "expected"),
     [
         ("X smaller by 25.4 µm", "X smaller by 1 mil"),
-        ("first friction gives way (764.4 N m, 4.25 T)", "first friction gives way (6766 lbf in, "
+        ("first the contacts slip (764.4 N m, 4.25 T)", "first the contacts slip (6766 lbf in, "
          "4.25 T)"),
         ("4656 N m/rad at this torque", "41209 lbf in/rad at this torque"),
         ("up to 3094 MPa at one, 2670 MPa at another", "up to 448.7 ksi at one, 387.3 ksi at "
@@ -162,3 +163,34 @@ def test_inputs_that_are_whole_numbers_or_words_stay(capsys):
     found = check(PARTS / "drawn-cup-20.toml", capsys, "--units", "inch")["inputs"]
     assert found["kind"]["value"] == "outer cam"
     assert found["z"] == {"value": 11, "unit": "1"}
+
+
+def test_large_numbers_of_a_sentence_have_a_power_of_ten():
+    assert text_in("2020 MPa and 20 mm", "si") == "2.02e+09 Pa and 0.02 m"
+
+
+def test_a_design_is_answered_in_the_units_of_its_file(tmp_path, capsys):
+    metric = PARTS / "design-spring-30.toml"
+    assert run(["design", str(metric), "--no-fem", "--json"]) == 0
+    was = json.loads(capsys.readouterr().out)
+    assert run(["design", str(metric), "--no-fem", "--units", "inch"]) == 0
+    printed = capsys.readouterr().out
+    lines = [x.partition("typical")[0] for x in printed.splitlines() if "for 6 N at 24 mm" not in x]
+    assert not [x for x in lines if " mm" in x or " MPa" in x]
+    assert run(["design", str(metric), "--no-fem", "--units", "inch", "--json"]) == 0
+    now = json.loads(capsys.readouterr().out)
+    assert was["answer"]["design"]["unit"] == "N/mm"
+    assert now["answer"]["design"]["unit"] == "lbf/in"
+    ratio = units.factor("N/mm") / units.factor("lbf/in")
+    assert now["answer"]["design"]["value"] == pytest.approx(
+        was["answer"]["design"]["value"] * ratio
+    )
+    (row,) = (line for line in printed.splitlines() if re.match(r"  \d+\*", line))
+    assert f"{now['members'][now['chosen'] - 1]['L0']['value']:.4f}" in row
+
+
+def test_the_head_of_a_report_is_in_the_units_of_the_answer(tmp_path, capsys):
+    assert run(["check", str(FAN), "--out", str(tmp_path)]) == 0
+    found = json.loads((tmp_path / "results.json").read_text("utf-8"))["cases"][0]
+    assert any("in mm, N and MPa" in line for line in found["findings"])
+    assert {one["unit"] for one in found["values"]} & {"lbf", "mil"}

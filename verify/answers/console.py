@@ -45,7 +45,9 @@ def number(value: float, unit: str) -> str:
 
 def margin(criterion: Criterion) -> str:
     """The margin with three digits."""
-    return f"{criterion.margin:.3g}" if criterion.margin < LARGE else f"above {LARGE:g}"
+    if criterion.margin >= LARGE:
+        return f"above {LARGE:g}"
+    return f"{criterion.margin:#.3g}".rstrip(".")
 
 
 def _because(answer: Answer) -> str:

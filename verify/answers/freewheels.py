@@ -59,8 +59,9 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     if q.T == 0:
         if q.F_ax > 0:
             part.failures.append("no torque presses the rollers: the axial load meets no friction")
+        elif part.with_design and v["mu_0"] <= q.mu:
+            part.design = permissible(as_torque_grows(q), " at this axial load")
         return
-    part.design = None
     if part.with_design and v["mu_0"] <= q.mu:
         part.design = permissible(as_torque_grows(q), " at this axial load")
     _within_tolerances(v, part)

@@ -17,7 +17,7 @@ QUENCHED = "42CrMo4 quenched and tempered, ISO 683-2, minimum yield strength"
 YIELD_BY_WALL = ((8e-3, 900e6), (20e-3, 750e6), (60e-3, 650e6), (100e-3, 550e6), (160e-3, 500e6))
 STRIP_TENSILE = 1200e6  # Pa
 STATIC_SHARE = 0.7  # of the tensile strength, static bending of leaf springs
-STRIP = "0.7 of 1200 MPa, the minimum tensile strength of strip C75S+QT (EN 10132)"
+STRIP = "static bending: 0.7 of 1200 MPa, the minimum tensile strength of strip C75S+QT (EN 10132)"
 GIVEN = "given"
 
 

@@ -97,7 +97,7 @@ def stations_fem(q: EndInputs, level: int) -> Array:
 
 
 def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
-    """How the race, or the roller, gives way; each pressed at opposite places."""
+    """Compliance of the race, or of the roller; each pressed at opposite places."""
     from fem.fourier.compliance import harmonics, surface_compliance
     from fem.fourier.solid import FourierSolid
     from fem.plane.material import Elastic

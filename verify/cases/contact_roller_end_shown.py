@@ -37,8 +37,8 @@ def line_loads(context: Context, crown: str) -> Figure:
     return Curves(
         title=f"Line load towards the end, {crown}", x_label="y [mm]", y_label="q [N/mm]",
         curves=tuple(curves), y_top=1.7 * q.F / q.L / 1e3,
-        note="Where both bodies go on, the half-space is nearly right; a free end face gives way, "
-        "and the load goes to the middle.",
+        note="Where both bodies go on, the half-space is nearly right; a free end face deflects "
+        "more, and the load goes to the middle.",
     )  # fmt: skip
 
 

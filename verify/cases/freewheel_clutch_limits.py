@@ -19,7 +19,7 @@ NONE = 10.0  # pressure over E that stands for no limit of pressure
 SMALLEST, POINTS, ROUNDS = 1e-7, 400, 3  # of the largest torque; torques of a search, its rounds
 
 WORDS = {
-    "slip": "friction gives way",
+    "slip": "the contacts slip",
     "bears": "below it friction no longer bears the axial load",
     "pressure_inner": "the inner contacts reach p_lim",
     "pressure_outer": "the outer contacts reach p_lim",

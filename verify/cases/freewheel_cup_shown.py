@@ -21,7 +21,7 @@ __all__ = ["equations", "figures", "pictures", "sketch"]
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
 
-ROLLED = "The angle grows faster than the torque: towards the summit the clutch gives way."
+ROLLED = "The angle grows faster than the torque: the largest torque has no stiffness left."
 
 
 def sketch(q: Any) -> Sketch:

@@ -202,7 +202,7 @@ CHECKS = (
             why="range of the rig, beside the torsion under the largest torque"),
     Adopted(name="axial displacement that the rig allows", symbol="u_z", unit="mm",
             reference="nagler2021:rig-axial-displacement",
-            why="range of the rig: before slip the clutch gives way by some µm, the rest is slip"),
+            why="range of the rig: before slip the clutch deflects by some µm, the rest is slip"),
     Adopted(name="test runs of each clutch", symbol="n", unit="1",
             reference="nagler2021:test-runs-per-clutch",
             why="their settings (Table 1) are not in the text: three paths stand for the kinds"),

@@ -43,7 +43,7 @@ def too_large(q: StarInputs) -> str:
     wall = q.R_a - q.R
     if v["d_o at N"] > BENT * wall:
         return (
-            f"the ring gives way by {v['d_o at N'] * 1e6:.4g} µm under T/(z R tan α_0), more than "
+            f"the ring deflects by {v['d_o at N'] * 1e6:.4g} µm under T/(z R tan α_0), more than "
             f"{BENT:g} of its wall of {wall * 1e3:.4g} mm: displacements are not small; check it "
             "without --fem"
         )
@@ -67,7 +67,7 @@ TORQUE = Case(
     title="Roller freewheel under torque",
     paper="nagler2021",
     place="Eqs. 2-7",
-    lead="Rollers wedged between the flats of a star and a ring move on as the contacts give way: "
+    lead="Rollers wedged between the flats of a star and a ring move on as the contacts deflect: "
     "clamping angle, normal force, way and torsion over torque, with the paper's Eqs. 3 to 7 "
     "corrected. One pitch of star, roller and ring with friction at both races says the same, and "
     "its energy says the torsion without any thought of rolling.",

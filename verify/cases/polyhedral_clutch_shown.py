@@ -121,7 +121,7 @@ def figures(context: Context) -> Sequence[Figure]:
     return (
         Dots(title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
              note="Eqs. 20 and 21 hand all of the blocking pressure to the rollers; the ring keeps "
-             "its part, and rollers give way."),
+             "its part, and rollers deflect."),
     )  # fmt: skip
 
 

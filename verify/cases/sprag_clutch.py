@@ -52,7 +52,7 @@ OUTPUTS = (
     output("s_id", "σ_θ(R_id)", "MPa", "hoop stress at the inner race's bore, smeared load"),
     output("s_i", "σ_θ(R_i)", "MPa", "hoop stress of the inner race where sprags touch"),
     output("s_e", "σ_θ(R_e)", "MPa", "hoop stress of the outer race where sprags touch"),
-    output("T slip", "T_μ", "N m", "torque at which friction gives way", judged=True),
+    output("T slip", "T_μ", "N m", "torque at which the contacts slip", judged=True),
     output("T pressure_inner", "T_p,i", "N m", "torque at which the inner contacts reach p_lim"),
     output("T pressure_outer", "T_p,o", "N m", "torque at which the outer contacts reach p_lim"),
     output("T yield_inner", "T_R,i", "N m", "torque at which the inner race reaches R_p"),
@@ -140,8 +140,8 @@ CLUTCH = Case(
         "stresses of the races are Lamé's under the smeared forces, in plane stress; R_p limits "
         "Tresca's at both bores",
         "a verdict without --dynamic is of a torque that rises slowly",
-        "the closure takes all that gives way on the inner side to the unstrained spiral (Eqs. 9 "
-        "and 10, corrected), so that the torque's work is theirs",
+        "the closure takes the deflections of the whole inner side to the unstrained spiral "
+        "(Eqs. 9 and 10, corrected), so that the torque's work is theirs",
         "the pressures of the engagement are those of statics at its largest normal force",
         "without a crown the largest pressure is that of the end slices: it has no limit as they "
         "become more",

@@ -18,7 +18,7 @@ APART = 0.9  # of half a pitch: patches that are wider would overlap
 
 
 def bodies(q: SpragInputs, N: float, N_e: float) -> dict[str, float]:
-    """Elastic turn, stresses [Pa] of the races under N, N_e [N] and how uneven they give way."""
+    """Elastic turn, stresses [Pa] of the races under N, N_e [N] and how unevenly they deflect."""
     clutch = sprag_wedge_model.elastic(q)
     state = at_torque(clutch, q.T)
     turn = float(rolled(clutch, float(state.N))) if np.isfinite(state.N) else math.nan
@@ -46,7 +46,7 @@ def hoop(q: SpragInputs, N: float, N_e: float) -> dict[str, float]:
 
 
 def uneven(q: SpragInputs, N: float, loaded: Wall) -> float:
-    """How far a race gives way under each sprag, its dent apart, over Eq. 6's smeared ring."""
+    """Deflection of a race under each sprag, indentation excluded, over Eq. 6's smeared ring."""
     r, ratio = (q.R_i, q.R_i / q.R_id) if loaded == "rim" else (q.R_e, q.R_ed / q.R_e)
     a = sprag_wedge_model.half_widths(q, np.asarray(N))[loaded == "bore"]
     a_r = min(float(a) / r, APART * math.pi / q.z)

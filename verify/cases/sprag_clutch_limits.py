@@ -17,7 +17,7 @@ from verify.cases.sprag_inputs import SpragInputs
 LEAST = 1e-4  # of the largest load: below, no pressure is searched
 
 WORDS = {
-    "slip": "friction gives way",
+    "slip": "the contacts slip",
     "pressure_inner": "the inner contacts reach p_lim",
     "pressure_outer": "the outer contacts reach p_lim",
     "yield_inner": "the inner race yields at its bore",

@@ -50,7 +50,7 @@ def equations(q: SpragInputs, v: Values) -> Sequence[Equation]:
         Equation(
             tex=r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0)",
             numbers=rf"= {tex(v['alpha'] * DEGREE, 5)}°",
-            place="Eq. 10, corrected, with all that gives way on the inner side",
+            place="Eq. 10, corrected, with the deflections of the whole inner side",
         ),
         Equation(
             tex=r"T = n_s N \tan\nu\;OA",
@@ -150,7 +150,7 @@ def yields(context: Context) -> Bars:
     names = (("d_BI", "inner race"), ("d_HI", "inner contact"), ("d_g", "sprag"),
              ("d_HE", "outer contact"), ("d_BE", "outer race"))  # fmt: skip
     return Bars(
-        title="What gives way how much", label="deflection [µm]",
+        title="Deflections of the parts", label="deflection [µm]",
         items=tuple((name, v[key] * 1e6, f"{v[key] * 1e6:.3g} µm, {v[key] / v['H']:.0%}")
                     for key, name in names),
         note=f"Together {v['H'] * 1e6:.4g} µm, which turn the sprags by "

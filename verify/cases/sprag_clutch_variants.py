@@ -24,7 +24,7 @@ def low_friction(v: dict[str, float]) -> float:
 
 
 def variants(q: SpragInputs, v: dict[str, float]) -> dict[str, float]:
-    """Torque [N m] at which low friction gives way, turn [rad] and growth [m] at speed.
+    """Torque [N m] at which the contacts slip at low friction, turn [rad] and growth [m] at speed.
 
     `per law` is what a change of tan(nu) by one part changes that torque by, in parts.
     """

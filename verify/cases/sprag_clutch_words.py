@@ -138,7 +138,7 @@ def warnings(q: SpragInputs, v: Values) -> Sequence[str]:
             else "no state that bears the springs alone was found: N_0 is not known"
         )
     found += [
-        f"the {race} race gives way {v[key]:.3g} times as much under each sprag as Eq. 6's smeared "
+        f"the {race} race deflects {v[key]:.3g} times as much under each sprag as Eq. 6's smeared "
         "ring: few sprags or a thin wall make it no round race, its stress is not the smeared one's"
         for key, race in (("uneven_i", "inner"), ("uneven_e", "outer"))
         if v.get(key, 0.0) > UNEVEN

@@ -111,7 +111,7 @@ def too_large(q: WedgeInputs) -> str:
     ):  # fmt: skip
         if float(yields) > BENT * wall:
             return (
-                f"the {name} race gives way by {float(yields) * 1e6:.4g} µm under {N:.4g} N, more "
+                f"the {name} race deflects by {float(yields) * 1e6:.4g} µm under {N:.4g} N, more "
                 f"than {BENT:g} of its wall: displacements are not small{without}"
             )
     return ""

@@ -1,4 +1,4 @@
-"""An accordion spring that gives way sideways: Haringx's column, the elastica, finite elements."""
+"""Lateral buckling of an accordion spring: Haringx's column, the elastica, finite elements."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -105,7 +105,7 @@ def too_large(q: BucklingInputs) -> str:
     except ArithmeticError as error:
         return f"{NOT_FOUND} ({error}): check it without --fem"
     return (
-        "this spring is too short to give way sideways before its leaves meet: there is nothing "
+        "this spring is too short to buckle sideways before its leaves meet: there is nothing "
         "to compare, check it without --fem"
     )
 
@@ -188,14 +188,14 @@ class PaperLimit(Limit):
 def warnings(q: BucklingInputs, v: Values) -> Sequence[str]:
     found = []
     if (free := v.get("Haringx U, free")) is None:
-        return ["too short to give way sideways, whatever holds the head"]
+        return ["too short to buckle sideways, whatever holds the head"]
     if q.F is not None:
         U, least = v["deflection"], min(free, *(v.get(f"U_cr, {t}", free) for t in TAILS))
         for head, limit in (("free", least), ("hinged", v.get("Haringx U, hinged"))):
             if limit is not None and limit < U:
                 found.append(
-                    f"F = {q.F:g} N compresses by {U * 1e3:.3g} mm; a head that is {head} gives "
-                    f"way at {limit * 1e3:.3g} mm: it needs a guide"
+                    f"F = {q.F:g} N compresses by {U * 1e3:.3g} mm; with a {head} head the "
+                    f"spring buckles at {limit * 1e3:.3g} mm: the head needs a guide"
                 )
     if q.n > MOST:
         found.append(f"more than {MOST} segments: by Haringx's column alone")
@@ -221,8 +221,8 @@ CHECKS = (
                  demand_reason="exact elastica and exact beam")
         for tail, where in WHERE.items()
         for key, symbol, unit, what in (
-            ("U_cr", "U_cr", "mm", "displacement at which a free head gives way"),
-            ("F_cr", "F_cr", "N", "force at which a free head gives way"),
+            ("U_cr", "U_cr", "mm", "displacement at which the spring with a free head buckles"),
+            ("F_cr", "F_cr", "N", "force at which the spring with a free head buckles"),
             ("F_lin", "F_lin", "N", "linear buckling load of the undeformed spring"),
             ("k_y", "k_y", "N/mm", "lateral stiffness of the guided head, unloaded"),
             *((f"drift {share:g} P", "u_y", "mm", f"drift of a free head under {share:g} P")
@@ -243,7 +243,7 @@ CHECKS = (
     Agreement(name="U_cr is the same for a fourfold thickness on one centre line", symbol="U_cr",
               unit="mm", pair=spread, accepted=SPREAD,
               source=suites("half of the 1 % that rows are asked for")),
-    Accepted(name="springs of one L_0/b give way at displacements that differ fivefold",
+    Accepted(name="springs of one L_0/b buckle at displacements that differ fivefold",
              symbol="U_cr/L_0", unit="1", margin=one_ratio,
              printed=("wang2023:rule-length-thickness-max",)),
     *(
@@ -252,15 +252,15 @@ CHECKS = (
         for tail, where in WHERE.items()
     ),
     *(
-        Accepted(name=f"a hinged head does not give way up to {HINGED_TO:.0%} of L_0, {where}",
-                 symbol="det", unit="1", margin=hinged(tail))
+        Accepted(name=f"a spring with a hinged head does not buckle up to {HINGED_TO:.0%} of L_0, "
+                      f"{where}", symbol="det", unit="1", margin=hinged(tail))
         for tail, where in WHERE.items()
     ),
 )  # fmt: skip
 
 BUCKLING = Case(
     id="spring-buckling",
-    title="Accordion spring that gives way sideways",
+    title="Lateral buckling of an accordion spring",
     paper="wang2023",
     place="Sec. 3, Eq. 13, Fig. 11 (lateral displacement)",
     lead="How far a spring can be pressed before only a guide keeps its head in line: Haringx's "
@@ -277,21 +277,21 @@ BUCKLING = Case(
             key="U_cr, arc",
             symbol="U_cr",
             unit="mm",
-            what="a free head gives way, tail held at its arc",
+            what="buckling with a free head, tail held at its arc",
         ),
         Output(key="F_cr, arc", symbol="F_cr", unit="N", what="the force there"),
         Output(
             key="U_cr, mid-leaf",
             symbol="U_cr",
             unit="mm",
-            what="a free head gives way, tail held at mid-leaf",
+            what="buckling with a free head, tail held at mid-leaf",
         ),
         Output(key="F_cr, mid-leaf", symbol="F_cr", unit="N", what="the force there"),
         Output(
             key="Haringx U, free",
             symbol="U_cr",
             unit="mm",
-            what="a free head gives way, by Haringx's column",
+            what="buckling with a free head, by Haringx's column",
         ),
         Output(key="Haringx F, free", symbol="F_cr", unit="N", what="the force there"),
         Output(
@@ -299,14 +299,14 @@ BUCKLING = Case(
             symbol="U_cr",
             unit="mm",
             judged=False,
-            what="a hinged head gives way, by Haringx's column",
+            what="buckling with a hinged head, by Haringx's column",
         ),
         Output(
             key="Haringx U, guided",
             symbol="U_cr",
             unit="mm",
             judged=False,
-            what="a guided spring gives way between its ends, by Haringx's column",
+            what="buckling of a guided spring between its ends, by Haringx's column",
         ),
         Output(
             key="k_y, arc",
@@ -324,12 +324,12 @@ BUCKLING = Case(
     ),
     readings=(
         "a free head: the force keeps its direction and acts at O, which moves sideways and turns",
-        "gives way: pressed with its head guided and let go, the head can move without a change "
+        "buckles: pressed with its head guided and released, the head can move without a change "
         "of load; what the guide exerted stays as a dead load",
         "r is the inner radius: the centre line of the arcs has r + b/2",
     ),
     assumptions=(
-        "leaves do not touch: the paper's spring gives way before they do",
+        "leaves do not touch: the paper's spring buckles before they do",
         "narrow strip: E I without 1 − ν², which forces carry and displacements do not",
         "tail clamped, at the end of its arc or in the middle of its leaf",
     ),

@@ -116,7 +116,7 @@ def swept(q: BucklingInputs) -> dict[str, Any]:
 
 
 def shortening(one: Spring, length: float) -> float:
-    """Share of its free length after which a free head gives way; NaN where it never does."""
+    """Share of the free length at which a free head buckles; NaN where it never does."""
     return one.gives_way(LAST * length)[0] / length
 
 

@@ -1,4 +1,4 @@
-"""What the report shows of a spring that gives way sideways."""
+"""Figures and tables of lateral buckling."""
 
 import math
 from collections.abc import Sequence
@@ -112,9 +112,9 @@ def _slender(context: Context, found: Array | None) -> Curves:
                   y=100 * found[on], style="dots", colour=0)
         )  # fmt: skip
     return Curves(
-        title="Slenderness at which springs give way", x_label="L_0/L_1", y_label="U_cr/L_0 [%]",
+        title="Slenderness at which springs buckle", x_label="L_0/L_1", y_label="U_cr/L_0 [%]",
         curves=tuple(curves), y_bottom=0.0, y_top=60.0,
-        note="Left of where a line ends the spring never gives way. All thicknesses fall together.",
+        note="Left of where a line ends the spring never buckles. All thicknesses fall together.",
     )  # fmt: skip
 
 
@@ -129,7 +129,7 @@ def _error(context: Context, found: Array) -> Map:
         title="Haringx's column over segments and leaves", x_label="segments n",
         y_label="leaf L_1 [mm]", columns=tuple(map(str, MAP_N)),
         rows=tuple(f"{k * q.L1 / mm:.3g}" for k in MAP_L1), error=xi / found - 1,
-        checked=np.isfinite(found), without="never gives way",
+        checked=np.isfinite(found), without="never buckles",
         note="Error of U_cr in per cent, head free, tail held at its arc: the ends are no units.",
     )  # fmt: skip
 
@@ -167,7 +167,7 @@ def _guide(context: Context) -> Curves:
 
 
 def _shapes(context: Context) -> Shapes:
-    """The spring as made, where its guided head would give way, and what a free head does."""
+    """The spring as made, buckled with a guided head, and its shape with a free head."""
     q = context.inputs
     panels = []
     for tail in TAILS:
@@ -175,11 +175,11 @@ def _shapes(context: Context) -> Shapes:
                         for name in ("let go", "free shape"))  # fmt: skip
         straight = tuple(let_go)
         panels += [
-            Panel(name=f"gives way, tail at {tail}", lines=straight),
+            Panel(name=f"buckled, tail at {tail}", lines=straight),
             Panel(name=f"free head, 10 % pressed, tail at {tail}", lines=tuple(free),
                   faint=straight),
         ]  # fmt: skip
     return Shapes(
         title="Guided, and let go from the first moment", unit="mm", panels=tuple(panels),
-        thickness=q.b / mm, note="True to scale. Faint: guided, where it would give way.",
+        thickness=q.b / mm, note="True to scale. Faint: guided head, where it would buckle.",
     )  # fmt: skip

@@ -23,9 +23,7 @@ def analytic(q: CurveInputs) -> Values:
 def warnings(q: CurveInputs, v: Values) -> Sequence[str]:
     found = []
     if q.head == "free":
-        found.append(
-            "a head that is free gives way sideways early: see case spring-buckling for the load"
-        )
+        found.append("a free head buckles sideways early: see case spring-buckling for the load")
     leaf = float(width_factor(q.h, q.leaf, nu=q.nu))
     if abs(leaf / q.width_factor - 1) > OTHER_WIDTH:
         found.append(
@@ -38,7 +36,7 @@ def warnings(q: CurveInputs, v: Values) -> Sequence[str]:
 
 
 def too_large(q: CurveInputs) -> str:
-    """Beams are followed where the head is guided: a free one gives way, a hinged one wanders."""
+    """Only guided heads are followed: a free one buckles, a hinged one moves sideways."""
     if q.head != "guided":
         return (
             f"head = {q.head}: the whole curve is followed for a guided head alone, the first "

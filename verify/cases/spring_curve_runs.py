@@ -82,7 +82,7 @@ def _read(q: CurveInputs) -> dict[str, Any]:
     """The readings, and the limit of slender leaves."""
     held, found = grid(q, QUARTER), {}
     for name, spring in readings(q):
-        within = held if spring.head != "free" else held[:1]  # it gives way soon after
+        within = held if spring.head != "free" else held[:1]  # it buckles soon after
         found[f"reading {name}"] = _kept(fem_compress(spring, within, per_arc=COARSE))
     limit = [[thin_fem(q, share, cells) for share in THIN] for cells in THIN_CELLS]
     return found | {"thin": np.array(limit)}

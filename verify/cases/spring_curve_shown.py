@@ -177,7 +177,7 @@ def _readings(context: Context) -> Curves:
         title="Readings of the paper's spring beside Eq. 10", x_label="U [mm]",
         y_label="F over Eq. 10, less one [%]", curves=tuple(curves),
         note="Tail, head, radius of the arcs' centre line, each with the width factor f. Heads "
-        "that are free give way sideways at 1.5 mm and are not drawn.",
+        "that are free buckle sideways at 1.5 mm and are not drawn.",
     )  # fmt: skip
 
 
@@ -250,7 +250,7 @@ def _combinations(context: Context) -> Table:
         header=("tail, head, arcs", "f", "k_1 [N/mm]", "of Eq. 10", "k_2 [N/mm]", "of Eq. 10",
                 "lines cross, of Eq. 10", "F at 17 mm", "k_1, k_2 of the tests"),
         note="k_1 and k_2 by least squares before and after the leaves touch, as Eq. 10 was "
-        "made. Free heads give way sideways at about 1.5 mm and 0.9 N: they have no such lines.",
+        "made. Free heads buckle sideways at about 1.5 mm and 0.9 N: they have no such lines.",
     )  # fmt: skip
 
 

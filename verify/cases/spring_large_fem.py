@@ -1,4 +1,4 @@
-"""Springs at large displacement for the cases: frames, and where a head let go would give way."""
+"""Springs at large displacement for the cases: frames, and where a released head would buckle."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -76,7 +76,7 @@ class Spring:
 
         And its rounding (3, 3), by what it lacks in symmetry and what the last correction changed.
         Only the rest of the spring is solved
-        for, so that nothing is singular where the head gives way; what is left comes from strains
+        for, so that nothing is singular where the spring buckles; what is left comes from strains
         in extended precision, since K u would round in thin strips.
         """
         e = self.guided.elements
@@ -141,7 +141,7 @@ class Spring:
         return loads[-1], abs(loads[-1] - loads[-2]) + PLACES * loads[-1]
 
     def gives_way(self, until: float) -> "tuple[float, float, State | None]":
-        """Where a guided head, let go, first gives way: displacement, its rounding, and state.
+        """Where a guided head, released, first buckles: displacement, its rounding, and state.
 
         NaN and None where it does not up to `until`.
 

@@ -26,7 +26,7 @@ MET = 0.01  # k_1 within this of the printed one
 ACCEPTED = 0.05  # what k_2 and the crossing are to keep
 EQ10_END = 16.85e-3  # m: 11 N, where the tests end, on the second line
 FITTED = "calibrated: of the sixteen readings the one whose k_1 is nearest to the printed one"
-LOOSE = "linear theory alone: such a head gives way near 1 N, see spring-buckling and spring-curve"
+LOOSE = "linear theory alone: such a spring buckles near 1 N, see spring-buckling and spring-curve"
 N_PER_MM, mm = 1e3, 1e-3
 
 

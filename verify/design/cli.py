@@ -1,6 +1,7 @@
 """How `freewheel design` is called, for springs and for sprags."""
 
 from pathlib import Path
+from typing import Literal
 
 from verify.arguments import Number
 
@@ -13,6 +14,7 @@ def design(
     fem: bool = True,
     json: bool = False,
     out: Path | None = None,
+    units: Literal["si", "mm", "inch"] | None = None,
 ) -> int:
     """Find the accordion springs that do a task, or the crown of a sprag with the least pressure.
 
@@ -30,6 +32,9 @@ def design(
         Print JSON instead of text.
     out
         Folder for the page, all candidates and a parameter file of what is chosen.
+    units
+        Units of the answer: si, mm (mm, N, MPa) or inch; by default those of the file. Files of
+        `--out` and the table of a crown's pressures stay in mm, N and MPa.
     """
     from verify.inputs import read_parameter_file
 
@@ -37,7 +42,7 @@ def design(
     if case in ("design-sprag", "sprag-clutch"):
         from verify.design_sprag.command import run_design as run_sprag
 
-        return run_sprag(file, choose=choose, use_fem=fem, as_json=json, out=out)
+        return run_sprag(file, choose=choose, use_fem=fem, as_json=json, out=out, units=units)
     from verify.design.command import run_design
 
-    return run_design(file, choose=choose, use_fem=fem, as_json=json, out=out)
+    return run_design(file, choose=choose, use_fem=fem, as_json=json, out=out, units=units)

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
+from verify.answer_units import assumed_in, record_in_units
 from verify.answers.answer import EXIT_STATUS, Verdict
 from verify.answers.console import headline
 from verify.answers.record import answer_record
@@ -19,15 +20,18 @@ from verify.design.outcome import CHOSEN, Outcome, carry_out, chosen_file
 from verify.design.records import candidates_csv, record
 from verify.design.told import print_outcome
 from verify.files import write_whole
+from verify.unit_systems import System, text_in
 
 PAGE, TABLE = "design.html", "candidates.csv"
 
 
 def run_design(
-    path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None
-) -> int:
+    path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None,
+    units: System | None = None,
+) -> int:  # fmt: skip
     """Springs for the task in a file; 0 one is found and confirmed, 1 none, 3 not decided."""
     task = load(path)
+    system = units or task.system
     if out is not None:
         writable(out)
     outcome = carry_out(
@@ -37,12 +41,13 @@ def run_design(
     if as_json:
         listed = {"assumed": [one.record() for one in task.assumed]}
         whole = record(outcome) | listed | {"answer": answer_record(found)}
-        print(json.dumps(whole, ensure_ascii=False))
+        print(json.dumps(record_in_units(whole, system), ensure_ascii=False))
     else:
         notes = () if outcome.verified else ("not verified by finite elements",)
-        print("\n".join(headline(task.name, found, notes)))
-        print_outcome(outcome)
-        print_assumed(task.assumed)
+        for line in headline(task.name, found, notes):
+            print(text_in(line, system))
+        print_outcome(outcome, system)
+        print_assumed(assumed_in(task.assumed, system))
     if out is not None:
         made = files(outcome, command(path, choose, use_fem=use_fem))
         _write(made, out)

@@ -12,6 +12,7 @@ from verify.assumed.complete import complete
 from verify.assumed.rules import Assumed
 from verify.design.sweep import Sweep
 from verify.inputs import InputError, Inputs, build, quantity, read_parameter_file, word
+from verify.unit_systems import System, system_of
 
 CASE = "design-spring"
 Arcs = Literal["centre line", "inner"]
@@ -142,6 +143,7 @@ class Task:
     demands: Demands
     ranges: Mapping[str, tuple[float, ...]]
     assumed: tuple[Assumed, ...] = ()
+    system: System = "mm"
 
     @property
     def count(self) -> int:
@@ -157,7 +159,7 @@ def load(path: Path) -> Task:
             f"{path}: case: design takes {CASE}, design-sprag or sprag-clutch, got {case[:60]!r}"
         )
     whole, assumed = complete(CASE, Demands, raw, str(path))
-    return replace(task(whole, name, str(path)), assumed=assumed)
+    return replace(task(whole, name, str(path)), assumed=assumed, system=system_of(raw))
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:

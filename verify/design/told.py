@@ -1,5 +1,6 @@
 """What `freewheel design` prints: counts and reasons, the front, the chosen spring."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,6 +13,7 @@ from verify.design.outcome import Outcome
 from verify.design.records import COLUMNS, columns, violations
 from verify.design.search import Search
 from verify.told import aligned
+from verify.unit_systems import System, cells_in, ratio, text_in, unit_in
 
 WIDE = 1.005  # width factor from which a strip is told to be wide
 FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha", "α", 2),
@@ -19,32 +21,36 @@ FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha"
          ("stress", "σ", 1))  # fmt: skip
 
 
-def print_outcome(outcome: Outcome) -> None:
+def print_outcome(outcome: Outcome, system: System = "mm") -> None:
     """The search in counts, why candidates fall out, and the front or what it would take."""
     s = outcome.search
     feasible = int(s.judged.feasible.sum())
     print(f"{s.task.name}: {len(s.springs):,} candidates, {feasible:,} feasible")
-    for line in aligned([("limit", "", "", "violated by"), *map(_reason, *_reasons(s))]):
+    for line in aligned(
+        cells_in([("limit", "", "", "violated by"), *map(_reason, *_reasons(s))], system)
+    ):
         print(f"  {line}")
     if outcome.chosen is None:
-        print_nothing(s)
+        print_nothing(s, system)
         return
     more = len(s.front) > len(s.members)
     print(
         f"front: {len(s.front)} springs that none beats in stress, L_0, room to A and stiffness"
         + (f", {len(s.members)} spread over it" if more else "")
     )
-    for line in aligned(front_table(outcome)):
+    for line in aligned(front_table(outcome, system)):
         print(f"  {line}")
-    print_chosen(outcome)
+    print_chosen(outcome, system)
     for warning in warnings(outcome):
-        print(f"warning: {warning}")
+        print(text_in(f"warning: {warning}", system))
 
 
-def front_table(outcome: Outcome) -> list[tuple[str, ...]]:
+def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]]:
     """The members of the front as cells, heads of names and units first."""
     s, values = outcome.search, columns(outcome.search)
     unit_of = dict(COLUMNS) | {"n": ""}
+    shown = {name: unit_in(unit_of[name], system) for name, _, _ in FRONT}
+    scale = {name: ratio(unit_of[name], shown[name]) if shown[name] else 1.0 for name in shown}
     fem = bool(outcome.verified)
     lines = [
         (
@@ -54,22 +60,32 @@ def front_table(outcome: Outcome) -> list[tuple[str, ...]]:
         ),
         (
             "",
-            *(unit_of[name] for name, _, _ in FRONT),
-            *(("N/mm", "", "mm", "", "") if fem else ()),
+            *shown.values(),
+            *((unit_in("N/mm", system), "", unit_in("mm", system), "", "") if fem else ()),
         ),
     ]
     for rank, i in enumerate(s.members):
         cells = [f"{rank + 1}{'*' if rank == outcome.chosen else ''}"]
-        cells += [f"{values[name][i]:.{digits}f}" for name, _, digits in FRONT]
-        lines.append((*cells, *(by_fem(outcome.verified[rank]) if fem else ())))
+        cells += [
+            _decimal(values[name][i] * scale[name], digits, scale[name])
+            for name, _, digits in FRONT
+        ]
+        lines.append((*cells, *(by_fem(outcome.verified[rank], system) if fem else ())))
     return lines
 
 
-def by_fem(v: Verified) -> tuple[str, ...]:
-    """What finite elements say of a member, the verdict last."""
+def _decimal(value: float, digits: int, scale: float) -> str:
+    """A converted number, with about as many significant digits as it had before."""
+    return f"{value:.{max(0, digits - round(math.log10(scale)))}f}"
+
+
+def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
+    """Results of finite elements for a member, the verdict last."""
+    stiffness, length = (ratio(unit, unit_in(unit, system)) for unit in ("N/mm", "mm"))
     return (
-        f"{v.k1 / 1e3:.5f}", f"{100 * v.deviation:+.3f} %", f"{v.delta * 1e3:.3f}",
-        f"{100 * v.e_r:+.2f} %", verdict(v),
+        _decimal(v.k1 / 1e3 * stiffness, 5, stiffness), f"{100 * v.deviation:+.3f} %",
+        _decimal(v.delta * 1e3 * length, 3, length), f"{100 * v.e_r:+.2f} %",
+        text_in(verdict(v), system),
     )  # fmt: skip
 
 
@@ -111,26 +127,28 @@ def warnings(outcome: Outcome) -> list[str]:
     return found
 
 
-def print_chosen(outcome: Outcome) -> None:
+def print_chosen(outcome: Outcome, system: System) -> None:
     """Every limit beside the chosen spring's value."""
     s, i = outcome.search, outcome.candidate
-    print(f"chosen: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}")
-    for line in aligned([_kept(limit, i) for limit in s.judged.limits]):
+    print(text_in(f"chosen: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system))
+    for line in aligned(cells_in([_kept(limit, i) for limit in s.judged.limits], system)):
         print(f"  {line}")
 
 
-def print_nothing(s: Search) -> None:
+def print_nothing(s: Search, system: System) -> None:
     """Which candidate comes nearest, and what would have to give way."""
     if not s.nearest:
         print("nothing is feasible: no candidate is a spring, which needs b < r and 2 r < L1")
         return
     i = s.nearest[0].candidate
-    print(f"nothing is feasible; the nearest is {geometry(s, i)}, which violates")
-    for line in aligned([_relaxed(r) for r in s.nearest]):
+    nearest = f"nothing is feasible; the nearest is {geometry(s, i)}, which violates"
+    print(text_in(nearest, system))
+    for line in aligned(cells_in([_relaxed(r) for r in s.nearest], system)):
         print(f"  {line}")
     if s.relaxations:
         print("one of these alone would admit a spring")
-        for line in aligned([(*_relaxed(r), geometry(s, r.candidate)) for r in s.relaxations]):
+        alone = [(*_relaxed(r), geometry(s, r.candidate)) for r in s.relaxations]
+        for line in aligned(cells_in(alone, system)):
             print(f"  {line}")
 
 

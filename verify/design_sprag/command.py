@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO
 
+from verify.answer_units import assumed_in, record_in_units
 from verify.answers.answer import EXIT_STATUS, Verdict
 from verify.answers.console import headline
 from verify.answers.record import answer_record
@@ -20,15 +21,18 @@ from verify.design_sprag.records import CHOSEN, chosen_file, designs_csv, profil
 from verify.design_sprag.told import print_outcome
 from verify.files import write_whole
 from verify.inputs import InputError
+from verify.unit_systems import System, text_in
 
 PAGE = "design.html"
 
 
 def run_design(
-    path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None
-) -> int:
+    path: Path, *, choose: int | None, use_fem: bool, as_json: bool, out: Path | None,
+    units: System | None = None,
+) -> int:  # fmt: skip
     """The optimal crown for a task; 0 confirmed and within limits, 1 not, 3 not decided."""
     task = load(path)
+    system = units or task.system
     if choose is not None:
         raise InputError("--choose: a crown has one best, there is no front to choose from")
     if out is not None:
@@ -38,12 +42,13 @@ def run_design(
     if as_json:
         listed = {"assumed": [one.record() for one in task.assumed]}
         whole = record(outcome) | listed | {"answer": answer_record(found)}
-        print(json.dumps(whole, ensure_ascii=False))
+        print(json.dumps(record_in_units(whole, system), ensure_ascii=False))
     else:
         notes = () if outcome.checks else ("not verified by a half-space",)
-        print("\n".join(headline(task.name, found, notes)))
-        print_outcome(outcome)
-        print_assumed(task.assumed)
+        for line in headline(task.name, found, notes):
+            print(text_in(line, system))
+        print_outcome(outcome, system)
+        print_assumed(assumed_in(task.assumed, system))
     if out is not None:
         made = files(outcome, f"freewheel design {'' if use_fem else '--no-fem '}"
                               f"--out {shlex.quote(out.name or '.')} "

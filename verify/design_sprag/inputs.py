@@ -16,6 +16,7 @@ from verify.cases.sprag_inputs import EngagementInputs
 from verify.design.sweep import Sweep
 from verify.design_sprag.ranges import RANGES
 from verify.inputs import InputError, build, count, quantity, read_parameter_file, word
+from verify.unit_systems import System, system_of
 
 CASE, CLUTCH = "design-sprag", "sprag-clutch"
 MOST_TORQUES = 12
@@ -75,6 +76,7 @@ class Task:
     low: tuple[float, float, float]
     high: tuple[float, float, float]
     assumed: tuple[Assumed, ...] = ()
+    system: System = "mm"
 
     @property
     def clutch(self) -> EngagementInputs:
@@ -98,7 +100,7 @@ def load(path: Path) -> Task:
     if alien := [key for key in raw if key in own]:
         raise InputError(f'{path}: inputs.{alien[0]}: belongs to case = "{CASE}"')
     whole, assumed = complete(CASE, Wishes, raw, str(path))
-    return replace(task(whole, name, str(path)), assumed=assumed)
+    return replace(task(whole, name, str(path)), assumed=assumed, system=system_of(raw))
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:

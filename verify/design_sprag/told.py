@@ -11,6 +11,7 @@ from verify.design_sprag.search import AGREE
 from verify.design_sprag.verified import CELLS, LIMIT, Check
 from verify.shown import Array
 from verify.told import aligned
+from verify.unit_systems import System, cells_in, text_in
 
 MPa, um = 1e6, 1e-6
 SYMBOLS = ("K_1", "K_2", "z_m")
@@ -19,25 +20,26 @@ UNITS = (1.0, 1.0, um)
 ROUNDING = 1e-9  # by which a crown on a bound may be beyond it
 
 
-def print_outcome(outcome: Outcome) -> None:
+def print_outcome(outcome: Outcome, system: System = "mm") -> None:
     """The best crown, its pressures by torque, how flat, how sure, and a half-space's verdict."""
     task = outcome.task
     print(f"{task.name}: {len(outcome.search.model.known):,} crowns engaged under {torques(task)}")
-    print(f"best crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N")
-    for line in aligned([("", *HEAD_CROWN), *crown_table(outcome)]):
+    best = f"best crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
+    print(text_in(best, system))
+    for line in aligned(cells_in([("", *HEAD_CROWN), *crown_table(outcome)], system)):
         print(f"  {line}")
     print("largest pressures as the clutch engages [MPa]")
     for line in aligned([*torque_heads(outcome), *torque_table(outcome)]):
         print(f"  {line}")
     for line in remarks(outcome):
-        print(line)
+        print(text_in(line, system))
     if outcome.checks:
         print("half-space, under the same forces [MPa]")
         for line in aligned([check_heads(outcome), *map(check_line, outcome.checks)]):
             print(f"  {line}")
-    print(verdict(outcome))
+    print(text_in(verdict(outcome), system))
     for warning in warnings(outcome):
-        print(f"warning: {warning}")
+        print(text_in(f"warning: {warning}", system))
 
 
 def named(crown: Array) -> str:
