@@ -44,6 +44,7 @@ from reports.whirl import whirl
 from reports.zones import zones
 from verify.results import CaseResult, Report, Row, Status
 from verify.shown import (
+    LIMITS_TITLE,
     Bars,
     Campbell,
     Curves,
@@ -67,7 +68,7 @@ LONG_LIST = 18  # inputs that stand in two columns where they are more
 WORDS = {
     Status.FAIL: "outside the tolerance, not sharp or not converged",
     Status.SKIP: "not run",
-    Status.NOTE: "a printed value shown wrong, with its ledger entry, or adopted as it stands",
+    Status.NOTE: "a printed value proved wrong, with its ledger entry, or adopted as it stands",
     Status.CALIBRATED: "fitted: no evidence",
     Status.SHOWN: "compared; no stated uncertainty, or no expected error, to judge it by",
     Status.PASS: "within a tolerance that was derived",
@@ -235,7 +236,12 @@ def _environment(glyphs: Glyphs) -> jinja2.Environment:
         "printed": printed, "counts": lambda case: present(case.rows), "anchor": _anchor,
         "reproduce": reproduce,
     }  # fmt: skip
-    env.globals |= {"LONG_LIST": LONG_LIST, "NAMED_IN_MENU": NAMED_IN_MENU, "CHANGED": caught.NAMES}
+    env.globals |= {
+        "LONG_LIST": LONG_LIST,
+        "limits_title": LIMITS_TITLE,
+        "NAMED_IN_MENU": NAMED_IN_MENU,
+        "CHANGED": caught.NAMES,
+    }
     return env
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from verify.results import CaseResult, Kind, Report, Row, Status
 
 HEAD = (
-    "| case | what is compared | rows | verdicts | largest difference | any error seen above |\n"
+    "| case | what is compared | rows | verdicts | largest difference | detection limit |\n"
     "|---|---|---|---|---|---|"
 )
 JUDGED = (Kind.IDENTITY, Kind.APPROXIMATION)

@@ -12,6 +12,7 @@ from verify.shown import FormulaValue, InputValue
 from verify.unit_systems import DISPLAYED, System, converted, ratio, text_in, unit_in
 
 OF_ROW = ("analytic", "fem", "difference", "scale", "u_num", "u_ref", "u_input", "tolerance")
+SENTENCES = ("reasons", "remarks", "notes", "what", "source", "doubt")  # keys of a record
 Shown = TypeVar("Shown", FormulaValue, InputValue, Assumed)
 
 
@@ -57,13 +58,21 @@ def record_in_units(record: Any, system: System) -> Any:
     if not isinstance(record, dict):
         return record
     found = {
-        k: v if k == "published" else record_in_units(v, system) for k, v in record.items()
+        k: _sentences(v, system) if k in SENTENCES
+        else v if k == "published" else record_in_units(v, system)
+        for k, v in record.items()
     }  # fmt: skip
     for key in ("value", "at", "limit"):
         if isinstance(found.get("unit"), str) and isinstance(found.get(key), int | float):
             number, unit = converted(found[key], record["unit"], system)
             found |= {key: number, "unit": unit}
     return found
+
+
+def _sentences(value: Any, system: System) -> Any:
+    if isinstance(value, list):
+        return [_sentences(one, system) for one in value]
+    return text_in(value, system) if isinstance(value, str) else record_in_units(value, system)
 
 
 def _number(one: Shown, system: System) -> Shown:
@@ -76,7 +85,7 @@ def _number(one: Shown, system: System) -> Shown:
 
 
 def _value(one: FormulaValue, system: System) -> FormulaValue:
-    return _number(one, system)
+    return _number(replace(one, what=text_in(one.what, system)), system)
 
 
 def _input(one: InputValue, system: System) -> InputValue:

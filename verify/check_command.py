@@ -12,8 +12,8 @@ import numpy as np
 from verify.answer_units import assumed_in, dynamic_in_units, in_units, record_in_units
 from verify.answers.answer import EXIT_STATUS, Answer, Verdict
 from verify.answers.dependence import margin_notes
+from verify.answers.evidence import why_not_solved, with_rows
 from verify.answers.evidence import with_dynamic as answer_with_dynamic
-from verify.answers.evidence import with_rows
 from verify.answers.registry import answer as answer_of
 from verify.answers.usual import unusual
 from verify.assumed.listed import with_sources
@@ -29,7 +29,7 @@ from verify.results import CaseResult, Status
 from verify.run import Job
 from verify.shared_readings import SharedReading, shared_readings
 from verify.solving import solve
-from verify.unit_systems import System, text_in
+from verify.unit_systems import System
 
 GIVE_STRENGTH = "give R_p"
 DRAWN_IN_MM = "equations, figures and further tables of this page are in mm, N and MPa"
@@ -109,8 +109,9 @@ def in_system(checked: Checked, system: System) -> Checked:
 
 
 def exit_status(checked: Checked) -> int:
-    """0 the part holds, 1 it or a row fails, 3 neither is known."""
-    if any(row.status in FAILED for row in checked.result.rows):
+    """0 the part holds, 1 it or a row fails, 3 cannot say, also without values of the reference."""
+    rows = checked.result.rows
+    if any(row.status in FAILED for row in rows) and not why_not_solved(rows):
         return EXIT_STATUS[Verdict.FAILS]
     return EXIT_STATUS[checked.answer.verdict]
 
@@ -160,7 +161,7 @@ def _write(checked: Checked, options: Options, system: System, seconds: float) -
     result = checked.result
     if checked.dynamic is not None:
         result = with_dynamic(result, checked.dynamic)
-    first = tuple(text_in(line.strip(), system) for line in answer_lines(checked))
+    first = tuple(line.strip() for line in answer_lines(checked, system))
     limits = limits_table(checked, system)
     if system != "mm":
         first += (DRAWN_IN_MM,)

@@ -14,9 +14,9 @@ from verify.dynamic import DynamicResult
 from verify.references import case_method
 from verify.results import CaseResult
 from verify.shared_readings import SharedReading
-from verify.shown import FormulaValue, Table
+from verify.shown import LIMITS_TITLE, FormulaValue, Table
 from verify.told import aligned, print_rows, raised
-from verify.unit_systems import System, cells_in, text_in
+from verify.unit_systems import System
 
 NOTABLE = 0.01  # relative error that formula and reference share
 
@@ -40,32 +40,34 @@ def is_notable(one: SharedReading) -> bool:
     return one.effect is not None and abs(one.effect) >= NOTABLE
 
 
-def answer_lines(checked: Checked) -> list[str]:
+def answer_lines(checked: Checked, system: System = "mm") -> list[str]:
     """The first lines: verdict, design value, margin, what limits it, then notes."""
-    notes = (*(one.sentence for one in checked.shared if is_notable(one)), *checked.notes)
+    n = len(checked.result.warnings)
+    warned = (f"{n} warning{'s' if n > 1 else ''}, listed below the limits",) if n else ()
+    notes = (*warned, *(one.sentence for one in checked.shared if is_notable(one)), *checked.notes)
     if checked.assumed:
         notes = (*notes, f"assumed inputs: {', '.join(one.text for one in checked.assumed)}")
     if checked.used_fem and (beside := reference_of_design(checked.answer, checked.result.rows)):
         notes = (beside, *notes)
-    return headline(checked.result.name, checked.answer, notes)
+    return headline(checked.result.name, checked.answer, notes, system)
 
 
 def limits_table(checked: Checked, system: System) -> Table:
     """The limits of the part as a table of its report."""
     header = ("", "criterion", "value", "limit", "margin", "source")
     return Table(
-        title="Limits of the part",
+        title=LIMITS_TITLE,
         header=header,
-        rows=tuple(cells_in(limits(checked.answer), system)),
+        rows=tuple(limits(checked.answer, system)),
     )
 
 
 def print_check(checked: Checked, system: System = "mm") -> None:
     """The whole answer in the units of a system, the verdict first and the evidence last."""
     result, dynamic = checked.result, checked.dynamic
-    for line in answer_lines(checked):
-        print(raised(text_in(line, system)))
-    _print_table("limits", cells_in(limits(checked.answer), system))
+    for line in answer_lines(checked, system):
+        print(raised(line))
+    _print_table("limits", limits(checked.answer, system))
     for warning in result.warnings:
         print(raised(f"warning: {warning}"))
     _print_list("notes", dynamic.after(result.findings) if dynamic else result.findings)

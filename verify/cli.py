@@ -93,9 +93,9 @@ def check(
     jobs: Jobs = 0,
     cache: bool = True,
 ) -> int:
-    """Say whether a part holds, the number to design with, its margin and what limits it.
+    """State whether a part holds, the number to design with, its margin and what limits it.
 
-    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 neither is known.
+    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 cannot say.
 
     Parameters
     ----------

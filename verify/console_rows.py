@@ -57,22 +57,30 @@ def causes(rows: Sequence[Row]) -> Causes:
 
 def closing(rows: Sequence[Row]) -> list[str]:
     """The closing sentences: how many pass, the largest difference, what is detected, the rest."""
-    passed = sum(row.status is Status.PASS for row in rows)
-    said = [f"{passed} of {len(rows)} rows pass, their convergence included"]
+    found = [_counted([row for row in rows if not row.quantity.endswith(COMPANION)], "comparisons")]
+    found += [
+        _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")
+    ]
+    said = ["; ".join(filter(None, found))]
     if (row := largest(list(rows))) is not None:
-        text, _ = difference_texts(row)
+        text, allowed = difference_texts(row)
         judged = f"; {row.status.value}, not judged" if row.status in UNJUDGED else ""
+        judged += f"; expected {allowed}" if "to" in allowed else ""
         said.append(
-            f"largest difference between formula and reference: {text} "
+            f"largest difference of all comparisons: {text} "
             f"({row.quantity}; reference: {_full_name(row)}{judged})"
         )
     limits = [row.detects for row in rows if row.kind in COMPARED and row.detects is not None
               and row.status not in UNJUDGED]  # fmt: skip
     if limits:
-        said.append(
-            f"smallest error that every judged row is certain to detect: {percent(max(limits))}"
-        )
+        said.append(f"detection limit of the judged rows: {percent(max(limits))}")
     return [*said, *_unjudged(rows)]
+
+
+def _counted(rows: Sequence[Row], what: str) -> str:
+    """`5 of 6 comparisons pass`; empty without rows."""
+    passed = sum(row.status is Status.PASS for row in rows)
+    return f"{passed} of {len(rows)} {what} pass" if rows else ""
 
 
 def _unjudged(rows: Sequence[Row]) -> list[str]:

@@ -178,6 +178,8 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
     try:
         if path.is_dir():
             raise InputError(f"{path}: is a directory, expected a TOML file")
+        if path.exists() and not path.is_file():
+            raise InputError(f"{path}: is not a regular file, expected a TOML file")
         if path.stat().st_size > MAX_BYTES:
             raise InputError(f"{path}: is larger than {MAX_BYTES:,} bytes, no parameter file is")
         data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
@@ -197,7 +199,7 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
         )
     case, name, raw = data.get("case"), data.get("name", path.stem), data.get("inputs")
     if not isinstance(case, str):
-        raise InputError(f'{path}: case: needs a case, such as case = "ring-lame", {_got(case)}')
+        raise InputError(f'{path}: case: needs a line such as case = "ring-lame", {_got(case)}')
     if not isinstance(name, str):
         raise InputError(f"{path}: name: needs a text, {_got(name)}")
     if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():

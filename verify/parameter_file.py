@@ -16,6 +16,15 @@ from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.inputs import InputError, Inputs, read_parameter_file
 from verify.unit_systems import System, system_of
 
+MISSING = "inputs: missing "
+DEFAULTS = {
+    "freewheel-cup": 'freewheel-clutch with kind = "outer cam"',
+    "freewheel-torque": "freewheel-clutch", "freewheel-friction": "freewheel-clutch",
+    "polyhedral-ring": "polyhedral-clutch", "polyhedral-locking": "polyhedral-clutch",
+    "polyhedral-wedge": "polyhedral-clutch", "sprag-wedge": "sprag-clutch",
+    "spring-stages": "spring-accordion", "spring-buckling": "spring-accordion",
+}  # fmt: skip
+
 
 @dataclass(frozen=True, kw_only=True)
 class ParameterFile:
@@ -33,11 +42,22 @@ def read(path: Path) -> ParameterFile:
     """The parameter file at `path`; InputError says in one line what is wrong."""
     case_id, name, raw = read_parameter_file(path)
     case = _case(case_id, path)
-    inputs, assumed = build_completed(case_id, case.inputs, raw, str(path))
+    try:
+        inputs, assumed = build_completed(case_id, case.inputs, raw, str(path))
+    except InputError as error:
+        raise InputError(f"{error}{_with_defaults(case_id, str(error))}") from error
     return ParameterFile(
         name=name, case=case, inputs=inputs, values=_values(case, inputs, path), assumed=assumed,
         system=system_of(raw),
     )  # fmt: skip
+
+
+def _with_defaults(case_id: str, message: str) -> str:
+    """The case of the same part whose inputs may be left out, where some are missing."""
+    other = DEFAULTS.get(case_id)
+    return (
+        f"; case {other} assumes inputs that are left out" if other and MISSING in message else ""
+    )
 
 
 def _case(case_id: str, path: Path) -> Case:

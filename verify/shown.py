@@ -10,6 +10,9 @@ Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
 
+LIMITS_TITLE = "Limits of the part"  # table of a check
+
+
 @dataclass(frozen=True, kw_only=True)
 class Field:
     """A solved mesh for pictures and files: `points` (n, 2 or 3), `cells` (m, corners) and data."""

@@ -63,7 +63,8 @@ def template(case: Case) -> str:
     with these it builds to the paper's inputs. Of another case it does so as it is.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
-    whose = f"the paper's ({cited(case.paper)})" if printed else "this project's own"
+    whose = f"the paper's ({cited(case.paper)}) where it prints them" if printed \
+        else "this project's own"  # fmt: skip
     head = HEAD.format(id=case.id, title=case.title, whose=whose)
     assumptions = ASSUMPTIONS.get(case.id, ())
     if assumptions:

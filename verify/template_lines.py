@@ -11,7 +11,7 @@ from verify.inputs import REQUIRED, Inputs, bounds_of, choices, is_table, meta
 from verify.published.ledger import published
 
 CHOSEN = "not printed, chosen for this suite"
-OPTIONAL = "# Optional: a line that stays out means what it states; these are {whose} numbers"
+OPTIONAL = "# Optional: an omitted line takes the value that it states; these are {whose} numbers"
 EXAMPLES = "# Optional too, not among {whose} numbers: examples"
 
 

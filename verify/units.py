@@ -36,13 +36,14 @@ bar = 1e5 * pascal
 joule = newton * meter = J
 watt = joule / second = W
 hertz = 1 / second = Hz
-pound = 453.59237 * gram = lb
+pound = 453.59237 * gram = lb = lbm
 ounce = pound / 16 = oz
 pound_force = 4.4482216152605 * newton = lbf
 slug = pound_force * second ** 2 / foot
 kilogram_force = 9.80665 * newton = kgf
 psi = pound_force / inch ** 2
 ksi = 1000 * psi
+kip = 1000 * pound_force
 percent = 0.01 = %
 """.strip().splitlines()
 
@@ -82,6 +83,7 @@ _TEXT = re.compile(
     rf"(?:\s*(?P<unit>{_WORD}[^\"']{{0,39}})|\s+(?P<reciprocal>1\s*/[^\"']{{1,39}}))?\s*"
 )
 _NOT_FINITE = re.compile(r"\s*[-+]?(?:nan|inf(?:inity)?)\b", re.IGNORECASE)
+_POUND = re.compile(r"\blbs?\b")
 _COMMA = re.compile(r"\s*[-+]?\d+,\d")
 _FACTOR = re.compile(rf"\s*([*/·]?)\s*({_WORD}+|1)(?:\s*(?:\^|\*\*)\s*(-?\d))?")
 
@@ -135,10 +137,12 @@ def parse(text: str, unit: str) -> float:
     try:
         fits = dimensions(given) == dimensions(unit)
     except ValueError as error:
-        taken = f": {wanted} takes {TAKEN[unit]}" if unit in TAKEN else ""
+        taken = f": {wanted} takes {TAKEN[unit]}, with spaces, * or / between units" \
+            if unit in TAKEN else ""  # fmt: skip
         raise ValueError(f"{error}{taken}") from error
     if not fits:
-        raise ValueError(f'"{_short(text)}" is not {wanted}{example}')
+        force = '; "lb" is a mass, a force is "lbf"' if _POUND.search(given) else ""
+        raise ValueError(f'"{_short(text)}" is not {wanted}{example}{force}')
     value = number * factor(given)
     if not math.isfinite(value):
         raise ValueError(f'"{_short(text)}" is not finite')

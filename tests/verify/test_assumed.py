@@ -149,7 +149,7 @@ def test_flats_of_both_cams_have_the_wedge_angle():
         ({"R_i": "-1 mm"}, "inputs.R_i = -1 mm: must be greater than"),
         ({"R_i": "nan mm"}, 'inputs.R_i: "nan mm" is not finite'),
         ({"R_i": 10**30}, "inputs.R_i: an integer of 100 bits is out of range"),
-        ({"R_i": "20 mm"}, "inputs: r_i does not follow: the sprags need room between the races"),
+        ({"R_i": "20 mm"}, "inputs: needs R_e > R_i > 0, got R_e = 19.44 mm, R_i = 20 mm"),
         ({"R_k": "20 mm"}, "inputs.R_k: unknown key"),
         ({"z": 60}, "b = 3.9984 mm; assumed: b = 3.9984 mm (typical: 0.48 (R_e - R_i))"),
         ({"R_ed": "19 mm"}, "the outer race needs a wall"),

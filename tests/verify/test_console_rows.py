@@ -31,12 +31,12 @@ def row(name, formula, interval, case="ring-lame", by=""):
 
 def test_the_closing_sentences_name_the_largest_of_all_rows(rows):
     passed, apart, limit, unjudged = closing(rows)
-    assert passed == "1 of 2 rows pass, their convergence included"
+    assert passed == "1 of 2 comparisons pass"
     assert apart == (
-        "largest difference between formula and reference: -30 % (printed form; reference: finite "
+        "largest difference of all comparisons: -30 % (printed form; reference: finite "
         "elements; SHOWN, not judged)"
     )
-    assert limit == "smallest error that every judged row is certain to detect: 0.98 %"
+    assert limit == "detection limit of the judged rows: 0.98 %"
     assert unjudged == "not judged: 1 SHOWN (printed form: -30 %)"
 
 

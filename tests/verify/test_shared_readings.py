@@ -50,7 +50,7 @@ def test_no_shared_reading_is_lost_and_each_is_a_sentence(case):
     for record in records:
         assert record.effect is None or math.isfinite(record.effect)
         assert record.source
-        assert record.sentence.startswith("both sides assume that ")
+        assert record.sentence.startswith("formula and reference assume that ")
         number = f"{100 * (record.effect or 0):+.3g}".rstrip("0").rstrip(".")[:4]
         assert record.effect is None or number in record.sentence
 

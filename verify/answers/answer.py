@@ -83,8 +83,9 @@ class Answer:
 
     @property
     def limiting(self) -> Criterion | None:
-        """The criterion with the smallest margin."""
-        return min(self.criteria, key=lambda c: c.margin, default=None)
+        """The criterion with the smallest margin, of those that decide where there is one."""
+        deciding = [c for c in self.criteria if not c.doubt] or self.criteria
+        return min(deciding, key=lambda c: c.margin, default=None)
 
     @property
     def reasons(self) -> tuple[str, ...]:

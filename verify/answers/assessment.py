@@ -51,10 +51,10 @@ class Assessment:
                             assumed=assumed, doubt=doubt))  # fmt: skip
 
     def at_least(self, key: str, what: str, value: float, limit: float, unit: str, source: str,
-                 *, assumed: bool = False) -> None:  # fmt: skip
+                 *, assumed: bool = False, doubt: str = "") -> None:  # fmt: skip
         """`value` [SI] must not be below `limit` [SI]."""
         self._add(Criterion(key=key, what=what, value=value, limit=limit, unit=unit, source=source,
-                            assumed=assumed, minimum=True))  # fmt: skip
+                            assumed=assumed, minimum=True, doubt=doubt))  # fmt: skip
 
     def stress(
         self, key: str, what: str, value: float, strength: Strength, option: str = "give R_p"

@@ -4,30 +4,32 @@ from collections.abc import Sequence
 
 from verify import units
 from verify.answers.answer import Answer, Criterion, Quantity, Verdict
+from verify.unit_systems import System, cells_in, text_in, unit_in
 
 WHOLE = (1e4, 1e7)  # shown without decimals and without a power of ten
 LARGE = 1000.0  # a margin beyond it is no information
 
 
-def headline(name: str, answer: Answer, notes: Sequence[str]) -> list[str]:
+def headline(name: str, answer: Answer, notes: Sequence[str], system: System = "mm") -> list[str]:
     """Verdict, design value and margin as lines; `notes` follow the verdict's reasons."""
-    lines = [f"{name}: {answer.verdict}{_because(answer)}"]
+    lines = [f"{name}: {answer.verdict}{_because(answer, system)}"]
     if answer.design is not None:
-        lines.append(f"  design value: {_quantity(answer.design)}, {answer.design.what}")
+        lines.append(f"  design value: {_quantity(answer.design, system)}, {answer.design.what}")
     if (worst := answer.limiting) is not None and not answer.failures:
-        lines.append(f"  margin: {margin(worst)}, limited by {_beside(worst)}")
+        lines.append(f"  margin: {margin(worst)}, limited by {_beside(worst, system)}")
     lines += [f"  {text}" for text in (*answer.reasons[1:], *answer.remarks)]
-    return lines + [f"  {note}" for note in notes]
+    return [text_in(line, system) for line in (*lines, *(f"  {note}" for note in notes))]
 
 
-def limits(answer: Answer) -> list[tuple[str, ...]]:
+def limits(answer: Answer, system: System = "mm") -> list[tuple[str, ...]]:
     """Every criterion as cells: state, what, value, limit, margin, source."""
-    return [
-        (_state(c), c.what, number(c.value, c.unit),
-         f"{'≥' if c.minimum else '≤'} {number(c.limit, c.unit)}", f"margin {margin(c)}",
+    found = [
+        (_state(c), c.what, number(c.value, c.unit, system),
+         f"{'≥' if c.minimum else '≤'} {number(c.limit, c.unit, system)}", f"margin {margin(c)}",
          ("assumed: " if c.assumed else "") + c.source + (f"; {c.doubt}" if c.doubt else ""))
         for c in answer.criteria
     ]  # fmt: skip
+    return cells_in(found, system)
 
 
 def _state(criterion: Criterion) -> str:
@@ -36,8 +38,9 @@ def _state(criterion: Criterion) -> str:
     return "undecided" if criterion.doubt else "ok"
 
 
-def number(value: float, unit: str) -> str:
-    """A value [SI] in its unit with four digits."""
+def number(value: float, unit: str, system: System = "mm") -> str:
+    """A value [SI] in its unit, or that of a system, with four digits."""
+    unit = unit_in(unit, system)
     shown = value / units.factor(unit)
     text = f"{shown:.0f}" if WHOLE[0] <= abs(shown) < WHOLE[1] else f"{shown:.4g}"
     return text if unit == "1" else f"{text} {unit}"
@@ -50,19 +53,20 @@ def margin(criterion: Criterion) -> str:
     return f"{criterion.margin:#.3g}".rstrip(".")
 
 
-def _because(answer: Answer) -> str:
+def _because(answer: Answer, system: System) -> str:
     if answer.verdict is Verdict.FAILS and not answer.failures:
-        return f": {_beside(answer.limiting)}" if answer.limiting else ""
+        return f": {_beside(answer.limiting, system)}" if answer.limiting else ""
     return f": {answer.reasons[0]}" if answer.reasons else ""
 
 
-def _quantity(quantity: Quantity) -> str:
-    return f"{quantity.symbol} = {number(quantity.value, quantity.unit)}"
+def _quantity(quantity: Quantity, system: System) -> str:
+    return f"{quantity.symbol} = {number(quantity.value, quantity.unit, system)}"
 
 
-def _beside(criterion: Criterion) -> str:
+def _beside(criterion: Criterion, system: System) -> str:
     relation = "minimum" if criterion.minimum else "limit"
     return (
-        f"{criterion.what}: {number(criterion.value, criterion.unit)}, {relation} "
-        f"{number(criterion.limit, criterion.unit)}{' (assumed)' if criterion.assumed else ''}"
+        f"{criterion.what}: {number(criterion.value, criterion.unit, system)}, {relation} "
+        f"{number(criterion.limit, criterion.unit, system)}"
+        f"{' (assumed)' if criterion.assumed else ''}"
     )

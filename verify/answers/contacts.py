@@ -17,11 +17,11 @@ def line(q: Any, v: Values, part: Assessment) -> None:
 
 
 def sphere(q: Any, v: Values, part: Assessment) -> None:
-    """Hertz's pressure of the point contact with a flat, the larger one."""
-    p = v["flat: p_0"]
-    part.pressure("contact_pressure", "Hertzian pressure on the flat", p, q.E_1, q.E_2,
-                  contact="point", option=OTHER)  # fmt: skip
-    _subsurface(q, v["flat: upper shear"], part)
+    """Hertz's pressures of the point contacts with a flat and with the second sphere."""
+    for key, body in (("flat", "flat"), ("sphere", "second sphere")):
+        part.pressure(f"contact_pressure_{key}", f"Hertzian pressure on the {body}",
+                      v[f"{key}: p_0"], q.E_1, q.E_2, contact="point", option=OTHER)  # fmt: skip
+    _subsurface(q, max(v["flat: upper shear"], v["sphere: upper shear"]), part)
 
 
 def slip(q: Any, v: Values, part: Assessment) -> None:

@@ -18,11 +18,11 @@ def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tupl
     """How far the smallest margin follows the assumed inputs; nothing where none is assumed."""
     if not assumed:
         return ()
-    try:
-        found = influence(case, inputs, assumed, partial(_margin, case))
-    except ValueError:  # no margin with these inputs
+    names = frozenset(one.name for one in assumed)
+    middle = _margin(case, names, inputs, case.analytic(inputs))
+    if not middle:  # no margin, or it fails for another reason
         return ()
-    middle = _margin(case, inputs, case.analytic(inputs)) or 0.0
+    found = influence(case, inputs, assumed, partial(_margin, case, names))
     notable = [one for one in found if one.largest > NOTABLE]
     if not notable:
         return (f"no assumed input changes the margin by more than {NOTABLE:.0%}",)
@@ -31,9 +31,9 @@ def margin_notes(case: Case, inputs: Inputs, assumed: Sequence[Assumed]) -> tupl
     return (f"of the assumed inputs the margin depends most on {named}{more}",)
 
 
-def _margin(case: Case, inputs: Inputs, values: Values) -> float | None:
+def _margin(case: Case, assumed: frozenset[str], inputs: Inputs, values: Values) -> float | None:
     """The smallest margin, 0 where the part fails for another reason."""
-    found = answer(case, inputs, values, with_design=False)
+    found = answer(case, inputs, values, assumed=assumed, with_design=False)
     if found.failures:
         return 0.0
     return None if found.limiting is None else found.limiting.margin

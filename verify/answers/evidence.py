@@ -13,6 +13,7 @@ from verify.results import Row, Status
 
 HOLDS = ("", "holds", "locks")
 UNDECIDED = ("not followed",)
+NOT_CONVERGED = "not converged"
 SAME_VALUE = 1e-9  # relative; the design value in a row's unit
 
 
@@ -28,12 +29,25 @@ def with_dynamic(answer: Answer, dynamic: DynamicResult) -> Answer:
 
 def with_rows(answer: Answer, rows: Sequence[Row]) -> Answer:
     """The answer where finite elements judged the formulas: a failed row leaves it undecided."""
-    failed = [row.quantity for row in rows if row.status in (Status.FAIL, Status.SKIP)]
+    failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
     if not failed:
         return answer
     more = f" and {len(failed) - 1} more" if len(failed) > 1 else ""
-    reason = f"the reference does not confirm the formulas: row {failed[0]!r}{more} failed"
+    if not_solved := why_not_solved(rows):
+        reason = f"nothing was compared, the reference was {not_solved}"
+    else:
+        reason = (
+            f"the reference does not confirm the formulas: row {failed[0].quantity!r}{more} failed"
+        )
     return replace(answer, unknowns=(reason, *answer.unknowns))
+
+
+def why_not_solved(rows: Sequence[Row]) -> str:
+    """Why the reference has no value in any of the rows that failed; empty where it has one."""
+    failed = [row for row in rows if row.status in (Status.FAIL, Status.SKIP)]
+    if not failed or any(row.reference is not None for row in failed):
+        return ""
+    return next((row.reason for row in failed if row.reason.startswith(NOT_CONVERGED)), "")
 
 
 def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
@@ -41,14 +55,18 @@ def reference_of_design(answer: Answer, rows: Sequence[Row]) -> str:
     if answer.design is None:
         return ""
     value, unit = answer.design.value, answer.design.unit
-    shown = value / units.factor(unit)
     for row in rows:
-        if row.analytic is None or not row.reference or row.unit != unit:
+        if row.analytic is None or not row.reference or not _is_same_quantity(row.unit, unit):
             continue
-        if math.isclose(row.analytic, shown, rel_tol=SAME_VALUE):
+        factor = units.factor(row.unit)
+        if math.isclose(row.analytic * factor, value, rel_tol=SAME_VALUE):
             by = reference_name(row)
             by = FINITE_ELEMENTS if by == FE else by
-            other = number(row.reference * units.factor(unit), unit)
+            other = number(row.reference * factor, unit)
             off = (row.analytic - row.reference) / row.reference
             return f"{by}: {other}; the formula differs by {off:+.2%}"
-    return "no row compares the design value with a reference"
+    return "the design value itself has no reference; the rows below compare what it follows from"
+
+
+def _is_same_quantity(unit: str, other: str) -> bool:
+    return units.dimensions(unit) == units.dimensions(other)

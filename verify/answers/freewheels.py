@@ -3,12 +3,14 @@
 import math
 from typing import Any
 
+from analytic.contact import hertz_line
+from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import permissible
 from verify.case import Values
 from verify.cases.freewheel_clutch_limits import allowed_shift, as_torque_grows
-from verify.cases.freewheel_clutch_model import past_corners
+from verify.cases.freewheel_clutch_model import analytic, past_corners
 from verify.cases.freewheel_clutch_words import verdict
 from verify.cases.ring_loads import OUTER
 from verify.cases.ring_loads_inputs import OuterInputs
@@ -34,8 +36,9 @@ def cup(q: Any, v: Values, part: Assessment) -> None:
 
 
 def with_axial_load(q: Any, v: Values, part: Assessment) -> None:
-    """Friction under torque and axial load."""
+    """Friction under torque and axial load, and the pressure on the flat."""
     part.below_input("friction", MARGIN, v["mu_req"], "mu", q.mu, "1")
+    _flat_pressure(q, v["N"], v.get("pressure", 1.0), part)
 
 
 def load_paths(q: Any, v: Values, part: Assessment) -> None:
@@ -47,6 +50,7 @@ def load_paths(q: Any, v: Values, part: Assessment) -> None:
                          v[f"peak {case}"], "mu", q.mu, "1")  # fmt: skip
         else:
             part.unknowns.append(f"load case {case}: no required friction with these inputs")
+    _flat_pressure(q, v["N"], 1.0, part)
 
 
 def clutch(q: Any, v: Values, part: Assessment) -> None:
@@ -60,10 +64,10 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         if q.F_ax > 0:
             part.failures.append("no torque presses the rollers: the axial load meets no friction")
         elif part.with_design and v["mu_0"] <= q.mu:
-            part.design = permissible(as_torque_grows(q), " at this axial load")
+            part.design = _permissible(q)
         return
     if part.with_design and v["mu_0"] <= q.mu:
-        part.design = permissible(as_torque_grows(q), " at this axial load")
+        part.design = _permissible(q)
     _within_tolerances(v, part)
     if "safety" not in v:
         part.failures.append(verdict(q, v))
@@ -79,6 +83,26 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         _outer_ring(q, v, part)
     if past_corners(q, v):
         part.failures.append("the rollers are beyond the end of the cam flats")
+
+
+def _permissible(q: Any) -> Quantity | None:
+    """The largest torque at this axial load, parts without tolerances."""
+    exact = q.model_copy(update={"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0})
+
+    def under(T: float) -> Answer:
+        other = exact.model_copy(update={"T": T})
+        part = Assessment(with_design=False)
+        clutch(other, analytic(other), part)
+        return part.answer()
+
+    return permissible(as_torque_grows(q), q.T, " at this axial load", under)
+
+
+def _flat_pressure(q: Any, N: float, factor: float, part: Assessment) -> None:
+    """Hertz's pressure of a roller on its flat, the larger one, times that of a tilted roller."""
+    E_star = q.E / (2 * (1 - q.nu**2))
+    p = float(hertz_line.peak_pressure(P=N / q.L, R=q.r, E_star=E_star))
+    part.pressure("contact_pressure", "largest contact pressure", factor * p, q.E)
 
 
 def _outer_ring(q: Any, v: Values, part: Assessment) -> None:

@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.case import Values
@@ -37,7 +38,8 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
     """Friction that a free roller needs, and its pressure."""
     part.below_input("friction", "required friction coefficient tan(α/2)",
                      math.tan(q.alpha / 2), "mu", q.mu, "1")  # fmt: skip
-    part.pressure("contact_pressure", "Hertzian pressure of the rollers", v["p_0"], q.E,
+    p = v["p_0"] * math.sqrt(1 + q.d / (q.D_i - 2 * q.d))
+    part.pressure("contact_pressure", "Hertzian pressure of the rollers on the convex ring", p, q.E,
                   given=q.p_lim, option="give p_lim")  # fmt: skip
 
 
@@ -56,18 +58,36 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
             "does; a larger e or a smaller μ avoids this"
         )
     else:
-        part.at_least("torque", "torque of the elastic ring and rollers", v["M series"], q.M_t,
-                      "N m", "target torque M_t, given")  # fmt: skip
-        if v.get("M wide", q.M_t) < q.M_t <= v["M series"]:
-            part.unknowns.append(
-                f"the ring is between plane stress ({v['M series']:.4g} N m) and plane strain "
-                f"({v['M wide']:.4g} N m): the target torque of {q.M_t:.4g} N m lies between"
-            )
+        _torque(q, v, part)
     ring(q, v, part)
     for key, body in (("p_0 ring", "ring"), ("p_0 race", "race")):
         if key in v:
             what = f"Hertzian pressure of the rollers on the {body}"
             part.pressure(f"contact_pressure_{body}", what, v[key], q.E)
+
+
+def _torque(q: Any, v: Values, part: Assessment) -> None:
+    """Torque in plane strain, the safe bound of a ring of finite width, and the cage it needs."""
+    narrow, safe = v["M series"], min(v["M series"], v.get("M wide", v["M series"]))
+    part.design = Quantity(
+        key="permissible_torque", symbol="M_el", value=safe, unit="N m",
+        what="torque of elastic ring and rollers in plane strain, the safe bound; in plane stress "
+        f"{narrow:.4g} N m",
+    )  # fmt: skip
+    doubt = ""
+    if safe < q.M_t <= narrow:
+        doubt = f"plane strain gives {safe:.4g} N m"
+        part.unknowns.append(
+            f"the target torque of {q.M_t:.4g} N m lies between the torques in plane strain "
+            f"({safe:.4g} N m) and plane stress ({narrow:.4g} N m)"
+        )
+    part.at_least("torque", "torque of elastic ring and rollers", narrow if doubt else safe, q.M_t,
+                  "N m", "target torque M_t, given", doubt=doubt)  # fmt: skip
+    if v["needed"] > v["slope"]:
+        part.remarks.append(
+            f"this requires a cage: without one the wedge of {math.degrees(v['slope']):.2g} deg "
+            f"carries {v['M slope']:.3g} N m"
+        )
 
 
 def _pressure_for_torque(v: Values) -> str:

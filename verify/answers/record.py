@@ -9,7 +9,7 @@ from verify.answers.answer import Answer, Criterion, Quantity
 
 def answer_record(answer: Answer) -> dict[str, Any]:
     """Verdict, reasons, design value, margin and criteria in display units."""
-    worst = answer.limiting
+    worst = None if answer.failures else answer.limiting
     return {
         "verdict": str(answer.verdict),
         "reasons": list(answer.reasons),

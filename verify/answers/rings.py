@@ -9,6 +9,8 @@ from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.case import Values
 
+SPRAG_LOAD = "the stress by the sprag forces F is not included: ring-loads-inner, -outer have it"
+
 
 def under_pressure(q: Any, _: Values, part: Assessment) -> None:
     """Tresca stress at bore and rim of a ring that is free along its axis."""
@@ -18,6 +20,11 @@ def under_pressure(q: Any, _: Values, part: Assessment) -> None:
     largest = float(np.maximum.reduce([abs(hoop - radial), abs(hoop), abs(radial)]).max())
     strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
     part.stress("tresca_stress", "Tresca stress of the ring", largest, strength)
+    if q.p_o > q.p_i:
+        wall, radius = q.r_o - q.r_i, (q.r_i + q.r_o) / 2
+        part.at_most("buckling_pressure", "outside pressure less inside pressure", q.p_o - q.p_i,
+                     q.E * wall**3 / (4 * radius**3), "MPa",
+                     "elastic buckling of a thin ring, E t^3/(4 r^3)")  # fmt: skip
 
 
 def under_sprags(q: Any, v: Values, part: Assessment) -> None:
@@ -32,6 +39,7 @@ def rotating(q: Any, v: Values, part: Assessment) -> None:
     strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
     stress = v["bore hoop stress, plane stress"]
     part.stress("hoop_stress", "hoop stress of the race at its bore", stress, strength)
+    part.remarks.append(SPRAG_LOAD)
 
 
 def pressed_together(q: Any, v: Values, part: Assessment) -> None:

@@ -1,17 +1,20 @@
 """Criteria of rotors: distance of critical speeds from the operating speeds."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.case import Values
 from verify.cases.rotor_clutch_words import open_slices
-from verify.cases.rotor_system_words import criticals, distance
+from verify.cases.rotor_system_model import opposite_criticals
+from verify.cases.rotor_system_words import criticals, distance, limits
 
 SEPARATION = 0.15
-SEPARATION_SOURCE = "usual separation margin of 15 % between operating and critical speeds"
 RPM = math.pi / 30
+OPPOSITE = "backward (opposite)"
+MODES = 3  # whose whirl frequencies the formulas of a shaft give
 
 
 def link(q: Any, _: Values, part: Assessment) -> None:
@@ -22,13 +25,15 @@ def link(q: Any, _: Values, part: Assessment) -> None:
 
 
 def shaft(q: Any, v: Values, part: Assessment) -> None:
-    """Speed of the shaft beside its first critical speed, Timoshenko's beam."""
-    _separated(q.n, v["timoshenko critical"], part)
+    """Speed of the shaft beside its critical speeds, Timoshenko's beam."""
+    higher = [v[f"timoshenko {k} forward"] for k in range(2, MODES + 1)]
+    _separated(q.n, [v["timoshenko critical"], *higher], part)
 
 
 def stepped(q: Any, v: Values, part: Assessment) -> None:
     """The same with a step in diameter, by the 45° rule, the lower one."""
-    _separated(q.n, v["45° critical"], part)
+    higher = [v[f"45° {k} forward"] for k in range(2, MODES + 1)]
+    _separated(q.n, [v["45° critical"], *higher], part)
 
 
 def system(q: Any, _: Values, part: Assessment) -> None:
@@ -40,22 +45,52 @@ def system(q: Any, _: Values, part: Assessment) -> None:
     nearest = min(found, key=lambda c: abs(distance(q, c.speed)))
     part.design = Quantity(
         key="nearest_critical_speed", symbol="n_c", value=nearest.speed, unit="r/min",
-        what=f"critical speed nearest to the operating range, unbalance of {nearest.shafts}",
+        what=f"critical speed nearest to the operating range, excited by unbalance of shaft "
+        f"{nearest.shafts}",
     )  # fmt: skip
-    what = "distance of the nearest critical speed from the operating range"
-    part.at_least("separation", what, abs(distance(q, nearest.speed)), q.margin, "%",
-                  "input margin", assumed="margin" in part.assumed)  # fmt: skip
+    _distance(q.speed_from, q.speed_to, q.margin, nearest.speed, part,
+              assumed="margin" in part.assumed)  # fmt: skip
+    low, high = limits(q)
+    for speed in opposite_criticals(q):
+        text = (
+            f"critical speed of {OPPOSITE} whirl at {speed / RPM:.5g} r/min, {{}}: unbalance "
+            "excites it unless every bearing is equally stiff in both directions"
+        )
+        if q.speed_from <= speed <= q.speed_to:
+            part.unknowns.append(text.format("within the operating range"))
+        elif low <= speed <= high:
+            part.remarks.append(text.format("within the separation margin"))
 
 
 def sprag_rotor(q: Any, v: Values, part: Assessment) -> None:
     """Speed of the test rig beside the forward critical speeds of the central system."""
     orders = [v[f"forward critical {k}"] for k in (1, 3, 5) if f"forward critical {k}" in v]
-    nearest = min(orders, key=lambda w: abs(q.rig_speed / w - 1))
-    _separated(q.rig_speed, nearest, part)
+    _separated(q.rig_speed, orders, part)
     part.unknowns.append("the dimensions are fitted to three critical speeds, not measured")
 
 
-def _separated(speed: float, critical: float, part: Assessment) -> None:
-    part.at_least("separation", "distance of the speed from the critical speed",
-                  abs(speed / critical - 1), SEPARATION, "%", SEPARATION_SOURCE,
-                  assumed=True)  # fmt: skip
+def _separated(speed: float, critical: Sequence[float], part: Assessment) -> None:
+    """A speed [rad/s] beside the nearest of the critical speeds [rad/s], rising."""
+    if not critical:
+        part.unknowns.append("no critical speed was found")
+        return
+    nearest = min(critical, key=lambda w: abs(math.log(max(speed, 1e-9) / w)))
+    _distance(speed, speed, SEPARATION, nearest, part, assumed=True)
+    if speed > critical[-1]:
+        part.unknowns.append(
+            f"the speed is above the highest critical speed that is computed, "
+            f"{critical[-1] / RPM:.5g} r/min"
+        )
+
+
+def _distance(low: float, high: float, margin: float, critical: float, part: Assessment,
+              *, assumed: bool) -> None:  # fmt: skip
+    """A critical speed [rad/s] beside the range of speeds [rad/s], widened by the margin."""
+    share = f"separation margin of {margin:.0%}"
+    if critical < low:
+        part.at_most("separation", "critical speed below the operating speed", critical,
+                     low * (1 - margin), "r/min", f"lowest operating speed less a {share}",
+                     assumed=assumed)  # fmt: skip
+        return
+    part.at_least("separation", "critical speed", critical, high * (1 + margin), "r/min",
+                  f"highest operating speed plus a {share}", assumed=assumed)  # fmt: skip

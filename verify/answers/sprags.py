@@ -3,18 +3,29 @@
 import math
 from typing import Any
 
+from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import permissible
 from verify.case import Values
 from verify.cases.sprag_clutch_advice import why
 from verify.cases.sprag_clutch_limits import as_torque_grows, verdict
+from verify.cases.sprag_clutch_values import analytic
+from verify.cases.sprag_crown_formulas import pressed
+from verify.cases.sprag_engagement_formulas import at_rest
+from verify.cases.sprag_engagement_model import crowned_for
+from verify.cases.sprag_engagement_model import wedge as wedge_states
+from verify.cases.sprag_friction_formulas import asked as required_friction
 
 FRICTION = "required friction coefficient tan ν of the inner contact"
 NO_CROWN = (
     "without a crown (z_m = 0) the pressure at the sprag's ends grows with the number of slices"
 )
 MISSING = "give p_lim"
+ROLLS_OVER = "the sprags reach the end of their profile and roll over"
+STATIC_ONLY = (
+    "the pressure is that at rest; the first peak of an engagement is larger: sprag-crown has it"
+)
 
 
 def wedge(q: Any, v: Values, part: Assessment) -> None:
@@ -32,7 +43,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
     """Friction, pressures, end of the profile and yielding of the races, torque rising slowly."""
     state = verdict(q, v)
     if part.with_design:
-        part.design = permissible(as_torque_grows(q), ", rising slowly")
+        part.design = _permissible(q)
     part.below_input("friction", FRICTION, v.get("mu_req", v["mu_0"]), "mu_s", q.mu_s, "1")
     if state == "no state":
         part.failures.append(why(q, v))
@@ -54,18 +65,39 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
         )
 
 
+def _permissible(q: Any) -> Quantity | None:
+    """The largest torque that rises slowly; the crown is that of the part under its own torque."""
+    part_as_made = q.model_copy(update={"Q": crowned_for(q)})
+
+    def under(T: float) -> Answer:
+        other = part_as_made.model_copy(update={"T": T})
+        part = Assessment(with_design=False)
+        clutch(other, analytic(other), part)
+        return part.answer()
+
+    return permissible(as_torque_grows(q), q.T, ", quasi-static", under)
+
+
 def engagement(q: Any, v: Values, part: Assessment) -> None:
     """Friction and rolling over during the first peak of a torque that rises suddenly."""
-    if "N_max" not in v:
-        part.failures.append("the sprags roll over, or no state exists, in the first peak")
+    if "N_max" not in v or "N_undamped" not in v or v["over"]:
+        part.failures.append(ROLLS_OVER)
         return
     what = "largest required friction coefficient"
     part.below_input("friction", what, v["mu_asked"], "mu_s", q.mu_s, "1")
+    _largest_pressure(q, v["N_max"], "in the first peak", part)
+    _yield_is_elsewhere(q, part)
 
 
 def stick_slip(q: Any, v: Values, part: Assessment) -> None:
-    """Static friction beside that at which the sprags begin to slide."""
+    """Static friction beside that at which the sprags begin to slide, pressure at rest."""
+    if "mu_b" not in v:
+        part.failures.append(ROLLS_OVER)
+        return
     part.below_input("friction", FRICTION, v["mu_b"], "mu_s", q.mu_s, "1")
+    w = wedge_states(q)
+    _largest_pressure(q, float(w.force()(at_rest(w, q.T))), "at rest", part)
+    _yield_is_elsewhere(q, part)
 
 
 def crown(q: Any, v: Values, part: Assessment) -> None:
@@ -73,6 +105,7 @@ def crown(q: Any, v: Values, part: Assessment) -> None:
     if "p peak" not in v:
         part.failures.append("no state within the sprags' profile carries the first peak")
         return
+    part.below_input("friction", FRICTION, required_friction(q)[0], "mu_s", q.mu_s, "1")
     if q.z_m == 0:
         part.unknowns.append(NO_CROWN)
     part.pressure("contact_pressure", "largest pressure in the first peak", v["p peak"], q.E,
@@ -84,3 +117,20 @@ def optimum(q: Any, v: Values, part: Assessment) -> None:
     part.below_input("friction", FRICTION, v["mu_req"], "mu_s", q.mu_s, "1")
     part.pressure("contact_pressure", "largest pressure under the static load", v["static peak"],
                   q.E, given=q.p_lim, option=MISSING)  # fmt: skip
+    part.unknowns.append(STATIC_ONLY)
+
+
+def _largest_pressure(q: Any, N: float, when: str, part: Assessment) -> None:
+    """Largest pressure along the crowned sprag on the inner race under `N` [N]."""
+    if q.z_m == 0:
+        part.unknowns.append(NO_CROWN)
+    p = float(pressed(q, N).peak_pressure.max())
+    part.pressure("contact_pressure", f"largest pressure {when}", p, q.E, given=q.p_lim,
+                  option=MISSING)  # fmt: skip
+
+
+def _yield_is_elsewhere(q: Any, part: Assessment) -> None:
+    if q.R_p is not None:
+        part.remarks.append(
+            "this case does not compare the races' stress with R_p: sprag-clutch does"
+        )

@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from analytic.spring import energy, frame
+from analytic.spring import column, energy, frame
 from analytic.spring.wide_leaf import width_factor
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
@@ -12,6 +12,11 @@ from verify.case import Values
 
 FREE_STAGE = 0.47  # of the free length, where the leaves of the paper's spring touch (Wang 2023)
 LARGEST_STROKE = 0.6  # of the free length (Eq. 12)
+CRITICAL = {
+    "F_cr, arc": "tail clamped at the end of the arc",
+    "F_cr, mid-leaf": "tail clamped at mid-leaf",
+    "Haringx F, free": "Haringx's column",
+}
 NO_FORCE = "no working force F is given: neither stress nor deflection is checked"
 
 
@@ -29,6 +34,7 @@ def free_stage(q: Any, v: Values, part: Assessment) -> None:
         return
     bending_stress(q, q.F, part)
     _deflection(q.F / k, v["L0"], part)
+    _guide(q, part)
 
 
 def stages(q: Any, v: Values, part: Assessment) -> None:
@@ -48,8 +54,8 @@ def curve(q: Any, v: Values, part: Assessment) -> None:
     force = v["k1"] * U + (v["k2"] * (q.stroke - U) if "k2" in v else 0.0)
     part.design = Quantity(
         key="force_at_stroke", symbol="F(U_max)", value=force, unit="N",
-        what="force at the stroke by two straight lines (k_1, then k_2); `check --fem` has the "
-        "curve",
+        what="force at the stroke by two straight lines (k_1, then k_2); `check --fem --out "
+        "FOLDER` draws the curve",
     )  # fmt: skip
     if "stroke" in part.assumed:
         part.unknowns.append("no stroke is given: the force is that at 0.6 L_0, the end of Eq. 12")
@@ -72,8 +78,13 @@ def buckling(q: Any, v: Values, part: Assessment) -> None:
     if q.F is None:
         part.unknowns.append("no working force F is given: it is not compared with F_cr")
         return
-    part.at_most("force", "working force", q.F, v["F_cr, arc"], "N",
-                 "critical force of a free head, tail clamped at the end of the arc")  # fmt: skip
+    estimates = {key: v[key] for key in CRITICAL if key in v}
+    if not estimates:
+        part.remarks.append("the spring is too short to buckle")
+        return
+    key = min(estimates, key=estimates.__getitem__)
+    part.at_most("force", "working force", q.F, estimates[key], "N",
+                 f"buckling with a free head, the smallest estimate: {CRITICAL[key]}")  # fmt: skip
 
 
 def bending_stress(q: Any, F: float, part: Assessment) -> None:
@@ -82,6 +93,17 @@ def bending_stress(q: Any, F: float, part: Assessment) -> None:
     strength = strip_strength(getattr(q, "R_p", None), q.E)
     option = "give R_p" if hasattr(q, "R_p") else "spring-accordion takes R_p"
     part.stress("bending_stress", f"bending stress under {F:.4g} N", stress, strength, option)
+
+
+def _guide(q: Any, part: Assessment) -> None:
+    """A spring that buckles below its working force needs a guide for its head."""
+    strip = {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}
+    F = float(column.critical_force("free", **q.path, **strip))
+    if q.F >= F:  # nan where it never buckles
+        part.remarks.append(
+            f"the head needs a guide: with a free head the spring buckles at {F:.3g} N "
+            "(Haringx's column; case spring-buckling)"
+        )
 
 
 def _deflection(U: float, L0: float, part: Assessment) -> None:

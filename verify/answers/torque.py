@@ -1,9 +1,15 @@
-"""The torque that a clutch may carry."""
+"""The torque that a clutch may carry: the largest one at which every criterion is met."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
-from verify.answers.answer import Quantity
+from scipy.optimize import brentq
+
+from verify.answers.answer import Answer, Quantity
+
+TORQUE_TOLERANCE = 1e-5  # relative
+SEARCHED = (0.95, 0.9, 0.8, 0.7, 0.5, 0.3, 0.1, 0.03)  # shares of a limit
 
 
 class Limit(Protocol):
@@ -16,10 +22,55 @@ class Limit(Protocol):
     def words(self) -> str: ...
 
 
-def permissible(limits: Sequence[Limit], condition: str) -> Quantity | None:
-    """The smallest of `limits`, sorted, under a `condition`; None where there is none."""
+@dataclass(frozen=True)
+class Reached:
+    """The torque [N m] at which a criterion is reached."""
+
+    at: float
+    words: str
+
+
+def permissible(
+    limits: Sequence[Limit], T: float, condition: str, under: Callable[[float], Answer]
+) -> Quantity | None:
+    """The largest torque under a `condition` at which all criteria are met; None without one.
+
+    `limits` are the limits of the formulas, sorted; `T` [N m] is the torque of the part, and
+    `under` gives the criteria of the part under another torque [N m].
+    """
     if not limits:
         return None
-    what = f"permissible torque{condition}; beyond it {limits[0].words}"
-    return Quantity(key="permissible_torque", symbol="T_max", value=limits[0].at, unit="N m",
+    largest = _first(limits[0], under)
+    if largest is None:
+        return None
+    times = f", {largest.at / T:.3g} T" if T > 0 else ""
+    what = f"permissible torque{condition}{times}; beyond it {largest.words}"
+    return Quantity(key="permissible_torque", symbol="T_max", value=largest.at, unit="N m",
                     what=what)  # fmt: skip
+
+
+def _first(limit: Limit, under: Callable[[float], Answer]) -> Limit | None:
+    """The limit of the formulas, or the criterion that is reached at a smaller torque."""
+    if _excess(under(limit.at * (1 - TORQUE_TOLERANCE))) >= -TORQUE_TOLERANCE:
+        return limit
+    high = limit.at
+    for share in SEARCHED:
+        low = share * limit.at
+        if _excess(under(low)) >= 0:
+            break
+        high = low
+    else:
+        return None
+    at = float(brentq(lambda T: _excess(under(T)), low, high, rtol=TORQUE_TOLERANCE))
+    worst = under(low + (at - low) * (1 - TORQUE_TOLERANCE)).limiting
+    assert worst is not None
+    return Reached(
+        at, f"the {worst.what} {'is below its minimum' if worst.minimum else 'exceeds its limit'}"
+    )
+
+
+def _excess(answer: Answer) -> float:
+    """Smallest margin less 1; -1 where the part fails for another reason."""
+    if answer.failures:
+        return -1.0
+    return min(c.margin for c in answer.criteria) - 1

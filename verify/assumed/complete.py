@@ -30,7 +30,7 @@ def complete(
             value = raw_value(model, one, given) if readable else placeholder(model, one)
         except (NotGivenError, ValueError, ArithmeticError, TypeError, KeyError) as error:
             if isinstance(error, ValueError):
-                raise InputError(f"{where}: inputs: {one.name} does not follow: {error}") from error
+                raise InputError(f"{where}: inputs: {error}") from error
             value = placeholder(model, one)  # `build` refuses the file for another input
         if value is None:  # nothing can be assumed, such as a limit of an unknown material
             continue

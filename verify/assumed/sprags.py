@@ -22,7 +22,9 @@ FEWEST, MOST = 3, 200
 def gap(g: Given) -> float:
     """Radial distance [m] of the races; ValueError where there is none."""
     if not g.R_e > g.R_i > 0:
-        raise ValueError("the sprags need room between the races")
+        raise ValueError(
+            f"needs R_e > R_i > 0, got R_e = {g.R_e * 1e3:g} mm, R_i = {g.R_i * 1e3:g} mm"
+        )
     return float(g.R_e - g.R_i)
 
 
@@ -75,6 +77,10 @@ SPRAG_CLUTCH = (
     Assumption(name="z_m", value="10 µm",
                source="Huang 2018, Fig. 12: drop of the crown at the ends; a sprag without a crown "
                "carries most at its ends"),
+    Assumption(name="K_1", value=1.0, source="Huang 2018, Fig. 12: the best of the printed crowns"),
+    Assumption(name="K_2", value=0.7, source="Huang 2018, Fig. 12: the best of the printed crowns"),
+    Assumption(name="Q", value=lambda g: g.T / (g.z * g.R_i * math.tan(g.nu_0)),
+               source="the normal force of a sprag under T, without deflections"),
     Assumption(name="mu_s", value=0.12, usual=(0.1, 0.15),
                source="typical: hardened steel with oil at rest, 0.10 to 0.15"),
     Assumption(name="mu_c", value=lambda g: min(0.08, g.mu_s),

@@ -27,10 +27,10 @@ OUTPUTS = (
     output("p_o", "p_o", "MPa", "peak pressure of the outer contacts (Hertz)"),
     output("d_i", "d_i", "µm", "approach of roller and inner part"),
     output("d_o", "d_o", "µm", "approach of roller and outer part"),
-    output("s", "s", "µm", "way of the rollers along the cam (Eq. 6)"),
-    output("phi", "φ", "deg", "torsion by exact rolling (Eq. 7, corrected)", judged=True),
-    output("phi printed", "φ_7", "deg", "torsion, Eq. 7 as printed"),
-    output("mu_req", "μ_req", "1", "friction that torque and axial load ask for (Eqs. 8, 9)"),
+    output("s", "s", "µm", "travel of the rollers along the cam (Eq. 6)"),
+    output("phi", "φ", "deg", "wind-up angle by exact rolling (Eq. 7, corrected)", judged=True),
+    output("phi printed", "φ_7", "deg", "wind-up angle, Eq. 7 as printed"),
+    output("mu_req", "μ_req", "1", "required friction coefficient (Eqs. 8, 9)"),
     output("safety", "μ/μ_req", "1", "available over required friction (Eq. 10)"),
     output("F slip", "F_ax,lim", "N", "axial load at which the contacts slip (Eq. 9)"),
     output("F tilt_lift", "F_ax,lift", "N", "axial load that lifts the rollers off at one end"),
@@ -43,12 +43,12 @@ OUTPUTS = (
     output("T slip", "T_μ", "N m", "torque at which the contacts slip"),
     output("T pressure_inner", "T_p,i", "N m", "torque at which the inner contacts reach p_lim"),
     output("T pressure_outer", "T_p,o", "N m", "torque at which the outer contacts reach p_lim"),
-    output("T corner", "T_c", "N m", "torque at which the rollers reach the flats' corners"),
+    output("T corner", "T_c", "N m", "torque at which the rollers reach the ends of the cam flats"),
     output("T pop_through", "T_pop", "N m", "torque at which the rollers go through"),
-    output("dalpha_0/dX", "dα_0/dX", "deg/mm", "turn of α_0 by X"),
-    output("dalpha_0/dr", "dα_0/dr", "deg/mm", "turn of α_0 by r"),
-    output("dalpha_0/dR", "dα_0/dR", "deg/mm", "turn of α_0 by R"),
-    output("dalpha/dX", "dα(T)/dX", "deg/mm", "turn of α under torque by X, over ±5 µm",
+    output("dalpha_0/dX", "dα_0/dX", "deg/mm", "sensitivity of α_0 to X"),
+    output("dalpha_0/dr", "dα_0/dr", "deg/mm", "sensitivity of α_0 to r"),
+    output("dalpha_0/dR", "dα_0/dR", "deg/mm", "sensitivity of α_0 to R"),
+    output("dalpha/dX", "dα(T)/dX", "deg/mm", "sensitivity of α under torque to X, over ±5 µm",
            judged=True),
     output("s(alpha_0)", "s(α_0)", "deg", "standard deviation of α_0 by the tolerances"),
     output("P(slip)", "P(slip)", "%", "clutches of like rollers that slip"),
@@ -74,7 +74,10 @@ OUTPUTS = (
 
 def too_large(q: ClutchInputs) -> str:
     if not q.is_star:
-        return "finite elements know inner cams alone; check an outer cam without --fem"
+        return (
+            "finite elements of this case take inner cams only, case freewheel-cup compares outer "
+            "cams; check it without --fem"
+        )
     if q.T <= 0 or under(q) is None:
         return "finite elements need a torque that locks and that a state bears; check it without "\
             "--fem"  # fmt: skip
@@ -92,7 +95,7 @@ CLUTCH = Case(
     title="Roller freewheel under torque and axial load",
     paper="nagler2021",
     place="Eqs. 1-10, Sec. 7",
-    lead="Whether a roller freewheel holds, and what ends its work first as the torque or the "
+    lead="Whether a roller freewheel holds, and which limit is reached first as the torque or the "
     "axial load grows: friction, pressure, the flats' corners, pop-through, tilting rollers. A few "
     "micrometres turn the clamping angle, and with it everything else.",
     inputs=ClutchInputs,

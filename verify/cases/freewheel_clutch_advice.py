@@ -13,6 +13,7 @@ from verify.cases.freewheel_clutch_remedies import (
     moved_to,
     per_micrometre,
     to_spare,
+    until_pop_through,
 )
 from verify.cases.freewheel_clutch_scatter import slopes
 
@@ -62,7 +63,7 @@ def stiffer(q: ClutchInputs) -> str:
     if not found:
         return "no R_a, X or L near these bears the torque: the clutch is too small"
     housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
-    return f"the torque is just borne with {', or '.join(found)}, or more rollers{housing}"
+    return f"sufficient for this torque: {', or '.join(found)}, or more rollers{housing}"
 
 
 def sensitive(q: ClutchInputs, v: Values) -> list[str]:
@@ -75,7 +76,20 @@ def sensitive(q: ClutchInputs, v: Values) -> list[str]:
     )
     shares = [s for s in sorted(by, key=lambda s: -s.share) if s.share > 0]
     told = ", ".join(f"{s.name} {100 * s.share:.0f} %" for s in shares)
-    found = [f"α_0 turns: {turned}" + (f"; of its variance come from {told}" if told else "")]
-    if v.get("safety", 0.0) >= 1 and v["mu_0"] <= q.mu and math.isfinite(spare := to_spare(q)):
-        found.append(f"with X smaller by {spare * 1e6:.3g} µm it would no longer hold")
+    found = [
+        f"sensitivity of α_0: {turned}" + (f"; of its variance come from {told}" if told else "")
+    ]
+    if v.get("safety", 0.0) >= 1 and v["mu_0"] <= q.mu:
+        found += _ends_of_X(q)
     return found
+
+
+def _ends_of_X(q: ClutchInputs) -> list[str]:
+    """Deviations of X at which the clutch slips or its rollers pass through, the nearer first."""
+    limits = [
+        (to_spare(q), "smaller", "the contacts slip"),
+        (until_pop_through(q), "larger", "the rollers pass through between flat and race"),
+    ]
+    near = sorted(one for one in limits if math.isfinite(one[0]))
+    told = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]
+    return ["; ".join(told)] if told else []

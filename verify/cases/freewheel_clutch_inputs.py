@@ -53,7 +53,7 @@ class ClutchInputs(Inputs):
     T: float = quantity("26 N m", "N m", "T", "torque, positive in the locking direction", ge=-1e9,
                         le=1e9, claims="nagler2021:rig-torque")  # fmt: skip
     F_ax: float = quantity("600 N", "N", "F_ax", "axial load on the whole clutch", ge=0, le=1e9)
-    mu: float = quantity(0.08, "1", "μ", "coefficient of friction, alike at all contacts", ge=1e-3,
+    mu: float = quantity(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=1e-3,
                          le=2)  # fmt: skip
     E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0.1, le=1e5)
     nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
@@ -85,7 +85,7 @@ class ClutchInputs(Inputs):
         le=0.45, example="0.3",
     )  # fmt: skip
     p_lim: float | None = quantity(
-        "4000 MPa", "MPa", "p_lim", "pressure that the contacts bear", omitted=None, gt=0, le=1e6,
+        "4000 MPa", "MPa", "p_lim", "permissible contact pressure", omitted=None, gt=0, le=1e6,
     )  # fmt: skip
     e_lim: float | None = quantity(
         None, "1", "(e/L)_lim", "how far along the rollers their contact forces may move, over L; "
@@ -97,7 +97,8 @@ class ClutchInputs(Inputs):
     R_tol: float = quantity("5 µm", "µm", "t_R", "tolerance ± of R", omitted=0.0, ge=0, le=1e4)
     s_mu: float = quantity(0.004, "1", "s_μ", "standard deviation of μ", omitted=0.0, ge=0, lt=1)
     spread: Spread = word(
-        "normal", "how parts lie within ±: normal (± is three standard deviations) or uniform"
+        "normal",
+        "distribution within the tolerances: normal (± is three standard deviations) or uniform",
     )
 
     @model_validator(mode="after")

@@ -23,7 +23,7 @@ WORDS = {
     "bears": "below it friction no longer bears the axial load",
     "pressure_inner": "the inner contacts reach p_lim",
     "pressure_outer": "the outer contacts reach p_lim",
-    "corner": "the rollers reach the corners of the flats",
+    "corner": "the rollers reach the ends of the cam flats",
     "pop_through": "the rollers go through between flat and shaft",
     "hertz": "contacts as wide as the rollers' radius, where the formulas end",
     "tilt": "the tilting couple moves the contact forces by (e/L)_lim",

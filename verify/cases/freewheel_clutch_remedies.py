@@ -63,6 +63,22 @@ def to_spare(q: ClutchInputs) -> float:
     return -float(fine[np.argmax(ratios(q, _nearer(q, fine)) < 1)])
 
 
+@lru_cache(maxsize=8)
+def until_pop_through(q: ClutchInputs) -> float:
+    """How far [m] flats may be farther from the axis until no state bears T; nan if never."""
+
+    def is_lost(dX: Array) -> NDArray[np.bool_]:
+        return ~np.isfinite(state.loaded(shifted(q, "X", dX), q.T).N)
+
+    dX = np.linspace(0.0, FARTHEST * q.room, POINTS)
+    lost = is_lost(dX)
+    if lost[0] or not np.any(lost):
+        return math.nan
+    k = int(np.argmax(lost))
+    fine = np.linspace(dX[k - 1], dX[k], POINTS)
+    return float(fine[np.argmax(is_lost(fine))])
+
+
 def _nearer(q: ClutchInputs, dX: Array) -> Clutch:
     """Clutches with their flats nearer; those past a corner stay at the last that is not."""
     for share in np.linspace(1.0, 0.0, 50):

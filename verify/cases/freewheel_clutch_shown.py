@@ -155,7 +155,7 @@ def angles(q: ClutchInputs) -> Curves:
     tan = math.atan(q.mu) * DEGREE
     asked = np.arctan(criterion.required_friction(alpha=now.alpha, T=T, F_ax=q.F_ax, R=q.cam.race))
     return Curves(
-        title="Clamping angle and friction that is asked for", x_label="T [N m]", y_label="[°]",
+        title="Clamping angle and required friction", x_label="T [N m]", y_label="[°]",
         curves=(
             Curve(name="α", x=T, y=now.alpha * DEGREE),
             Curve(name="arctan μ_req, with F_ax", x=T, y=asked * DEGREE, colour=2),
@@ -175,7 +175,7 @@ def flats(q: ClutchInputs, context: Context) -> Curves:
     moved = [q.moved(dX) for dX in X]
     low, own, high = context.fem[-1].arrays["moved"] * DEGREE
     return Curves(
-        title="What a few µm of X do", x_label="X off by [µm]", y_label="α [°]",
+        title="Sensitivity to X", x_label="X off by [µm]", y_label="α [°]",
         curves=(
             Curve(name="α under T", x=X * 1e6,
                   y=np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),

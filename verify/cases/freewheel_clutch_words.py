@@ -31,7 +31,7 @@ def verdict(q: ClutchInputs, v: Values) -> str:
     """Why the class is what it is, and what Coulomb says."""
     if q.T < 0:
         return "the torque turns against the locking direction: the clutch overruns, and the "\
-            "criterion does not speak of it"  # fmt: skip
+            "criterion does not apply"  # fmt: skip
     if v["mu_0"] > q.mu:
         ratio = "" if "safety" not in v else f" (μ/μ_req = {v['safety']:.3g})"
         return f"tan α_0 = {v['mu_0']:.4g} exceeds μ = {q.mu:g}: the clutch releases itself, any "\
@@ -44,9 +44,9 @@ def verdict(q: ClutchInputs, v: Values) -> str:
             "friction"  # fmt: skip
     if "safety" not in v:
         last = "pop_through" if math.isfinite(of_torque_alone(q).pop_through) else "hertz"
-        return f"no state bears T = {newton_metres(q.T)}: {Limit(last, end(q)).words} at "\
+        return f"no equilibrium at T = {newton_metres(q.T)}: {Limit(last, end(q)).words} at "\
             f"{newton_metres(end(q))}"  # fmt: skip
-    needs = f"torque and axial load ask for {v['mu_req']:.4g}, friction is {q.mu:g}"
+    needs = f"required friction coefficient {v['mu_req']:.4g}, available {q.mu:g}"
     ratio = f"μ/μ_req = {v['safety']:.4g}"
     if past_corners(q, v):
         alone = "friction alone would hold" if v["safety"] >= 1 else "friction would slip, too"

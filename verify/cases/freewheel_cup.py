@@ -90,7 +90,7 @@ CUP = Case(
         output("p_o", "p_o", "MPa", "peak pressure on the cup (Hertz)"),
         output("a_i", "a_i", "µm", "half-width of the contact on the shaft (Hertz)"),
         output("a_o", "a_o", "µm", "half-width of the contact on the cup (Hertz)"),
-        output("T summit", "T_max", "N m", "largest torque, before the rollers go through"),
+        output("T summit", "T_max", "N m", "largest torque, at pop-through of the rollers"),
         output("N summit", "F_n", "N", "normal force there", judged=False),
         output("alpha summit", "α", "deg", "clamping angle there", judged=False),
         output("p summit", "p", "MPa", "larger peak pressure there (Hertz)", judged=False),

@@ -95,7 +95,7 @@ class Sector:
             drags = drags[0] - out - turned, drags[1] - out + turned
         slips = ", and every node of a contact slips" if state.solution.slides else ""
         raise fem_errors().NotFoundError(
-            f"no place at rest was found: the roller still moves by {out:.1e} m after "
+            f"no equilibrium was found: the roller still moves by {out:.1e} m after "
             f"{MOST} steps{slips}"
         )
 

@@ -52,7 +52,8 @@ def sketch(q: Any) -> Sketch:
     )  # fmt: skip
     return Sketch(
         title=f"one of {q.z} pitches, to scale, the axis lies below: T on the ring draws the "
-        "roller into the gap that narrows to the right; both cuts of star and ring move alike",
+        "roller into the gap that narrows to the right; both section planes of star and "
+        "ring deform equally",
         shapes=shapes,
     )
 

@@ -88,7 +88,7 @@ TORQUE = Case(
         output("F_t", "F_t", "N", "tangential force at either contact (Eq. 3, corrected)",
                judged=False),
         output("s", "s", "µm", "way of the rollers' centres about the axis (Eq. 6)"),
-        output("phi", "φ", "deg", "torsion by exact rolling (Eq. 7, corrected)"),
+        output("phi", "φ", "deg", "wind-up angle by exact rolling (Eq. 7, corrected)"),
         output("phi printed", "φ", "deg", "torsion, Eq. 7 as printed"),
         output("phi small", "φ", "deg", "torsion for small angles, 2 s/R", judged=False),
         output("d_i", "d_i", "µm", "approach of roller and star"),

@@ -174,14 +174,14 @@ def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
         )
     if v["needed"] > v["slope"]:
         found.append(
-            "rollers that carry this by themselves need a wedge of "
-            f"{np.degrees(v['needed']):.3g}°; the ring's outside offers "
-            f"{np.degrees(v['slope']):.2g}° under p_t, where they carry {v['M slope']:.3g} N m: a "
-            "cage must take the rest past the ring"
+            "without a cage a wedge angle is required of "
+            f"{np.degrees(v['needed']):.3g}°; available are "
+            f"{np.degrees(v['slope']):.2g}° under p_t, which carry {v['M slope']:.3g} N m: a "
+            "cage transmits the remainder"
         )
     if q.b > WIDE * q.delta_1 and "M wide" in v:
         found.append(
-            f"b is {q.b / q.delta_1:.3g} walls wide: neither plane stress, as taken, nor plane "
+            f"b/δ_1 = {q.b / q.delta_1:.3g}: neither plane stress, as taken, nor plane "
             f"strain, which gives {v['M wide']:.4g} N m; rollers press more on the ends"
         )
     if v["hub share"] >= 1:
@@ -225,7 +225,7 @@ CLUTCH = Case(
     title="Polyhedral ring clutch, from its parts to its torque",
     paper="belcin",
     place="Eqs. 3-4, 6-21",
-    lead="Parts, friction and pressure in; every value of the paper's chain out, and the torque "
+    lead="Every value of the paper's chain from dimensions, friction and pressure, and the torque "
     "that is left when ring and rollers are elastic, which finite elements confirm. The corrected "
     "Eq. 21 promises several times as much. Sizes and loads are the project's.",
     inputs=ClutchInputs,

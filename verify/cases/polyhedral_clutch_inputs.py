@@ -15,7 +15,7 @@ NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
 class ClutchInputs(Inputs):
     """Ring, rollers, race and hub; the paper prints no numbers, these are the project's own."""
 
-    M_t: float = quantity("100 N m", "N m", "M_t", "torque that is wanted", gt=0, le=1e9)
+    M_t: float = quantity("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
     p_t: float = quantity("30 MPa", "MPa", "p_t", "pressure that is available", gt=0, le=1e4)
     z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
     D_i: float = quantity("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)

@@ -32,7 +32,7 @@ OUTPUTS = (
     # between which limits
     Output(key="M rigid", symbol="M_rigid", unit="N m", what="torque with rigid rollers, a bound"),
     _chain("M wide", "M_wide", "N m", "torque of a wide ring (plane strain)"),
-    _chain("needed", "α_need", "deg", "wedge angle at which rollers carry this by themselves"),
+    _chain("needed", "α_need", "deg", "wedge angle that rollers without a cage require"),
     _chain("slope", "α_ring", "deg", "steepest slope of the ring's outside under p_t, untouched"),
     _chain("M slope", "M_ring", "N m", "torque of rollers that nothing but that slope holds"),
     # the paper's chain
@@ -120,8 +120,8 @@ def figures(context: Context) -> Sequence[Figure]:
         items += [(name, found[key], None, "fe") for key, name in named.items() if key in found]
     return (
         Dots(title="Torque under the pressure p_t", label="M_t [N m]", items=tuple(items),
-             note="Eqs. 20 and 21 hand all of the blocking pressure to the rollers; the ring keeps "
-             "its part, and rollers deflect."),
+             note="Eqs. 20 and 21 assign all of the blocking pressure to the rollers; the ring "
+             "keeps its part, and rollers deflect."),
     )  # fmt: skip
 
 

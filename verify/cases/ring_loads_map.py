@@ -125,7 +125,7 @@ def _map(q: MapInputs, loaded: Wall, place: str) -> Map:
 
 MAP = Case(
     id="ring-loads-map",
-    title="Where a smeared race is good enough",
+    title="Validity of the uniformly loaded race",
     paper="huang2018",
     place="Eq. 6 over the number of sprags and the wall",
     lead="The Fourier ring says how far Eq. 6 is off for any number of loads and any wall; finite "

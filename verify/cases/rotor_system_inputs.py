@@ -42,13 +42,18 @@ class SystemInputs(Inputs):
     )
     speed_to: float = quantity("9000 r/min", "r/min", "n_2", "operating speeds, to", gt=0, le=1e6)
     margin: float = quantity(
-        0.15, "1", "", "wanted distance of critical speeds from the operating speeds", ge=0, lt=1
+        0.15,
+        "1",
+        "m_n",
+        "separation margin of critical speeds from the operating speeds",
+        ge=0,
+        lt=1,
     )
     speed: float = quantity(
-        "9000 r/min", "r/min", "n", "speed at which frequencies and amplitudes are told", gt=0,
+        "9000 r/min", "r/min", "n", "speed at which frequencies and amplitudes are reported", gt=0,
         le=1e6,
     )  # fmt: skip
-    probe: int = count(4, "", "node whose amplitude is told", ge=1, le=10_000)
+    probe: int = count(4, "", "node whose amplitude is reported", ge=1, le=10_000)
     shafts: tuple[ShaftInputs, ...] = table(
         (ShaftInputs(name="outer", ratio=1.0, start=0.16), ShaftInputs(name="inner", ratio=1.4)),
         "Shafts; speeds are the first one's, whose ratio is 1.",

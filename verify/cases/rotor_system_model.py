@@ -82,6 +82,22 @@ def _excited(q: SystemInputs, ratio: float) -> Excited:
     return Excited(ratio, names, found)
 
 
+def opposite_criticals(q: SystemInputs) -> list[float]:
+    """Critical speeds [rad/s] of whirl against the unbalance's turn, which bearings excite.
+
+    Unbalance excites them only where bearings differ in x and y; where they are given so, all
+    critical speeds are among those of `study`.
+    """
+    if not q.rotor.isotropic:
+        return []
+    found: list[float] = []
+    for ratio in ratios(q):
+        sense = "backward" if ratio > 0 else "forward"
+        modes_ = critical_speeds(q.rotor, count=SEARCHED, whirl=sense, excitation=abs(ratio))  # type: ignore[arg-type]
+        found += [float(w) for w in modes_.speeds]
+    return sorted(found)
+
+
 def analytic(q: SystemInputs) -> Values:
     """By key, in SI units; those of the companion beside the default rotor's."""
     values = _values(q)

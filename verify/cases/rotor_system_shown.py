@@ -80,7 +80,7 @@ def _campbell(q: SystemInputs) -> Campbell:
 
 def _sense(q: SystemInputs) -> str:
     if q.rotor.isotropic:
-        return "Unbalance meets whirl of its own sense where its line crosses a branch."
+        return "Unbalance excites whirl where its line crosses a branch of the same sense."
     return (
         "On bearings unlike in x and y whirl is elliptical and unbalance meets every branch; "
         f"the sense is that at {q.speed / RPM:.5g} r/min."

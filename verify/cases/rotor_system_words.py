@@ -97,7 +97,8 @@ def _amplitudes(q: SystemInputs, v: Values) -> list[str]:
     together = ", the unbalances of all shafts added" if len(study(q).responses) > 1 else ""
     return [
         f"at {q.speed / RPM:.5g} r/min node {q.probe} whirls with "
-        f"{v['amplitude'] * 1e6:.3g} µm and {worst} bears most, {loads[worst]:.4g} N{together}"
+        f"{v['amplitude'] * 1e6:.3g} µm (zero to peak) and the largest bearing load is "
+        f"{loads[worst]:.4g} N at {worst}{together}"
     ]
 
 

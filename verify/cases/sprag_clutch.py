@@ -30,7 +30,7 @@ OUTPUTS = (
     output("N", "N", "N", "inner contact's normal force, of a strut, no springs", judged=True),
     output("nu", "ν(T)", "deg", "wedge angle under torque, inner contact"),
     output("omega", "ω(T)", "deg", "wedge angle under torque, outer contact"),
-    output("mu_req", "tan ν", "1", "friction that torque asks for", judged=True),
+    output("mu_req", "tan ν", "1", "required friction coefficient", judged=True),
     output("safety", "μ_s/tan ν", "1", "static friction over what torque asks for"),
     output("alpha", "α(T)", "deg", "turn of the sprags against the outer contact", judged=True),
     output("alpha elastic", "α_el", "deg", "the same, of elastic bodies (case sprag-wedge)"),
@@ -101,12 +101,12 @@ CLUTCH = Case(
     title="Sprag clutch under torque and in engagement",
     paper="huang2018",
     place="Eqs. 1-16, Table 1, Sec. 4",
-    lead="Whether a logarithmic sprag clutch holds, and what ends its work first as the torque "
+    lead="Whether a logarithmic sprag clutch holds, and which limit is reached first as the torque "
     "grows: friction, pressure, the end of the profile. In time, how high the first peak of an "
     "engagement is. What stands beside the formulas here is the same sprag drawn point by point, "
     "and strips for the slices: they judge geometry, equilibrium and pressures, with the same "
     "deflections; finite elements of the whole clutch are those of sprag-wedge. "
-    "The paper's figures hang on "
+    "The paper's figures depend on "
     f"{len(IDENTIFIED)} inputs that it does not print and that are identified here "
     f"({named(IDENTIFIED)}), and {len(ASSUMED)} that are assumed: what rests on them is "
     "calibrated, not evidence.",

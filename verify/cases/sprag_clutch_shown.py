@@ -124,7 +124,7 @@ def pressures(q: SpragInputs, context: Context) -> Curves:
     return Curves(
         title="Pressure along the sprags under T", x_label="y [mm]", y_label="p [MPa]",
         curves=tuple(curves), y_bottom=0.0,
-        note="An end that carries has no highest pressure: it grows with the number of parts.",
+        note="The pressure at a loaded end is unbounded: it grows with the number of parts.",
     )  # fmt: skip
 
 
@@ -163,7 +163,7 @@ def off(q: SpragInputs) -> Curves:
     found = {name: np.array([first_contact(q, **{f"d{name}": float(x)}) for x in far])
              for name in ("R_i", "R_e")}  # fmt: skip
     return Curves(
-        title="What a few µm of the races do", x_label="radius off by [µm]",
+        title="Sensitivity to the radii of the races", x_label="radius off by [µm]",
         y_label="turn of the unloaded sprags [°]", y_bottom=None,
         curves=tuple(
             Curve(name=name, x=far * 1e6, y=found[name][:, 1] * DEGREE, colour=2 * k)

@@ -105,7 +105,7 @@ def elastic(v: Values) -> list[str]:
     return [
         "as elastic bodies (case sprag-wedge, where finite elements judge them) the sprags turn "
         f"by {v['alpha elastic'] * DEGREE:.3g}°: the paper's deflections, used here, make the "
-        f"clutch {spring} and its swings about {times:.3g} times as long"
+        f"clutch {spring} and its period of oscillation about {times:.3g} times as long"
     ]
 
 

@@ -57,7 +57,7 @@ class Sector:
             drags = drags[0] + below, drags[1] + above
         slips = ", and every node of a contact slips" if state.solution.slides else ""
         raise fem_errors().NotFoundError(
-            "no place at rest was found: the sprag still moves by "
+            "no equilibrium was found: the sprag still moves by "
             f"{max(abs(below), abs(above)):.1e} m after {MOST} steps{slips}"
         )
 

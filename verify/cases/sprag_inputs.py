@@ -104,13 +104,13 @@ class SpragInputs(WedgeInputs):
     Q: float | None = quantity("3407 N", "N", "Q", "load that the crown is made for; left out, the "
                                "static load of a sprag", omitted=None, gt=0, le=1e9)  # fmt: skip
     slices: int = count(41, "", "slices along the sprag", ge=5, le=161)
-    n: float = quantity("0 r/min", "r/min", "n", "speed of the outer race, which grows by it",
+    n: float = quantity("0 r/min", "r/min", "n", "speed of the outer race, which expands by it",
                         omitted=0.0, ge=0, le=1e6)  # fmt: skip
     density: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density of the outer race",
                               omitted=7850.0, gt=0, le=1e5)  # fmt: skip
     alpha_max: float = quantity("0.5 rad", "rad", "α_max", "how far sprags turn until their "
                                 "profile ends and their springs are slack", gt=0, le=3)  # fmt: skip
-    p_lim: float | None = quantity("4500 MPa", "MPa", "p_lim", "pressure that the contacts bear",
+    p_lim: float | None = quantity("4500 MPa", "MPa", "p_lim", "permissible contact pressure",
                                    omitted=None, gt=0, le=1e6)  # fmt: skip
     R_p: float | None = quantity(None, "MPa", "R_p", "yield strength of both races; left out, they "
                                  "have no such limit", omitted=None, gt=0, le=1e5,

@@ -85,7 +85,7 @@ SHARED: dict[str, Any] = {
 
 OPTIMUM_25 = Case(
     id="sprag-optimum",
-    title="Best crown of a sprag clutch, 25 N m",
+    title="Optimal crown of a sprag clutch, 25 N m",
     place="Sec. 3, Sec. 4.2.1, Eqs. 17-21, Figs. 9, 10, 15, 16, Table 2",
     lead="The crown (K_1, K_2, z_m) whose engagement has the lowest largest pressure: 125 "
     "engagements, kriging, a genetic algorithm and differential evolution, and the engagements "
@@ -98,7 +98,7 @@ OPTIMUM_25 = Case(
 
 OPTIMUM_40 = Case(
     id="sprag-optimum-40",
-    title="Best crown of a sprag clutch, 40 N m",
+    title="Optimal crown of a sprag clutch, 40 N m",
     place="Sec. 3, Sec. 4.2.2, Eqs. 17-20, 22, Figs. 17, 18",
     lead="The same under the larger torque, for crowns made for the same load, and beside the "
     "smaller: what changes with the torque.",

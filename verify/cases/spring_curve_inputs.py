@@ -32,7 +32,7 @@ class CurveInputs(SpringInputs):
         "17 mm", "mm", "U_max", "displacement up to which the curve is followed", gt=0, le=1e4
     )
     head: Head = word(
-        "guided", "what the roller lets the head do: guided, neither move sideways nor turn"
+        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
     )
     tail: Tail = word(
         "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"

@@ -126,7 +126,7 @@ def _slope(context: Context) -> Curves:
         printed = np.array([eq10().k1, eq10().k1, eq10().k2, eq10().k2]) / N_PER_MM
         curves.append(Curve(name="Eq. 10", x=steps, y=printed, style="dashes", colour=3))
     return Curves(
-        title="Stiffness along the way", x_label="U [mm]", y_label="dF/dU [N/mm]",
+        title="Stiffness over displacement", x_label="U [mm]", y_label="dF/dU [N/mm]",
         curves=tuple(curves), y_bottom=0.9 * float(k.min()), y_top=1.6 * float(k[0]),
         note="The free stage softens, then stiffens, as the leaves turn; linear theory has two "
         "levels." if np.isfinite(lines(context).U_A) else "No leaves touch up to here.",
@@ -158,7 +158,7 @@ def _states(context: Context) -> Shapes:
         words = f"{name}: {0 if k < 0 else U[k] / mm:.3g} mm"
         panels.append(Panel(name=words, lines=(line,), dots=own))
     return Shapes(
-        title="The spring in the points of its curve", unit="mm", panels=tuple(panels),
+        title="Deformed shapes", unit="mm", panels=tuple(panels),
         thickness=context.inputs.b / mm, dots_name="in touch",
         note="Centre lines as thick as the strip. B: half of the neighbouring leaves press.",
     )  # fmt: skip

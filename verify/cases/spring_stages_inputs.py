@@ -27,7 +27,7 @@ class StagesInputs(AccordionInputs):
         ge=1, le=1.3, example="1.09",
     )  # fmt: skip
     head: Head = word(
-        "guided", "what the roller lets the head do: guided, neither move sideways nor turn"
+        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
     )
     tail: Tail = word(
         "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"

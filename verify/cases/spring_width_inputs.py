@@ -11,7 +11,7 @@ class WidthInputs(SpringInputs):
     """The accordion spring between its head and where its tail is held."""
 
     head: Head = word(
-        "guided", "what the roller lets the head do: guided, neither move sideways nor turn"
+        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
     )
     tail: Tail = word(
         "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"

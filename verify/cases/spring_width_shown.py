@@ -100,7 +100,7 @@ def _widths(context: Context) -> Table:
             for w, a, b in zip(h, f, leaf, strict=True)
         ),
         note="Narrower than thick the strip is no plate; where its width is less than a leaf's "
-        "length the arcs, which cannot curve across, stiffen it more than leaves do.",
+        "length the arcs, whose anticlastic bending is suppressed, stiffen it more than leaves do.",
     )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ from verify.design.outcome import CHOSEN, Outcome, carry_out, chosen_file
 from verify.design.records import candidates_csv, record
 from verify.design.told import print_outcome
 from verify.files import write_whole
-from verify.unit_systems import System, text_in
+from verify.unit_systems import System
 
 PAGE, TABLE = "design.html", "candidates.csv"
 
@@ -44,8 +44,7 @@ def run_design(
         print(json.dumps(record_in_units(whole, system), ensure_ascii=False))
     else:
         notes = () if outcome.verified else ("not verified by finite elements",)
-        for line in headline(task.name, found, notes):
-            print(text_in(line, system))
+        print("\n".join(headline(task.name, found, notes, system)))
         print_outcome(outcome, system)
         print_assumed(assumed_in(task.assumed, system))
     if out is not None:

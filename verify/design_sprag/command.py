@@ -21,7 +21,7 @@ from verify.design_sprag.records import CHOSEN, chosen_file, designs_csv, profil
 from verify.design_sprag.told import print_outcome
 from verify.files import write_whole
 from verify.inputs import InputError
-from verify.unit_systems import System, text_in
+from verify.unit_systems import System
 
 PAGE = "design.html"
 
@@ -45,8 +45,7 @@ def run_design(
         print(json.dumps(record_in_units(whole, system), ensure_ascii=False))
     else:
         notes = () if outcome.checks else ("not verified by a half-space",)
-        for line in headline(task.name, found, notes):
-            print(text_in(line, system))
+        print("\n".join(headline(task.name, found, notes, system)))
         print_outcome(outcome, system)
         print_assumed(assumed_in(task.assumed, system))
     if out is not None:

@@ -97,7 +97,7 @@ def _angle(q: Any) -> SharedReading:
     """Wedge angles that a paper does not print decide on all forces."""
     return SharedReading(
         assumption="the wedge angle ν_0 is that of the inputs",
-        part="it has a tolerance; the paper's is not printed but identified",
+        part="it has a tolerance",
         quantity="the normal force N", source="for a wedge angle larger by 0.1°",
         effect=math.tan(q.nu_0 + TENTH) / math.tan(q.nu_0) - 1,
     )  # fmt: skip

@@ -27,11 +27,11 @@ class SharedReading:
     @property
     def sentence(self) -> str:
         """Assumption, part and effect in one sentence for the terminal and the page."""
-        head = f"both sides assume that {self.assumption}; in the part {self.part}"
+        head = f"formula and reference assume that {self.assumption}; in the real part {self.part}"
         if self.effect is None:
-            return f"{head}: error of both sides in {self.quantity}: {self.source}"
+            return f"{head}; resulting error in {self.quantity}: {self.source}"
         size = f"{significant(100 * self.effect, 3, signed=True)} %"
-        return f"{head}: error of both sides in {self.quantity}: {size} ({self.source})"
+        return f"{head}; resulting error in {self.quantity}: {size} ({self.source})"
 
 
 Function = Callable[[Any, Values], tuple[SharedReading, ...]]

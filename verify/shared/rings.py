@@ -119,7 +119,7 @@ def _flats(q: Any, _: Values) -> tuple[SharedReading, ...]:
 
 RIGID_RACE = SharedReading(
     assumption="the race outside the rollers is rigid",
-    part="it yields under them",
+    part="it deflects under them",
     quantity="the roller force N",
     source="not quantified; N is too large",
 )
@@ -145,6 +145,12 @@ def _wedge(q: Any, _: Values) -> tuple[SharedReading, ...]:
             assumption="ring and race are equal flats about the roller",
             part="the race is a concave cylinder of the diameter D_i", source="Hertz",
             quantity="the pressure p_0 on the race", effect=(1 - q.d / q.D_i) ** -0.5 - 1,
+        ),
+        SharedReading(
+            assumption="ring and race are equal flats about the roller",
+            part="the ring is convex, of the radius D_i/2 - d", source="Hertz",
+            quantity="the pressure p_0 on the ring",
+            effect=(1 + q.d / (q.D_i - 2 * q.d)) ** -0.5 - 1,
         ),
         equal_shares("rollers", "the torque M_t"),
     )  # fmt: skip

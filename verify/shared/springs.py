@@ -45,7 +45,8 @@ def wide(q: Any, quantity: str, given: float = 1.0) -> tuple[SharedReading, ...]
     return (
         SharedReading(
             assumption=f"the bending stiffness is that {taken}",
-            part=f"the strip is {q.h / q.b:.3g} times as wide as thick and cannot curve across",
+            part=f"the strip is {q.h / q.b:.3g} times as wide as thick, which suppresses "
+            "anticlastic bending",
             quantity=quantity, effect=given / factor - 1, source="a leaf as a plate",
         ),
     )  # fmt: skip
@@ -61,7 +62,8 @@ def _radius(q: Any, quantity: str, effect: float | None) -> SharedReading:
 
 
 def _accordion(q: Any, v: Values) -> tuple[SharedReading, ...]:
-    return (_radius(q, "k_1", ratio(v, "k1", "k clean")), *wide(q, "k_1"), SMALL)
+    quantity = "k_1 (the design value k is corrected for it)"
+    return (_radius(q, quantity, ratio(v, "k1", "k clean")), *wide(q, quantity), SMALL)
 
 
 def _continuum(q: Any, _: Values) -> tuple[SharedReading, ...]:
@@ -75,6 +77,7 @@ def _stages(q: Any, _: Values) -> tuple[SharedReading, ...]:
             assumption="leaves touch without friction", part="friction acts between the leaves",
             quantity="k_2",
         ),
+        HEAD,
     )  # fmt: skip
 
 

@@ -1,0 +1,91 @@
+"""The comparison of two outputs: what it must report, and what it may pass over."""
+
+import copy
+import json
+
+import pytest
+
+from tools.same_rows import Comparison, main, renamed
+
+ROW = {"id": "ring/bore", "status": "PASS", "kind": "identity", "reason": "", "fem": 1.5,
+       "u_num": 1e-3, "levels": [[0.5, 1.4], [0.25, 1.5]]}  # fmt: skip
+OUTPUT = {
+    "rows": [ROW, copy.deepcopy(ROW) | {"id": "ring/rim", "fem": 2.5}],
+    "provenance": {"made": "today"},
+}
+
+
+def changed(change):
+    other = copy.deepcopy(OUTPUT)
+    change(other)
+    return other
+
+
+def differences(change, *, exact=True):
+    return [str(one) for one in Comparison(exact).differences(OUTPUT, changed(change))]
+
+
+@pytest.mark.parametrize(
+    ("change", "where"),
+    [
+        (lambda o: o["rows"][0].update(fem=1.5 * (1 + 2e-16)), "/rows[ring/bore]/fem"),
+        (lambda o: o["rows"][0].update(status="FAIL"), "/rows[ring/bore]/status"),
+        (lambda o: o["rows"][0].update(kind="fact"), "/rows[ring/bore]/kind"),
+        (lambda o: o["rows"][1].update(reason="far"), "/rows[ring/rim]/reason"),
+        (lambda o: o["rows"][1].update(fem="2.5"), "/rows[ring/rim]/fem"),
+        (lambda o: o["rows"][1].update(fem=None), "/rows[ring/rim]/fem"),
+        (lambda o: o["rows"].pop(), "/rows[ring/rim]: present -> missing"),
+        (lambda o: o["rows"].append(ROW | {"id": "new"}), "/rows[new]: absent -> added"),
+        (lambda o: o["rows"].reverse(), "/rows (order): ring/bore -> ring/rim"),
+        (lambda o: o["rows"][0]["levels"].pop(), "/rows[ring/bore]/levels (length): 2 -> 1"),
+        (lambda o: o["rows"][0]["levels"][1].__setitem__(1, 1.6), "levels[1][1]"),
+        (lambda o: o["rows"][0].pop("kind"), "/rows[ring/bore][kind]: present -> missing"),
+    ],
+)
+def test_every_change_is_reported_where_it_is(change, where):
+    (found,) = differences(change)
+    assert where in found
+
+
+def test_what_differs_from_run_to_run_is_passed_over():
+    assert differences(lambda o: o.update(provenance={"made": "tomorrow"})) == []
+
+
+def test_another_machine_may_differ_by_the_error_of_the_row():
+    assert differences(lambda o: o["rows"][0].update(fem=1.5009), exact=False) == []
+    assert differences(lambda o: o["rows"][0].update(fem=1.5011), exact=False)
+    assert differences(lambda o: o["rows"][0].update(status="FAIL"), exact=False)
+
+
+def test_not_a_number_equals_itself():
+    row = [{"id": "a", "fem": float("nan")}]
+    assert not list(Comparison().differences(row, copy.deepcopy(row)))
+    assert list(Comparison().differences(row, [{"id": "a", "fem": 1.0}]))
+
+
+def test_true_is_not_one():
+    assert list(Comparison().differences({"passed": True}, {"passed": 1}))
+
+
+def test_names_are_mapped_in_texts():
+    assert renamed({"a b": ["a b c", 1]}, [("a b", "x")]) == {"x": ["x c", 1]}
+
+
+def test_the_exit_status_and_the_count(tmp_path, capsys):
+    one, other, names = (tmp_path / n for n in ("a.json", "b.json", "names.toml"))
+    one.write_text(json.dumps(OUTPUT))
+    other.write_text(json.dumps(changed(lambda o: o["rows"][1].update(id="ring/outside"))))
+    assert main([str(one), str(one)]) == 0
+    assert main([str(one), str(other)]) == 1
+    assert "2 differences" in capsys.readouterr().out
+    names.write_text('[[renamed]]\nwas = "ring/rim"\nnow = "ring/outside"\nreason = "plain"\n')
+    assert main([str(one), str(other), "--renamed", str(names)]) == 0
+    assert main([str(one), str(tmp_path / "missing.json")]) == 2
+
+
+def test_lines_of_text_are_compared_too(tmp_path):
+    one, other = tmp_path / "a.txt", tmp_path / "b.txt"
+    one.write_text("ring-lame\nring-loads\n")
+    other.write_text("ring-lame\nring-load\n")
+    assert main([str(one), str(one)]) == 0
+    assert main([str(one), str(other)]) == 1

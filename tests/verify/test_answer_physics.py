@@ -1,0 +1,185 @@
+"""Answers against hand calculations: no part holds that a standard or equilibrium rules out."""
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from verify.answer_units import in_units
+from verify.answers.answer import Verdict
+from verify.answers.evidence import reference_of_design, why_not_solved, with_rows
+from verify.answers.record import answer_record
+from verify.answers.registry import answer
+from verify.cases.registry import find
+from verify.results import Status
+from verify.units import parse
+
+E_STAR = 206e9 / (2 * (1 - 0.3**2))  # Pa, both bodies of steel
+
+
+def found(case_id, **changed):
+    """The answer to the paper's inputs with some changed; their texts have units."""
+    case = find(case_id)
+    fields = case.inputs.model_fields
+    values = {
+        k: parse(v, fields[k].json_schema_extra["unit"]) if isinstance(v, str) and v[0].isdigit()
+        else v for k, v in changed.items()
+    }  # fmt: skip
+    q = case.inputs(**(case.inputs().model_dump() | values))
+    return answer(case, q, case.analytic(q))
+
+
+def criterion(result, key):
+    (one,) = (c for c in result.criteria if c.key == key)
+    return one
+
+
+def test_two_spheres_of_unlike_size_are_judged_by_the_larger_pressure():
+    same = {"E_2": 206e9, "nu_2": 0.3}
+    result = found("contact-sphere", R_1=11.11e-3, R_2=2e-3, P=700.0, **same)
+    R = 1 / (1 / 11.11e-3 + 1 / 2e-3)
+    p = (6 * 700 * E_STAR**2 / (math.pi**3 * R**2)) ** (1 / 3)
+    assert criterion(result, "contact_pressure_sphere").value == pytest.approx(p, rel=1e-6)
+    assert result.verdict is Verdict.FAILS
+
+
+@pytest.mark.parametrize(("case_id", "speed"), [("rotor-shaft", 86000), ("rotor-step", 69766)])
+def test_a_speed_at_a_higher_mode_of_a_shaft_fails(case_id, speed):
+    assert found(case_id, n=speed * math.pi / 30).verdict is Verdict.FAILS
+
+
+@pytest.mark.parametrize("case_id", ["rotor-shaft", "rotor-step"])
+def test_a_speed_beyond_all_computed_modes_is_not_decided(case_id):
+    assert found(case_id, n=3e5 * math.pi / 30).verdict is not Verdict.HOLDS
+
+
+def test_sprags_that_roll_over_in_the_first_peak_fail():
+    assert "roll over" in found("sprag-engagement", T=70.0).failures[0]
+
+
+def test_sprags_that_roll_over_at_rest_fail():
+    assert "roll over" in found("sprag-friction", T=115.0).failures[0]
+
+
+@pytest.mark.parametrize("case_id", ["sprag-engagement", "sprag-friction"])
+def test_the_given_limit_of_pressure_counts(case_id):
+    result = found(case_id, p_lim=1000e6)
+    assert result.verdict is Verdict.FAILS
+    assert result.limiting.key == "contact_pressure"
+
+
+@pytest.mark.parametrize(
+    ("case_id", "changed", "N"),
+    [("freewheel-friction", {"T": 400.0, "mu": 0.12}, 29623.0),
+     ("freewheel-paths", {"T": 300.0, "mu": 0.3}, None)],
+)  # fmt: skip
+def test_a_roller_clutch_with_enough_friction_fails_by_pressure(case_id, changed, N):
+    result = found(case_id, **changed)
+    pressure = criterion(result, "contact_pressure")
+    assert result.verdict is Verdict.FAILS
+    assert pressure.value > 4000e6
+    if N:
+        by_hand = math.sqrt(N / 10e-3 * E_STAR / (math.pi * 2.5e-3))
+        assert pressure.value == pytest.approx(by_hand, rel=0.02)  # rollers' tilt adds to it
+
+
+def test_a_crowned_sprag_without_enough_friction_fails():
+    assert found("sprag-crown", mu_s=0.05, mu_c=0.04).verdict is Verdict.FAILS
+
+
+def test_the_optimum_under_static_load_is_not_decided():
+    assert found("sprag-optimum").verdict is Verdict.CANNOT_SAY
+
+
+def test_a_spring_with_a_free_head_is_judged_by_the_smallest_critical_force():
+    assert found("spring-buckling", F=0.9).verdict is Verdict.FAILS
+
+
+def test_a_spring_beyond_its_critical_force_needs_a_guide():
+    assert any("needs a guide" in text for text in found("spring-accordion", F=5.0).remarks)
+    assert not any("needs a guide" in text for text in found("spring-accordion", F=0.5).remarks)
+
+
+def test_a_roller_on_the_convex_ring_is_judged_with_its_curvature():
+    result = found("polyhedral-wedge", alpha=math.radians(9), N=60e3)
+    R = 1 / (1 / 5e-3 + 1 / (50.03e-3 - 10e-3))
+    by_hand = math.sqrt(60e3 / 30e-3 * (210e9 / (2 * 0.91)) / (math.pi * R))
+    assert criterion(result, "contact_pressure").value == pytest.approx(by_hand, rel=1e-6)
+    assert result.verdict is Verdict.FAILS
+
+
+def test_the_polyhedral_torque_is_the_safe_bound_and_requires_a_cage():
+    result = found("polyhedral-clutch")
+    values = find("polyhedral-clutch").analytic(find("polyhedral-clutch").inputs())
+    assert result.design.value == values["M wide"] < values["M series"]
+    assert any("requires a cage" in text for text in result.remarks)
+    assert result.verdict is Verdict.CANNOT_SAY
+
+
+def test_a_thin_ring_under_outside_pressure_buckles():
+    result = found("ring-lame", r_i=0.1, r_o=0.101, p_i=0.0, p_o=1e6)
+    limit = criterion(result, "buckling_pressure").limit
+    E = find("ring-lame").inputs().E
+    assert limit == pytest.approx(3 * E * (1e-3**3 / 12) / 0.1005**3, rel=1e-9)
+    assert result.verdict is Verdict.FAILS
+
+
+@pytest.mark.parametrize(
+    ("case_id", "changed", "words"),
+    [
+        ("freewheel-clutch", {"R_a": 18.5e-3, "mu": 0.12, "F_ax": 0.0}, "hoop stress"),
+        (
+            "freewheel-clutch",
+            {"F_ax": 2000.0, "mu": 0.12, "p_lim": 4e9},
+            "largest contact pressure",
+        ),
+        ("freewheel-clutch", {"F_ax": 0.0}, "the contacts slip"),
+        ("sprag-clutch", {"R_ed": 20.8e-3, "p_lim": 4e9, "R_p": None}, "Tresca stress"),
+        ("sprag-clutch", {"p_lim": 4e9}, "the inner contacts reach p_lim"),
+    ],
+)
+def test_the_permissible_torque_as_the_torque_has_a_margin_of_one(case_id, changed, words):
+    exact = {"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0}
+    changed = changed | (exact if case_id == "freewheel-clutch" else {})
+    design = found(case_id, **changed).design
+    assert words in design.what
+    again = found(case_id, **changed | {"T": design.value})
+    assert again.limiting.margin == pytest.approx(1, abs=1e-3)
+    if again.design is not None:
+        assert again.design.value == pytest.approx(design.value, rel=1e-3)
+
+
+def test_a_backward_critical_speed_in_the_operating_range_is_not_decided(monkeypatch):
+    result = found("rotor-system")
+    assert any("opposite" in text for text in result.remarks)  # within the margin
+    wider = found("rotor-system", speed_to=9100 * math.pi / 30)
+    assert any("opposite" in text for text in wider.unknowns)
+    assert wider.verdict is not Verdict.HOLDS
+
+
+def test_a_part_that_fails_for_another_reason_has_no_margin():
+    result = found("polyhedral-clutch", p_t=10e6)
+    record = answer_record(result)
+    assert (record["verdict"], record["margin"], record["limited_by"]) == ("fails", None, None)
+
+
+def test_a_reference_without_a_value_does_not_refute_the_formulas(judged):
+    case = find("ring-lame")
+    lost = {"fem": None, "partner": None, "status": Status.FAIL, "reason": "not converged: level 4"}
+    rows = [replace(row, **lost) for row in judged(case).rows]
+    assert why_not_solved(rows).startswith("not converged")
+    q = case.inputs()
+    found_ = with_rows(answer(case, q, case.analytic(q)), rows)
+    assert found_.verdict is Verdict.CANNOT_SAY
+    assert "nothing was compared" in found_.reasons[0]
+    assert not why_not_solved([*rows, replace(judged(case).rows[0], status=Status.FAIL)])
+
+
+@pytest.mark.parametrize("system", ["mm", "inch", "si"])
+def test_the_reference_of_the_design_value_is_found_in_each_system(judged, system):
+    case = find("ring-lame")
+    q = case.inputs()
+    rows = in_units(judged(case), system).rows
+    assert reference_of_design(answer(case, q, case.analytic(q)), rows).startswith(
+        "finite elements"
+    )
