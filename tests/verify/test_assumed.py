@@ -24,7 +24,18 @@ TASKS = {"design-spring": Demands, "design-sprag": Wishes}
 CHECKED = [path for path in PARTS if not path.stem.startswith("design-")]
 DESIGNED = [path for path in PARTS if path.stem.startswith("design-")]
 SOURCES = ("typical:", "numerical:", "Huang 2018", "Wang 2023", "Timoshenko", "EN ", "ISO ")
-RULES = ("R_i", "R_e", "L_max", "L_0", "b/(2 r_i)", "segments name", "is given", "speed", "node of")
+RULES = (
+    "R_i",
+    "under T",
+    "R_e",
+    "L_max",
+    "L_0",
+    "b/(2 r_i)",
+    "segments name",
+    "is given",
+    "speed",
+    "node of",
+)
 PAPER = {
     "R_i": "11.11 mm", "R_e": "19.44 mm", "l": "9 mm", "T": "25 N m",
 }  # fmt: skip

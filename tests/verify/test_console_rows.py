@@ -56,7 +56,10 @@ def test_a_long_list_is_cut_but_never_its_largest(rows):
 def test_rows_that_failed_count_for_the_largest(rows):
     failed = replace(row("broken", 2.0, (0.0, 0.02)))
     assert failed.status is Status.FAIL
-    assert "+100 % (broken; reference: finite elements)" in closing([*rows, failed])[1]
+    assert (
+        "+100 % (broken; reference: finite elements; expected 0 % to +2.0 %)"
+        in closing([*rows, failed])[1]
+    )
 
 
 def test_without_differences_nothing_is_said_of_them(rows):

@@ -250,12 +250,12 @@ CANNOT = "cannot be read: "
 
 
 WRONG_FILES = {
-    "empty": ("", 'case: needs a case, such as case = "ring-lame", it is missing'),
-    "a comment": ("# nothing", 'case: needs a case, such as case = "ring-lame", it is missing'),
-    "case: 3": ("case = 3", 'case: needs a case, such as case = "ring-lame", got 3'),
+    "empty": ("", 'case: needs a line such as case = "ring-lame", it is missing'),
+    "a comment": ("# nothing", 'case: needs a line such as case = "ring-lame", it is missing'),
+    "case: 3": ("case = 3", 'case: needs a line such as case = "ring-lame", got 3'),
     "case: a list": (
         'case = ["ring-lame"]',
-        "case: needs a case, such as case = \"ring-lame\", got ['ring-lame']",
+        "case: needs a line such as case = \"ring-lame\", got ['ring-lame']",
     ),
     "name: 3": ('case = "a"\nname = 3\n[inputs]', "name: needs a text, got 3"),
     "no inputs": ('case = "a"', "inputs: needs a table [inputs], it is missing"),

@@ -199,7 +199,7 @@ def test_values_of_odd_clutches_are_finite_or_left_out_and_their_state_is_told(
     assert all(math.isfinite(x) for x in v.values())
     assert {output.key for output in CLUTCH.outputs} - set(v) == left_out
     warned = CLUTCH.warnings(q, v)
-    always = ("need a wedge of", "walls wide")  # true of nearly every clutch of this kind
+    always = ("a wedge angle is required", "b/δ_1 = ")  # true of nearly every clutch of this kind
     others = [line for line in warned if not any(words in line for words in always)]
     assert any(said in line for line in others) if said else not others
     assert all("\n" not in line and "inf" not in line for line in warned)
@@ -299,9 +299,9 @@ def test_the_wedge_that_rollers_need_is_set_beside_what_the_ring_s_outside_offer
     assert v["needed"] == pytest.approx(2 * math.atan(q.mu))
     assert v["M slope"] < 0.02 * v["M series"]
     warned = CLUTCH.warnings(q, v)
-    assert any("need a wedge of 9.15°" in line for line in warned)
-    assert not any("walls wide" in line for line in warned)
-    assert any("walls wide" in line for line in CLUTCH.warnings(own(), analytic(own())))
+    assert any("a wedge angle is required of 9.15°" in line for line in warned)
+    assert not any("b/δ_1" in line for line in warned)
+    assert any("b/δ_1" in line for line in CLUTCH.warnings(own(), analytic(own())))
 
 
 def test_a_wide_ring_carries_less():

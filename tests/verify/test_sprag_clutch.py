@@ -164,7 +164,7 @@ def test_elastic_bodies_turn_the_papers_clutch_as_finite_elements_do():
     assert math.degrees(v["alpha elastic"]) == pytest.approx(5.72, abs=0.03)  # of sprag-wedge's
     assert math.degrees(v["alpha"]) == pytest.approx(7.23, abs=0.01)
     (words,) = (x for x in said() if x.startswith("as elastic bodies"))
-    assert "softer and its swings about 1.13 times as long" in words
+    assert "softer and its period of oscillation about 1.13 times as long" in words
     assert any("make the clutch stiffer" in x for x in said(z=3))
     fast = analytic(own(n=2000.0))  # grows the outer race, not the clutch's spring
     assert fast["theta"] / fast["theta elastic"] == pytest.approx(
