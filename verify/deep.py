@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from verify import cache
+from verify import cache, source_code
 from verify.case import Case, FemResult
 from verify.engines import Where
 from verify.files import write_whole
@@ -41,7 +41,7 @@ def measured(case: Case, folder: Path | None = None) -> Measured | None:
     try:
         data = json.loads(((folder or FOLDER) / f"{case.id}.json").read_text("utf-8"))
         if (
-            data["code"] != cache.source_of(case.fem)
+            data["code"] != source_code.source_of(case.fem)
             or data["inputs"] != case.inputs().model_dump()
         ):
             return None
@@ -62,7 +62,7 @@ def keep(case: Case, parts: Sequence[FemResult], folder: Path | None = None) -> 
     data: dict[str, Any] = {
         "case": case.id,
         "date": time.strftime("%Y-%m-%d", time.gmtime()),
-        "code": cache.source_of(case.fem),
+        "code": source_code.source_of(case.fem),
         "inputs": case.inputs().model_dump(),
         "parts": [
             {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),

@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 
 from verify import judge
-from verify.cache import parts_of
 from verify.cases.registry import CASES, find
 from verify.claims import make_row
 from verify.console_rows import closing, row_cells, title
 from verify.paper_tables import _claim
 from verify.references import OTHERS, reference_name
 from verify.results import Kind, Partner, Status
+from verify.source_code import parts_of
 
 
 @pytest.fixture

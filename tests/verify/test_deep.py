@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify import cache, deep
+from verify import cache, deep, source_code
 from verify.case import FemResult
 from verify.cases import registry
 from verify.cases.spring_accordion import ACCORDION
@@ -77,7 +77,7 @@ def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monk
             raise KeyboardInterrupt
         return ACCORDION.fem(inputs, level)
 
-    monkeypatch.setattr(cache, "source_of", lambda _function: "same code")
+    monkeypatch.setattr(source_code, "source_of", lambda _function: "same code")
     monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=interrupted),))
     with pytest.raises(KeyboardInterrupt):
         deep.run_deep([], jobs=1)

@@ -6,7 +6,7 @@ import pytest
 
 from tests.verify import sweep_made
 from tests.verify.sweep_made import CASE, Plate
-from verify import cache
+from verify import source_code
 from verify.case import FemResult, Portion
 from verify.cases import registry
 from verify.engines import Lost
@@ -99,13 +99,13 @@ def test_a_task_that_killed_its_process_has_failed_on_the_sides_that_it_was_aske
 )
 def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, formulas, fe):
     case = registry.find("polyhedral-ring", registry.CASES)
-    before, true = code_of(case, whole(case)), cache._read
+    before, true = code_of(case, whole(case)), source_code._read
 
     def changed(name, *, whole=False):
         digest, imported = true(name, whole=whole)
         return digest + "x" * (name == module), imported
 
-    monkeypatch.setattr(cache, "_read", changed)
+    monkeypatch.setattr(source_code, "_read", changed)
     forget()
     after = code_of(case, whole(case))
     monkeypatch.undo()
@@ -114,5 +114,5 @@ def test_the_code_of_a_side_is_that_of_all_its_modules(monkeypatch, module, form
 
 
 def forget():
-    for one in (cache.source_of, cache.whole_source_of):
+    for one in (source_code.source_of, source_code.whole_source_of):
         one.cache_clear()

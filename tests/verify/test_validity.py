@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.verify.sweep_made import CASE, Here, course
-from verify import cache
+from verify import source_code
 from verify.case import Scan
 from verify.cases import registry
 from verify.checks import Identity
@@ -218,7 +218,7 @@ def test_a_measurement_is_made_once_and_again_where_it_no_longer_stands(folder, 
 def test_what_another_code_made_of_either_side_is_not_told(folder, monkeypatch, side):
     measuring.measure([PLATE], Here())
     assert not of_case(PLATE, result()).missing
-    monkeypatch.setattr(cache, side, lambda _function: "other")
+    monkeypatch.setattr(source_code, side, lambda _function: "other")
     found = of_case(PLATE, result())
     assert found.missing.startswith("not measured for this code: freewheel deep validity:made-up")
     assert not found.cards

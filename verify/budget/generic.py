@@ -1,6 +1,6 @@
 """What any case's finite elements are: which causes they have, and what their solvers stop at."""
 
-from verify import cache
+from verify import source_code
 from verify.budget.statement import Cause, Constant, Rerun, Without
 from verify.case import Case
 
@@ -31,7 +31,7 @@ INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
 
 def reached(case: Case) -> frozenset[str]:
     """Modules that the case's finite elements reach, its own among them."""
-    return frozenset(cache.parts_of(case.fem)[1]) | {case.fem.__module__}
+    return frozenset(source_code.parts_of(case.fem)[1]) | {case.fem.__module__}
 
 
 def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:

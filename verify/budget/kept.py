@@ -1,8 +1,6 @@
 """Budgets as a small file of the project for each case, which counts while its code stands."""
 
-import ast
 import hashlib
-import inspect
 import json
 import math
 import time
@@ -13,7 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from verify import cache
+from verify import source_code
 from verify.budget import balance, compared, corrected
 from verify.budget import found as founds
 from verify.budget.balance import Balance, Joint, Part
@@ -82,7 +80,7 @@ def _made_by(plan: Plan) -> dict[str, Any]:
     return {
         "arithmetic": _arithmetic(),
         "inputs": json.loads(json.dumps(case.inputs().model_dump())),
-        "code": [cache.whole_source_of(case.analytic), cache.source_of(case.fem)],
+        "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.fem)],
         "levels": [*case.levels, says.finer],
         "rows": [[p.name, p.analytic, p.fem, p.scale, p.claim.formal] for p in plan.rows],
         "reruns": [_signature(plan, name) for name in plan.reruns],
@@ -98,7 +96,7 @@ def _arithmetic() -> str:
 
 @memoised
 def _hash(*modules: ModuleType) -> str:
-    texts = [cache.dump(ast.parse(inspect.getsource(module))) for module in modules]
+    texts = sorted(source_code.module_hash(module.__name__) for module in modules)
     return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
 
 
@@ -108,7 +106,7 @@ def _corrections(plan: Plan) -> list[list[str]]:
 
 def _signature(plan: Plan, name: str) -> list[Any]:
     rerun = plan.reruns[name]
-    return [name, code_of(plan, name), cache.source_of(rerun.inputs), list(rerun.rows),
+    return [name, code_of(plan, name), source_code.source_of(rerun.inputs), list(rerun.rows),
             list(rerun.levels), rerun.after, rerun.shared]  # fmt: skip
 
 

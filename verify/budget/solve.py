@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from verify import cache
+from verify import cache, source_code
 from verify.budget import plan as plans
 from verify.budget.changes import changed
 from verify.budget.generic import LOOSER, TIGHTER, tolerances
@@ -90,7 +90,7 @@ def key(plan: Plan, step: Step) -> str:
     q = plans.inputs_of(plan, step).model_dump()
     parts = [str(FORMAT), json.dumps(q, sort_keys=True, default=str), str(step.level)]
     parts += [code_of(plan, name) for name in step.causes]
-    parts += [cache.source_of(plan.case.fem), cache.whole_source_of(plan.case.analytic)]
+    parts += [source_code.source_of(plan.case.fem), source_code.whole_source_of(plan.case.analytic)]
     parts += [f"{name} {version(name)}" for name in cache.libraries_of(plan.case.fem)]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
@@ -102,7 +102,7 @@ def code_of(plan: Plan, name: str) -> str:
         factor = {plans.TIGHT: TIGHTER, plans.LOOSE: LOOSER}.get(name, 1.0)
         told = tolerances(plan.case, factor) if factor != 1 else ()
         return f"{name} {', '.join(map(str, told))}"
-    own = "" if rerun.fem is None else cache.source_of(rerun.fem)
+    own = "" if rerun.fem is None else source_code.source_of(rerun.fem)
     return f"{', '.join(map(str, rerun.changes))} {own}"
 
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from analytic.contact import crown, strips
 from analytic.sprag.closure import wedged
-from verify import cache
+from verify import cache, source_code
 from verify.cases.sprag_clutch_model import Built, built
 from verify.cases.sprag_inputs import EngagementInputs
 from verify.cases.sprag_peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
@@ -139,7 +139,8 @@ def key(task: Task) -> str:
     """Hexadecimal name of a chunk's answers, by everything that they depend on."""
     q, torques, crowns, by = task
     clutch = with_crown(q, None).model_dump(exclude={"K_1", "K_2", "z_m", "T", "p_lim", "R_p"})
-    parts = [json.dumps([clutch, torques, crowns, by], sort_keys=True), cache.source_of(some_fem)]
+    task_text = json.dumps([clutch, torques, crowns, by], sort_keys=True)
+    parts = [task_text, source_code.source_of(some_fem)]
     parts += [f"{name} {version(name)}" for name in cache.libraries_of(some_fem)]
     return sha256("\0".join(parts).encode()).hexdigest()[:32]
 

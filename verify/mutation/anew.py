@@ -8,9 +8,9 @@ tells which formulas they are made with.
 from collections.abc import Sequence
 from functools import cache
 
-from verify.cache import parts_of
 from verify.case import Case
 from verify.mutation.trial import Bench
+from verify.source_code import parts_of
 
 # s of one core for all levels: these are solved with the mutant. What takes longer judges no mutant
 # of a formula that its levels are made with.

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from verify import cache as sources
+from verify import source_code
 from verify.case import Case, Portion
 from verify.guard import named, unsolved
 from verify.inputs import Inputs
@@ -76,7 +76,7 @@ def solve_point(task: Task) -> Solution:
 
 def code_of(case: Case, part: Portion) -> tuple[str, str]:
     """Hashes of the sources of a case's formulas and of its finite elements."""
-    return sources.whole_source_of(case.analytic), sources.source_of(part.fem)
+    return source_code.whole_source_of(case.analytic), source_code.source_of(part.fem)
 
 
 @cache
