@@ -130,6 +130,8 @@ class Case:
     run in the quick round at full sharpness.
     """
 
+    finder: ClassVar[Callable[[str], "Case"]]  # by id, in any process; the registry sets it
+
     id: str
     title: str
     paper: str

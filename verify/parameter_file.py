@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from verify.assumed.complete import build_completed
+from verify.assumed.registry import TASKS
 from verify.assumed.rules import Assumed
 from verify.case import Case, Values
 from verify.cases.registry import find
-from verify.design.inputs import CASE as DESIGN
-from verify.design_sprag.inputs import CASE as DESIGN_SPRAG
 from verify.inputs import InputError, Inputs, read_parameter_file
 from verify.unit_systems import System, system_of
 
@@ -64,7 +63,7 @@ def _case(case_id: str, path: Path) -> Case:
     try:
         return find(case_id)
     except ValueError as error:
-        if case_id in (DESIGN, DESIGN_SPRAG):
+        if case_id in TASKS:
             task = f"a task for freewheel design: freewheel design {shlex.quote(str(path))}"
             raise InputError(f"{path}: case: {task}") from error
         raise InputError(f"{path}: case: {error}") from error

@@ -29,13 +29,13 @@ class Task:
     number: int = 0
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _named_task, (self.case.id, self.inputs, self.level, self.folder, self.number)
+        rest = self.inputs, self.level, self.folder, self.number
+        return _named_task, (Case.finder, self.case.id, *rest)
 
 
-def _named_task(case_id: str, *rest: Any) -> Task:
-    from verify.cases.registry import CASES, DEEP, find  # a spawned process knows no cases yet
-
-    return Task(find(case_id, (*CASES, *DEEP)), *rest)
+def _named_task(find: Callable[[str], Case], case_id: str, *rest: Any) -> Task:
+    """The task of a case that another process finds by its id: its functions do not pickle."""
+    return Task(find(case_id), *rest)
 
 
 def solve_task(task: Task) -> Solved:

@@ -1,7 +1,7 @@
 """A made-up case whose difference is known part by part: functions stand for finite elements."""
 
 from verify.budget.plan import Plan, rows
-from verify.budget.statement import Argument, Cause, Constant, Rerun, Statement
+from verify.budget_statement import Argument, Cause, Constant, Rerun, Statement
 from verify.case import Case, FemResult
 from verify.checks import Approximation, Identity
 from verify.inputs import Inputs, quantity

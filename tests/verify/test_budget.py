@@ -15,8 +15,8 @@ from verify.budget.changes import changed
 from verify.budget.found import budgets
 from verify.budget.plan import AS_IT_IS, Plan, Step, first, inputs_of, together
 from verify.budget.solve import solved
-from verify.budget.statement import Argument, Cause, Constant, Rerun, Statement, as_given
 from verify.budget.told import of_case
+from verify.budget_statement import Argument, Cause, Constant, Rerun, Statement, as_given
 from verify.cases import registry
 from verify.cases.budgets import STATEMENTS
 from verify.inputs import InputError

@@ -7,7 +7,7 @@ import pytest
 from analytic.polyhedral.expansion import many_corners_factor
 from verify.budget.kept import measured
 from verify.budget.measuring import chosen, plan_of
-from verify.budget.statement import Cause
+from verify.budget_statement import Cause
 from verify.cases import polyhedral_budget, rotor_budget, sprag_budget
 from verify.cases.polyhedral_ring import RING
 from verify.cases.registry import CASES, find

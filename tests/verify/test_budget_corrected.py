@@ -13,8 +13,8 @@ from verify.budget.kept import measured
 from verify.budget.measuring import plan_of
 from verify.budget.plan import Plan, first, rows
 from verify.budget.solve import solved
-from verify.budget.statement import Corrected, Left, Statement
 from verify.budget.told import apart, of_case
+from verify.budget_statement import Corrected, Left, Statement
 from verify.cases.registry import CASES
 from verify.results import CaseResult
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify import cache, deep, source_code
+from verify import cache, deep, deep_results, source_code
 from verify.case import FemResult
 from verify.cases import registry
 from verify.cases.spring_accordion import ACCORDION
@@ -21,7 +21,7 @@ FAST = replace(ACCORDION, id="spring-deep", levels=(2, 4), checks=())
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    monkeypatch.setattr(deep, "FOLDER", tmp_path / "measured")
+    monkeypatch.setattr(deep_results, "FOLDER", tmp_path / "measured")
     monkeypatch.setattr(registry, "DEEP", (FAST,))
     monkeypatch.setattr(registry, "CASES", ())
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
@@ -35,8 +35,8 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_what_was_kept_is_read_again(tmp_path):
-    deep.keep(FAST, PARTS, tmp_path)
-    found = deep.measured(FAST, tmp_path)
+    deep_results.keep(FAST, PARTS, tmp_path)
+    found = deep_results.measured(FAST, tmp_path)
     assert found.parts[0].arrays["map"].tolist() == PARTS[0].arrays["map"].tolist()
     assert (found.parts[1].values, found.parts[1].u_it) == ({"k": 1.25}, {"k": 1e-9})
     assert found.date[:2] == "20"
@@ -44,21 +44,21 @@ def test_what_was_kept_is_read_again(tmp_path):
 
 @pytest.mark.parametrize("changed", ["code", "inputs"])
 def test_what_another_code_or_other_inputs_made_is_not_measured(tmp_path, changed):
-    path = deep.keep(FAST, PARTS, tmp_path)
+    path = deep_results.keep(FAST, PARTS, tmp_path)
     data = json.loads(path.read_text("utf-8"))
     data[changed] = "other"
     path.write_text(json.dumps(data), "utf-8")
-    assert deep.measured(FAST, tmp_path) is None
+    assert deep_results.measured(FAST, tmp_path) is None
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{", '{"code": 1}'])
 def test_a_torn_file_is_not_measured(tmp_path, text):
     (tmp_path / f"{FAST.id}.json").write_text(text, "utf-8")
-    assert deep.measured(FAST, tmp_path) is None
+    assert deep_results.measured(FAST, tmp_path) is None
 
 
 def test_nothing_kept_is_not_measured(tmp_path):
-    assert deep.measured(FAST, tmp_path) is None
+    assert deep_results.measured(FAST, tmp_path) is None
 
 
 def test_a_measurement_is_made_once_and_again_when_asked(folder, capsys):
@@ -68,7 +68,7 @@ def test_a_measurement_is_made_once_and_again_when_asked(folder, capsys):
     assert "measured already" in capsys.readouterr().out
     (folder / "spring-deep.json").write_text("{}", "utf-8")
     assert deep.run_deep(["spring-deep"], jobs=1) == 0
-    assert len(deep.measured(FAST, folder).parts) == 2
+    assert len(deep_results.measured(FAST, folder).parts) == 2
 
 
 def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monkeypatch):

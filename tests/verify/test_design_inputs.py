@@ -5,8 +5,9 @@ import math
 import pytest
 
 from tests.verify.template_text import inputs_of, whole
+from verify.assumed.registry import DESIGN_SPRING_TASK as CASE
 from verify.cli import run
-from verify.design.inputs import CASE, SWEEPS, default, load, task
+from verify.design.inputs import SWEEPS, default, load, task
 from verify.design.template import template
 from verify.inputs import InputError
 

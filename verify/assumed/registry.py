@@ -8,15 +8,17 @@ from verify.assumed.rules import Assumption
 from verify.assumed.sprags import SEED, SPRAG_CLUTCH
 from verify.assumed.springs import DESIGN_SPRING, SPRING_ACCORDION, SPRING_CURVE
 
+TASKS = DESIGN_SPRING_TASK, DESIGN_SPRAG_TASK = "design-spring", "design-sprag"
+
 ASSUMPTIONS: Mapping[str, tuple[Assumption, ...]] = {
     "sprag-clutch": SPRAG_CLUTCH,
-    "design-sprag": (*SPRAG_CLUTCH, SEED),
+    DESIGN_SPRAG_TASK: (*SPRAG_CLUTCH, SEED),
     "freewheel-clutch": FREEWHEEL_CLUTCH,
     "polyhedral-clutch": POLYHEDRAL_CLUTCH,
     "rotor-system": ROTOR_SYSTEM,
     "spring-accordion": SPRING_ACCORDION,
     "spring-curve": SPRING_CURVE,
-    "design-spring": DESIGN_SPRING,
+    DESIGN_SPRING_TASK: DESIGN_SPRING,
 }
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from typing import Any
 
-from verify.budget.statement import Argument, Change, Constant
+from verify.budget_statement import Argument, Change, Constant
 
 
 @contextmanager

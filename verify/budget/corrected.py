@@ -12,7 +12,7 @@ from verify.budget.balance import Balance, Part
 from verify.budget.compared import values
 from verify.budget.found import RowBudget, Solutions
 from verify.budget.plan import AS_IT_IS, Plan, Step, inputs_of
-from verify.budget.statement import Corrected
+from verify.budget_statement import Corrected
 from verify.sweep.pairs import Pair
 
 

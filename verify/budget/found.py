@@ -10,7 +10,7 @@ from verify.budget.balance import Balance, Joint, Part
 from verify.budget.compared import NONE, Values, values
 from verify.budget.plan import AS_IT_IS, FINER, LOOSE, TIGHT, Plan, Step, inputs_of, joint
 from verify.budget.solve import Solution
-from verify.budget.statement import Cause, Rerun
+from verify.budget_statement import Cause, Rerun
 from verify.sweep.pairs import Pair
 
 Solutions = Mapping[Step, Solution]

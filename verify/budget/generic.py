@@ -1,7 +1,7 @@
 """What any case's finite elements are: which causes they have, and what their solvers stop at."""
 
 from verify import source_code
-from verify.budget.statement import Cause, Constant, Rerun, Without
+from verify.budget_statement import Cause, Constant, Rerun, Without
 from verify.case import Case
 
 TIGHTER, LOOSER = 0.01, 100.0  # a tolerance over the usual one; where rounding allows no tighter

@@ -11,7 +11,7 @@ from verify.budget.corrected import budgets
 from verify.budget.found import RowBudget, Solutions
 from verify.budget.plan import LOOSE, TIGHT, Plan, Step, first, rows, together
 from verify.budget.solve import Solution, solved
-from verify.budget.statement import Statement
+from verify.budget_statement import Statement
 from verify.case import Case
 from verify.engines import Drive, Engine, GoneError, Lost, Where
 from verify.environment import require_gmsh

@@ -7,7 +7,7 @@ from itertools import combinations
 from typing import Any
 
 from verify.budget.generic import LOOSER, TIGHTER, contact, tolerances, without
-from verify.budget.statement import Cause, Rerun, Statement, Without
+from verify.budget_statement import Cause, Rerun, Statement, Without
 from verify.case import Case
 from verify.claims import FemClaim
 from verify.sweep.pairs import Pair

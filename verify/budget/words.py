@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from verify.budget.found import RICHARDSON, RowBudget
-from verify.budget.statement import Cause
+from verify.budget_statement import Cause
 
 MESHES = ("the next finer mesh", "the three finest meshes")
 STRIPS = ("more and narrower strips", "the three finest divisions into strips")

@@ -6,7 +6,7 @@ whose results would count as another code's with every word that is added here.
 
 from collections.abc import Mapping
 
-from verify.budget.statement import Statement
+from verify.budget_statement import Statement
 from verify.cases import (
     contact_budget,
     freewheel_budget,

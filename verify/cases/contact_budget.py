@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Left, Rerun, Statement, Without, plane_stress
+from verify.budget_statement import Cause, Left, Rerun, Statement, Without, plane_stress
 from verify.case import FemResult
 from verify.cases.contact_line_inputs import FlatInputs, PairInputs
 

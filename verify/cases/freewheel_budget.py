@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import (
+from verify.budget_statement import (
     Cause,
     Corrected,
     Left,

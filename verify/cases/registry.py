@@ -68,6 +68,11 @@ CASES: tuple[Case, ...] = (
 DEEP: tuple[Case, ...] = (DEEP_MAP, DEEP_25, DEEP_40)  # measured by `freewheel deep` alone
 
 
+def find_any(case_id: str) -> Case:
+    """The case named `case_id`, deep ones included."""
+    return find(case_id, (*CASES, *DEEP))
+
+
 def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
     """The case named `case_id`; ValueError with names like it."""
     for case in among:
@@ -78,3 +83,6 @@ def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
     meant = f", did you mean {near[0]}?" if near else ";"
     more = ", see freewheel list" if len(known) > FEW else ""
     raise ValueError(f"unknown case {case_id!r}{meant} there are {nearest(case_id, known)}{more}")
+
+
+Case.finder = staticmethod(find_any)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Left, Rerun, Statement, plane_strain
+from verify.budget_statement import Cause, Left, Rerun, Statement, plane_strain
 from verify.case import FemResult
 from verify.cases.ring_loads_inputs import LoadsInputs
 

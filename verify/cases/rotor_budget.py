@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Left, Rerun, Statement, Without
+from verify.budget_statement import Cause, Left, Rerun, Statement, Without
 
 SLENDER, SMALLER = 4, 10
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Cause, Corrected, Left, Rerun, Statement, Without
+from verify.budget_statement import Cause, Corrected, Left, Rerun, Statement, Without
 
 LIGHTER, THICKER, LONGER, FLATTER = 4, 3, 4, 100
 

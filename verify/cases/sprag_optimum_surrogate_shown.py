@@ -9,8 +9,8 @@ from verify.cases.sprag_clutch_claims import measured
 from verify.cases.sprag_optimum_deep import DEEP_25, DEEP_40, DESIGNS, ENGAGEMENTS, SEEDS
 from verify.cases.sprag_optimum_inputs import Optimum25Inputs
 from verify.cases.sprag_optimum_surrogate_claims import missed
-from verify.deep import Measured
-from verify.deep import measured as kept
+from verify.deep_results import Measured
+from verify.deep_results import measured as kept
 from verify.published.ledger import published
 from verify.shown import Array, Bars, Curve, Curves, Figure, Panel, Shapes, Table
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from verify.budget.statement import Argument, Cause, Left, Rerun, Statement, Without, plane_strain
+from verify.budget_statement import Argument, Cause, Left, Rerun, Statement, Without, plane_strain
 from verify.case import FemResult
 from verify.cases.spring_curve_inputs import CurveInputs
 from verify.cases.spring_map_inputs import SHARES, Cell, MapInputs

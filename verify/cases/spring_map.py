@@ -22,7 +22,7 @@ from verify.cases.spring_map_inputs import (
 )
 from verify.cases.spring_shown import sketch
 from verify.checks import Accepted, Approximation, Identity
-from verify.deep import measured
+from verify.deep_results import measured
 from verify.printed import Contradiction
 from verify.published.ledger import published
 from verify.shown import Figure

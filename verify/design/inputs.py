@@ -9,12 +9,12 @@ from typing import Any, Literal
 from pydantic import model_validator
 
 from verify.assumed.complete import complete
+from verify.assumed.registry import DESIGN_SPRING_TASK as CASE
 from verify.assumed.rules import Assumed
 from verify.design.sweep import Sweep
 from verify.inputs import InputError, Inputs, build, quantity, read_parameter_file, word
 from verify.unit_systems import System, system_of
 
-CASE = "design-spring"
 Arcs = Literal["centre line", "inner"]
 Head = Literal["guided", "free"]
 Tail = Literal["mid-leaf", "arc"]

@@ -3,7 +3,8 @@
 import json
 
 from verify.assumed.registry import ASSUMPTIONS, assumption_of
-from verify.design.inputs import CASE, SWEEPS, Demands
+from verify.assumed.registry import DESIGN_SPRING_TASK as CASE
+from verify.design.inputs import SWEEPS, Demands
 from verify.design.sweep import Sweep
 from verify.template_lines import aligned, if_left_out, sections
 

@@ -8,6 +8,7 @@ from typing import Any, Literal
 from pydantic import model_validator
 
 from verify.assumed.complete import complete
+from verify.assumed.registry import DESIGN_SPRAG_TASK as CASE
 from verify.assumed.rules import Assumed
 from verify.cases.sprag_clutch_advice import why
 from verify.cases.sprag_clutch_limits import verdict
@@ -18,7 +19,7 @@ from verify.design_sprag.ranges import RANGES
 from verify.inputs import InputError, build, count, quantity, read_parameter_file, word
 from verify.unit_systems import System, system_of
 
-CASE, CLUTCH = "design-sprag", "sprag-clutch"
+CLUTCH = "sprag-clutch"
 MOST_TORQUES = 12
 STATES = {"slips": "slips", "rolls over": "rolls over", "no state": "has no state"}
 LARGEST_SHARE = 0.5  # of the smallest drop, which its tolerance may be

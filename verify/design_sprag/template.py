@@ -3,9 +3,10 @@
 import json
 
 from verify.assumed.registry import ASSUMPTIONS
+from verify.assumed.registry import DESIGN_SPRAG_TASK as CASE
 from verify.assumed.sprags import SEED
 from verify.cases.sprag_inputs import EngagementInputs
-from verify.design_sprag.inputs import CASE, TORQUES, Wishes
+from verify.design_sprag.inputs import TORQUES, Wishes
 from verify.design_sprag.ranges import RANGES
 from verify.template_lines import aligned, commented, if_left_out, sections
 
