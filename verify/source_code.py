@@ -68,7 +68,8 @@ def forget() -> None:
 
 def _hash(used: Mapping[str, str], reached: list[str]) -> str:
     own = [used[name] for name in sorted(used)]
-    return _digest("\n".join([*own, *sorted(map(module_hash, reached))]))
+    modules = sorted(one for one in map(module_hash, reached) if one != EMPTY)
+    return _digest("\n".join([*own, *modules]))
 
 
 def _digest(text: str) -> str:
@@ -294,3 +295,6 @@ def dump(node: ast.AST) -> str:
     """
     whole: dict[str, Any] = {"show_empty": True} if sys.version_info >= (3, 13) else {}
     return ast.dump(node, **whole).replace(", type_params=[]", "")
+
+
+EMPTY = text_hash("")  # of a package without code
