@@ -7,6 +7,7 @@ cannot be swapped unnoticed.
 """
 
 import ast
+import copy
 import hashlib
 import inspect
 import sys
@@ -89,7 +90,9 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
         if isinstance(node, ast.Import | ast.ImportFrom):
             for alias in node.names:
                 name = (alias.asname or alias.name).partition(".")[0]
-                found = _imported(node, module.__name__)
+                alone = copy.copy(node)
+                alone.names = [alias]
+                found = _imported(alone, module.__name__)
                 found = (m for m in found if whole or not _is_formula(m))
                 borrowed.setdefault(name, set()).update(found)
     used: dict[str, str] = {}
