@@ -57,7 +57,7 @@ readme: verify
 # System libraries, then packages, in groups: what an interrupted set-up had downloaded is not downloaded again.
 .venv/.ready: requirements.txt pyproject.toml
 	@PYTHON=$(PYTHON) tools/system-check
-	@$(PYTHON) -m verify.virtual_environment .venv requirements.txt --project
+	@$(PYTHON) -m verify.core.virtual_environment .venv requirements.txt --project
 
 # Also where the folder was moved, its Python is gone, or PYTHON was given and is of another version.
 ifneq ($(shell tools/is-ready $(if $(filter file,$(origin PYTHON)),,$(PYTHON)) && echo yes),yes)
@@ -66,7 +66,7 @@ endif
 
 # Solvers that cannot be installed stop nothing: failed.txt has the reason, and the next run tries again.
 .venv-crosscheck/.ready: requirements-crosscheck.txt .venv/.ready
-	@.venv/bin/python -m verify.virtual_environment .venv-crosscheck requirements-crosscheck.txt --shared .venv \
+	@.venv/bin/python -m verify.core.virtual_environment .venv-crosscheck requirements-crosscheck.txt --shared .venv \
 		|| echo "without tamaas and ROSS"
 
 # Needs uv, which the project itself does not.

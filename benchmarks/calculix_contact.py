@@ -13,10 +13,10 @@ from benchmarks import hertz
 from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
 from fem.plane.solution import PlaneSolution
-from verify.crosscheck.calculix import contact, reading, running
-from verify.crosscheck.calculix.keywords import Array
-from verify.crosscheck.calculix.numbering import Numbering
-from verify.crosscheck.calculix.running import Run
+from verify.studies.crosscheck.calculix import contact, reading, running
+from verify.studies.crosscheck.calculix.keywords import Array
+from verify.studies.crosscheck.calculix.numbering import Numbering
+from verify.studies.crosscheck.calculix.running import Run
 
 
 @dataclass(frozen=True, kw_only=True)

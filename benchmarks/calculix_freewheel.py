@@ -15,10 +15,10 @@ from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
 from fem.contact.trace import Trace
 from fem.plane.material import Elastic
-from verify.crosscheck.calculix import contact, reading, running
-from verify.crosscheck.calculix.keywords import Array
-from verify.crosscheck.calculix.numbering import Numbering
-from verify.crosscheck.calculix.running import Run
+from verify.studies.crosscheck.calculix import contact, reading, running
+from verify.studies.crosscheck.calculix.keywords import Array
+from verify.studies.crosscheck.calculix.numbering import Numbering
+from verify.studies.crosscheck.calculix.running import Run
 
 STIFF = sector.CLUTCH.E / sector.WIDTHS[0]  # Pa/m
 

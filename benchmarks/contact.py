@@ -25,7 +25,7 @@ from benchmarks import hertz
 from benchmarks.calculix_contact import Answer, Settings, run_deck, write_deck
 from benchmarks.plot_contact import draw
 from benchmarks.processes import run_module
-from verify.crosscheck.calculix import running as calculix
+from verify.studies.crosscheck.calculix import running as calculix
 
 OUT = Path(__file__).parent / "out"
 RUNS = 7

@@ -24,7 +24,7 @@ from benchmarks import sector
 from benchmarks.calculix_freewheel import Answer, Deck, Settings
 from benchmarks.plot_freewheel import draw
 from benchmarks.processes import run_module
-from verify.crosscheck.calculix import running as calculix
+from verify.studies.crosscheck.calculix import running as calculix
 
 OUT = Path(__file__).parent / "out"
 RUNS = 5

@@ -21,10 +21,10 @@ import numpy as np
 from analytic.surrogate.designs import full_factorial
 from analytic.surrogate.evolution import evolve
 from analytic.surrogate.genetic import genetic
-from verify.cases.sprag_optimum_deep import direct_fem
-from verify.cases.sprag_optimum_inputs import Optimum25Inputs
-from verify.cases.sprag_optimum_study_fem import answers, fit_fem, infilled_fem
-from verify.cases.sprag_peaks import peaks_fem
+from verify.cases.sprag.optimum.deep import direct_fem
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.optimum.study_fem import answers, fit_fem, infilled_fem
+from verify.cases.sprag.peaks import peaks_fem
 
 JOBS = 2
 ENGAGEMENTS = 400  # of DIRECT

@@ -15,7 +15,7 @@ from unittest.mock import patch
 from benchmarks.ring import ASSUMPTION, RIM, STEEL, ring_mesh, solve_ring
 from fem.plane import factors, solve
 from fem.plane.cells import Cells
-from verify.crosscheck.calculix.plane import PlaneDeck
+from verify.studies.crosscheck.calculix.plane import PlaneDeck
 
 # Everything else is loads, supports and the checks of them.
 STAGES = {

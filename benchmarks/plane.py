@@ -17,8 +17,8 @@ import numpy as np
 from benchmarks.plot import draw
 from benchmarks.processes import run_module
 from benchmarks.ring import RIM, RIM_MOVES, ring_mesh, solve_ring
-from verify.crosscheck.calculix import running as calculix
-from verify.crosscheck.calculix.numbering import Numbering
+from verify.studies.crosscheck.calculix import running as calculix
+from verify.studies.crosscheck.calculix.numbering import Numbering
 
 OUT = Path(__file__).parent / "out"
 SIZES = {42: 5, 134: 3, 232: 2}  # cells along the quarter (1e4, 1e5, 3e5 unknowns): runs

@@ -17,12 +17,12 @@ import numpy as np
 
 from fem.plane import discretisation, factors
 from meshes.contact import blocks
-from verify.case import Portion
-from verify.cases import polyhedral_fem
-from verify.cases.polyhedral_inputs import HubRing
-from verify.cases.polyhedral_ring import RING
-from verify.cases.spring_accordion import ACCORDION, OWN, line_fem, shapes
-from verify.cases.spring_inputs import AccordionInputs
+from verify.cases.polyhedral import fem as polyhedral_fem
+from verify.cases.polyhedral.inputs import HubRing
+from verify.cases.polyhedral.ring.case import RING
+from verify.cases.spring.accordion.case import ACCORDION, OWN, line_fem, shapes
+from verify.cases.spring.inputs import AccordionInputs
+from verify.core.case import Portion
 
 Run = Callable[[Any], Any]
 POINTS = 20

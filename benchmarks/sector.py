@@ -14,8 +14,8 @@ from skfem.mesh import Mesh2D
 
 from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
-from verify.cases.freewheel_fem import Place, fem_mesh, fem_problem
-from verify.cases.freewheel_inputs import StarInputs
+from verify.cases.freewheel.fem import Place, fem_mesh, fem_problem
+from verify.cases.freewheel.inputs import StarInputs
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]

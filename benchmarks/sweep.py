@@ -16,14 +16,14 @@ import numpy as np
 
 from meshes.polyhedral.half_sector import half_sector
 from meshes.spring.centre_line import centre_line
-from verify.case import Case
 from verify.cases.registry import CASES, find
-from verify.engines import Where
-from verify.inputs import Inputs
-from verify.sweep.axes import changed
-from verify.sweep.pairs import portion, selected
-from verify.sweep.plan import Plan, grid
-from verify.sweep.run import Solved, solve
+from verify.core.case import Case
+from verify.core.inputs import Inputs
+from verify.jobs.engines import Where
+from verify.studies.sweep.axes import changed
+from verify.studies.sweep.pairs import portion, selected
+from verify.studies.sweep.plan import Plan, grid
+from verify.studies.sweep.run import Solved, solve
 
 RING, SPRING = "K in the middle of the flats", "stiffness of the paper's lengths"
 
@@ -53,7 +53,7 @@ def unknowns(plan: Plan) -> int:
 
 def _unknowns(case: Case, q: Inputs, level: int) -> int:
     if case.id == "polyhedral-ring":
-        from verify.cases.polyhedral_fem import ARC
+        from verify.cases.polyhedral.fem import ARC
 
         g = {"z": q.z, "d_e": q.d_e, "d_i": q.d_i, "fillet": q.rho}  # type: ignore[attr-defined]
         return 2 * int(half_sector(**g, refine=level, arc=ARC).p.shape[1])

@@ -9,7 +9,7 @@ from markupsafe import Markup
 from reports import svg
 from reports.formats import MINUS
 from reports.plots import WIDTH, Axes
-from verify.results import BudgetPart, CaseBudget, Kind, RowBudget
+from verify.core.results import BudgetPart, CaseBudget, Kind, RowBudget
 
 LINE, THICK, TOP, BELOW = 23.0, 11.0, 12.0, 40.0
 LEFT, RIGHT = 118.0, 92.0  # of names, and of numbers beyond the axis

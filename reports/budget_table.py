@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from reports.budget import UNKNOWN
 from reports.rows import Cell, harmless
-from verify.results import CaseBudget, RowBudget
+from verify.core.results import CaseBudget, RowBudget
 
 HEADER = (
     "case", "quantity", "kind", "part", "what", "contribution_relative", "half_width_relative",

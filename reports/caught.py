@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from verify.results import Caught, Survivor
+from verify.core.results import Caught, Survivor
 
 NAMES = {
     "formulas": "Formulas: a sign, a factor, a power, an argument changed",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from reports import formats
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run, runs
-from verify.results import Crosscheck, CrossState, Report
+from verify.core.results import Crosscheck, CrossState, Report
 
 WITHOUT_NUMBERS = (CrossState.MISSING, CrossState.ALONE)
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import fields
 
 from reports.rows import harmless
-from verify.results import Crosscheck
+from verify.core.results import Crosscheck
 
 LEFT_OUT = ("seconds",)
 

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from reports import svg
 from reports.plots import WIDTH
-from verify.shown import (
+from verify.core.shown import (
     Bars,
     Campbell,
     Curves,

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from markupsafe import Markup, escape
 
-from verify.files import write_whole
+from verify.core.files import write_whole
 
 # a glyph with its outlines, or an empty one (a space), which closes itself
 _SYMBOL = re.compile(r'<symbol id="([^"]+)" viewBox="([^"]+)"(?:\s*/>|>(.*?)</symbol>)', re.DOTALL)

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from markupsafe import Markup, escape
 
-from verify.differences import difference_texts, divisor, significant
-from verify.references import FE, reference_name
-from verify.results import Kind, Row
+from verify.core.differences import difference_texts, divisor, significant
+from verify.core.references import FE, reference_name
+from verify.core.results import Kind, Row
 
 MINUS = "−"
 

@@ -42,8 +42,8 @@ from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
 from reports.zones import zones
-from verify.results import CaseResult, Report, Row, Status
-from verify.shown import (
+from verify.core.results import CaseResult, Report, Row, Status
+from verify.core.shown import (
     LIMITS_TITLE,
     Bars,
     Campbell,

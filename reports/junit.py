@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
 
 from reports.xml_text import clean
-from verify.results import CaseResult, Report, Row, Status
+from verify.core.results import CaseResult, Report, Row, Status
 
 
 def junit(report: Report) -> str:

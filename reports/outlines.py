@@ -5,7 +5,7 @@ from collections import defaultdict
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.shown import Array
+from verify.core.shown import Array
 
 Indices = NDArray[np.int64]
 

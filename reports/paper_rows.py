@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from reports import formats
 from reports.row_lines import rank
-from verify.results import PaperCell, PaperClaim, Status
+from verify.core.results import PaperCell, PaperClaim, Status
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from reports.frames import Frame
 from reports.pdf_data import document
 from reports.standalone import HERE
 from reports.xml_text import clean
-from verify.results import Report
+from verify.core.results import Report
 
 # Scripts that typst's own fonts hold: Latin, Greek, Cyrillic, Hebrew, punctuation, mathematics.
 _FOREIGN = re.compile("[^\\x00-\u05ff\u1d00-\u2e7f\ufb00-\ufb4f\ufffd\U0001d400-\U0001d7ff]")

@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 from reports.budget import compact, headline, identities, left, lines, percent
 from reports.pdf_tables import Data, prose
 from reports.richtext import runs
-from verify.results import CaseBudget
+from verify.core.results import CaseBudget
 
 
 def budget_data(budgets: Sequence[CaseBudget], printed: Collection[str]) -> list[Data]:

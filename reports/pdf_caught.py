@@ -12,7 +12,7 @@ from reports.caught import (
     survivors,
 )
 from reports.pdf_tables import Data, prose
-from verify.results import Caught, MutantGroup
+from verify.core.results import Caught, MutantGroup
 
 
 def caught_data(caught: Caught | None) -> Data | None:

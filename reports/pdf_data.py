@@ -25,7 +25,7 @@ from reports.sheets import Sheets
 from reports.since import since_data
 from reports.standalone import HERE, standalone
 from reports.verdicts import first_author, verdicts
-from verify.results import PaperCell, PaperTable, Report, Row, Status
+from verify.core.results import PaperCell, PaperTable, Report, Row, Status
 
 
 def document(report: Report, frames: Mapping[str, Sequence[Frame]]) -> Data:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run, runs
 from reports.validity import common, signed, subjects
-from verify.results import Validity, ValidityCard, ValidityRegion
+from verify.core.results import Validity, ValidityCard, ValidityRegion
 
 
 def validity_data(known: Sequence[Validity]) -> list[Data]:

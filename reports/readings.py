@@ -3,7 +3,7 @@
 from reports import formats
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run
-from verify.results import ReadingsTried
+from verify.core.results import ReadingsTried
 
 
 def found(one: ReadingsTried) -> str:

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from reports.second import records, seconds
-from verify.results import SCHEMA_VERSION, CaseResult, Drift, Report, Row, Validity
+from verify.core.results import SCHEMA_VERSION, CaseResult, Drift, Report, Row, Validity
 
 
 def report_record(report: Report) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from verify.results import CaseResult, Row, Status
+from verify.core.results import CaseResult, Row, Status
 
 COMPANION = ": convergence"
 LISTED_FIRST = (Status.FAIL, Status.SKIP)

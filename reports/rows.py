@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from reports import second
 from reports.xml_text import clean
-from verify.differences import difference, offset
-from verify.references import reference_name
-from verify.results import Crosscheck, Row
+from verify.core.differences import difference, offset
+from verify.core.references import reference_name
+from verify.core.results import Crosscheck, Row
 
 COLUMNS = (
     "case", "quantity", "symbol", "unit", "kind", "by", "analytic", "fem", "reference",

@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 from reports import formats
 from reports.crosscheck import WITHOUT_NUMBERS, Problem, problems
-from verify.results import Crosscheck, CrossState, Row
+from verify.core.results import Crosscheck, CrossState, Row
 
 COLUMNS = ("second_solver", "second_value", "second_difference_relative", "second_seconds")
 

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 
 from reports.xml_text import clean
-from verify.results import Report
+from verify.core.results import Report
 
 FIXED = (
     "Summary", "Rows", "Inputs and values", "Levels", "Errata", "Equations", "Printed numbers",

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from markupsafe import Markup
 
 from reports import svg
-from verify.differences import difference, sense
-from verify.results import CaseResult, Kind, Published, Row, Status
+from verify.core.differences import difference, sense
+from verify.core.results import CaseResult, Kind, Published, Row, Status
 
 HALF = 36.0  # half the tolerance band in the signature's units
 CENTRE = 66.0

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from reports.pdf_tables import Data, prose
 from reports.richtext import Run
-from verify.results import Change, Drift
+from verify.core.results import Change, Drift
 
 MOST = 150  # lines; results.json has all
 

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from reports.formats import MINUS
 from reports.measured import Measured
 from reports.validity_map import validity_map
-from verify.results import Validity, ValidityAxis, ValidityLimit, ValidityRegion
+from verify.core.results import Validity, ValidityAxis, ValidityLimit, ValidityRegion
 
 DRAWN_LIMIT = 1  # whose region is outlined
 LEAST = 1e-6  # per cent, below which a number says nothing more

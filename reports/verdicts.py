@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from verify.results import CaseResult, Kind, Report, Row, Status
+from verify.core.results import CaseResult, Kind, Report, Row, Status
 
 HEAD = (
     "| case | what is compared | rows | verdicts | largest difference | detection limit |\n"

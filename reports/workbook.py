@@ -12,7 +12,7 @@ import xlsxwriter
 
 from reports.rows import FORMULAS
 from reports.xml_text import clean
-from verify.results import Status
+from verify.core.results import Status
 
 LONGEST = 32767  # characters that a cell holds
 WIDEST = 60.0  # of a column, in characters

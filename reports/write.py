@@ -22,7 +22,7 @@ from reports.second import seconds
 from reports.verdicts import markdown
 from reports.vtu import vtu_files
 from reports.xlsx import xlsx
-from verify.results import Report
+from verify.core.results import Report
 
 ERRORS = "errors.txt"
 PAPER = "report.pdf"

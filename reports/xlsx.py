@@ -11,7 +11,7 @@ from reports.rows import HEADER, PERCENT, cells
 from reports.second import seconds
 from reports.sheets import Sheets
 from reports.workbook import Book, Cell, Link, Printed
-from verify.results import CaseResult, Crosscheck, PaperTable, Report, Row, Status
+from verify.core.results import CaseResult, Crosscheck, PaperTable, Report, Row, Status
 
 RELATIVE_FORMAT = "0.0E+00"
 LEDGER = re.compile(r"ledger (\w+):([\w-]+)")

@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from reports.verdicts import markdown
+from verify.app.cli import run
+from verify.app.commands import make_report
 from verify.cases.registry import CASES, find
-from verify.cli import run
-from verify.commands import make_report
-from verify.environment import NEWEST, OLDEST, PACKAGES, python_problem
-from verify.inputs import build
+from verify.core.environment import NEWEST, OLDEST, PACKAGES, python_problem
+from verify.core.inputs import build
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text("utf-8")

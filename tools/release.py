@@ -1,9 +1,9 @@
-"""Keep the rows of this version in verify/releases, for `freewheel verify` to compare with."""
+"""Store the rows of this version in verify/audit/releases, the base of comparison."""
 
 import sys
 from pathlib import Path
 
-from verify.releases.making import release
+from verify.app.release import release
 
 ROOT = Path(__file__).parents[1]
 

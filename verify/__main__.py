@@ -1,5 +1,5 @@
 """`python -m verify` is `freewheel`."""
 
-from verify.cli import main
+from verify.app.cli import main
 
 main()

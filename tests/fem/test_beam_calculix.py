@@ -10,9 +10,14 @@ import pytest
 
 from fem.beam.large import LargeFrame
 from meshes.spring.path import Piece
-from verify.crosscheck.calculix.large import Load, Problem, run
-from verify.crosscheck.calculix.running import executable
-from verify.crosscheck.calculix.strips import beams, plane_strain_section, section_held, strip
+from verify.studies.crosscheck.calculix.large import Load, Problem, run
+from verify.studies.crosscheck.calculix.running import executable
+from verify.studies.crosscheck.calculix.strips import (
+    beams,
+    plane_strain_section,
+    section_held,
+    strip,
+)
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
 

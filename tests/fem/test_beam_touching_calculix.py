@@ -13,8 +13,8 @@ from fem.beam.touching import SelfContact
 from meshes.spring.centre_line import centre_line
 from meshes.spring.path import Piece
 from tests.fem.beam_touching_shapes import together
-from verify.crosscheck.calculix.compressed import compressed as strip_compressed
-from verify.crosscheck.calculix.large import (
+from verify.studies.crosscheck.calculix.compressed import compressed as strip_compressed
+from verify.studies.crosscheck.calculix.large import (
     LEFT,
     RIGHT,
     STEEL,
@@ -24,8 +24,13 @@ from verify.crosscheck.calculix.large import (
     faces,
     run,
 )
-from verify.crosscheck.calculix.running import executable
-from verify.crosscheck.calculix.strips import beams, plane_strain_section, section_held, strip
+from verify.studies.crosscheck.calculix.running import executable
+from verify.studies.crosscheck.calculix.strips import (
+    beams,
+    plane_strain_section,
+    section_held,
+    strip,
+)
 
 pytestmark = pytest.mark.skipif(executable() is None, reason="calculix (ccx) is not installed")
 

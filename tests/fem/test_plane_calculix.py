@@ -5,8 +5,8 @@ import pytest
 
 from benchmarks.ring import RIM, RIM_MOVES, STEEL, ring_mesh, solve_ring
 from fem.plane.solve import solve_plane
-from verify.crosscheck.calculix.plane import PlaneDeck
-from verify.crosscheck.calculix.running import executable, run_deck
+from verify.studies.crosscheck.calculix.plane import PlaneDeck
+from verify.studies.crosscheck.calculix.running import executable, run_deck
 
 # Of the largest displacement: calculix prints six digits, and integrates curved triangles with
 # three points each, whose difference falls with the fourth power of the cells.

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from verify.app.commands import make_report
 from verify.cases.registry import CASES
-from verify.commands import make_report
-from verify.results import Kind, Partner, Published, Report, Row, Status
-from verify.shown import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
+from verify.core.results import Kind, Partner, Published, Report, Row, Status
+from verify.core.shown import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
 NAME = " ".join(["word"] * 18)  # 90 letters

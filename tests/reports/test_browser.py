@@ -12,7 +12,7 @@ from reports.html import page
 from tests.reports.browser import DARK, NEEDS_CHROMIUM, browse, looked_at
 from tests.reports.conftest import NAME
 from tests.reports.paths import walked
-from verify.cache import picture_folder
+from verify.jobs.cache import picture_folder
 
 pytestmark = NEEDS_CHROMIUM
 DECADES = 7  # of the overview's scale

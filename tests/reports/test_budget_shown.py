@@ -25,7 +25,7 @@ from reports.budget_table import budget_csv
 from reports.html import page
 from reports.pdf_budget import budget_data
 from reports.records import report_record
-from verify.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
+from verify.core.results import BudgetJoint, BudgetPart, CaseBudget, Kind, Report, RowBudget
 
 ROW = RowBudget(
     quantity="K of <the> paper", symbol="K", kind=Kind.APPROXIMATION, total=-0.08, U=1e-3,

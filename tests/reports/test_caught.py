@@ -9,7 +9,7 @@ from reports.caught import in_words, interval, moved, share, survivors
 from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
-from verify.results import Caught, MutantGroup, Report, Survivor
+from verify.core.results import Caught, MutantGroup, Report, Survivor
 
 GROUP = MutantGroup(
     name="formulas", all=13000, tried=200, rows=150, tests=44, survived=6, apart=9

@@ -18,7 +18,7 @@ from reports.records import report_record
 from reports.richtext import _plain
 from reports.rows import rows_csv
 from reports.second import COLUMNS, apart, seconds, value
-from verify.results import Crosscheck, CrossState, Report
+from verify.core.results import Crosscheck, CrossState, Report
 
 AGREES = Crosscheck(
     case="ring-lame", problem="ring-lame, plane strain", what="a quarter & more",

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from reports.junit import junit
-from verify.results import Status
+from verify.core.results import Status
 
 
 def test_failures_and_skips_are_counted(hostile):

@@ -13,11 +13,11 @@ from reports.frames import frames
 from reports.html import anchors, causes, page
 from reports.pdf_case import case_data
 from reports.row_lines import COMPANION, lines
-from verify.cache import picture_folder
-from verify.cases.sprag_crown import CROWN
-from verify.commands import make_report
-from verify.results import Kind, Row, Status
-from verify.shown import Whirl
+from verify.app.commands import make_report
+from verify.cases.sprag.crown.case import CROWN
+from verify.core.results import Kind, Row, Status
+from verify.core.shown import Whirl
+from verify.jobs.cache import picture_folder
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}
 SVG_EMPTY = {"path", "circle", "rect", "line", "use", "image", "stop"}  # close themselves

@@ -13,10 +13,10 @@ from reports import formats
 from reports.html import page
 from reports.pdf_data import document
 from tests.verify.test_published_tables import PRINTED
-from verify import units
-from verify.cache import picture_folder
-from verify.published.ledger import papers, published
-from verify.published.tables import referred
+from verify.core import units
+from verify.jobs.cache import picture_folder
+from verify.papers.ledger import papers, published
+from verify.papers.tables import referred
 
 HEADERS = {
     ("huang2018", "Table 1"): ["Parameter", "Value", "Parameter", "Value"],

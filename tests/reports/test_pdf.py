@@ -20,9 +20,9 @@ from reports.pdf_data import document
 from reports.pdf_tables import LONGEST, SHOWN
 from reports.standalone import HERE
 from reports.write import PAPER, write
-from verify.cache import picture_folder
-from verify.results import Status
-from verify.shown import Table
+from verify.core.results import Status
+from verify.core.shown import Table
+from verify.jobs.cache import picture_folder
 
 NASTY = '#panic("x") <script> $x$ @y *b* _i_ // \\ [z] `r` "q"'
 

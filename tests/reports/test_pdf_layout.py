@@ -10,7 +10,7 @@ import pytest
 
 from reports.html import page
 from reports.pdf import pdf
-from verify.cache import picture_folder
+from verify.jobs.cache import picture_folder
 
 pytestmark = pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs poppler-utils")
 

@@ -10,7 +10,7 @@ import pytest
 
 from reports.records import report_record
 from reports.write import write
-from verify.cache import picture_folder
+from verify.jobs.cache import picture_folder
 
 
 @pytest.mark.parametrize("which", ["report", "hostile"])

@@ -13,8 +13,8 @@ from reports.pdf_case import case_data
 from reports.records import report_record
 from reports.row_lines import failed_first, groups_failed_first, lines
 from reports.rows import rows_csv
-from verify.cache import picture_folder
-from verify.results import Kind, Row, Status
+from verify.core.results import Kind, Row, Status
+from verify.jobs.cache import picture_folder
 
 
 def row(quantity: str, status: Status = Status.PASS, case: str = "c") -> Row:

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from reports.rows import rows_csv
-from verify.results import Kind
+from verify.core.results import Kind
 
 
 def read(text):

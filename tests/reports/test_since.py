@@ -8,10 +8,10 @@ from reports import readings, since
 from reports.html import page as with_equations_drawn
 from reports.pdf import pdf
 from reports.records import report_record
-from verify.cache import picture_folder
 from verify.cases.registry import CASES
-from verify.definitions.tried import searches
-from verify.results import Change, Drift, ReadingsTried
+from verify.core.results import Change, Drift, ReadingsTried
+from verify.jobs.cache import picture_folder
+from verify.studies.definitions.tried import searches
 
 
 def page(report, frames):

@@ -6,8 +6,8 @@ import re
 import pytest
 
 from reports.sketch import WIDTH, sketch
-from verify.cases import freewheel_star_sketch as star
-from verify.cases.freewheel_inputs import StarInputs
+from verify.cases.freewheel import star_sketch as star
+from verify.cases.freewheel.inputs import StarInputs
 
 LETTER, TALL, BESIDE = 6.6, 13.0, 44.0  # of a label; room beside a sketch on the page
 SIZES = [  # m: as given, few rollers, many on thin walls, thick walls, another scale

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from reports.sweep import page as drawn
+from verify.app.sweep.page import page
 from verify.cases.registry import CASES, find
-from verify.sweep import plan as plans
-from verify.sweep.outcome import Course, Outcome
-from verify.sweep.page import page
-from verify.sweep.pairs import portion, selected
-from verify.sweep.point import Solution
-from verify.sweep.run import Solved, Timing
+from verify.studies.sweep import plan as plans
+from verify.studies.sweep.outcome import Course, Outcome
+from verify.studies.sweep.pairs import portion, selected
+from verify.studies.sweep.point import Solution
+from verify.studies.sweep.run import Solved, Timing
 
 CASE = find("polyhedral-ring", CASES)
 PAPER, EXACT = "K of the paper", "K in the mean"

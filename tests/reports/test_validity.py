@@ -10,7 +10,7 @@ from reports.html import page
 from reports.pdf_data import document
 from reports.records import report_record
 from reports.validity import common, figure, limits, mapped, signed, subjects
-from verify.results import (
+from verify.core.results import (
     Report,
     Validity,
     ValidityAxis,

@@ -1,10 +1,10 @@
 """A made-up case whose difference is known part by part: functions stand for finite elements."""
 
-from verify.budget.plan import Plan, rows
-from verify.budget_statement import Argument, Cause, Constant, Rerun, Statement
-from verify.case import Case, FemResult
-from verify.checks import Approximation, Identity
-from verify.inputs import Inputs, quantity
+from verify.core.case import Case, FemResult
+from verify.core.inputs import Inputs, quantity
+from verify.judging.budget_statement import Argument, Cause, Constant, Rerun, Statement
+from verify.judging.checks import Approximation, Identity
+from verify.studies.budget.plan import Plan, rows
 
 HERE = "tests.verify.budget_made"
 SELF, PLANE, WIDE, FAR, MESH = 0.01, 0.004, 0.02, -0.03, 0.001  # parts of the difference

@@ -4,14 +4,14 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from verify.case import Case, FemResult
-from verify.checks import Approximation
-from verify.engines import Where, local
-from verify.inputs import Inputs, count, quantity
-from verify.sweep.outcome import Course, Outcome
-from verify.sweep.pairs import portion, selected
-from verify.sweep.point import Solution
-from verify.sweep.run import Solved, Timing
+from verify.core.case import Case, FemResult
+from verify.core.inputs import Inputs, count, quantity
+from verify.jobs.engines import Where, local
+from verify.judging.checks import Approximation
+from verify.studies.sweep.outcome import Course, Outcome
+from verify.studies.sweep.pairs import portion, selected
+from verify.studies.sweep.point import Solution
+from verify.studies.sweep.run import Solved, Timing
 
 
 class Plate(Inputs):

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from tests.verify.test_checks import context
-from verify.agreement import (
+from verify.core.results import Kind, Status
+from verify.judging.agreement import (
     SUBJECT,
     Agreement,
     Deviation,
@@ -16,8 +17,7 @@ from verify.agreement import (
     demanded,
     farthest,
 )
-from verify.derivation.steps import derive, steps
-from verify.results import Kind, Status
+from verify.judging.derivation.steps import derive, steps
 
 
 def agreement(value, reference=2.0, U=0.0, kind=Agreement, **more):

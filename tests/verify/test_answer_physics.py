@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import pytest
 
-from verify.answer_units import in_units
 from verify.answers.answer import Verdict
+from verify.answers.answer_units import in_units
 from verify.answers.evidence import reference_of_design, why_not_solved, with_rows
 from verify.answers.record import answer_record
 from verify.answers.registry import answer
 from verify.cases.registry import find
-from verify.results import Status
-from verify.units import parse
+from verify.core.results import Status
+from verify.core.units import parse
 
 E_STAR = 206e9 / (2 * (1 - 0.3**2))  # Pa, both bodies of steel
 

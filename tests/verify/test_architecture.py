@@ -38,7 +38,7 @@ REFERENCE = {"pressed", "gap", "even_crowns", "plane_at_middle", "best", "grip"}
 
 def test_only_what_makes_the_reference_or_is_compiled_imports_below_the_top_of_a_file():
     """Finite elements or a half-space, on which results depend, and what `dynamic` runs."""
-    for path in (ROOT / "verify" / "cases").glob("*.py"):
+    for path in (ROOT / "verify" / "cases").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.FunctionDef) and not (
                 "fem" in node.name or "dynamic" in node.name or node.name in REFERENCE

@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from verify.assumed.complete import assumed_inputs, build_completed, complete
-from verify.assumed.registry import ASSUMPTIONS
+from verify.answers.assumed.complete import assumed_inputs, build_completed, complete
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.app.cli import run
 from verify.cases.registry import find
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.cli import run
-from verify.design.inputs import Demands
-from verify.design_sprag.inputs import Wishes
-from verify.inputs import REQUIRED, InputError, meta
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.inputs import REQUIRED, InputError, meta
+from verify.studies.design.inputs import Demands
+from verify.studies.design_sprag.inputs import Wishes
 
 PARTS = sorted((Path(__file__).parent / "parts").glob("*.toml"))
 TASKS = {"design-spring": Demands, "design-sprag": Wishes}

@@ -9,18 +9,18 @@ import pytest
 
 from tests.verify import budget_made as made
 from tests.verify.sweep_made import Here
-from verify import deep
-from verify.budget import balance, generic, kept, measuring
-from verify.budget.changes import changed
-from verify.budget.found import budgets
-from verify.budget.plan import AS_IT_IS, Plan, Step, first, inputs_of, together
-from verify.budget.solve import solved
-from verify.budget.told import of_case
-from verify.budget_statement import Argument, Cause, Constant, Rerun, Statement, as_given
 from verify.cases import registry
 from verify.cases.budgets import STATEMENTS
-from verify.inputs import InputError
-from verify.results import CaseResult, Kind, Row, Status
+from verify.core.inputs import InputError
+from verify.core.results import CaseResult, Kind, Row, Status
+from verify.judging.budget_statement import Argument, Cause, Constant, Rerun, Statement, as_given
+from verify.studies import deep
+from verify.studies.budget import balance, generic, kept, measuring
+from verify.studies.budget.changes import changed
+from verify.studies.budget.found import budgets
+from verify.studies.budget.plan import AS_IT_IS, Plan, Step, first, inputs_of, together
+from verify.studies.budget.solve import solved
+from verify.studies.budget.told import of_case
 
 ORIGINAL = made.Solver
 RESULT = CaseResult(

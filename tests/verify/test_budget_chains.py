@@ -5,12 +5,14 @@ from itertools import pairwise
 import pytest
 
 from analytic.polyhedral.expansion import many_corners_factor
-from verify.budget.kept import measured
-from verify.budget.measuring import chosen, plan_of
-from verify.budget_statement import Cause
-from verify.cases import polyhedral_budget, rotor_budget, sprag_budget
-from verify.cases.polyhedral_ring import RING
+from verify.cases.polyhedral import budget as polyhedral_budget
+from verify.cases.polyhedral.ring.case import RING
 from verify.cases.registry import CASES, find
+from verify.cases.rotor import budget as rotor_budget
+from verify.cases.sprag import budget as sprag_budget
+from verify.judging.budget_statement import Cause
+from verify.studies.budget.kept import measured
+from verify.studies.budget.measuring import chosen, plan_of
 
 LEFT = {  # at most, of the row: what is told of it
     ("polyhedral-ring", "K of the paper"): 1e-4,

@@ -3,13 +3,13 @@
 import pytest
 
 from analytic.spring import frame
-from verify.budget.compared import values
-from verify.budget.found import budgets
-from verify.budget.measuring import plan_of
-from verify.budget.plan import AS_IT_IS, Step
-from verify.budget.solve import solved
-from verify.cases.ring_budget import WAVE
-from verify.cases.spring_inputs import strip_of
+from verify.cases.ring.budget import WAVE
+from verify.cases.spring.inputs import strip_of
+from verify.studies.budget.compared import values
+from verify.studies.budget.found import budgets
+from verify.studies.budget.measuring import plan_of
+from verify.studies.budget.plan import AS_IT_IS, Step
+from verify.studies.budget.solve import solved
 
 
 def error(case, causes, level, row):

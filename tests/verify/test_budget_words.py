@@ -2,10 +2,10 @@
 
 import pytest
 
-from verify.budget.balance import Balance, Part
-from verify.budget.found import RowBudget
-from verify.budget.measuring import plan_of
-from verify.budget.words import OTHER, in_words
+from verify.studies.budget.balance import Balance, Part
+from verify.studies.budget.found import RowBudget
+from verify.studies.budget.measuring import plan_of
+from verify.studies.budget.words import OTHER, in_words
 
 
 def said(case, name):

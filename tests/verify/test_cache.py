@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify import cache
-from verify.case import Case, FemResult
-from verify.inputs import Inputs, quantity
-from verify.shown import Field
+from verify.core.case import Case, FemResult
+from verify.core.inputs import Inputs, quantity
+from verify.core.shown import Field
+from verify.jobs import cache
 
 
 class Beam(Inputs):

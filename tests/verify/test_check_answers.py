@@ -12,12 +12,12 @@ from tests.verify.template_text import whole
 from verify.answers.answer import Verdict
 from verify.answers.evidence import with_rows
 from verify.answers.registry import answer
+from verify.answers.template import run_init
+from verify.app.check_command import exit_status
+from verify.app.check_console import Checked
+from verify.app.cli import run
 from verify.cases.registry import CASES, find
-from verify.check_command import exit_status
-from verify.check_console import Checked
-from verify.cli import run
-from verify.results import Status
-from verify.template import run_init
+from verify.core.results import Status
 
 SCHEMA = json.loads((Path(verify.answers.__file__).parent / "check.schema.json").read_text("utf-8"))
 

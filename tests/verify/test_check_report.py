@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from verify.cli import run
+from verify.app.cli import run
 
 RING = """
 case = "ring-lame"

@@ -9,11 +9,11 @@ import math
 import numpy as np
 import pytest
 
-from verify.case import Context, FemResult
-from verify.checks import Approximation, Exact, Fact, Identity, Limit, Order
-from verify.claims import beside
-from verify.printed import Contradiction, PrintedMeasurement, PrintedTheory
-from verify.results import Kind, Status
+from verify.core.case import Context, FemResult
+from verify.core.results import Kind, Status
+from verify.judging.checks import Approximation, Exact, Fact, Identity, Limit, Order
+from verify.judging.claims import beside
+from verify.judging.printed import Contradiction, PrintedMeasurement, PrintedTheory
 
 SIZES = (1 / 2, 1 / 4, 1 / 8)
 MICRO = 1e-6

@@ -10,8 +10,8 @@ import sys
 import pytest
 
 from analytic.ring import lame
+from verify.app.cli import run
 from verify.cases.registry import CASES
-from verify.cli import run
 
 HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba", "llvmlite",
          "scipy.stats")  # fmt: skip
@@ -74,7 +74,7 @@ def checked(path, *options, capsys):
 )
 def test_nothing_heavy_is_imported_before_it_is_needed(arguments, spring):
     script = (
-        "import sys\nfrom verify.cli import run\n"
+        "import sys\nfrom verify.app.cli import run\n"
         f"status = run({[str(spring) if a == 'FILE' else a for a in arguments]!r})\n"
         f"print('loaded', [m for m in {HEAVY!r} if m in sys.modules], status, file=sys.stderr)\n"
     )
@@ -230,8 +230,8 @@ def test_verify_writes_the_report_and_says_where(tmp_path, capsys):
 def test_the_quick_round_skips_what_is_not_quick(monkeypatch, tmp_path, capsys):
     from dataclasses import replace
 
-    from verify import commands
-    from verify.cases.ring import LAME
+    from verify.app import commands
+    from verify.cases.ring.lame.case import LAME
 
     monkeypatch.setattr(commands, "CASES", (replace(LAME, quick=False),))
     assert run(["verify", "--quick", "--out", str(tmp_path)]) == 0
@@ -251,7 +251,7 @@ def test_a_solver_that_fails_is_a_red_row_and_no_traceback(
     monkeypatch, tmp_path, with_equations, capsys
 ):
     from fem.plane import solve
-    from verify import solving
+    from verify.jobs import solving
 
     def stuck(*_args, **_more):
         raise ArithmeticError("the linear solve did not converge: relative residual 1e+00")
@@ -312,14 +312,14 @@ def test_results_do_not_depend_on_the_number_of_processes(
 
 def test_the_stiffness_of_the_paper_is_within_a_ten_thousandth():
     """0.60096 ± 0.0001 N/mm, the acceptance figure of Eqs. 1-9."""
-    from verify.cases.spring_accordion import ACCORDION
+    from verify.cases.spring.accordion.case import ACCORDION
 
     assert ACCORDION.analytic(ACCORDION.inputs())["k1"] / 1e3 == pytest.approx(0.60096, abs=1e-4)
 
 
 def test_a_fault_of_the_program_is_one_line_and_a_file(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    monkeypatch.setattr("verify.commands.run_list", lambda: {}["nothing"])
+    monkeypatch.setattr("verify.app.commands.run_list", lambda: {}["nothing"])
     assert run(["list"]) == 2
     said = capsys.readouterr().err
     assert said.count("\n") == 1

@@ -4,14 +4,14 @@ from dataclasses import replace
 
 import pytest
 
-from verify import judge
 from verify.cases.registry import CASES, find
-from verify.claims import make_row
-from verify.console_rows import closing, row_cells, title
-from verify.paper_tables import _claim
-from verify.references import OTHERS, reference_name
-from verify.results import Kind, Partner, Status
-from verify.source_code import parts_of
+from verify.core.console_rows import closing, row_cells, title
+from verify.core.references import OTHERS, reference_name
+from verify.core.results import Kind, Partner, Status
+from verify.core.source_code import parts_of
+from verify.judging import judge
+from verify.judging.claims import make_row
+from verify.papers.paper_tables import _claim
 
 
 @pytest.fixture
@@ -97,7 +97,7 @@ def test_finite_elements_come_first_and_printed_numbers_last_in_the_title(rows):
 
 
 def test_the_column_of_finite_elements_beside_a_printed_table_holds_nothing_else():
-    from verify.published.ledger import published
+    from verify.papers.ledger import published
 
     value = published("huang2018:table1-r-e")
     assert _claim(row("a", 1.0, None), value).fem is not None

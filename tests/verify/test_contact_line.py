@@ -9,19 +9,17 @@ from pydantic import ValidationError
 from analytic.contact import clamped_race, hertz_line, pair_series
 from fem.contact import bodies, interface
 from fem.plane.material import Elastic
-from verify.cases import (
-    contact_line_fem,
-    contact_line_flat,
-    contact_line_pair,
-    contact_line_ring,
-    contact_line_unlike,
-)
-from verify.cases.contact_line_flat import FLAT
-from verify.cases.contact_line_pair import PAIR
-from verify.cases.contact_line_ring import RING
+from verify.cases.contact.line import fem as contact_line_fem
+from verify.cases.contact.line import flat as contact_line_flat
+from verify.cases.contact.line import pair as contact_line_pair
+from verify.cases.contact.line import ring as contact_line_ring
+from verify.cases.contact.line import unlike as contact_line_unlike
+from verify.cases.contact.line.flat import FLAT
+from verify.cases.contact.line.pair import PAIR
+from verify.cases.contact.line.ring import RING
 from verify.cases.registry import find
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("contact-line")
 COARSE = replace(PAIR, levels=(2, 3, 4))
@@ -112,7 +110,7 @@ def test_a_wrong_coefficient_of_what_hertz_neglects_is_seen(coefficient, judged,
 
 
 def contact_cache():
-    from verify.cache import default_folder
+    from verify.jobs.cache import default_folder
 
     return default_folder()
 

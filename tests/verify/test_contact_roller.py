@@ -19,18 +19,16 @@ from analytic.contact import (
 from analytic.contact.half_space_convolution import Convolution
 from analytic.contact.half_space_roller import RollerContact
 from fem.plane.material import Elastic
-from verify.cases import contact_roller_crowns as crowns
-from verify.cases import contact_roller_formulas as formulas
-from verify.cases import contact_roller_inputs as inputs
-from verify.cases.contact_roller import ROLLER
-from verify.cases.contact_roller_crowns import CROWNS, REFERENCES
-from verify.cases.contact_roller_flat import UNCROWNED
-from verify.cases.contact_roller_half_space import pressed
-from verify.cases.contact_roller_inputs import Crown, Roller, TiltedInputs
-from verify.cases.contact_roller_tilted import TILTED
+from verify.cases.contact.roller import crowns, formulas, inputs
+from verify.cases.contact.roller.case import ROLLER
+from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
+from verify.cases.contact.roller.flat import UNCROWNED
+from verify.cases.contact.roller.half_space import pressed
+from verify.cases.contact.roller.inputs import Crown, Roller, TiltedInputs
+from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.registry import find
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("contact-roller")
 CASES = (ROLLER, TILTED, UNCROWNED, CROWNS)

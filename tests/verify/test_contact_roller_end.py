@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from verify.case import Context
-from verify.cases import contact_roller_end_fem as end
-from verify.cases.contact_roller_end import END, local
-from verify.cases.contact_roller_end_fem import EndInputs
-from verify.cases.contact_roller_end_formulas import analytic
-from verify.cases.contact_roller_inputs import Roller
-from verify.results import Status
+from verify.cases.contact.roller import end_fem as end
+from verify.cases.contact.roller.end import END, local
+from verify.cases.contact.roller.end_fem import EndInputs
+from verify.cases.contact.roller.end_formulas import analytic
+from verify.cases.contact.roller.inputs import Roller
+from verify.core.case import Context
+from verify.core.results import Status
 
 LEVEL = 1
 

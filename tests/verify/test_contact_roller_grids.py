@@ -2,10 +2,10 @@
 
 import pytest
 
-from verify.cases.contact_roller import ROLLER
-from verify.cases.contact_roller_crowns import CROWNS, REFERENCES
-from verify.cases.contact_roller_half_space import pressed
-from verify.cases.contact_roller_tilted import TILTED
+from verify.cases.contact.roller.case import ROLLER
+from verify.cases.contact.roller.crowns import CROWNS, REFERENCES
+from verify.cases.contact.roller.half_space import pressed
+from verify.cases.contact.roller.tilted import TILTED
 
 LEVEL = 20
 SHARP = 1e-4  # of the value, that a row of the acceptance's 0.3 % can use

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify.case import Context
-from verify.cases.contact_roller import ROLLER
-from verify.cases.contact_roller_crowns import CROWNS, RESOLVED, straight
-from verify.cases.contact_roller_flat import UNCROWNED
-from verify.cases.contact_roller_tilted import TILTED
-from verify.inputs import InputError, build
-from verify.results import Status
+from verify.cases.contact.roller.case import ROLLER
+from verify.cases.contact.roller.crowns import CROWNS, RESOLVED, straight
+from verify.cases.contact.roller.flat import UNCROWNED
+from verify.cases.contact.roller.tilted import TILTED
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("contact-roller")
 
@@ -132,7 +132,7 @@ def test_an_own_roller_s_wrong_formula_turns_its_row_red(judged, red, monkeypatc
     judged(case, q)
     right = TILTED.analytic(q)
     monkeypatch.setattr(
-        "verify.cases.contact_roller_tilted.values",
+        "verify.cases.contact.roller.tilted.values",
         lambda _: right | {k: 1.01 * v for k, v in right.items() if k.endswith("approach")},
     )
     assert "approach, strips" in {r.quantity for r in red(judged(case, q))}

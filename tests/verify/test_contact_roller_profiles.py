@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from analytic.contact import crown
-from verify.cases import contact_roller_profiles as profiles
-from verify.cases.contact_roller_inputs import DESIGNS, CrownedInputs, RollerInputs, TiltedInputs
+from verify.cases.contact.roller import profiles
+from verify.cases.contact.roller.inputs import DESIGNS, CrownedInputs, RollerInputs, TiltedInputs
 
 SAME = 1e-12  # of the drop, and as much of A, in which logarithms near 1 are rounded
 RNG = np.random.default_rng(11)

@@ -11,21 +11,14 @@ from analytic.contact import checks, hertz_line, partial_slip, tangential_cycle
 from fem.contact import active_sets, bodies, interface, solution
 from fem.contact.friction_lcp import FrictionLcp
 from fem.plane.material import Elastic
-from verify.case import Context
-from verify.cases import contact_slip_fem
-from verify.cases.contact_slip import SLIP, analytic, too_large
-from verify.cases.contact_slip_claims import HALF_PLANES, neglected
-from verify.cases.contact_slip_inputs import SlipInputs
-from verify.cases.contact_slip_read import (
-    AROUND,
-    around,
-    at_nodes,
-    simpson,
-    smoothed,
-    stick_share,
-)
-from verify.results import Kind, Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.contact.slip import fem as contact_slip_fem
+from verify.cases.contact.slip.case import SLIP, analytic, too_large
+from verify.cases.contact.slip.claims import HALF_PLANES, neglected
+from verify.cases.contact.slip.inputs import SlipInputs
+from verify.cases.contact.slip.read import AROUND, around, at_nodes, simpson, smoothed, stick_share
+from verify.core.case import Context
+from verify.core.results import Kind, Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 COARSE = replace(SLIP, levels=(16, 24, 32))
 MPa, mm = 1e6, 1e-3

@@ -8,12 +8,13 @@ import pytest
 
 from analytic.contact import hertz_line, hertz_point, sphere_series
 from fem.contact import bodies
-from verify.cases import contact_sphere, contact_sphere_fem
-from verify.cases.contact_sphere import SPHERE
-from verify.cases.contact_sphere_inputs import SphereInputs
-from verify.inputs import InputError, build
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.contact.sphere import case as contact_sphere
+from verify.cases.contact.sphere import fem as contact_sphere_fem
+from verify.cases.contact.sphere.case import SPHERE
+from verify.cases.contact.sphere.inputs import SphereInputs
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 COARSE = replace(SPHERE, levels=(2, 3, 4))
 RAW = {"R_1": "4 mm", "R_2": "11 mm", "P": "16 N", "E_1": "206 GPa", "nu_1": 0.3,

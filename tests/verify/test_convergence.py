@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from verify.convergence import fit_order, grid_convergence
+from verify.judging.convergence import fit_order, grid_convergence
 
 fixed = settings(deadline=None, derandomize=True)
 

@@ -5,8 +5,9 @@ from itertools import product
 
 import pytest
 
-from verify.claims import convergence_verdict
-from verify.convergence import (
+from verify.core.results import Status
+from verify.judging.claims import convergence_verdict
+from verify.judging.convergence import (
     ORDER_LIMITS,
     GridConvergence,
     grid_convergence,
@@ -14,7 +15,6 @@ from verify.convergence import (
     order_from_iteration,
     slope_of_ratio,
 )
-from verify.results import Status
 
 H = [0.4, 0.2, 0.05]  # ratios 2 and 4
 

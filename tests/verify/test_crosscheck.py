@@ -7,14 +7,15 @@ from functools import partial
 
 import pytest
 
+from verify.app.cli import run
+from verify.app.crosscheck import command
 from verify.cases.registry import CASES
-from verify.cli import run
-from verify.crosscheck import command, judged, kept, registry, solvers
-from verify.crosscheck.alone import ALONE
-from verify.crosscheck.calculix import running
-from verify.crosscheck.comparisons import clutches, contacts, rings
-from verify.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS, Cross, Quantity
-from verify.results import CrossState
+from verify.core.results import CrossState
+from verify.studies.crosscheck import judged, kept, registry, solvers
+from verify.studies.crosscheck.alone import ALONE
+from verify.studies.crosscheck.calculix import running
+from verify.studies.crosscheck.comparisons import clutches, contacts, rings
+from verify.studies.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS, Cross, Quantity
 
 installed = pytest.mark.skipif(
     running.executable() is None, reason="calculix (ccx) is not installed"
@@ -308,7 +309,7 @@ def test_what_a_guest_fails_of_is_told(tmp_path):
 
 def test_a_rotor_that_ross_has_not_is_refused():
     from fem.rotor.model import Element, Rotor, Shaft, Support
-    from verify.crosscheck.rotors import asked
+    from verify.studies.crosscheck.rotors import asked
 
     shaft = Shaft([Element(0.1, 0.02)] * 2)
     tilted = Rotor([shaft], supports=[Support(0, 1e8, k_tilt=1e3), Support(2, 1e8)])
@@ -320,7 +321,7 @@ def test_a_rotor_that_ross_has_not_is_refused():
 
 def test_unbalances_are_told_at_the_nodes_of_cut_pieces():
     from fem.rotor.model import Element, Rotor, Shaft, Support
-    from verify.crosscheck.rotors import asked
+    from verify.studies.crosscheck.rotors import asked
 
     pair = [Shaft([Element(0.1, 0.02)] * 2), Shaft([Element(0.1, 0.03)] * 3)]
     rotor = Rotor(pair, supports=[Support(0, 1e8), Support(6, 1e8)], refine=4)

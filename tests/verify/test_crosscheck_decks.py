@@ -9,11 +9,11 @@ from skfem import MeshQuad
 from fem.plane.material import Elastic
 from fem.plane.solve import solve_plane
 from fem.plane.ties import Tie
-from verify.crosscheck.calculix import keywords, reading
-from verify.crosscheck.calculix.numbering import Numbering
-from verify.crosscheck.calculix.obstacles import strip_of
-from verify.crosscheck.calculix.plane import THIN, PlaneDeck, Spin
-from verify.crosscheck.calculix.running import executable, run_deck
+from verify.studies.crosscheck.calculix import keywords, reading
+from verify.studies.crosscheck.calculix.numbering import Numbering
+from verify.studies.crosscheck.calculix.obstacles import strip_of
+from verify.studies.crosscheck.calculix.plane import THIN, PlaneDeck, Spin
+from verify.studies.crosscheck.calculix.running import executable, run_deck
 
 STEEL = Elastic(E=200e9, nu=0.25)
 PRINTED = 6e-6  # of the largest displacement: half a unit of six digits

@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import pytest
 
-from verify.crosscheck import command, judged, kept, solvers
-from verify.crosscheck.calculix import running
-from verify.crosscheck.comparisons import races, rotors, rounds, springs, struts
-from verify.crosscheck.statement import ROSS
-from verify.results import CrossState
+from verify.app.crosscheck import command
+from verify.core.results import CrossState
+from verify.studies.crosscheck import judged, kept, solvers
+from verify.studies.crosscheck.calculix import running
+from verify.studies.crosscheck.comparisons import races, rotors, rounds, springs, struts
+from verify.studies.crosscheck.statement import ROSS
 
 AGREES, OUTSIDE = CrossState.AGREES, CrossState.OUTSIDE
 installed = pytest.mark.skipif(

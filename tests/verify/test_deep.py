@@ -6,11 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify import cache, deep, deep_results, source_code
-from verify.case import FemResult
 from verify.cases import registry
-from verify.cases.spring_accordion import ACCORDION
-from verify.schedule import run
+from verify.cases.spring.accordion.case import ACCORDION
+from verify.core import source_code
+from verify.core.case import FemResult
+from verify.jobs import cache, deep_results
+from verify.jobs.schedule import run
+from verify.studies import deep
 
 PARTS = (
     FemResult(h=1.0, values={"k": 1.5}, arrays={"map": np.arange(6.0).reshape(2, 3)}),

@@ -7,16 +7,16 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from verify.app.cli import run
 from verify.cases.registry import CASES
-from verify.cli import run
-from verify.definitions import registry
-from verify.definitions.generic import numbers, printed_rounding, readings
-from verify.definitions.misprints import is_misprint, misprints
-from verify.definitions.readings import angle, count, elastic, length, result, switched
-from verify.definitions.search import DIGIT, SPANS, Reading, search, together, window
-from verify.definitions.tried import searches
-from verify.published.digits import half_last_digit
-from verify.published.ledger import erratum, published
+from verify.papers.digits import half_last_digit
+from verify.papers.ledger import erratum, published
+from verify.studies.definitions import registry
+from verify.studies.definitions.generic import numbers, printed_rounding, readings
+from verify.studies.definitions.misprints import is_misprint, misprints
+from verify.studies.definitions.readings import angle, count, elastic, length, result, switched
+from verify.studies.definitions.search import DIGIT, SPANS, Reading, search, together, window
+from verify.studies.definitions.tried import searches
 
 INPUTS = {"F": 18.0, "r": 4.02, "b": 3.05, "a": 0.2, "n": 12, "E": 206.0, "nu": 0.3}
 READINGS = (*length("r"), *length("b"), *angle("a"), *count("n"), *elastic("E", "nu"), *result())

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import pytest
 
-from verify.case import Context, FemResult
-from verify.cases.contact_line_checks import Coefficient
+from verify.cases.contact.line.checks import Coefficient
 from verify.cases.registry import CASES
-from verify.checks import Approximation, Fact, Identity, Limit
-from verify.derivation.grid import regrid
-from verify.derivation.steps import derive, steps
-from verify.results import Kind, Status
+from verify.core.case import Context, FemResult
+from verify.core.results import Kind, Status
+from verify.judging.checks import Approximation, Fact, Identity, Limit
+from verify.judging.derivation.grid import regrid
+from verify.judging.derivation.steps import derive, steps
 
 EACH = pytest.mark.parametrize(
     "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]

@@ -12,19 +12,19 @@ import numpy as np
 import pytest
 
 from tests.verify.template_text import whole
-from verify.cases.spring_stages_inputs import StagesInputs
-from verify.cli import run
-from verify.commands import load as load_check
-from verify.design import told
-from verify.design.compressed import compressed
-from verify.design.fem import Verified, verified_by_fem
-from verify.design.inputs import default
-from verify.design.limits import Limit
-from verify.design.nearest import relaxation
-from verify.design.outcome import Outcome
-from verify.design.search import search
-from verify.design.template import template
-from verify.design.told import verdict
+from verify.app.cli import run
+from verify.app.commands import load as load_check
+from verify.cases.spring.stages.inputs import StagesInputs
+from verify.studies.design import told
+from verify.studies.design.compressed import compressed
+from verify.studies.design.fem import Verified, verified_by_fem
+from verify.studies.design.inputs import default
+from verify.studies.design.limits import Limit
+from verify.studies.design.nearest import relaxation
+from verify.studies.design.outcome import Outcome
+from verify.studies.design.search import search
+from verify.studies.design.template import template
+from verify.studies.design.told import verdict
 
 # eight springs, two of them on the front
 SMALL = {
@@ -130,7 +130,7 @@ def test_without_finite_elements_nothing_heavy_is_loaded(tmp_path):
     heavy = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib")
     code = f"""
 import sys
-from verify.cli import run
+from verify.app.cli import run
 status = run(["design", "--no-fem", {str(task(tmp_path))!r}, "--out", {str(tmp_path / "o")!r}])
 print(status, [m for m in {heavy!r} if m in sys.modules], file=sys.stderr)
 """
@@ -207,7 +207,7 @@ def test_a_spring_whose_formula_takes_the_inner_radius_disagrees():
 
 def made(**changes):
     """A verified member, by hand."""
-    from verify.design.compressed import Curve
+    from verify.studies.design.compressed import Curve
 
     curve = Curve(np.array([0.0, 8e-3, 9e-3]), np.array([0.0, 5.0, 5.6]), float("inf"))
     base = {"k1": 625.0, "mesh": 1e-6, "deviation": 1e-3, "curve": curve, "delta": 8e-3,

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from verify.design.front import distance_to_ideal, pareto, scaled, thinned
+from verify.studies.design.front import distance_to_ideal, pareto, scaled, thinned
 
 
 def beaten(rows, i):

@@ -5,11 +5,11 @@ import math
 import pytest
 
 from tests.verify.template_text import inputs_of, whole
-from verify.assumed.registry import DESIGN_SPRING_TASK as CASE
-from verify.cli import run
-from verify.design.inputs import SWEEPS, default, load, task
-from verify.design.template import template
-from verify.inputs import InputError
+from verify.answers.assumed.registry import DESIGN_SPRING_TASK as CASE
+from verify.app.cli import run
+from verify.core.inputs import InputError
+from verify.studies.design.inputs import SWEEPS, default, load, task
+from verify.studies.design.template import template
 
 GOOD = inputs_of(template())
 

@@ -9,11 +9,11 @@ import pytest
 
 from analytic.spring import energy, frame, stages
 from analytic.spring.wide_leaf import width_factor
-from verify.design.inputs import Task, default
-from verify.design.limits import limits
-from verify.design.nearest import alone, nearest
-from verify.design.search import search
-from verify.design.springs import Formulas, Springs, candidates, formulas
+from verify.studies.design.inputs import Task, default
+from verify.studies.design.limits import limits
+from verify.studies.design.nearest import alone, nearest
+from verify.studies.design.search import search
+from verify.studies.design.springs import Formulas, Springs, candidates, formulas
 
 PAPER = {
     "n": (10.0,),

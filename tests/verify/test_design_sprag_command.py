@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 
 from tests.verify.template_text import whole
+from verify.answers.template import template
+from verify.app.cli import run
+from verify.app.commands import load as load_check
 from verify.cases.registry import find
-from verify.cases.sprag_peaks import peaks_fem
-from verify.cli import run
-from verify.commands import load as load_check
-from verify.design_sprag import model, outcome, search
-from verify.design_sprag.inputs import default
-from verify.design_sprag.model import Model
-from verify.design_sprag.verified import LIMIT, _check, ends_carry, unloading
-from verify.template import template
+from verify.cases.sprag.peaks import peaks_fem
+from verify.studies.design_sprag import model, outcome, search
+from verify.studies.design_sprag.inputs import default
+from verify.studies.design_sprag.model import Model
+from verify.studies.design_sprag.verified import LIMIT, _check, ends_carry, unloading
 
 HEAVY = ("gmsh", "skfem", "meshio", "pyvista", "matplotlib", "sklearn", "numba")
 
@@ -248,7 +248,7 @@ def test_a_place_that_cannot_be_written_is_told_before_the_work(tmp_path, capsys
 def test_neither_help_nor_a_template_loads_anything_heavy():
     code = f"""
 import sys
-from verify.cli import run
+from verify.app.cli import run
 for words in (["--help"], ["design", "--help"], ["init", "design-sprag"]):
     assert run(words) == 0
 print([m for m in {HEAVY!r} if m in sys.modules], file=sys.stderr)

@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 from tests.verify.template_text import inputs_of, whole
-from verify.assumed.registry import DESIGN_SPRAG_TASK as CASE
+from verify.answers.assumed.registry import DESIGN_SPRAG_TASK as CASE
+from verify.answers.template import template as case_template
+from verify.app.cli import run
 from verify.cases.registry import find
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.cli import run
-from verify.design_sprag.corners import corners, reach
-from verify.design_sprag.inputs import Wishes, default, load, task, unable
-from verify.design_sprag.template import template
-from verify.inputs import InputError
-from verify.template import template as case_template
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.inputs import InputError
+from verify.studies.design_sprag.corners import corners, reach
+from verify.studies.design_sprag.inputs import Wishes, default, load, task, unable
+from verify.studies.design_sprag.template import template
 
 GOOD = inputs_of(template())
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from analytic.surrogate.gate import PoorSurrogateError
-from verify.design_sprag.corners import corners
-from verify.design_sprag.inputs import default
-from verify.design_sprag.known import SHARP, Known
-from verify.design_sprag.outcome import _worth, bound, flatness
-from verify.design_sprag.search import Search, rounded
-from verify.design_sprag.surrogates import crowns_of, logs, regimes
+from verify.studies.design_sprag.corners import corners
+from verify.studies.design_sprag.inputs import default
+from verify.studies.design_sprag.known import SHARP, Known
+from verify.studies.design_sprag.outcome import _worth, bound, flatness
+from verify.studies.design_sprag.search import Search, rounded
+from verify.studies.design_sprag.surrogates import crowns_of, logs, regimes
 
 STRIPS, P = 9, 2e9
 BEST = {10.0: 1.5, 40.0: 3.375}  # K_1 of the least pressure at each torque
@@ -159,7 +159,7 @@ def test_kriging_is_judged_by_crowns_that_it_did_not_know():
 
 
 def test_a_model_that_kriging_cannot_follow_is_refused(monkeypatch):
-    monkeypatch.setattr("verify.design_sprag.search.DRAWS", 2)
+    monkeypatch.setattr("verify.studies.design_sprag.search.DRAWS", 2)
     search = Search(task(), Invented((10.0,), noise=0.15), 3)
     with pytest.raises(PoorSurrogateError, match="surrogate of the largest pressure misses"):
         search.prepare()
@@ -219,7 +219,7 @@ def test_a_flat_optimum_is_told_parameter_by_parameter():
 
 def test_with_others_a_parameter_may_go_as_far_as_alone(monkeypatch):
     """Few crowns are scattered, none of which is as good at the ends."""
-    monkeypatch.setattr("verify.design_sprag.outcome.SCATTERED", 5)
+    monkeypatch.setattr("verify.studies.design_sprag.outcome.SCATTERED", 5)
     search = prepared()
     crown = np.array([1.5, 0.7, 12e-6])
     alone, together = flatness(search, single, crown, search.true(crown))

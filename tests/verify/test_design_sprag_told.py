@@ -6,12 +6,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from verify.design_sprag import told
-from verify.design_sprag.inputs import default
-from verify.design_sprag.known import Known
-from verify.design_sprag.outcome import Bound, Outcome
-from verify.design_sprag.page import _tiles, _torques
-from verify.design_sprag.records import _torque, crown, record
+from verify.app.design_sprag.page import _tiles, _torques
+from verify.studies.design_sprag import told
+from verify.studies.design_sprag.inputs import default
+from verify.studies.design_sprag.known import Known
+from verify.studies.design_sprag.outcome import Bound, Outcome
+from verify.studies.design_sprag.records import _torque, crown, record
 
 CHOSEN, SHALLOW, BEYOND = (2.6, 0.65, 14e-6), (2.6, 0.7, 8e-6), (2.6, 0.7222, 8e-6)
 

@@ -4,12 +4,12 @@ import math
 
 import pytest
 
-from verify import judge
 from verify.cases.registry import CASES
-from verify.claims import make_row
-from verify.derivation.steps import steps
-from verify.differences import difference, difference_texts, largest, percent, significant
-from verify.results import Kind, Status
+from verify.core.differences import difference, difference_texts, largest, percent, significant
+from verify.core.results import Kind, Status
+from verify.judging import judge
+from verify.judging.claims import make_row
+from verify.judging.derivation.steps import steps
 
 EACH = pytest.mark.parametrize(
     "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]

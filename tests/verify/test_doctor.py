@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from verify import doctor, environment
-from verify.cli import run
-from verify.crosscheck import solvers
-from verify.doctor import MISSING, OK, OPTIONAL, Finding
-from verify.installed import PIN, installed, mismatches
+from verify.app import doctor
+from verify.app.cli import run
+from verify.app.doctor import MISSING, OK, OPTIONAL, Finding
+from verify.app.installed import PIN, installed, mismatches
+from verify.core import environment
+from verify.studies.crosscheck import solvers
 
 
 @pytest.fixture

@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from verify import parameter_file, progress, units
-from verify.case import Dynamic, Output
+from verify.answers import parameter_file
+from verify.app.cli import run
 from verify.cases import registry
-from verify.cases.ring import LAME
-from verify.cli import run
-from verify.shown import Curve, Curves
+from verify.cases.ring.lame.case import LAME
+from verify.core import progress, units
+from verify.core.case import Dynamic, Output
+from verify.core.shown import Curve, Curves
 
 RING = """\
 case = "ring-lame"
@@ -243,7 +244,7 @@ def test_outputs_of_every_dynamic_part_have_known_units_and_keys_of_their_own():
 def test_cases_with_one_compile_nothing_before_they_are_asked_to(tmp_path):
     ids = [case.id for case in registry.CASES if case.dynamic is not None]
     script = (
-        "import sys\nfrom verify.cli import run\n"
+        "import sys\nfrom verify.app.cli import run\n"
         f"for case in {ids!r}:\n"
         f"    path = {str(tmp_path)!r} + '/' + case\n"
         "    assert run(['init', case, '--out', path]) == run(['check', path]) == 0\n"

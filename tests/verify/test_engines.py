@@ -7,9 +7,9 @@ import sys
 
 import pytest
 
-from verify.engines import Drive, Engine, GoneError, Here, Lost, Where, local
-from verify.inputs import InputError
-from verify.workers import WorkerDiedError
+from verify.core.inputs import InputError
+from verify.jobs.engines import Drive, Engine, GoneError, Here, Lost, Where, local
+from verify.jobs.workers import WorkerDiedError
 
 
 @pytest.mark.parametrize(

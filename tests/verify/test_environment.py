@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from verify import environment
-from verify.environment import LIBRARIES, NEWEST, OLDEST, PICTURES
+from verify.core import environment
+from verify.core.environment import LIBRARIES, NEWEST, OLDEST, PICTURES
 
 LOST = "libGLU.so.1: cannot open shared object file: No such file or directory"
 RING = """\

@@ -6,11 +6,13 @@ import pytest
 
 from analytic.rotor import shafts
 from analytic.spring import frame
-from verify.cases import rotor_clutch_expected, rotor_clutch_tilted, rotor_shaft_expected
-from verify.cases.rotor_clutch_inputs import ClutchInputs
-from verify.cases.rotor_shaft_inputs import ShaftInputs
-from verify.cases.spring_continuum_expected import added
-from verify.cases.spring_inputs import AccordionInputs, strip_of
+from verify.cases.rotor.clutch import expected as rotor_clutch_expected
+from verify.cases.rotor.clutch import tilted as rotor_clutch_tilted
+from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.cases.rotor.shaft import expected as rotor_shaft_expected
+from verify.cases.rotor.shaft.inputs import ShaftInputs
+from verify.cases.spring.continuum.expected import added
+from verify.cases.spring.inputs import AccordionInputs, strip_of
 
 
 @pytest.mark.parametrize("nu", [0.0, 0.3, 0.45])

@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from verify.cli import run
-from verify.explain import find_row
-from verify.inputs import InputError
+from verify.app.cli import run
+from verify.app.explain import find_row
+from verify.core.inputs import InputError
 
 IDS = [
     "ring-a/bore displacement, plane stress",

@@ -12,12 +12,12 @@ from fem.beam import curved, straight
 from fem.plane import loads, solution, solve, traces
 from fem.plane.material import Elastic
 from meshes.ring import quarter
-from verify import claims, convergence
-from verify.cases.ring import LAME
-from verify.cases.spring_accordion import ACCORDION
-from verify.cases.spring_continuum import CONTINUUM
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.ring.lame.case import LAME
+from verify.cases.spring.accordion.case import ACCORDION
+from verify.cases.spring.continuum.case import CONTINUUM
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
+from verify.judging import claims, convergence
 
 # Coarser levels where the finite elements themselves are broken and must be solved anew.
 STRIP = replace(CONTINUUM, levels=(2, 4, 8))

@@ -5,12 +5,12 @@ import sys
 
 import pytest
 
-from verify.files import PREFIX, remove_abandoned, write_whole
+from verify.core.files import PREFIX, remove_abandoned, write_whole
 
 WRITING = """
 import os, sys, time
 from pathlib import Path
-from verify.files import write_whole
+from verify.core.files import write_whole
 def slowly(file):
     file.write(b"half"); file.flush()
     print("writing", flush=True)

@@ -9,7 +9,7 @@ import pytest
 
 from benchmarks import sector
 from benchmarks.calculix_freewheel import Deck, Settings
-from verify.crosscheck.calculix.running import executable
+from verify.studies.crosscheck.calculix.running import executable
 
 CELLS = 4
 SOFT, STIFF = 5.0, 50.0  # E/a

@@ -10,27 +10,29 @@ import pytest
 from analytic.freewheel import criterion, state
 from tests.conftest import solved
 from tests.verify.template_text import whole
-from verify import units
-from verify.cases import freewheel_clutch_claims, freewheel_clutch_fem, freewheel_clutch_model
-from verify.cases import freewheel_clutch_remedies as remedies
-from verify.cases.freewheel_clutch import CLUTCH, too_large
-from verify.cases.freewheel_clutch_inputs import ClutchInputs
-from verify.cases.freewheel_clutch_limits import (
+from verify.answers.template import template
+from verify.app.cli import run
+from verify.cases.freewheel.clutch import claims as freewheel_clutch_claims
+from verify.cases.freewheel.clutch import fem as freewheel_clutch_fem
+from verify.cases.freewheel.clutch import model as freewheel_clutch_model
+from verify.cases.freewheel.clutch import remedies
+from verify.cases.freewheel.clutch.case import CLUTCH, too_large
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import (
     as_axial_load_grows,
     as_torque_grows,
     friction_holds,
     least_torque,
     uneven,
 )
-from verify.cases.freewheel_clutch_model import analytic, light
-from verify.cases.freewheel_clutch_scatter import DRAWS, scatter, slopes
-from verify.cases.freewheel_clutch_shown import lights
-from verify.cases.freewheel_inputs import StarInputs
-from verify.cli import run
-from verify.inputs import InputError, build
-from verify.results import Status
-from verify.run import Job, judge_case
-from verify.template import template
+from verify.cases.freewheel.clutch.model import analytic, light
+from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
+from verify.cases.freewheel.clutch.shown import lights
+from verify.cases.freewheel.inputs import StarInputs
+from verify.core import units
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case
 
 CUP = {"kind": "outer cam", "R": 10e-3, "r": 2e-3, "X": 13.8832168e-3, "R_a": 17.5e-3, "r_b": 0.0}
 SHARP = {"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0}

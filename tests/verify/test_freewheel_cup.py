@@ -12,19 +12,18 @@ from analytic.freewheel.cam import Cam
 from analytic.freewheel.clutch import Clutch, Material, hertz_line
 from analytic.freewheel.state import State as Formula
 from analytic.freewheel.state import at_normal_force, loaded
-from verify.case import Context
-from verify.cases import freewheel_cup_expected as expected
-from verify.cases import freewheel_cup_model as model
-from verify.cases import freewheel_cup_sweep
-from verify.cases.freewheel_cup import CUP, too_large, warnings
-from verify.cases.freewheel_cup_inputs import CupInputs
-from verify.cases.freewheel_cup_model import analytic, clutch
-from verify.cases.freewheel_cup_sweep import ONWARD, SHARES, CupSweep, through
-from verify.cases.freewheel_fem import Place, Sector, State
-from verify.cases.freewheel_sweep import Sweep
-from verify.cli import run
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.app.cli import run
+from verify.cases.freewheel.cup import expected, model
+from verify.cases.freewheel.cup import sweep as freewheel_cup_sweep
+from verify.cases.freewheel.cup.case import CUP, too_large, warnings
+from verify.cases.freewheel.cup.inputs import CupInputs
+from verify.cases.freewheel.cup.model import analytic, clutch
+from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
+from verify.cases.freewheel.fem import Place, Sector, State
+from verify.cases.freewheel.sweep import Sweep
+from verify.core.case import Context
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 COARSE = replace(CUP, levels=LEVELS)

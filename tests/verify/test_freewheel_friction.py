@@ -10,16 +10,17 @@ import pytest
 from analytic.freewheel import criterion
 from analytic.freewheel.geometry import Cam
 from fem.contact import interface
-from verify.cases import freewheel_friction_fem, freewheel_friction_formulas
-from verify.cases import freewheel_friction_model as model
-from verify.cases.freewheel_friction import FRICTION, analytic, too_large
-from verify.cases.freewheel_friction_formulas import slipped
-from verify.cases.freewheel_friction_inputs import FrictionInputs
-from verify.cases.freewheel_friction_limit import Limit
-from verify.cases.freewheel_sweep import Sweep
-from verify.cases.freewheel_torque_fem import ratio
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.freewheel.friction import fem as freewheel_friction_fem
+from verify.cases.freewheel.friction import formulas as freewheel_friction_formulas
+from verify.cases.freewheel.friction import model
+from verify.cases.freewheel.friction.case import FRICTION, analytic, too_large
+from verify.cases.freewheel.friction.formulas import slipped
+from verify.cases.freewheel.friction.inputs import FrictionInputs
+from verify.cases.freewheel.friction.limit import Limit
+from verify.cases.freewheel.sweep import Sweep
+from verify.cases.freewheel.torque.fem import ratio
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 COARSE = replace(FRICTION, levels=LEVELS)

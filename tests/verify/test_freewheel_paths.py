@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from analytic.freewheel import course, criterion, load_path
-from verify.cache import default_folder
-from verify.cases import freewheel_paths_fem
-from verify.cases.freewheel_friction_model import Borne
-from verify.cases.freewheel_paths import PATHS, findings, too_large, warnings
-from verify.cases.freewheel_paths_formulas import analytic, courses
-from verify.cases.freewheel_paths_inputs import PathInputs
-from verify.cases.freewheel_paths_times import tan_of, time_of_slip
-from verify.cases.freewheel_torque_model import state_under
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.freewheel.friction.model import Borne
+from verify.cases.freewheel.paths import fem as freewheel_paths_fem
+from verify.cases.freewheel.paths.case import PATHS, findings, too_large, warnings
+from verify.cases.freewheel.paths.formulas import analytic, courses
+from verify.cases.freewheel.paths.inputs import PathInputs
+from verify.cases.freewheel.paths.times import tan_of, time_of_slip
+from verify.cases.freewheel.torque.model import state_under
+from verify.core.results import Status
+from verify.jobs.cache import default_folder
+from verify.jobs.run import Job, judge_case, solve_level
 
 FIRST, SECOND, THIRD = (
     "axial load at slip, torque first (load case 1)",

@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
-from verify.cases import freewheel_friction_limit, freewheel_slip
-from verify.cases.freewheel_friction_limit import Limit
-from verify.cases.freewheel_friction_model import Borne, at_torque, creeping, sector
-from verify.cases.freewheel_paths_inputs import PathInputs
-from verify.cases.freewheel_slip import Drive, Driven
-from verify.cases.freewheel_sweep import COARSE
+from verify.cases.freewheel import slip as freewheel_slip
+from verify.cases.freewheel.friction import limit as freewheel_friction_limit
+from verify.cases.freewheel.friction.limit import Limit
+from verify.cases.freewheel.friction.model import Borne, at_torque, creeping, sector
+from verify.cases.freewheel.paths.inputs import PathInputs
+from verify.cases.freewheel.slip import Drive, Driven
+from verify.cases.freewheel.sweep import COARSE
 
 pytestmark = pytest.mark.xdist_group("freewheel-paths")
 

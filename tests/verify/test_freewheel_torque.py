@@ -14,18 +14,19 @@ from analytic.freewheel.rolling import torsion
 from analytic.freewheel.state import State as Formula
 from fem.plane.material import Elastic
 from tests.conftest import solved
-from verify.case import Context
-from verify.cases import freewheel_fem, freewheel_sweep
-from verify.cases import freewheel_torque_model as model
-from verify.cases.freewheel_fem import Place, Sector, State
-from verify.cases.freewheel_inputs import StarInputs
-from verify.cases.freewheel_sweep import Sweep, rigid_force
-from verify.cases.freewheel_torque import TORQUE, analytic, too_large
-from verify.cases.freewheel_torque_fem import at_angle
-from verify.cases.freewheel_torque_model import under_force, under_torque
-from verify.cli import run
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.app.cli import run
+from verify.cases.freewheel import fem as freewheel_fem
+from verify.cases.freewheel import sweep as freewheel_sweep
+from verify.cases.freewheel.fem import Place, Sector, State
+from verify.cases.freewheel.inputs import StarInputs
+from verify.cases.freewheel.sweep import Sweep, rigid_force
+from verify.cases.freewheel.torque import model
+from verify.cases.freewheel.torque.case import TORQUE, analytic, too_large
+from verify.cases.freewheel.torque.fem import at_angle
+from verify.cases.freewheel.torque.model import under_force, under_torque
+from verify.core.case import Context
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 FEW = (0.05, 0.3, 0.7, 1.06)  # of the overlap, enough of the states to see what is wrong

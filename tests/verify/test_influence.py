@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from verify.assumed.influence import UNCHANGED, influence
-from verify.assumed.registry import ASSUMPTIONS
+from verify.answers.assumed.influence import UNCHANGED, influence
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.answers.parameter_file import read
 from verify.cases.registry import find
-from verify.parameter_file import read
 
 PARTS = Path(__file__).parent / "parts"
 

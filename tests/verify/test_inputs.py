@@ -13,11 +13,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import model_validator
 
-from verify import parameter_file
-from verify.assumed.registry import ASSUMPTIONS
-from verify.cases.ring import LAME
-from verify.cli import run
-from verify.inputs import InputError, Inputs, build, count, quantity, read_parameter_file
+from verify.answers import parameter_file
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.app.cli import run
+from verify.cases.ring.lame.case import LAME
+from verify.core.inputs import InputError, Inputs, build, count, quantity, read_parameter_file
 
 fixed = settings(deadline=None, derandomize=True)
 

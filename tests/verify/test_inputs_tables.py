@@ -6,11 +6,11 @@ import tomllib
 import pytest
 from pydantic import model_validator
 
-from verify import cache
-from verify.case import Case
-from verify.cases.ring import LAME
-from verify.inputs import EntryError, InputError, Inputs, build, count, quantity, table, text
-from verify.template import template
+from verify.answers.template import template
+from verify.cases.ring.lame.case import LAME
+from verify.core.case import Case
+from verify.core.inputs import EntryError, InputError, Inputs, build, count, quantity, table, text
+from verify.jobs import cache
 
 
 class Post(Inputs):

@@ -11,9 +11,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from verify import judge
-from verify.convergence import GridConvergence
-from verify.results import Status
+from verify.core.results import Status
+from verify.judging import judge
+from verify.judging.convergence import GridConvergence
 
 fixed = settings(deadline=None, derandomize=True)
 

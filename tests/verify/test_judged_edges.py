@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from tests.verify.test_checks import context, limit, order, power_law
-from verify import convergence, judge
-from verify.checks import Accepted, Approximation
-from verify.convergence import fit_order, grid_convergence, observed_order
-from verify.results import Status
+from verify.core.results import Status
+from verify.judging import convergence, judge
+from verify.judging.checks import Accepted, Approximation
+from verify.judging.convergence import fit_order, grid_convergence, observed_order
 
 FOUR = (1 / 2, 1 / 4, 1 / 8, 1 / 16)
 

@@ -10,17 +10,17 @@ import pytest
 from analytic.polyhedral import bore_pressure, capacity, forces, torque, wedging
 from analytic.polyhedral.capacity import Driven
 from fem.contact import bodies
-from verify.case import Context
-from verify.cases import polyhedral_clutch
-from verify.cases.polyhedral_clutch import CLUTCH, LEVELS, analytic, too_large
-from verify.cases.polyhedral_clutch_fem import DrivenRing
-from verify.cases.polyhedral_clutch_inputs import ClutchInputs
-from verify.cases.polyhedral_clutch_statics import filleted, first_design
-from verify.cases.polyhedral_locking_fem import LockedRing
-from verify.cli import main
-from verify.inputs import InputError, build
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.app.cli import main
+from verify.cases.polyhedral.clutch import case as polyhedral_clutch
+from verify.cases.polyhedral.clutch.case import CLUTCH, LEVELS, analytic, too_large
+from verify.cases.polyhedral.clutch.fem import DrivenRing
+from verify.cases.polyhedral.clutch.inputs import ClutchInputs
+from verify.cases.polyhedral.clutch.statics import filleted, first_design
+from verify.cases.polyhedral.locking.fem import LockedRing
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-clutch")
 

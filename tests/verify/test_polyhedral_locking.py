@@ -9,12 +9,12 @@ import pytest
 from analytic.contact import hertz_line
 from analytic.polyhedral import bore_pressure, forces
 from analytic.polyhedral.locking import RollerContact
-from verify.cases import polyhedral_locking
-from verify.cases.polyhedral_locking import LEVELS, LOCKING, analytic, too_large
-from verify.cases.polyhedral_locking_fem import LockedRing
-from verify.cases.polyhedral_locking_inputs import LockingInputs
-from verify.inputs import InputError, build
-from verify.results import Status
+from verify.cases.polyhedral.locking import case as polyhedral_locking
+from verify.cases.polyhedral.locking.case import LEVELS, LOCKING, analytic, too_large
+from verify.cases.polyhedral.locking.fem import LockedRing
+from verify.cases.polyhedral.locking.inputs import LockingInputs
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("polyhedral-locking")
 

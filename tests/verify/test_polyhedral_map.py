@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from analytic.polyhedral import bore_pressure, expansion
-from verify.case import Context
-from verify.cases import polyhedral_map
-from verify.cases.polyhedral_map import MAP, MapInputs, analytic
-from verify.inputs import InputError, build
+from verify.cases.polyhedral.map import case as polyhedral_map
+from verify.cases.polyhedral.map.case import MAP, MapInputs, analytic
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
 
 pytestmark = pytest.mark.xdist_group("polyhedral-map")
 

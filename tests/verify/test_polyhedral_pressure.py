@@ -9,11 +9,11 @@ from analytic.ring import lame
 from fem.plane import solve
 from fem.plane.material import Elastic
 from meshes.ring import quarter
-from verify.case import Context
-from verify.cases.polyhedral_inputs import RoundRing
-from verify.cases.polyhedral_pressure import PRESSURE, analytic
-from verify.inputs import InputError, build
-from verify.run import Job, judge_case, solve_level
+from verify.cases.polyhedral.inputs import RoundRing
+from verify.cases.polyhedral.pressure.case import PRESSURE, analytic
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-pressure")
 

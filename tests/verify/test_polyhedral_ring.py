@@ -10,12 +10,12 @@ from analytic.polyhedral.sector import Sector
 from fem.plane import loads, solve
 from fem.plane.material import Elastic
 from meshes.polyhedral import half_sector
-from verify.case import Context
-from verify.cases import polyhedral_ring
-from verify.cases.polyhedral_inputs import HubRing
-from verify.cases.polyhedral_ring import RING, analytic
-from verify.inputs import InputError, build
-from verify.run import Job, judge_case, solve_level
+from verify.cases.polyhedral.inputs import HubRing
+from verify.cases.polyhedral.ring import case as polyhedral_ring
+from verify.cases.polyhedral.ring.case import RING, analytic
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-ring")
 

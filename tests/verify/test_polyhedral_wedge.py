@@ -11,13 +11,15 @@ from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
 from fem.contact import active_sets, interface
 from fem.contact.friction_lcp import FrictionLcp
-from verify.cases import polyhedral_wedge_fem, polyhedral_wedge_model, polyhedral_wedge_stick
-from verify.cases.polyhedral_wedge import WEDGE, analytic, too_large
-from verify.cases.polyhedral_wedge_inputs import WedgeInputs
-from verify.cases.polyhedral_wedge_limit import Limit
-from verify.cases.polyhedral_wedge_model import Geometry, Wedge, fem_mesh
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.polyhedral.wedge import fem as polyhedral_wedge_fem
+from verify.cases.polyhedral.wedge import model as polyhedral_wedge_model
+from verify.cases.polyhedral.wedge import stick as polyhedral_wedge_stick
+from verify.cases.polyhedral.wedge.case import WEDGE, analytic, too_large
+from verify.cases.polyhedral.wedge.inputs import WedgeInputs
+from verify.cases.polyhedral.wedge.limit import Limit
+from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 LEVELS = (8, 10, 12)
 COARSE = replace(WEDGE, levels=LEVELS)

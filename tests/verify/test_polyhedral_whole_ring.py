@@ -13,9 +13,9 @@ import pytest
 from scipy.optimize import brentq
 
 from tests.verify.whole_ring import WholeRing
-from verify.cases.polyhedral_clutch import CLUTCH
-from verify.cases.polyhedral_inputs import HubRing
-from verify.cases.polyhedral_ring import RING
+from verify.cases.polyhedral.clutch.case import CLUTCH
+from verify.cases.polyhedral.inputs import HubRing
+from verify.cases.polyhedral.ring.case import RING
 
 pytestmark = pytest.mark.xdist_group("polyhedral-whole-ring")
 CLOSE = 2e-3

@@ -7,16 +7,23 @@ import os
 import pytest
 from pydantic import ValidationError, model_validator
 
+from verify.app.cli import run
+from verify.audit.portable import command, effective, reasons, runner
+from verify.audit.portable.compare import Kind
+from verify.audit.portable.moving import Record
+from verify.audit.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
+from verify.audit.portable.store import CaseRecord, Results, save
+from verify.audit.portable.variants import (
+    BASELINE,
+    CORE_TYPE,
+    Machines,
+    Variant,
+    candidates,
+    machines,
+)
 from verify.cases.registry import CASES, find
-from verify.cli import run
-from verify.inputs import EntryError, Inputs, count, quantity, table, word
-from verify.portable import command, effective, reasons, runner
-from verify.portable.compare import Kind
-from verify.portable.moving import Record
-from verify.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
-from verify.portable.store import CaseRecord, Results, save
-from verify.portable.variants import BASELINE, CORE_TYPE, Machines, Variant, candidates, machines
-from verify.run import Job
+from verify.core.inputs import EntryError, Inputs, count, quantity, table, word
+from verify.jobs.run import Job
 
 FLAGS = frozenset({"pni", "sse4_2", "avx", "avx2"})
 FOUND = ["X86_V3", "X86_V4"]

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import pytest
 
-from verify.inputs import InputError
-from verify.portable import reasons
-from verify.portable.compare import Kind, differences, moves
-from verify.portable.moving import Record, move, record
-from verify.portable.store import CaseRecord, Results, load, save
-from verify.results import Kind as RowKind
-from verify.results import Partner, Row, Status
+from verify.audit.portable import reasons
+from verify.audit.portable.compare import Kind, differences, moves
+from verify.audit.portable.moving import Record, move, record
+from verify.audit.portable.store import CaseRecord, Results, load, save
+from verify.core.inputs import InputError
+from verify.core.results import Kind as RowKind
+from verify.core.results import Partner, Row, Status
 
 ROW = Record(
     id="ring/bore", kind="identity", status="PASS", values={"formula": 2.0, "reference": 2.001},

@@ -2,11 +2,12 @@
 
 import pytest
 
-from verify.cases import polyhedral_ring, spring_accordion
-from verify.cases.polyhedral_inputs import HubRing
-from verify.cases.polyhedral_ring import RING
-from verify.cases.spring_accordion import ACCORDION
-from verify.cases.spring_inputs import AccordionInputs
+from verify.cases.polyhedral.inputs import HubRing
+from verify.cases.polyhedral.ring import case as polyhedral_ring
+from verify.cases.polyhedral.ring.case import RING
+from verify.cases.spring.accordion import case as spring_accordion
+from verify.cases.spring.accordion.case import ACCORDION
+from verify.cases.spring.inputs import AccordionInputs
 
 PORTIONS = [pytest.param(case, part, id=case.id) for case in (RING, ACCORDION)
             for part in case.portions]  # fmt: skip

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from verify.case import Context, FemResult
 from verify.cases.registry import CASES
-from verify.profiles import along
-from verify.shown import Profile
+from verify.core.case import Context, FemResult
+from verify.core.shown import Profile
+from verify.judging.profiles import along
 
 X = np.linspace(0, 1, 7)
 

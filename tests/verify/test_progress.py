@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from verify.progress import EVERY, FIRST, Lines, State, duration, line, shown
+from verify.core.progress import EVERY, FIRST, Lines, State, duration, line, shown
 
 BUSY = State(12, 48, ("spring-continuum level 8",), 14.2)
 

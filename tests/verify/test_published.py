@@ -15,14 +15,14 @@ from pydantic import ValidationError
 
 import verify
 from reports.equations import Glyphs
-from verify import units
-from verify.case import Context
 from verify.cases.registry import CASES
-from verify.inputs import meta
-from verify.published import ledger
-from verify.published.digits import half_last_digit, number
-from verify.published.entries import Value
-from verify.published.ledger import Paper, erratum, papers, published
+from verify.core import units
+from verify.core.case import Context
+from verify.core.inputs import meta
+from verify.papers import ledger
+from verify.papers.digits import half_last_digit, number
+from verify.papers.entries import Value
+from verify.papers.ledger import Paper, erratum, papers, published
 
 fixed = settings(deadline=None, derandomize=True)
 

@@ -9,14 +9,14 @@ import pytest
 from pydantic import ValidationError
 
 from reports.records import report_record
-from verify import units
+from verify.app.commands import make_report
 from verify.cases.registry import CASES
-from verify.commands import make_report
-from verify.ledgers import ledgers
-from verify.paper_tables import claiming_rows, paper_tables
-from verify.published.ledger import Paper, papers, published
-from verify.published.tables import PrintedTable, named_tables
-from verify.results import Status
+from verify.core import units
+from verify.core.results import Status
+from verify.papers.ledger import Paper, papers, published
+from verify.papers.ledgers import ledgers
+from verify.papers.paper_tables import claiming_rows, paper_tables
+from verify.papers.tables import PrintedTable, named_tables
 
 SPRING = next(case for case in CASES if case.id == "spring-accordion")
 

@@ -6,12 +6,12 @@ import pytest
 
 from analytic.ring import lame
 from analytic.spring import energy, frame
-from verify.cases.ring import LAME
-from verify.cases.spring_accordion import ACCORDION
-from verify.cases.spring_continuum import CONTINUUM
-from verify.cases.spring_inputs import AccordionInputs
-from verify.cases.spring_readings import search
-from verify.published.ledger import published
+from verify.cases.ring.lame.case import LAME
+from verify.cases.spring.accordion.case import ACCORDION
+from verify.cases.spring.continuum.case import CONTINUUM
+from verify.cases.spring.inputs import AccordionInputs
+from verify.cases.spring.readings import search
+from verify.papers.ledger import published
 
 PRINTED = published("wang2023:k1-theory")
 TOLERANCE = 0.0005  # half the last printed digit of 0.601

@@ -7,16 +7,17 @@ from dataclasses import replace
 import pytest
 
 from reports.records import row_record
-from verify import commands
-from verify.cases.ring import LAME
-from verify.cli import run
-from verify.inputs import InputError
-from verify.releases import digits, kept, making, reasons, since
-from verify.releases.compare import drift
-from verify.releases.kept import Release, load, newest, store
-from verify.releases.reasons import Reason
-from verify.releases.row_changes import row_changes
-from verify.results import CaseResult, Kind, Partner, Row, Status
+from verify.app import commands
+from verify.app import release as making
+from verify.app.cli import run
+from verify.audit.releases import digits, kept, reasons, since
+from verify.audit.releases.compare import drift
+from verify.audit.releases.kept import Release, load, newest, store
+from verify.audit.releases.reasons import Reason
+from verify.audit.releases.row_changes import row_changes
+from verify.cases.ring.lame.case import LAME
+from verify.core.inputs import InputError
+from verify.core.results import CaseResult, Kind, Partner, Row, Status
 
 ROW = Row(
     case="c", quantity="q", symbol="x", unit="mm", kind=Kind.IDENTITY, status=Status.PASS,

@@ -12,14 +12,16 @@ from analytic.ring import fourier_ring, lame, loaded_race, smeared
 from fem.plane import loads, solve
 from fem.plane.material import Elastic
 from meshes.ring import sector
-from verify.cases import ring_loads_consequence as consequence
-from verify.cases import ring_loads_fem, ring_loads_formulas, ring_loads_inputs
 from verify.cases.registry import find
-from verify.cases.ring_loads import INNER, OUTER
-from verify.cases.ring_loads_inputs import InnerInputs, OuterInputs, too_large
-from verify.cases.ring_loads_map import CHECKED, COUNTS, MAP, RATIOS, MapInputs
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.ring.loads import consequence
+from verify.cases.ring.loads import fem as ring_loads_fem
+from verify.cases.ring.loads import formulas as ring_loads_formulas
+from verify.cases.ring.loads import inputs as ring_loads_inputs
+from verify.cases.ring.loads.case import INNER, OUTER
+from verify.cases.ring.loads.inputs import InnerInputs, OuterInputs, too_large
+from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS, MapInputs
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("ring-loads")
 COARSE = replace(OUTER, levels=(2, 3, 4))

@@ -10,12 +10,12 @@ from pydantic import ValidationError
 from analytic.ring import rotating
 from fem.plane.material import Elastic
 from meshes.ring import quarter
-from verify.cases import ring_rotation
 from verify.cases.registry import find
-from verify.cases.ring_rotation import ROTATION
-from verify.cases.ring_rotation_inputs import RotationInputs
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.ring.rotation import case as ring_rotation
+from verify.cases.ring.rotation.case import ROTATION
+from verify.cases.ring.rotation.inputs import RotationInputs
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("ring-rotation")
 COARSE = replace(ROTATION, levels=(1, 2, 4))

@@ -10,13 +10,14 @@ from pydantic import ValidationError
 from analytic.contact import palmgren
 from analytic.rotor import clutch, clutch_uniform
 from fem.rotor import struts, struts_kinds
-from verify.case import Context
-from verify.cases import rotor_clutch_model, rotor_clutch_tilted
-from verify.cases.rotor_clutch import CLUTCH
-from verify.cases.rotor_clutch_inputs import ClutchInputs
-from verify.cases.rotor_clutch_model import corrected
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.rotor.clutch import model as rotor_clutch_model
+from verify.cases.rotor.clutch import tilted as rotor_clutch_tilted
+from verify.cases.rotor.clutch.case import CLUTCH
+from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.cases.rotor.clutch.model import corrected
+from verify.core.case import Context
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("rotor-clutch")
 COARSE = replace(CLUTCH, levels=(8, 16, 32))

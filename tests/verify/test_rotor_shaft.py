@@ -10,12 +10,13 @@ from pydantic import ValidationError
 from analytic.rotor import cylinder, pochhammer, shafts
 from fem.fourier import vibration
 from fem.rotor import assemble, weak
-from verify.cases import rotor_shaft, rotor_shaft_inputs
 from verify.cases.registry import find
-from verify.cases.rotor_shaft import SHAFT
-from verify.cases.rotor_shaft_inputs import ShaftInputs
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.rotor.shaft import case as rotor_shaft
+from verify.cases.rotor.shaft import inputs as rotor_shaft_inputs
+from verify.cases.rotor.shaft.case import SHAFT
+from verify.cases.rotor.shaft.inputs import ShaftInputs
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("rotor-shaft")
 COARSE = replace(SHAFT, levels=(1, 2, 3, 4))

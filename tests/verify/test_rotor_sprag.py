@@ -6,19 +6,17 @@ import numpy as np
 import pytest
 
 from analytic.rotor import clutch_uniform as uniform
-from verify import units
-from verify.case import Context, FemResult
-from verify.cases import rotor_sprag_ensemble_fem as ensemble
-from verify.cases import rotor_sprag_layout as fig_1
-from verify.cases import rotor_sprag_solid_fem as solid
-from verify.cases.rotor_sprag import SPRAG_ROTOR
-from verify.cases.rotor_sprag_claims import FITTED_SPEEDS, IDENTITIES
-from verify.cases.rotor_sprag_elastic import drawn
-from verify.cases.rotor_sprag_fem import beams_fem, drawn_fem, ensemble_arrays_fem
-from verify.cases.rotor_sprag_inputs import PRINTED, RPM, SpragRotorInputs
-from verify.cases.rotor_sprag_kinds import FittedTo, Share
-from verify.cases.rotor_sprag_model import ORDERS, analytic
-from verify.cases.rotor_sprag_response_fem import (
+from verify.cases.rotor.sprag import ensemble_fem as ensemble
+from verify.cases.rotor.sprag import layout as fig_1
+from verify.cases.rotor.sprag import solid_fem as solid
+from verify.cases.rotor.sprag.case import SPRAG_ROTOR
+from verify.cases.rotor.sprag.claims import FITTED_SPEEDS, IDENTITIES
+from verify.cases.rotor.sprag.elastic import drawn
+from verify.cases.rotor.sprag.fem import beams_fem, drawn_fem, ensemble_arrays_fem
+from verify.cases.rotor.sprag.inputs import PRINTED, RPM, SpragRotorInputs
+from verify.cases.rotor.sprag.kinds import FittedTo, Share
+from verify.cases.rotor.sprag.model import ORDERS, analytic
+from verify.cases.rotor.sprag.response_fem import (
     above_chord,
     damped,
     damping_ratios,
@@ -26,10 +24,12 @@ from verify.cases.rotor_sprag_response_fem import (
     torsion_fem,
     windows,
 )
-from verify.cases.rotor_sprag_system_fem import rotor_fem, uneven_clutch
-from verify.inputs import InputError, build
-from verify.published.ledger import erratum, published
-from verify.results import Status
+from verify.cases.rotor.sprag.system_fem import rotor_fem, uneven_clutch
+from verify.core import units
+from verify.core.case import Context, FemResult
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.papers.ledger import erratum, published
 
 Q = SpragRotorInputs()
 RNG = np.random.default_rng(3)
@@ -425,7 +425,7 @@ def test_own_loads_turn_no_claim_red(context, check):
 
 def test_every_result_and_claim_of_the_paper_has_a_row(context):
     said = {ref for c in SPRAG_ROTOR.checks for ref in getattr(c, "printed", ())}
-    from verify.published.ledger import papers
+    from verify.papers.ledger import papers
 
     paper = next(p for p in papers() if p.key == "huang2022")
     wanted = {f"huang2022:{v.id}" for v in paper.values if v.role in ("result", "claim")}

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from verify.cases.rotor_sprag_facts import STATEMENTS, opposite
-from verify.cases.rotor_sprag_kinds import held_of
-from verify.cases.rotor_sprag_response_fem import GRID, WINDOW, peaks
+from verify.cases.rotor.sprag.facts import STATEMENTS, opposite
+from verify.cases.rotor.sprag.kinds import held_of
+from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks
 
 RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks
 

@@ -9,14 +9,16 @@ from pydantic import ValidationError
 from analytic.rotor.transfer_modes import whirl_frequencies
 from fem.fourier import vibration
 from fem.rotor import assemble, weak
-from verify.cache import default_folder
-from verify.cases import rotor_step, rotor_step_fem, rotor_step_inputs
 from verify.cases.registry import find
-from verify.cases.rotor_step import STEP
-from verify.cases.rotor_step_fem import NEAR_ONE
-from verify.cases.rotor_step_inputs import StepInputs
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.rotor.step import case as rotor_step
+from verify.cases.rotor.step import fem as rotor_step_fem
+from verify.cases.rotor.step import inputs as rotor_step_inputs
+from verify.cases.rotor.step.case import STEP
+from verify.cases.rotor.step.fem import NEAR_ONE
+from verify.cases.rotor.step.inputs import StepInputs
+from verify.core.results import Status
+from verify.jobs.cache import default_folder
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("rotor-step")
 RULE = "weak form, 45° rule,"

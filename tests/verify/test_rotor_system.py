@@ -9,19 +9,19 @@ import pytest
 
 from analytic.rotor import transfer_bending, transfer_model, transfer_torsion
 from tests.verify.template_text import inputs_of, whole
-from verify import units
-from verify.case import Context
-from verify.cases import rotor_system_model
+from verify.answers.template import template
+from verify.app.cli import run
 from verify.cases.registry import find
-from verify.cases.rotor_system import SYSTEM
-from verify.cases.rotor_system_fem import fem
-from verify.cases.rotor_system_inputs import RPM, SystemInputs
-from verify.cases.rotor_system_model import analytic, campbell, shown_to, study
-from verify.cases.rotor_system_warnings import warnings
-from verify.cli import run
-from verify.inputs import InputError, build
-from verify.run import Job, Solved, judge_case
-from verify.template import template
+from verify.cases.rotor.system import model as rotor_system_model
+from verify.cases.rotor.system.case import SYSTEM
+from verify.cases.rotor.system.fem import fem
+from verify.cases.rotor.system.inputs import RPM, SystemInputs
+from verify.cases.rotor.system.model import analytic, campbell, shown_to, study
+from verify.cases.rotor.system.warnings import warnings
+from verify.core import units
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.jobs.run import Job, Solved, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
 RAW = inputs_of(template(SYSTEM))

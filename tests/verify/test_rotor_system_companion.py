@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from analytic.rotor import transfer_model
-from verify.cases import rotor_system_model
-from verify.cases.rotor_system import SYSTEM
-from verify.cases.rotor_system_companion import JUDGED, companion
-from verify.cases.rotor_system_fem import fem
-from verify.cases.rotor_system_inputs import RPM, SystemInputs
-from verify.cases.rotor_system_model import analytic, study
-from verify.run import Job, Solved, judge_case
+from verify.cases.rotor.system import model as rotor_system_model
+from verify.cases.rotor.system.case import SYSTEM
+from verify.cases.rotor.system.companion import JUDGED, companion
+from verify.cases.rotor.system.fem import fem
+from verify.cases.rotor.system.inputs import RPM, SystemInputs
+from verify.cases.rotor.system.model import analytic, study
+from verify.jobs.run import Job, Solved, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from verify.case import Context
 from verify.cases.registry import CASES
-from verify.results import Status
+from verify.core.case import Context
+from verify.core.results import Status
 
 
 def rows_of(case):

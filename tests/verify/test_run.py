@@ -7,15 +7,15 @@ from dataclasses import replace
 
 import pytest
 
-from verify.case import Case, FemResult
-from verify.cases.ring import LAME
-from verify.checks import Fact
-from verify.engines import Engine, GoneError, Here, local
-from verify.inputs import Inputs, quantity
-from verify.results import Status
-from verify.run import Job
-from verify.schedule import run
-from verify.workers import WorkerDiedError
+from verify.cases.ring.lame.case import LAME
+from verify.core.case import Case, FemResult
+from verify.core.inputs import Inputs, quantity
+from verify.core.results import Status
+from verify.jobs.engines import Engine, GoneError, Here, local
+from verify.jobs.run import Job
+from verify.jobs.schedule import run
+from verify.jobs.workers import WorkerDiedError
+from verify.judging.checks import Fact
 
 
 class Beam(Inputs):
@@ -217,7 +217,7 @@ def test_without_a_cache_everything_is_solved_and_nothing_stored(tmp_path, monke
 
 
 def test_the_longest_levels_come_first_as_measured_in_earlier_runs(tmp_path):
-    from verify import durations
+    from verify.jobs import durations
 
     durations.store(tmp_path, {("ring-made-up", 4): 1.0, ("ring-other", 4): 9.0})
     solved = []
@@ -229,7 +229,7 @@ def test_the_longest_levels_come_first_as_measured_in_earlier_runs(tmp_path):
 
 
 def test_a_disk_that_fills_is_mentioned_once_and_the_run_goes_on(tmp_path, monkeypatch):
-    from verify import cache
+    from verify.jobs import cache
 
     tried = []
 

@@ -6,10 +6,10 @@ import pytest
 
 from analytic.ring import lame
 from analytic.spring import frame
+from verify.answers.shared.clutches import wedge_angle
+from verify.answers.shared.rings import narrow_race
+from verify.answers.shared_readings import SHARED, shared_readings
 from verify.cases.registry import CASES, find
-from verify.shared.clutches import wedge_angle
-from verify.shared.rings import narrow_race
-from verify.shared_readings import SHARED, shared_readings
 
 KNOWN = {  # how many assumptions each case shares at the paper's inputs: none may be lost
     "ring-lame": 2, "ring-loads-outer": 4, "ring-loads-inner": 3, "ring-loads-map": 2,

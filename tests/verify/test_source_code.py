@@ -12,8 +12,8 @@ import pytest
 
 import analytic
 import fem
-from verify import source_code
 from verify.cases.registry import CASES
+from verify.core import source_code
 
 # What a key is made of: a made-up case module, which reaches fem.made_up, which reaches
 # fem.made_deep. Each variant is written to a folder of its own.
@@ -100,7 +100,7 @@ def deep(x):
     return 12.0
 ''',
     "made_up_inputs": '''
-from verify.inputs import quantity
+from verify.core.inputs import quantity
 
 WIDTH = quantity("1 mm", "mm", "w", "width of the part", gt=0)
 ''',
@@ -323,7 +323,7 @@ def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
     _, reached = source_code.parts_of(case.fem)
     packages = {name.rpartition(".")[0] for name in loaded}  # they import nothing
     assert loaded - packages - {"fem", "meshes"} <= set(reached)
-    root = Path(source_code.__file__).parents[1]
+    root = Path(source_code.__file__).parents[2]
     formulas = {".".join(Path(f).relative_to(root).with_suffix("").parts) for f in called}
     assert formulas <= set(reached)
     if source_code.COMPILED in reached:  # an engagement's steps run over the closure's table

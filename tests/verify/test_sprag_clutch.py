@@ -17,24 +17,26 @@ from analytic.sprag.rest import at_rest
 from analytic.sprag.table import tabulated
 from tests.conftest import solved
 from tests.verify.template_text import whole
-from verify.case import Context
-from verify.cases import sprag_clutch_limits, sprag_clutch_model, sprag_clutch_values
-from verify.cases.sprag_clutch import CLUTCH, too_large
-from verify.cases.sprag_clutch_claims import CHECKS, FITTED, rectangle
-from verify.cases.sprag_clutch_drawn_fem import Drawn
-from verify.cases.sprag_clutch_dynamic import DYNAMIC
-from verify.cases.sprag_clutch_dynamic_words import least_time
-from verify.cases.sprag_clutch_limits import as_torque_grows, verdict
-from verify.cases.sprag_clutch_model import built, first_contact, under
-from verify.cases.sprag_clutch_paper_fem import BEST, PRINTED, designed
-from verify.cases.sprag_clutch_run_fem import run_fem
-from verify.cases.sprag_clutch_values import analytic, blades
-from verify.cases.sprag_inputs import ASSUMED, IDENTIFIED, EngagementInputs
-from verify.cli import run
-from verify.inputs import InputError, build
-from verify.published.ledger import papers, published
-from verify.results import Status
-from verify.template import template
+from verify.answers.template import template
+from verify.app.cli import run
+from verify.cases.sprag.clutch import limits as sprag_clutch_limits
+from verify.cases.sprag.clutch import model as sprag_clutch_model
+from verify.cases.sprag.clutch import values as sprag_clutch_values
+from verify.cases.sprag.clutch.case import CLUTCH, too_large
+from verify.cases.sprag.clutch.claims import CHECKS, FITTED, rectangle
+from verify.cases.sprag.clutch.drawn_fem import Drawn
+from verify.cases.sprag.clutch.dynamic import DYNAMIC
+from verify.cases.sprag.clutch.dynamic_words import least_time
+from verify.cases.sprag.clutch.limits import as_torque_grows, verdict
+from verify.cases.sprag.clutch.model import built, first_contact, under
+from verify.cases.sprag.clutch.paper_fem import BEST, PRINTED, designed
+from verify.cases.sprag.clutch.run_fem import run_fem
+from verify.cases.sprag.clutch.values import analytic, blades
+from verify.cases.sprag.inputs import ASSUMED, IDENTIFIED, EngagementInputs
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.papers.ledger import papers, published
 
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
 CACHED = (

@@ -8,20 +8,17 @@ import pytest
 
 from analytic.sprag import parts
 from tests.conftest import solved
-from verify.cases import (
-    sprag_clutch_limits,
-    sprag_clutch_model,
-    sprag_clutch_paper_fem,
-    sprag_optimum_fem,
-)
-from verify.cases import sprag_clutch_values as values
-from verify.cases import sprag_clutch_variants as variants
-from verify.cases.sprag_clutch import CLUTCH
-from verify.cases.sprag_clutch_claims import UNFITTED, corners, length
-from verify.cases.sprag_clutch_drawn_fem import Drawn
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.cases.sprag_optimum_inputs import Optimum25Inputs
-from verify.run import Job, judge_case
+from verify.cases.sprag.clutch import limits as sprag_clutch_limits
+from verify.cases.sprag.clutch import model as sprag_clutch_model
+from verify.cases.sprag.clutch import paper_fem as sprag_clutch_paper_fem
+from verify.cases.sprag.clutch import values, variants
+from verify.cases.sprag.clutch.case import CLUTCH
+from verify.cases.sprag.clutch.claims import UNFITTED, corners, length
+from verify.cases.sprag.clutch.drawn_fem import Drawn
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.optimum import fem as sprag_optimum_fem
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.jobs.run import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
 PAPER = EngagementInputs()

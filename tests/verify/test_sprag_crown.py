@@ -9,14 +9,16 @@ import pytest
 
 from analytic.contact import crown, slices
 from tests.conftest import solved
-from verify.case import Context
-from verify.cases import sprag_crown_formulas, sprag_crown_table2
-from verify.cases.contact_roller_inputs import DESIGNS
-from verify.cases.sprag_crown import CROWN, too_large
-from verify.cases.sprag_crown_box_fem import forces, terms
-from verify.cases.sprag_crown_claims import CHECKS
-from verify.cases.sprag_crown_figures import ordered
-from verify.cases.sprag_crown_formulas import (
+from verify.answers.template import template
+from verify.app.cli import run
+from verify.cases.contact.roller.inputs import DESIGNS
+from verify.cases.sprag.crown import formulas as sprag_crown_formulas
+from verify.cases.sprag.crown import table2 as sprag_crown_table2
+from verify.cases.sprag.crown.box_fem import forces, terms
+from verify.cases.sprag.crown.case import CROWN, too_large
+from verify.cases.sprag.crown.claims import CHECKS
+from verify.cases.sprag.crown.figures import ordered
+from verify.cases.sprag.crown.formulas import (
     analytic,
     box,
     even,
@@ -25,14 +27,13 @@ from verify.cases.sprag_crown_formulas import (
     unit,
     z_m_share,
 )
-from verify.cases.sprag_crown_paper_fem import FIG_12, FIG_14
-from verify.cases.sprag_crown_table2 import MEDIAN, cell, relative_error, standardised
-from verify.cases.sprag_crown_words import verdict
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.cli import run
-from verify.results import Status
-from verify.shown import Curves
-from verify.template import template
+from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
+from verify.cases.sprag.crown.table2 import MEDIAN, cell, relative_error, standardised
+from verify.cases.sprag.crown.words import verdict
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Context
+from verify.core.results import Status
+from verify.core.shown import Curves
 
 pytestmark = pytest.mark.xdist_group("sprag-crown")
 
@@ -146,7 +147,7 @@ def test_a_fault_of_the_formulas_turns_its_rows_red(faulty, module, name, wrappe
 
 
 def test_a_profile_that_is_not_clipped_is_not_straight(monkeypatch):
-    from verify.cases import sprag_crown_claims as claims
+    from verify.cases.sprag.crown import claims
 
     right = claims.crowned
     monkeypatch.setattr(claims, "crowned", lambda q, n: right(q, n) + 1e-9)
@@ -283,7 +284,7 @@ def test_a_quadratic_through_27_engagements_has_the_forces_of_the_printed_crowns
 
 def replace_peaks(q, found):
     """Forces at the nodes of the 27, from those of the 125 that were fitted through them."""
-    from verify.cases.sprag_peaks import Peaks
+    from verify.cases.sprag.peaks import Peaks
 
     coarse = [
         k

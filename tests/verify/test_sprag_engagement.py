@@ -9,15 +9,13 @@ import pytest
 
 from analytic.sprag import closure, course, printed, start, table
 from analytic.sprag.history import Phase
-from verify.cache import default_folder
-from verify.cases import sprag_engagement_claims as claims
-from verify.cases import sprag_engagement_fem as steps
-from verify.cases import sprag_engagement_formulas as formulas
-from verify.cases import sprag_engagement_model as model
-from verify.cases.sprag_engagement import ENGAGEMENT, analytic, too_large
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.sprag.engagement import claims, formulas, model
+from verify.cases.sprag.engagement import fem as steps
+from verify.cases.sprag.engagement.case import ENGAGEMENT, analytic, too_large
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.results import Status
+from verify.jobs.cache import default_folder
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("sprag-engagement")
 PAPER = EngagementInputs()

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
-from verify.cases.sprag_bodies import Place, fem_sprag, first_contact
-from verify.cases.sprag_fem import Sector
-from verify.cases.sprag_inputs import WedgeInputs
-from verify.cases.sprag_stroke import Start, at_force, at_rotation
+from verify.cases.sprag.bodies import Place, fem_sprag, first_contact
+from verify.cases.sprag.fem import Sector
+from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.stroke import Start, at_force, at_rotation
 
 Q = WedgeInputs()
 P = 3407 / Q.l  # [N/m] of a sprag under 25 N m

@@ -9,15 +9,16 @@ import pytest
 
 from analytic.sprag.friction import coefficient
 from analytic.sprag.history import Phase
-from verify.cache import default_folder
-from verify.cases import sprag_engagement_fem as engagement
-from verify.cases import sprag_engagement_formulas, sprag_engagement_model
-from verify.cases import sprag_friction_fem as steps
-from verify.cases import sprag_friction_formulas as formulas
-from verify.cases.sprag_engagement_model import wedge
-from verify.cases.sprag_friction import FRICTION, analytic, too_large
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.run import Job, judge_case, solve_level
+from verify.cases.sprag.engagement import fem as engagement
+from verify.cases.sprag.engagement import formulas as sprag_engagement_formulas
+from verify.cases.sprag.engagement import model as sprag_engagement_model
+from verify.cases.sprag.engagement.model import wedge
+from verify.cases.sprag.friction import fem as steps
+from verify.cases.sprag.friction import formulas
+from verify.cases.sprag.friction.case import FRICTION, analytic, too_large
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.jobs.cache import default_folder
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("sprag-friction")
 PAPER = EngagementInputs()

@@ -8,17 +8,18 @@ import pytest
 
 from analytic.contact import crown, slices
 from tests.conftest import solved
-from verify.case import Context
-from verify.cases import sprag_clutch_model, sprag_optimum_formulas
-from verify.cases import sprag_optimum_crown_claims as crown_claims
-from verify.cases.sprag_engagement_model import gap
-from verify.cases.sprag_optimum import OPTIMUM_25, OPTIMUM_40, too_large
-from verify.cases.sprag_optimum_inputs import Optimum25Inputs, Optimum40Inputs
-from verify.cases.sprag_peaks import with_crown
-from verify.inputs import InputError, build
-from verify.results import Status
-from verify.run import Job, judge_case
-from verify.template import template
+from verify.answers.template import template
+from verify.cases.sprag.clutch import model as sprag_clutch_model
+from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.optimum import crown_claims
+from verify.cases.sprag.optimum import formulas as sprag_optimum_formulas
+from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40, too_large
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs
+from verify.cases.sprag.peaks import with_crown
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("sprag-optimum")
 BOTH = pytest.mark.parametrize("case", [OPTIMUM_25, OPTIMUM_40], ids=lambda case: case.id)

@@ -4,22 +4,15 @@ import numpy as np
 import pytest
 
 from tests.conftest import solved
-from verify import judge
-from verify.case import Context, FemResult
-from verify.cases.sprag_optimum import OPTIMUM_25, OPTIMUM_40
-from verify.cases.sprag_optimum_claims import (
-    band,
-    counted,
-    course,
-    over_K_1,
-    reductions,
-    taken_off,
-)
-from verify.cases.sprag_optimum_crown_claims import CELLS, STRIPPED, endless
-from verify.cases.sprag_optimum_inputs import Optimum25Inputs
-from verify.cases.sprag_optimum_surrogate_claims import asked
-from verify.results import Status
-from verify.run import Job, judge_case
+from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40
+from verify.cases.sprag.optimum.claims import band, counted, course, over_K_1, reductions, taken_off
+from verify.cases.sprag.optimum.crown_claims import CELLS, STRIPPED, endless
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.optimum.surrogate_claims import asked
+from verify.core.case import Context, FemResult
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case
+from verify.judging import judge
 
 pytestmark = pytest.mark.xdist_group("sprag-optimum")
 BOTH = pytest.mark.parametrize("case", [OPTIMUM_25, OPTIMUM_40], ids=lambda case: case.id)

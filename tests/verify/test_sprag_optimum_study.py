@@ -6,12 +6,14 @@ import pytest
 from analytic.contact import crown, slices
 from analytic.surrogate import genetic, kriging, largest
 from analytic.surrogate.infill import NoAgreementError
-from verify.case import Context, FemResult
-from verify.cases import sprag_optimum_deep, sprag_optimum_ends_fem, sprag_optimum_study_fem
-from verify.cases.sprag_optimum_inputs import Optimum25Inputs
-from verify.cases.sprag_optimum_surrogate_claims import SURROGATE
-from verify.cases.sprag_peaks import Peaks
-from verify.results import Status
+from verify.cases.sprag.optimum import deep as sprag_optimum_deep
+from verify.cases.sprag.optimum import ends_fem as sprag_optimum_ends_fem
+from verify.cases.sprag.optimum import study_fem as sprag_optimum_study_fem
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.optimum.surrogate_claims import SURROGATE
+from verify.cases.sprag.peaks import Peaks
+from verify.core.case import Context, FemResult
+from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("sprag-optimum")
 Q = Optimum25Inputs(slices=21, levels=4, extra=12, population=60, generations=40)

@@ -5,12 +5,12 @@ import pytest
 
 from analytic.contact import strips
 from analytic.sprag.closure import wedged
-from verify.cases import sprag_peaks
-from verify.cases.sprag_clutch_model import built
-from verify.cases.sprag_clutch_run_fem import run_fem
-from verify.cases.sprag_engagement_model import gap
-from verify.cases.sprag_inputs import EngagementInputs
-from verify.cases.sprag_peaks import NoLockError, peaks_fem, with_crown
+from verify.cases.sprag import peaks as sprag_peaks
+from verify.cases.sprag.clutch.model import built
+from verify.cases.sprag.clutch.run_fem import run_fem
+from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.peaks import NoLockError, peaks_fem, with_crown
 
 Q = EngagementInputs(Q=3407.0, t_end=0.02)
 FREE = (3.0, 0.68, 25e-6)  # its ends carry little

@@ -12,23 +12,22 @@ from analytic.ring import smeared
 from analytic.sprag import closure, column, course, parts, printed
 from analytic.sprag.compliance import Yields
 from fem.plane.material import Elastic
-from verify.case import Context
-from verify.cases import sprag_wedge_expected as expected
-from verify.cases import sprag_wedge_model as model
-from verify.cases import sprag_wedge_sweep
-from verify.cases.sprag_bodies import Place
-from verify.cases.sprag_fem import State
-from verify.cases.sprag_inputs import WedgeInputs
-from verify.cases.sprag_wedge import WEDGE
-from verify.cases.sprag_wedge_expected import Expected, at_share, plane_yields
-from verify.cases.sprag_wedge_model import Race, analytic, rigid_force
-from verify.cases.sprag_wedge_shown import parts_of
-from verify.cases.sprag_wedge_sketch import outline
-from verify.cases.sprag_wedge_sweep import Sweep
-from verify.cases.sprag_wedge_words import too_large
-from verify.cli import run
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.app.cli import run
+from verify.cases.sprag.bodies import Place
+from verify.cases.sprag.fem import State
+from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.wedge import expected, model
+from verify.cases.sprag.wedge import sweep as sprag_wedge_sweep
+from verify.cases.sprag.wedge.case import WEDGE
+from verify.cases.sprag.wedge.expected import Expected, at_share, plane_yields
+from verify.cases.sprag.wedge.model import Race, analytic, rigid_force
+from verify.cases.sprag.wedge.shown import parts_of
+from verify.cases.sprag.wedge.sketch import outline
+from verify.cases.sprag.wedge.sweep import Sweep
+from verify.cases.sprag.wedge.words import too_large
+from verify.core.case import Context
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 LEVELS = (4, 6, 8)
 COARSE = replace(WEDGE, levels=LEVELS)

@@ -7,19 +7,21 @@ import pytest
 
 from analytic.spring import column, stability
 from analytic.spring.elastica import Elastica
-from verify.case import Context
-from verify.cases import spring_buckling, spring_buckling_fem, spring_large_fem
-from verify.cases.spring_buckling import (
+from verify.cases.spring import large_fem as spring_large_fem
+from verify.cases.spring.buckling import case as spring_buckling
+from verify.cases.spring.buckling import fem as spring_buckling_fem
+from verify.cases.spring.buckling.case import (
     BUCKLING,
     NOT_FOUND,
     analytic,
     critical_point,
     too_large,
 )
-from verify.cases.spring_buckling_inputs import BucklingInputs
-from verify.cases.spring_large_fem import Spring
-from verify.inputs import InputError, build
-from verify.results import Status
+from verify.cases.spring.buckling.inputs import BucklingInputs
+from verify.cases.spring.large_fem import Spring
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("spring-buckling")
 

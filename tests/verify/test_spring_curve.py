@@ -7,16 +7,15 @@ import pytest
 
 from fem.beam import touching, touching_law
 from meshes.spring import centre_line as meshed
-from verify.case import Context, FemResult
-from verify.cases import spring_curve_claims as claims
-from verify.cases import spring_curve_fem as model
-from verify.cases import spring_curve_runs as runs
-from verify.cases.spring_curve import CURVE
-from verify.cases.spring_curve_inputs import CurveInputs
-from verify.cases.spring_curve_shown import points, tables
-from verify.cases.spring_stages_readings import eq10
-from verify.inputs import InputError, build
-from verify.results import Status
+from verify.cases.spring.curve import claims, runs
+from verify.cases.spring.curve import fem as model
+from verify.cases.spring.curve.case import CURVE
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.curve.shown import points, tables
+from verify.cases.spring.stages.readings import eq10
+from verify.core.case import Context, FemResult
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("spring-curve")
 mm = 1e-3

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from analytic.spring import energy
-from verify.case import Context
-from verify.cases import spring_map, spring_map_fem
-from verify.cases.spring_large_fem import Spring
-from verify.cases.spring_map import DEEP_MAP, MAP, analytic, pressed, too_large
-from verify.cases.spring_map_inputs import (
+from verify.cases.spring.large_fem import Spring
+from verify.cases.spring.map import case as spring_map
+from verify.cases.spring.map import fem as spring_map_fem
+from verify.cases.spring.map.case import DEEP_MAP, MAP, analytic, pressed, too_large
+from verify.cases.spring.map.inputs import (
     DEEP_LEAVES,
     DEEP_SLENDER,
     Cell,
@@ -18,8 +18,9 @@ from verify.cases.spring_map_inputs import (
     points,
     slender,
 )
-from verify.inputs import InputError, build
-from verify.results import Status
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
 
 pytestmark = pytest.mark.xdist_group("spring-map")
 

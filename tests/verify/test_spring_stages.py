@@ -8,14 +8,15 @@ import pytest
 from analytic.spring import loops
 from analytic.spring import stages as formula
 from fem.beam import links, straight
-from verify.case import Context
-from verify.cases import spring_stages_fem, spring_stages_readings
-from verify.cases.spring_stages import STAGES
-from verify.cases.spring_stages_inputs import StagesInputs
-from verify.cases.spring_stages_readings import chosen, eq10, meeting, readings, uncertainties
-from verify.inputs import InputError, build
-from verify.results import Status
-from verify.run import Job, judge_case, solve_level
+from verify.cases.spring.stages import fem as spring_stages_fem
+from verify.cases.spring.stages import readings as spring_stages_readings
+from verify.cases.spring.stages.case import STAGES
+from verify.cases.spring.stages.inputs import StagesInputs
+from verify.cases.spring.stages.readings import chosen, eq10, meeting, readings, uncertainties
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.jobs.run import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("spring-stages")
 COARSE = replace(STAGES, levels=(4, 8, 16))

@@ -6,15 +6,17 @@ import numpy as np
 import pytest
 
 from analytic.spring import frame, wide_leaf
-from verify.case import Context
-from verify.cases import spring_width, spring_width_claims, spring_width_fem
-from verify.cases.spring_curve_inputs import CurveInputs
-from verify.cases.spring_width import WIDTH, analytic, too_large, warnings
-from verify.cases.spring_width_fem import ENDS, LEVELS, fem_spring
-from verify.cases.spring_width_inputs import WidthInputs
-from verify.inputs import InputError, build
-from verify.judge import fit_limit
-from verify.results import Status
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.width import case as spring_width
+from verify.cases.spring.width import claims as spring_width_claims
+from verify.cases.spring.width import fem as spring_width_fem
+from verify.cases.spring.width.case import WIDTH, analytic, too_large, warnings
+from verify.cases.spring.width.fem import ENDS, LEVELS, fem_spring
+from verify.cases.spring.width.inputs import WidthInputs
+from verify.core.case import Context
+from verify.core.inputs import InputError, build
+from verify.core.results import Status
+from verify.judging.judge import fit_limit
 
 pytestmark = pytest.mark.xdist_group("spring-width")
 

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 pytestmark = pytest.mark.xdist_group("survival disk")  # they share a cache
-RUN = "import sys; from verify.cli import main; main(sys.argv[1:])"
+RUN = "import sys; from verify.app.cli import main; main(sys.argv[1:])"
 
 
 @pytest.fixture

@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.verify.sweep_made import CASE, Plate, chosen
-from verify.inputs import InputError, Inputs, quantity, table, word
-from verify.sweep.axes import axis, changed, names, tolerance
-from verify.sweep.plan import grid, sample
+from verify.core.inputs import InputError, Inputs, quantity, table, word
+from verify.studies.sweep.axes import axis, changed, names, tolerance
+from verify.studies.sweep.plan import grid, sample
 
 
 class Bearing(Inputs):

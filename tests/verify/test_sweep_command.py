@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 from tests.verify.sweep_files import RING
-from verify import cache
-from verify.case import Portion
-from verify.cli import run
-from verify.engines import Where
-from verify.inputs import InputError
-from verify.sweep import command
-from verify.sweep.point import Solution
-from verify.sweep.run import Solved, Timing
-from verify.sweep.store import Store
+from verify.app.cli import run
+from verify.app.sweep import command
+from verify.core.case import Portion
+from verify.core.inputs import InputError
+from verify.jobs import cache
+from verify.jobs.engines import Where
+from verify.studies.sweep.point import Solution
+from verify.studies.sweep.run import Solved, Timing
+from verify.studies.sweep.store import Store
 
 REFUSED = "refused: more than the mesh can have"
 PART = Portion(name="", fem=lambda *_: None, levels=(1, 2, 4), keys=())
@@ -125,7 +125,7 @@ def test_a_task_for_design_is_told_with_the_command_that_takes_it(tmp_path, caps
 
 
 def test_a_grid_is_planned_without_scipys_statistics():
-    code = "import sys, verify.sweep.command; print('scipy.stats' in sys.modules)"
+    code = "import sys, verify.app.sweep.command; print('scipy.stats' in sys.modules)"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ran.stdout == "False\n"
 
@@ -147,7 +147,7 @@ def test_a_database_that_is_none_is_told_with_what_to_do(tmp_path):
 def test_a_locked_database_is_not_to_be_moved(tmp_path, monkeypatch):
     file = tmp_path / "ring.sqlite"
     kept(file)
-    monkeypatch.setattr("verify.sweep.store.PATIENCE", 0.01)
+    monkeypatch.setattr("verify.studies.sweep.store.PATIENCE", 0.01)
     other = sqlite3.connect(file, isolation_level=None)
     other.execute("BEGIN EXCLUSIVE")
     with pytest.raises(OSError, match=r"locked: solved points cannot be kept there$"):

@@ -8,11 +8,11 @@ from scipy.stats import sobol_indices
 
 from tests.verify.sweep_made import CASE, Here, Plate, chosen, course
 from verify.cases import registry
-from verify.sweep import point
-from verify.sweep.indices import estimates, indices, terms
-from verify.sweep.outcome import outcome
-from verify.sweep.plan import grid, sample
-from verify.sweep.run import solve
+from verify.studies.sweep import point
+from verify.studies.sweep.indices import estimates, indices, terms
+from verify.studies.sweep.outcome import outcome
+from verify.studies.sweep.plan import grid, sample
+from verify.studies.sweep.run import solve
 
 ALL = ("a=±1mm", "b=±0.5mm")
 

@@ -6,14 +6,14 @@ import pytest
 
 from tests.verify import sweep_made
 from tests.verify.sweep_made import CASE, Plate
-from verify import source_code
-from verify.case import FemResult, Portion
 from verify.cases import registry
-from verify.engines import Lost
-from verify.sweep import point, run
-from verify.sweep.pairs import whole
-from verify.sweep.point import OtherCodeError, Solution, Task, code_of, solve_point
-from verify.sweep.store import Store, joined, lacking
+from verify.core import source_code
+from verify.core.case import FemResult, Portion
+from verify.jobs.engines import Lost
+from verify.studies.sweep import point, run
+from verify.studies.sweep.pairs import whole
+from verify.studies.sweep.point import OtherCodeError, Solution, Task, code_of, solve_point
+from verify.studies.sweep.store import Store, joined, lacking
 
 PART = Portion(name="part", fem=sweep_made.fem, levels=(1, 2, 4), keys=("k",))
 SOLVED = Solution({"k": 1.0}, (1.0, 0.5, 0.25), {"k": (1.0, 2.0, 3.0)}, {"k": 0.1}, seconds=2.0)

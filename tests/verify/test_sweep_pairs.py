@@ -6,15 +6,15 @@ from dataclasses import dataclass, replace
 import pytest
 
 from tests.verify.sweep_made import CASE, Plate
-from verify.case import FemResult, Portion
-from verify.checks import Approximation, Exact, Identity
-from verify.inputs import InputError
-from verify.results import Kind
-from verify.sweep import outcome as outcomes
-from verify.sweep.pairs import Known, compared, pairs, portion, selected, whole
-from verify.sweep.plan import grid
-from verify.sweep.point import Solution
-from verify.sweep.run import Solved, Timing
+from verify.core.case import FemResult, Portion
+from verify.core.inputs import InputError
+from verify.core.results import Kind
+from verify.judging.checks import Approximation, Exact, Identity
+from verify.studies.sweep import outcome as outcomes
+from verify.studies.sweep.pairs import Known, compared, pairs, portion, selected, whole
+from verify.studies.sweep.plan import grid
+from verify.studies.sweep.point import Solution
+from verify.studies.sweep.run import Solved, Timing
 
 H = (1.0, 0.5, 0.25)
 

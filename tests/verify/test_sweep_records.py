@@ -10,12 +10,12 @@ import pytest
 
 from tests.verify.sweep_made import CASE, Here, Plate, chosen, course, outcome
 from verify.cases import registry
-from verify.sweep import outcome as outcomes
-from verify.sweep import point
-from verify.sweep.plan import grid, sample
-from verify.sweep.records import record
-from verify.sweep.run import Timing, solve
-from verify.sweep.tables import (
+from verify.studies.sweep import outcome as outcomes
+from verify.studies.sweep import point
+from verify.studies.sweep.plan import grid, sample
+from verify.studies.sweep.records import record
+from verify.studies.sweep.run import Timing, solve
+from verify.studies.sweep.tables import (
     largest,
     points_csv,
     reasons,

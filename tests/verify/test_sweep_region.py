@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.verify.sweep_made import CASE, Plate, chosen, course
-from verify.sweep import boxes
-from verify.sweep.boxes import Box, largest_box
-from verify.sweep.plan import grid, sample
-from verify.sweep.region import (
+from verify.studies.sweep import boxes
+from verify.studies.sweep.boxes import Box, largest_box
+from verify.studies.sweep.plan import grid, sample
+from verify.studies.sweep.region import (
     INSIDE,
     OUTSIDE,
     UNDECIDED,

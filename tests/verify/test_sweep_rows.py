@@ -4,12 +4,12 @@ import math
 
 import pytest
 
-from verify import units
-from verify.cache import default_folder
-from verify.case import Context, FemResult
 from verify.cases.registry import CASES
-from verify.run import solve_level
-from verify.sweep.pairs import LEVELS, Known, compared, pairs
+from verify.core import units
+from verify.core.case import Context, FemResult
+from verify.jobs.cache import default_folder
+from verify.jobs.run import solve_level
+from verify.studies.sweep.pairs import LEVELS, Known, compared, pairs
 
 MEASURED = [case for case in CASES if pairs(case)]
 

@@ -8,10 +8,10 @@ import pytest
 
 from tests.verify.sweep_made import CASE, Here, chosen
 from verify.cases import registry
-from verify.engines import GoneError
-from verify.sweep import point, run
-from verify.sweep.plan import grid
-from verify.sweep.run import solve
+from verify.jobs.engines import GoneError
+from verify.studies.sweep import point, run
+from verify.studies.sweep.plan import grid
+from verify.studies.sweep.run import solve
 
 
 @pytest.fixture

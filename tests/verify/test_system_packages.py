@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from verify import environment, system_packages
-from verify.environment import LIBRARIES
-from verify.system_packages import Machine, check, line_to_run
+from verify.core import environment, system_packages
+from verify.core.environment import LIBRARIES
+from verify.core.system_packages import Machine, check, line_to_run
 
 ROOT = Path(__file__).parents[2]
 GLU, EGL = "libGLU.so.1", "libEGL.so.1"
@@ -164,7 +164,8 @@ def test_ctrl_c_lets_apt_get_end_by_itself(tmp_path):
     script, mark = tmp_path / "apt-get.py", tmp_path / "mark"
     script.write_text(textwrap.dedent(APT_GET))
     code = (
-        "import sys; from verify.system_packages import _run; _run([sys.executable, *sys.argv[1:]])"
+        "import sys; from verify.core.system_packages import _run; "
+        "_run([sys.executable, *sys.argv[1:]])"
     )
     words = [sys.executable, "-c", code, str(script), str(mark)]
     with subprocess.Popen(
@@ -202,7 +203,7 @@ def test_the_variable_that_forbids_apt(value, forbidden, monkeypatch):
 def bare_python(**environ):
     """Run the check without site-packages, as before there is a virtual environment."""
     return subprocess.run(
-        [sys.executable, "-S", "-m", "verify.system_packages"],
+        [sys.executable, "-S", "-m", "verify.core.system_packages"],
         capture_output=True, text=True, check=False, timeout=60, cwd=ROOT,
         env={"PATH": os.environ["PATH"], **environ},
     )  # fmt: skip

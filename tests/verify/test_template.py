@@ -11,14 +11,23 @@ import pytest
 
 from tests.verify.template_text import whole
 from verify.answers.answer import EXIT_STATUS
-from verify.assumed.complete import complete
-from verify.assumed.registry import ASSUMPTIONS
+from verify.answers.assumed.complete import complete
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.answers.template import template
+from verify.app.cli import run
 from verify.cases.registry import CASES
-from verify.cli import run
-from verify.design.inputs import load as load_spring
-from verify.design_sprag.inputs import load as load_sprag
-from verify.inputs import REQUIRED, Inputs, build, choices, entry_model, is_table, meta, quantity
-from verify.template import template
+from verify.core.inputs import (
+    REQUIRED,
+    Inputs,
+    build,
+    choices,
+    entry_model,
+    is_table,
+    meta,
+    quantity,
+)
+from verify.studies.design.inputs import load as load_spring
+from verify.studies.design_sprag.inputs import load as load_sprag
 
 EACH = pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
 LINE = re.compile(r'^(# )?(\w+) = (".+"|[-+.e0-9]+) +# (.+)$')

@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 
 from verify.answers.registry import answer as answer_of
+from verify.app.check_console import Checked, print_check
+from verify.app.commands import make_report
 from verify.cases.registry import CASES
-from verify.check_console import Checked, print_check
-from verify.commands import make_report
-from verify.results import Status
-from verify.told import print_verdicts, raised
+from verify.core.results import Status
+from verify.core.told import print_verdicts, raised
 
 
 @pytest.fixture

@@ -6,16 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from verify import units
-from verify.answer_units import in_units
+from verify.answers.answer_units import in_units
+from verify.app.cli import run
+from verify.app.commands import load
 from verify.cases.registry import CASES
-from verify.cli import run
-from verify.commands import load
-from verify.engines import Where
-from verify.inputs import entry_model, is_table, meta
-from verify.run import Job
-from verify.solving import solve
-from verify.unit_systems import DISPLAYED, converted, system_of, text_in
+from verify.core import units
+from verify.core.inputs import entry_model, is_table, meta
+from verify.core.unit_systems import DISPLAYED, converted, system_of, text_in
+from verify.jobs.engines import Where
+from verify.jobs.run import Job
+from verify.jobs.solving import solve
 
 PARTS = Path(__file__).parent / "parts"
 SPRAG = PARTS / "sprag-clutch-55.toml"

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from verify import units
 from verify.cases.registry import CASES
-from verify.inputs import meta
+from verify.core import units
+from verify.core.inputs import meta
 
 fixed = settings(deadline=None, derandomize=True)
 

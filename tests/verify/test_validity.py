@@ -8,22 +8,22 @@ import numpy as np
 import pytest
 
 from tests.verify.sweep_made import CASE, Here, course
-from verify import source_code
-from verify.case import Scan
 from verify.cases import registry
-from verify.checks import Identity
-from verify.inputs import InputError
-from verify.results import CaseResult, Kind, Partner, Row, Status
-from verify.shown import Equation
-from verify.sweep import point
-from verify.sweep.outcome import outcome
-from verify.sweep.pairs import pairs
-from verify.sweep.run import solve
-from verify.validity import kept, measuring, words
-from verify.validity.cards import of_case, validity
-from verify.validity.equations import numbers, place, tex
-from verify.validity.left_out import LEFT_OUT, MAPS
-from verify.validity.regions import region
+from verify.core import source_code
+from verify.core.case import Scan
+from verify.core.inputs import InputError
+from verify.core.results import CaseResult, Kind, Partner, Row, Status
+from verify.core.shown import Equation
+from verify.judging.checks import Identity
+from verify.studies.sweep import point
+from verify.studies.sweep.outcome import outcome
+from verify.studies.sweep.pairs import pairs
+from verify.studies.sweep.run import solve
+from verify.studies.validity import kept, measuring, words
+from verify.studies.validity.cards import of_case, validity
+from verify.studies.validity.equations import numbers, place, tex
+from verify.studies.validity.left_out import LEFT_OUT, MAPS
+from verify.studies.validity.regions import region
 
 GRID = Scan(vary=("a=1mm,2mm,3mm,4mm", "n=3,6,9"), only=("stiffness",))
 STAR = Scan(vary=("a=1mm,2mm,4mm,5mm", "b=1mm,2mm"), only=("stiffness",), star=True)

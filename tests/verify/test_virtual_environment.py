@@ -14,8 +14,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from verify import virtual_environment
-from verify.virtual_environment import (
+from verify.core import virtual_environment
+from verify.core.virtual_environment import (
     DOWNLOADS,
     FAILED,
     GROUP,

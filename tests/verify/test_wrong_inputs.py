@@ -2,7 +2,7 @@
 
 import pytest
 
-from verify.cli import run
+from verify.app.cli import run
 
 RING = """case = "ring-lame"
 [inputs]

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
-from verify import units
 from verify.answers.answer import Answer, Criterion, Quantity, Verdict
-from verify.unit_systems import System, cells_in, text_in, unit_in
+from verify.core import units
+from verify.core.unit_systems import System, cells_in, text_in, unit_in
 
 WHOLE = (1e4, 1e7)  # shown without decimals and without a power of ten
 LARGE = 1000.0  # a margin beyond it is no information

@@ -4,7 +4,7 @@ from typing import Any
 
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import GIVEN, Strength
-from verify.case import Values
+from verify.core.case import Values
 
 OTHER = "no limit is known for this material"
 

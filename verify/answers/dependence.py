@@ -4,11 +4,11 @@ import math
 from collections.abc import Sequence
 from functools import partial
 
+from verify.answers.assumed.influence import Influence, influence
+from verify.answers.assumed.rules import Assumed
 from verify.answers.registry import answer
-from verify.assumed.influence import Influence, influence
-from verify.assumed.rules import Assumed
-from verify.case import Case, Values
-from verify.inputs import Inputs
+from verify.core.case import Case, Values
+from verify.core.inputs import Inputs
 
 NOTABLE = 0.01  # relative change of the margin
 MOST = 4  # inputs that are named

@@ -4,12 +4,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from verify import units
 from verify.answers.answer import Answer
 from verify.answers.console import number
-from verify.dynamic import DynamicResult
-from verify.references import FE, FINITE_ELEMENTS, reference_name
-from verify.results import Row, Status
+from verify.core import units
+from verify.core.references import FE, FINITE_ELEMENTS, reference_name
+from verify.core.results import Row, Status
+from verify.jobs.dynamic import DynamicResult
 
 HOLDS = ("", "holds", "locks")
 UNDECIDED = ("not followed",)

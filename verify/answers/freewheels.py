@@ -8,12 +8,12 @@ from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import permissible
-from verify.case import Values
-from verify.cases.freewheel_clutch_limits import allowed_shift, as_torque_grows
-from verify.cases.freewheel_clutch_model import analytic, past_corners
-from verify.cases.freewheel_clutch_words import verdict
-from verify.cases.ring_loads import OUTER
-from verify.cases.ring_loads_inputs import OuterInputs
+from verify.cases.freewheel.clutch.limits import allowed_shift, as_torque_grows
+from verify.cases.freewheel.clutch.model import analytic, past_corners
+from verify.cases.freewheel.clutch.words import verdict
+from verify.cases.ring.loads.case import OUTER
+from verify.cases.ring.loads.inputs import OuterInputs
+from verify.core.case import Values
 
 LOST = 0.01  # share of the clutches within tolerance
 NO_RING = "the bending stress of the outer ring is not checked"

@@ -6,7 +6,7 @@ from typing import Any
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
-from verify.case import Values
+from verify.core.case import Values
 
 EXPELLED = "the rollers are expelled from the wedge: tan(α/2) exceeds the friction coefficient"
 

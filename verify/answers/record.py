@@ -3,8 +3,8 @@
 import math
 from typing import Any
 
-from verify import units
 from verify.answers.answer import Answer, Criterion, Quantity
+from verify.core import units
 
 
 def answer_record(answer: Answer) -> dict[str, Any]:

@@ -8,8 +8,8 @@ from verify.answers import contacts, freewheels, polyhedral, rings, rotors, spra
 from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.keys import identifier
-from verify.case import Case, Values
-from verify.inputs import Inputs
+from verify.core.case import Case, Values
+from verify.core.inputs import Inputs
 
 NO_PART = "this case maps the error of a formula: it has no part, no load and no limit"
 

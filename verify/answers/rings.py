@@ -7,7 +7,7 @@ import numpy as np
 from analytic.ring import lame
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
-from verify.case import Values
+from verify.core.case import Values
 
 SPRAG_LOAD = "the stress by the sprag forces F is not included: ring-loads-inner, -outer have it"
 

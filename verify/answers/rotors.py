@@ -6,10 +6,10 @@ from typing import Any
 
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
-from verify.case import Values
-from verify.cases.rotor_clutch_words import open_slices
-from verify.cases.rotor_system_model import opposite_criticals
-from verify.cases.rotor_system_words import criticals, distance, limits
+from verify.cases.rotor.clutch.words import open_slices
+from verify.cases.rotor.system.model import opposite_criticals
+from verify.cases.rotor.system.words import criticals, distance, limits
+from verify.core.case import Values
 
 SEPARATION = 0.15
 RPM = math.pi / 30

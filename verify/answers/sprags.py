@@ -7,15 +7,15 @@ from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import permissible
-from verify.case import Values
-from verify.cases.sprag_clutch_advice import why
-from verify.cases.sprag_clutch_limits import as_torque_grows, verdict
-from verify.cases.sprag_clutch_values import analytic
-from verify.cases.sprag_crown_formulas import pressed
-from verify.cases.sprag_engagement_formulas import at_rest
-from verify.cases.sprag_engagement_model import crowned_for
-from verify.cases.sprag_engagement_model import wedge as wedge_states
-from verify.cases.sprag_friction_formulas import asked as required_friction
+from verify.cases.sprag.clutch.advice import why
+from verify.cases.sprag.clutch.limits import as_torque_grows, verdict
+from verify.cases.sprag.clutch.values import analytic
+from verify.cases.sprag.crown.formulas import pressed
+from verify.cases.sprag.engagement.formulas import at_rest
+from verify.cases.sprag.engagement.model import crowned_for
+from verify.cases.sprag.engagement.model import wedge as wedge_states
+from verify.cases.sprag.friction.formulas import asked as required_friction
+from verify.core.case import Values
 
 FRICTION = "required friction coefficient tan ν of the inner contact"
 NO_CROWN = (

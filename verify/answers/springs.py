@@ -8,7 +8,7 @@ from analytic.spring.wide_leaf import width_factor
 from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import strip_strength
-from verify.case import Values
+from verify.core.case import Values
 
 FREE_STAGE = 0.47  # of the free length, where the leaves of the paper's spring touch (Wang 2023)
 LARGEST_STROKE = 0.6  # of the free length (Eq. 12)

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from verify import units
-from verify.inputs import Inputs, is_table, meta
+from verify.core import units
+from verify.core.inputs import Inputs, is_table, meta
 
 
 @dataclass(frozen=True)

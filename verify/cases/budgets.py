@@ -6,16 +6,14 @@ whose results would count as another code's with every word that is added here.
 
 from collections.abc import Mapping
 
-from verify.budget_statement import Statement
-from verify.cases import (
-    contact_budget,
-    freewheel_budget,
-    polyhedral_budget,
-    ring_budget,
-    rotor_budget,
-    sprag_budget,
-    spring_budget,
-)
+from verify.cases.contact import budget as contact_budget
+from verify.cases.freewheel import budget as freewheel_budget
+from verify.cases.polyhedral import budget as polyhedral_budget
+from verify.cases.ring import budget as ring_budget
+from verify.cases.rotor import budget as rotor_budget
+from verify.cases.sprag import budget as sprag_budget
+from verify.cases.spring import budget as spring_budget
+from verify.judging.budget_statement import Statement
 
 STATEMENTS: Mapping[str, Statement] = {
     **ring_budget.STATEMENTS, **polyhedral_budget.STATEMENTS, **freewheel_budget.STATEMENTS,

@@ -3,54 +3,54 @@
 from collections.abc import Sequence
 from difflib import get_close_matches
 
-from verify.case import Case
-from verify.cases.contact_line_flat import FLAT
-from verify.cases.contact_line_pair import PAIR
-from verify.cases.contact_line_ring import RING
-from verify.cases.contact_press_fit import PRESS_FIT
-from verify.cases.contact_roller import ROLLER
-from verify.cases.contact_roller_crowns import CROWNS
-from verify.cases.contact_roller_end import END
-from verify.cases.contact_roller_flat import UNCROWNED
-from verify.cases.contact_roller_tilted import TILTED
-from verify.cases.contact_slip import SLIP
-from verify.cases.contact_sphere import SPHERE
-from verify.cases.freewheel_clutch import CLUTCH as FREEWHEEL
-from verify.cases.freewheel_cup import CUP
-from verify.cases.freewheel_friction import FRICTION
-from verify.cases.freewheel_paths import PATHS
-from verify.cases.freewheel_torque import TORQUE
-from verify.cases.polyhedral_clutch import CLUTCH
-from verify.cases.polyhedral_locking import LOCKING
-from verify.cases.polyhedral_map import MAP as POLYHEDRAL_MAP
-from verify.cases.polyhedral_pressure import PRESSURE
-from verify.cases.polyhedral_ring import RING as POLYHEDRAL_RING
-from verify.cases.polyhedral_wedge import WEDGE
-from verify.cases.ring import LAME
-from verify.cases.ring_loads import INNER, OUTER
-from verify.cases.ring_loads_map import MAP
-from verify.cases.ring_rotation import ROTATION
-from verify.cases.rotor_clutch import CLUTCH as ROTOR_CLUTCH
-from verify.cases.rotor_shaft import SHAFT
-from verify.cases.rotor_sprag import SPRAG_ROTOR
-from verify.cases.rotor_step import STEP
-from verify.cases.rotor_system import SYSTEM
-from verify.cases.sprag_clutch import CLUTCH as SPRAG
-from verify.cases.sprag_crown import CROWN
-from verify.cases.sprag_engagement import ENGAGEMENT
-from verify.cases.sprag_friction import FRICTION as STICK_SLIP
-from verify.cases.sprag_optimum import OPTIMUM_25, OPTIMUM_40
-from verify.cases.sprag_optimum_deep import DEEP_25, DEEP_40
-from verify.cases.sprag_wedge import WEDGE as SPRAG_WEDGE
-from verify.cases.spring_accordion import ACCORDION
-from verify.cases.spring_buckling import BUCKLING
-from verify.cases.spring_continuum import CONTINUUM
-from verify.cases.spring_curve import CURVE
-from verify.cases.spring_map import DEEP_MAP
-from verify.cases.spring_map import MAP as SPRING_MAP
-from verify.cases.spring_stages import STAGES
-from verify.cases.spring_width import WIDTH
-from verify.nearest import FEW, nearest
+from verify.cases.contact.line.flat import FLAT
+from verify.cases.contact.line.pair import PAIR
+from verify.cases.contact.line.ring import RING
+from verify.cases.contact.press_fit.case import PRESS_FIT
+from verify.cases.contact.roller.case import ROLLER
+from verify.cases.contact.roller.crowns import CROWNS
+from verify.cases.contact.roller.end import END
+from verify.cases.contact.roller.flat import UNCROWNED
+from verify.cases.contact.roller.tilted import TILTED
+from verify.cases.contact.slip.case import SLIP
+from verify.cases.contact.sphere.case import SPHERE
+from verify.cases.freewheel.clutch.case import CLUTCH as FREEWHEEL
+from verify.cases.freewheel.cup.case import CUP
+from verify.cases.freewheel.friction.case import FRICTION
+from verify.cases.freewheel.paths.case import PATHS
+from verify.cases.freewheel.torque.case import TORQUE
+from verify.cases.polyhedral.clutch.case import CLUTCH
+from verify.cases.polyhedral.locking.case import LOCKING
+from verify.cases.polyhedral.map.case import MAP as POLYHEDRAL_MAP
+from verify.cases.polyhedral.pressure.case import PRESSURE
+from verify.cases.polyhedral.ring.case import RING as POLYHEDRAL_RING
+from verify.cases.polyhedral.wedge.case import WEDGE
+from verify.cases.ring.lame.case import LAME
+from verify.cases.ring.loads.case import INNER, OUTER
+from verify.cases.ring.loads_map.case import MAP
+from verify.cases.ring.rotation.case import ROTATION
+from verify.cases.rotor.clutch.case import CLUTCH as ROTOR_CLUTCH
+from verify.cases.rotor.shaft.case import SHAFT
+from verify.cases.rotor.sprag.case import SPRAG_ROTOR
+from verify.cases.rotor.step.case import STEP
+from verify.cases.rotor.system.case import SYSTEM
+from verify.cases.sprag.clutch.case import CLUTCH as SPRAG
+from verify.cases.sprag.crown.case import CROWN
+from verify.cases.sprag.engagement.case import ENGAGEMENT
+from verify.cases.sprag.friction.case import FRICTION as STICK_SLIP
+from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40
+from verify.cases.sprag.optimum.deep import DEEP_25, DEEP_40
+from verify.cases.sprag.wedge.case import WEDGE as SPRAG_WEDGE
+from verify.cases.spring.accordion.case import ACCORDION
+from verify.cases.spring.buckling.case import BUCKLING
+from verify.cases.spring.continuum.case import CONTINUUM
+from verify.cases.spring.curve.case import CURVE
+from verify.cases.spring.map.case import DEEP_MAP
+from verify.cases.spring.map.case import MAP as SPRING_MAP
+from verify.cases.spring.stages.case import STAGES
+from verify.cases.spring.width.case import WIDTH
+from verify.core.case import Case
+from verify.core.nearest import FEW, nearest
 
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,

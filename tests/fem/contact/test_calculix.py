@@ -7,8 +7,8 @@ import pytest
 
 from benchmarks import hertz
 from benchmarks.calculix_contact import Settings, run_deck, write_deck
-from verify.crosscheck.calculix.numbering import Numbering
-from verify.crosscheck.calculix.running import executable
+from verify.studies.crosscheck.calculix.numbering import Numbering
+from verify.studies.crosscheck.calculix.running import executable
 
 CELLS = (18, 15)
 STIFF = Settings(slope=500, start=0.25)

@@ -9,8 +9,8 @@ from fem.plane.material import Elastic
 from fem.shell.solve import solve_shell
 from meshes.shell.strip import swept_path
 from meshes.spring.path import Piece
-from verify.crosscheck.calculix.running import executable, run_deck
-from verify.crosscheck.calculix.shells import ShellDeck
+from verify.studies.crosscheck.calculix.running import executable, run_deck
+from verify.studies.crosscheck.calculix.shells import ShellDeck
 
 STEEL = Elastic(E=206e3, nu=0.3)
 R, LEAF, WIDTH, T = 5.0, 8.0, 6.0, 0.1

@@ -13,9 +13,9 @@ from fem.plane.material import Elastic
 from fem.shell.solve import solve_shell
 from meshes.shell.strip import swept_path
 from meshes.spring.path import accordion
-from verify.crosscheck.calculix.reading import strain_energy
-from verify.crosscheck.calculix.running import executable, run_deck
-from verify.crosscheck.calculix.swept import SweptDeck
+from verify.studies.crosscheck.calculix.reading import strain_energy
+from verify.studies.crosscheck.calculix.running import executable, run_deck
+from verify.studies.crosscheck.calculix.swept import SweptDeck
 
 STEEL = Elastic(E=206e3, nu=0.3)  # MPa, mm
 B, PER_ARC, PER_LEAF = 0.1, 6, 12

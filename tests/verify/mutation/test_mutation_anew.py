@@ -8,14 +8,14 @@ from functools import partial
 import pytest
 
 from tests.conftest import solved
+from verify.audit.mutation import anew, trial
+from verify.audit.mutation.forked import Task, answers
+from verify.audit.mutation.known import Noted
+from verify.audit.mutation.outcomes import By
+from verify.audit.mutation.sites import Changed, mutants, source
+from verify.audit.mutation.trial import Bench
+from verify.audit.mutation.workload import Load
 from verify.cases.registry import CASES, find
-from verify.mutation import anew, trial
-from verify.mutation.forked import Task, answers
-from verify.mutation.known import Noted
-from verify.mutation.outcomes import By
-from verify.mutation.sites import Changed, mutants, source
-from verify.mutation.trial import Bench
-from verify.mutation.workload import Load
 
 
 def bench_of(name: str) -> Bench:

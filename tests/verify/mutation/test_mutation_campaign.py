@@ -9,21 +9,21 @@ from textwrap import dedent
 
 import pytest
 
-from verify.case import Case, FemResult
-from verify.checks import Fact
-from verify.inputs import Inputs, quantity
-from verify.mutation import groups, known, score, suite, trial, workload
-from verify.mutation.campaign import Campaign
-from verify.mutation.forked import Task, answers
-from verify.mutation.groups import Group, functions_of
-from verify.mutation.outcomes import By, Outcome, Store
-from verify.mutation.sample import sample
-from verify.mutation.sites import mutants, source
-from verify.mutation.subject_operators import FORMULAS
-from verify.mutation.told import told
-from verify.mutation.trial import Bench, Shift
-from verify.mutation.workload import Load
-from verify.results import Caught, MutantGroup, Survivor
+from verify.audit.mutation import groups, known, score, suite, trial, workload
+from verify.audit.mutation.campaign import Campaign
+from verify.audit.mutation.forked import Task, answers
+from verify.audit.mutation.groups import Group, functions_of
+from verify.audit.mutation.outcomes import By, Outcome, Store
+from verify.audit.mutation.sample import sample
+from verify.audit.mutation.sites import mutants, source
+from verify.audit.mutation.subject_operators import FORMULAS
+from verify.audit.mutation.told import told
+from verify.audit.mutation.trial import Bench, Shift
+from verify.audit.mutation.workload import Load
+from verify.core.case import Case, FemResult
+from verify.core.inputs import Inputs, quantity
+from verify.core.results import Caught, MutantGroup, Survivor
+from verify.judging.checks import Fact
 
 FORMULA = """
     def width(a, b):

@@ -4,9 +4,9 @@ import ast
 
 import pytest
 
-from verify.mutation.operators import Around
-from verify.mutation.sites import Source, mutants, owners
-from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
+from verify.audit.mutation.operators import Around
+from verify.audit.mutation.sites import Source, mutants, owners
+from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 
 EVERY = FORMULAS | JUDGING | FINITE_ELEMENTS
 

@@ -6,10 +6,10 @@ from textwrap import dedent
 
 import pytest
 
-from verify.mutation.forked import Task, answers
-from verify.mutation.patching import NotPatchedError, patch
-from verify.mutation.sites import mutants, source
-from verify.mutation.subject_operators import FORMULAS
+from verify.audit.mutation.forked import Task, answers
+from verify.audit.mutation.patching import NotPatchedError, patch
+from verify.audit.mutation.sites import mutants, source
+from verify.audit.mutation.subject_operators import FORMULAS
 
 FORMULA = """
     from dataclasses import dataclass

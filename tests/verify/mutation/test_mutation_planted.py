@@ -6,15 +6,15 @@ from functools import partial
 import pytest
 
 from tests.conftest import solved
-from verify.cases.ring import LAME
-from verify.mutation import trial
-from verify.mutation.forked import Task, answers
-from verify.mutation.known import Noted
-from verify.mutation.outcomes import By
-from verify.mutation.sites import mutants, source
-from verify.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
-from verify.mutation.trial import Bench
-from verify.mutation.workload import Load
+from verify.audit.mutation import trial
+from verify.audit.mutation.forked import Task, answers
+from verify.audit.mutation.known import Noted
+from verify.audit.mutation.outcomes import By
+from verify.audit.mutation.sites import mutants, source
+from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
+from verify.audit.mutation.trial import Bench
+from verify.audit.mutation.workload import Load
+from verify.cases.ring.lame.case import LAME
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +64,11 @@ def test_a_weak_form_with_a_sign_mistaken_is_named_by_what_it_strains(bench):
 
 def test_a_grid_index_that_is_too_small_is_named_where_the_mesh_makes_the_difference(bench):
     fault = planted(
-        "verify.convergence", JUDGING, "grid_convergence", "max(gci, floor)", "min(gci, floor)"
+        "verify.judging.convergence",
+        JUDGING,
+        "grid_convergence",
+        "max(gci, floor)",
+        "min(gci, floor)",
     )
     by, what = verdict(partial(trial.tried, fault, [bench]))
     assert by == By.ROWS

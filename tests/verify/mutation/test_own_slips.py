@@ -8,11 +8,11 @@ from dataclasses import replace
 
 import pytest
 
-from verify import judge
-from verify.case import Case
 from verify.cases.registry import CASES, find
-from verify.checks import Approximation
-from verify.results import Status
+from verify.core.case import Case
+from verify.core.results import Status
+from verify.judging import judge
+from verify.judging.checks import Approximation
 
 
 def hiding(case: Case) -> dict[str, Status]:

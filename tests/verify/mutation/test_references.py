@@ -9,25 +9,19 @@ from dataclasses import replace
 import pytest
 
 from tests.verify.test_checks import context, identity, power_law
-from verify import judge
-from verify.agreement import Agreement, Pair
-from verify.cache import default_folder
-from verify.case import Context
+from verify.audit.mutation import gate
+from verify.audit.mutation.references import both_ways, measured, score
+from verify.audit.mutation.references_moved import PERTURBATIONS, Tried, moved, of_paper, tried
+from verify.audit.mutation.references_read import read
 from verify.cases.registry import CASES, find
-from verify.checks import Approximation, Exact, Fact, Limit
-from verify.inputs import InputError
-from verify.mutation import gate
-from verify.mutation.references import both_ways, measured, score
-from verify.mutation.references_moved import (
-    PERTURBATIONS,
-    Tried,
-    moved,
-    of_paper,
-    tried,
-)
-from verify.mutation.references_read import read
-from verify.results import Kind, Status
-from verify.run import solve_level
+from verify.core.case import Context
+from verify.core.inputs import InputError
+from verify.core.results import Kind, Status
+from verify.jobs.cache import default_folder
+from verify.jobs.run import solve_level
+from verify.judging import judge
+from verify.judging.agreement import Agreement, Pair
+from verify.judging.checks import Approximation, Exact, Fact, Limit
 
 ALL = frozenset(PERTURBATIONS)
 SERIES = power_law(2.0, 1e-3)
@@ -86,7 +80,7 @@ def test_judged_again_with_nothing_moved_a_row_is_the_very_same(check):
     [pytest.param(find(name, CASES), id=name) for name in ("polyhedral-ring", "ring-loads-map")],
 )
 def test_so_are_the_rows_of_cases_and_each_that_compares_is_reached(case):
-    """A row that `verify.judge` did not judge would be the same however references are wrong."""
+    """A row that `judge` did not judge would be the same however references are wrong."""
     where = context_of(case)
     for check in case.checks:
         before = check.rows(where)

@@ -1,0 +1,24 @@
+"""How assumed inputs are listed: on the terminal, and beside the inputs of a report."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from verify.answers.assumed.rules import Assumed
+from verify.core.results import CaseResult
+from verify.core.told import aligned
+
+
+def print_assumed(assumed: Sequence[Assumed]) -> None:
+    """Every assumed input with its value and source, nothing where all inputs are given."""
+    if not assumed:
+        return
+    print("assumed, because the file does not give them")
+    for line in aligned([(one.name, one.text, one.source) for one in assumed]):
+        print(f"  {line}")
+
+
+def with_sources(result: CaseResult, assumed: Sequence[Assumed]) -> CaseResult:
+    """The result whose assumed inputs carry their source."""
+    sources = {one.name: f"assumed, {one.source}" for one in assumed}
+    inputs = tuple(replace(i, source=sources.get(i.name, i.source)) for i in result.inputs)
+    return replace(result, inputs=inputs)

@@ -1,0 +1,84 @@
+"""A parameter file as the commands take it: its case, its inputs and the values of the formulas."""
+
+import math
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from verify.answers.assumed.complete import build_completed
+from verify.answers.assumed.registry import TASKS
+from verify.answers.assumed.rules import Assumed
+from verify.cases.registry import find
+from verify.core.case import Case, Values
+from verify.core.inputs import InputError, Inputs, read_parameter_file
+from verify.core.unit_systems import System, system_of
+
+MISSING = "inputs: missing "
+DEFAULTS = {
+    "freewheel-cup": 'freewheel-clutch with kind = "outer cam"',
+    "freewheel-torque": "freewheel-clutch", "freewheel-friction": "freewheel-clutch",
+    "polyhedral-ring": "polyhedral-clutch", "polyhedral-locking": "polyhedral-clutch",
+    "polyhedral-wedge": "polyhedral-clutch", "sprag-wedge": "sprag-clutch",
+    "spring-stages": "spring-accordion", "spring-buckling": "spring-accordion",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParameterFile:
+    """What a file holds: `assumed` are the inputs that it leaves out, `system` its units."""
+
+    name: str
+    case: Case
+    inputs: Inputs
+    values: Values
+    assumed: tuple[Assumed, ...]
+    system: System
+
+
+def read(path: Path) -> ParameterFile:
+    """The parameter file at `path`; InputError says in one line what is wrong."""
+    case_id, name, raw = read_parameter_file(path)
+    case = _case(case_id, path)
+    try:
+        inputs, assumed = build_completed(case_id, case.inputs, raw, str(path))
+    except InputError as error:
+        raise InputError(f"{error}{_with_defaults(case_id, str(error))}") from error
+    return ParameterFile(
+        name=name, case=case, inputs=inputs, values=_values(case, inputs, path), assumed=assumed,
+        system=system_of(raw),
+    )  # fmt: skip
+
+
+def _with_defaults(case_id: str, message: str) -> str:
+    """The case of the same part whose inputs may be left out, where some are missing."""
+    other = DEFAULTS.get(case_id)
+    return (
+        f"; case {other} assumes inputs that are left out" if other and MISSING in message else ""
+    )
+
+
+def _case(case_id: str, path: Path) -> Case:
+    try:
+        return find(case_id)
+    except ValueError as error:
+        if case_id in TASKS:
+            task = f"a task for freewheel design: freewheel design {shlex.quote(str(path))}"
+            raise InputError(f"{path}: case: {task}") from error
+        raise InputError(f"{path}: case: {error}") from error
+
+
+def _values(case: Case, inputs: Inputs, path: Path) -> Values:
+    """All values of the formulas [SI]; InputError where one is not finite."""
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            values = case.analytic(inputs)
+    except FloatingPointError as error:
+        reason = "the formulas divide by zero or overflow with these values"
+        raise InputError(f"{path}: inputs: {reason} ({error})") from error
+    except (ValueError, ArithmeticError) as error:
+        raise InputError(f"{path}: inputs: {error}") from error
+    if wild := [key for key, value in values.items() if not math.isfinite(value)]:
+        raise InputError(f"{path}: inputs: {wild[0]} is not finite with these inputs")
+    return values

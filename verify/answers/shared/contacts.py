@@ -1,0 +1,181 @@
+"""Assumptions that both sides of the contact and rotor cases share."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.answers.shared.record import Function, SharedReading, Values, only_at_paper, ratio
+
+ENDS = SharedReading(
+    assumption="the roller is alike along the axis (plane strain)",
+    part="its ends bear more or less than its middle", quantity="the largest pressure",
+    source="not quantified here; see the cases contact-roller-flat and contact-roller-end",
+)  # fmt: skip
+SMOOTH = SharedReading(
+    assumption="surfaces are smooth and free of friction",
+    part="they are rough and rub",
+    quantity="the largest pressure",
+)
+RIM = SharedReading(
+    assumption="the rim of the race is held all around",
+    part="a housing holds it elastically",
+    quantity="the approach δ",
+)
+PARALLEL = SharedReading(
+    assumption="the axis of the roller is parallel to the race", part="it is tilted",
+    quantity="the largest pressure beyond d of the ends",
+    source="not quantified here; -7 % at 0.03° (case contact-roller-tilted)",
+)  # fmt: skip
+
+
+def _half_space(effect: float) -> Function:
+    """Half-spaces go on beyond the ends; `effect` was measured by case contact-roller-end."""
+
+    def found(q: Any, _: Values) -> tuple[SharedReading, ...]:
+        known = only_at_paper(q, effect)
+        source = "case contact-roller-end, finite elements" if known else (
+            "not quantified for these inputs; run case contact-roller-end")  # fmt: skip
+        ends = SharedReading(
+            assumption="both bodies are half-spaces, which go on beyond the ends",
+            part="the roller ends there", quantity="the load within d of the ends",
+            effect=known, source=source,
+        )  # fmt: skip
+        aligned = () if hasattr(q, "theta") else (PARALLEL,)
+        return (ends, *aligned, SMOOTH)
+
+    return found
+
+
+CROWNED, FLAT = 0.289, 0.354  # end load of half-spaces over that of a roller with end faces
+
+
+def _line(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (ENDS, SMOOTH)
+
+
+def _ring(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (ENDS, RIM, SMOOTH)
+
+
+def _slip(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="friction has one coefficient, for sticking and sliding",
+            part="it differs, and changes with wear", quantity="the energy of a cycle W",
+            source="not quantified; where all slips, W is proportional to μ",
+        ),
+        ENDS,
+    )  # fmt: skip
+
+
+def _sphere(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="the bodies are spheres", quantity="the pressure p_0",
+            part="sprag and race touch along a line",
+        ),
+        SMOOTH,
+    )  # fmt: skip
+
+
+def _press_fit(_: Any, v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="the rings are free along the axis (rows in plane stress)",
+            part="friction in the fit and their width hold them", quantity="the fit pressure p",
+            source="plane strain, the other limit",
+            effect=ratio(v, "rings, plane stress: p", "rings, plane strain: p"),
+        ),
+        SharedReading(
+            assumption="the pressure in the bore is uniform", part="single sprags press on it",
+            quantity="the stresses in the inner ring",
+            source="not quantified here; see case ring-loads-outer",
+        ),
+    )  # fmt: skip
+
+
+def _end(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="the edge of the end face is sharp", quantity="the load at the ends F_d",
+            part="it has a chamfer or a radius",
+        ),
+        SMOOTH,
+    )  # fmt: skip
+
+
+def _links(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="races are rigid", part="they bend under the sprags",
+            quantity="the stiffness K_xx", source="not quantified; stiffnesses are too large",
+        ),
+        SharedReading(
+            assumption="all sprags are alike", quantity="the stiffness K_xx",
+            part="tolerances and wear load some more than others",
+        ),
+    )  # fmt: skip
+
+
+UNDAMPED = SharedReading(
+    assumption="bearings and supports are linear springs on rigid ground",
+    part="their stiffness depends on load and speed, and the casing yields",
+    quantity="the critical speeds",
+)
+
+
+def _shaft(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="bearings are rigid supports at the ends", part="they yield",
+            quantity="the critical speed Ω_c", source="not quantified; Ω_c is too large",
+        ),
+    )  # fmt: skip
+
+
+def _step(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="the shaft is one body", quantity="the critical speed Ω_c",
+            part="discs and sleeves are shrunk on and stiffen it",
+        ),
+        UNDAMPED,
+    )  # fmt: skip
+
+
+def _system(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        UNDAMPED,
+        SharedReading(
+            assumption="discs are rigid", part="thin ones bend", quantity="the critical speeds"
+        ),
+    )
+
+
+def _sprag_rotor(_q: Any, _v: Values) -> tuple[SharedReading, ...]:
+    return (
+        SharedReading(
+            assumption="the identified parameters are those of the rig",
+            part="12 unknowns are fitted to three printed speeds", quantity="all speeds but these",
+        ),
+        UNDAMPED,
+    )  # fmt: skip
+
+
+CONTACTS: Mapping[str, Function] = {
+    "contact-flat": _line,
+    "contact-pair": _line,
+    "contact-ring": _ring,
+    "contact-slip": _slip,
+    "contact-sphere": _sphere,
+    "contact-press-fit": _press_fit,
+    "contact-roller": _half_space(CROWNED),
+    "contact-roller-tilted": _half_space(CROWNED),
+    "contact-roller-flat": _half_space(FLAT),
+    "contact-roller-crowns": _half_space(CROWNED),
+    "contact-roller-end": _end,
+    "rotor-clutch": _links,
+    "rotor-shaft": _shaft,
+    "rotor-step": _step,
+    "rotor-system": _system,
+    "rotor-sprag": _sprag_rotor,
+}

@@ -1,0 +1,107 @@
+"""The command `init`: a commented parameter file with the paper's numbers, made from the model."""
+
+import sys
+from io import TextIOWrapper
+from pathlib import Path
+
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.answers.template_lines import aligned, assigned, comment, commented, sections
+from verify.cases.registry import find
+from verify.core.case import Case
+from verify.core.inputs import REQUIRED, InputError, Inputs, entry_model, is_table, meta
+from verify.papers.ledger import cited
+
+HEAD = """\
+# Parameters of the freewheel case {id}: {title}.
+# The numbers are {whose}; put in your own, and then
+#   freewheel check my.toml          formulas, with warnings where they leave their range
+#   freewheel check --fem my.toml    and judged by finite elements on these parameters
+# A value keeps its unit; any other unit of the same kind will do.
+
+case = "{id}"
+name = "my {id}"
+
+[inputs]
+"""
+IN_A_LINE = """
+# A table may also stand in one line, before those below:
+#   segments = [{shaft = "a", length = "90 mm", d_o = "40 mm"}, {shaft = "a", length = ...}]
+"""
+TASKS = ("design-spring", "design-sprag")
+
+
+def run_init(case_id: str, out: Path | None) -> int:
+    """Print the template of a case, or write it to a file that does not exist yet."""
+    try:
+        case = find(case_id)
+    except ValueError as error:
+        raise InputError(f"{error}; tasks of design are {', '.join(TASKS)}") from error
+    hand_over(template(case), out)
+    return 0
+
+
+def hand_over(text: str, out: Path | None) -> None:
+    """Print a template, or write it to a file that does not exist yet."""
+    if out is None:
+        if isinstance(sys.stdout, TextIOWrapper):
+            sys.stdout.reconfigure(encoding="utf-8")  # TOML is, whatever the terminal takes
+        print(text, end="")
+        return
+    try:
+        with out.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError as error:
+        raise InputError(f"{out}: exists already and is not overwritten") from error
+    except OSError as error:
+        raise InputError(f"{out}: cannot be written: {error.strerror}") from error
+
+
+def template(case: Case) -> str:
+    """A parameter file of the paper's numbers.
+
+    Of a case with assumptions the lines that are needed stand first and the others behind a #:
+    with these it builds to the paper's inputs. Of another case it does so as it is.
+    """
+    printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
+    whose = f"the paper's ({cited(case.paper)}) where it prints them" if printed \
+        else "this project's own"  # fmt: skip
+    head = HEAD.format(id=case.id, title=case.title, whose=whose)
+    assumptions = ASSUMPTIONS.get(case.id, ())
+    if assumptions:
+        body = sections(case.inputs, assumptions, "the paper's" if printed else "this project's")
+        body += IN_A_LINE if any(map(is_table, case.inputs.model_fields.values())) else ""
+    else:
+        body = aligned(commented(case.inputs))
+    return head + body + _instead(case.inputs) + _tables(case.inputs)
+
+
+def _instead(model: type[Inputs]) -> str:
+    """The other set of inputs, if any, each behind a #."""
+    what, values = model.instead
+    if not what:
+        return ""
+    return f"\n# Or {what}\n" + "".join(f"#   {name} = {text}\n" for name, text in values.items())
+
+
+def _tables(model: type[Inputs]) -> str:
+    """Every table: its first entry with all that may be said, the others in short."""
+    found = ""
+    for name, field in model.model_fields.items():
+        if not is_table(field):
+            continue
+        own, about = entry_model(field), meta(field)
+        optional = "" if about["omitted"] == REQUIRED else " Optional."
+        found += f"\n# {about['what']}{optional}\n"
+        entries = field.default or (own(),)
+        hidden = "" if field.default else "# "
+        for k, entry in enumerate(entries):
+            lines = [(assigned(n, f, getattr(entry, n)), comment(n, f, ""))
+                     for n, f in own.model_fields.items()]  # fmt: skip
+            if k == 0:
+                body = aligned(lines) + _instead(own)
+            else:
+                body = "".join(f"{line}\n" for line, _ in lines if not line.startswith("#"))
+            text = f"[[inputs.{name}]]\n{body}"
+            found += "".join(f"{hidden}{line}\n" for line in text.splitlines())
+            found += "\n" if k + 1 < len(entries) else ""
+    return found

@@ -1,0 +1,141 @@
+"""Lines of a template: an input with its value; beside it what it is, its range and source."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pydantic.fields import FieldInfo
+
+from verify.answers.assumed.rules import Assumption
+from verify.core import units
+from verify.core.inputs import REQUIRED, Inputs, bounds_of, choices, is_table, meta
+from verify.papers.ledger import published
+
+CHOSEN = "not printed, chosen for this suite"
+OPTIONAL = "# Optional: an omitted line takes the value that it states; these are {whose} numbers"
+EXAMPLES = "# Optional too, not among {whose} numbers: examples"
+
+
+def sections(
+    model: type[Inputs],
+    assumptions: Sequence[Assumption],
+    whose: str,
+    *,
+    also: Sequence[str] = (),
+    more: Sequence[tuple[str, str]] = (),
+) -> str:
+    """The inputs that are needed, then behind a # each what is optional, and examples.
+
+    `also` names optional inputs to show among the needed ones; `more` are further optional lines.
+    """
+    known = {one.name: one for one in assumptions}
+    fields = {n: f for n, f in model.model_fields.items() if not is_table(f)}
+    needed = [
+        n for n, f in fields.items()
+        if n in also or (meta(f)["omitted"] == REQUIRED and n not in known)
+    ]  # fmt: skip
+    optional = [n for n, f in fields.items() if n not in needed and f.default is not None]
+    examples = [n for n, f in fields.items() if n not in needed and f.default is None]
+
+    def shown(names: Sequence[str]) -> list[tuple[str, str]]:
+        return [_hidden(n, fields[n], known) for n in names]
+
+    text = aligned([_line(n, fields[n], known) for n in needed])
+    text += f"\n{OPTIONAL.format(whose=whose)}\n{aligned([*shown(optional), *more])}"
+    if examples:
+        text += f"\n{EXAMPLES.format(whose=whose)}\n{aligned(shown(examples))}"
+    return text
+
+
+def _line(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple[str, str]:
+    text, about = assigned(name, field, field.default), comment(name, field)
+    if name in known:
+        stated = meta(field)["omitted"] != REQUIRED  # by `comment` already
+        about += f"; assumed: {known[name].source}" if stated else f"; {if_left_out(known[name])}"
+    return text, about
+
+
+def _hidden(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple[str, str]:
+    """The line of an input behind a #."""
+    text, about = _line(name, field, known)
+    return f"# {text.removeprefix('# ')}", about
+
+
+def if_left_out(one: Assumption) -> str:
+    """What is assumed without a line, and why."""
+    value = "" if callable(one.value) else f" {one.value}"
+    return f"optional; if left out{value}: {one.source}"
+
+
+def commented(model: type[Inputs]) -> list[tuple[str, str]]:
+    """Every input but tables as its line of TOML, and what is to be said of it."""
+    fields = [(n, f) for n, f in model.model_fields.items() if not is_table(f)]
+    return [(assigned(name, field, field.default), comment(name, field)) for name, field in fields]
+
+
+def aligned(lines: Sequence[tuple[str, str]]) -> str:
+    """Lines of TOML with their comments below each other."""
+    width = max(len(text) for text, _ in lines)
+    return "".join(f"{text:{width}}  # {comment}\n" for text, comment in lines)
+
+
+def assigned(name: str, field: FieldInfo, value: Any) -> str:
+    """`r_i = "19.44 mm"`; behind a # where leaving it out gives the same inputs as well."""
+    about = meta(field)
+    unit, left_out = about["unit"], about["omitted"] != REQUIRED and about["omitted"] == value
+    if value is None:
+        if not about["example"]:
+            raise ValueError(f"input {name} has no default: its quantity() needs an example")
+        value = units.parse(about["example"], unit)
+    return f"{'# ' if left_out else ''}{name} = {_literal(value, unit)}"
+
+
+def _literal(value: Any, unit: str) -> str:
+    """The shortest TOML value that reads as `value` [SI], of six digits or more."""
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, int) or unit == "1":
+        return repr(value)
+    texts = [f"{value / units.factor(unit):.{digits}g} {unit}" for digits in range(6, 18)]
+    return f'"{next((t for t in texts if units.parse(t, unit) == value), texts[-1])}"'
+
+
+def comment(name: str, field: FieldInfo, chosen: str = CHOSEN) -> str:
+    about = meta(field)
+    symbol = f", {about['symbol']}" if about["symbol"] not in ("", name) else ""
+    own = "" if field.default is None or field.default == about["omitted"] else chosen
+    source = _source(about["claims"]) if about["claims"] else own
+    parts = [f"{about['what']}{symbol}", _range(field), _omission(field), source]
+    return "; ".join(part for part in parts if part)
+
+
+def _range(field: FieldInfo) -> str:
+    """What the value may be, in the unit of the input."""
+    if choice := choices(field):
+        return f"one of {', '.join(choice)}"
+    if field.annotation is str:
+        return "a text"
+    unit = meta(field)["unit"]
+    kind = "a whole number" if isinstance(field.default, int) else "a number"
+    bounds = [f"{word} {_shown(bound, unit)}" for word, bound in bounds_of(field)]
+    return " ".join(filter(None, (kind if unit == "1" else "", " and ".join(bounds))))
+
+
+def _omission(field: FieldInfo) -> str:
+    omitted, unit = meta(field)["omitted"], meta(field)["unit"]
+    if omitted == REQUIRED:
+        return ""
+    if omitted is None:
+        return "optional, not used if left out"
+    meant = _shown(omitted, unit) if isinstance(omitted, float) else omitted
+    return f"optional, {meant} if left out"
+
+
+def _source(claim: str) -> str:
+    """Where the paper prints it."""
+    value = published(claim)
+    unit = "" if value.unit == "1" else f" {value.unit}"
+    return f"{claim.partition(':')[0]}, {value.place}: {value.printed}{unit}"
+
+
+def _shown(value: float, unit: str) -> str:
+    return f"{value / units.factor(unit):.6g}" + ("" if unit == "1" else f" {unit}")

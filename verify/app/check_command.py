@@ -1,0 +1,173 @@
+"""`freewheel check`: a user's parameters through the formulas, and through finite elements."""
+
+import json
+import shlex
+import sys
+import time
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from verify.answers.answer import EXIT_STATUS, Answer, Verdict
+from verify.answers.answer_units import assumed_in, dynamic_in_units, in_units, record_in_units
+from verify.answers.assumed.listed import with_sources
+from verify.answers.dependence import margin_notes
+from verify.answers.evidence import why_not_solved, with_rows
+from verify.answers.evidence import with_dynamic as answer_with_dynamic
+from verify.answers.parameter_file import ParameterFile, read
+from verify.answers.registry import answer as answer_of
+from verify.answers.shared_readings import SharedReading, shared_readings
+from verify.answers.usual import unusual
+from verify.app.check_console import Checked, answer_lines, limits_table, print_check
+from verify.app.check_record import check_record
+from verify.app.commands import make_report, writable, write_report
+from verify.core.case import Case
+from verify.core.inputs import InputError, Inputs
+from verify.core.results import CaseResult, Status
+from verify.core.unit_systems import System
+from verify.jobs.dynamic import asked_for, run_dynamic, with_dynamic
+from verify.jobs.engines import Where
+from verify.jobs.run import Job
+from verify.jobs.solving import solve
+
+GIVE_STRENGTH = "give R_p"
+DRAWN_IN_MM = "equations, figures and further tables of this page are in mm, N and MPa"
+FAILED = (Status.FAIL, Status.SKIP)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Options:
+    """What `check` is asked for beside the formulas."""
+
+    fem: bool = False
+    dynamic: bool = False
+    json: bool = False
+    jobs: int = 0
+    cache: bool = True
+    out: Path | None = None
+    units: System | None = None
+
+
+def run_check(path: Path, options: Options) -> int:
+    """Print the answer to a parameter file; 0 it holds, 1 it or a row fails, 3 it is not decided.
+
+    InputError where the file, or what is asked for, is wrong.
+    """
+    file = read(path)
+    name, case, inputs, values = file.name, file.case, file.inputs, file.values
+    system = options.units or file.system
+    if options.dynamic:
+        asked_for(case, str(path))
+    if options.fem and (reason := case.too_large(inputs)):
+        raise InputError(f"{path}: inputs: {reason}")
+    if options.out is not None:
+        writable(options.out)
+    start = time.perf_counter()
+    drawn = options.out is not None
+    dynamic = None
+    if options.dynamic:
+        dynamic = run_dynamic(
+            case, inputs, values, where=str(path), drawn=drawn, quiet=options.json
+        )
+    job = Job(case, inputs, use_fem=options.fem, values=values, drawn=drawn)
+    (result,) = solve([job], Where(options.jobs), options.cache, quiet=options.json)
+    part = _assessed(file, path)
+    odd = unusual(inputs)
+    doubts = [w for w in result.warnings if not w.endswith(GIVE_STRENGTH)]  # a limit decides that
+    warnings = (*odd.values(), *doubts)
+    result = replace(result, name=name, command=_command(path, options), warnings=warnings)
+    result = with_sources(result, file.assumed)
+    if not options.fem:
+        result = refused(result, case, inputs)
+    if dynamic is not None and result.refused:
+        dynamic = dynamic.unjudged()
+    answer = part.answer if dynamic is None else answer_with_dynamic(part.answer, dynamic)
+    answer = with_rows(answer, result.rows)
+    notes: tuple[str, ...] = (f"outside the usual range: {', '.join(odd)}",) if odd else ()
+    notes += part.notes
+    checked = Checked(case=case, result=result, answer=answer, used_fem=options.fem,
+                      dynamic=dynamic, notes=notes, assumed=file.assumed,
+                      shared=part.shared)  # fmt: skip
+    if options.json:
+        record = check_record(in_system(checked, system), inputs, values)
+        print(json.dumps(record_in_units(record, system), ensure_ascii=False))
+    else:
+        print_check(in_system(checked, system), system)
+    if options.out is not None:
+        _write(in_system(checked, system), options, system, time.perf_counter() - start)
+    return exit_status(checked)
+
+
+def in_system(checked: Checked, system: System) -> Checked:
+    """The same with its result, dynamic part and assumed inputs in the units of a system."""
+    return replace(
+        checked, result=in_units(checked.result, system),
+        dynamic=dynamic_in_units(checked.dynamic, system),
+        assumed=assumed_in(checked.assumed, system),
+    )  # fmt: skip
+
+
+def exit_status(checked: Checked) -> int:
+    """0 the part holds, 1 it or a row fails, 3 cannot say, also without values of the reference."""
+    rows = checked.result.rows
+    if any(row.status in FAILED for row in rows) and not why_not_solved(rows):
+        return EXIT_STATUS[Verdict.FAILS]
+    return EXIT_STATUS[checked.answer.verdict]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Assessed:
+    """What follows from the inputs and the formulas' values of a part."""
+
+    answer: Answer
+    notes: tuple[str, ...]
+    shared: tuple[SharedReading, ...]
+
+
+def _assessed(file: ParameterFile, path: Path) -> _Assessed:
+    """Criteria, dependence on assumed inputs, shared readings; InputError where one overflows."""
+    case, inputs, values = file.case, file.inputs, file.values
+    try:
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            return _Assessed(
+                answer=answer_of(case, inputs, values, assumed=[one.name for one in file.assumed]),
+                notes=margin_notes(case, inputs, file.assumed),
+                shared=shared_readings(case.id, inputs, values),
+            )
+    except (ValueError, ArithmeticError) as error:
+        raise InputError(
+            f"{path}: inputs: the criteria cannot be evaluated with these values ({error})"
+        ) from error
+
+
+def refused(result: CaseResult, case: Case, inputs: Inputs) -> CaseResult:
+    """The result with the reason, if any, why finite elements cannot judge its values."""
+    with np.errstate(all="ignore"):
+        reason = case.too_large(inputs).partition("; check ")[0]
+    if not reason:
+        return result
+    values = tuple(replace(value, judged=False) for value in result.values)
+    return replace(result, refused=reason, values=values)
+
+
+def _command(path: Path, options: Options) -> str:
+    flags = "--fem " * options.fem + "--dynamic " * options.dynamic
+    return f"freewheel check {flags}{shlex.quote(path.name)}"
+
+
+def _write(checked: Checked, options: Options, system: System, seconds: float) -> None:
+    """The report of one part, whose findings begin with the answer."""
+    result = checked.result
+    if checked.dynamic is not None:
+        result = with_dynamic(result, checked.dynamic)
+    first = tuple(line.strip() for line in answer_lines(checked, system))
+    limits = limits_table(checked, system)
+    if system != "mm":
+        first += (DRAWN_IN_MM,)
+    result = replace(result, findings=(*first, *result.findings),
+                     tables=(limits, *result.tables))  # fmt: skip
+    report = make_report([result], [checked.case], seconds, result.name)
+    assert options.out is not None
+    page = write_report(report, options.out, options.cache)
+    print(f"report: {page}", file=sys.stderr if options.json else sys.stdout)

@@ -1,0 +1,116 @@
+"""What `check` prints: the answer, its limits, values, inputs, and the evidence."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from verify.answers.answer import Answer
+from verify.answers.assumed.listed import print_assumed
+from verify.answers.assumed.rules import Assumed
+from verify.answers.console import headline, limits
+from verify.answers.evidence import reference_of_design
+from verify.answers.shared_readings import SharedReading
+from verify.core.case import Case
+from verify.core.console_rows import number, unit_of
+from verify.core.references import case_method
+from verify.core.results import CaseResult
+from verify.core.shown import LIMITS_TITLE, FormulaValue, Table
+from verify.core.told import aligned, print_rows, raised
+from verify.core.unit_systems import System
+from verify.jobs.dynamic import DynamicResult
+
+NOTABLE = 0.01  # relative error that formula and reference share
+
+
+@dataclass(frozen=True, kw_only=True)
+class Checked:
+    """A checked part: the answer and what it rests on; `notes` stand below the margin."""
+
+    case: Case
+    result: CaseResult
+    answer: Answer
+    used_fem: bool
+    dynamic: DynamicResult | None = None
+    notes: tuple[str, ...] = ()
+    assumed: tuple[Assumed, ...] = ()
+    shared: tuple[SharedReading, ...] = ()
+
+
+def is_notable(one: SharedReading) -> bool:
+    """Whether the error that both sides share is known and large enough for the first lines."""
+    return one.effect is not None and abs(one.effect) >= NOTABLE
+
+
+def answer_lines(checked: Checked, system: System = "mm") -> list[str]:
+    """The first lines: verdict, design value, margin, what limits it, then notes."""
+    n = len(checked.result.warnings)
+    warned = (f"{n} warning{'s' if n > 1 else ''}, listed below the limits",) if n else ()
+    notes = (*warned, *(one.sentence for one in checked.shared if is_notable(one)), *checked.notes)
+    if checked.assumed:
+        notes = (*notes, f"assumed inputs: {', '.join(one.text for one in checked.assumed)}")
+    if checked.used_fem and (beside := reference_of_design(checked.answer, checked.result.rows)):
+        notes = (beside, *notes)
+    return headline(checked.result.name, checked.answer, notes, system)
+
+
+def limits_table(checked: Checked, system: System) -> Table:
+    """The limits of the part as a table of its report."""
+    header = ("", "criterion", "value", "limit", "margin", "source")
+    return Table(
+        title=LIMITS_TITLE,
+        header=header,
+        rows=tuple(limits(checked.answer, system)),
+    )
+
+
+def print_check(checked: Checked, system: System = "mm") -> None:
+    """The whole answer in the units of a system, the verdict first and the evidence last."""
+    result, dynamic = checked.result, checked.dynamic
+    for line in answer_lines(checked, system):
+        print(raised(line))
+    _print_table("limits", limits(checked.answer, system))
+    for warning in result.warnings:
+        print(raised(f"warning: {warning}"))
+    _print_list("notes", dynamic.after(result.findings) if dynamic else result.findings)
+    _print_table(f"values by the formulas: {result.title} ({result.id})",
+                 [_value(v) for v in result.values])  # fmt: skip
+    if dynamic:
+        _print_table(dynamic.what, [_value(v) for v in dynamic.values])
+    _print_table("inputs", [(i.symbol, number(i.value), unit_of(i.unit), i.what)
+                            for i in result.inputs])  # fmt: skip
+    print_assumed(checked.assumed)
+    _print_list("assumptions that formula and reference share",
+                [one.sentence for one in checked.shared if not is_notable(one)])  # fmt: skip
+    if checked.used_fem:
+        print_rows(result.rows)
+    for hint in _hints(checked):
+        print(hint)
+
+
+def _hints(checked: Checked) -> list[str]:
+    found = []
+    if checked.case.dynamic and not checked.dynamic:
+        found.append(f"(check --dynamic adds {checked.case.dynamic.what})")
+    if checked.used_fem:
+        return found
+    if checked.result.refused:
+        return [*found, f"(check --fem is not possible: {checked.result.refused})"]
+    method = case_method(checked.case.id)
+    return [*found, f"(check --fem compares the values marked * with: {method})"]
+
+
+def _print_table(title: str, lines: Sequence[tuple[str, ...]]) -> None:
+    if lines:
+        print(title)
+        for line in aligned(lines):
+            print(f"  {line}")
+
+
+def _print_list(title: str, lines: Sequence[str]) -> None:
+    if lines:
+        print(title)
+        for line in lines:
+            print(raised(f"  {line}"))
+
+
+def _value(v: FormulaValue) -> tuple[str, ...]:
+    return v.symbol, f"{v.value:.6g}", unit_of(v.unit), f"{v.what}{' *' if v.judged else ''}"

@@ -1,0 +1,41 @@
+"""`freewheel check --keys`: the keys under which JSON has inputs and values."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from verify.answers.keys import identifier
+from verify.cases.registry import find
+from verify.core.case import Case, Output
+from verify.core.console_rows import unit_of
+from verify.core.inputs import meta, read_parameter_file
+from verify.core.told import aligned
+
+
+def run_keys(file: Path) -> int:
+    """Print keys, units and descriptions of the case that `file` names, or of the case `file`."""
+    case = _case(file)
+    inputs = [
+        (name, unit_of(meta(field)["unit"]), meta(field)["what"])
+        for name, field in case.inputs.model_fields.items()
+    ]
+    _print(f"{case.id}: inputs", inputs)
+    _print("values", _lines(case.outputs))
+    if case.dynamic:
+        _print("dynamic.values, with --dynamic", _lines(case.dynamic.outputs))
+    return 0
+
+
+def _case(file: Path) -> Case:
+    if not file.exists() and file.suffix != ".toml":
+        return find(str(file))
+    return find(read_parameter_file(file)[0])
+
+
+def _lines(outputs: tuple[Output, ...]) -> list[tuple[str, ...]]:
+    return [(identifier(o.key), unit_of(o.unit), o.what) for o in outputs]
+
+
+def _print(title: str, lines: Sequence[tuple[str, ...]]) -> None:
+    print(title)
+    for line in aligned(lines):
+        print(f"  {line}")

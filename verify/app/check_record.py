@@ -1,0 +1,69 @@
+"""What `check --json` prints: the answer to a user's parameters, for programs."""
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from verify.answers.keys import identifier
+from verify.answers.record import answer_record
+from verify.app.check_console import Checked
+from verify.core import units
+from verify.core.case import Output, Values
+from verify.core.inputs import Inputs
+from verify.core.results import CaseResult
+from verify.jobs.dynamic import DynamicResult
+
+SCHEMA_VERSION = 2  # 1 had no answer, and keys with spaces
+
+
+def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, Any]:
+    """The answer, then what it rests on, in display units; `check.schema.json` describes it.
+
+    `dynamic` is None where it did not run, `rows` are empty without finite elements.
+    """
+    from reports.records import row_record  # only the command line knows reports
+
+    case, result, dynamic = checked.case, checked.result, checked.dynamic
+    return {
+        "schema": SCHEMA_VERSION,
+        "name": result.name,
+        "case": case.id,
+        "answer": answer_record(checked.answer),
+        "notes": list(checked.notes),
+        "assumed": [one.record() for one in checked.assumed],
+        "shared": [asdict(one) for one in checked.shared],
+        "details": {
+            **case.summary(inputs, values),
+            **({"verdict": dynamic.verdict} if dynamic and dynamic.verdict else {}),
+        },
+        "inputs": inputs.record(),
+        "values": _values(case.outputs, values),
+        "findings": list(_findings(result, dynamic)),
+        "warnings": list(result.warnings),
+        "rows": [row_record(row) for row in result.rows] if checked.used_fem else [],
+        "dynamic": None if dynamic is None else _dynamic(dynamic),
+    }
+
+
+def _findings(result: CaseResult, dynamic: DynamicResult | None) -> Sequence[str]:
+    """Those of the formulas, whose first the dynamic part may have replaced."""
+    if dynamic is None or not dynamic.first:
+        return result.findings
+    return dynamic.first + result.findings[1:]
+
+
+def _dynamic(found: DynamicResult) -> dict[str, Any]:
+    return {
+        "what": found.what,
+        **found.summary,
+        "values": _values(found.outputs, found.raw),
+        "findings": list(found.findings),
+    }
+
+
+def _values(outputs: Sequence[Output], values: Values) -> list[dict[str, Any]]:
+    return [
+        {"key": identifier(o.key), "symbol": o.symbol, "what": o.what, "unit": o.unit,
+         "value": values[o.key] / units.factor(o.unit)}
+        for o in outputs if o.key in values
+    ]  # fmt: skip

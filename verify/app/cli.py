@@ -1,0 +1,285 @@
+"""The command `freewheel`. Exit status 0 passed, 1 a row failed, 2 bad input."""
+
+import errno
+import os
+import signal
+import sys
+import tempfile
+import traceback
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")  # processes run side by side, and small solves gain nothing
+
+from cyclopts import App, CycloptsError, Parameter  # noqa: E402 - threads are counted at import
+
+from verify.app.arguments import CaseId, Engine, Jobs, case_ids  # noqa: E402
+from verify.app.crosscheck.cli import crosscheck  # noqa: E402
+from verify.app.definitions.cli import search  # noqa: E402
+from verify.app.design.cli import design  # noqa: E402
+from verify.app.mutation.cli import mutants  # noqa: E402
+from verify.app.portable.cli import portable  # noqa: E402
+from verify.app.sweep.cli import sweep  # noqa: E402
+
+app = App(
+    name="freewheel",
+    help="Settles how far the design formulas of freewheel clutches can be trusted.",
+    help_format="plaintext",
+    version="0.1.0",
+    exit_on_error=False,
+    print_error=False,
+    suppress_keyboard_interrupt=False,
+)
+
+BAD_INPUT = 2
+
+for _command in (search, design, sweep, crosscheck, mutants, portable):
+    app.command(_command)
+
+
+def _templates(_context: Any) -> list[str]:
+    """What a shell offers where a template is named."""
+    return [*case_ids(_context), "design-spring", "design-sprag"]
+
+
+@app.command
+def verify(
+    *cases: CaseId,
+    quick: bool = False,
+    jobs: Jobs = 0,
+    engine: Engine = "local",
+    scheduler: str = "",
+    out: Path | None = None,
+    cache: bool = True,
+) -> int:
+    """Pair every formula with finite elements, judge the rows and write the report.
+
+    Parameters
+    ----------
+    cases
+        Cases to run, all by default; see `freewheel list`.
+    quick
+        Only the cheap cases, at full sharpness; the others are skipped.
+    jobs
+        Processes, 0 for one a core.
+    engine
+        Processes of this machine, or a dask cluster.
+    scheduler
+        Address of the cluster's scheduler, tcp://host:8786; without it dask makes a cluster here.
+    out
+        Folder for the report, by default reports/out of this checkout.
+    cache
+        Reuse finite-element results of earlier runs.
+    """
+    from verify.app.commands import run_verify
+    from verify.jobs.engines import Where
+
+    where = Where(jobs, engine, scheduler)
+    return run_verify(cases, quick=quick, where=where, out=out, use_cache=cache)
+
+
+@app.command
+def check(
+    file: Path,
+    /,
+    *,
+    fem: bool = False,
+    dynamic: bool = False,
+    json: bool = False,
+    keys: bool = False,
+    units: Literal["si", "mm", "inch"] | None = None,
+    out: Path | None = None,
+    jobs: Jobs = 0,
+    cache: bool = True,
+) -> int:
+    """State whether a part holds, the number to design with, its margin and what limits it.
+
+    Exit status: 0 it holds, 1 it fails or a row fails, 2 bad input, 3 cannot say.
+
+    Parameters
+    ----------
+    file
+        Parameter file (TOML): case = "ring-lame" and a table [inputs], a unit on every value.
+    fem
+        Run the finite elements too and judge the formulas on these parameters.
+    dynamic
+        Run the motion in time too, of a case that has one; compiled the first time, which takes
+        some seconds.
+    json
+        Print JSON instead of text; `--keys` lists its keys.
+    keys
+        List the keys of the inputs and values of the file's case; a case may stand for the file.
+    units
+        Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi); by default
+        inch where most lengths of the file are in inches, else mm.
+    out
+        Folder for a report on these parameters: the page, tables, pictures, meshes.
+    jobs
+        Processes, 0 for one a core.
+    cache
+        Reuse finite-element results of earlier runs.
+    """
+    from verify.app.check_command import Options, run_check
+
+    if keys:
+        from verify.app.check_keys import run_keys
+
+        return run_keys(file)
+    options = Options(fem=fem, dynamic=dynamic, json=json, jobs=jobs, cache=cache, out=out,
+                      units=units)  # fmt: skip
+    return run_check(file, options)
+
+
+@app.command
+def init(
+    case: Annotated[str, Parameter(completer=_templates)], /, *, out: Path | None = None
+) -> int:
+    """Print a commented parameter file of a case with the paper's numbers.
+
+    Parameters
+    ----------
+    case
+        The case, see `freewheel list`; design-spring and design-sprag are tasks for
+        `freewheel design`.
+    out
+        File to write instead; one that exists is never overwritten.
+    """
+    from verify.answers.template import hand_over, run_init
+
+    if case == "design-spring":
+        from verify.studies.design.template import template as of_spring
+
+        hand_over(of_spring(), out)
+        return 0
+    if case == "design-sprag":
+        from verify.studies.design_sprag.template import template as of_sprag
+
+        hand_over(of_sprag(), out)
+        return 0
+    return run_init(case, out)
+
+
+@app.command
+def explain(
+    *row: CaseId,
+    json: bool = False,
+    jobs: Jobs = 0,
+    cache: bool = True,
+) -> int:
+    """Show how a row was judged, number by number; a parameter file may stand last.
+
+    Parameters
+    ----------
+    row
+        The row's name, a part of it, or words that it contains.
+    json
+        Print JSON instead of text.
+    jobs
+        Processes, 0 for one a core.
+    cache
+        Reuse finite-element results of earlier runs.
+    """
+    from verify.app.explain import run_explain
+
+    return run_explain(row, as_json=json, jobs=jobs, use_cache=cache)
+
+
+@app.command
+def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
+    """Measure what takes longer than `verify` may: maps, regions, error budgets for its report.
+
+    What was measured is kept while the code stands that made it; a run goes on where one was
+    interrupted.
+
+    Parameters
+    ----------
+    cases
+        Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
+        default all that are missing.
+    again
+        Measure anew what is there already.
+    jobs
+        Processes, 0 for one a core.
+    """
+    from verify.studies.deep import run_deep
+
+    return run_deep(cases, jobs=jobs, again=again)
+
+
+@app.command
+def doctor(*, json: bool = False) -> int:
+    """Say what this machine has and lacks for a run, and what to install.
+
+    Parameters
+    ----------
+    json
+        Print JSON instead of text.
+    """
+    from verify.app.doctor import run_doctor
+
+    return run_doctor(as_json=json)
+
+
+@app.command
+def completion(shell: Literal["bash", "zsh", "fish"], /) -> int:
+    """Print the completion script of a shell; `--install-completion` sets it up."""
+    print(app.generate_completion(shell=shell))
+    return 0
+
+
+app.register_install_completion_command(help="Set up completion for the shell in use.")
+
+
+@app.command(name="list")
+def list_cases() -> int:
+    """Name the cases and what they verify."""
+    from verify.app.commands import run_list
+
+    return run_list()
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Entry point; ends the process with the exit status."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends like Ctrl-C
+    sys.exit(run(sys.argv[1:] if arguments is None else arguments))
+
+
+def run(arguments: list[str]) -> int:
+    """Run one command line and return its exit status."""
+    if "" in arguments and arguments[0] != "__complete":  # where a shell asks what may follow
+        return _complain("an argument is empty: a variable of the shell that is not set?")
+    try:
+        status = int(app(arguments, result_action="return_value") or 0)
+        sys.stdout.flush()  # a full disk or a closed pipe is noticed here, not at the very end
+        return status
+    except CycloptsError as error:
+        return _complain(str(error))
+    except KeyboardInterrupt as stop:  # solving says what is kept
+        return _complain(str(stop) or "interrupted", status=130)
+    except BrokenPipeError:  # `freewheel ... | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except ImportError as error:
+        return _complain(f"{error}: see freewheel doctor")
+    except (ValueError, OSError) as error:
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC and not error.filename:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return _complain(f"standard output: {error.strerror}")
+        return _complain(str(error))
+    except Exception as error:  # a fault of the program: one line, and the rest in a file
+        with tempfile.NamedTemporaryFile(
+            "w", prefix="freewheel-", suffix=".txt", delete=False
+        ) as file:
+            file.write(traceback.format_exc())
+        said = f"{type(error).__name__}: {error}; this is a fault of the program"
+        return _complain(f"{said}, its traceback is in {file.name}")
+
+
+def _complain(message: str, status: int = BAD_INPUT) -> int:
+    print(f"freewheel: {' '.join(message.split())}", file=sys.stderr)
+    return status
+
+
+if __name__ == "__main__":
+    main()

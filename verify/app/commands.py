@@ -1,0 +1,159 @@
+"""What the commands do, apart from reading the command line."""
+
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.answers.parameter_file import read
+from verify.audit.releases.since import lines, since
+from verify.cases.registry import CASES, find
+from verify.core import environment
+from verify.core.case import Case, Values
+from verify.core.inputs import REQUIRED, InputError, Inputs, meta
+from verify.core.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
+from verify.core.told import print_verdicts, raised
+from verify.jobs import cache
+from verify.jobs.engines import Where
+from verify.jobs.run import Job
+from verify.jobs.solving import solve
+from verify.papers.ledger import cited
+from verify.studies.definitions.tried import searches
+
+ROOT = Path(__file__).parents[2]
+BAD = (Status.FAIL, Status.SKIP)
+
+
+def run_list() -> int:
+    """Print each case with its subject and its inputs, their units, and which may be left out."""
+    for case in CASES:
+        assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
+        needed: list[str] = []
+        optional: list[str] = []
+        for name, field in case.inputs.model_fields.items():
+            unit = meta(field)["unit"]
+            text = name if unit == "1" else f"{name} [{unit}]"
+            is_needed = meta(field)["omitted"] == REQUIRED and name not in assumable
+            (needed if is_needed else optional).append(text)
+        print(f"{case.id:20} {case.title} ({cited(case.paper)}, {case.place})")
+        print(f"{'':20} inputs: {', '.join(needed)}")
+        if optional:
+            print(f"{'':20} optional: {', '.join(optional)}")
+    return 0
+
+
+def run_verify(
+    names: Sequence[str], *, quick: bool, where: Where, out: Path | None, use_cache: bool
+) -> int:
+    """Run the cases on the paper's numbers, write the report and print the verdicts."""
+    cases = [find(name) for name in dict.fromkeys(names)] or list(CASES)
+    out = out or ROOT / "reports" / "out"
+    writable(out)
+    start = time.perf_counter()
+    work = [
+        Job(case, case.inputs(), skip="" if case.quick or not quick else "quick") for case in cases
+    ]
+    results = solve(work, where, use_cache)
+    report = make_report(results, cases, time.perf_counter() - start)
+    print_verdicts(report)
+    page = write_report(report, out, use_cache)
+    if report.drift:
+        print("\n".join(raised(line) for line in lines(report.drift)))
+    print(f"report: {page} ({time.perf_counter() - start:.1f} s)")
+    if any(case.errors for case in report.cases):
+        print(f"tracebacks: {out / 'errors.txt'}")
+    failed = any(
+        row.status is Status.FAIL or (row.status is Status.SKIP and not quick)
+        for row in report.rows
+    )
+    loosened = report.drift is not None and report.drift.unexplained
+    return 1 if failed or loosened else 0
+
+
+def writable(out: Path) -> None:
+    """Make the folder; a read-only place is found before the work."""
+    for place in (out, *out.parents):
+        if place.exists() and not place.is_dir():
+            raise InputError(f"{place}: is a file, expected a folder")
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=out):
+            pass
+    except OSError as error:
+        raise InputError(f"{out}: cannot be written: {error.strerror}") from error
+
+
+def write_report(report: Report, out: Path, use_cache: bool) -> Path:
+    """Write the report into `out` and say what had to be done in another way; the page."""
+    from reports.write import write  # only the command line knows reports
+
+    drawn = cache.picture_folder() if use_cache else None
+    hint = environment.remedy_for_pictures().removeprefix("; ")
+    written = write(report, out, cache=drawn, hint=hint)
+    for remark in written.remarks:
+        print(f"freewheel: {remark}", file=sys.stderr)
+    return written.page
+
+
+def load(path: Path) -> tuple[str, Case, Inputs, Values]:
+    """Name, case, inputs and formula values of a parameter file.
+
+    InputError says in one line what is wrong.
+    """
+    file = read(path)
+    return file.name, file.case, file.inputs, file.values
+
+
+def make_report(
+    results: list[CaseResult], cases: Sequence[Case], seconds: float, name: str = ""
+) -> Report:
+    """A run with the ledgers and its provenance; `name` is that of a user's own parameters."""
+    from verify.app.provenance import provenance
+    from verify.papers.ledgers import ledgers
+
+    return Report(
+        cases=tuple(results),
+        provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
+        name=name,
+        validity=() if name else _validity(results, cases),
+        drift=None if name else since(results),
+        searches=() if name else searches([case.id for case in cases]),
+        budgets=() if name else _budgets(results, cases),
+        crosschecks=() if name else _crosschecks(results),
+        caught=None if name else _caught(),
+        **ledgers(results, cases),
+    )
+
+
+def _caught() -> Caught:
+    """What is kept of mistakes made on purpose, as far as it counts for the present code."""
+    from verify.audit.mutation.score import measured  # what judges anew, which `check` does without
+
+    return measured()
+
+
+def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:
+    """The cards, which are about the papers' own inputs."""
+    from verify.studies.validity.cards import (
+        validity,  # scipy's statistics, which `check` does without
+    )
+
+    return validity(results, cases)
+
+
+def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
+    """The error budgets, which are about the papers' own inputs too."""
+    from verify.studies.budget.told import told  # reads sources of all that they depend on
+
+    return told(results, cases)
+
+
+def _crosschecks(results: Sequence[CaseResult]) -> tuple[Crosscheck, ...]:
+    """What second solvers found of the cases' problems."""
+    from verify.studies.crosscheck.judged import (
+        reported,  # reads the sources of all that it compares
+    )
+
+    return reported([result.id for result in results])

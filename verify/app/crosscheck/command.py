@@ -1,0 +1,157 @@
+"""The command `crosscheck`: second solvers on the meshes and loads of the project."""
+
+import sys
+import time
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from pathlib import Path
+
+from verify.app.commands import writable
+from verify.core.inputs import InputError
+from verify.core.progress import State, shown
+from verify.core.results import Crosscheck, CrossState
+from verify.core.told import aligned, raised
+from verify.studies.crosscheck import kept
+from verify.studies.crosscheck.judged import judged
+from verify.studies.crosscheck.registry import chosen
+from verify.studies.crosscheck.solvers import Solver, rerun, solve, solvers
+from verify.studies.crosscheck.statement import CALCULIX, SOLVERS, Cross
+
+ROOT = Path(__file__).parents[3]
+GUESS = 6.0  # s a comparison takes, before any is known
+HEAD = ("problem", "quantity", "unit", "here", "there", "difference", "allowed", "s here",
+        "s there", "")  # fmt: skip
+
+
+def run_list(names: Sequence[str]) -> int:
+    """Name the comparisons, what is solved and by whom, and which solvers are there."""
+    for cross in chosen(names):
+        print(raised(f"{cross.id:40} {cross.solver:9} {cross.what}"))
+    for one in solvers().values():
+        print(f"{one.name}: {one.missing or one.version}")
+    return 0
+
+
+def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep: bool) -> int:
+    """Solve what is not kept for this code; 1 where a comparison is outside what is allowed.
+
+    Decks and answers of what is solved stay in `out`. A solver that is absent changes nothing, but
+    InputError where cases are named and none of their problems could be shown or solved.
+    """
+    crosses = chosen(names)
+    folder = out or ROOT / "reports" / "out" / "crosscheck"
+    writable(folder)
+    there = solvers()
+    standing, todo, left = _sorted(crosses, there, again=again)
+    if names and not standing and not todo:
+        why = dict.fromkeys(f"{one.solver}: {there[one.solver].missing}" for one in left)
+        raise InputError(f"{', '.join(dict.fromkeys(names))}: nothing compared, {'; '.join(why)}")
+    lines = [line for cross, found in standing for line in judged(cross, found)]
+    broken: list[str] = []
+    start = time.perf_counter()
+    with shown(quiet=False) as show:
+        for done, cross in enumerate(todo):
+            each = (time.perf_counter() - start) / done if done else GUESS
+            show(State(done, len(todo), (cross.id,), each * (len(todo) - done), "second solvers"))
+            try:
+                found = compare(cross, there[cross.solver], folder)
+            except (RuntimeError, ArithmeticError, LookupError, OSError, ValueError) as error:
+                broken.append(f"{cross.id}: {' '.join(str(error).split())}")
+                continue
+            lines += judged(cross, found)
+            if keep:
+                _keep(found)
+    _write_hints(crosses, folder)
+    _print(lines, {cross.id for cross, _ in standing}, broken)
+    for name in SOLVERS:
+        print(f"{name}: {there[name].missing or there[name].version}")
+    for said in _counts(lines, [found for _, found in standing], left):
+        print(said)
+    outside = sum(line.state is CrossState.OUTSIDE for line in lines)
+    return 1 if outside or broken else 0
+
+
+def compare(cross: Cross, solver: Solver, folder: Path) -> kept.Found:
+    """One problem solved at both sides, its deck and answer in a folder of its own.
+
+    RuntimeError where the other solver fails, LookupError where its answer lacks something.
+    """
+    own = folder / cross.file
+    own.mkdir(parents=True, exist_ok=True)
+    posed = cross.pose()
+    deck = posed.write(own)
+    seconds = solve(cross.solver, deck)
+    return kept.found_of(
+        cross, solver.version, posed.ours, posed.read(deck), (posed.seconds, seconds),
+        posed.unknowns,
+    )  # fmt: skip
+
+
+def _sorted(
+    crosses: Sequence[Cross], there: Mapping[str, Solver], *, again: bool
+) -> tuple[list[tuple[Cross, kept.Found]], list[Cross], list[Cross]]:
+    """What is kept for this code, what is to be solved, and what lacks its solver."""
+    known = {} if again else kept.kept()
+    standing: list[tuple[Cross, kept.Found]] = []
+    todo: list[Cross] = []
+    left: list[Cross] = []
+    for cross in crosses:
+        found = kept.current(cross, known)
+        if found is not None:
+            standing.append((cross, found))
+        else:
+            (left if there[cross.solver].missing else todo).append(cross)
+    return standing, todo, left
+
+
+def _keep(found: kept.Found) -> None:
+    try:
+        kept.keep([found])
+    except OSError as error:
+        raise InputError(f"{kept.FILE}: cannot be written: {error.strerror}") from error
+
+
+def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
+    """How each deck that is there is solved again, one line each."""
+    decks = [
+        (cross, folder / cross.file / f"deck.{'inp' if cross.solver == CALCULIX else 'json'}")
+        for cross in crosses
+    ]
+    said = [f"cd {c.file} && {rerun(c.solver, deck)}" for c, deck in decks if deck.exists()]
+    if said:
+        (folder / "RERUN.txt").write_text("\n".join(said) + "\n", "utf-8")
+
+
+def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Sequence[str]) -> None:
+    """A line each, marked where it is of a problem that is `standing` from an earlier run."""
+    table: list[tuple[str, ...]] = [HEAD]
+    table += [
+        (line.problem, line.quantity, "" if line.unit == "1" else line.unit, f"{line.ours:.6g}",
+         f"{line.theirs:.6g}", f"{line.difference:+.1e}", f"{line.allowed:g}",
+         *(f"{s:.2f}" for s in line.seconds),
+         f"{line.state.value}{', kept' if line.problem in standing else ''}")
+        for line in lines
+    ]  # fmt: skip
+    if lines:
+        for row in aligned(table):
+            print(raised(row))
+    for line in lines:
+        if line.state is CrossState.OUTSIDE:
+            print(raised(f"outside: {line.problem}, {line.quantity}: {line.difference:+.2%}, "
+                         f"allowed {line.allowed:.2%} ({line.why})"))  # fmt: skip
+    for one in broken:
+        print(f"failed: {one}", file=sys.stderr)
+
+
+def _counts(
+    lines: Sequence[Crosscheck], standing: Sequence[kept.Found], left: Sequence[Cross]
+) -> Iterator[str]:
+    """How much was compared, and how much of it was not solved in this run."""
+    problems = len({line.problem for line in lines})
+    yield f"{len(lines)} comparisons of {problems} problems"
+    if standing:
+        dates = sorted({found.date for found in standing})
+        span = " to ".join(dict.fromkeys((dates[0], dates[-1])))
+        yield f"{len(standing)} of {problems} problems kept from {span} (--again solves them anew)"
+    if left:
+        absent = dict.fromkeys(cross.solver for cross in left)
+        yield f"{len(left)} problems not solved, for lack of {' and '.join(absent)}"

@@ -1,0 +1,217 @@
+"""The page of a design's outcome, in the words and units of the task."""
+
+import time
+from collections.abc import Sequence
+
+from reports.design import DesignPage, Tile
+from verify.app.design.figures import figures
+from verify.cases.spring.stages import shown as spring_stages_shown
+from verify.cases.spring.stages.inputs import StagesInputs
+from verify.core import units
+from verify.core.shown import Sketch, Table
+from verify.studies.design.inputs import SWEEPS
+from verify.studies.design.limits import Limit
+from verify.studies.design.nearest import Relaxation
+from verify.studies.design.outcome import Outcome
+from verify.studies.design.records import COLUMNS, columns
+from verify.studies.design.search import Search
+from verify.studies.design.told import FRONT, geometry, in_unit, rounded, spare, verdict, warnings
+
+STEPS = (
+    "Every combination of n, b, α, r and L_1 is a candidate; the paper fixes b and n, walks over "
+    "L_1 and r and takes α from the wedge (Fig. 12). What no strip can be bent into, "
+    "b ≥ r or 2 r ≥ L_1, is set aside.",
+    "Its free length L_0 follows from the shape, U_w = L_0 − L_w from the task, Δ = F_w/k_1 from "
+    "the energy of the free stage (Eqs. 1-8, on the centre line and with the ends that the task "
+    "names).",
+    "It has to keep |U_w − Δ|/Δ (Eq. 11), both limits of U_w/L_0 (Eq. 12) and of L_0/b (Eq. 13), "
+    "and to fit into the wedge (Fig. 12).",
+    "Beyond the paper: leaves must not touch before U_w, nor the spring sway; the bending stress "
+    "inside the loops, the height across and the change of k_1 with the strip's tolerance stay "
+    "within limits.",
+    "Of the feasible ones those stay that no other beats in stress, L_0, U_A/U_w and "
+    "|k_1/k_w − 1| at once, k_w = F_w/U_w. Of a longer front 20 are kept: the best of each, the "
+    "one nearest to the best of everything, then always whichever is farthest from those taken, "
+    "every axis scaled to the front.",
+    "Finite elements judge each member: a curved frame its k_1, within a third of what Eq. 11 "
+    "allows; a geometrically exact beam whose leaves may touch Eq. 11 itself, with the "
+    "displacement that F_w really causes.",
+    "Chosen is the member nearest to the best of everything that finite elements keep.",
+)
+
+
+def page(outcome: Outcome, command: str) -> DesignPage:
+    """Everything on the page."""
+    s = outcome.search
+    chosen = outcome.chosen is not None
+    return DesignPage(
+        name=s.task.name,
+        meta=time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
+        + " · after Wang et al. 2023, Eqs. 11-13 and Fig. 12",
+        tiles=_tiles(outcome),
+        failure=_failure(outcome),
+        warnings=warnings(outcome) if chosen else (),
+        lead=_lead(outcome) if chosen else "",
+        sketch=_sketch(outcome) if chosen else None,
+        chosen=_values(s, outcome.candidate) if chosen else (),
+        limits=_limits(s, outcome.candidate if chosen else None),
+        front=_front(outcome) if chosen else None,
+        relaxations=_relaxations(s),
+        figures=figures(outcome),
+        steps=STEPS,
+        inputs=_inputs(s),
+        command=command,
+    )
+
+
+def _tiles(outcome: Outcome) -> Sequence[Tile]:
+    s = outcome.search
+    feasible = int(s.judged.feasible.sum())
+    found = [
+        Tile(number=f"{len(s.springs):,}", words="candidates"),
+        Tile(number=f"{feasible:,}", words="feasible", css="" if feasible else "is-fail"),
+        Tile(number=f"{len(s.front)}", words="on the front"),
+    ]
+    if outcome.verified:
+        kept = sum(v.agrees and v.fits for v in outcome.verified)
+        words = f"of {len(s.members)} kept by finite elements"
+        found.append(Tile(number=str(kept), words=words, css="is-pass" if kept else "is-fail"))
+    return found
+
+
+def _failure(outcome: Outcome) -> Sequence[str]:
+    if outcome.passed:
+        return ()
+    if outcome.chosen is None:
+        return ("No candidate keeps every limit.",)
+    v = outcome.verified[outcome.chosen]
+    if not v.fits:
+        return (f"Member {outcome.chosen + 1} by finite elements: {verdict(v)} (Eq. 11).",)
+    off = [k + 1 for k, v in enumerate(outcome.verified) if not v.agrees]
+    return (f"The formula's stiffness disagrees with finite elements: members {off}.",)
+
+
+def _lead(outcome: Outcome) -> str:
+    shape = geometry(outcome.search, outcome.candidate)
+    said = f"Member {(outcome.chosen or 0) + 1} of the front: {shape}."
+    if not outcome.verified:
+        return f"{said} Not judged by finite elements."
+    v = outcome.verified[outcome.chosen or 0]
+    return (
+        f"{said} Finite elements: k_1 = {v.k1 / 1e3:.4g} N/mm, formula {v.deviation:+.2%}; "
+        f"F_w needs {v.delta * 1e3:.4g} mm, so that (U_w − Δ)/Δ = {v.e_r:+.2%}: {verdict(v)}."
+    )
+
+
+def _sketch(outcome: Outcome) -> Sketch:
+    s, i, q = outcome.search.springs, outcome.candidate, outcome.search.task.demands
+    spring = StagesInputs(
+        n=int(s.n[i]), b=float(s.b[i]), h=q.h, r=float(s.r[i]), L1=float(s.L1[i]),
+        alpha=float(s.alpha[i]), E=q.E, nu=q.nu, head=q.head, tail=q.tail,
+        width_factor=float(outcome.search.formulas.f[i]),
+    )  # fmt: skip
+    return spring_stages_shown.sketch(spring)
+
+
+WORDS = {
+    "n": ("n", "segments"), "b": ("b", "thickness"), "L1": ("L_1", "length of head and tail"),
+    "r": ("r", "inner radius of the arcs"), "alpha": ("α", "angle of the arcs"),
+    "L0": ("L_0", "free length"), "U_w": ("U_w", "working displacement"),
+    "Delta": ("Δ", "computed displacement, F_w/k_1"), "k1": ("k_1", "stiffness"),
+    "f": ("f", "width factor"),
+    "k1_eqs_1_9": ("k_1", "stiffness by Eqs. 1-9 as the paper reads them"),
+    "U_A": ("U_A", "displacement at which leaves touch"), "F_A": ("F_A", "force there"),
+    "k2": ("k_2", "stiffness beyond"), "stress": ("σ", "bending stress at F_w"),
+}  # fmt: skip
+
+
+def _values(s: Search, i: int) -> Sequence[tuple[str, str, str]]:
+    values = columns(s)
+    return [
+        (*WORDS[name], f"{values[name][i]:.5g}{'' if unit == '1' else f' {unit}'}")
+        for name, unit in COLUMNS
+    ]
+
+
+def _limits(s: Search, i: int | None) -> Table:
+    rows = []
+    for limit in s.judged.limits:
+        bound = f"{limit.sign} {in_unit(limit, limit.bound - limit.offset)}"
+        value = "" if i is None else in_unit(limit, float(limit.value[i]) - limit.offset)
+        room = "" if i is None else spare(limit, i)
+        rows.append((limit.symbol, value, bound, room, limit.source))
+    return Table(
+        title="Its limits", header=("limit", "value", "", "to spare", "from"), rows=tuple(rows)
+    )
+
+
+def _front(outcome: Outcome) -> Table:
+    s, values = outcome.search, columns(outcome.search)
+    unit_of = dict(COLUMNS)
+    heads = [symbol if unit_of[name] == "1" else f"{symbol} [{unit_of[name]}]"
+             for name, symbol, _ in FRONT]  # fmt: skip
+    fem = ("k_1 FE [N/mm]", "formula less FE [%]", "Δ FE [mm]", "e_r FE [%]", "")
+    rows = []
+    for rank, i in enumerate(s.members):
+        cells = [
+            int(values[name][i]) if name == "n" else round(float(values[name][i]), digits)
+            for name, _, digits in FRONT
+        ]
+        row: list[str | float | None] = [rank + 1, *cells]
+        if outcome.verified:
+            v = outcome.verified[rank]
+            row += [round(v.k1 / 1e3, 5), round(100 * v.deviation, 3), round(v.delta * 1e3, 3),
+                    round(100 * v.e_r, 2), verdict(v)]  # fmt: skip
+        rows.append(tuple(row))
+    return Table(
+        title="The front", header=("member", *heads, *(fem if outcome.verified else ())),
+        rows=tuple(rows),
+        note="Springs that no other beats in stress, L_0, U_A/U_w and |k_1/k_w − 1| at once, "
+        "nearest to the best of everything first; --choose takes another. All candidates are in "
+        "candidates.csv.",
+    )  # fmt: skip
+
+
+def _relaxations(s: Search) -> Sequence[Table]:
+    if not s.nearest:
+        return ()
+    nearest = geometry(s, s.nearest[0].candidate)
+    found = [
+        Table(
+            title="The nearest candidate violates", note=f"It is {nearest}: no other's largest "
+            "excess is as small.",
+            header=("limit", "value", "has to be", "beyond", "from"),
+            rows=tuple((r.limit.symbol, in_unit(r.limit, r.needed), _bound(r),
+                        f"{100 * r.excess:.3g} %", r.limit.source) for r in s.nearest),
+        )
+    ]  # fmt: skip
+    if s.relaxations:
+        found.append(
+            Table(
+                title="One of these alone would admit a spring",
+                header=("relax", "from", "to", "which admits"),
+                rows=tuple((f"{r.limit.key}, {r.limit.what}", in_unit(r.limit, r.given),
+                            rounded(r), geometry(s, r.candidate)) for r in s.relaxations),
+            )
+        )  # fmt: skip
+    return found
+
+
+def _bound(r: Relaxation) -> str:
+    limit: Limit = r.limit
+    return f"{limit.sign} {in_unit(limit, r.given)}"
+
+
+def _inputs(s: Search) -> Sequence[tuple[str, str, str]]:
+    found = [
+        (v.symbol, v.what, v.value if isinstance(v.value, str)
+         else f"{v.value:.6g}{'' if v.unit == '1' else f' {v.unit}'}")
+        for v in s.task.demands.display()
+    ]  # fmt: skip
+    for name, sweep in SWEEPS.items():
+        values = [value / units.factor(sweep.unit) for value in s.task.ranges[name]]
+        ends = f"{values[0]:.6g}" if len(values) == 1 else f"{values[0]:.6g} to {values[-1]:.6g}"
+        unit = "" if sweep.unit == "1" else f" {sweep.unit}"
+        many = f", {len(values)} values" if len(values) > 1 else ""
+        found.append((sweep.symbol or name, f"{sweep.what}{many}", f"{ends}{unit}"))
+    return found

@@ -1,0 +1,180 @@
+"""The page of a crown's outcome, in the words and units of the task."""
+
+import time
+from collections.abc import Sequence
+
+from reports.design import DesignPage, Tile
+from verify.app.design_sprag.figures import figures
+from verify.cases.sprag.clutch.sketch import sketch
+from verify.core.shown import Table
+from verify.studies.design_sprag.outcome import Outcome
+from verify.studies.design_sprag.ranges import RANGES
+from verify.studies.design_sprag.told import (
+    HEAD_CROWN,
+    check_heads,
+    check_line,
+    crown_table,
+    named,
+    remarks,
+    so_many,
+    torque_heads,
+    torque_table,
+    torques,
+    verdict,
+    warnings,
+)
+from verify.studies.design_sprag.verified import Check
+
+MPa, mm, um = 1e6, 1e-3, 1e-6
+STEPS = (
+    "A full factorial of 5 × 5 × 5 crowns spans the ranges and what their tolerances reach, K_1 "
+    "and z_m in equal ratios (the paper has equal steps, Eq. 19). Each engages under every torque: "
+    "the equations of motion in time, whose largest normal force counts (Eqs. 11-17).",
+    "Under that force the inner contacts, which always bear more than the outer ones, are pressed "
+    "by strips on a half-space, a third of the contact's half-width wide. An end that carries has "
+    "no largest pressure there, so that its strip counts three times. Slices (Eqs. 2-5) hardly "
+    "know that a sprag ends: their best crown lets its ends carry.",
+    "Kriging with a quadratic trend (Eq. 20) learns the square of the pressure, the end, the "
+    "strips beside it and all others each for itself, as the largest of them has kinks. Fresh "
+    "random crowns judge it; where it misses them it learns from them and meets others.",
+    "A search on kriging finds the best crown of each torque, then the one that is sought; the "
+    "true model answers there, and kriging learns from it until both agree within 0.5 % twice in a "
+    "row. With tolerances every crown stands for the worst of itself and its corners: the drop "
+    "larger or smaller all along, the crown longer or shorter.",
+    "What is printed of a crown is the true model's answer. A half-space solved in cells judges it "
+    "under the same forces; the ends have to be free there.",
+)  # fmt: skip
+
+
+def page(outcome: Outcome, command: str) -> DesignPage:
+    """Everything on the page."""
+    task = outcome.task
+    return DesignPage(
+        name=task.name,
+        subject="crown",
+        of="a sprag's crown",
+        front_name="Torque by torque",
+        meta=time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime())
+        + " · after Huang, Zhao and Liu 2018, Eqs. 1-20",
+        tiles=_tiles(outcome),
+        failure=_failure(outcome),
+        warnings=warnings(outcome),
+        lead=_lead(outcome),
+        sketch=sketch(task.clutch),
+        chosen=_values(outcome),
+        limits=Table(title="Its numbers", header=("", *HEAD_CROWN),
+                     rows=tuple(crown_table(outcome))),
+        front=_torques(outcome),
+        relaxations=(),
+        checks=_checks(outcome),
+        figures=figures(outcome),
+        steps=STEPS,
+        inputs=_inputs(outcome),
+        command=command,
+    )  # fmt: skip
+
+
+def _tiles(outcome: Outcome) -> Sequence[Tile]:
+    k = len(outcome.task.torques) - 1
+    T = f"{outcome.task.torques[k]:g} N m"
+    now, p = float(outcome.largest(outcome.now)[0, k]), float(outcome.pressures[k])
+    worst = float(outcome.largest(outcome.chosen)[:, k].max())
+    drawn = "" if outcome.search.single else f", within tolerance ({p / MPa:.0f} as drawn)"
+    shape = "" if outcome.search.single else "as drawn, "
+    less = f"{100 * (p / now - 1):+.1f} %".replace("-", "−")
+    ends = f", whose ends carry: {so_many(outcome, k)}" if outcome.now_carries[k] else ""
+    found = [
+        Tile(number=f"{worst / MPa:.0f} MPa", words=f"largest at {T}{drawn}"),
+        Tile(number=less, words=f"{shape}against the crown now{ends}"),
+        Tile(number=f"{len(outcome.search.model.known)}", words="crowns engaged"),
+    ]
+    if outcome.checks:
+        off = max(abs(c.off(c.judged)) for c in outcome.checks)
+        ends = "; its ends carry" if any(c.end > 0 for c in outcome.checks) else ""
+        found.append(Tile(number=f"{100 * off:.1f} %", words=f"off a half-space at most{ends}",
+                          css="is-pass" if outcome.verified else "is-fail"))  # fmt: skip
+    return found
+
+
+def _failure(outcome: Outcome) -> Sequence[str]:
+    found = [] if outcome.verified else [verdict(outcome)]
+    if outcome.exceeded:
+        at = ", ".join(f"{T:g}" for T in outcome.exceeded)
+        found.append(f"No crown of these ranges keeps p_lim at {at} N m.")
+    return found
+
+
+def _lead(outcome: Outcome) -> str:
+    aim = (
+        "the largest excess over the best crown of each torque is least"
+        if outcome.relative
+        else "the largest pressure is least"
+    )
+    within = "" if outcome.search.single else ", within its tolerance,"
+    return (
+        f"{named(outcome.crown)} for Q = {outcome.search.model.Q:.5g} N: of all crowns in the "
+        f"ranges this is where {aim}{within} under {torques(outcome.task)}. "
+        f"{sentence(verdict(outcome))}."
+    )
+
+
+def _values(outcome: Outcome) -> Sequence[tuple[str, str, str]]:
+    q, (K_1, K_2, z_m) = outcome.task.clutch, outcome.crown
+    N = outcome.chosen.N_max[0]
+    return [
+        ("K_1", "depth of the crown", f"{K_1:.4g}"),
+        ("K_2", "crowned share of the length", f"{K_2:.4g}"),
+        ("z_m", "drop at the ends", f"{z_m / um:.4g} µm"),
+        ("Q", "load that K_1 counts", f"{outcome.search.model.Q:.5g} N"),
+        ("K_1 Q", "load that the crown suits", f"{K_1 * outcome.search.model.Q:.5g} N"),
+        ("N_max", "largest force of a sprag", f"{N.max():.5g} N"),
+        ("l", "length of the sprag", f"{q.l / mm:.5g} mm"),
+        ("(1 − K_2) l", "of it straight", f"{(1 - K_2) * q.l / mm:.4g} mm"),
+    ]
+
+
+def _torques(outcome: Outcome) -> Table:
+    names, more = torque_heads(outcome)
+    heads = tuple(
+        f"{name} [{unit}]" if unit in ("N m", "N") else f"{name} {unit}".strip()
+        for name, unit in zip(names, more, strict=True)
+    )
+    way = " ".join(f"{sentence(line)}." for line in remarks(outcome))
+    return Table(
+        title="Torque by torque", header=heads, rows=tuple(torque_table(outcome)),
+        note=f"Largest pressures at the inner contacts as the clutch engages, in MPa. {way}",
+    )  # fmt: skip
+
+
+def sentence(line: str) -> str:
+    """A line with a capital letter."""
+    return f"{line[0].upper()}{line[1:]}"
+
+
+def _checks(outcome: Outcome) -> Sequence[Table]:
+    if not outcome.checks:
+        return ()
+    rows: Sequence[Check] = outcome.checks
+    return (
+        Table(
+            title="The same forces on a half-space", header=check_heads(outcome),
+            rows=tuple(check_line(c) for c in rows),
+            note=f"Largest pressures in MPa. {verdict(outcome)}.",
+        ),
+    )  # fmt: skip
+
+
+def _inputs(outcome: Outcome) -> Sequence[tuple[str, str, str]]:
+    task = outcome.task
+    found = [
+        (v.symbol, v.what, v.value if isinstance(v.value, str)
+         else f"{v.value:.6g}{'' if v.unit == '1' else f' {v.unit}'}")
+        for v in task.wishes.display()
+    ]  # fmt: skip
+    found.append(("torques", "torques that it has to engage under", torques(task)))
+    for j, r in enumerate(RANGES):
+        factor = um if j == 2 else 1.0
+        unit = " µm" if j == 2 else ""
+        ends = f"{task.low[j] / factor:.4g} to {task.high[j] / factor:.4g}{unit}"
+        found.append((r.symbol, r.what, ends))
+    return found

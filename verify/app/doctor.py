@@ -1,0 +1,180 @@
+"""The command `doctor`: what this machine has and lacks for a run, one line each.
+
+Everything that may crash is tried in a process of its own, side by side.
+"""
+
+import importlib.util
+import json
+import os
+import platform
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from verify.app.installed import installed, mismatches
+from verify.core import environment
+from verify.core.environment import LIBRARIES
+from verify.studies.crosscheck import solvers
+from verify.studies.crosscheck.calculix import running
+from verify.studies.crosscheck.statement import CALCULIX, SOLVERS
+
+ROOT = Path(__file__).parents[2]
+OK, MISSING, OPTIONAL = "ok", "missing", "optional"
+SHOWN = (
+    "numpy", "scipy", "scikit-fem", "gmsh", "numba", "scikit-learn", "pydantic", "pint", "cyclopts",
+    "pyvista", "typst",
+)  # fmt: skip
+SOLVING = (
+    "numpy", "scipy", "skfem", "gmsh", "numba", "sklearn", "pydantic", "pint", "jinja2", "ziamath",
+    "meshio",
+)  # fmt: skip
+TYPST = 'import typst\nassert typst.compile(b"Hello")'
+SECONDS = 60.0
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line: `fatal` where no run is possible without it."""
+
+    what: str
+    state: str
+    detail: str
+    fatal: bool = False
+
+
+def run_doctor(*, as_json: bool) -> int:
+    """Print what is there; 0 where `verify` can run, if need be with fewer pictures, 2 if not."""
+    found = list(findings())
+    fatal = any(f.fatal for f in found)
+    last = conclusion(found)
+    if as_json:
+        lines = [asdict(f) for f in found]
+        print(json.dumps({"ok": not fatal, "conclusion": last, "findings": lines}))
+    else:
+        width = max(len(f.what) for f in found)
+        for f in found:
+            print(f"{f.state:8}  {f.what:{width}}  {f.detail}")
+        print(last)
+    return 2 if fatal else 0
+
+
+def conclusion(found: list[Finding]) -> str:
+    """All well, or what to do about it."""
+    lost = [f for f in found if f.state == MISSING]
+    if not lost:
+        return "all well"
+    consequence = "verify cannot run" if any(f.fatal for f in lost) else "verify runs, with less"
+    libraries = [f.what for f in lost if f.what in {library for library, _, _ in LIBRARIES}]
+    remedy = environment.install_line(libraries) if libraries else "; ".join(f.detail for f in lost)
+    return f"{consequence}: {remedy}"
+
+
+def findings() -> Iterator[Finding]:
+    """Everything in the order of the house: machine, packages, libraries, solvers, folders."""
+    with ThreadPoolExecutor() as pool:
+        gmsh = pool.submit(environment.probe, "import gmsh", SECONDS)
+        pictures = pool.submit(environment.missing_for_pictures)
+        typst = pool.submit(environment.probe, TYPST, SECONDS)
+        others = [pool.submit(_solver, name) for name in SOLVERS]
+        yield from _machine()
+        yield from _packages()
+        yield from _libraries()
+        problem = gmsh.result() and environment.missing_for_meshes(gmsh.result())
+        yield _tried("gmsh makes meshes", problem, fatal=True)
+        yield _tried("pictures by pyvista", pictures.result())
+        yield _tried("PDF by typst", typst.result())
+        second = [found.result() for found in others]
+    yield _cache()
+    yield _output()
+    yield from second
+    browser = shutil.which("chromium") or ""  # what tests of the page use
+    yield Finding("chromium", OK if browser else OPTIONAL, browser or "not installed")
+
+
+def _machine() -> Iterator[Finding]:
+    problem = environment.python_problem(sys.version_info[:2])
+    detail = f"{platform.python_version()}, {sys.executable}" + (f": {problem}" if problem else "")
+    yield Finding("Python", MISSING if problem else OK, detail, fatal=bool(problem))
+    yield Finding("machine", OK, f"{platform.platform()}, {_cores()} cores, {_memory()}")
+
+
+def _cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _memory() -> str:
+    try:
+        size = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (ValueError, OSError, AttributeError):  # not on this system
+        return "memory unknown"
+    return f"{size / 1e9:.1f} GB"
+
+
+def _packages() -> Iterator[Finding]:
+    absent = [name for name in SOLVING if importlib.util.find_spec(name) is None]
+    known = ", ".join(f"{name} {installed(name) or 'absent'}" for name in SHOWN)
+    text = f"missing {', '.join(absent)}: make .venv/.ready" if absent else known
+    yield Finding("packages", MISSING if absent else OK, text, fatal=bool(absent))
+    lock = ROOT / "requirements.txt"
+    if lock.is_file():
+        differ = "; ".join(mismatches(lock.read_text("utf-8")))
+        same = "installed packages are those of requirements.txt"
+        yield Finding("lock", MISSING if differ else OK, differ or same)
+
+
+def _libraries() -> Iterator[Finding]:
+    missing = environment.missing_libraries()
+    for library, package, need in LIBRARIES if sys.platform == "linux" else ():
+        if library in missing:
+            detail = f"{environment.install_line([library])} ({need})"
+            yield Finding(library, MISSING, detail, fatal=need == environment.MESHES)
+        else:
+            yield Finding(library, OK, package)
+
+
+def _tried(what: str, problem: str, *, fatal: bool = False) -> Finding:
+    return Finding(what, MISSING if problem else OK, problem or "works", fatal and bool(problem))
+
+
+def _cache() -> Finding:
+    try:
+        from verify.jobs.cache import default_folder
+    except (ImportError, OSError) as error:
+        return Finding("cache", MISSING, str(error))
+    folder = default_folder()
+    problem = _unwritable(folder)
+    if problem:
+        return Finding("cache", MISSING, f"{folder}: {problem}: every run solves anew")
+    size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+    free = shutil.disk_usage(folder).free
+    return Finding("cache", OK, f"{folder}: {size / 1e6:.1f} MB, {free / 1e9:.1f} GB free")
+
+
+def _output() -> Finding:
+    folder = ROOT / "reports" / "out"
+    problem = _unwritable(folder)
+    detail = f"{folder}: {problem}: give verify --out FOLDER" if problem else str(folder)
+    return Finding("report folder", MISSING if problem else OK, detail)
+
+
+def _unwritable(folder: Path) -> str:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return ""
+    except OSError as error:
+        return error.strerror or str(error)
+
+
+def _solver(name: str) -> Finding:
+    """A second solver, calculix or one of the crosscheck environment: no run needs it."""
+    found = solvers.solver(name)
+    if found.missing:
+        return Finding(name, OPTIONAL, found.missing)
+    place = running.executable() if name == CALCULIX else solvers.interpreter()
+    return Finding(name, OK, f"{found.version}, {place}")

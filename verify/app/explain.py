@@ -1,0 +1,108 @@
+"""The command `explain`: find a row by its name and print how it was judged."""
+
+import json
+import os
+from collections.abc import Callable, Sequence
+from difflib import get_close_matches
+from pathlib import Path
+
+from verify.app.commands import load
+from verify.cases.registry import CASES
+from verify.core.case import Case, Context
+from verify.core.inputs import InputError, Inputs
+from verify.core.results import Row, Status
+from verify.jobs.engines import Where
+from verify.jobs.run import Job
+from verify.jobs.solving import solve
+from verify.judging.derivation.steps import derive
+
+BESIDE = ": convergence"  # the row that every finite-element row has beside it
+LISTED = 12
+
+
+def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bool) -> int:
+    """Explain the row that `words` name, on the parameters of the file if the last word is one."""
+    path = _file(words[-1]) if words else None
+    wanted = " ".join(words[:-1] if path else words)
+    if path is None:
+        known = {row: case for case in CASES for row in row_ids(case, case.inputs(), paper=True)}
+        row_id = find_row(wanted, list(known))
+        case, inputs = known[row_id], known[row_id].inputs()
+    else:
+        _, case, inputs, _ = load(path)
+        paper = Job(case, inputs).is_paper
+        row_id = find_row(wanted, row_ids(case, inputs, paper=paper), f" with {path}")
+    (result,) = solve([Job(case, inputs)], Where(jobs), use_cache, quiet=as_json)
+    row = next(row for row in result.rows if row.id == row_id)
+    print(_json(row) if as_json else _text(row))
+    return 1 if row.status in (Status.FAIL, Status.SKIP) else 0
+
+
+def _file(word: str) -> Path | None:
+    """A parameter file, also one that cannot be read, for reading it says why."""
+    path = Path(word)
+    named = word.endswith(".toml") or path.is_file() or (os.sep in word and path.is_dir())
+    return path if named else None
+
+
+def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
+    """The ids of all rows of a case, known without any finite elements."""
+    context = Context(case.id, inputs, case.analytic(inputs), (), paper)
+    return [
+        row.id
+        for check in case.checks
+        if paper or not check.paper_only
+        for row in (check.skipped(case.id, "") if check.needs_fem else check.rows(context))
+    ]
+
+
+def find_row(wanted: str, ids: Sequence[str], where: str = "") -> str:
+    """The one id that `wanted` names: all of it, its end, a part of it, or words it contains.
+
+    A row stands before the one on its convergence. InputError lists what is found if not one.
+    """
+    text = _plain(wanted)
+    if not text:
+        raise InputError(f"explain needs a row, such as {ids[0]!r}")
+    ways: tuple[Callable[[str], bool], ...] = (
+        lambda i: text in (i, i.partition("/")[2]),
+        lambda i: text in i,
+        lambda i: all(word in i for word in text.split()),
+    )
+    for matches in ways:
+        found = [i for i in ids if matches(_plain(i))]
+        main = [i for i in found if not i.endswith(BESIDE)] if BESIDE[2:] not in text else []
+        found = main or found
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise InputError(f"{len(found)} rows match {wanted!r}: {_listed(found)}")
+    near = get_close_matches(text, map(_plain, ids), n=3, cutoff=0.3)
+    meant = [i for i in ids if _plain(i) in near]
+    cases = ", ".join(dict.fromkeys(i.partition("/")[0] for i in ids))
+    hint = f"near are: {_listed(meant)}" if meant else f"the cases are {cases}"
+    raise InputError(f"no row{where} matches {wanted!r}; {hint}")
+
+
+def _plain(name: str) -> str:
+    """Lower case without commas, so that words alone name a row."""
+    return " ".join(name.lower().replace(",", " ").split())
+
+
+def _listed(ids: Sequence[str]) -> str:
+    more = f"; and {len(ids) - LISTED} more" if len(ids) > LISTED else ""
+    return "; ".join(ids[:LISTED]) + more
+
+
+def _text(row: Row) -> str:
+    steps = derive(row).steps
+    width = max(len(label) for label, _ in steps)
+    head = f"{row.id} ({row.symbol}, {row.kind.value})"
+    return "\n".join([head, *(f"  {label:{width}}  {text}" for label, text in steps)])
+
+
+def _json(row: Row) -> str:
+    from reports.records import row_record  # only the command line knows reports
+
+    steps = [{"label": label, "text": text} for label, text in derive(row).steps]
+    return json.dumps({"row": row_record(row), "steps": steps}, ensure_ascii=False)

@@ -1,0 +1,52 @@
+"""How `freewheel portable` is called."""
+
+from pathlib import Path
+
+from verify.app.arguments import CaseId, Jobs, Number, Texts
+
+
+def portable(
+    *cases: CaseId,
+    only: Texts = (),
+    seeds: Number = 10,
+    list: bool = False,  # noqa: A002 - the flag's name
+    row_tests: bool = False,
+    again: bool = False,
+    jobs: Jobs = 0,
+    out: Path | None = None,
+) -> int:
+    """Compare every row with the same row on emulated machines.
+
+    A machine is another core type of OpenBLAS, another number of BLAS threads, numpy or numba
+    for another processor, or inputs perturbed by 1e-13. Each runs with a cache of its own. Lists
+    rows whose status differs and rows whose value moves by more than a tenth of the tolerance
+    or whose tolerance differs; 1
+    where there are any of the first kind, or of the second without a stated reason. A run goes on
+    where one was interrupted.
+
+    Parameters
+    ----------
+    cases
+        Cases to run, all by default; see `freewheel list`.
+    only
+        A machine to compare with this one, all by default. May stand several times.
+    seeds
+        How many times the inputs are perturbed.
+    list
+        Name the machines and why some cannot be emulated here.
+    row_tests
+        Run the tests of every row on each machine, too.
+    again
+        Remove what earlier runs have found.
+    jobs
+        Machines that run side by side, 0 for one per core.
+    out
+        Folder for the results, by default reports/out/portable of this checkout.
+    """
+    from verify.audit.portable.command import run_list, run_portable
+
+    if list:
+        return run_list(seeds)
+    return run_portable(
+        cases, only=only, seeds=seeds, jobs=jobs, again=again, row_tests=row_tests, out=out
+    )

@@ -1,0 +1,49 @@
+"""Where the numbers come from: versions, commit, lock, times."""
+
+import hashlib
+import platform
+import subprocess
+import time
+from collections.abc import Sequence
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from verify.core.results import CaseResult
+
+PACKAGES = (
+    "cyclopts", "gmsh", "jinja2", "matplotlib", "meshio", "numpy", "pint", "pydantic", "pyvista",
+    "scikit-fem", "scipy", "typst", "xlsxwriter", "ziamath",
+)  # fmt: skip
+
+
+def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dict[str, Any]:
+    """A record for the report; an unknown commit or lock reads "unknown"."""
+    lock = root / "requirements.txt"
+    return {
+        "made": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
+        "commit": _commit(root),
+        "lock": hashlib.sha256(lock.read_bytes()).hexdigest()[:12] if lock.is_file() else "unknown",
+        "python": platform.python_version(),
+        "machine": f"{platform.system()} {platform.machine()}",
+        "versions": {name: _version(name) for name in PACKAGES},
+        "seconds": {r.id: round(r.seconds, 3) for r in results} | {"total": round(seconds, 3)},
+        "cached": {r.id: r.cached for r in results},
+        "cells": {f"{r.id}, {f.name}": len(f.cells) for r in results for f in r.fields},
+    }
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def _commit(root: Path) -> str:
+    try:
+        run = ["git", "-C", str(root), "describe", "--always", "--dirty", "--abbrev=10"]
+        done = subprocess.run(run, capture_output=True, text=True, timeout=10, check=True)  # noqa: S603
+    except (OSError, subprocess.SubprocessError):
+        return "unknown"
+    return done.stdout.strip() or "unknown"

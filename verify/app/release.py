@@ -1,0 +1,52 @@
+"""Write a release: a full run without a red row, of code that is committed."""
+
+import subprocess
+import time
+from pathlib import Path
+
+from verify.app.commands import make_report
+from verify.audit.releases.kept import path_of, store, version
+from verify.audit.releases.since import WITHOUT
+from verify.cases.registry import CASES
+from verify.core.inputs import InputError
+from verify.core.results import Report, Status
+from verify.jobs.engines import Where
+from verify.jobs.run import Job
+from verify.jobs.solving import solve
+
+
+def release(root: Path, folder: Path | None = None, *, jobs: int = 0) -> Path:
+    """Run all cases and keep their rows under the version of pyproject.toml; the file.
+
+    InputError where the version is kept already, something is not committed, or a row is red.
+    """
+    name = version(root)
+    path = path_of(name, folder)
+    if path.exists():
+        raise InputError(f"{path.name} is there already: raise the version in pyproject.toml")
+    refuse_uncommitted(root)
+    start = time.perf_counter()
+    results = solve([Job(case, case.inputs(), drawn=False) for case in CASES], Where(jobs), True)
+    report = make_report(results, CASES, time.perf_counter() - start)
+    refuse_red(report)
+    return store(report.rows, name, report.provenance["commit"], folder)
+
+
+def refuse_uncommitted(root: Path) -> None:
+    """InputError unless all files are as they were committed."""
+    run = ["git", "-C", str(root), "status", "--porcelain"]
+    try:
+        done = subprocess.run(run, capture_output=True, text=True, timeout=60, check=True)  # noqa: S603
+    except (OSError, subprocess.SubprocessError) as error:
+        raise InputError("a release needs git, which says whether all is committed") from error
+    if changed := done.stdout.splitlines():
+        raise InputError(f"a release needs all committed: {changed[0].strip()}")
+
+
+def refuse_red(report: Report) -> None:
+    """InputError where a row failed or was not run, or a demand was loosened without a reason."""
+    for row in report.rows:
+        if row.status in (Status.FAIL, Status.SKIP):
+            raise InputError(f"a release needs every row: {row.id}: {row.status}: {row.reason}")
+    if report.drift and report.drift.unexplained:
+        raise InputError(f"{WITHOUT}: {report.drift.unexplained[0].row}")

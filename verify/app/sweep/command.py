@@ -1,0 +1,154 @@
+"""The command `sweep`, apart from reading the command line."""
+
+import json
+import shlex
+import sys
+from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
+from functools import partial
+from pathlib import Path
+from typing import IO
+
+from verify.app.commands import ROOT, load, writable
+from verify.core.files import write_whole
+from verify.core.inputs import InputError
+from verify.core.progress import Lines, shown
+from verify.jobs.engines import Where
+from verify.studies.sweep import plan as plans
+from verify.studies.sweep.axes import changed
+from verify.studies.sweep.outcome import Outcome, outcome
+from verify.studies.sweep.pairs import portion, selected
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.records import record
+from verify.studies.sweep.run import solve
+from verify.studies.sweep.tables import REFUSED, points_csv, sensitivity_csv, validity_csv
+from verify.studies.sweep.told import print_outcome
+from verify.studies.sweep.words import bare
+
+PAGE = "sweep.html"
+
+
+def run_sweep(
+    path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
+    only: Sequence[str], where: Where, out: Path | None, as_json: bool, again: bool,
+) -> int:  # fmt: skip
+    """Formulas and finite elements over a grid or a sample; 1 where a point failed, else 0.
+
+    A point that the inputs' rules refuse has not failed. Both are told; the rest is there.
+    InputError where all are refused.
+    """
+    plan = planned(path, vary=vary, star=star, sample=sample, tolerances=tolerances, only=only)
+    _some_possible(plan)
+    folder = out or ROOT / "reports" / "out" / f"sweep-{path.stem}"
+    writable(folder)
+    announce(plan)
+    with nullcontext(Lines()) if as_json else shown(quiet=False) as show:
+        solved = solve(plan, where, again=again, show=show)
+    found = outcome(solved)
+    _some_accepted(found.problems)
+    made = files(found, command(path, vary, star, sample, tolerances, only))
+    _write(made, folder)
+    if as_json:
+        print(made["sweep.json"].decode(), end="")
+    else:
+        print_outcome(found)
+    told = f"written: {', '.join(str(folder / name) for name in made)}"
+    print(told, file=sys.stderr if as_json else sys.stdout)
+    return 1 if any(p and not p.startswith(REFUSED) for p in found.problems) else 0
+
+
+def _some_possible(plan: Plan) -> None:
+    """InputError where the inputs' rules refuse every point; most plans pass at the first."""
+    refused = []
+    for row in plan.points:
+        try:
+            changed(plan.inputs, dict(zip(plan.names, row, strict=True)))
+        except InputError as error:
+            refused.append(f"{REFUSED}: {error}")
+        else:
+            return
+    _some_accepted(refused)
+
+
+def _some_accepted(problems: Sequence[str]) -> None:
+    """InputError where each is a refusal, which a solver may be the first to say."""
+    if all(problem.startswith(f"{REFUSED}:") for problem in problems):
+        raise InputError(f"every point is refused, such as: {bare(problems[0])}")
+
+
+def planned(
+    path: Path, *, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
+    only: Sequence[str],
+) -> Plan:  # fmt: skip
+    """The sweep that a parameter file and the options ask for; InputError."""
+    if vary and sample:
+        raise InputError("--vary, which makes a grid, and --sample exclude each other")
+    if not vary and not sample:
+        raise InputError("sweep needs --vary NAME=a:b:n, or --sample sobol:N with --tolerance")
+    if star and not vary:
+        raise InputError("--star belongs to --vary")
+    if tolerances and not sample:
+        raise InputError("--tolerance belongs to --sample")
+    name, case, inputs, _ = load(path)
+    chosen = selected(case, only)
+    if sample:
+        return plans.sample(case, name, inputs, chosen, sample, tolerances)
+    return plans.grid(case, name, inputs, chosen, vary, star=star)
+
+
+def announce(plan: Plan) -> None:
+    """Say what is about to be solved, and how it would cost less."""
+    part = portion(plan.case, plan.chosen)
+    rows = f"{len(plan.chosen)} row{'s' if len(plan.chosen) != 1 else ''}"
+    print(f"{plan.name}: {len(plan.points):,} points of {plan.case.id}, {rows}", file=sys.stderr)
+    if not part.name and plan.case.portions:
+        names = ", ".join(f"{p.name} ({_rows(plan, p.keys)})" for p in plan.case.portions)
+        print(f"a part alone is much cheaper, with --only: {names}", file=sys.stderr, flush=True)
+
+
+def _rows(plan: Plan, keys: Sequence[str]) -> str:
+    return "; ".join(pair.name for pair in plan.chosen if pair.fem in keys)
+
+
+def command(
+    path: Path, vary: Sequence[str], star: bool, sample: str, tolerances: Sequence[str],
+    only: Sequence[str],
+) -> str:  # fmt: skip
+    """What repeats this."""
+    parts = ["freewheel", "sweep", path.name]
+    parts += [part for text in vary for part in ("--vary", text)]
+    parts += ["--star"] * star + (["--sample", sample] if sample else [])
+    parts += [part for text in tolerances for part in ("--tolerance", text)]
+    parts += [part for text in only for part in ("--only", text)]
+    return shlex.join(parts)
+
+
+def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
+    """What goes into the folder, by name."""
+    from reports.sweep import page as drawn
+    from verify.app.sweep.page import page
+
+    tables = (
+        {"sensitivity.csv": sensitivity_csv(found)}
+        if found.solved.plan.tolerances
+        else {"validity.csv": validity_csv(found)}
+    )
+    texts = {
+        PAGE: drawn(page(found, repeat)),
+        "points.csv": points_csv(found),
+        **tables,
+        "sweep.json": json.dumps(record(found, repeat), ensure_ascii=False, indent=1) + "\n",
+    }
+    return {name: text.encode() for name, text in texts.items()}
+
+
+def _write(made: Mapping[str, bytes], folder: Path) -> None:
+    for name, content in made.items():
+        try:
+            write_whole(folder / name, partial(_fill, content))
+        except OSError as error:
+            raise OSError(f"{folder / name} cannot be written: {error.strerror}") from error
+
+
+def _fill(content: bytes, file: IO[bytes]) -> None:
+    file.write(content)

@@ -1,0 +1,258 @@
+"""Pictures of a sweep: the error over what was varied, formula and finite elements beside it."""
+
+import math
+from collections.abc import Sequence
+from itertools import combinations, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reports.measured import LIMITS, Measured
+from reports.sweep import Panels, Picture
+from reports.sweep_plots import Causes, Histogram, reach
+from reports.validity_map import LEAST
+from verify.core import units
+from verify.core.shown import Array, Band, Curve, Curves
+from verify.studies.sweep.axes import Axis, Tolerance
+from verify.studies.sweep.indices import Indices, Scatter
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import Region, lines
+from verify.studies.sweep.tables import quantities, with_unit
+
+MIDDLE = LIMITS[1]  # whose region maps outline
+MOST_PANELS, MOST_PAIRS, MOST_CURVES, MOST_DOTS = 12, 6, 4, 500
+ERROR = "Formula less finite elements, in %."
+MATTERS = 0.1  # share of the points whose bar reaches across a limit, from which on it is drawn
+LINES = " Lines: where the error passes a limit, straight between points."
+QUANTILES = ("2.5 %", "50 %", "97.5 %")
+
+
+def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[Picture]:
+    """A curve, or a map, of the error, and the values that are compared."""
+    if plan.star:
+        return [_of_line(plan, course, k) for k in range(len(plan.axes))]
+    if len(plan.axes) == 1:
+        return [_of_line(plan, course, 0), _values_1d(plan, course)]
+    if len(plan.axes) > 2:
+        return []
+    x, y = plan.axes
+    box = next((r.box for r in regions if r.limit == MIDDLE and not r.everywhere), ())
+    error, U = (v.reshape(plan.shape) for v in (course.error, course.U_error))
+    lined = min(plan.shape) >= LEAST
+    found: list[Picture] = [
+        _map((x, y), error, U, title="Error of the formula",
+            note=f"{ERROR} Each cell stands for the point in its middle." + LINES * lined, own=True,
+            box=tuple((r.axis.shown(r.low), r.axis.shown(r.high)) for r in box),
+        ),
+        _values_2d(plan, course),
+    ]  # fmt: skip
+    across = sum(r.undecided for r in regions)
+    if across > MATTERS * len(plan.points):
+        found.append(
+            _map((x, y), U, np.zeros_like(U), title="Error bar",
+                 note="Half-width of the error bar in %: what finite elements don't know better.",
+                 own=True)
+        )  # fmt: skip
+    return found
+
+
+def panels(plan: Plan, course: Course) -> Sequence[Panels]:
+    """Of more than two axes, cuts through the grid and the worst over the axes that aren't seen."""
+    if plan.star or len(plan.axes) < 3:
+        return ()
+    shape = plan.shape
+    error, U = (v.reshape(shape) for v in (course.error, course.U_error))
+    others, last = plan.axes[:-2], plan.axes[-2:]
+    places = list(product(*(range(n) for n in shape[:-2])))
+    some = _evenly(len(places), MOST_PANELS)
+    cuts = tuple(
+        _map(last, error[places[k]], U[places[k]], title=", ".join(
+            f"{a.symbol} = {_valued(a, a.values[i])}"
+            for a, i in zip(others, places[k], strict=True)
+        ), own=all(_at_nominal(a, a.values[i]) for a, i in zip(others, places[k], strict=True)))
+        for k in some
+    )  # fmt: skip
+    left_out = "" if len(some) == len(places) else (
+        f" {len(some)} of {len(places)} cuts, evenly chosen; the rest is in points.csv."
+    )  # fmt: skip
+    pairs = list(combinations(range(len(shape)), 2))[:MOST_PAIRS]
+    worst = tuple(_worst(plan.axes, error, U, pair) for pair in pairs)
+    return (
+        Panels(title="The largest error over all other axes", maps=worst,
+               note="Each cell stands for all points with these two values: where it is within a "
+               "limit, all of them that are solved are."),
+        Panels(title=f"Cuts: error over {last[0].symbol} and {last[1].symbol}", maps=cuts,
+               note=f"Each at values of the other axes; a cell stands for the point in its middle."
+               f"{left_out}"),
+    )  # fmt: skip
+
+
+def of_sample(plan: Plan, course: Course, found: Indices) -> Sequence[Picture]:
+    """How results and error scatter, what through, and the error over what matters most."""
+    independent = np.arange(len(plan.points)) < 2 * plan.base
+    factor = units.factor(course.pair.unit)
+    label = with_unit(course.pair.symbol, course.pair.unit)
+    drawn: list[Picture] = []
+    if found.fe.n:
+        name = quantities(found)[1][0]
+        drawn.append(_histogram(f"{label}, {name}", course.fe[independent] / factor, found.fe,
+                                factor, "Result"))  # fmt: skip
+        drawn.append(_histogram("error [%]", 100 * course.error[independent], found.error, 0.01,
+                                "Error of the formula", limits=True))  # fmt: skip
+    for what, scatter, _ in quantities(found):
+        if scatter.indices:
+            drawn.append(
+                Causes(
+                    title=f"What scatters the {'error' if what == 'error' else f'result: {what}'}",
+                    items=tuple((i.tolerance.symbol, (i.first.value, i.first.low, i.first.high),
+                                 (i.total.value, i.total.low, i.total.high))
+                                for i in scatter.ranked),
+                    note="Sobol indices with 95 % intervals.",
+                )
+            )  # fmt: skip
+    if found.error.indices:
+        drawn.append(_dots(plan, course, found.error.ranked[0].tolerance, independent))
+    return drawn
+
+
+def _map(
+    axes: Sequence[Axis], error: Array, U: Array, *, title: str, note: str = "",
+    box: tuple[tuple[float, float], ...] = (), own: bool = False,
+) -> Measured:  # fmt: skip
+    """A map over two axes; `own` says that all other inputs are as in the file."""
+    x, y = axes
+    return Measured(
+        title=title, x=_shown(x), x_label=_label(x), y=_shown(y), y_label=_label(y), error=error,
+        U=U, nominal=_nominal(axes) if own else None,
+        box=(box[0], box[1]) if len(box) == 2 else None,
+        box_name=f"largest region within {100 * MIDDLE:g} %", note=note,
+        log=(x.spacing == "log", y.spacing == "log"),
+    )  # fmt: skip
+
+
+def _of_line(plan: Plan, course: Course, k: int) -> Measured:
+    line = list(lines(plan, 0))[k]
+    a = line.axis
+    return Measured(
+        title=f"Error over {a.symbol}", x=line.x / units.factor(a.unit), x_label=_label(a),
+        error=course.error[line.points], U=course.U_error[line.points], nominal=_nominal([a]),
+        log=(a.spacing == "log", False),
+        note=f"{ERROR} Shaded: the error bar. Below, where the whole bar is within a limit, to "
+        "halfway between points." + " All other inputs as in the file." * plan.star
+        + " Ring on the axis: value in the file." * _reached(a),
+    )  # fmt: skip
+
+
+def _values_1d(plan: Plan, course: Course) -> Curves:
+    (a,) = plan.axes
+    return _curves(course, a, [(slice(None), "")])
+
+
+def _values_2d(plan: Plan, course: Course) -> Curves:
+    x, y = plan.axes
+    table = np.arange(len(plan.points)).reshape(plan.shape)
+    rows = [
+        (table[:, j], f"{y.symbol} = {_valued(y, y.values[j])}")
+        for j in _evenly(len(y.values), MOST_CURVES)
+    ]
+    return _curves(course, x, rows)
+
+
+def _curves(
+    course: Course, a: Axis, rows: Sequence[tuple[slice | NDArray[np.int_], str]]
+) -> Curves:
+    """Formula and finite elements over one axis, for each of some values of another."""
+    x = _shown(a)
+    factor, by = units.factor(course.pair.unit), course.pair.by or "finite elements"
+    drawn, bands = [], []
+    for k, (points, name) in enumerate(rows):
+        formula, fe, U = (v[points] / factor for v in (course.formula, course.fe, course.U))
+        drawn += [
+            Curve(name=f"formula, {name}" if name else "formula", x=x, y=formula, colour=k),
+            Curve(name=by if k == 0 else "", x=x, y=fe, style="dots", colour=k),
+        ]
+        if np.isfinite(U).sum() > 1:
+            bands.append(Band(name="", x=x, lower=fe - U, upper=fe + U, colour=k))
+    every = np.concatenate([c.y[np.isfinite(c.y)] for c in drawn])
+    low, high = (float(every.min()), float(every.max())) if every.size else (0.0, 1.0)
+    near = low > 0.4 * high > 0
+    return Curves(
+        title="Formula and finite elements", x_label=_label(a), x_log=a.spacing == "log",
+        y_label=with_unit(course.pair.symbol, course.pair.unit), curves=tuple(drawn),
+        bands=tuple(bands), y_bottom=low - 0.1 * (high - low) if near and high > low else None,
+        note="Lines: formula; dots: finite elements on the finest mesh, with their error bar.",
+    )  # fmt: skip
+
+
+def _worst(axes: Sequence[Axis], error: Array, U: Array, pair: tuple[int, int]) -> Measured:
+    """The error that is largest in size, bar included, over all axes but two."""
+    seen = [axes[k] for k in pair]
+    rest = tuple(k for k in range(error.ndim) if k not in pair)
+    flat = error.transpose(*pair, *rest).reshape(*(error.shape[k] for k in pair), -1)
+    bars = U.transpose(*pair, *rest).reshape(flat.shape)
+    size = np.where(np.isfinite(flat + bars), np.abs(flat) + bars, -1.0)
+    at = size.argmax(axis=-1)[..., None]
+    e, b = (np.take_along_axis(v, at, axis=-1)[..., 0] for v in (flat, bars))
+    return _map(seen, e, b, title=f"{seen[0].symbol} and {seen[1].symbol}")
+
+
+def _histogram(
+    label: str, values: Array, scatter: Scatter, factor: float, title: str, *, limits: bool = False
+) -> Histogram:
+    ends = (scatter.low / factor, scatter.median / factor, scatter.high / factor)
+    known = values[np.isfinite(values)]
+    left, right = reach(known)
+    seen = tuple(100 * v for v in LIMITS if limits
+                 and (left < 100 * v < right or left < -100 * v < right))  # fmt: skip
+    return Histogram(
+        title=title, label=label, values=known,
+        quantiles=tuple(zip(ends, QUANTILES, strict=True)),
+        limits=seen, note="Dotted: quantiles." + " Dashed: the limits." * bool(seen),
+    )  # fmt: skip
+
+
+def _dots(plan: Plan, course: Course, one: Tolerance, independent: NDArray[np.bool_]) -> Curves:
+    k = plan.names.index(one.name)
+    known = np.flatnonzero(independent & np.isfinite(course.error))
+    some = known[list(_evenly(len(known), MOST_DOTS))]
+    x = plan.points[some, k] / units.factor(one.unit)
+    y = 100 * course.error[some]
+    return Curves(
+        title=f"Error over {one.symbol}, which scatters it most", x_label=_label(one),
+        y_label="error [%]", curves=(Curve(name="", x=x, y=y, style="dots"),),
+        y_bottom=float(y.min() - 0.05 * (np.ptp(y) or 1.0)),
+        note="All other inputs scatter too.",
+    )  # fmt: skip
+
+
+def _nominal(axes: Sequence[Axis]) -> tuple[float, ...] | None:
+    found = [None if a.nominal is None else a.shown(a.nominal) for a in axes]
+    return None if None in found else tuple(v for v in found if v is not None)
+
+
+def _at_nominal(a: Axis, value: float) -> bool:
+    """Whether a value is the file's own."""
+    return a.nominal is not None and math.isclose(a.shown(a.nominal), a.shown(value))
+
+
+def _reached(a: Axis) -> bool:
+    """Whether the file's own value lies between the ends of the axis."""
+    return a.nominal is not None and a.values[0] <= a.nominal <= a.values[-1]
+
+
+def _shown(a: Axis) -> Array:
+    return np.array([a.shown(v) for v in a.values])
+
+
+def _label(a: Axis | Tolerance) -> str:
+    return with_unit(a.symbol, a.unit)
+
+
+def _valued(a: Axis, value: float) -> str:
+    return f"{a.shown(value):.4g}{'' if a.unit == '1' else f' {a.unit}'}"
+
+
+def _evenly(count: int, most: int) -> Sequence[int]:
+    """At most so many of the numbers below `count`, evenly, the first and the last among them."""
+    return sorted({round(v) for v in np.linspace(0, count - 1, min(count, most))})

@@ -1,0 +1,1 @@
+"""Mutants, changes since a release, other machines."""

@@ -1,0 +1,47 @@
+"""Cases whose levels are made with formulas, too: a formula's mutant changes both of their sides.
+
+Levels that unchanged code has stored say nothing of such a mutant: rows would be credited with it
+that stay green in a run, and others be blamed that turn red in one. The key of the stored levels
+tells which formulas they are made with.
+"""
+
+from collections.abc import Sequence
+from functools import cache
+
+from verify.audit.mutation.trial import Bench
+from verify.core.case import Case
+from verify.core.source_code import parts_of
+
+# s of one core for all levels: these are solved with the mutant. What takes longer judges no mutant
+# of a formula that its levels are made with.
+SOLVED = {
+    "rotor-clutch": 1.0, "spring-stages": 1.5, "contact-roller-flat": 4.0, "rotor-shaft": 9.0,
+    "sprag-engagement": 14.0,
+}  # fmt: skip
+QUICK = 5.0  # s: the others are asked last, after the tests
+
+
+@cache
+def formulas_in(case: Case) -> frozenset[str]:
+    """The modules of formulas that a case's levels are made with."""
+    return frozenset(name for name in parts_of(case.fem)[1] if name.startswith("analytic."))
+
+
+def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
+    """Cases whose stored levels stay under a mutant of `module`, and those to solve with it.
+
+    Of these the quick ones and the slow ones; none has cases that it moves and that take too long.
+    """
+    stored = [bench for bench in benches if module not in formulas_in(bench.load.case)]
+    moved = [
+        bench for bench in benches
+        if module in formulas_in(bench.load.case) and bench.load.case.id in SOLVED
+    ]  # fmt: skip
+    moved.sort(key=lambda bench: SOLVED[bench.load.case.id])
+    quick = [bench for bench in moved if SOLVED[bench.load.case.id] <= QUICK]
+    return stored, quick, moved[len(quick) :]
+
+
+def seconds(benches: Sequence[Bench]) -> float:
+    """What it takes to solve the cases."""
+    return sum(SOLVED[bench.load.case.id] for bench in benches)

@@ -1,0 +1,75 @@
+"""Tries a group's mutants: judged anew, tested, solved anew; every outcome is kept at once."""
+
+import time
+from collections import deque
+from dataclasses import dataclass, field
+from functools import partial
+
+from verify.audit.mutation import trial
+from verify.audit.mutation.forked import LATE, Answer, Task, answers
+from verify.audit.mutation.groups import Group
+from verify.audit.mutation.outcomes import By, Outcome, Store
+from verify.core.progress import Show, State
+
+TESTS = 200.0  # s for the tests of one mutant, which took AT_MOST unchanged
+JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
+EXPECTED = 4.0  # s for a mutant before anything is known
+
+
+@dataclass
+class Campaign:
+    """One group under way; `stages` is how far each mutant has come that nothing noticed yet."""
+
+    group: Group
+    store: Store
+    jobs: int
+    show: Show = lambda _state: None
+    waiting: deque[Task] = field(default_factory=deque)
+    spent: dict[str, float] = field(default_factory=dict)
+    stages: dict[str, int] = field(default_factory=dict)
+
+    def run(self) -> None:
+        """Try every chosen mutant that has no outcome yet."""
+        self.mutants = {one.mutant.id: one for one in self.group.chosen}
+        missing = [key for key in self.mutants if key not in self.store.found]
+        self.waiting += [self.group.trial(self.mutants[key]) for key in missing]
+        self.start, self.total, self.done = time.monotonic(), len(missing), 0
+        self._tell("")
+        for answer in answers(self.waiting, self.jobs):
+            key = str(answer.key)
+            self.spent[key] = self.spent.get(key, 0.0) + answer.seconds
+            if (outcome := self._outcome(key, answer)) is not None:
+                self.store.add(outcome)
+                self.done += 1
+            self._tell(key)
+
+    def _outcome(self, key: str, answer: Answer) -> Outcome | None:
+        """The mutant's fate; None where tests are still to come."""
+        if answer.failure:
+            by = By.TIME if answer.failure == LATE else By.CRASHED
+            what = answer.failure
+        else:
+            by, what = By(answer.value[0]), str(answer.value[1])
+        if by is By.NOTHING and (task := self._next(key)):
+            self.waiting.appendleft(task)
+            return None
+        if by is By.TIME and self.stages.get(key) == TESTED:
+            by, what = By.TESTS, "tests that do not end"
+        return Outcome(key, by, what, round(self.spent[key], 1))
+
+    def _next(self, key: str) -> Task | None:
+        """What is asked next of a mutant: the tests, then cases that take long to solve with it."""
+        changed = self.mutants[key]
+        while (stage := self.stages.get(key, JUDGED)) < SOLVED:
+            self.stages[key] = stage + 1
+            if stage + 1 == SOLVED:
+                return self.group.last(changed)
+            if tests := self.group.tests(changed):
+                return Task(key, partial(trial.tested, changed, tests), TESTS)
+        return None
+
+    def _tell(self, key: str) -> None:
+        elapsed = time.monotonic() - self.start
+        each = elapsed / self.done if self.done > 5 else EXPECTED / self.jobs
+        left = each * (self.total - self.done)
+        self.show(State(self.done, self.total, (key,), left, what=f"mutants of {self.group.name}"))

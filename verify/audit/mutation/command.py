@@ -1,0 +1,81 @@
+"""`freewheel mutants`: try mutants, say how many are caught, keep the score."""
+
+import os
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from verify.audit.mutation import groups, references, score
+from verify.audit.mutation.campaign import Campaign
+from verify.audit.mutation.digest import digest
+from verify.audit.mutation.known import FOLDER, Notes
+from verify.audit.mutation.outcomes import Store
+from verify.audit.mutation.told import told
+from verify.audit.mutation.workload import Load, loads
+from verify.cases.registry import CASES
+from verify.core.inputs import InputError
+from verify.core.progress import Show, State, shown
+from verify.jobs import cache
+from verify.jobs.engines import Where
+
+SEED = 0  # of the sample that is kept
+
+
+def run_mutants(*, whole: bool, seed: int, jobs: int, only: Sequence[str]) -> int:
+    """Measure the groups, print what was caught and keep it; 1 where the gate is not met."""
+    Where(jobs)  # refuses what is no number of processes
+    jobs = jobs or os.cpu_count() or 1
+    names = [name for name in (score.REFERENCES, *groups.MAKE) if not only or name in only]
+    mutated = [name for name in names if name in groups.MAKE]
+    code, folder = digest(), cache.default_folder() / FOLDER
+    store = Store(folder / f"{code}.jsonl")
+    found: dict[str, Any] = {}
+    try:
+        with shown(quiet=False) as show:
+            if score.REFERENCES in names:
+                found[score.REFERENCES] = _references(show)
+            every = loads(CASES, cache.default_folder()) if mutated else []
+            for name in mutated:
+                found[name] = _measured(name, every, folder, store, whole, seed, jobs, show)
+    except KeyboardInterrupt:
+        kept = len(store.found)
+        raise KeyboardInterrupt(f"interrupted; {kept} mutants are kept for the next run") from None
+    return _concluded(found, code, is_kept=seed == SEED)
+
+
+def _references(show: Show) -> Any:
+    start = time.monotonic()
+
+    def told(done: int, every: int, case: str) -> None:
+        left = (time.monotonic() - start) / max(done, 1) * (every - done)
+        show(State(done, every, (case,) * bool(case), left, what="references moved, cases"))
+
+    return references.measured(CASES, cache.default_folder(), show=told)
+
+
+def _measured(
+    name: str, every: Sequence[Load], folder: Path, store: Store, whole: bool, seed: int,
+    jobs: int, show: Show,
+) -> Any:  # fmt: skip
+    start = time.monotonic()
+    notes = Notes(folder, jobs, show)
+    group = groups.MAKE[name](every, notes, seed, whole=whole)
+    Campaign(group, store, jobs, show).run()
+    return score.scored(group, store.found, time.monotonic() - start)
+
+
+def _concluded(found: dict[str, Any], code: str, *, is_kept: bool) -> int:
+    for name, one in found.items():
+        if is_kept:
+            try:
+                score.keep(name, one, code)
+            except OSError as error:
+                said = f"{score.PATH}: cannot be written: {error.strerror}"
+                raise InputError(said) from error
+    caught = score.caught(found)
+    told(caught)
+    complaints = score.complaints(caught)
+    for complaint in complaints:
+        print(complaint)
+    return 1 if complaints else 0

@@ -1,0 +1,206 @@
+"""The three groups of mutants: formulas, judging, finite elements."""
+
+import sys
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from verify.audit.mutation import anew, trial
+from verify.audit.mutation.forked import Task
+from verify.audit.mutation.known import Noted, Notes
+from verify.audit.mutation.sample import is_constant, reached, readers, sample
+from verify.audit.mutation.sites import Changed, source
+from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
+from verify.audit.mutation.trial import Bench
+from verify.audit.mutation.workload import Load
+from verify.core.case import Case
+from verify.core.progress import Show, State
+from verify.jobs import cache, durations
+
+# with some to spare: one in twenty crashes, of finite elements one in six, and counts apart
+SIZES = {"formulas": 260, "judging": 64, "finite-elements": 54}
+JUDGES = (
+    "verify.judging.checks",
+    "verify.judging.claims",
+    "verify.judging.convergence",
+    "verify.judging.judge",
+)
+LEAST = 30.0  # s that every mutant has
+FACTOR = 10.0  # times what the unchanged code took: two processes may share a core
+WHOLE = 3.0  # s: a case whose levels all take less together is solved whole
+CASES_EACH = 3  # the quickest, one after the other until one notices a mutant of finite elements
+LONGEST = 4.0  # s for a coarsest level that mutants are tried on
+
+
+@dataclass(frozen=True)
+class Group:
+    """Mutants, those of the sample among them, how one is tried, and the tests that come next.
+
+    `last` is what is left to ask where all that is quicker has noticed nothing.
+    """
+
+    name: str
+    all: Sequence[Changed]
+    chosen: Sequence[Changed]
+    trial: Callable[[Changed], Task]
+    tests: Callable[[Changed], Sequence[str]]
+    last: Callable[[Changed], Task | None] = lambda _changed: None
+
+
+def formulas(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
+    """Mutants of analytic/ in functions that judging a case calls."""
+    benches = _benches(loads, notes.cases(loads))
+    tests = _suite(notes, "formulas")
+    found = reached(_modules(benches, "analytic."), FORMULAS, benches)
+    group = _group("formulas", found, seed, whole, _judging(benches), tests)
+    return replace(group, last=_solving_last(benches))
+
+
+def judging(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
+    """Mutants of what judges rows; every case is judged from the formulas' known values."""
+    noted = notes.cases(loads)
+    benches = _benches(_with_values(loads, notes.show), noted)
+    tests = _suite(notes, "judging")
+    found = reached(JUDGES, JUDGING, benches)
+    return _group("judging", found, seed, whole, _judging(benches), tests)
+
+
+def elements(loads: Sequence[Load], notes: Notes, seed: int, *, whole: bool) -> Group:
+    """Mutants of fem/ and meshes/ in functions that a case's coarsest level calls."""
+    quick = _quick(loads)
+    noted = notes.elements([load.case for load in quick])
+    states = notes.cases(loads)
+    of_levels = {
+        case: Noted(one.seconds, one.functions, states[case].states) for case, one in noted.items()
+    }
+    _imported(of_levels)
+    benches = _benches(_with_values(quick, notes.show), of_levels)
+    tests = _suite(notes, "elements")
+    found = reached(_modules(benches, ("fem.", "meshes.")), FINITE_ELEMENTS, benches)
+    return _group("finite-elements", found, seed, whole, _solving_task(benches), tests)
+
+
+MAKE = {"formulas": formulas, "judging": judging, "finite-elements": elements}
+
+
+def _group(
+    name: str, found: Sequence[Changed], seed: int, whole: bool,
+    trial: Callable[[Changed], Task], tests: Callable[[Changed], Sequence[str]],
+) -> Group:  # fmt: skip
+    chosen = found if whole else sample(found, SIZES[name], seed)
+    return Group(name, found, chosen, trial, tests)
+
+
+def _with_values(loads: Sequence[Load], show: Show) -> list[Load]:
+    """The cases with their formulas' values, which are made here once for all mutants."""
+    start, found = time.monotonic(), list[Load]()
+    for n, load in enumerate(loads):
+        left = (time.monotonic() - start) / max(n, 1) * (len(loads) - n)
+        show(State(n, len(loads), (load.case.id,), left, what="formulas' values, cases"))
+        found.append(load.with_values())
+    return found
+
+
+def _benches(loads: Sequence[Load], noted: Mapping[str, Noted]) -> dict[str, list[Bench]]:
+    """The cases that call each function, the quickest first."""
+    found: dict[str, list[Bench]] = {}
+    for bench in sorted(
+        (Bench(load, noted[load.case.id]) for load in loads if load.case.id in noted),
+        key=lambda bench: bench.before.seconds,
+    ):
+        for function in bench.before.functions:
+            found.setdefault(function, []).append(bench)
+    return found
+
+
+def _modules(functions: Mapping[str, object], package: str | tuple[str, ...]) -> list[str]:
+    modules = sorted({name.partition(":")[0] for name in functions})
+    return [name for name in modules if name.startswith(package) and name in sys.modules]
+
+
+def _of(changed: Changed, benches: Mapping[str, list[Bench]]) -> list[Bench]:
+    """The cases that call the mutant's function, or for a constant any function of its module."""
+    module, name = changed.mutant.module, changed.mutant.function
+    if found := benches.get(f"{module}:{name}"):
+        return found
+    every = [one for key, many in benches.items() if key.startswith(f"{module}:") for one in many]
+    unique = {bench.load.case.id: bench for bench in every}
+    return sorted(unique.values(), key=lambda bench: bench.before.seconds)
+
+
+def _judging(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
+    def task(changed: Changed) -> Task:
+        mine = _of(changed, benches)
+        stored, quick, _ = anew.split(changed.mutant.module, mine)
+        return _task(changed, stored, quick)
+
+    return task
+
+
+def _solving_last(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task | None]:
+    def task(changed: Changed) -> Task | None:
+        *_, slow = anew.split(changed.mutant.module, _of(changed, benches))
+        return _task(changed, [], slow) if slow else None
+
+    return task
+
+
+def _task(changed: Changed, stored: Sequence[Bench], moved: Sequence[Bench]) -> Task:
+    known = sum(bench.before.seconds for bench in (*stored, *moved)) + anew.seconds(moved)
+    work = partial(trial.tried, changed, stored, moved)
+    return Task(changed.mutant.id, work, LEAST + FACTOR * known)
+
+
+def _solving_task(benches: Mapping[str, list[Bench]]) -> Callable[[Changed], Task]:
+    """The quickest cases' coarsest levels, or all of them where they take no time."""
+    known = durations.load(cache.default_folder())
+
+    def levels(case: Case) -> Sequence[int]:
+        seconds = [known.get((case.id, level), WHOLE) for level in case.levels]
+        return case.levels if sum(seconds) <= WHOLE else case.levels[:1]
+
+    def task(changed: Changed) -> Task:
+        mine = _of(changed, benches)[:CASES_EACH]
+        work = [(bench, levels(bench.load.case)) for bench in mine]
+        limit = LEAST + FACTOR * sum(bench.before.seconds for bench in mine)
+        return Task(changed.mutant.id, partial(trial.solved, changed, work), limit)
+
+    return task
+
+
+def _quick(loads: Sequence[Load]) -> list[Load]:
+    """The cases whose coarsest level, by all that is known of it, is solved in short."""
+    known = durations.load(cache.default_folder())
+    return [
+        load for load in loads
+        if known.get((load.case.id, load.case.levels[0]), LONGEST) <= LONGEST
+    ]  # fmt: skip
+
+
+def _imported(noted: Mapping[str, Noted]) -> None:
+    """Import what the cases' solving imports: in each child it would cost a second or two."""
+    import importlib
+
+    for function in sorted({f for one in noted.values() for f in one.functions}):
+        importlib.import_module(function.partition(":")[0])
+
+
+def _suite(notes: Notes, kind: str) -> Callable[[Changed], Sequence[str]]:
+    """The tests that reach a mutant's function; none where pytest is not installed."""
+    try:
+        from verify.audit.mutation import suite
+    except ImportError:
+        return lambda _changed: ()
+    traces = {
+        test: (seconds, frozenset(called))
+        for test, (seconds, called) in notes.tests(kind, suite.files(kind)).items()
+    }
+    return lambda changed: suite.covering(functions_of(changed), traces)
+
+
+def functions_of(changed: Changed) -> set[str]:
+    """The function that a mutant changes, or those of its module that read the constant."""
+    module, name = changed.mutant.module, changed.mutant.function
+    found = readers(name, source(module)) if is_constant(name) else {name}
+    return {f"{module}:{function}" for function in found}

@@ -1,0 +1,188 @@
+"""How much of the suite turns red where references are wrong: a score for reports and the gate.
+
+`references_moved` moves references where they are judged, `references_read` where the formulas hand
+them over; here all rows of all cases are tried both ways in one pass over each case's levels.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from verify.audit.mutation import gate
+from verify.audit.mutation.references_moved import (
+    COMPARED,
+    PERTURBATIONS,
+    Red,
+    Tried,
+    is_convergence,
+    of_paper,
+    tried,
+)
+from verify.audit.mutation.references_read import own_key, read
+from verify.core.case import Case, Check, Context
+from verify.core.results import Kind, Status
+
+DIGITS = 4  # significant
+BALANCE, ZERO = "exact balances", "deviations from zero"
+NO_FORMULA = "rows that no value of the formulas reaches"
+SIZES = sorted({abs(p) for p in PERTURBATIONS if -p in PERTURBATIONS})  # tried either way
+
+Progress = Callable[[int, int, str], None]  # cases done, cases in all, the one under way
+
+
+@dataclass(frozen=True)
+class Both:
+    """A row tried both ways; `by_formula` None where no value of the formulas reaches it."""
+
+    moved: Tried
+    by_formula: Red | None = None
+
+    @property
+    def hidden(self) -> list[float]:
+        """Sizes that turn the row red where it is judged, but not where its formula is wrong."""
+        return [s for s in SIZES if _either_way(self.moved.red, s) and not self._reached(s)]
+
+    def _reached(self, size: float) -> bool:
+        return self.by_formula is None or _either_way(self.by_formula, size)
+
+
+def _either_way(red: Red, size: float) -> bool:
+    return size in red and -size in red
+
+
+def measured(
+    cases: Sequence[Case], folder: Path | None = None, *,
+    show: Progress = lambda _done, _all, _name: None,
+) -> dict[str, Any]:  # fmt: skip
+    """The score as JSON: shares red by perturbation and kind, survivors, and what is only listed.
+
+    `folder` is the cache of finite elements, from which all levels come: InputError where one is
+    not there. `show` follows the cases.
+    """
+    rows: list[Both] = []
+    for k, case in enumerate(cases):
+        show(k, len(cases), case.id)
+        rows += both_ways(case.checks, of_paper(case, folder))
+    show(len(cases), len(cases), "")
+    return score(rows)
+
+
+def both_ways(checks: Iterable[Check], context: Context) -> list[Both]:
+    """All rows of these checks, tried both ways."""
+    return [both for check in checks for both in _both(check, context)]
+
+
+def _both(check: Check, context: Context) -> list[Both]:
+    rows = tried(check, context)
+    if not any(_has_formula(one) for one in rows):
+        return [Both(one) for one in rows]
+    found, key = read(check, context), own_key(check)
+    own = key if key in found.red else ""
+
+    def by_formula(one: Tried) -> Red | None:
+        red = found.of(one.row.quantity, own)
+        return red if _has_formula(one) and (own or red) else None
+
+    return [Both(one, by_formula(one)) for one in rows]
+
+
+def _has_formula(one: Tried) -> bool:
+    """Whether a formula is one side of the row, so that a wrong one should turn it red."""
+    return one.row.status is Status.PASS and one.row.kind in set(COMPARED) - {Kind.EXACT}
+
+
+def of_its_own(both: Both) -> str:
+    """Why a row turns red by how it is judged, whatever its formula says; "" where it does not."""
+    row = both.moved.row
+    if row.kind is Kind.EXACT:
+        return BALANCE
+    if row.analytic == 0 and row.kind is not Kind.ASYMPTOTIC:
+        return ZERO
+    return "" if both.by_formula is not None else NO_FORMULA
+
+
+def score(rows: Sequence[Both]) -> dict[str, Any]:
+    """Of rows that were tried; the gate's part stands under "gate"."""
+    moved = [both.moved for both in rows]
+    held = [one for one in moved if gate.held(one.row)]
+    convergence = sum(is_convergence(one.row) for one in moved)
+    listed = _listed(moved)
+    n = sum(len(names) for names in listed.values())
+    by_formula = _by_formula(rows)
+    asked = [both for both in rows if gate.held(both.moved.row)]
+    apart = Counter(why for both in asked if (why := of_its_own(both)))
+    failures = gate.failures(moved, [name for name, _ in by_formula["hidden"]])
+    return {
+        "perturbations": list(PERTURBATIONS),
+        "rows": len(rows),
+        "convergence": convergence,
+        "kinds": {
+            kind.value: _shares([one for one in held if one.row.kind is kind]) for kind in COMPARED
+        },
+        "gate": {"held": not failures, "failures": failures} | _shares(held),
+        "apart": {why: apart[why] for why in (BALANCE, ZERO, NO_FORMULA)},
+        "the rest": _shares([both.moved for both in asked if not of_its_own(both)]),
+        "survivors": _survivors(held),
+        "listed": {
+            "rows": n, "share": _rounded(n / len(rows)) if rows else 0.0,
+            "share without convergence": _rounded(n / max(len(rows) - convergence, 1)),
+            "because": listed,
+        },
+        "by formula": by_formula,
+    }  # fmt: skip
+
+
+def _shares(rows: Sequence[Tried]) -> dict[str, Any]:
+    """How many, and how many of them each perturbation turns red."""
+    return {
+        "rows": len(rows),
+        "red": {_name(p): sum(p in one.red for one in rows) for p in PERTURBATIONS},
+        "red by share of the scale": {
+            _name(p): sum(p in one.red_of_scale for one in rows) for p in PERTURBATIONS
+        },
+    }
+
+
+def _name(p: float) -> str:
+    return f"{100 * p:+g} %"
+
+
+def _survivors(rows: Sequence[Tried]) -> list[dict[str, Any]]:
+    """Held rows that some perturbation of the reference leaves green, and why: what they detect."""
+    return [
+        {
+            "row": one.row.id, "kind": one.row.kind.value,
+            "green at": [_name(p) for p in PERTURBATIONS if p not in one.red],
+            "detects": _rounded(one.row.detects), "demand": one.row.demand,
+            "scale": one.row.scale_name,
+        }
+        for one in rows if set(PERTURBATIONS) - one.red
+    ]  # fmt: skip
+
+
+def _listed(rows: Sequence[Tried]) -> dict[str, list[list[Any]]]:
+    """Rows that are not held to the gate with what they detect, by the reason."""
+    found: dict[str, list[list[Any]]] = {}
+    for one in rows:
+        if why := gate.listed_as(one.row):
+            found.setdefault(why, []).append([one.row.id, _rounded(one.row.detects)])
+    return dict(sorted(found.items()))
+
+
+def _by_formula(rows: Sequence[Both]) -> Mapping[str, Any]:
+    """How the second way agrees with the first, over held rows that have a formula."""
+    asked = [both for both in rows if gate.held(both.moved.row) and _has_formula(both.moved)]
+    reached = [both for both in asked if both.by_formula is not None]
+    return {
+        "rows": len(asked),
+        "reached": len(reached),
+        "agree": sum(not both.hidden for both in reached),
+        "hidden": [[both.moved.row.id, both.hidden] for both in reached if both.hidden],
+        "not reached": [both.moved.row.id for both in asked if both.by_formula is None],
+    }
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else float(f"{value:.{DIGITS}g}")

@@ -1,0 +1,150 @@
+"""Every row's reference changed on purpose, and the row judged again: it should turn red.
+
+Every comparison goes through `verify.judging.judge`: `moved` changes the reference there and
+nothing else, neither tolerance nor scale nor what is expected. Stored finite elements are
+judged anew; none are solved.
+
+The reference r is multiplied by 1 + p; where it is zero, p times the row's scale is added. Where
+the scale is another magnitude than |r|, p times the scale is judged as well: rows against a scale
+may be blind to a share of a small r by right, but the gate asks for the strict one, p of r itself.
+Of an approximation the formula is multiplied, whose error the row bounds; of a limit the formula at
+all its points, so that d becomes (1 + d)(1 + p) - 1. A balance has the reference zero.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from verify.core.case import Case, Check, Context
+from verify.core.inputs import InputError
+from verify.core.results import Kind, Row, Status
+from verify.jobs import cache
+from verify.judging import judge
+
+PERTURBATIONS = (0.005, -0.005, 0.01, -0.01, 0.05, -0.05, -0.09)
+COMPARED = (Kind.IDENTITY, Kind.APPROXIMATION, Kind.TREND, Kind.ASYMPTOTIC, Kind.EXACT)
+ALIKE = 0.01  # of a scale: by which it may differ from the reference and be no other magnitude
+CONVERGENCE = ": convergence"  # ends the name of the row that stands beside a comparison
+
+Red = frozenset[float]  # the perturbations that turn a row red
+
+
+@dataclass(frozen=True)
+class Tried:
+    """A row as it is, and the perturbations of its reference, and of its scale, that redden it."""
+
+    row: Row
+    red: Red = frozenset()
+    red_of_scale: Red = frozenset()
+
+    @property
+    def compared(self) -> bool:
+        """Whether the row has a reference that can be moved."""
+        return self.row.kind in COMPARED
+
+
+def of_paper(case: Case, folder: Path | None = None) -> Context:
+    """The case's own inputs with levels from the cache; InputError where one is not there."""
+    inputs = case.inputs()
+    found = []
+    for level in case.levels:
+        stored = cache.load(folder or cache.default_folder(), case, inputs, level)
+        if stored is None:
+            raise InputError(f"{case.id} level {level} is not solved: freewheel verify does it")
+        found.append(replace(stored, fields=()))  # pictures, which no row looks at
+    return Context(case.id, inputs, case.analytic(inputs), found, is_paper=True)
+
+
+def is_convergence(row: Row) -> bool:
+    """Whether the row stands beside a comparison and has no reference of its own."""
+    return row.kind is Kind.FACT and row.quantity.endswith(CONVERGENCE)
+
+
+def tried(check: Check, context: Context) -> list[Tried]:
+    """The rows of a check, each with the perturbations that turn it red."""
+    rows = check.rows(context)
+    if not any(row.kind in COMPARED for row in rows):
+        return [Tried(row) for row in rows]
+    red = {p: reddened(check, context, p) for p in PERTURBATIONS}
+    red_of_scale = red
+    if any(_scale_is_another(row) for row in rows):
+        red_of_scale = {p: reddened(check, context, p, of_scale=True) for p in PERTURBATIONS}
+
+    def of(row: Row, found: dict[float, set[str]]) -> Red:
+        return frozenset(p for p, names in found.items() if row.quantity in names)
+
+    return [
+        Tried(row, of(row, red), of(row, red_of_scale)) if row.kind in COMPARED else Tried(row)
+        for row in rows
+    ]
+
+
+def _scale_is_another(row: Row) -> bool:
+    """Whether the row's scale is another magnitude than its reference, by more than 1 %."""
+    r, scale = row.analytic, row.scale
+    return bool(r and scale and row.kind in COMPARED and abs(abs(r) / scale - 1) > ALIKE)
+
+
+def reddened(check: Check, context: Context, p: float, *, of_scale: bool = False) -> set[str]:
+    """Names of a check's rows that are red where its references are moved by `p`."""
+    with moved(p, of_scale=of_scale):
+        return red_names(check, context)
+
+
+def red_names(check: Check, context: Context) -> set[str]:
+    """Names of a check's rows that are red: all of them where it refuses to judge."""
+    try:
+        rows = check.rows(context)
+    except (ValueError, ArithmeticError):  # what formulas raise on values that make no sense
+        return {row.quantity for row in check.skipped(context.case, "")}
+    return {row.quantity for row in rows if row.status is Status.FAIL}
+
+
+@contextmanager
+def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
+    """Judging with every reference moved by `p` of itself, or of the scale."""
+    changed = _Moved(p, of_scale)
+    kept = {name: getattr(judge, name) for name in SEAMS}
+    try:
+        for name in SEAMS:
+            setattr(judge, name, getattr(changed, name))
+        yield
+    finally:
+        for name, function in kept.items():
+            setattr(judge, name, function)
+
+
+SEAMS = ("difference", "approximation", "exact", "fit_limit")  # of `verify.judging.judge`
+
+
+class _Moved:
+    """The functions of `judge` that take a reference, which they move by `p` first."""
+
+    def __init__(self, p: float, of_scale: bool) -> None:
+        self.p, self.of_scale = p, of_scale
+        self._difference, self._approximation = judge.difference, judge.approximation
+        self._exact, self._fit_limit = judge.exact, judge.fit_limit
+
+    def _from(self, r: float, scale: float) -> float:
+        return r + self.p * scale if self.of_scale or r == 0 else r * (1 + self.p)
+
+    def difference(
+        self, value: float, reference: float, *, scale: float, **more: Any
+    ) -> judge.Verdict:
+        return self._difference(value, self._from(reference, scale), scale=scale, **more)
+
+    def approximation(self, formula: float, reference: float, **more: Any) -> judge.Verdict:
+        return self._approximation(self._from(formula, abs(reference)), reference, **more)
+
+    def exact(self, residual: float, *, scale: float, **more: Any) -> judge.Verdict:
+        return self._exact(residual + self.p * scale, scale=scale, **more)
+
+    def fit_limit(
+        self, eps: Sequence[float], d: Sequence[float], u: Sequence[float]
+    ) -> judge.LimitFit:
+        p = self.p
+        return self._fit_limit(
+            eps, [x + p if self.of_scale else (1 + x) * (1 + p) - 1 for x in d], u
+        )

@@ -1,0 +1,70 @@
+"""Which functions of the project a piece of work calls."""
+
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from types import CodeType, FrameType
+from typing import Any, Self
+
+ROOT = Path(__file__).parents[3]
+PACKAGES = ("analytic", "fem", "meshes", "verify")
+
+
+class Calls:
+    """A context that notes which functions of the project this thread calls while it lasts.
+
+    Code objects are held by their identity: their hash takes longer than many a function.
+    """
+
+    def __init__(self) -> None:
+        self._codes: dict[int, CodeType] = {}
+        self._before: Any = None
+
+    def __enter__(self) -> Self:
+        codes = self._codes
+
+        def note(frame: FrameType, event: str, _argument: Any) -> None:
+            if event == "call":
+                code = frame.f_code
+                codes[id(code)] = code
+
+        self._before = sys.getprofile()
+        sys.setprofile(note)
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        sys.setprofile(self._before)
+
+    def names(self) -> list[str]:
+        """The functions, each once: "analytic.ring.lame:stresses".
+
+        A function inside another counts as the outer one; methods are "module:Class.method".
+        """
+        return sorted({name for code in self._codes.values() if (name := name_of(code))})
+
+
+def called(work: Callable[[], Any]) -> tuple[Any, list[str]]:
+    """What `work` returns, and the functions that it called, as `Calls` names them."""
+    calls = Calls()
+    with calls:
+        found = work()
+    return found, calls.names()
+
+
+def name_of(code: CodeType) -> str:
+    """Module and function of the project's code; empty for any other."""
+    module = _module(code.co_filename)
+    if not module or code.co_qualname.startswith("<"):
+        return ""
+    return f"{module}:{code.co_qualname.partition('.<locals>')[0]}"
+
+
+@cache
+def _module(file: str) -> str:
+    """The name of a module of the project; empty for any other file."""
+    path = Path(file)
+    if not path.is_relative_to(ROOT):
+        return ""
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    return ".".join(parts) if parts[0] in PACKAGES else ""

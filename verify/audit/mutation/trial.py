@@ -1,0 +1,123 @@
+"""One mutant on trial, in a forked child: the cases that call it are judged anew."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from verify.audit.mutation.known import Noted
+from verify.audit.mutation.outcomes import By
+from verify.audit.mutation.patching import patch
+from verify.audit.mutation.sites import Changed, source
+from verify.audit.mutation.workload import Judged, Load, reddened, refuses
+from verify.core.case import FemResult
+from verify.core.shown import Array
+from verify.jobs.guard import named
+
+Verdict = list[str]  # by what it was noticed, and in words what
+
+
+@dataclass(frozen=True)
+class Bench:
+    """A case that calls a mutant's code, and how it was before."""
+
+    load: Load
+    before: Noted
+
+    def judged(self) -> Judged:
+        """Its rows with the living code."""
+        return self.load.judged()
+
+
+def tried(
+    changed: Changed, benches: Sequence[Bench], moved: Sequence[Bench] = ()
+) -> Verdict:  # fmt: skip
+    """Put the mutant in place and judge the cases one by one, until one has a red row.
+
+    `moved` are cases whose levels the mutant changes, too: they are solved with it.
+    """
+    patch(source(changed.mutant.module), changed)
+    for bench in benches:
+        if verdict := told(bench.judged(), bench):
+            return verdict
+    for bench in moved:
+        if verdict := _solved(bench, bench.load.case.levels):
+            return verdict
+    return [By.NOTHING.value, ""]
+
+
+def told(judged: Judged, bench: Bench) -> Verdict | None:
+    """What the case notices: rows above all, then its own refusal, then any other error."""
+    case = bench.load.case.id
+    if red := reddened(bench.before.states, judged.states):
+        more = f" and {len(red) - 1} more" if len(red) > 1 else ""
+        return [By.ROWS.value, f"{case}/{red[0]}{more}"]
+    own = [error for error in judged.errors if refuses(error)]
+    for by, errors in ((By.REFUSED, own), (By.CRASHED, judged.errors)):
+        if errors:
+            return [by.value, f"{case}: {named(errors[0])}"[:200]]
+    return None
+
+
+def solved(changed: Changed, work: Sequence[tuple[Bench, Sequence[int]]]) -> Verdict:
+    """Put a mutant of finite elements in place and solve cases until one notices it."""
+    patch(source(changed.mutant.module), changed)
+    for bench, levels in work:
+        if verdict := _solved(bench, levels):
+            return verdict
+    return [By.NOTHING.value, ""]
+
+
+def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
+    """Solve these levels of a case with the living code and judge it.
+
+    Stored levels that are not solved anew are shifted by what has changed on the first one that
+    is: an error of the model changes every level alike.
+    """
+    case, load = bench.load.case, bench.load
+    anew: dict[int, FemResult] = {}
+    try:
+        for level in levels:
+            anew[level] = case.fem(load.inputs, level)
+    except Exception as error:
+        by = By.REFUSED if refuses(error) else By.CRASHED
+        return [by.value, f"{case.id}: {named(error)}"[:200]]
+    first = case.levels.index(levels[0])
+    shifts = Shift(load.levels[first], anew[levels[0]])
+    results = tuple(
+        anew[level] if level in anew else shifts.of(stored)
+        for level, stored in zip(case.levels, load.levels, strict=True)
+    )
+    judged = Load(case, load.inputs, results, load.values).judged()
+    return told(judged, bench)
+
+
+@dataclass(frozen=True)
+class Shift:
+    """What a mutant changes on one level, for the others: values, and arrays of the same shape."""
+
+    before: FemResult
+    after: FemResult
+
+    def of(self, stored: FemResult) -> FemResult:
+        """A stored level with the changes of this one."""
+        values = {
+            key: value + self.after.values[key] - self.before.values[key]
+            if key in self.after.values and key in self.before.values else value
+            for key, value in stored.values.items()
+        }  # fmt: skip
+        arrays = {key: self._moved(key, array) for key, array in stored.arrays.items()}
+        return FemResult(h=stored.h, values=values, u_it=stored.u_it, arrays=arrays)
+
+    def _moved(self, key: str, array: Array) -> Array:
+        one, other = self.after.arrays.get(key), self.before.arrays.get(key)
+        if one is None or other is None or not one.shape == other.shape == array.shape:
+            return array
+        return array + (one - other) if array.dtype.kind in "fc" else array
+
+
+def tested(changed: Changed, tests: Sequence[str]) -> Verdict:
+    """Put the mutant in place and run these tests until one fails."""
+    from verify.audit.mutation import suite  # pytest, which a user's environment may not have
+
+    patch(source(changed.mutant.module), changed)
+    failed = suite.first_failure(tests)
+    return [By.TESTS.value, failed] if failed else [By.NOTHING.value, ""]

@@ -1,0 +1,85 @@
+"""What the cases judge: their levels from the cache, and the states of their rows."""
+
+import traceback
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from verify.audit.mutation.tracing import ROOT
+from verify.core.case import Case, Context, FemResult, Values
+from verify.core.inputs import InputError, Inputs
+from verify.core.results import Status
+from verify.jobs import cache
+
+States = Mapping[str, str]  # of rows, by their names
+
+
+@dataclass(frozen=True)
+class Judged:
+    """States of rows by their names, and what was raised on the way."""
+
+    states: dict[str, str] = field(default_factory=dict)
+    errors: tuple[Exception, ...] = ()
+
+
+@dataclass(frozen=True)
+class Load:
+    """A case on the paper's inputs with its levels, coarse to fine; values where known already."""
+
+    case: Case
+    inputs: Inputs
+    levels: tuple[FemResult, ...]
+    values: Values | None = None
+
+    def judged(self) -> Judged:
+        """All rows judged anew, as far as nothing is raised."""
+        try:
+            values = self.case.analytic(self.inputs) if self.values is None else self.values
+        except Exception as error:
+            return Judged(errors=(error,))
+        context = Context(self.case.id, self.inputs, values, self.levels, is_paper=True)
+        states: dict[str, str] = {}
+        errors: list[Exception] = []
+        for check in self.case.checks:
+            try:
+                states |= {row.quantity: row.status.value for row in check.rows(context)}
+            except Exception as error:  # one check's alone, as in a run
+                errors.append(error)
+        return Judged(states, tuple(errors))
+
+    def with_values(self) -> "Load":
+        """The same with the formulas' values, for judging alone."""
+        return replace(self, values=self.case.analytic(self.inputs))
+
+
+def loads(cases: Sequence[Case], folder: Path) -> list[Load]:
+    """The cases with their levels; InputError where the cache has not all of them."""
+    return [_load(case, folder) for case in cases]
+
+
+def _load(case: Case, folder: Path) -> Load:
+    inputs = case.inputs()
+    levels = []
+    for level in case.levels:
+        found = cache.load(folder, case, inputs, level)
+        if found is None:
+            raise InputError(f"{case.id} level {level} is not solved: freewheel verify does it")
+        levels.append(replace(found, fields=()))  # pictures, which no row looks at
+    return Load(case, inputs, tuple(levels))
+
+
+def reddened(before: States, after: States) -> list[str]:
+    """Rows that are red and were not."""
+    fail = Status.FAIL.value
+    return [name for name, state in after.items() if state == fail != before.get(name)]
+
+
+def refuses(error: BaseException) -> bool:
+    """Whether the project's own code raised this on purpose: a rule that inputs break, say."""
+    if not isinstance(error, ValueError | ArithmeticError):
+        return False
+    frames = traceback.extract_tb(error.__traceback__)
+    if not frames:
+        return False
+    last = frames[-1]
+    return Path(last.filename).is_relative_to(ROOT) and (last.line or "").startswith("raise")

@@ -1,0 +1,126 @@
+"""`freewheel portable`: run the rows on emulated machines and compare them with this one's."""
+
+import os
+import shutil
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from verify.audit.portable import reasons
+from verify.audit.portable.compare import Difference, differences, moves
+from verify.audit.portable.effective import effective, probe, processor_flags
+from verify.audit.portable.runner import Work, run_all
+from verify.audit.portable.store import Results, key_of
+from verify.audit.portable.summary import Machine, Summary, largest, lines, write
+from verify.audit.portable.variants import BASELINE, Machines, Variant, candidates, machines
+from verify.cases.registry import CASES, find
+from verify.core.inputs import InputError
+from verify.core.progress import shown
+from verify.jobs import cache
+from verify.jobs.engines import Where
+
+ROOT = Path(__file__).parents[3]
+MOST_SEEDS = 1000
+
+
+def run_list(seeds: int) -> int:
+    """Name the variants, and why some cannot be emulated here."""
+    emulated = _machines((), seeds)
+    for variant in emulated.variants:
+        print(f"{variant.name:16} {variant.what}")
+    for name, why in emulated.not_emulated.items():
+        print(f"{name:16} not emulated: {why}")
+    return 0
+
+
+def run_portable(
+    names: Sequence[str], *, only: Sequence[str], seeds: int, jobs: int, again: bool,
+    row_tests: bool, out: Path | None,
+) -> int:  # fmt: skip
+    """Run the variants, print and write what differs; 0 where no row differs without a reason."""
+    Where(jobs)  # refuses what is no number of processes
+    cases = tuple(find(name).id for name in dict.fromkeys(names)) or tuple(c.id for c in CASES)
+    stated = reasons.read()
+    emulated = _machines(only, seeds)
+    folder = out or ROOT / "reports" / "out" / "portable"
+    work = [_work(one, emulated, cases, folder, row_tests=row_tests) for one in emulated.variants]
+    if again:
+        for one in work:
+            shutil.rmtree(one.folder, ignore_errors=True)
+            shutil.rmtree(one.environment["FREEWHEEL_CACHE"], ignore_errors=True)
+    try:
+        with shown(quiet=False) as show:
+            failures = run_all(work, jobs or os.cpu_count() or 1, show)
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt("interrupted; finished cases serve the next run") from None
+    is_full = not names and not only
+    summary = summarized(work, emulated, failures, stated, is_full=is_full)
+    for line in lines(summary):
+        print(line)
+    write(summary, folder)
+    print(f"report: {folder / 'portable.md'}")
+    return 0 if summary.is_portable else 1
+
+
+def summarized(
+    work: Sequence[Work], emulated: Machines, failures: Mapping[str, str],
+    stated: Sequence[reasons.Reason], *, is_full: bool,
+) -> Summary:  # fmt: skip
+    """Every variant compared with the baseline, over the cases that both have."""
+    results = {one.name: one.results() for one in work}
+    here = results[BASELINE]
+    found: list[Difference] = []
+    moved: list[Difference] = []
+    for one in work:
+        for case in one.cases:
+            pair = here.cases.get(case), results[one.name].cases.get(case)
+            if one.name == BASELINE or pair[0] is None or pair[1] is None:
+                continue
+            rows = pair[0].rows, pair[1].rows
+            found += differences(*rows, one.name, perturbed=one.seed is not None)
+            moved += moves(*rows, one.name, perturbed=one.seed is not None)
+    found, unused = reasons.explained(found, stated)
+    what = {variant.name: variant.what for variant in emulated.variants}
+    return Summary(
+        machines=tuple(_machine(one, results[one.name], what[one.name]) for one in work),
+        not_emulated=emulated.not_emulated, differences=tuple(found), moves=largest(moved),
+        failures=failures, unused=tuple(reason.rows for reason in unused) if is_full else (),
+    )  # fmt: skip
+
+
+def _machines(only: Sequence[str], seeds: int) -> Machines:
+    """The variants that are asked for and can be emulated; the baseline always."""
+    if not 0 <= seeds <= MOST_SEEDS:
+        raise InputError(f"--seeds is 0 to {MOST_SEEDS}, got {seeds}")
+    every = candidates(effective()["numpy"], seeds)
+    known = [variant.name for variant in every]
+    if unknown := [name for name in only if name not in known]:
+        raise InputError(f"--only {unknown[0]}: no such machine; known are {', '.join(known)}")
+    chosen = [v for v in every if not only or v.name in only or v.name == BASELINE]
+    return machines(chosen, probe, processor_flags())
+
+
+def _work(
+    variant: Variant, emulated: Machines, cases: tuple[str, ...], folder: Path, *, row_tests: bool
+) -> Work:
+    """What the process of one variant does; its cache is its own, as keys name no processor."""
+    place = cache.default_folder()
+    environment = variant.applied(os.environ)
+    environment["FREEWHEEL_CACHE"] = str(place.with_name(f"{place.name}-machines") / variant.name)
+    return Work(
+        name=variant.name, folder=folder / variant.name, environment=environment, cases=cases,
+        key=key_of(emulated.effective[variant.name], variant.seed), seed=variant.seed,
+        row_tests=row_tests,
+    )  # fmt: skip
+
+
+def _machine(one: Work, results: Results, what: str) -> Machine:
+    """What the summary says of one variant."""
+    cases = {name: results.cases[name] for name in one.cases if name in results.cases}
+    return Machine(
+        name=one.name, what=what, effective=results.effective, cases=len(cases),
+        rows=sum(len(case.rows) for case in cases.values()),
+        seconds=round(sum(case.seconds for case in cases.values()), 1),
+        fixed=tuple(f"{name}: {place}" for name, case in cases.items() for place in case.fixed),
+        rejected=tuple(f"{name}: {case.rejected}" for name, case in cases.items() if case.rejected),
+        row_tests=None if results.row_tests is None else tuple(results.row_tests),
+    )  # fmt: skip

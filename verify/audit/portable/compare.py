@@ -1,0 +1,144 @@
+"""What differs between the rows of two machines. Nothing here runs or writes anything.
+
+How far a row moves and may move is in verify.audit.portable.moving.
+"""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from verify.audit.portable.moving import LIMIT, Number, Record, is_other_tolerance, move
+
+
+class Kind(StrEnum):
+    """What differs; all but the value are differences of the first kind."""
+
+    STATUS = "status"
+    MISSING = "missing row"
+    ADDED = "additional row"
+    DUPLICATE = "row of the same name"
+    ORDER = "order of rows"
+    VALUE = "value"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Difference:
+    """One row that differs in one variant; `move` is in tolerances, nan where no value moved."""
+
+    kind: Kind
+    row: str
+    row_kind: str
+    variant: str
+    was: str
+    now: str
+    move: float = math.nan
+    reason: str = ""
+
+
+def differences(
+    baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
+) -> list[Difference]:
+    """Rows of the variant `name` whose status or tolerance differs, or whose value moves too far.
+
+    Of rows that share an id only the last is compared, which is why they are told.
+    """
+    known = {row.id: row for row in baseline}
+    found = {row.id: row for row in variant}
+    result = [_only_here(row, name) for i, row in known.items() if i not in found]
+    result += [_only_there(row, name) for i, row in found.items() if i not in known]
+    result += _duplicates(baseline, variant, name)
+    for was, now in _pairs(known, found):
+        result += _differences(was, now, name, perturbed=perturbed)
+    return result + _order(list(known), list(found), known, name)
+
+
+def moves(
+    baseline: Sequence[Record], variant: Sequence[Record], name: str, *, perturbed: bool
+) -> list[Difference]:
+    """The move of every row that both have, however small."""
+    known, found = ({row.id: row for row in rows} for rows in (baseline, variant))
+    return [_moved(was, now, name, perturbed=perturbed) for was, now in _pairs(known, found)]
+
+
+def _only_here(row: Record, name: str) -> Difference:
+    return Difference(
+        kind=Kind.MISSING, row=row.id, row_kind=row.kind, variant=name, was=row.status, now=""
+    )
+
+
+def _only_there(row: Record, name: str) -> Difference:
+    return Difference(
+        kind=Kind.ADDED, row=row.id, row_kind=row.kind, variant=name, was="", now=row.status
+    )
+
+
+def _duplicates(
+    baseline: Sequence[Record], variant: Sequence[Record], name: str
+) -> Iterator[Difference]:
+    """Ids that several rows of one machine have."""
+    here, there = (Counter(row.id for row in rows) for rows in (baseline, variant))
+    for row in {row.id: row for row in (*variant, *baseline)}.values():
+        if max(here[row.id], there[row.id]) > 1:
+            yield Difference(
+                kind=Kind.DUPLICATE, row=row.id, row_kind=row.kind, variant=name,
+                was=f"{here[row.id]} times", now=f"{there[row.id]} times",
+            )  # fmt: skip
+
+
+def _pairs(
+    known: Mapping[str, Record], found: Mapping[str, Record]
+) -> Iterator[tuple[Record, Record]]:
+    return ((known[i], found[i]) for i in known if i in found)
+
+
+def _differences(was: Record, now: Record, name: str, *, perturbed: bool) -> Iterator[Difference]:
+    if was.status != now.status:
+        yield Difference(
+            kind=Kind.STATUS, row=was.id, row_kind=was.kind, variant=name, was=_verdict(was),
+            now=_verdict(now), move=move(was, now, perturbed=perturbed),
+        )  # fmt: skip
+        return
+    moved = _moved(was, now, name, perturbed=perturbed)
+    if is_other_tolerance(was, now):
+        yield replace(
+            moved, was=f"{moved.was}, tolerance {_told(was.tolerance)}",
+            now=f"{moved.now}, tolerance {_told(now.tolerance)}",
+        )  # fmt: skip
+    elif not moved.move <= LIMIT:
+        yield moved
+
+
+def _moved(was: Record, now: Record, name: str, *, perturbed: bool) -> Difference:
+    return Difference(
+        kind=Kind.VALUE, row=was.id, row_kind=was.kind, variant=name, was=_numbers(was),
+        now=_numbers(now), move=move(was, now, perturbed=perturbed),
+    )  # fmt: skip
+
+
+def _order(
+    before: Sequence[str], after: Sequence[str], known: Mapping[str, Record], name: str
+) -> list[Difference]:
+    """The first row that stands in another place among those that both have."""
+    common = [i for i in after if i in known]
+    for was, now in zip((i for i in before if i in set(after)), common, strict=True):
+        if was != now:
+            kind = known[was].kind
+            return [Difference(kind=Kind.ORDER, row=was, row_kind=kind, variant=name, was=was,
+                               now=now)]  # fmt: skip
+    return []
+
+
+def _verdict(row: Record) -> str:
+    return f"{row.status} ({row.reason})" if row.reason else row.status
+
+
+def _numbers(row: Record) -> str:
+    """The numbers of a row in one line: "formula 1.25, reference 1.26, difference -0.01"."""
+    all_numbers = {**row.values, "difference": row.difference}
+    return ", ".join(f"{n} {_told(v)}" for n, v in all_numbers.items() if v is not None)
+
+
+def _told(value: Number) -> str:
+    return "none" if value is None else f"{value:.12g}"

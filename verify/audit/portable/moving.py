@@ -1,0 +1,96 @@
+"""How far a row moves between two machines, and how far it may.
+
+A move is counted in tolerances of the row on this machine. For a fact the tolerance is its margin,
+what may be lost until the verdict changes. A row without a tolerance takes 1e-5 of its scale for
+one, so that the limit of a tenth is 1e-6 of the scale. Perturbed inputs move both sides of a row
+together: there its difference counts, and its values beyond 1e-6 of the scale. A tolerance of
+another size would hide what it allows, so it is a difference too.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from verify.core.results import Row
+
+LIMIT = 0.1  # tolerances
+SUBSTITUTE = 1e-5  # of the scale, where a row has no tolerance
+ALIKE = 2.0  # times: tolerances that are estimated on each machine
+FACT = "fact"
+
+Number = float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """What is compared of one row; dimensional numbers are in its unit."""
+
+    id: str
+    kind: str
+    status: str
+    reason: str = ""
+    values: Mapping[str, Number] = field(default_factory=dict)
+    difference: Number = None
+    tolerance: Number = None
+    scale: Number = None
+
+
+def record(row: Row) -> Record:
+    """What is compared of a row."""
+    values = {"formula": row.analytic, "reference": row.fem}
+    if row.partner is not None:
+        values["partner"] = row.partner.value
+    return Record(
+        id=row.id, kind=row.kind.value, status=row.status.value, reason=row.reason, values=values,
+        difference=row.difference, tolerance=row.tolerance, scale=row.scale,
+    )  # fmt: skip
+
+
+def move(was: Record, now: Record, *, perturbed: bool) -> float:
+    """How far a row moved, in tolerances; infinite where a number is there or finite once only."""
+    allowed, substitute = _allowed(was), SUBSTITUTE * _scale(was)
+    values = [_change(was.values.get(n), now.values.get(n)) for n in {**was.values, **now.values}]
+    parts = [_ratio(one, max(allowed, substitute) if perturbed else allowed) for one in values]
+    return max([*parts, _ratio(_change(was.difference, now.difference), allowed)])
+
+
+def _allowed(row: Record) -> float:
+    """What the row may differ by: its tolerance, of a fact its margin, else a part of the scale."""
+    U = _tolerance(row)
+    if row.kind == FACT and row.difference is not None and math.isfinite(row.difference):
+        return max(abs(row.difference) - U, 0.0)
+    return U or SUBSTITUTE * _scale(row)
+
+
+def _tolerance(row: Record) -> float:
+    """The tolerance; zero where there is none, or one that no number exceeds."""
+    U = row.tolerance
+    return U if U is not None and math.isfinite(U) and U > 0 else 0.0
+
+
+def is_other_tolerance(was: Record, now: Record) -> bool:
+    """Whether the tolerance is there once only or differs by a factor, of a fact by its share."""
+    small, large = sorted((_tolerance(was), _tolerance(now)))
+    if was.kind == FACT and large - small <= LIMIT * _allowed(was):
+        return False
+    return large > ALIKE * small
+
+
+def _change(was: Number, now: Number) -> float:
+    if was is None or now is None:
+        return 0.0 if was is now else math.inf
+    if was == now or (math.isnan(was) and math.isnan(now)):
+        return 0.0
+    return abs(now - was) if math.isfinite(was) and math.isfinite(now) else math.inf
+
+
+def _ratio(change: float, allowed: float) -> float:
+    return 0.0 if change == 0 else change / allowed if allowed > 0 else math.inf
+
+
+def _scale(row: Record) -> float:
+    """The row's scale, else its largest number."""
+    if row.scale is not None and math.isfinite(row.scale) and row.scale > 0:
+        return row.scale
+    numbers = (*row.values.values(), row.difference)
+    return max((abs(v) for v in numbers if v is not None and math.isfinite(v)), default=0.0)

@@ -1,0 +1,93 @@
+"""Inputs of the papers perturbed in their thirteenth digit: a substitute for another machine.
+
+The defaults of the case's inputs change themselves. So formulas, finite elements and whatever
+else takes them see the same numbers, and these count as the paper's: every row is judged.
+"""
+
+import zlib
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from verify.core.inputs import EntryError, Inputs, broken_rule
+
+SIZE = 1e-13  # standard deviation of the relative change of an input
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one model's defaults.
+
+    `fixed` are the numbers that a rule of the model leaves no choice, which stay as they are;
+    `rejected` is the rule that all perturbed values break together, in which case all stay.
+    """
+
+    fixed: tuple[str, ...] = ()
+    rejected: str = ""
+
+
+def perturb_defaults(models: Iterable[type[Inputs]], seed: int) -> dict[type[Inputs], Outcome]:
+    """Perturb the defaults of the models for the rest of this process."""
+    return {model: _perturb(model, seed) for model in dict.fromkeys(models)}
+
+
+def perturbed(
+    inputs: Inputs, seed: int, fixed: Collection[str] = (), place: str = ""
+) -> dict[str, Any]:
+    """The values of the inputs, each number times 1 + 1e-13 N(0, 1), entries of tables too.
+
+    Whole numbers, words, what is left out and the places in `fixed` ("segments[3].length") stay as
+    they are. The factor depends on the seed and on the place alone.
+    """
+    return {
+        name: _perturbed(getattr(inputs, name), seed, fixed, f"{place}{name}")
+        for name in type(inputs).model_fields
+    }
+
+
+def _perturbed(value: Any, seed: int, fixed: Collection[str], place: str) -> Any:
+    if isinstance(value, float) and place not in fixed:
+        return value * (1.0 + SIZE * _normal(seed, place))
+    if isinstance(value, Inputs):
+        return perturbed(value, seed, fixed, f"{place}.")
+    if isinstance(value, tuple):
+        return tuple(
+            _perturbed(v, seed, fixed, f"{place}[{k}]") for k, v in enumerate(value, start=1)
+        )
+    return value
+
+
+def _normal(seed: int, place: str) -> float:
+    """A number of the standard normal distribution, the same on every machine."""
+    return float(np.random.default_rng([seed, zlib.crc32(place.encode())]).standard_normal())
+
+
+def _perturb(model: type[Inputs], seed: int) -> Outcome:
+    """Perturb the defaults of one model, but for those that its rules fix one by one."""
+    fixed: list[str] = []
+    while True:
+        try:
+            found = model.model_validate(perturbed(model(), seed, fixed))
+            break
+        except ValidationError as error:
+            place = _place(error)
+            if not place or place in fixed:
+                return Outcome(rejected=broken_rule(model, error, "inputs"))
+            fixed.append(place)
+    for name, field in model.model_fields.items():
+        field.default = getattr(found, name)
+    model.model_rebuild(force=True)
+    return Outcome(fixed=tuple(fixed))
+
+
+def _place(error: ValidationError) -> str:
+    """The single number that breaks a rule, as "segments[3].length"; empty where there is none."""
+    fault: Any = error.errors(include_url=False)[0]
+    reason = (fault.get("ctx") or {}).get("error")
+    if isinstance(reason, EntryError):
+        return reason.place.partition(" ")[0]  # "shafts[1].ratio = 1" names the value too
+    parts = (f"[{part + 1}]" if isinstance(part, int) else f".{part}" for part in fault["loc"])
+    return "".join(parts).removeprefix(".")

@@ -1,0 +1,127 @@
+"""The variants' processes: some side by side, each with its environment, cache and folder."""
+
+import subprocess
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from verify.audit.portable.store import FILE, Results, load
+from verify.core.progress import Show, State
+
+LOG = "log.txt"
+TICK = 1.0  # s between two looks at the processes
+GUESS = 15.0  # s that a case takes on one processor, before any is known
+
+
+@dataclass(frozen=True, kw_only=True)
+class Work:
+    """What one process does: the cases of a variant, in its environment, into its folder."""
+
+    name: str
+    folder: Path
+    key: str
+    environment: Mapping[str, str]
+    cases: tuple[str, ...]
+    seed: int | None = None
+    row_tests: bool = False
+
+    def results(self) -> Results:
+        return load(self.folder, self.key)
+
+    def is_done(self) -> bool:
+        """Whether all is there, for the present code."""
+        results = self.results()
+        tested = results.row_tests is not None or not self.row_tests
+        return tested and set(self.cases) <= set(results.cases)
+
+
+def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
+    """Run what is not done; by name how the processes that failed ended.
+
+    Ends all processes where it is interrupted; what they stored serves the next run.
+    """
+    waiting = [one for one in work if not one.is_done()]
+    running: dict[str, tuple[Work, subprocess.Popen[bytes]]] = {}
+    failures: dict[str, str] = {}
+    progress = Progress(work, processes)
+    try:
+        while waiting or running:
+            while waiting and len(running) < processes:
+                one = waiting.pop(0)
+                running[one.name] = one, _start(one)
+            time.sleep(TICK)
+            for name, (one, process) in list(running.items()):
+                if (status := process.poll()) is not None:
+                    del running[name]
+                    _end(process)
+                    if status:
+                        failures[name] = _ending(one, status)
+            show(progress.state([one for one, _ in running.values()]))
+    finally:
+        for _, process in running.values():
+            _end(process)
+    return failures
+
+
+class Progress:
+    """How many cases of all variants are done, and how long the others will take."""
+
+    def __init__(self, work: Sequence[Work], processes: int) -> None:
+        self.processes = processes
+        self.done = {one.name: self._seconds(one) for one in work}
+        self.total = sum(len(one.cases) for one in work)
+        self.stamps: dict[str, float] = {}
+
+    def state(self, running: Sequence[Work]) -> State:
+        for one in running:
+            self._look(one)
+        done = sum(map(len, self.done.values()))
+        known = [seconds for cases in self.done.values() for seconds in cases.values()]
+        each = sum(known) / len(known) if known else GUESS
+        names = tuple(one.name for one in running)
+        remaining = each * (self.total - done) / self.processes
+        return State(done, self.total, names, remaining, what="cases on emulated machines")
+
+    def _look(self, one: Work) -> None:
+        """Read the results of a running variant again where they have changed."""
+        try:
+            stamp = (one.folder / FILE).stat().st_mtime
+        except OSError:
+            return
+        if stamp != self.stamps.get(one.name):
+            self.stamps[one.name] = stamp
+            self.done[one.name] = self._seconds(one)
+
+    @staticmethod
+    def _seconds(one: Work) -> dict[str, float]:
+        cases = one.results().cases
+        return {name: cases[name].seconds for name in one.cases if name in cases}
+
+
+def _start(one: Work) -> subprocess.Popen[bytes]:
+    one.folder.mkdir(parents=True, exist_ok=True)
+    command = [sys.executable, "-m", "verify.audit.portable.worker", str(one.folder), one.key]
+    command += ["--seed", str(one.seed)] if one.seed is not None else []
+    command += ["--row-tests"] if one.row_tests else []
+    with (one.folder / LOG).open("wb") as log:
+        return subprocess.Popen(  # noqa: S603 - this interpreter and this project's module
+            [*command, *one.cases], env=dict(one.environment), stdin=subprocess.PIPE, stdout=log,
+            stderr=subprocess.STDOUT,
+        )  # fmt: skip
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    process.kill()
+    process.wait()
+    if process.stdin is not None:
+        process.stdin.close()
+
+
+def _ending(one: Work, status: int) -> str:
+    """How a process ended, with the last line of its log."""
+    how = f"signal {-status}" if status < 0 else f"exit status {status}"
+    lines = (one.folder / LOG).read_text("utf-8", errors="replace").split("\n")
+    last = next((line.strip() for line in reversed(lines) if line.strip()), "")
+    return f"{how}: {last}; see {one.folder / LOG}" if last else how

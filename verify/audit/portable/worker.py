@@ -1,0 +1,103 @@
+"""One emulated machine: solves and judges cases and writes their rows, case by case.
+
+`python -m verify.audit.portable.worker FOLDER KEY [--seed N] [--row-tests] CASE...` runs in the
+environment of its variant. It ends when its standard input closes: with the process that began it.
+"""
+
+import argparse
+import os
+import sys
+import threading
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from verify.audit.mutation.tracing import ROOT
+from verify.audit.portable.effective import effective
+from verify.audit.portable.moving import record
+from verify.audit.portable.perturbation import Outcome, perturb_defaults
+from verify.audit.portable.store import CaseRecord, Results, load, save
+from verify.cases.registry import CASES, find
+from verify.core.case import Case
+from verify.core.files import remove_abandoned
+from verify.jobs import cache
+from verify.jobs.run import Job
+from verify.jobs.schedule import run
+
+TESTS = ROOT / "tests" / "verify" / "test_rows.py"
+
+
+def solve_cases(folder: Path, key: str, cases: Sequence[Case], seed: int | None) -> Results:
+    """The results with every case, of which those that were stored are not run again."""
+    results = load(folder, key)
+    results.effective = effective()
+    outcomes = perturb_defaults([case.inputs for case in CASES], seed) if seed is not None else {}
+    for number, case in enumerate(cases, start=1):
+        if case.id in results.cases:
+            continue
+        found = rows_of(case, outcomes.get(case.inputs, Outcome()))
+        results.cases[case.id] = found
+        save(folder, results)
+        print(f"{number} of {len(cases)}: {case.id}, {found.seconds:.1f} s", flush=True)
+    return results
+
+
+def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
+    """One case solved with its default inputs, in this process and with its cache."""
+    start = time.perf_counter()
+    folder = cache.default_folder()
+    remove_abandoned(folder / case.id)
+    (result,) = run([Job(case, case.inputs(), drawn=False)], cache_folder=folder)
+    return CaseRecord(
+        rows=tuple(record(row) for row in result.rows),
+        seconds=round(time.perf_counter() - start, 2),
+        fixed=outcome.fixed, rejected=outcome.rejected, errors=len(result.errors),
+    )  # fmt: skip
+
+
+def row_tests(cases: Sequence[Case]) -> list[str]:
+    """The names of the row tests that fail in this process; its cache serves them."""
+    import pytest  # a tool of developers
+
+    failed: list[str] = []
+
+    class Failures:
+        def pytest_runtest_logreport(self, report: Any) -> None:
+            if report.failed:
+                failed.append(report.nodeid.partition("::")[2])
+
+    chosen = [] if len(cases) == len(CASES) else ["-k", " or ".join(case.id for case in cases)]
+    arguments = ["-q", "-p", "no:cacheprovider", *chosen, str(TESTS)]
+    status = pytest.main(arguments, plugins=[Failures()])
+    if status not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
+        failed.append(f"pytest ends with {pytest.ExitCode(status).name}")
+    return failed
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run the command line; 0 whatever the rows say."""
+    parser = argparse.ArgumentParser(prog="verify.audit.portable.worker")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("key")
+    parser.add_argument("cases", nargs="+")
+    parser.add_argument("--seed", type=int)
+    parser.add_argument("--row-tests", action="store_true")
+    given = parser.parse_args(arguments)
+    cases = [find(name) for name in given.cases]
+    results = solve_cases(given.folder, given.key, cases, given.seed)
+    if given.row_tests:
+        results.row_tests = row_tests(cases)
+        save(given.folder, results)
+    return 0
+
+
+def _end_with_parent() -> None:
+    while os.read(sys.stdin.fileno(), 1):  # below Python's buffer, whose lock the end would want
+        pass
+    os._exit(1)
+
+
+if __name__ == "__main__":
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    raise SystemExit(main(sys.argv[1:]))

@@ -1,0 +1,128 @@
+"""Demands, bands, figures and scales of a row that let more pass, or less, than in a release."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from verify.audit.releases.kept import Kept
+from verify.audit.releases.thresholds import Figure, figures, is_wider, relative_error, scale_limit
+from verify.core.results import Change
+
+NOTHING = "none"
+RECORDED_DIGITS = 9  # significant digits that are stored
+STRENGTH = {"PASS": 2, "CALIBRATED": 1, "SHOWN": 0, "NOTE": 0}
+
+Accepted = Sequence[tuple[str, float]]
+
+
+def loosened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
+    """Demands and bands that let more pass, and a scale or words of acceptance that differ."""
+    for one in figures(was, now):
+        if one.is_loosened:
+            old, new = _shares(one)
+            yield Change(row=row_id, aspect=one.aspect, was=old, now=new, loosened=True)
+    if is_wider(was.interval, now.interval, relative_error(was, now)):
+        old, new = _ranges(was.interval, now.interval)
+        yield Change(row=row_id, aspect="interval", was=old, now=new, loosened=True)
+    yield from _scale(row_id, was, now)
+    yield from _acceptance(row_id, was.figures, now.figures)
+
+
+def tightened(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
+    """Demands and bands that let less pass."""
+    for one in figures(was, now):
+        if one.is_tightened:
+            old, new = _shares(one)
+            yield Change(row=row_id, aspect=one.aspect, was=old, now=new)
+    if now.interval is None:
+        return
+    if was.interval is None or is_wider(now.interval, was.interval, relative_error(was, now)):
+        old, new = _ranges(was.interval, now.interval)
+        yield Change(row=row_id, aspect="interval", was=old, now=new)
+
+
+def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
+    """What demands and bands are relative to: a larger one lets more pass where a row judges."""
+    if was.unit != now.unit:  # told as another kind
+        return
+    if was.scale is None or now.scale is None:
+        grown, moved = now.scale is None, was.scale is not now.scale
+    else:
+        grown = abs(now.scale) > abs(was.scale)
+        moved = abs(now.scale - was.scale) > scale_limit(was, now)
+    if moved:
+        yield Change(
+            row=row_id, aspect="scale", was=number(was.scale, was.unit),
+            now=number(now.scale, now.unit), loosened=grown and STRENGTH.get(was.status, 1) > 0,
+        )  # fmt: skip
+
+
+def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
+    """Acceptance figures in words, each beside the one of the same word; all where words differ."""
+    if [word for word, _ in was] == [word for word, _ in now]:
+        for old, new in zip(was, now, strict=True):
+            if _is_looser(old, new):
+                yield Change(
+                    row=row_id, aspect="acceptance", was=_told([old]), now=_told([new]),
+                    loosened=True,
+                )  # fmt: skip
+        return
+    lost = Counter(word for word, _ in was) - Counter(word for word, _ in now)
+    pairs = ((old, new) for old, new in zip(sorted(was), sorted(now), strict=False))
+    looser = any(old[0] == new[0] and _is_looser(old, new) for old, new in pairs)
+    yield Change(
+        row=row_id, aspect="acceptance", was=_told(was), now=_told(now),
+        loosened=bool(lost) or looser,
+    )  # fmt: skip
+
+
+def _is_looser(old: tuple[str, float], new: tuple[str, float]) -> bool:
+    """Whether a figure lets more pass than one of the same word."""
+    return new[1] > old[1] if old[0] == "accepted" else new[1] < old[1]
+
+
+def _told(accepted: Accepted) -> str:
+    return ", ".join(f"{value:.12g} % {word}" for word, value in accepted) or NOTHING
+
+
+def number(value: float | None, unit: str, digits: int = 10) -> str:
+    """A number with its unit."""
+    if value is None:
+        return NOTHING
+    return f"{value:.{digits}g}" + (f" {unit}" if unit != "1" else "")
+
+
+def share(value: float | None, digits: int = 4) -> str:
+    """A relative number in per cent."""
+    return NOTHING if value is None else f"{100 * value:.{digits}g} %"
+
+
+def _shares(one: Figure) -> tuple[str, str]:
+    """A figure in both runs; a stated one with as many digits as tell them apart."""
+    most = RECORDED_DIGITS + 1 if one.stated else 4
+    for digits in range(4, most + 1):
+        told = share(one.was, digits), share(one.now, digits)
+        if told[0] != told[1]:
+            break
+    return told
+
+
+def _ranges(was: tuple[float, float] | None, now: tuple[float, float] | None) -> tuple[str, str]:
+    """Both ends in both runs in per cent, with as many digits as tell them apart.
+
+    They show at least 1e-4 of the width.
+    """
+    for more in range(RECORDED_DIGITS):
+        told = _range(was, more), _range(now, more)
+        if told[0] != told[1]:
+            break
+    return told
+
+
+def _range(interval: tuple[float, float] | None, more: int) -> str:
+    if interval is None:
+        return NOTHING
+    low, high = interval
+    ratio = max(abs(low), abs(high)) / (high - low) if high > low else 1.0
+    digits = 6 + more + max(0, math.ceil(math.log10(ratio)))
+    return f"{100 * low:+.{digits}g} to {100 * high:+.{digits}g} %"

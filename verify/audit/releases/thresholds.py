@@ -1,0 +1,165 @@
+"""By how much a number may differ from a release before the difference counts.
+
+A stated number repeats to the last bit on every processor: any difference of it counts. These are
+the demand, and an acceptance figure, bound, printed digit or end or width of an interval that is a
+literal of the source. A computed number (a value, a bound from a condition number, an interval
+from a series) depends in its last digits on the processor, and where equations are badly
+conditioned in more of them: it counts beyond the numerical error of the row in both runs and
+beyond 10 % of the row's band.
+
+A record does not say which of the two a number is, but its digits do (module digits). It
+is enough that either run's number is stated: who replaces an estimate by a literal, or a literal
+by an estimate, has changed the source.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from verify.audit.releases.digits import RECORDED_TOL, is_literal, is_printed, is_stated
+from verify.audit.releases.kept import Kept
+from verify.judging.judge import COVERAGE
+
+BAND_SHARE = 0.1  # of the row's band
+ROUND_OFF = 1e-10  # over the row's scale: closed formulas on any processor
+SOLVE_TOL = 1e-6  # relative, of solved values whose error is not recorded: 4e-9 between processors
+RELATIVE_ROUND_OFF = 1e-15  # of figures over the scale
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number that lets more pass the larger it is, in both runs, over the row's scale.
+
+    A difference counts beyond `limit`; a figure that is no longer there counts as loosened. One
+    that is `stated` is told with the digits that differ.
+    """
+
+    aspect: str
+    was: float | None
+    now: float | None
+    limit: float
+    stated: bool
+
+    @property
+    def is_loosened(self) -> bool:
+        """Whether it has grown, or is no longer there."""
+        return self.was is not None and (self.now is None or self.now - self.was > self.limit)
+
+    @property
+    def is_tightened(self) -> bool:
+        """Whether it has become smaller."""
+        if self.was is None or self.now is None:
+            return False
+        return self.was - self.now > self.limit
+
+
+def figures(was: Kept, now: Kept) -> Iterator[Figure]:
+    """Demand, bound, acceptance figure and the reference's uncertainty of one row."""
+    error = relative_error(was, now)
+    limit = RECORDED_TOL * (was.demand or 0.0) + RELATIVE_ROUND_OFF
+    demanded = _either_literal(was.demand, now.demand)
+    yield Figure("demand", was.demand, now.demand, limit, demanded)
+    yield _figure("bound", was.bound, now.bound, _either_stated(was.bound, now.bound), 0.0)
+    accepted = _either_literal(was.accepted, now.accepted)
+    yield _figure("acceptance", was.accepted, now.accepted, accepted, error)
+    printed = any(is_printed(u) for u in (was.u_ref, now.u_ref))
+    old, new = _relative(was.u_ref, was.scale), _relative(now.u_ref, now.scale)
+    yield _figure("reference", old, new, printed, error / COVERAGE)
+
+
+def _figure(
+    aspect: str, was: float | None, now: float | None, stated: bool, error: float
+) -> Figure:
+    size = abs(was or 0.0)
+    limit = RECORDED_TOL * size if stated else max(error, BAND_SHARE * size)
+    return Figure(aspect, was, now, limit + RELATIVE_ROUND_OFF, stated)
+
+
+def is_wider(
+    old: tuple[float, float] | None, new: tuple[float, float] | None, error: float
+) -> bool:
+    """Whether an interval lets more pass than the old one at either end, or by its stated width.
+
+    `error` is the numerical error of the row, relative like the interval. The centre of an
+    interval of stated width may be computed.
+    """
+    if old is None or new is None:
+        return old is not None
+    rounding = RECORDED_TOL * max(map(abs, (*old, *new)))
+    width, new_width = old[1] - old[0], new[1] - new[0]
+    computed = max(error, BAND_SHARE * width / 2)
+    for was, now, beyond in ((old[0], new[0], old[0] - new[0]), (old[1], new[1], new[1] - old[1])):
+        if beyond > rounding + (0.0 if _either_literal(was, now) else computed):
+            return True
+    stated = is_stated(width, rounding) or is_stated(new_width, rounding)
+    return stated and new_width - width > 2 * rounding
+
+
+def _either_stated(was: float | None, now: float | None) -> bool:
+    return is_stated(was) or is_stated(now)
+
+
+def _either_literal(was: float | None, now: float | None) -> bool:
+    return is_literal(was) or is_literal(now)
+
+
+def numerical_error(was: Kept, now: Kept) -> float:
+    """Expanded numerical error of both runs [unit]; of a balance what is allowed.
+
+    The tolerance of a fact is the uncertainty of its margin; that of a limit is its band.
+    """
+    if was.kind in ("exact", "fact"):
+        return math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
+    return COVERAGE * math.hypot(was.u_num or 0.0, now.u_num or 0.0)
+
+
+def relative_error(was: Kept, now: Kept) -> float:
+    """The expanded numerical error of both runs over the scale; zero where none is known."""
+    if was.u_num is None or now.u_num is None:
+        return 0.0
+    return _relative(numerical_error(was, now), was.scale) or 0.0
+
+
+def half_width(row: Kept) -> float | None:
+    """Half of what a row lets pass, over its scale: interval, acceptance figure or tolerance."""
+    if row.interval is not None:
+        return (row.interval[1] - row.interval[0]) / 2
+    return row.accepted if row.accepted is not None else _relative(row.tolerance, row.scale)
+
+
+def value_limit(was: Kept, now: Kept) -> float:
+    """How far a formula or a finite-element value may move [unit].
+
+    The numerical error of both runs, or 10 % of the narrower band. Zero where a row has neither.
+    """
+    if was.kind == "fact":
+        return margin_limit(was, now)
+    bands = [(half_width(row) or 0.0) * (row.scale or 0.0) for row in (was, now)]
+    return max(numerical_error(was, now), BAND_SHARE * min(bands))
+
+
+def scale_limit(was: Kept, now: Kept) -> float:
+    """How far the scale may move [unit]: the numerical error of both runs, or 10 % of itself."""
+    scale = abs(was.scale or 0.0)
+    return max(relative_error(was, now), BAND_SHARE) * scale
+
+
+def margin_limit(was: Kept, now: Kept) -> float:
+    """How far a fact's margin may move [unit]: the band of a fact is its margin at the release."""
+    error = math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
+    return max(error, BAND_SHARE * abs(was.difference or 0.0))
+
+
+def sensitivity_limit(row: Kept) -> float:
+    """By how much a detection limit or an uncertainty may grow, over the scale.
+
+    10 % of the band; of an identity, whose tolerance is its uncertainty, 10 % of the demand.
+    """
+    if row.kind == "fact":
+        return 0.0
+    is_banded = row.interval is not None or row.accepted is not None
+    return BAND_SHARE * ((half_width(row) if is_banded else row.demand) or 0.0)
+
+
+def _relative(u: float | None, scale: float | None) -> float | None:
+    return None if u is None or not scale else u / scale

@@ -1,0 +1,151 @@
+"""Error budgets of contacts: width against radius, walls, ends, and the plane assumption."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from verify.cases.contact.line.inputs import FlatInputs, PairInputs
+from verify.core.case import FemResult
+from verify.judging.budget_statement import Cause, Left, Rerun, Statement, Without, plane_stress
+
+PROBLEM = "fem.contact.problem:ContactProblem"
+LIGHTER, POINT, THICKER, LONGER = 100, 1000, 4, 4
+NARROWER = 10
+
+
+def light(q: Any) -> Any:
+    """A line contact a tenth as wide."""
+    return q.model_copy(update={"F": q.F / LIGHTER})
+
+
+def light_point(q: Any) -> Any:
+    """A point contact a tenth as wide."""
+    return q.model_copy(update={"P": q.P / POINT})
+
+
+def thick(q: Any) -> Any:
+    """A race with a thicker wall."""
+    return q.model_copy(update={"r_o": q.r_i + THICKER * (q.r_o - q.r_i)})
+
+
+def long(q: Any) -> Any:
+    """A longer roller under the same load per length, its crown made for that."""
+    more = {"F": LONGER * q.F, "L": LONGER * q.L}
+    if getattr(q, "Q", None):
+        more["Q"] = LONGER * q.Q
+    return q.model_copy(update=more)
+
+
+def long_races(q: Any) -> Any:
+    """Races that go on further."""
+    return q.model_copy(update={"overhang": THICKER * q.overhang})
+
+
+def straight(q: Any) -> Any:
+    """A tilt that lifts the ends of the longer roller alike."""
+    return long(q).model_copy(update={"theta": q.theta / LONGER})
+
+
+def fem_narrow_disc(q: FlatInputs, level: int) -> FemResult:
+    """The widest contact's values in proportion to those of one a tenth as wide."""
+    from verify.cases.contact.line.flat import WIDEST, analytic, disc_fem, swept_load
+
+    e = WIDEST / NARROWER
+    P = swept_load(q, e)
+    small, wide = analytic(q.model_copy(update={"F": P * q.L})), analytic(q)
+    found = disc_fem(q, P, e * q.R, level).values()
+    return FemResult(h=1 / level, values={
+        f"{key}, a/R = {WIDEST:g}": value * wide[f"Hertz {key}, a/R = {WIDEST:g}"]
+        / small[f"Hertz {key}"] for key, value in found.items()
+    })  # fmt: skip
+
+
+def fem_narrow_unlike(q: PairInputs, level: int) -> FemResult:
+    """The same of unlike rollers."""
+    from verify.cases.contact.line.pair import pair_fem
+    from verify.cases.contact.line.unlike import WHERE, unlike
+
+    soft = unlike(q)
+    found = pair_fem(light(soft), level).values()
+    # by Hertz the half-width and the pressure follow the root of the load
+    return FemResult(h=1 / level, values={
+        f"{key}, {WHERE}": math.sqrt(LIGHTER) * found[key] for key in ("p0", "a")
+    })  # fmt: skip
+
+
+# the others bear loads of their own
+OWN_LOAD = ("peak pressure, Hertz", "half-width, Hertz", "approach of flat and centre, Hertz",
+            "approach of the centres, Hertz", "approach of centre and rim",
+            "largest shear stress, Hertz")  # fmt: skip
+NARROW = Rerun(cause=Cause.GEOMETRY, what="a hundredth of the load: a contact a tenth as wide",
+               rows=OWN_LOAD, inputs=light)  # fmt: skip
+PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
+              rows=("*Hertz", "app*"), changes=plane_stress(PROBLEM))  # fmt: skip
+LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
+             inputs=long)  # fmt: skip
+SLICED = (
+    Left(("*slices",), "slices yield by Palmgren's law of a whole roller, which no rerun gives to "
+         "a half-space"),
+)  # fmt: skip
+HALF_SPACE = (
+    Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
+    Without(Cause.PLANE, "half-space: three dimensions"),
+)
+
+STATEMENTS: Mapping[str, Statement] = {
+    "contact-flat": Statement(
+        reruns=(
+            NARROW, PLANE,
+            Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
+                  rows=("*, a/R = 0.15, Hertz",), fem=fem_narrow_disc),
+        ),
+        finer=8,
+    ),
+    "contact-pair": Statement(
+        reruns=(
+            NARROW, PLANE,
+            Rerun(cause=Cause.GEOMETRY, what="a contact a tenth as wide, values in proportion",
+                  rows=("*, unlike, a/R = 0.1, Hertz",), fem=fem_narrow_unlike),
+        ),
+        finer=8,
+    ),
+    "contact-ring": Statement(
+        reruns=(
+            NARROW, PLANE,
+            Rerun(cause=Cause.GEOMETRY, what="a wall four times as thick",
+                  rows=OWN_LOAD, inputs=thick),
+        ),
+        finer=8,
+    ),
+    "contact-slip": Statement(finer=72),
+    "contact-sphere": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="a thousandth of the load: a contact a tenth as wide",
+                  inputs=light_point),
+        ),
+        without=(Without(Cause.PLANE, "bodies of revolution"),),
+        finer=12,
+    ),
+    "contact-press-fit": Statement(finer=6),
+    "contact-roller": Statement(reruns=(LONG,), left=SLICED, without=HALF_SPACE, finer=40),
+    "contact-roller-tilted": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
+                  inputs=straight),
+        ),
+        left=SLICED, without=HALF_SPACE, finer=40,
+    ),
+    "contact-roller-flat": Statement(reruns=(LONG,), left=SLICED, without=HALF_SPACE, finer=40),
+    "contact-roller-crowns": Statement(reruns=(LONG,), without=HALF_SPACE, finer=40),
+    "contact-roller-end": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="races that go on four times as far",
+                  rows=("*, end face", "*go on"), inputs=long_races, levels=(2,)),
+        ),
+        left=(
+            Left(("*end face", "*go on"), "only how far the races go on was rerun, not the "
+                 "free end that a half-space has none of"),
+        ),
+        without=(Without(Cause.PLANE, "bodies of revolution"),),
+    ),
+}  # fmt: skip

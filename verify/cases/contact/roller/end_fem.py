@@ -1,0 +1,186 @@
+"""Finite elements of a roller's end face: bodies of revolution, harmonic by harmonic."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from pydantic import model_validator
+from scipy.interpolate import CubicSpline
+
+from verify.cases.contact.roller import profiles
+from verify.cases.contact.roller.inputs import STRETCH, Crown
+from verify.core.case import FemResult
+from verify.core.inputs import quantity
+from verify.core.shown import Array, Field
+
+if TYPE_CHECKING:
+    from fem.fourier.compliance import SurfaceCompliance
+    from fem.fourier.contact import PatchContact
+
+mm = 1e-3
+CROWNS = ("flat", "crowned")
+ACROSS = 4  # cells on Hertz's half-width, a level
+WIDE = (1.5, 2.0, 3.0)  # of the half-width, the patch, until the contact fits
+DEEP = 0.4  # of the half-width, the first cell at the end of the contact along the roller
+EDGE = 1e-3  # distance from the ring's edge over its radius at which its slope is taken
+
+
+class EndInputs(Crown):
+    """A roller between two equal races that go on beyond its ends."""
+
+    overhang: float = quantity(
+        "2 mm", "mm", "h", "length by which the races go on beyond each end", gt=0, le=1e3
+    )
+
+    @model_validator(mode="after")
+    def _race(self) -> "EndInputs":
+        if self.R_2 <= 0:
+            raise ValueError(
+                f"R_2 must be positive here, got R_2 = {self.R_2 / mm:g} mm: finite elements have "
+                "a race that is a shaft"
+            )
+        if not 0.2 <= self.R_2 / self.R_1 <= 20:
+            raise ValueError(
+                f"radii may differ by a factor of 5 to 20, got R_1 = {self.R_1 / mm:g} mm, "
+                f"R_2 = {self.R_2 / mm:g} mm"
+            )
+        if not 0.05 * self.L <= self.overhang <= 3 * self.L:
+            raise ValueError(
+                f"the overhang must be 0.05 to 3 lengths of the roller, got "
+                f"h = {self.overhang / mm:g} mm, l = {self.L / mm:g} mm"
+            )
+        if not 0.2 <= self.L / self.R_1 <= 20:
+            raise ValueError(
+                f"the roller's length must be 0.2 to 20 radii, got l = {self.L / mm:g} mm, "
+                f"R_1 = {self.R_1 / mm:g} mm"
+            )
+        return self
+
+
+def fem(q: EndInputs, level: int) -> FemResult:
+    values: dict[str, float] = {}
+    u_it: dict[str, float] = {}
+    arrays: dict[str, Array] = {}
+    race = compliance_fem(q, level, race=True, overhang=q.overhang)
+    for name, overhang in (("end", 0.0), ("control", q.overhang)):
+        roller = compliance_fem(q, level, race=False, overhang=overhang)
+        for crown in CROWNS:
+            found = contact_fem(q, level, (roller, race), crown)
+            here = read(q, found, f"{name} {crown}")
+            beside = [
+                read(q, contact_fem(q, level, (roller, race), crown, more), f"{name} {crown}")
+                for more in (-1, 1)
+            ]
+            # the contact's rim is a stair of cells: what other cells across make of the ends
+            ends = f"{name} {crown} ends"
+            u_it[ends] = max(abs(v[ends] - here[ends]) for v in beside)
+            values |= here
+            arrays |= {
+                f"{name} {crown} y": found.z, f"{name} {crown} q": found.line_load,
+                f"{name} {crown} p": found.ridge,
+            }  # fmt: skip
+            if (name, crown) == ("end", "flat"):
+                fields = (patch(found),)
+    distance, pressure = edge_fem(level)
+    values["edge slope"] = slope(distance, pressure)
+    arrays |= {"edge distance": distance, "edge pressure": pressure}
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+
+
+def stations_fem(q: EndInputs, level: int) -> Array:
+    """Stations along the contact from mid-length to its end, where they are finest; one at d."""
+    from meshes.revolution.section import stations
+
+    found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
+    found[1 + np.argmin(np.abs(found[1:-1] - (q.L / 2 - q.d)))] = q.L / 2 - q.d
+    return found
+
+
+def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> "SurfaceCompliance":
+    """Compliance of the race, or of the roller; each pressed at opposite places."""
+    from fem.fourier.compliance import harmonics, surface_compliance
+    from fem.fourier.solid import FourierSolid
+    from fem.plane.material import Elastic
+    from meshes.revolution.cylinder import half_cylinder
+
+    R, E, nu = (q.R_2, q.E_2, q.nu_2) if race else (q.R_1, q.E_1, q.nu_1)
+    z, cell = stations_fem(q, level), q.b / (ACROSS * level)
+    mesh = half_cylinder(R=R, contact=z, overhang=overhang, first=level * cell, refine=level)
+    solid = FourierSolid(mesh, Elastic(E=E, nu=nu), {"start": "z"}, degree=2)
+    orders = harmonics(places=2, highest=2 * np.pi * R / cell)
+    return surface_compliance(solid, "rim", stations=z, orders=orders)
+
+
+def contact_fem(q: EndInputs, level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
+    """The half y >= 0 of the roller on the race, under half the load; `more` cells across."""
+    from fem.fourier.contact import patch_contact
+
+    gap = profiles.gap(q) if crown == "crowned" else np.zeros_like
+    for wide in WIDE:
+        across = np.linspace(0.0, wide * q.b, round(wide * ACROSS * level) + more + 1)
+        try:
+            return patch_contact(bodies, across=across, load=q.F / 2, crown=gap)
+        except ValueError as error:
+            if "as wide as its patch" not in str(error) or wide == WIDE[-1]:
+                raise
+    raise AssertionError
+
+
+def read(q: EndInputs, found: "PatchContact", name: str) -> dict[str, float]:
+    """Values of one contact under `name`."""
+    q_mid = float(np.interp(0.0, found.z, found.line_load))
+    ends = 2 * found.load_between(q.L / 2 - q.d, q.L / 2)
+    return {
+        f"{name} mid": found.ridge_at(0.0),
+        f"{name} q mid": q_mid,
+        f"{name} local": found.ridge_at(0.0) / math.sqrt(q_mid * q.E_star / (np.pi * q.R)),
+        f"{name} ends": ends,
+        f"{name} share": ends / q.F,
+    }
+
+
+def edge_fem(level: int) -> tuple[Array, Array]:
+    """Pressure of a ring on a longer shaft of its material, near its edge, over the distance."""
+    from skfem import MeshQuad1
+
+    from fem.fourier.compliance import surface_flexibility
+    from fem.fourier.solid import FourierSolid
+    from fem.plane.material import Elastic
+    from meshes.revolution.cylinder import half_cylinder
+    from meshes.revolution.section import stations
+
+    fine: dict[str, Any] = {"first": 4e-5 / level, "growth": 1.5, "refine": 2}
+    nodes = stations(start=1.0, end=0.0, **fine)
+    z = nodes[::2]
+    shaft = half_cylinder(R=1.0, contact=nodes, overhang=0.5, first=fine["first"], refine=2)
+    ring = MeshQuad1.init_tensor(stations(start=1.0, end=2.0, **fine), nodes)
+    ring = ring.with_boundaries({"bore": lambda x: x[0] == 1, "start": lambda x: x[1] == 0})
+    G = sum(
+        surface_flexibility(
+            FourierSolid(mesh, Elastic(E=1.0, nu=0.3), {"start": "z"}, degree=2), name, stations=z
+        )[0, :, 0]
+        for mesh, name in ((shaft, "rim"), (ring, "bore"))
+    )  # fmt: skip
+    pressure = np.asarray(np.linalg.solve(G, np.diff(z)), dtype=np.float64)
+    return 1 - (z[1:] + z[:-1]) / 2, pressure
+
+
+def slope(distance: Array, pressure: Array) -> float:
+    """Slope of ln p over ln r at the edge: r in it, of first order, is extrapolated to nothing."""
+    s = CubicSpline(np.log(distance[::-1]), np.log(pressure[::-1]))
+    return float(2 * s(np.log(EDGE), 1) - s(np.log(2 * EDGE), 1))
+
+
+def patch(found: "PatchContact") -> Field:
+    """The patch of both halves with its pressure, stretched across."""
+    s = np.concatenate([-found.across[:0:-1], found.across]) * STRETCH
+    y = np.concatenate([-found.stations[:0:-1], found.stations])
+    p = np.hstack([found.p[:, ::-1], found.p])
+    p = np.vstack([p[::-1], p])
+    points = np.column_stack([a.ravel() for a in np.meshgrid(y, s, indexing="ij")])
+    i = np.arange(len(y) - 1)[:, None] * len(s) + np.arange(len(s) - 1)
+    cells = np.stack([i, i + 1, i + len(s) + 1, i + len(s)], axis=-1).reshape(-1, 4)
+    return Field(
+        name="patch", points=points, cells=cells.astype(np.int64),
+        cell_data={"pressure": p.T.ravel()}, units={"pressure": "Pa"},
+    )  # fmt: skip

@@ -1,0 +1,114 @@
+"""The claims that only partial slip makes: half planes for discs, tractions, energies, steps."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from analytic.contact import partial_slip, tangential_cycle
+from verify.cases.contact.slip.inputs import SlipInputs
+from verify.core.case import Context, Values
+from verify.core.results import Kind, Row
+from verify.judging.agreement import Pair
+from verify.judging.checks import Approximation, Fact, Identity
+from verify.judging.claims import FemClaim
+
+HALF_PLANES = 2e-4  # share of the half planes' own error below which they and the discs are one
+MODEL = 2.0  # bound of that error over (a/R)²
+AGREE = 1e-3  # two ways to one energy
+L2 = 0.03  # acceptance of tractions
+
+
+def neglected(q: SlipInputs) -> float:
+    """Bound of what half planes leave out of discs, as a share of a value.
+
+    By symmetry a disc's tangential load does not change the gap, and terms odd in a/R vanish. Of
+    order (a/R)² are the circle against the parabola, which steepens the profile by a quarter of
+    (a/R)² at the edge, and the even parts x² + x'² of the two kernels, normal and tangential, each
+    with a factor of a half or less about the logarithm. Half-widths enter squared in displacements
+    and energies: all of it together stays below twice (a/R)².
+    """
+    return MODEL * (q.a / q.R) ** 2
+
+
+@dataclass(frozen=True, kw_only=True)
+class HalfPlanes(FemClaim):
+    """Identity while discs are half planes to what a row can see, else an approximation."""
+
+    kind = Kind.IDENTITY
+
+    analytic: str
+
+    def rows(self, context: Context) -> list[Row]:
+        own = {f.name: getattr(self, f.name) for f in fields(self)}
+        if neglected(context.inputs) <= HALF_PLANES:
+            return Identity(**own).rows(context)
+        demand = self.demanded(context)
+
+        def interval(q: SlipInputs, _values: Values) -> tuple[float, float] | None:
+            bound = neglected(q) + demand / 2  # nothing sharper is claimed of wide contacts
+            return (-bound, bound) if neglected(q) <= demand / 4 else None
+
+        source = f"±{MODEL:g} (a/R)², and half of the demand"
+        return Approximation(**own, interval=interval, source=source).rows(context)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Traction(Fact):
+    """A traction's error in L2 below its acceptance, on the resolution made for it."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        error = L2 - self.margin(context)[0]
+        return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
+
+
+def first_traction(q: SlipInputs, x: Any, k: float) -> Any:
+    """Cattaneo's traction [Pa] at x under Q = k mu P."""
+    return partial_slip.traction(x, Q=k * q.mu * q.P, a=q.a, **q.loads)
+
+
+def cycle_traction(q: SlipInputs, x: Any, stage: float) -> Any:
+    """Mindlin's traction [Pa] at x on the way down, at Q = `stage` Q_max."""
+    Q_max = q.share * q.mu * q.P
+    return tangential_cycle.traction(
+        x, Q=stage * Q_max, Q_max=Q_max, a=q.a, branch="unloading", **q.loads
+    )
+
+
+def l2_margin(
+    name: str, formula: Callable[..., Any], at: float, scale_at: float
+) -> Callable[[Context], tuple[float, float]]:
+    """Acceptance less the error in L2 against `formula`, over its norm at `scale_at`."""
+
+    def margin(context: Context) -> tuple[float, float]:
+        q = context.inputs
+        x, found, weight = context.fem[-1].arrays[f"points, {name}"]
+        error, norm = found - formula(q, x, at), formula(q, x, scale_at)
+        return float(L2 - np.sqrt((error**2 @ weight) / (norm**2 @ weight))), 0.0
+
+    return margin
+
+
+def two_ways(context: Context) -> Pair:
+    """The loop's area and the work of friction."""
+    area, work = (context.series(key)[1][-1] for key in ("loop's area", "friction's work"))
+    u = context.fem[-1].u_it["area by steps"]
+    return Pair(area, work, 2 * u, f"apart by {area / work - 1:+.2g}")
+
+
+def step_order(context: Context) -> tuple[float, float]:
+    """Order above 1.8 in which straight lines between steps approach the loop's area.
+
+    Against friction's work, which is exact for any steps: a node slips under mu p alone, however
+    far. What Simpson's rule leaves of the difference is the mesh's own jitter, and uncertain.
+    """
+    result = context.fem[-1]
+    x, Q = result.arrays["loop, x"], result.arrays["loop, Q"]
+    work, area = result.values["friction's work"], result.values["loop's area"]
+    coarse, fine = (abs(abs(np.trapezoid(Q[::n], x[::n])) - work) for n in (4, 2))
+    return float(np.log2(coarse / fine) - 1.8), float(2 * abs(area - work) / fine / np.log(2))

@@ -1,0 +1,84 @@
+"""Inputs of two spheres in point contact, and what the formulas make of them."""
+
+from typing import Any
+
+from pydantic import model_validator
+
+from analytic.contact import hertz_line, hertz_point
+from analytic.contact.sphere_series import Sphere
+from verify.core.inputs import Inputs, quantity
+
+WIDEST = 0.15  # a over the smaller radius
+
+
+class SphereInputs(Inputs):
+    """A sphere on a rigid flat and on another sphere, each pressed from both sides."""
+
+    R_1: float = quantity(
+        "4.02 mm", "mm", "R_1", "radius of the upper sphere", gt=0, le=1e6,
+        claims="huang2018:table1-r-i1",
+    )  # fmt: skip
+    R_2: float = quantity(
+        "11.11 mm", "mm", "R_2", "radius of the lower sphere", gt=0, le=1e6,
+        claims="huang2018:table1-r-i",
+    )  # fmt: skip
+    P: float = quantity("16 N", "N", "P", "load", gt=0, le=1e12)
+    E_1: float = quantity("206 GPa", "GPa", "E_1", "Young's modulus, upper", gt=0, le=1e5)
+    nu_1: float = quantity(0.3, "1", "ν_1", "Poisson's ratio, upper", ge=0, le=0.45)
+    E_2: float = quantity("110 GPa", "GPa", "E_2", "Young's modulus, lower", gt=0, le=1e5)
+    nu_2: float = quantity(0.34, "1", "ν_2", "Poisson's ratio, lower", ge=0, le=0.45)
+    R_p: float | None = quantity(
+        None, "MPa", "R_p", "yield strength of the weaker body, for the warning", omitted=None,
+        gt=0, example="1200 MPa",
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _point_contact(self) -> "SphereInputs":
+        least, most = sorted((self.R_1, self.R_2))
+        if most > 1e3 * least:
+            raise ValueError(
+                f"radii may differ a thousandfold, got R_1 = {self.R_1 * 1e3:g} mm, "
+                f"R_2 = {self.R_2 * 1e3:g} mm: take the larger one as flat"
+            )
+        if not 1e-3 <= self.E_1 / self.E_2 <= 1e3:
+            raise ValueError(
+                f"moduli may differ a thousandfold, got E_1 = {self.E_1 / 1e9:g} GPa, "
+                f"E_2 = {self.E_2 / 1e9:g} GPa: take the stiffer body as rigid"
+            )
+        for pair in PAIRS:
+            wide = self.a(pair) / (self.R_1 if pair == "flat" else least)
+            if not 1e-5 <= wide <= WIDEST:
+                raise ValueError(
+                    f"a point contact needs a/R from 1e-05 to {WIDEST:g}, got {wide:.3g} "
+                    f"{WORDS[pair]} with P = {self.P:g} N"
+                )
+        return self
+
+    def bodies(self, pair: str) -> tuple[Sphere, Sphere]:
+        """Upper and lower body of a pair."""
+        one = Sphere(R=self.R_1, E=self.E_1, nu=self.nu_1)
+        if pair == "flat":
+            return one, Sphere(R=float("inf"), E=float("inf"), nu=0.0)
+        return one, Sphere(R=self.R_2, E=self.E_2, nu=self.nu_2)
+
+    def hertz(self, pair: str) -> dict[str, Any]:
+        """What Hertz's formulas take: P, R, E_star."""
+        one, other = self.bodies(pair)
+        E_star = hertz_line.contact_modulus(
+            E_1=one.E, nu_1=one.nu, E_2=other.E, nu_2=other.nu, assumption="plane strain"
+        )
+        R = hertz_line.relative_radius(R_1=one.R, R_2=other.R)
+        return {"P": self.P, "R": float(R), "E_star": float(E_star)}
+
+    def a(self, pair: str) -> float:
+        """Hertz's contact radius [m]."""
+        return float(hertz_point.radius(**self.hertz(pair)))
+
+    def beyond(self, pair: str) -> float:
+        """(a/R)² of the smaller sphere: what the first correction to Hertz leaves out at most."""
+        least = self.R_1 if pair == "flat" else min(self.R_1, self.R_2)
+        return (self.a(pair) / least) ** 2
+
+
+PAIRS = ("flat", "sphere")
+WORDS = {"flat": "on a rigid flat", "sphere": "on a sphere"}

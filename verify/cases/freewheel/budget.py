@@ -1,0 +1,91 @@
+"""Error budgets of roller freewheels: bodies of finite size, and the plane assumption."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.judging.budget_statement import (
+    Cause,
+    Corrected,
+    Left,
+    Rerun,
+    Statement,
+    Without,
+    plane_stress,
+)
+
+PROBLEM = "fem.contact.problem:ContactProblem"
+LIGHTER, THICKER = 4, 4
+
+
+def light(q: Any) -> Any:
+    """A quarter of the torque, and of an axial load: contacts half as wide."""
+    more = {"T": q.T / LIGHTER}
+    if hasattr(q, "F_ax"):
+        more["F_ax"] = q.F_ax / LIGHTER
+    return q.model_copy(update=more)
+
+
+def thick_ring(q: Any) -> Any:
+    """A ring with a thicker wall around a star."""
+    return q.model_copy(update={"R_a": q.R + THICKER * (q.R_a - q.R)})
+
+
+def thick_cup(q: Any) -> Any:
+    """A cup with a thicker wall about its flats."""
+    return q.model_copy(update={"R_a": q.X_o + 2 * (q.R_a - q.X_o)})
+
+
+def rerun(**more: Any) -> Rerun:
+    return Rerun(cause=Cause.GEOMETRY, **more)
+
+
+LIGHT = rerun(what="a quarter of the load: contacts half as wide", inputs=light, levels=(4,))
+WALL = rerun(what="a ring four times as thick", inputs=thick_ring, levels=(4,))
+PLANE = Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
+              changes=plane_stress(PROBLEM), levels=(4,))  # fmt: skip
+BOTH = Without(Cause.PLANE, "plane strain on both sides")
+ALONG = Without(Cause.PLANE, "plane strain and movement along the axis")
+
+ROLLED = ("torsion by exact rolling*",)
+UNTURNED = "neither the load nor the wall changes it, nothing else was rerun"
+TURNED = Left(ROLLED, UNTURNED)
+THIN = Left(
+    (*ROLLED, "way of the rollers*", "approach of roller and cup*", "normal force at a given angle",
+     "largest torque*"), "of cups only one twice as thick was run"
+)  # fmt: skip
+
+STAR = Left(("approach of roller and star*",), "the size of the star was not rerun")  # fmt: skip
+
+STATEMENTS: Mapping[str, Statement] = {
+    "freewheel-torque": Statement(
+        reruns=(LIGHT, WALL),
+        without=(BOTH,),
+        left=(TURNED, STAR),
+        headline="normal force under torque (Eqs. 2, 3)",
+        corrected=(
+            Corrected("torsion, Eq. 7 as printed, against ∫dU/T", "phi"),
+            Corrected(
+                "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)", "T at N"
+            ),
+        ),
+    ),
+    "freewheel-cup": Statement(
+        reruns=(LIGHT, rerun(what="a cup twice as thick", inputs=thick_cup, levels=(4,))),
+        without=(BOTH,),
+        left=(THIN,),
+        corrected=(Corrected("torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T", "phi"),),
+    ),
+    "freewheel-friction": Statement(
+        reruns=(LIGHT, WALL),
+        without=(ALONG,),
+        corrected=(
+            Corrected("required friction, Eq. 8 with the F_ax of Eq. 9 (as printed)", "mu_req"),
+            Corrected("tan α, Eq. 8 as printed", "mu_t"),
+        ),
+    ),
+    "freewheel-paths": Statement(
+        left=(Left(("axial load at slip*",), "of a path of loads no cause was rerun"),),
+        without=(ALONG,),
+    ),
+    "freewheel-clutch": Statement(reruns=(LIGHT, WALL, PLANE), left=(TURNED,)),
+}

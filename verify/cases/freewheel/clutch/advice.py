@@ -1,0 +1,95 @@
+"""What is advised where a freewheel does not hold, and what a micrometre does to one."""
+
+import math
+
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import under
+from verify.cases.freewheel.clutch.model import past_corners
+from verify.cases.freewheel.clutch.remedies import (
+    GOALS,
+    bearing,
+    friction_for,
+    moved_to,
+    per_micrometre,
+    to_spare,
+    until_pop_through,
+)
+from verify.cases.freewheel.clutch.scatter import slopes
+from verify.core.case import Values
+
+DEGREE = math.degrees(1.0)
+
+
+def advice(q: ClutchInputs, v: Values) -> list[str]:
+    """What to change so that T and F_ax are borne; nothing where friction holds."""
+    if q.T <= 0:
+        return []
+    if under(q) is None:
+        return [stiffer(q)]
+    if past_corners(q, v):
+        return [f"the corners are just reached with L = {q.L * q.T / v['T corner'] * 1e3:.5g} mm"]
+    if v["safety"] >= 1 and v["mu_0"] <= q.mu:
+        return []
+    return [
+        flats(q),
+        f"or for μ/μ_req of {_each([f'μ = {friction_for(q, g):.4g}' for g in GOALS])}",
+    ]
+
+
+def flats(q: ClutchInputs) -> str:
+    """Where the flats would have to lie."""
+    needed = [moved_to(q, goal) for goal in GOALS]
+    if math.isnan(needed[0]):
+        return "to hold at this T and F_ax: no X is enough"
+    told = []
+    for dX in needed:
+        if math.isnan(dX):
+            told.append("no X")
+            continue
+        angle = float(q.moved(dX).cam.alpha0) * DEGREE
+        told.append(f"X = {(q.X + dX) * 1e3:.7g} mm ({dX * 1e6:+.3g} µm, α_0 = {angle:.3f}°)")
+    return f"to hold at this T and F_ax with μ/μ_req of {_each(told)}"
+
+
+def _each(told: list[str]) -> str:
+    return ", ".join(f"{goal:.1f}: {text}" for goal, text in zip(GOALS, told, strict=True))
+
+
+def stiffer(q: ClutchInputs) -> str:
+    """What would bear the torque of a clutch without a state."""
+    found = [f"{name} = {value * 1e3:.5g} mm" if name != "X"
+             else f"X = {value * 1e3:.7g} mm ({(value - q.X) * 1e6:+.3g} µm)"
+             for name, value in bearing(q)]  # fmt: skip
+    if not found:
+        return "no R_a, X or L near these bears the torque: the clutch is too small"
+    housing = "" if q.is_star else "; R_a is that of the housing that stiffens a drawn cup"
+    return f"sufficient for this torque: {', or '.join(found)}, or more rollers{housing}"
+
+
+def sensitive(q: ClutchInputs, v: Values) -> list[str]:
+    """What a micrometre turns, and how many of X there are until the clutch slips."""
+    by, ratio = slopes(q), per_micrometre(q)
+    turned = ", ".join(
+        f"1 µm on {s.name} by {s.slope * 1e-6 * DEGREE:+.3f}°"
+        + (f" (μ/μ_req by {100 * ratio[s.name]:+.2g} %)" if ratio else "")
+        for s in by
+    )
+    shares = [s for s in sorted(by, key=lambda s: -s.share) if s.share > 0]
+    told = ", ".join(f"{s.name} {100 * s.share:.0f} %" for s in shares)
+    found = [
+        f"sensitivity of α_0: {turned}" + (f"; of its variance come from {told}" if told else "")
+    ]
+    if v.get("safety", 0.0) >= 1 and v["mu_0"] <= q.mu:
+        found += _ends_of_X(q)
+    return found
+
+
+def _ends_of_X(q: ClutchInputs) -> list[str]:
+    """Deviations of X at which the clutch slips or its rollers pass through, the nearer first."""
+    limits = [
+        (to_spare(q), "smaller", "the contacts slip"),
+        (until_pop_through(q), "larger", "the rollers pass through between flat and race"),
+    ]
+    near = sorted(one for one in limits if math.isfinite(one[0]))
+    told = [f"with X {side} by {dX * 1e6:.3g} µm {what}" for dX, side, what in near]
+    return ["; ".join(told)] if told else []

@@ -1,0 +1,87 @@
+"""What is told of a freewheel's limits: those that are passed, and which come as loads grow."""
+
+import math
+from collections.abc import Sequence
+
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import (
+    SEVERITY,
+    Limit,
+    as_axial_load_grows,
+    as_torque_grows,
+    friction_holds,
+)
+from verify.cases.freewheel.clutch.model import past_corners
+from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal
+from verify.core.case import Values
+
+FAR = 10.0  # times the first limit ahead, beyond which another one is not told
+
+
+def torque(q: ClutchInputs, v: Values) -> list[str]:
+    """What comes first when the torque grows and the axial load stays."""
+    limits = as_torque_grows(q)
+    passed = [limit for limit in limits if limit.at < q.T]
+    ahead = [limit for limit in limits if limit.at > q.T]
+    ahead = [limit for k, limit in enumerate(ahead) if k == 0 or limit.key != "hertz"]
+    found = [
+        f"already beyond a limit of the torque: {limit.words} at {newton_metres(limit.at)}"
+        for limit in sorted(passed, key=lambda x: SEVERITY.index(x.key))
+    ]
+    if v["safety"] < 1:
+        found.append(where_friction_holds(q))
+    if ahead:
+        found.append(f"as the torque grows: {_listed(ahead, q.T, 'T')}")
+    if (least := v.get("T bears", 0.0)) > 0 and not past_corners(q, v):
+        found.append(
+            f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) friction no "
+            f"longer bears F_ax = {newton(q.F_ax)}"
+        )
+    return found
+
+
+def where_friction_holds(q: ClutchInputs) -> str:
+    ranges = friction_holds(q)
+    if q.F_ax == 0 and ranges and math.isfinite(ranges[0][1]):
+        return f"without axial load friction holds up to {newton_metres(ranges[0][1])}"
+    told = [f"{a:.4g} to {newton_metres(b)}" if math.isfinite(b) else f"{newton_metres(a)} on"
+            for a, b in ranges]  # fmt: skip
+    at = f"from {' and from '.join(told)}" if told else "at no torque"
+    return f"friction would bear F_ax = {newton(q.F_ax)} {at}"
+
+
+def axial(q: ClutchInputs, v: Values) -> list[str]:
+    """What comes first when the axial load grows and the torque stays."""
+    if v["F slip"] == 0:
+        return ["friction bears no axial load at this torque"]
+    limits = [limit for limit in as_axial_load_grows(q) if limit.at > 0]
+    passed = [limit for limit in limits if limit.at < q.F_ax]
+    ahead = [limit for limit in limits if limit.at >= q.F_ax]
+    found = [
+        f"already beyond a limit of the axial load: {limit.words} at {newton(limit.at)}"
+        for limit in sorted(passed, key=lambda x: SEVERITY.index(x.key))
+    ]
+    if ahead:
+        found.append(f"as the axial load grows: {_listed(ahead, q.F_ax, 'F_ax')}")
+    return found
+
+
+def tilted(q: ClutchInputs, v: Values) -> list[str]:
+    if q.F_ax == 0:
+        return []
+    end = f"{pascal(v['p_end'])} at one end" if "p_end" in v else "without bound at one end"
+    return [
+        f"the axial forces' couple tilts the rollers: contact forces move by {v['e/L']:.2g} L and "
+        f"the pressure is {end}; the criterion does not contain this"
+    ]
+
+
+def _listed(limits: Sequence[Limit], now: float, symbol: str) -> str:
+    """The first limit and the next, unless that is far off, with their margins over the load."""
+    told, written = [], newton if symbol == "F_ax" else newton_metres
+    for k, limit in enumerate(limits[:2]):
+        if limit.at > FAR * max(limits[0].at, now):
+            break
+        margin = f", {limit.at / now:.3g} {symbol}" if now > 0 else ""
+        told.append(f"{'first ' if k == 0 else ''}{limit.words} ({written(limit.at)}{margin})")
+    return ", then ".join(told)

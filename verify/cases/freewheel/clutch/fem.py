@@ -1,0 +1,95 @@
+"""Finite elements of one's own clutch: under its torque, with the flats a few µm off, with F_ax."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.fem import Place
+from verify.cases.freewheel.friction.inputs import FrictionInputs
+from verify.cases.freewheel.friction.limit import Limit
+from verify.cases.freewheel.friction.model import HARDER
+from verify.cases.freewheel.inputs import StarInputs
+from verify.cases.freewheel.sweep import Start, Sweep, after
+from verify.cases.freewheel.torque.fem import LEVELS, SPLINE, field
+from verify.core.case import FemResult
+
+Array = NDArray[np.float64]
+
+OFF = 5e-6  # of X [m]: how far flats are moved to either side, where wedges allow for it
+LEFT = 1e-5  # of dalpha/dX: what the last step to the torque may miss
+TURNED = 0.05  # of the angle: more would be no small change
+GRID = np.linspace(0.1, 1.0, 10)  # of T, where profiles are compared
+AROUND = (0.99, 1.01)  # of mu_req: friction that does not hold, and that does
+NEAR, MOST = 2e-4, 6  # how near the torque a moved flat comes, and in how many steps
+
+
+def star(q: ClutchInputs) -> StarInputs:
+    """The clutch as an inner cam of one material."""
+    return StarInputs(R=q.R, r=q.r, X=q.X, R_a=q.R_a, r_b=q.r_b, z=q.z, L=q.L, T=q.T, E=q.E,
+                      nu=q.nu)  # fmt: skip
+
+
+def off(q: ClutchInputs) -> float:
+    """How far [m] flats are moved."""
+    x, _ = q.cam.centre(d_i=0.0, d_o=0.0)
+    return min(OFF, TURNED * float(x) * 2 * float(q.cam.alpha0))
+
+
+def fem(q: ClutchInputs, level: int) -> FemResult:
+    one, T = star(q), q.T
+    sweep = Sweep(one, level)
+    place = sweep.place(T)
+    start = at(sweep, T)
+    low, high = (moved(one, start, dX, level) for dX in (-off(q), off(q)))
+    grid = GRID * T
+    places = [sweep.place(t) for t in grid]
+    values = {
+        "alpha": place.psi / 2, "N": sweep.at("N", T),
+        "phi": sweep.torsion_by_energy(np.array([T]))[0], "dalpha/dX": (high - low) / (2 * off(q)),
+    }  # fmt: skip
+    arrays = {
+        "profile, alpha": np.array([p.psi / 2 for p in places]),
+        "profile, phi": sweep.torsion_by_energy(grid),
+        "moved": np.array([low, place.psi / 2, high]),
+    }
+    if level == LEVELS[-1]:
+        arrays["around"] = around(q, one, start)
+    u_it = {key: SPLINE * abs(float(v)) for key, v in values.items()}
+    u_it["dalpha/dX"] = LEFT * abs(values["dalpha/dX"])
+    return FemResult(
+        h=1 / level, values={k: float(v) for k, v in values.items()},
+        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(sweep.last),),
+    )  # fmt: skip
+
+
+def at(sweep: Sweep, T: float) -> Start:
+    """Where the sector lies under a torque [N m]: the last state of the sweep, scaled."""
+    last = after(sweep.last)
+    return last.scaled((sweep.at("d_o", T)) / last.d[1])
+
+
+def moved(q: StarInputs, start: Start, dX: float, level: int) -> float:
+    """The angle [rad] under T with the flats moved by `dX`."""
+    other = q.model_copy(update={"X": q.X + dX})
+    steeper = [math.tan(Place.overlapping(one, *start.d).psi / 2) for one in (other, q)]
+    now = start.scaled((steeper[1] / steeper[0]) ** HARDER)
+    for _ in range(MOST):
+        state = now.state(other, level)
+        share = q.T / (state.torque * q.L)
+        if abs(share - 1) < NEAR:
+            break
+        now = after(state).scaled(share**HARDER)
+    alpha = state.place.psi / 2
+    # what is left of the torque is NEAR: the angle follows the overlap, this the torque
+    overlap = state.place.d_i + state.place.d_o
+    return float(alpha + (share**HARDER - 1) * overlap / (2 * q.R * math.sin(2 * alpha)))
+
+
+def around(q: ClutchInputs, one: StarInputs, start: Start) -> Array:
+    """Whether friction `AROUND` mu_req holds (2,): 1 or 0; at the angle of finite elements."""
+    given = FrictionInputs(**one.model_dump(), F_ax=q.F_ax, mu=q.mu)
+    limit = Limit(given, start, start.drags)
+    needed = limit.tan * math.hypot(1.0, q.F_ax * q.R / q.T)
+    return np.array([float(limit.bears(share * needed)) for share in AROUND])

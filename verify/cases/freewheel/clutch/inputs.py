@@ -1,0 +1,191 @@
+"""Inputs of a roller freewheel of either kind, with its loads, materials and tolerances."""
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import ClassVar, Literal
+
+from pydantic import model_validator
+
+from analytic.freewheel.cam import Cam
+from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.geometry import InnerCam, OuterCam
+from verify.cases.freewheel.inputs import in_millimetres
+from verify.core.inputs import Inputs, count, quantity, word
+
+Kind = Literal["inner cam", "outer cam"]
+Spread = Literal["normal", "uniform"]
+
+DEVIATIONS = {"normal": 3.0, "uniform": math.sqrt(3)}  # of a part within its tolerance
+
+
+def in_terms_of_inputs(rule: str) -> str:
+    """A rule of the formulas with the inputs' names, and their lengths in mm."""
+    named = re.sub(r"\b(R_s|X_o)\b", lambda m: m[1][0], rule)
+    return in_millimetres(named)
+
+
+class ClutchInputs(Inputs):
+    """z rollers between flats and a circular race, under a torque and an axial load."""
+
+    instead: ClassVar[tuple[str, Mapping[str, str]]] = (
+        "an outer cam: in place of the lines of these names above",
+        {"kind": '"outer cam"', "R": '"10 mm"', "r": '"2 mm"', "X": '"13.88322 mm"',
+         "R_a": '"17.5 mm"', "r_b": '"0 mm"', "L": '"10 mm"', "T": '"20 N m"'},
+    )  # fmt: skip
+
+    kind: Kind = word(
+        "inner cam",
+        "inner cam: flats on a star, in a ring of bore R; outer cam: flats in a cup, on a shaft R",
+    )
+    R: float = quantity("16.5 mm", "mm", "R", "radius of the circular race: bore of the outer "
+                        "ring, or the shaft of an outer cam", gt=0.1, le=1e5)  # fmt: skip
+    r: float = quantity("2.5 mm", "mm", "r", "radius of the rollers", gt=0.01, le=1e5)
+    X: float = quantity("11.39565 mm", "mm", "X", "distance of the flats from the axis", ge=-1e5,
+                        le=1e5)  # fmt: skip
+    R_a: float = quantity("21 mm", "mm", "R_a", "outer radius of the outer part, with the "
+                          "housing that a drawn cup is pressed into", gt=0.1, le=1e5)  # fmt: skip
+    r_b: float = quantity("7.5 mm", "mm", "r_b", "bore radius of the inner part; 0 for a solid "
+                          "shaft of an outer cam", ge=0, le=1e5)  # fmt: skip
+    z: int = count(8, "z", "number of rollers", ge=3, le=100)
+    L: float = quantity("10 mm", "mm", "L", "length of the rollers", gt=0.01, le=1e6)
+    T: float = quantity("26 N m", "N m", "T", "torque, positive in the locking direction", ge=-1e9,
+                        le=1e9, claims="nagler2021:rig-torque")  # fmt: skip
+    F_ax: float = quantity("600 N", "N", "F_ax", "axial load on the whole clutch", ge=0, le=1e9)
+    mu: float = quantity(0.08, "1", "μ", "coefficient of friction, equal at all contacts", ge=1e-3,
+                         le=2)  # fmt: skip
+    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0.1, le=1e5)
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    E_r: float | None = quantity(
+        None, "GPa", "E_r", "Young's modulus of the rollers, where another; without ν_r "
+        "their ν is ν", omitted=None, gt=0.1,
+        le=1e5, example="310 GPa",
+    )  # fmt: skip
+    nu_r: float | None = quantity(
+        None, "1", "ν_r", "Poisson's ratio of the rollers, where another", omitted=None, ge=0,
+        le=0.45, example="0.27",
+    )  # fmt: skip
+    E_i: float | None = quantity(
+        None, "GPa", "E_i", "Young's modulus of the inner part, where another; without ν_i "
+        "their ν is ν", omitted=None,
+        gt=0.1, le=1e5, example="206 GPa",
+    )  # fmt: skip
+    nu_i: float | None = quantity(
+        None, "1", "ν_i", "Poisson's ratio of the inner part, where another", omitted=None, ge=0,
+        le=0.45, example="0.3",
+    )  # fmt: skip
+    E_o: float | None = quantity(
+        None, "GPa", "E_o", "Young's modulus of the outer part, where another; without ν_o "
+        "their ν is ν", omitted=None,
+        gt=0.1, le=1e5, example="206 GPa",
+    )  # fmt: skip
+    nu_o: float | None = quantity(
+        None, "1", "ν_o", "Poisson's ratio of the outer part, where another", omitted=None, ge=0,
+        le=0.45, example="0.3",
+    )  # fmt: skip
+    p_lim: float | None = quantity(
+        "4000 MPa", "MPa", "p_lim", "permissible contact pressure", omitted=None, gt=0, le=1e6,
+    )  # fmt: skip
+    e_lim: float | None = quantity(
+        None, "1", "(e/L)_lim", "how far along the rollers their contact forces may move, over L; "
+        "where left out until one end lifts off, at 1/6", omitted=None, gt=0, lt=0.5,
+        example="0.1",
+    )  # fmt: skip
+    X_tol: float = quantity("5 µm", "µm", "t_X", "tolerance ± of X", omitted=0.0, ge=0, le=1e4)
+    r_tol: float = quantity("2 µm", "µm", "t_r", "tolerance ± of r", omitted=0.0, ge=0, le=1e4)
+    R_tol: float = quantity("5 µm", "µm", "t_R", "tolerance ± of R", omitted=0.0, ge=0, le=1e4)
+    s_mu: float = quantity(0.004, "1", "s_μ", "standard deviation of μ", omitted=0.0, ge=0, lt=1)
+    spread: Spread = word(
+        "normal",
+        "distribution within the tolerances: normal (± is three standard deviations) or uniform",
+    )
+
+    @model_validator(mode="after")
+    def _fits(self) -> "ClutchInputs":
+        try:
+            _ = self.clutch
+        except ValueError as error:
+            raise ValueError(in_terms_of_inputs(str(error))) from error
+        for name in ("X_tol", "r_tol", "R_tol"):
+            if not getattr(self, name) < 0.1 * self.r:
+                raise ValueError(
+                    f"a tolerance is small: {name} must be below r/10, got {name} = "
+                    f"{getattr(self, name) * 1e6:.6g} µm, r = {self.r * 1e3:.6g} mm"
+                )
+        for wall, thick, t in self._walls():
+            if not thick > 2 * t:
+                raise ValueError(
+                    f"a wall is thicker than twice its tolerance: {wall} = {thick * 1e6:.4g} µm, "
+                    f"tolerance ±{t * 1e6:.4g} µm"
+                )
+        if not self.s_mu < 0.5 * self.mu:
+            raise ValueError(
+                f"μ stays positive: s_mu must be below μ/2, got {self.s_mu:g} with μ = {self.mu:g}"
+            )
+        return self
+
+    def _walls(self) -> tuple[tuple[str, float, float], ...]:
+        """Least walls [m] of both parts with the tolerance of their surface."""
+        if self.is_star:
+            return ("X - r_b", self.X - self.r_b, self.X_tol), ("R_a - R", self.R_a - self.R,
+                                                                self.R_tol)  # fmt: skip
+        far = 1 / math.cos(math.pi / self.z)
+        return (
+            ("R - r_b", self.R - self.r_b, self.R_tol),
+            ("R_a - X/cos(π/z)", self.R_a - far * self.X, far * self.X_tol),
+        )
+
+    @property
+    def is_star(self) -> bool:
+        return self.kind == "inner cam"
+
+    @property
+    def cam(self) -> Cam:
+        """The clutch's wedges; ValueError where there are none."""
+        if self.is_star:
+            return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
+        return OuterCam(R_s=self.R, r=self.r, X_o=self.X, z=self.z)
+
+    @property
+    def room(self) -> float:
+        """How far [m] parts are from having no wedge: R - 2 r - X, or R + 2 r - X of a cup."""
+        _, y = self.cam.centre(d_i=0.0, d_o=0.0)
+        return float(self.cam.distance(d_i=0.0, d_o=0.0) - y)
+
+    def moved(self, dX: float) -> Clutch:
+        """The clutch with its flats `dX` [m] further from the axis."""
+        cam = self.cam
+        if isinstance(cam, InnerCam):
+            return replace(self.clutch, cam=replace(cam, X=self.X + dX))
+        return replace(self.clutch, cam=OuterCam(R_s=self.R, r=self.r, X_o=self.X + dX, z=self.z))
+
+    @property
+    def clutch(self) -> Clutch:
+        """The whole clutch; ValueError where a part has no wall."""
+        return Clutch(
+            cam=self.cam, L=self.L, r_b=self.r_b, R_a=self.R_a, roller=self._material("r"),
+            inner=self._material("i"), outer=self._material("o"),
+        )  # fmt: skip
+
+    @property
+    def like(self) -> bool:
+        """Whether all parts are of one material."""
+        return all(self._constants(part) == (self.E, self.nu) for part in "rio")
+
+    @property
+    def deviations(self) -> dict[str, float]:
+        """Standard deviations by the names of the cam's fields, and of mu; those of 0 left out."""
+        over = DEVIATIONS[self.spread]
+        names = ("X", "R") if self.is_star else ("X_o", "R_s")
+        found = {names[0]: self.X_tol, "r": self.r_tol, names[1]: self.R_tol}
+        found = {name: t / over for name, t in found.items()} | {"mu": self.s_mu}
+        return {name: s for name, s in found.items() if s > 0}
+
+    def _material(self, part: str) -> Material:
+        E, nu = self._constants(part)
+        return Material(E=E, nu=nu)
+
+    def _constants(self, part: str) -> tuple[float, float]:
+        E, nu = getattr(self, f"E_{part}"), getattr(self, f"nu_{part}")
+        return self.E if E is None else E, self.nu if nu is None else nu

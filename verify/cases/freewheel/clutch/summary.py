@@ -1,0 +1,20 @@
+"""What programs read of a freewheel beside its values: class, ratio, limits with their state."""
+
+from typing import Any
+
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import Limit, as_axial_load_grows, as_torque_grows
+from verify.cases.freewheel.clutch.model import light
+from verify.core.case import Values
+
+
+def summary(q: ClutchInputs, v: Values) -> dict[str, Any]:
+    """JSON; `ratio` is mu/mu_req, None without a state; limits of T [N m] and F_ax [N]."""
+    limits = [_limit("T", "N m", q.T, x) for x in as_torque_grows(q)] if q.T >= 0 else []
+    limits += [_limit("F_ax", "N", q.F_ax, x) for x in as_axial_load_grows(q)]
+    return {"verdict": light(q, v), "ratio": v.get("safety"), "limits": limits}
+
+
+def _limit(of: str, unit: str, now: float, limit: Limit) -> dict[str, Any]:
+    return {"of": of, "key": limit.key, "what": limit.words, "at": limit.at, "unit": unit,
+            "passed": now > limit.at}  # fmt: skip

@@ -1,0 +1,132 @@
+"""Finite elements of a freewheel's friction: torque alone, axial load, and beyond the limit."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.freewheel.fem import Sector, State
+from verify.cases.freewheel.friction.inputs import FrictionInputs
+from verify.cases.freewheel.friction.limit import Limit, over_angles
+from verify.cases.freewheel.friction.model import (
+    EDGES,
+    Borne,
+    ample,
+    at_torque,
+    creeping,
+    lever_left,
+    pulled,
+    sector,
+    yielding,
+)
+from verify.cases.freewheel.sweep import Start
+from verify.core.case import FemResult
+from verify.core.shown import Field
+
+Array = NDArray[np.float64]
+
+LEVELS = (4, 6, 8)  # cells on the half-width of the fine zones
+STEPS = (1.0, 2.0, 3.0, 4.0)  # of the ring along z, over what parts yield at the limit
+FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
+SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
+
+
+def fem(q: FrictionInputs, level: int) -> FemResult:
+    start = at_torque(q, level)
+    rest, held = under_load(q, start, level)
+    alone, borne = Borne.by(rest), Borne.by(held)
+    missed = abs(rest.torque * q.L / q.T - 1)
+    per_torque = q.T / rest.torque  # of forces, at an angle that hardly changes
+    values = {
+        "F_t": Borne.on_mesh(rest).F_t[1] * per_torque, "N": alone.N.mean() * per_torque,
+        "F_a": borne.F_z[0] * per_torque, "balance": borne.F_z.sum() * q.L,
+        "mu_t": alone.tangent, "mu_req": borne.required.mean(),
+    }  # fmt: skip
+    # tan² alpha is linear in the approaches, on which T grows faster
+    u_it = {key: (EDGES + missed / 2) * values[key] for key in ("mu_t", "mu_req", "N")}
+    u_it |= dict.fromkeys(("F_t", "F_a"), SOLVED * values["N"])
+    there = sector(q, start, level, q.mu, driven=True)
+    stuck = there.rest(rest.drags)
+    unit = yielding(q, there, stuck)
+    path = driven(there, stuck, [u * unit for u in STEPS])
+    # slip is where the mesh has its normals: from its angle to that of the torque that is asked for
+    own = lever_left(q.mu, stuck.place) / lever_left(q.mu, stuck.start)
+    force = -own * path[:, 5] / path[:, 3] * q.T / q.R
+    turned = np.diff(path[:, 1]) / np.diff(path[:, 0]) / own
+    values |= {"F_lim": force[-1], "creep": turned[-1]}
+    steep = 1 / (1 - (alone.tangent / q.mu) ** 2)  # d ln(F_lim)/d ln(tan alpha)
+    u_it["F_lim"] = abs(force[-1] - force[-2]) + steep * (EDGES + missed) * force[-1]
+    u_it["creep"] = abs(turned[-1] - turned[-2]) + steep * EDGES * turned[-1]
+    arrays = {
+        "tan": np.array([math.tan(at.psi / 2) for at in (rest.place, rest.start)]),
+        "loaded": np.array([borne.N, borne.F_t, borne.F_z]),
+        "creep": path,
+    }  # fmt: skip
+    if level == LEVELS[-1]:
+        bound = Limit(q, start, rest.drags)
+        arrays |= {
+            "shares": bound.shares(), "onset": bound.of_torque(), "axial onset": bound.of_load(),
+            "angles": over_angles(q, start, rest.drags, float(alone.N.mean()), unit),
+            "let out": let_out(there, stuck, [u * unit for u in FREE]),
+        }  # fmt: skip
+    return FemResult(
+        h=1 / level, values={k: float(v) for k, v in values.items()},
+        u_it={k: float(v) for k, v in u_it.items()}, arrays=arrays, fields=(field(held),),
+    )  # fmt: skip
+
+
+def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[State, State]:
+    """The clutch with ample friction: at rest under torque, and with the axial load as well."""
+    there = sector(q, start, cells, 1.0, driven=False)
+    there = sector(q, start, cells, ample(q, there.place), driven=False)
+    rest = there.rest(start.drags)
+    return rest, pulled(q, there, rest)
+
+
+def driven(there: Sector, stuck: State, way: Sequence[float]) -> Array:
+    """The path of the ring driven along z while N stays, until all slips and the ring creeps.
+
+    It (m, 8) has u_z [m], the way [m] of the ring's bore into the wedge, F_t/N and F_z/N of both
+    contacts by the mesh's normals, N of the ring and T over those at rest.
+    """
+    path, state = [row(stuck, stuck, 0.0)], stuck
+    for u in way:
+        state = creeping(there, state, axial_displacements={"ring.rim": u})
+        path.append(row(state, stuck, u))
+    return np.array(path)
+
+
+def let_out(there: Sector, stuck: State, way: Sequence[float]) -> Array:
+    """The path (m, 8) of the ring driven along z and held about the axis: rollers are let out."""
+    path, state = [row(stuck, stuck, 0.0)], stuck
+    for u in way:
+        state = there.at(stuck.drags, after=state.solution, axial_displacements={"ring.rim": u})
+        path.append(row(state, stuck, u))
+    return np.array(path)
+
+
+def row(state: State, stuck: State, u: float) -> list[float]:
+    b, drag = Borne.on_mesh(state), state.drags[1] - stuck.drags[1]
+    return [
+        u, drag, *(b.F_t / b.N), *(b.F_z / b.N), b.N[1] / Borne.on_mesh(stuck).N[1],
+        state.torque / stuck.torque,
+    ]  # fmt: skip
+
+
+def field(state: State) -> Field:
+    """The sector under both loads: u_z and the shear stress along z."""
+    solution = state.solution
+    cells = solution.plane.cells()
+    assert solution.along is not None
+    corners = cells["cells"].astype(np.int64)
+    u_z = solution.along.u[: len(cells["points"])]
+    shear = np.hypot(*solution.along.stress().T)
+    return Field(
+        name="sector", points=cells["points"], cells=corners,
+        point_data={"displacement": cells["displacement"], "u_z": u_z},
+        cell_data={"shear_z": shear, "log_shear_z": np.log10(np.maximum(shear, 1.0) / 1e6),
+                   "von_mises": cells["von_mises"]},
+        units={"displacement": "m", "u_z": "m", "shear_z": "Pa", "log_shear_z": "1",
+               "von_mises": "Pa"},
+    )  # fmt: skip

@@ -1,0 +1,162 @@
+"""Where friction no longer holds a freewheel: over friction, over wedge angles, with axial load."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.freewheel.geometry import InnerCam
+from verify.cases.contact.errors import fem_errors
+from verify.cases.freewheel.fem import Place, Sector, State
+from verify.cases.freewheel.friction.inputs import FrictionInputs
+from verify.cases.freewheel.friction.model import Borne, fem_along, slipping
+from verify.cases.freewheel.slip import Drive, Driven
+from verify.cases.freewheel.sweep import COARSE, Start
+
+Array = NDArray[np.float64]
+
+BELOW, ABOVE = 1e-3, 1.4e-3  # of tan(psi/2): first bracket of the onset under torque
+STICKING_TOLERANCE = 1e-9  # of N: less on sticking nodes is round-off
+ONSET_WIDTH = 1e-6  # of tan(psi/2): last bracket
+AXIAL_ABOVE = 1e-3  # of mu_req: the first friction with an axial load
+SHARES = (1.01, 1.06, 1.15, 1.35, 1.8, 3.0)  # mu/tan(alpha) of the slip shares
+ANGLES = (0.3, 0.5, 0.7, 0.85, 0.97, 1.03, 1.2, 1.5)  # tan(alpha)/mu of the sweep
+HELD = 0.5  # of N: more is left of it where places are alike and forces are not
+DRIVEN = (1.5, 3.0)  # of the ring along z, over what parts yield: to where all slips
+
+
+class Limit:
+    """The clutch in its place under its torque, with other friction.
+
+    Slip is where Coulomb's law says so on the normals of the mesh: `tan` is of the mesh's angle.
+    """
+
+    def __init__(self, q: FrictionInputs, start: Start, drags: tuple[float, float]) -> None:
+        self.q, self.start, self.drags = q, start, drags
+        self.place = Place.overlapping(q, *start.d)
+        self.tan = math.tan(self.place.psi / 2)
+
+    def slipping(self, mu: float) -> Array:
+        """Share of N (2,) on slipping nodes of both contacts; 1 where contact is lost."""
+        return slipping(self._under_torque(mu))
+
+    def sticks(self, mu: float) -> bool:
+        """Whether loaded nodes of at least one contact stick: friction holds the roller."""
+        return bool(self.slipping(mu).min() < 1 - STICKING_TOLERANCE)
+
+    def _under_torque(self, mu: float) -> State:
+        return Sector(self.place, self.start.widths, COARSE, mu=mu).at(self.drags)
+
+    def shares(self) -> Array:
+        """mu/tan(alpha) and the shares of N that slip, (3, m)."""
+        found = [(k, *self.slipping(k * self.tan)) for k in SHARES]
+        return np.array(found).T
+
+    def of_torque(self) -> Array:
+        """Friction over tan(psi/2) (2,) at which all of both contacts slips: value, half-width."""
+        steps = math.ceil(math.log2((BELOW + ABOVE) / ONSET_WIDTH))
+        return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
+
+    def of_load(self) -> Array:
+        """Friction over Eq. 8 (2,) at which the axial load is the limit: value, half-width."""
+        if self.asked == 0:
+            return self.of_torque()
+        first = 1 + AXIAL_ABOVE
+        second, _ = self._corrected(first)
+        if second < first and not self.sticks(second * self.full):
+            # the first one bears more than the load; with the second, torque alone is too much
+            return np.array([(first + second) / 2, (first - second) / 2])
+        found, doubt = self._corrected(second)
+        return np.array([found, doubt + abs(found - second)])
+
+    def _corrected(self, k: float) -> tuple[float, float]:
+        """Friction over Eq. 8 at which the load is the limit, from slip with `k`; uncertainty.
+
+        Where all slips mu is F_t/N times the root of 1 + (F_ax R/T)², and F_t/N hardly changes.
+        """
+        lever, doubt = self._lever(k * self.full)
+        found = k * math.hypot(1.0, self.asked) / math.hypot(1.0, lever)
+        return found, found * doubt * lever / (1 + lever**2)
+
+    def bears(self, mu: float) -> bool:
+        """Whether friction `mu` holds the clutch under its torque and its axial load.
+
+        NotFoundError where the axial load is the limit but for what this is uncertain by.
+        """
+        if not self.sticks(mu):  # under the torque alone
+            return False
+        lever, doubt = self._lever(mu)
+        if abs(lever - self.asked) <= doubt:
+            raise fem_errors().NotFoundError(
+                f"F_ax R/T = {self.asked:.4g} is within {doubt:.1e} of the limit {lever:.4g}: "
+                "whether it holds is not decided"
+            )
+        return lever > self.asked
+
+    @property
+    def asked(self) -> float:
+        """F_ax R/T."""
+        return self.q.F_ax * self.q.R / self.q.T
+
+    @property
+    def full(self) -> float:
+        """Friction of Eq. 8 at the bisector's angle."""
+        return math.hypot(1.0, self.asked) * self.tan
+
+    def _lever(self, mu: float) -> tuple[float, float]:
+        """F_ax R/T at slip with friction `mu` on coarse meshes, and its uncertainty."""
+        start = replace(self.start, drags=self.drags)
+        drive = Drive.at(self.q.model_copy(update={"mu": mu}), start, COARSE)
+        return drive.lever(Driven(drive.rest, 0.0))
+
+    @staticmethod
+    def _bisected(holds, low: float, high: float, steps: int) -> Array:  # type: ignore[no-untyped-def]
+        if holds(low) or not holds(high):
+            return np.array([math.nan, 0.0])
+        for _ in range(steps):
+            middle = (low + high) / 2
+            low, high = (low, middle) if holds(middle) else (middle, high)
+        return np.array([(low + high) / 2, (high - low) / 2])
+
+
+def over_angles(
+    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float, unit: float
+) -> Array:
+    """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
+
+    tan(alpha)/mu, part of `N` [N/m] that is left, F_t/(mu N) (0 where it is none), and after the
+    ring has been driven along z until all slips F_t/(mu N) and F_z/(mu N) of star and ring. At its
+    own angle the clutch yields by `unit` [m] along z to where it slips. Angles and forces are those
+    of the meshes, on whose normals slip is decided.
+    """
+    own = math.tan(Place.overlapping(q, *start.d).psi / 2) / q.mu
+    most = unit / math.sqrt(1 - own**2)  # under all of mu N
+    found = []
+    for k in ANGLES:
+        psi, (d_i, d_o) = 2 * math.atan(k * q.mu), start.d
+        X = (q.R - q.r + d_o) * math.cos(psi) - q.r + d_i
+        other = q.model_copy(update={"X": X})
+        try:
+            InnerCam(R=q.R, r=q.r, X=X, z=q.z)
+            place = Place.overlapping(other, d_i, d_o)
+            there = Sector(place, start.widths, COARSE, mu=q.mu, along=fem_along(driven=True))
+        except ValueError:  # no such clutch, or none that can be meshed
+            continue
+        found.append([k, *_one_angle(there, drags, N, most)])
+    return np.array(found)
+
+
+def _one_angle(there: Sector, drags: tuple[float, float], N: float, most: float) -> list[float]:
+    state = there.at(drags)
+    borne = Borne.on_mesh(state)
+    mean = float(borne.N.mean())
+    if mean < HELD * N:
+        return [mean / N] + [0.0] * 5
+    mu = there.problem.surfaces.pairs[0].friction
+    alone = borne.tangent / mu
+    for u in DRIVEN:
+        state = there.at(drags, after=state.solution, axial_displacements={"ring.rim": u * most})
+    b = Borne.on_mesh(state)
+    t, z = b.F_t / (mu * b.N), np.abs(b.F_z) / (mu * b.N)
+    return [mean / N, alone, t[0], z[0], t[1], z[1]]

@@ -1,0 +1,204 @@
+"""The claims about a freewheel on the rig's load paths: loads at slip, and what comes before."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from analytic.freewheel import criterion
+from verify.cases.freewheel.paths.formulas import SHARES, courses, expected, of_limit
+from verify.cases.freewheel.paths.times import time_of_slip
+from verify.core.case import Context
+from verify.core.shown import Array
+from verify.judging.agreement import Agreement, Deviation, Pair, demanded, farthest, suites
+from verify.judging.checks import Accepted, Approximation, Fact, Margin
+from verify.judging.printed import Adopted
+
+OWN, KEPT, ALIKE = (
+    2e-3,
+    5e-3,
+    1e-2,
+)  # what is accepted of mu_req, of the torque, of the amplitude at slip
+ROOTED = "twice the friction cone's 0.5 %: it is a root of a small difference"
+STATICS = "as sharp as F_t/F_n against tan(ψ/2)"
+SETTLES = 1 / 3  # of the first cycle's walk, in the last
+GOES_ON = 0.9  # of the walk in the cycle before
+ANGLE = "two bodies that enclose the star say alpha, surfaces tilt under N"
+RULE = "rule adopted, not derived: an average over the runs of clutch A in load case 1"
+
+
+def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
+    """mu_req of finite elements and Eq. 9 at their own angle and loads, states of a path."""
+    arrays, q = context.fem[at].arrays, context.inputs
+    (tan, T, unit), table = arrays["own"], arrays[name]
+    found = criterion.required_friction_of_contact(
+        F_n=1.0, F_t=table[:, 1:3], F_a=table[:, 3:5]
+    ).mean(axis=1)
+    F_ax = np.abs(table[:, 0]) * unit
+    return found, criterion.required_friction(alpha=np.arctan(tan), T=T, F_ax=F_ax, R=q.R)
+
+
+def own(context: Context, name: str) -> Pair:
+    """Eq. 9 and both contacts' resultant over N, where they differ most along a path.
+
+    What the finest meshes differ by in that is its uncertainty.
+    """
+    pairs = (_required(context, at, name) for at in (-2, -1))
+    before, now = (farthest(needed, found, 0.0) for found, needed in pairs)
+    off, earlier = (one.value / one.reference - 1 for one in (now, before))
+    words = f"off by at most {abs(off):.2%}, {OWN:.1%} accepted"
+    return replace(now, U=abs(abs(off) - abs(earlier)) * now.reference, words=words)
+
+
+def torque(context: Context) -> tuple[float, float, str]:
+    """Torque of all states up to the limit over that at rest."""
+    before, now = (
+        max(float(np.abs(r.arrays[name][:, 6] - 1).max()) for name in ("ramp", "growing"))
+        for r in context.fem[-2:]
+    )
+    return now, abs(now - before), f"changes by at most {now:.2%}, {KEPT:.1%} accepted"
+
+
+def at_slip(context: Context, case: int) -> Pair:
+    """Amplitude at which finite elements slip against Eq. 9, from the finest mesh alone."""
+    F, half = slips(context, case)
+    needed = context.analytic["F_lim 3" if case == 3 else "F_lim"]
+    words = f"{F:.5g} N by finite elements, Eq. 9 {needed / F - 1:+.2%}, {ALIKE:.0%} accepted"
+    return Pair(needed, F, half, words)
+
+
+def slips(context: Context, case: int) -> tuple[float, float]:
+    """Axial load [N] at which finite elements slip, and how sure that is."""
+    last = context.fem[-1]
+    if case == 1:
+        return last.values["F_1"], last.u_it["F_1"]
+    F, half = last.arrays["slips"][case - 2]
+    return float(F), float(half)
+
+
+def settles(context: Context) -> tuple[float, float, str]:
+    """A small alternating load turns the ring on less and less."""
+    before, now = (
+        float(walk[-1] / walk[0]) for walk in (r.arrays["cycles"][0] for r in context.fem[-2:])
+    )
+    first, last = 1e9 * context.fem[-1].arrays["cycles"][0][[0, -1]]
+    words = (
+        f"at 0.4 of the limit the bore turns on by {first:.3g} nm in the first cycle, "
+        f"{last:.2g} nm in the last of four"
+    )
+    return SETTLES - now, abs(now - before), words
+
+
+def walks(context: Context) -> tuple[float, float, str]:
+    """A large one turns it on in every cycle, long before it slips."""
+    before, now = (
+        float(walk[-1] / walk[-2]) for walk in (r.arrays["cycles"][1] for r in context.fem[-2:])
+    )
+    ends = [1e9 * r.arrays["cycles"][1][-1] for r in context.fem[-2:]]
+    rate, spread = ends[-1], abs(ends[1] - ends[0])
+    words = (
+        f"at 0.8 of the limit the bore turns on by {rate:.0f} nm in every cycle (meshes differ by "
+        f"{spread:.0f} nm), the last {now:.3f} of that before"
+    )
+    return now - GOES_ON, abs(now - before), words
+
+
+def falls(context: Context) -> tuple[float, float]:
+    """In phase about zero mu_req is largest where the torque is."""
+    key, low = (f"mu_req at {share:g}" for share in SHARES)
+    before, now = (r.values[key] / r.values[low] - 1 for r in context.fem[-2:])
+    return now, abs(now - before)
+
+
+def in_time(context: Context, case: int) -> Pair:
+    """The formula's time of slip within those at which the path is `ALIKE` beside what FE bear.
+
+    A course names the first of its times beyond slip: half a step of it is unknown.
+    """
+    q, along = context.inputs, courses(context.inputs)[case]
+    F, half = slips(context, case)
+    step = float(along.t[1] - along.t[0])
+    own = along.slips_at - step / 2
+    if not math.isfinite(own):
+        return Pair(own, math.nan, 0.0, "the path ends before it slips")
+    early, below, found, above, late = (
+        time_of_slip(q, case, F + d, context.fem[-1].values)
+        for d in (-ALIKE * F, -half, 0.0, half, ALIKE * F)
+    )
+    words = (
+        f"{own:.5f} s, finite elements {found:.5f} s, from {early:.5f} to {late:.5f} s accepted: "
+        f"{ALIKE:.0%} of their load"
+    )
+    allowed = early / found - 1, late / found - 1
+    U = max(above - found, found - below) + step / 2
+    return Pair(own, found, U, words, allowed)
+
+
+def in_phase(share: float) -> Approximation:
+    key = f"mu_req at {share:g}"
+    return Approximation(
+        name=f"required friction, load case 3, at {share:g} of the amplitudes (Eqs. 8, 9)",
+        symbol="μ_req", unit="1", fem=key, analytic=key, source=ANGLE, formal=2,
+        interval=lambda q, _v: expected(q, q.T_m + share * q.T).slope(tilted=True),
+    )  # fmt: skip
+
+
+def accepted(name: str, symbol: str, margin: Margin) -> Accepted:
+    return Accepted(name=name, symbol=symbol, unit="1", margin=margin)
+
+
+def agrees(
+    name: str, symbol: str, unit: str, pair: Callable[[Context], Pair], figure: float, why: str
+) -> Agreement:
+    return Agreement(name=name, symbol=symbol, unit=unit, pair=pair, accepted=figure,
+                     source=suites(why),
+                     **demanded(figure))  # fmt: skip
+
+
+def slips_in_time(case: int) -> Agreement:
+    return Agreement(
+        name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=ALIKE,
+        pair=lambda c: in_time(c, case),
+        source=suites(f"when the path is {ALIKE:.0%} beside the load that finite elements bear"),
+    )  # fmt: skip
+
+
+CHECKS = (
+    Approximation(name="axial load at slip, torque first (load case 1)", symbol="F_ax", unit="N",
+                  fem="F_1", analytic="F_lim", source=ANGLE, formal=2, own_demand=0.03,
+                  own_reason="it goes as √((μ/tan α)² − 1)",
+                  interval=lambda q, _v: of_limit(q, q.T)),
+    agrees("axial amplitude at slip, steady torque (load case 2)", "F_ax", "N",
+           lambda c: at_slip(c, 2), ALIKE, ROOTED),
+    agrees("axial amplitude at slip, both in phase (load case 3)", "F_ax", "N",
+           lambda c: at_slip(c, 3), ALIKE, ROOTED),
+    *(in_phase(share) for share in SHARES),
+    Fact(name="load case 3: required friction is largest at the largest torque", symbol="μ_req",
+         unit="1", margin=falls),
+    agrees("required friction along load case 1, at its own angle (Eqs. 8, 9)", "μ_req", "1",
+           lambda c: own(c, "ramp"), OWN, STATICS),
+    agrees("required friction at the extremes of load case 2, at its own angle (Eqs. 8, 9)",
+           "μ_req", "1", lambda c: own(c, "growing"), OWN, STATICS),
+    *(slips_in_time(case) for case in (1, 2, 3)),
+    Deviation(name="torque is kept up to the limit", symbol="T/T_0 − 1", unit="1", size=torque,
+              accepted=KEPT,
+              source=suites("half of the 1 % that rows are asked for"), whole="torque at rest"),
+    accepted("a small alternating load settles: shakedown", "RΔφ", settles),
+    accepted("a large alternating load makes the ring walk: ratcheting below slip", "RΔφ", walks),
+    Adopted(name="class red below", symbol="μ/μ_req", unit="1", analytic="coulomb",
+            reference="nagler2021:friction-ratio-red-yellow",
+            why=f"{RULE}; by Coulomb it slips below 1 (erratum traffic-light-wording)"),
+    Adopted(name="class green from", symbol="μ/μ_req", unit="1", analytic="coulomb",
+            reference="nagler2021:friction-ratio-yellow-green",
+            why=f"{RULE}; it is Coulomb's limit, with the equal sign (erratum eq-10-strictness)"),
+    Adopted(name="torsion that the rig allows", symbol="φ", unit="deg", analytic="phi",
+            reference="nagler2021:rig-torsion-angle",
+            why="range of the rig, beside the torsion under the largest torque"),
+    Adopted(name="axial displacement that the rig allows", symbol="u_z", unit="mm",
+            reference="nagler2021:rig-axial-displacement",
+            why="range of the rig: before slip the clutch deflects by some µm, the rest is slip"),
+    Adopted(name="test runs of each clutch", symbol="n", unit="1",
+            reference="nagler2021:test-runs-per-clutch",
+            why="their settings (Table 1) are not in the text: three paths stand for the kinds"),
+)  # fmt: skip

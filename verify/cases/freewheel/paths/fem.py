@@ -1,0 +1,150 @@
+"""Finite elements of a freewheel along the rig's load paths, from rest to rest with their history.
+
+Load cases 1 and 2 keep the torque: the roller stays in its place, and where friction lets it creep
+out the ring turns on. Axial loads count at the torque that is asked for. In load case 3 rollers
+roll on by more than their contacts are wide; each torque has a place and a mesh of its own, where
+both loads come on together.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.freewheel.fem import Place, Sector, State
+from verify.cases.freewheel.friction.fem import field
+from verify.cases.freewheel.friction.model import HARDER, Borne, ample, creeping, sector, slipping
+from verify.cases.freewheel.friction.model import at_torque as start_at
+from verify.cases.freewheel.paths.inputs import PathInputs
+from verify.cases.freewheel.slip import Drive, axial_unit
+from verify.cases.freewheel.sweep import Start, after
+from verify.core.case import FemResult
+
+Array = NDArray[np.float64]
+
+LEVELS = (3, 4, 5)  # cells on the half-width of the fine zones
+SHARES = (1.0, 0.3)  # sines of load case 3
+RAMP = (0.3, 0.6, 0.95)  # of the limit of the axial load, load case 1
+GROWING = (0.3, -0.45, 0.6, -0.75, 0.9, -0.95)  # and at the extremes of load case 2
+QUIET, LOUD, CYCLES = 0.4, 0.8, 4  # amplitudes that stay the same, and for how long
+SOLVED = 1e-6  # of mu_req
+CORRECTIONS = 2  # of a place under another torque
+OTHERS = (0.6, 0.9)  # and further ones, of the figure alone
+TOGETHER = 0.95  # of the way to the limit in load case 3: what comes from no load at once
+
+
+@dataclass(frozen=True)
+class Held:
+    """The clutch under its torque and axial forces, in a unit of what friction leaves for F_z."""
+
+    q: PathInputs
+    there: Sector
+    rest: State
+
+    @classmethod
+    def at(cls, q: PathInputs, start: Start, cells: int, mu: float) -> "Held":
+        there = sector(q, start, cells, mu, driven=False)
+        return cls(q, there, there.rest(start.drags))
+
+    @property
+    def unit(self) -> float:
+        """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
+        return axial_unit(self.q, self.rest)
+
+    def to(self, share: float, state: State) -> State:
+        """On from `state` to an axial load; NotFoundError where no rest is found under it."""
+        return creeping(self.there, state, axial_forces={"ring.rim": share * self.unit})
+
+
+def fem(q: PathInputs, level: int) -> FemResult:
+    start = start_at(q, level)
+    held, drive = Held.at(q, start, level, q.mu), Drive.at(q, start, level)
+    ramp, growing = follow(held, RAMP), follow(held, GROWING)
+    values = in_phase(q, start, level)
+    u_it = dict.fromkeys(values, SOLVED)
+    values["F_1"], u_it["F_1"] = drive.load(drive.along(RAMP))
+    arrays = {
+        "ramp": rows(held, RAMP, ramp), "growing": rows(held, GROWING, growing),
+        "own": np.array([
+            math.tan(held.rest.place.psi / 2), held.rest.torque * q.L, held.unit * q.z * q.L,
+        ]),
+    }  # fmt: skip
+    if level != LEVELS[0]:
+        arrays["cycles"] = np.array([walk(held, share) for share in (QUIET, LOUD)])
+    if level == LEVELS[-1]:
+        last = drive if q.T_critical == q.T else critical(q, start, level)
+        arrays["slips"] = np.array([
+            drive.load(drive.along(GROWING)), last.load(last.together(TOGETHER)),
+        ])  # fmt: skip
+        coarse = Held.at(q, start_at(q, LEVELS[0]), LEVELS[0], q.mu)
+        arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
+    return FemResult(
+        h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(growing[-1]),)
+    )
+
+
+def in_phase(q: PathInputs, near: Start, cells: int) -> dict[str, float]:
+    """Load case 3: required friction at `SHARES`."""
+    values = {}
+    for share in SHARES:
+        there = q.model_copy(update={"T": q.T_m + share * q.T, "F_ax": share * q.F_ax})
+        start = under(there, near, q, cells)
+        mu = ample(there, Place.overlapping(there, *start.d))
+        own = Held.at(there, start, cells, mu)
+        force = {"ring.rim": there.F_ax * own.rest.torque / (q.z * there.T)}
+        state = own.there.at(own.rest.drags, axial_forces=force)
+        values[f"mu_req at {share:g}"] = float(Borne.by(state).required.mean())
+    return values
+
+
+def critical(q: PathInputs, near: Start, cells: int) -> Drive:
+    """The clutch at the torque of load case 3 at which the least amplitude slips."""
+    there = q.model_copy(update={"T": q.T_critical})
+    return Drive.at(there, under(there, near, q, cells), cells)
+
+
+def under(there: PathInputs, near: Start, q: PathInputs, cells: int) -> Start:
+    """Where the clutch lies under the torque of `there`, from where it lies under that of `q`."""
+    if there.T == q.T:
+        return near
+    now = near.scaled((there.T / q.T) ** HARDER)
+    for _ in range(CORRECTIONS):
+        state = now.state(there, cells)
+        now = after(state).scaled((there.T / (state.torque * there.L)) ** HARDER)
+    return now
+
+
+def follow(held: Held, shares: Sequence[float]) -> list[State]:
+    states, state = [], held.rest
+    for share in shares:
+        state = held.to(share, state)
+        states.append(state)
+    return states
+
+
+def walk(held: Held, share: float) -> Array:
+    """How far (CYCLES,) [m] the ring's bore turns on in each cycle of one axial amplitude."""
+    state, drags = held.rest, [held.rest.drags[1]]
+    for _ in range(CYCLES):
+        state = held.to(-share, held.to(share, state))
+        drags.append(state.drags[1])
+    return np.diff(drags)
+
+
+def rows(held: Held, shares: Sequence[float], states: Sequence[State]) -> Array:
+    """Of each state (m, 9) its share and what it bears.
+
+    F_t/N and F_z/N of star and ring, N and T over those at rest, the part of N that slips, and the
+    largest u_z [m].
+    """
+    N, found = Borne.by(held.rest).N.mean(), []
+    for share, state in zip(shares, states, strict=True):
+        b, along = Borne.by(state), state.solution.along
+        assert along is not None
+        found.append([
+            share, *(b.F_t / b.N), *(b.F_z / b.N), b.N.mean() / N,
+            state.torque / held.rest.torque, slipping(state).mean(), np.abs(along.u).max(),
+        ])  # fmt: skip
+    return np.array(found)

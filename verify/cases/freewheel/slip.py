@@ -1,0 +1,157 @@
+"""Axial load at which a freewheel slips: the ring driven along z until friction bears no more.
+
+The limit is read from solved states alone. The axial load first follows its path, met by
+displacements of the ring's rim; then the rim goes on until no loaded node of a contact sticks and
+the resultant of its friction is mu N, which no state of this N and F_t exceeds.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from verify.cases.contact.errors import fem_errors
+from verify.cases.freewheel.fem import Sector, State
+from verify.cases.freewheel.friction.inputs import FrictionInputs
+from verify.cases.freewheel.friction.model import (
+    EDGES,
+    Borne,
+    creeping,
+    lever_left,
+    sector,
+    yielding,
+)
+from verify.cases.freewheel.sweep import Start
+
+STEP = 0.25  # of the rim along z, over what parts yield at the limit
+MOBILISED = 1e-6  # of the axial force: by no more may the cone let it grow where a contact slips
+MET = 2e-3  # of the limit, within which loads of a path are met
+MOST = 40  # steps
+# Halving the steps again and again adds 1.5 to 2.1 times what the last halving did, measured down
+# to a thirty-second of what parts yield.
+HALVINGS = 2.5
+
+
+@dataclass(frozen=True)
+class Driven:
+    """The ring's rim at `u` [m] along z, and the state there."""
+
+    state: State
+    u: float
+
+    @property
+    def force(self) -> float:
+        """Axial force [N/m] of one roller on the star."""
+        return float(Borne.on_mesh(self.state).F_z[0])
+
+
+@dataclass(frozen=True)
+class Drive:
+    """The clutch of `q` under its torque, with its ring's rim driven along z.
+
+    The roller stays in its place: the ring turns on where friction lets it creep.
+    """
+
+    q: FrictionInputs
+    there: Sector
+    rest: State
+
+    @classmethod
+    def at(cls, q: FrictionInputs, start: Start, cells: int) -> "Drive":
+        there = sector(q, start, cells, q.mu, driven=True)
+        return cls(q, there, there.rest(start.drags))
+
+    @property
+    def unit(self) -> float:
+        """F_z [N/m] with which F_t makes mu N by the normals of the mesh, and the torque."""
+        return axial_unit(self.q, self.rest)
+
+    @cached_property
+    def way(self) -> float:
+        """How far [m] parts would yield along z under that force if nothing slipped."""
+        return yielding(self.q, self.there, self.rest)
+
+    def along(self, shares: Sequence[float]) -> Driven:
+        """The end of a load path: at rest, then at these parts of `unit` one after the other."""
+        at = Driven(self.rest, 0.0)
+        for share in shares:
+            at = self._to(share * self.unit, at)
+        return at
+
+    def together(self, share: float) -> Driven:
+        """Torque and axial load at once, from no load: what parts yield under a part of `unit`."""
+        u = share * self.way
+        rim = {"ring.rim": u}
+        first = self.there.at(self.rest.drags, axial_displacements=rim)
+        return Driven(creeping(self.there, first, axial_displacements=rim), u)
+
+    def load(self, at: Driven) -> tuple[float, float]:
+        """Axial load [N] on the whole clutch at slip, on from `at`, and its uncertainty.
+
+        At the torque asked for, and at the angle that the clutch has there.
+        """
+        q = self.q
+        lever, doubt = self.lever(at)
+        own = lever_left(q.mu, self.rest.place) / lever_left(q.mu, self.rest.start)
+        missed = self._steep * abs(self.rest.torque * q.L / q.T - 1)
+        return lever * own * q.T / q.R, (doubt + missed * lever) * own * q.T / q.R
+
+    def lever(self, at: Driven) -> tuple[float, float]:
+        """F_ax R/T at slip, on from `at`, and its uncertainty: friction depends on the steps."""
+        (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
+        return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
+
+    def left(self, at: Driven) -> float:
+        """By what part of it the axial force may grow within the cone, at this N and F_t."""
+        b = Borne.on_mesh(at.state)
+        force = b.F_z * (1, -1)
+        if not np.all(force > 0):
+            return np.inf
+        bound = np.sqrt(np.maximum((self.q.mu * b.N) ** 2 - b.F_t**2, 0.0))
+        return float((bound / force).min()) - 1
+
+    @property
+    def _steep(self) -> float:
+        """Minus d ln(lever)/d ln(tan alpha) at the limit."""
+        return 1 + 1 / lever_left(self.q.mu, self.rest.start) ** 2
+
+    def _slip(self, at: Driven, step: float) -> tuple[float, float]:
+        """The largest F_ax R/T on the way to slip, and what is `left` there."""
+        largest, ahead = 0.0, 0.0
+        for _ in range(MOST):
+            new = self._onward(at, step * self.way, ahead)
+            ahead = new.state.drags[1] - at.state.drags[1]
+            at, left = new, self.left(new)
+            largest = max(largest, new.force * self.q.z * self.q.R / new.state.torque)
+            if new.state.solution.slides and left <= MOBILISED:
+                return largest, left
+        raise fem_errors().NotFoundError(
+            f"no slip was found: {MOST} steps along z leave {left:.1e} of the axial force to the "
+            "friction cone"
+        )
+
+    def _to(self, force: float, at: Driven) -> Driven:
+        """On to an axial force [N/m], which secants approach from where it comes."""
+        slope = self.unit / self.way
+        for _ in range(MOST):
+            missing = force - at.force
+            if abs(missing) <= MET * self.unit:
+                return at
+            new = self._onward(at, missing / slope)
+            slope = (new.force - at.force) / (new.u - at.u)
+            at = new
+            if not slope > 0:
+                break
+        raise fem_errors().NotFoundError(
+            f"the axial force {force:.4g} N/m is missed by {missing:.1e} N/m"
+        )
+
+    def _onward(self, at: Driven, du: float, ahead: float = 0.0) -> Driven:
+        u = at.u + du
+        return Driven(creeping(self.there, at.state, ahead, axial_displacements={"ring.rim": u}), u)
+
+
+def axial_unit(q: FrictionInputs, rest: State) -> float:
+    """F_z [N/m] of one roller that friction leaves beside F_t at rest, by the mesh's normals."""
+    return rest.torque / (q.z * q.R) * lever_left(q.mu, rest.start)

@@ -1,0 +1,115 @@
+"""What an inner star looks like: one pitch of star, roller and ring, with its measures."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from verify.core.shown import Array, Shape, Sketch
+
+mm = 1e-3
+SIDE = 0.62  # of the drawing's height: room for labels on either side
+
+
+def ray(angle: float) -> Array:
+    """Unit vector at an angle [rad] from the upright, clockwise."""
+    return np.array([math.sin(angle), math.cos(angle)])
+
+
+def arc(r: float, start: float, end: float) -> Array:
+    """Points (m, 2) on a circle around the axis, from one angle [rad] to another."""
+    turn = np.linspace(start, end, 61)
+    return np.asarray(r * np.column_stack([np.sin(turn), np.cos(turn)]))
+
+
+def label(name: str, metres: float, digits: int = 5) -> str:
+    return f"{name} = {metres / mm:.{digits}g} mm"
+
+
+def sketch(q: Any) -> Sketch:
+    """One pitch to scale, in metres; radii and X are measured from the axis, which lies below."""
+    cam, half = q.cam, math.pi / q.z
+    psi = 2 * float(cam.alpha0)
+    corner = min(q.X / math.cos(half), q.R)
+    centre = np.array([float(v) for v in cam.centre(d_i=0.0, d_o=0.0)])
+    circle = arc(q.r, 0.0, 2 * math.pi)
+    low, top = q.r_b * math.cos(half), q.R_a
+    tall, wide = top - low, max(q.R_a * math.sin(half + psi), q.R * math.sin(half))
+    shapes = (
+        Shape(style="modelled",
+              points=np.vstack([arc(q.r_b, -half, half), corner * ray(half), corner * ray(-half)])),
+        Shape(style="modelled", points=np.vstack(
+            [arc(q.R, psi - half, psi + half), arc(q.R_a, psi + half, psi - half)])),
+        Shape(style="body", points=centre + circle),
+        *(Shape(style="clamp", points=arc(q.r_b, half, -half)[[k, k + 15]])
+          for k in (0, 15, 30, 45)),
+        *_forces(q, centre, psi, tall),
+        *_turning(q, half, psi, tall),
+        *_flat(q, half, low, tall, wide),
+        *_radii(q, centre, half, psi, tall, wide),
+        Shape(style="text", points=np.array([[wide + SIDE * tall, low - 0.1 * tall]])),
+        Shape(style="text", points=np.array([[-wide - 0.5 * SIDE * tall, low]])),
+    )  # fmt: skip
+    return Sketch(
+        title=f"one of {q.z} pitches, to scale, the axis lies below: T on the ring draws the "
+        "roller into the gap that narrows to the right; both section planes of star and "
+        "ring deform equally",
+        shapes=shapes,
+    )
+
+
+def _forces(q: Any, centre: Array, psi: float, tall: float) -> tuple[Shape, ...]:
+    """Normal forces at both contacts, within the walls."""
+    up, out = ray(0.0), ray(psi)
+    star, ring = centre - q.r * up, centre + q.r * out
+    short, long = 0.55 * min(0.3 * tall, q.X - q.r_b), 0.8 * min(0.25 * tall, q.R_a - q.R)
+    aside = np.array([0.075 * tall, 0.0])
+    return (
+        Shape(style="load", points=np.vstack([star - short * up, star])),
+        Shape(style="load", points=np.vstack([ring + long * out, ring])),
+        Shape(style="text", points=(ring + 0.4 * long * out + aside)[None], label="F_n"),
+    )
+
+
+def _turning(q: Any, half: float, psi: float, tall: float) -> tuple[Shape, ...]:
+    """The angle between the normals of flat and ring, and the torque with its sense."""
+    r = q.R_a + 0.1 * tall
+    far = r + 0.05 * tall
+    over = far * ray(psi / 2) + np.array([0.0, 0.06 * tall])
+    return (
+        Shape(style="axis", points=np.vstack([q.r_b * ray(0.0), far * ray(0.0)])),
+        Shape(style="axis", points=np.vstack([q.r_b * ray(psi), far * ray(psi)])),
+        Shape(style="angle", points=arc(r, 0.0, psi)),
+        Shape(style="text", points=over[None], label=f"ψ = 2α_0 = {math.degrees(psi):.4g}°"),
+        Shape(style="load", label="T",
+              points=arc(q.R_a + 0.06 * tall, min(0.0, psi - 0.7 * half) - 0.35 * half,
+                         -0.15 * half)),
+    )  # fmt: skip
+
+
+def _flat(q: Any, half: float, low: float, tall: float, wide: float) -> tuple[Shape, ...]:
+    """X from the axis: the measure's foot lies beyond the drawing."""
+    at, edge = -wide - 0.08 * tall, -q.X * math.tan(half)
+    return (
+        Shape(style="faint", points=np.array([[edge, q.X], [at - 0.03 * tall, q.X]])),
+        Shape(style="leader", points=np.array([[at, low], [at, q.X]]), label=label("X", q.X, 7)),
+    )
+
+
+def _radii(
+    q: Any, centre: Array, half: float, psi: float, tall: float, wide: float
+) -> tuple[Shape, ...]:
+    """Radii on the right, one below the other, each with an arrow to its circle."""
+    foot = min(q.R * math.cos(half + psi) - 0.06 * tall, q.R_a - 0.2 * tall)
+    below = min(q.r_b, foot - 0.3 * tall)
+    named = (
+        ("R_a", q.R_a, q.R_a * ray(psi + 0.8 * half), q.R_a),
+        ("R", q.R, q.R * ray(psi + 0.6 * half), foot),
+        ("r", q.r, centre + q.r * ray(math.radians(105)), (foot + below) / 2),
+        ("r_b", q.r_b, q.r_b * ray(0.75 * half), below),
+    )
+    x = wide + 0.06 * tall
+    return tuple(
+        Shape(style="leader", points=np.vstack([[x, y], tip]), label=label(name, value))
+        for name, value, tip, y in named
+    )

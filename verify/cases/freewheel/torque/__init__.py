@@ -1,0 +1,1 @@
+"""Case freewheel-torque."""

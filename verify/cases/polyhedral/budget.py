@@ -1,0 +1,148 @@
+"""Error budgets of polyhedral rings: walls, corners, contacts and the plane assumption."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.cases.polyhedral.inputs import HubRing
+from verify.core.case import FemResult
+from verify.judging.budget_statement import (
+    Cause,
+    Corrected,
+    Rerun,
+    Statement,
+    plane_strain,
+    plane_stress,
+)
+
+PROBLEM = "fem.contact.problem:ContactProblem"
+THINNER, SHARPER, LIGHTER = 10, 10, 16
+
+
+def thin_round(q: Any) -> Any:
+    """A thinner wall about the same mean diameter."""
+    wall = q.delta_1 / THINNER
+    return q.model_copy(update={"d_e": q.d_m + wall, "delta_1": wall})
+
+
+def sharp(q: HubRing) -> HubRing:
+    """Fillets a tenth as large, corners where they are."""
+    return q.model_copy(update={"rho": q.rho / SHARPER})
+
+
+def fem_round(q: HubRing, level: int) -> FemResult:
+    """K of the same wall with a round bore."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.quarter import quarter_ring
+    from verify.cases.polyhedral.fem import UNIT
+    from verify.cases.polyhedral.ring.case import stiffness
+
+    ring = solve_plane(
+        quarter_ring(r_i=q.d_i / 2, r_o=q.d_e / 2, refine=level),
+        materials=Elastic(E=q.E, nu=q.nu), assumption="plane stress",
+        supports={"x=0": "x", "y=0": "y"}, pressures={"bore": UNIT},
+    )  # fmt: skip
+    rim = ring.on_boundary("rim")
+    u = float(rim.mean(rim.polar()[0]))
+    K = stiffness(q, {"mid": u, "mean": u, "corner": u})["K mid"]
+    return FemResult(h=1 / level, values={"K mid": K})
+
+
+def fem_thin_round(q: HubRing, level: int) -> FemResult:
+    """The same of a wall a tenth as thick."""
+    return fem_round(thin_round(q), level)
+
+
+def light(q: Any) -> Any:
+    """A contact a quarter as wide."""
+    return q.model_copy(update={"N": q.N / LIGHTER})
+
+
+def tight(q: Any) -> Any:
+    """A clearance a quarter as large, under a quarter of the pressure."""
+    return q.model_copy(update={"j_D": q.j_D / 4, "p_t": q.p_t / 4})
+
+
+def clutch_tight(q: Any) -> Any:
+    """The same of a clutch, whose race says the clearance."""
+    return q.model_copy(
+        update={"D_i": q.D_i - 0.75 * (q.D_i - 2 * q.d - q.d_e), "p_t": q.p_t / 4, "M_t": q.M_t / 4}
+    )
+
+
+LIMITED = Rerun(
+    cause=Cause.PLANE, what="plane strain instead of plane stress", changes=plane_strain(PROBLEM),
+    levels=(1,), shared=True,
+)  # fmt: skip
+
+SHARP, ROUND = "fillets a tenth as large", "and a round bore, no corners"
+K = ("K of the paper",)
+
+BY_SERIES = "as printed, beside the series of a ring on its rollers"
+
+STATEMENTS: Mapping[str, Statement] = {
+    "polyhedral-pressure": Statement(
+        reruns=(
+            Rerun(
+                cause=Cause.GEOMETRY, what="a wall a tenth as thick, mean diameter as it is",
+                rows=("*Eq. 8", "*Eq. 9*", "*Eq. 10"), inputs=thin_round,
+            ),
+            Rerun(
+                cause=Cause.PLANE, what="plane strain instead of plane stress",
+                rows=("*Eq. 8", "*Eq. 9*", "*Eq. 10"), changes=plane_strain(), shared=True,
+            ),
+        ),
+        finer=6,
+    ),
+    "polyhedral-ring": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what=SHARP, rows=K, inputs=sharp),
+            Rerun(cause=Cause.GEOMETRY, what=ROUND, rows=K, fem=fem_round, after=SHARP),
+            Rerun(cause=Cause.GEOMETRY, what="and a wall a tenth as thick, mean diameter as it is",
+                  rows=K, fem=fem_thin_round, after=ROUND),
+            Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
+                  changes=plane_strain(), shared=True),
+        ),
+        finer=8,
+    ),
+    "polyhedral-map": Statement(finer=4),
+    "polyhedral-locking": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="clearance and pressure a quarter: a narrower contact",
+                  inputs=tight, levels=(1,)),
+            LIMITED,
+        ),
+        corrected=(
+            Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N", BY_SERIES),
+            Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N with hub", BY_SERIES),
+        ),
+        finer=5, headline="force of a roller under pressure, series",
+    ),
+    "polyhedral-wedge": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="a sixteenth of the force: contacts a quarter as wide",
+                  inputs=light),
+            Rerun(cause=Cause.PLANE, what="plane stress instead of plane strain", shared=True,
+                  changes=plane_stress(PROBLEM)),
+        ),
+        corrected=(
+            Corrected("torque of free rollers, Eq. 3 as printed", "M_free"),
+            Corrected("normal force per torque, free, Eq. 4 as printed", "N/M"),
+        ),
+        finer=32, headline="stick half-width of a roller let go, T/(μN) = 0.6",
+    ),
+    "polyhedral-clutch": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="clearance, pressure and torque a quarter",
+                  inputs=clutch_tight, levels=(1,)),
+            LIMITED,
+        ),
+        corrected=(
+            Corrected("torque, Eq. 20", "M series", BY_SERIES),
+            Corrected("torque of the first design, Eq. 21", "M series", BY_SERIES),
+            Corrected("pressure for the torque that is wanted, Eqs. 17 to 20", "p series",
+                      BY_SERIES),
+        ),
+        finer=5, headline="torque of the elastic ring, series",
+    ),
+}  # fmt: skip

@@ -1,0 +1,111 @@
+"""Inputs of the whole polyhedral ring clutch, from its parts to the torque that is wanted."""
+
+import math
+
+import numpy as np
+from pydantic import model_validator
+
+from verify.cases.polyhedral.inputs import PolygonRing, check_on_the_flat
+from verify.core.inputs import Inputs, count, quantity
+
+FLATTENED = 0.15  # a/d that rollers may reach
+NARROWEST, WIDEST = 1e-5, 0.02  # of d_e: clearances that a ring can take up
+
+
+class ClutchInputs(Inputs):
+    """Ring, rollers, race and hub; the paper prints no numbers, these are the project's own."""
+
+    M_t: float = quantity("100 N m", "N m", "M_t", "target torque", gt=0, le=1e9)
+    p_t: float = quantity("30 MPa", "MPa", "p_t", "pressure that is available", gt=0, le=1e4)
+    z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
+    D_i: float = quantity("100.06 mm", "mm", "D_i", "bore of the race", gt=0, le=1e5)
+    d: float = quantity("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
+    d_e: float = quantity("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
+    delta_1: float = quantity("4 mm", "mm", "δ_1", "wall of the ring in its corners", gt=0, le=1e5)
+    rho: float = quantity("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    b: float = quantity("30 mm", "mm", "b", "width of ring and rollers", gt=0, le=1e5)
+    e: float = quantity(
+        "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
+    )
+    mu: float = quantity(0.08, "1", "μ", "friction of the rollers", gt=0, lt=1)
+    tan_phi: float = quantity(0.05, "1", "tan φ_1", "friction between hub and ring", ge=0, le=1)
+    E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio of all parts", ge=0, le=0.45)
+    alpha: float | None = quantity(
+        None, "deg", "α", "wedge angle of the rollers; 2 arctan μ without it", omitted=None,
+        gt=0, le=25, example="6 deg",
+    )  # fmt: skip
+    R_p: float | None = quantity(
+        None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
+        example="900 MPa",
+    )  # fmt: skip
+
+    @property
+    def j_D(self) -> float:
+        """Clearance on the diameter [m] (Eq. 7)."""
+        return self.D_i - (self.d_e + 2 * self.d)
+
+    @property
+    def ring(self) -> PolygonRing:
+        """The elastic ring alone; ValidationError where it cannot be."""
+        return PolygonRing(
+            d_e=self.d_e, delta_1=self.delta_1, j_D=self.j_D, E=self.E, nu=self.nu, R_p=self.R_p,
+            z=self.z, rho=self.rho,
+        )  # fmt: skip
+
+    @property
+    def psi(self) -> float:
+        """Angle [rad] between a flat's normal and the radius to the hub's contact."""
+        return math.atan2(self.e, self.ring.apothem)
+
+    @property
+    def phi_1(self) -> float:
+        """Angle of friction between hub and ring [rad]."""
+        return math.atan(self.tan_phi)
+
+    def _check_loads(self) -> None:
+        """ValueError where rollers would be pressed flat: a/d beyond `FLATTENED`."""
+        E_star = self.E / 2 / (1 - self.nu**2)
+        most = np.pi * E_star * (FLATTENED * self.d) ** 2 / 4 * (2 / self.d + 2 / self.d_e)
+        torque = self.mu * most * self.b * self.z * self.D_i / 2
+        if self.M_t > torque:
+            raise ValueError(
+                f"M_t = {self.M_t:.4g} N m presses rollers of {self.d * 1e3:g} mm flat: at most "
+                f"{torque:.4g} N m, {most * self.b / 1e3:.4g} kN per roller"
+            )
+        largest = most / self.ring.d_i
+        if self.p_t > largest:
+            raise ValueError(
+                f"p_t = {self.p_t / 1e6:.4g} MPa presses rollers of {self.d * 1e3:g} mm flat: at "
+                f"most {largest / 1e6:.4g} MPa"
+            )
+
+    @model_validator(mode="after")
+    def _built(self) -> "ClutchInputs":
+        room = (self.D_i - self.d_e) / 2
+        if self.j_D <= NARROWEST * self.d_e:
+            raise ValueError(
+                f"the rollers do not fit between the rings: d must be below (D_i - d_e)/2 = "
+                f"{room * 1e3:.6g} mm, got {self.d * 1e3:g} mm"
+            )
+        if self.j_D > WIDEST * self.d_e:
+            raise ValueError(
+                f"the rollers are too small: the ring would have to take up j_D = D_i - (d_e + 2 d)"
+                f" = {self.j_D * 1e3:.6g} mm, at most {WIDEST:g} d_e = {WIDEST * self.d_e * 1e3:g} "
+                f"mm, got d = {self.d * 1e3:g} mm"
+            )
+        pitch = (self.D_i - self.d) * math.sin(math.pi / self.z)
+        if self.d >= pitch:
+            raise ValueError(
+                f"neighbouring rollers overlap: d must be below (D_i - d) sin(π/z) = "
+                f"{pitch * 1e3:.6g} mm for z = {self.z}, got {self.d * 1e3:g} mm"
+            )
+        self._check_loads()
+        check_on_the_flat(self.ring, self.e)
+        if self.psi <= self.phi_1:
+            raise ValueError(
+                f"the hub locks itself: ψ = {math.degrees(self.psi):.4g}° must exceed φ_1 = "
+                f"{math.degrees(self.phi_1):.4g}°; e must be above "
+                f"{self.ring.apothem * self.tan_phi * 1e3:.4g} mm, got {self.e * 1e3:g} mm"
+            )
+        return self

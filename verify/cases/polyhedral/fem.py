@@ -1,0 +1,139 @@
+"""Finite elements of the polyhedral ring: half a sector under pressure, and the whole for show."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.cases.polyhedral.inputs import HubRing, PolygonRing
+from verify.core.shown import Array, Field
+
+if TYPE_CHECKING:
+    from fem.plane.material import Assumption
+    from fem.plane.solution import PlaneSolution
+
+UNIT = 1e6  # Pa, the pressure that is solved for; everything is proportional to it
+# cells along the fillet: outside the corner there are as many, and where they are wide against the
+# wall a displacement there errs by a third order in h beside the fourth, with the other sign
+ARC = 12
+STATIONS = 25  # along the outside of half a sector
+
+
+def pressed_fem(
+    q: PolygonRing, refine: int, assumption: "Assumption", arc: int = 6
+) -> "PlaneSolution":
+    """Half a sector, free outside, with the pressure `UNIT` in its bore.
+
+    `arc` cells lie on the fillet where `refine` is 1.
+    """
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.polyhedral.half_sector import half_sector
+
+    return solve_plane(
+        half_sector(z=q.z, d_e=q.d_e, d_i=q.d_i, fillet=q.rho, refine=refine, arc=arc),
+        materials=Elastic(E=q.E, nu=q.nu),
+        assumption=assumption,
+        supports={"mid": "n", "corner": "n"},
+        pressures={"bore": UNIT},
+    )
+
+
+def stations(q: PolygonRing) -> Array:
+    """Angles (m,) of stations outside, from the middle of a flat to a corner."""
+    return np.linspace(0, q.half_angle, STATIONS)
+
+
+def radial(ring: "PlaneSolution", r: float, theta: Array) -> Array:
+    """Radial displacement (m,) at the radius `r` and the angles `theta`."""
+    direction = np.array([np.cos(theta), np.sin(theta)])
+    return np.asarray((ring.at(r * direction).u * direction).sum(axis=0))
+
+
+def factors(q: PolygonRing, ring: "PlaneSolution") -> dict[str, float]:
+    """Outward displacement [m] under `UNIT` in the middle of the flats, in the mean, at corners."""
+    rim = ring.on_boundary("rim")
+    middle, corner = radial(ring, q.d_e / 2, np.array([0.0, q.half_angle]))
+    return {"mid": float(middle), "mean": float(rim.mean(rim.polar()[0])), "corner": float(corner)}
+
+
+def whole(name: str, z: int, half: dict[str, Array], **data: tuple[Array, str]) -> Field:
+    """The ring of 2 z copies of half a sector; `data` are values of cells with their units."""
+    points, moved, cells = half["points"], half["displacement"], half["cells"].astype(np.int64)
+    turned: list[tuple[Array, Array]] = []
+    for k in range(z):
+        c, s = np.cos(2 * np.pi * k / z), np.sin(2 * np.pi * k / z)
+        turn = np.array([[c, s], [-s, c]])
+        for mirror in (1.0, -1.0):
+            flip = np.array([1.0, mirror])
+            turned.append((points * flip @ turn, moved * flip @ turn))
+    count = len(points)
+    return Field(
+        name=name,
+        points=np.vstack([p for p, _ in turned]),
+        cells=np.vstack([cells + count * k for k in range(2 * z)]),
+        point_data={"displacement": np.vstack([u for _, u in turned])},
+        cell_data={key: np.tile(values, 2 * z) for key, (values, _) in data.items()},
+        units={"displacement": "m"} | {key: unit for key, (_, unit) in data.items()},
+    )
+
+
+def expanded(q: PolygonRing, z: int) -> Field:
+    """The ring with `z` flats where they have taken up the clearance, on a coarse mesh."""
+    other = q.model_copy(update={"z": z})
+    ring = pressed_fem(other, 1, "plane stress")
+    cells: dict[str, Any] = ring.cells()
+    scale = q.j_D / 2 / factors(other, ring)["mid"]
+    cells["displacement"] = cells["displacement"] * scale
+    return whole(f"z = {z}", z, cells, von_mises=(cells["von_mises"] * scale, "Pa"))
+
+
+def pushed_fem(q: HubRing, refine: int) -> tuple["PlaneSolution", "PlaneSolution"]:
+    """Half a sector in plane stress: the hub's force at e, or its normal part in the corner.
+
+    Displacements under the point force itself are unbounded; elsewhere they converge.
+    """
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.polyhedral.half_sector import HUB, ROWS, half_sector
+
+    normal, along = q.R_b / np.hypot(1, q.tan_phi) * np.array([1, -q.tan_phi]) / 2
+    corner = q.d_i / 2 * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
+    # cells on both sides of e are of one size where there is room: a point force between large and
+    # small ones brings an error of third order beside the mesh's fourth
+    even = HUB * min(q.e, (q.d_e / 2 - q.apothem) / ROWS)
+    beside = q.e + min(even, (q.half_flat - q.e) / 2)
+    loads = (
+        ((q.apothem, q.e), (normal, along)),
+        (tuple(corner), tuple(normal * corner / (q.d_i / 2))),
+    )
+    mesh = half_sector(
+        z=q.z, d_e=q.d_e, d_i=q.d_i, fillet=q.rho, refine=refine, hub=(q.e, beside), arc=ARC
+    )
+    at, in_corner = (
+        solve_plane(
+            mesh,
+            materials=Elastic(E=q.E, nu=q.nu),
+            assumption="plane stress",
+            supports={"mid": "n", "corner": "n"},
+            point_forces={point: force},
+        )
+        for point, force in loads
+    )
+    return at, in_corner
+
+
+def largest_in_fillet(
+    q: PolygonRing, ring: "PlaneSolution", p: float = UNIT, *, name: str = "fillet"
+) -> float:
+    """Largest hoop stress [Pa] of the fillet under the pressure `p`, by a polynomial along it.
+
+    `name` is the fillet's among the boundaries.
+
+    The normal stress there is minus the pressure, so that the sum of both needs no direction.
+    """
+    side = ring.on_boundary(name)
+    centre = (q.d_i / 2 - q.rho) * np.array([np.cos(q.half_angle), np.sin(q.half_angle)])
+    turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / q.half_angle
+    stress = side.stress[0] + side.stress[1] + p
+    fit = np.polynomial.Polynomial.fit(turn, stress, 8, domain=[0, 1])
+    return float(fit(np.linspace(0, 1, 2001)).max())

@@ -1,0 +1,132 @@
+"""Inputs of the polyhedral ring clutch. The paper prints no numbers: these are the project's own.
+
+`d_i` is the diameter of the bore through its corners as they are, with their fillets.
+"""
+
+import math
+
+from pydantic import model_validator
+
+from verify.core.inputs import Inputs, count, quantity
+
+THINNEST = 0.005  # wall over outer diameter: below, a shell
+OUTERMOST = 0.95  # of half a flat, where the hub may touch
+LEAST_FLAT = 0.05  # of a side of the unfilleted bore that stays flat
+
+
+class RoundRing(Inputs):
+    """A round elastic ring inside rollers, under pressure in its bore."""
+
+    d_e: float = quantity("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
+    delta_1: float = quantity(
+        "4 mm", "mm", "δ_1", "wall of the ring, in the corners where there are any", gt=0, le=1e5
+    )
+    j_D: float = quantity(  # noqa: N815
+        "0.06 mm", "mm", "j_D", "clearance on the diameter that the ring takes up", gt=0, le=1e3
+    )
+    E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of the ring", gt=0, le=1e5)
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio of the ring", ge=0, le=0.45)
+    R_p: float | None = quantity(
+        None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
+        example="900 MPa",
+    )  # fmt: skip
+
+    @property
+    def d_i(self) -> float:
+        """Diameter of the bore, through its corners [m]."""
+        return self.d_e - 2 * self.delta_1
+
+    @property
+    def d_m(self) -> float:
+        """Mean diameter [m]."""
+        return self.d_e - self.delta_1
+
+    @property
+    def straining(self) -> float:
+        """Mean hoop strain that takes up the clearance."""
+        return self.j_D / self.d_m
+
+    @model_validator(mode="after")
+    def _wall(self) -> "RoundRing":
+        sizes = f"d_e = {self.d_e * 1e3:g} mm, δ_1 = {self.delta_1 * 1e3:g} mm"
+        if self.d_i <= 0.02 * self.d_e:
+            raise ValueError(
+                f"the wall leaves no bore: δ_1 must be below 0.49 d_e = {490 * self.d_e:g} mm, "
+                f"got {sizes}"
+            )
+        if self.delta_1 < THINNEST * self.d_e:
+            raise ValueError(
+                f"the wall vanishes: δ_1 must be at least {THINNEST:g} d_e = "
+                f"{THINNEST * self.d_e * 1e3:g} mm, got {sizes}"
+            )
+        if self.j_D > 0.02 * self.d_e:
+            raise ValueError(
+                f"j_D = {self.j_D * 1e3:g} mm strains the ring by {self.straining:.1%}: no metal "
+                f"stays elastic, at most 0.02 d_e = {20 * self.d_e:g} mm"
+            )
+        return self
+
+
+class PolygonRing(RoundRing):
+    """A ring whose bore is a regular polygon with filleted corners."""
+
+    z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
+    rho: float = quantity("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+
+    @property
+    def half_angle(self) -> float:
+        """Half the angle between rollers, pi/z [rad]."""
+        return math.pi / self.z
+
+    @property
+    def unfilleted(self) -> float:
+        """Radius of the corners without their fillets [m]."""
+        return self.d_i / 2 + self.rho * (1 / math.cos(self.half_angle) - 1)
+
+    @property
+    def apothem(self) -> float:
+        """Distance of the flats from the axis [m]."""
+        return self.unfilleted * math.cos(self.half_angle)
+
+    @property
+    def half_flat(self) -> float:
+        """Length of a flat from its middle to its fillet [m]."""
+        return (self.d_i / 2 - self.rho) * math.sin(self.half_angle)
+
+    @model_validator(mode="after")
+    def _flats(self) -> "PolygonRing":
+        largest = self.d_i / 2 * (1 - LEAST_FLAT)
+        if self.rho > largest:
+            raise ValueError(
+                f"fillets leave no flat: ρ must be at most {largest * 1e3:.4g} mm for "
+                f"d_i = {self.d_i * 1e3:g} mm, got {self.rho * 1e3:g} mm"
+            )
+        return self
+
+
+class HubRing(PolygonRing):
+    """The ring with the force of the hub on each of its flats."""
+
+    e: float = quantity(
+        "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
+    )
+    R_b: float = quantity(
+        "200 N/mm", "N/mm", "R/b", "force of the hub on a flat, per width of the ring", gt=0, le=1e7
+    )
+    tan_phi: float = quantity(
+        0.05, "1", "tan φ_1", "friction between hub and ring, towards the flat's middle", ge=0, le=1
+    )
+
+    @model_validator(mode="after")
+    def _on_the_flat(self) -> "HubRing":
+        check_on_the_flat(self, self.e)
+        return self
+
+
+def check_on_the_flat(q: PolygonRing, e: float) -> None:
+    """ValueError unless the hub touches the flat of `q` at `e` [m] from its middle."""
+    if e > OUTERMOST * q.half_flat:
+        raise ValueError(
+            f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, "
+            f"{OUTERMOST * q.half_flat * 1e3:.4g} mm, got {e * 1e3:g} mm"
+        )

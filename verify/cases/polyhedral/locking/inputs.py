@@ -1,0 +1,26 @@
+"""Inputs of the ring that is locked against its rollers."""
+
+import math
+
+from pydantic import model_validator
+
+from verify.cases.polyhedral.inputs import HubRing
+from verify.core.inputs import quantity
+
+
+class LockingInputs(HubRing):
+    """The ring under pressure and hub, between rigid rollers that sit above its flats."""
+
+    d: float = quantity("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
+    p_t: float = quantity("30 MPa", "MPa", "p_t", "pressure in the bore", gt=0, le=1e4)
+
+    @model_validator(mode="after")
+    def _rollers(self) -> "LockingInputs":
+        sine = math.sin(self.half_angle)
+        room = (self.d_e + self.j_D) * sine / (1 - sine)
+        if self.d >= room:
+            raise ValueError(
+                f"neighbouring rollers overlap: d must be below {room * 1e3:.6g} mm for "
+                f"z = {self.z} and d_e = {self.d_e * 1e3:g} mm, got {self.d * 1e3:g} mm"
+            )
+        return self

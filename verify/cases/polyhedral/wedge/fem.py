@@ -1,0 +1,115 @@
+"""Finite elements of the wedged roller: free, at the limit of friction, caged, and let go."""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.contact.slip.read import at_nodes, largest_shear
+from verify.cases.polyhedral.wedge.inputs import WedgeInputs
+from verify.cases.polyhedral.wedge.limit import Limit
+from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
+from verify.cases.polyhedral.wedge.stick import let_go
+from verify.core.case import FemResult
+from verify.core.shown import Field
+
+if TYPE_CHECKING:
+    from fem.contact.solution import ContactSolution, Touch
+
+Array = NDArray[np.float64]
+
+LEVELS = (12, 16, 24)  # cells on the half-width; half of them where only forces count
+SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
+FAR = 20.0  # of mu times the approach: how far a race slides until nothing sticks
+GROWN = 150  # steps in which N and T grow together
+ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are drawn
+
+
+def fem(q: WedgeInputs, level: int) -> FemResult:
+    geometry = Geometry(q.R, q.half, q.a)
+    mesh = fem_mesh(geometry, level // 2)
+    free, cage = (
+        Wedge(geometry, mesh, E=q.E, nu=q.nu, mu=q.mu, caged=caged) for caged in (False, True)
+    )
+    state, down = free.pressed(q.line_load)
+    found, caught, limit = freely(q, free, state), held_back(q, cage), Limit(q, down)
+    values = found | caught
+    # what the balance along the bisector misses is missing in T
+    u_it = {key: SOLVED * abs(found[key]) / math.tan(q.half) for key in ("T", "M_free", "N/M")}
+    u_it |= {key: SOLVED * abs(caught[key]) for key in ("M_caged", "N/M caged")}
+    u_it["C"] = SOLVED * q.N
+    values["mu_c"], u_it["mu_c"] = limit.friction(found["T"] / q.N)
+    stuck, jitter, growth = let_go(q, level)
+    grown = free.at(down, steps=GROWN)
+    touch = grown.touches[0]
+    arrays = {"profile, growth": growth, "profile, grown": across(q, touch)}
+    if level == LEVELS[-1]:
+        arrays |= {"over angles": limit.over_angles(), "around": limit.around(),
+                   "slipping": np.array([slipping(touch), uneven(q, touch)])}  # fmt: skip
+    return FemResult(
+        h=1 / level, values=values | stuck, u_it=u_it | jitter, arrays=arrays,
+        fields=(roller(q, grown),),
+    )  # fmt: skip
+
+
+def freely(q: WedgeInputs, free: Wedge, state: "ContactSolution") -> dict[str, float]:
+    """What a free roller carries under N, and its balance along and across the bisector."""
+    N, T = free.forces(state)
+    lever = q.z * q.D_i / 2
+    cut = sum(state.plane.reaction(f"roller.{part}")[1] for part in ("inner", "outer"))
+    along, across_ = state.touches[0].force
+    return {
+        "T": q.b * T, "M_free": q.b * T * lever, "N/M": N / (T * lever),
+        "along": q.b * along, "across": q.b * (cut - across_),
+    }  # fmt: skip
+
+
+def held_back(q: WedgeInputs, cage: Wedge) -> dict[str, float]:
+    """The race slides into the wedge under N, and a cage holds the roller back."""
+    state, _ = cage.pressed(q.line_load, along=FAR * q.mu * q.a**2 / q.R)
+    N, T = cage.forces(state)
+    touch, lever = state.touches[0], q.z * q.D_i / 2
+    C = -2 * q.b * state.plane.reaction("roller.inner")[0]
+    unslipped = np.abs(q.mu * touch.p - np.abs(touch.q)) @ touch.weight
+    pulled = 2 * q.b * (T * math.cos(q.half) - N * math.sin(q.half))
+    return {
+        "M_caged": q.b * T * lever, "N/M caged": N / (T * lever), "C": C,
+        "unslipped": q.b * float(unslipped), "cage": C - pulled,
+    }  # fmt: skip
+
+
+def slipping(touch: "Touch") -> float:
+    """Share of the normal force on nodes that slip."""
+    load = touch.pressure * touch.mortar.size
+    return float(load[touch.closed & ~touch.sticks].sum() / load.sum())
+
+
+def uneven(q: WedgeInputs, touch: "Touch") -> float:
+    """How far the traction is from tan(alpha/2) p in L2, over the norm of that."""
+    wanted = math.tan(q.half) * touch.p
+    return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
+
+
+def across(q: WedgeInputs, touch: "Touch") -> Array:
+    """Traction (m,) [Pa] into the wedge at `ACROSS`."""
+    s = (touch.x.T @ Geometry(q.R, q.half, q.a).tangent) / q.a
+    order = np.argsort(s)
+    return np.interp(ACROSS, s[order], touch.traction[order])
+
+
+def roller(q: WedgeInputs, state: "ContactSolution") -> Field:
+    """The half roller under N with its largest shear stress over Hertz's peak pressure."""
+    cells = state.plane.cells()
+    own = state.bodies.basis.mesh.subdomains["roller"]
+    used, index = np.unique(cells["cells"][own].astype(np.int64), return_inverse=True)
+    points, index = cells["points"][used], index.reshape(own.size, -1)
+    stress = cells["stress"][own]
+    shear = largest_shear(at_nodes(points, index, stress)) / q.p_0
+    return Field(
+        name="roller", points=points, cells=index,
+        point_data={"displacement": cells["displacement"][used], "shear": shear,
+                    "log_shear": np.log10(np.maximum(shear, 1e-9))},
+        cell_data={"stress": stress},
+        units={"displacement": "m", "shear": "1", "log_shear": "1", "stress": "Pa"},
+    )  # fmt: skip

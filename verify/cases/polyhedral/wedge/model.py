@@ -1,0 +1,137 @@
+"""Half a roller on an inclined race of finite elements, driven to a normal force.
+
+The bisector is the x axis; the wedge narrows towards +x. By symmetry the roller's cut y = 0 stays
+straight and feels no friction. The race comes down along its own normal; what it does along itself
+and what pushes at the roller's middle is the caller's.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.contact.errors import fem_errors
+
+if TYPE_CHECKING:
+    from skfem.mesh import Mesh2D
+
+    from fem.contact.pairs import Normal
+    from fem.contact.problem import ContactProblem
+    from fem.contact.solution import ContactSolution
+
+Array = NDArray[np.float64]
+
+ZONE = 1.15  # half-width of the fine cells over Hertz's
+HIT = 1e-12  # of the normal force, within which it is met
+MOST = 40
+
+
+class Geometry(NamedTuple):
+    """Radius R [m], half of the wedge angle [rad], half-width a [m] that the mesh is fine for."""
+
+    R: float
+    half: float
+    a: float
+
+    @property
+    def normal(self) -> Array:
+        """Out of the roller where it touches."""
+        return np.array([math.sin(self.half), math.cos(self.half)])
+
+    @property
+    def tangent(self) -> Array:
+        """Along the race, into the wedge."""
+        return np.array([math.cos(self.half), -math.sin(self.half)])
+
+
+class Wedge:
+    """A roller that only its contacts hold along the bisector, or one whose middle a cage holds."""
+
+    def __init__(
+        self, geometry: Geometry, mesh: "Mesh2D", *, E: float, nu: float, mu: float,
+        caged: bool = False, normal: "Normal" = "master",
+    ) -> None:  # fmt: skip
+        self.geometry = geometry
+        self.problem = fem_problem(geometry, mesh, E, nu, mu, caged=caged, normal=normal)
+
+    def at(
+        self, down: float, *, along: float = 0.0, push: float = 0.0,
+        after: "ContactSolution | None" = None, steps: int = 1,
+    ) -> "ContactSolution":  # fmt: skip
+        """The race moved `down` on the roller and `along` itself [m], its middle pushed [N/m].
+
+        The push acts on half of the roller, into the wedge where positive.
+        """
+        x, y = along * self.geometry.tangent - down * self.geometry.normal
+        forces = {"roller.inner": (push, 0.0)} if push else None
+        moved = {"race.bottom": {"x": float(x), "y": float(y)}}
+        return self.problem.solve(displacements=moved, forces=forces, after=after, steps=steps)
+
+    def forces(self, state: "ContactSolution") -> tuple[float, float]:
+        """Normal and tangential force [N/m]: the latter drags the roller into the wedge."""
+        force = np.array(state.touches[0].force)
+        return float(force @ self.geometry.normal), float(-force @ self.geometry.tangent)
+
+    def pressed(
+        self, N: float, *, along: float = 0.0, push: float = 0.0, near: float | None = None
+    ) -> tuple["ContactSolution", float]:
+        """The state under the normal force N [N/m], and how far down the race came for it.
+
+        The search starts `near` a place [m], or at about half of where Hertz has it.
+        """
+        now = near or self.geometry.a**2 / self.geometry.R
+        before = now / 2 if near is None else 0.99 * near
+        missing = self._missing(self.at(before, along=along, push=push), N)
+        for _ in range(MOST):
+            state = self.at(now, along=along, push=push)
+            more = self._missing(state, N)
+            if abs(more) <= HIT:
+                return state, now
+            if more == missing:
+                break
+            before, now, missing = now, now - more * (now - before) / (more - missing), more
+        raise fem_errors().NotFoundError(f"the normal force is missed by {more:.1e} of itself")
+
+    def _missing(self, state: "ContactSolution", N: float) -> float:
+        return self.forces(state)[0] / N - 1
+
+
+def fem_mesh(geometry: Geometry, cells: int) -> "Mesh2D":
+    """Roller and race, `cells` on the half-width."""
+    from meshes.contact.block import full_block
+    from meshes.contact.tilted import placed, tilted_half_disc
+    from meshes.join import join
+
+    R, half = geometry.R, geometry.half
+    fine: dict[str, Any] = {"zone": ZONE * geometry.a, "cells": round(ZONE * cells), "refine": 1}
+    x, y = R * geometry.normal
+    race = full_block(width=R, depth=R, above=True, **fine)
+    return join({
+        "roller": tilted_half_disc(R=R, tilt=half, **fine),
+        "race": placed(race, turn=-half, shift=(float(x), float(y))),
+    })  # fmt: skip
+
+
+def fem_problem(
+    geometry: Geometry, mesh: "Mesh2D", E: float, nu: float, mu: float, *, caged: bool,
+    normal: "Normal",
+) -> "ContactProblem":  # fmt: skip
+    """Cut and far side of the race on supports, friction between roller and race."""
+    from fem.contact.pairs import Pair
+    from fem.contact.problem import ContactProblem
+    from fem.contact.shapes import Circle, Flat
+    from fem.plane.material import Elastic
+
+    (x, y), (n_x, n_y) = geometry.R * geometry.normal, -geometry.normal
+    return ContactProblem(
+        mesh,
+        materials=Elastic(E=E, nu=nu),
+        assumption="plane strain",
+        supports={"race.bottom": "xy", "roller.outer": "y", "roller.inner": "xy" if caged else "y"},
+        contacts=[
+            Pair(slave="roller.surface", master="race.surface", friction=mu, normal=normal,
+                 slave_shape=Circle((0.0, 0.0), geometry.R),
+                 master_shape=Flat((float(x), float(y)), (float(n_x), float(n_y))))
+        ],
+    )  # fmt: skip

@@ -1,0 +1,93 @@
+"""Error budgets of races: discrete loads and the plane assumption."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from verify.cases.ring.loads.inputs import LoadsInputs
+from verify.core.case import FemResult
+from verify.judging.budget_statement import Cause, Left, Rerun, Statement, plane_strain
+
+CLOSER = 4  # times as many loads
+WAVE = "loads as their mean and first wave, one a pitch, not on patches: no dents"
+
+
+def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
+    """The same race with its loads spread evenly over the wall that bears them."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.quarter import quarter_ring
+
+    ring = solve_plane(
+        quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=level),
+        materials=Elastic(E=q.E, nu=q.nu),
+        assumption="plane stress",
+        supports={"x=0": "x", "y=0": "y"},
+        pressures={q.loaded: q.n * q.P / (2 * math.pi * q.radius)},
+    )
+    wall = ring.on_boundary(q.loaded)
+    u = abs(float(wall.mean(wall.polar()[0])))
+    return FemResult(h=1 / level, values=dict.fromkeys(("load", "between"), u))
+
+
+def fem_wave(q: LoadsInputs, level: int) -> FemResult:
+    """The same race under the mean of its loads and their first wave, one a pitch, no patches."""
+    import numpy as np
+
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.ring.sector import half_sector
+    from verify.cases.ring.loads.fem import CELLS, wall_nodes
+
+    mean = q.n * q.P / (2 * math.pi * q.radius)
+    ring = solve_plane(
+        half_sector(r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, patch=q.half_width,
+                    refine=level, cells=CELLS),
+        materials=Elastic(E=q.E, nu=q.nu),
+        assumption="plane stress",
+        supports={"load cut": "n", "free cut": "n"},
+        pressures={q.loaded: lambda x: mean * (1 + 2 * np.cos(q.n * np.arctan2(x[1], x[0])))},
+    )  # fmt: skip
+    u = np.abs(wall_nodes(ring, q.loaded)[1])
+    values = {"load": float(u[0]), "between": float(u[-1])}
+    return FemResult(h=1 / (CELLS * level), values=values)
+
+
+def closer(q: Any) -> Any:
+    """The same load on more sprags."""
+    return q.model_copy(update={"n": CLOSER * q.n, "F": q.F / CLOSER})
+
+
+LOADS = Statement(
+    reruns=(
+        Rerun(
+            cause=Cause.GEOMETRY, what=WAVE, rows=("Eq. 6 at a load", "Eq. 6 between loads"),
+            fem=fem_wave,
+        ),
+        Rerun(
+            cause=Cause.GEOMETRY, what="and spread evenly over the wall: no waves",
+            rows=("Eq. 6 at a load", "Eq. 6 between loads"), fem=fem_smeared, after=WAVE,
+        ),
+        Rerun(
+            cause=Cause.GEOMETRY, what="four times as many sprags, each with a quarter of the load",
+            rows=("Eq. 6 *dent*",), inputs=closer,
+        ),
+        Rerun(
+            cause=Cause.PLANE, what="plane strain instead of plane stress", rows=("Eq. 6*",),
+            changes=plane_strain(), shared=True,
+        ),
+    ),
+    left=(
+        Left(("Eq. 6 *dent*",), "the half plane's dent is cut off at a depth that is chosen, which "
+             "no body has that could be rerun"),
+    ),
+    finer=20, headline="Eq. 6 at a load",
+)  # fmt: skip
+
+STATEMENTS: Mapping[str, Statement] = {
+    "ring-lame": Statement(finer=24),
+    "ring-loads-outer": LOADS,
+    "ring-loads-inner": LOADS,
+    "ring-loads-map": Statement(finer=7),
+    "ring-rotation": Statement(finer=16),
+}

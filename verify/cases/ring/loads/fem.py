@@ -1,0 +1,123 @@
+"""Finite elements of a race under n sprags: half a pitch, plane stress."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from verify.cases.ring.loads.inputs import LoadsInputs, Wall
+from verify.core.case import FemResult
+from verify.core.shown import Array, Field
+
+CELLS = 4  # on half the patch of the coarsest mesh
+ROUND = 1e-11  # of displacements: machine epsilon times the ring over its cells (below 1e5)
+AROUND, ACROSS = 9, 5  # stations of the stresses inside
+ALONG = 16  # stations of the profiles on the walls
+AWAY = 2.0  # half-widths from the patch's middle beyond which they are compared
+
+
+def stations(q: LoadsInputs) -> Array:
+    """Points (2, m): r and theta of a polar grid over half a pitch, one patch width off it."""
+    r, theta = np.meshgrid(
+        np.linspace(q.r_i, q.r_o, ACROSS), np.linspace(0, np.pi / q.n, AROUND), indexing="ij"
+    )
+    points = np.array([r.ravel(), theta.ravel()])
+    x, y = points[0] * np.cos(points[1]), points[0] * np.sin(points[1])
+    return np.asarray(points[:, np.hypot(x - q.radius, y) > AWAY * q.half_width])
+
+
+def wall_angles(q: LoadsInputs) -> Array:
+    """Angles (m,) [rad] of the profiles on the walls, from beyond the patch to half-way."""
+    return np.linspace(AWAY * q.half_width / q.radius, np.pi / q.n, ALONG)
+
+
+def wall_nodes(sector: Any, name: str) -> Array:
+    """Angle, u_r and u_theta (3, m) at every node of the wall `name`."""
+    mesh, basis = sector.basis.mesh, sector.basis
+    facets = mesh.boundaries[name]
+    corners = basis.nodal_dofs[:, np.unique(mesh.facets[:, facets])]
+    dofs = np.hstack([corners, basis.facet_dofs[:2, facets]])
+    x, y = basis.doflocs[:, dofs[0]]
+    theta = np.arctan2(y, x)
+    order = np.argsort(theta)
+    u_x, u_y = sector.u[dofs]
+    c, s = np.cos(theta), np.sin(theta)
+    return np.array([theta, u_x * c + u_y * s, u_y * c - u_x * s])[:, order]
+
+
+def fem_sector(
+    *, r_i: float, r_o: float, n: int, loaded: Wall, a: float, P: float, material: Any, level: int
+) -> Any:
+    """Half a pitch of a ring whose wall `loaded` bears the load P per length on the half-width a.
+
+    Even cells integrate the square-root end of the pressure with an error of order 3/2, 1e-5 of
+    the load; everything is scaled so that the patch bears P.
+    """
+    from fem.plane.solve import solve_plane
+    from meshes.ring.sector import half_sector
+
+    radius, peak = r_i if loaded == "bore" else r_o, 2 * P / (np.pi * a)
+
+    def pressure(x: Array) -> Array:
+        arc = radius * np.arctan2(x[1], x[0])
+        return np.asarray(peak * np.sqrt(np.maximum(1 - (arc / a) ** 2, 0.0)))
+
+    sector = solve_plane(
+        half_sector(r_i=r_i, r_o=r_o, n=n, loaded=loaded, patch=a, refine=level, cells=CELLS),
+        materials=material,
+        assumption="plane stress",
+        supports={"load cut": "n", "free cut": "n"},
+        pressures={"patch": pressure},
+    )
+    patch = sector.on_boundary("patch")
+    k = P / 2 / float(patch.weight @ pressure(patch.x))
+    return replace(sector, u=k * sector.u, internal=k * sector.internal, f=k * sector.f)
+
+
+def fem(q: LoadsInputs, level: int) -> FemResult:
+    from fem.plane.material import Elastic
+
+    sector = fem_sector(
+        r_i=q.r_i, r_o=q.r_o, n=q.n, loaded=q.loaded, a=q.half_width, P=q.P,
+        material=Elastic(E=q.E, nu=q.nu), level=level,
+    )  # fmt: skip
+    sign = 1.0 if q.loaded == "bore" else -1.0
+    walls = {name: wall_nodes(sector, name) for name in ("bore", "rim")}
+    far = "rim" if q.loaded == "bore" else "bore"
+    near_u, far_u = sign * walls[q.loaded][1], sign * walls[far][1]
+    wall = sector.on_boundary(q.loaded)
+    mean = sign * wall.mean(wall.polar()[0])
+    pitch = np.pi / q.n
+    other = q.r_o if q.loaded == "bore" else q.r_i
+    r, theta = np.array([[q.radius, other, other], [pitch, 0.0, pitch]])
+    hoop = sector.at(np.array([r * np.cos(theta), r * np.sin(theta)])).polar()[2]
+    cut = sector.reaction("free cut")  # along the inward normal where the ring is pulled
+    inside, turn = stations(q)
+    within = sector.at(np.array([inside * np.cos(turn), inside * np.sin(turn)])).polar()
+    values = {
+        "load": near_u[0], "between": near_u[-1], "far load": far_u[0], "far between": far_u[-1],
+        "mean": mean, "ripple": (near_u[0] - near_u[-1]) / mean,
+        "hoop between": hoop[0], "far hoop load": hoop[1], "far hoop between": hoop[2],
+        "hoop force": cut[1] * np.cos(pitch) - cut[0] * np.sin(pitch),
+        "strain energy": 2 * q.n * sector.strain_energy,
+    }  # fmt: skip
+    values = {key: float(value) for key, value in values.items()}
+    round_off = max(sector.residual**0.5, ROUND)
+    arrays = {f"{name} nodes": nodes for name, nodes in walls.items()}
+    arrays["stresses"] = np.array(within[1:])
+    along = np.array([np.cos(wall_angles(q)), np.sin(wall_angles(q))])
+    for name, r in (("bore", q.r_i), ("rim", q.r_o)):
+        u_r, _, around, _ = sector.at(r * along).polar()
+        arrays |= {f"{name} displacement": u_r, f"{name} hoop stress": around}
+    cells = sector.cells()
+    x, u = cells["points"], cells["displacement"]
+    field = Field(
+        name="half a pitch", points=x, cells=cells["cells"].astype(np.int64),
+        point_data={"displacement": u, "radial_displacement": (x * u).sum(axis=1) / np.hypot(*x.T)},
+        cell_data={"stress": cells["stress"], "von_mises": cells["von_mises"]},
+        units={"displacement": "m", "radial_displacement": "m", "stress": "Pa", "von_mises": "Pa"},
+    )  # fmt: skip
+    u_it = {key: round_off * abs(value) for key, value in values.items()}
+    return FemResult(
+        h=1 / (CELLS * level), values=values, u_it=u_it, arrays=arrays, fields=(field,)
+    )

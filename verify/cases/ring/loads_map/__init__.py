@@ -1,0 +1,1 @@
+"""Case ring-loads-map."""

@@ -1,0 +1,89 @@
+"""Error budgets of rotors: slenderness, steps, wedge angle, crown and offset."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from verify.judging.budget_statement import Cause, Left, Rerun, Statement, Without
+
+SLENDER, SMALLER = 4, 10
+
+
+def slender(q: Any) -> Any:
+    """A shaft four times as long."""
+    return q.model_copy(update={"L": SLENDER * q.L, "n": q.n / SLENDER**2})
+
+
+def slender_step(q: Any) -> Any:
+    """The same with its step; seats as wide, springs as much softer as the shaft."""
+    return q.model_copy(update={
+        "L": SLENDER * q.L, "L_2": SLENDER * q.L_2, "k": q.k / SLENDER**3, "n": q.n / SLENDER**2,
+    })  # fmt: skip
+
+
+def low_step(q: Any) -> Any:
+    """A step a tenth as high."""
+    return q.model_copy(update={"d_2": q.d_1 + (q.d_2 - q.d_1) / SMALLER})
+
+
+def low_and_slender(q: Any) -> Any:
+    """Both: what a smooth shaft's beam leaves out."""
+    return slender_step(low_step(q))
+
+
+def flat(q: Any) -> Any:
+    """A wedge a quarter as steep under the same normal forces."""
+    nu = q.nu / 4
+    return q.model_copy(update={"nu": nu, "T": q.T * math.tan(nu) / math.tan(q.nu)})
+
+
+def centred(q: Any) -> Any:
+    """A tenth of the offset."""
+    return q.model_copy(update={"e": q.e / SMALLER})
+
+
+def uncrowned(q: Any) -> Any:
+    """A tenth of the crown."""
+    return q.model_copy(update={"drop": q.drop / SMALLER})
+
+
+LOW = "a step a tenth as high"
+BEAM = ("Timoshenko*", "Euler*", "Rayleigh*", "beam*")
+SOLID = (Without(Cause.PLANE, "a body of revolution"), Without(Cause.CONTACT, "none"))
+
+STATEMENTS: Mapping[str, Statement] = {
+    "rotor-clutch": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="a wedge a quarter as steep, same normal forces",
+                  inputs=flat, rows=("stiffness*", "tilting*", "coupling*", "torsional*")),
+            Rerun(cause=Cause.DISPLACEMENT, what="a tenth of the offset", inputs=centred,
+                  rows=("*offset*", "*tilted")),
+            Rerun(cause=Cause.GEOMETRY, what="a tenth of the crown", inputs=uncrowned,
+                  rows=("*crown*",)),
+        ),
+        left=(
+            Left(("tilting stiffness*", "coupling*aside and tilted"),
+                 "neither wedge nor offset nor crown explain it, nothing else was rerun"),
+            Left(("stiffness along x, ends held*",),
+                 "a flatter wedge takes more away than there is"),
+        ),
+        without=(Without(Cause.PLANE, "struts"), Without(Cause.CONTACT, "none: exact law")),
+        finer=256,
+    ),
+    "rotor-shaft": Statement(
+        reruns=(Rerun(cause=Cause.GEOMETRY, what="a shaft four times as long", rows=BEAM,
+                      inputs=slender, levels=(4, 8)),),
+        without=SOLID, finer=12,
+    ),
+    "rotor-step": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what=LOW, rows=BEAM, inputs=low_step),
+            # a longer shaft has a step that is as much lower against its length: one cause twice
+            Rerun(cause=Cause.GEOMETRY, what="and four times as long, hardly stepped", rows=BEAM,
+                  inputs=low_and_slender, after=LOW),
+        ),
+        without=SOLID, finer=4,
+    ),
+    "rotor-system": Statement(finer=16),
+    "rotor-sprag": Statement(finer=16),
+}  # fmt: skip

@@ -1,0 +1,86 @@
+"""Inputs of a sprag clutch between two rotors: sprags, yields, torque, and what is uneven.
+
+The paper gives the torque of its rig alone. Radii and the number of sprags are those that the same
+authors print for their clutch of 2018; wedge angle and length are identified there.
+"""
+
+import math
+
+from pydantic import model_validator
+
+from analytic.contact import palmgren
+from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch, even_angles
+from verify.core.inputs import Inputs, count, quantity
+
+REFERENCE = 1000.0  # N, at which yields are given
+SLICES = 41  # of a sprag; the paper gives no number
+
+
+class ClutchInputs(Inputs):
+    """Z sprags between two races under a torque; offset, crown and missing sprags apart."""
+
+    T: float = quantity("15 N m", "N m", "T", "torque that presses the sprags", gt=0, le=1e9,
+                        claims="huang2022:orbit-torque")  # fmt: skip
+    Z: int = count(12, "Z", "number of sprags", ge=3, le=200,
+                   claims="huang2018:table1-number-of-sprags")  # fmt: skip
+    R_i: float = quantity("11.11 mm", "mm", "R_i", "radius of the inner race", gt=0.1, le=1e5,
+                          claims="huang2018:table1-r-i")  # fmt: skip
+    R_e: float = quantity("19.44 mm", "mm", "R_e", "bore radius of the outer race", gt=0.1, le=1e5,
+                          claims="huang2018:table1-r-e")  # fmt: skip
+    nu: float = quantity("3.15 deg", "deg", "ν", "wedge angle at the inner race (not printed)",
+                         ge=0.1, le=20)  # fmt: skip
+    L: float = quantity("9 mm", "mm", "L_we", "length of the sprags (not printed)", gt=0.01, le=1e5)
+    n_s: int = count(SLICES, "n_s", "number of slices of a sprag (not printed)", ge=2, le=1000)
+    a: float | None = quantity(None, "µm", "a", "yield of both contacts under 1 kN; left out: "
+                               "Palmgren's, steel", omitted=None, gt=0, le=1e4,
+                               example="6.6 µm")  # fmt: skip
+    e: float = quantity("1 µm", "µm", "Δx", "static offset of the inner rotor, for the uneven "
+                        "state", gt=0, le=1e4)  # fmt: skip
+    drop: float = quantity("1 µm", "µm", "L(L_we/2)", "crown's drop at the ends, a parabola, for "
+                           "the uneven state", ge=0, le=1e4)  # fmt: skip
+    missing: int = count(1, "m", "neighbouring sprags that are missing, for the uneven state",
+                         ge=1, le=197)  # fmt: skip
+
+    @model_validator(mode="after")
+    def _clutch(self) -> "ClutchInputs":
+        if not self.R_i < self.R_e:
+            raise ValueError(
+                f"the sprags need room between the races: R_i < R_e, got R_i = "
+                f"{self.R_i * 1e3:g} mm, R_e = {self.R_e * 1e3:g} mm"
+            )
+        if self.missing > self.Z - 3:
+            raise ValueError(
+                f"three sprags must remain: m at most Z - 3 = {self.Z - 3}, got m = {self.missing}"
+            )
+        return self
+
+    @property
+    def k_n(self) -> float:
+        """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)] (Eq. 2)."""
+        both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
+        return float(REFERENCE / (both if self.a is None else self.a) ** LINE_CONTACT)
+
+    @property
+    def d_t(self) -> float:
+        """Yield per twist [m/rad]."""
+        return self.R_i * math.tan(self.nu)
+
+    def crown(self, x: Array) -> Array:
+        """Drop of one contact [m] at x [m] from the middle."""
+        return self.drop * (2 * x / self.L) ** 2
+
+    def gap(self) -> tuple[int, ...]:
+        """Numbers of the sprags that are missing; they lie around the x-axis."""
+        return tuple(range(self.missing))
+
+    def angles(self, *, uneven: bool = False) -> Array:
+        """Angles of the sprags [rad]; a gap is centred on the x-axis."""
+        first = -(self.missing - 1) * math.pi / self.Z
+        return even_angles(Z=self.Z, psi_0=first, missing=self.gap() if uneven else ())
+
+    def clutch(self, *, crowned: bool = False, gap: bool = False, n_s: int | None = None) -> Clutch:
+        """The clutch of the formulas, with a crown or a gap where asked."""
+        return Clutch(
+            psi=self.angles(uneven=gap), R_i=self.R_i, nu=self.nu, L=self.L, k_n=self.k_n,
+            n_s=n_s or self.n_s, crown=self.crown if crowned else None,
+        )  # fmt: skip

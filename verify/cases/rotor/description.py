@@ -1,0 +1,253 @@
+"""What a user says of a rotor: its shafts, segments, discs, bearings, links and unbalances.
+
+Nodes are the ends of the segments, numbered from 1 along the first shaft, then on along the next.
+"""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from analytic.rotor.transfer_model import Disc, Link, Rotor, Segment, Shaft, Spring, Support
+from verify.core.inputs import EntryError, Inputs, count, quantity, text
+
+ROUNDED = 0.01  # what numbers of few digits may exceed a bound by
+
+
+class ShaftInputs(Inputs):
+    """A shaft by its name."""
+
+    name: str = text("shaft", "name, by which segments are told apart")
+    ratio: float = quantity(
+        1.0, "1", "q", "its speed over the first shaft's, negative: against it", omitted=1.0,
+        ge=-100, le=100,
+    )  # fmt: skip
+    start: float = quantity("0 mm", "mm", "z_0", "place of its first node", omitted=0.0)
+
+
+class SegmentInputs(Inputs):
+    """A tube of one section."""
+
+    shaft: str = text("shaft", "the shaft it belongs to; segments follow each other")
+    length: float = quantity("100 mm", "mm", "l", "length", gt=0, le=1e5)
+    d_o: float = quantity("40 mm", "mm", "d_o", "outer diameter", gt=0, le=1e4)
+    d_i: float = quantity("0 mm", "mm", "d_i", "bore", omitted=0.0, ge=0, le=1e4)
+    E: float = quantity("210 GPa", "GPa", "E", "Young's modulus", omitted=210e9, gt=0, le=1e5)
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", omitted=0.3, ge=0, le=0.5)
+    rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density", omitted=7850.0, gt=0, le=1e5)
+
+
+class NodeInputs(Inputs):
+    """What is at a node."""
+
+    node: int = count(1, "", "node", ge=1, le=10_000)
+
+
+class BetweenInputs(NodeInputs):
+    """What is between two nodes."""
+
+    to: int = count(2, "", "the other shaft's node", ge=1, le=10_000)
+
+
+class DiscInputs(NodeInputs):
+    """A rigid disc at a node, by mass and moments or, what of them is left out, as a cylinder."""
+
+    mass: float | None = quantity(
+        None, "kg", "m", "mass", omitted=None, example="5 kg", ge=0, le=1e6
+    )
+    polar: float | None = quantity(
+        None, "kg m^2", "I_p", "polar moment", omitted=None, example="0.03 kg m^2", ge=0, le=1e6
+    )
+    diametral: float | None = quantity(
+        None, "kg m^2", "I_d", "diametral moment", omitted=None, example="0.017 kg m^2", ge=0,
+        le=1e6,
+    )  # fmt: skip
+    d_o: float | None = quantity(
+        None, "mm", "d_o", "outer diameter of a cylinder", omitted=None, example="200 mm", gt=0,
+        le=1e5,
+    )  # fmt: skip
+    d_i: float = quantity("0 mm", "mm", "d_i", "its bore", omitted=0.0, ge=0, le=1e5)
+    width: float | None = quantity(
+        None, "mm", "b", "its width, the node in the middle", omitted=None, example="20 mm", gt=0,
+        le=1e5,
+    )  # fmt: skip
+    rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density", omitted=7850.0, gt=0, le=1e5)
+
+    def inertia(self) -> tuple[float, float, float]:
+        """Mass [kg], polar and diametral moment [kg m²]; ValueError where they do not follow."""
+        given = (self.mass, self.polar, self.diametral)
+        if self.d_o is None or self.width is None:
+            if self.mass is None or self.polar is None or self.diametral is None:
+                raise ValueError("needs mass, polar and diametral, or d_o and width of a cylinder")
+            return self.mass, self.polar, self.diametral
+        if not self.d_i < self.d_o:
+            raise ValueError(f"needs d_i < d_o, got {self.d_i * 1e3:g}, {self.d_o * 1e3:g} mm")
+        mass = self.rho * math.pi / 4 * (self.d_o**2 - self.d_i**2) * self.width
+        mass = mass if self.mass is None else self.mass
+        around = mass * (self.d_o**2 + self.d_i**2) / 8
+        across = around / 2 + mass * self.width**2 / 12
+        m, p, d = (
+            x if g is None else g for g, x in zip(given, (mass, around, across), strict=True)
+        )
+        return m, p, d
+
+
+class SpringInputs(Inputs):
+    """Stiffness and damping of a bearing; what is left out is zero, or alike in x and y."""
+
+    k: float = quantity("100 N/µm", "N/µm", "k", "stiffness across", ge=0, le=1e9)
+    kyy: float | None = quantity(
+        None, "N/µm", "k_yy", "stiffness along y where it is not k", omitted=None,
+        example="100 N/µm", ge=0, le=1e9,
+    )  # fmt: skip
+    kxy: float = quantity(
+        "0 N/µm", "N/µm", "k_xy", "coupling of x and y", omitted=0.0, ge=-1e9, le=1e9
+    )
+    c: float = quantity("0 N s/m", "N s/m", "c", "damping", omitted=0.0, ge=0, le=1e12)
+    cyy: float | None = quantity(
+        None, "N s/m", "c_yy", "damping along y where it is not c", omitted=None,
+        example="500 N s/m", ge=0, le=1e12,
+    )  # fmt: skip
+    k_tilt: float = quantity(
+        "0 N m/rad", "N m/rad", "k_φ", "stiffness against tilting", omitted=0.0, ge=0, le=1e15
+    )
+    c_tilt: float = quantity(
+        "0 N m s/rad", "N m s/rad", "c_φ", "damping of tilting", omitted=0.0, ge=0, le=1e12
+    )
+    k_turn: float = quantity(
+        "0 N m/rad", "N m/rad", "k_z", "stiffness against turning", omitted=0.0, ge=0, le=1e15
+    )
+
+    def coefficients(self) -> dict[str, float | None]:
+        """By the names of the formulas."""
+        return {
+            "kxx": self.k, "kyy": self.kyy, "kxy": self.kxy, "cxx": self.c, "cyy": self.cyy,
+            "k_tilt": self.k_tilt, "c_tilt": self.c_tilt, "k_turn": self.k_turn,
+        }  # fmt: skip
+
+
+class SupportInputs(SpringInputs, NodeInputs):
+    """A bearing to the ground."""
+
+
+class LinkInputs(SpringInputs, BetweenInputs):
+    """A bearing or a clutch between two shafts."""
+
+
+class UnbalanceInputs(NodeInputs):
+    """Mass times eccentricity at a node."""
+
+    value: float = quantity("50 g mm", "g mm", "U", "mass times eccentricity", gt=0, le=1e9)
+    angle: float = quantity("0 deg", "deg", "α", "its angle", omitted=0.0, ge=-360, le=360)
+
+
+def check_shafts(shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs]) -> None:
+    """EntryError: a name given twice, a segment of no shaft, a shaft without segments.
+
+    ValueError where there is neither.
+    """
+    if not shafts or not segments:
+        raise ValueError("a rotor has at least one shaft with one segment")
+    names = [shaft.name for shaft in shafts]
+    for k, name in enumerate(names, start=1):
+        if name in names[: k - 1]:
+            raise EntryError("shafts", k, f"name = {name}", "two shafts have this name")
+    for k, segment in enumerate(segments, start=1):
+        if segment.shaft not in names:
+            known = ", ".join(names)
+            raise EntryError(
+                "segments", k, f"shaft = {segment.shaft}", f"there is no such shaft, only {known}"
+            )
+        if not segment.d_i < segment.d_o:
+            given = f"d_i = {segment.d_i * 1e3:g} mm"
+            raise EntryError("segments", k, given, f"must be below d_o = {segment.d_o * 1e3:g} mm")
+    if shafts and shafts[0].ratio != 1:
+        raise EntryError(
+            "shafts", 1, f"ratio = {shafts[0].ratio:g}",
+            "the first shaft has the ratio 1, as all speeds are its own",
+        )  # fmt: skip
+    for k, name in enumerate(names, start=1):
+        if name not in [segment.shaft for segment in segments]:
+            raise EntryError("shafts", k, "", f"shaft {name} has no segments")
+
+
+def shafts_of(
+    shafts: Sequence[ShaftInputs], segments: Sequence[SegmentInputs]
+) -> tuple[Shaft, ...]:
+    """The shafts of the formulas."""
+    return tuple(
+        Shaft(
+            ratio=shaft.ratio,
+            segments=tuple(
+                Segment(length=s.length, d_o=s.d_o, d_i=s.d_i, E=s.E, nu=s.nu, rho=s.rho)
+                for s in segments if s.shaft == shaft.name
+            ),
+        )
+        for shaft in shafts
+    )  # fmt: skip
+
+
+def check_nodes(
+    nodes: int, **tables: Sequence[DiscInputs | SpringInputs | UnbalanceInputs]
+) -> None:
+    """EntryError: a node that does not exist."""
+    for table, entries in tables.items():
+        for k, entry in enumerate(entries, start=1):
+            for key in ("node", "to"):
+                node = getattr(entry, key, 1)
+                if node > nodes:
+                    raise EntryError(table, k, f"{key} = {node}", f"there are nodes 1 to {nodes}")
+
+
+def discs_of(discs: Sequence[DiscInputs]) -> tuple[Disc, ...]:
+    """The discs of the formulas; EntryError where their masses do not follow."""
+    found = []
+    for k, disc in enumerate(discs, start=1):
+        try:
+            mass, polar, diametral = disc.inertia()
+        except ValueError as error:
+            raise EntryError("discs", k, "", str(error)) from error
+        if polar > 2 * diametral * (1 + ROUNDED):
+            raise EntryError(
+                "discs", k, f"polar = {polar:.6g} kg m^2",
+                f"no body has more than twice its diametral moment, {2 * diametral:.6g} kg m^2",
+            )  # fmt: skip
+        found.append(Disc(node=disc.node - 1, mass=mass, polar=polar, diametral=diametral))
+    return tuple(found)
+
+
+def springs_of(
+    supports: Sequence[SupportInputs], links: Sequence[LinkInputs]
+) -> tuple[tuple[Support, ...], tuple[Link, ...]]:
+    """Bearings of the formulas; EntryError for coefficients that do not resist, or one node."""
+    made: dict[str, list[Spring]] = {"supports": [], "links": []}
+    for table, entries in (("supports", supports), ("links", links)):
+        for k, entry in enumerate(entries, start=1):
+            c = entry.coefficients()
+            try:
+                if isinstance(entry, SupportInputs):
+                    made[table].append(Support(node=entry.node - 1, **c))  # type: ignore[arg-type]
+                elif isinstance(entry, LinkInputs):
+                    if entry.node == entry.to:
+                        raise EntryError(table, k, f"to = {entry.to}", "joins a node with itself")
+                    link = Link(a=entry.node - 1, b=entry.to - 1, **c)  # type: ignore[arg-type]
+                    made[table].append(link)
+            except ValueError as error:
+                if isinstance(error, EntryError):
+                    raise
+                raise EntryError(table, k, "", str(error)) from error
+    return (
+        tuple(s for s in made["supports"] if isinstance(s, Support)),
+        tuple(s for s in made["links"] if isinstance(s, Link)),
+    )
+
+
+def check_widths(discs: Sequence[DiscInputs], rotor: Rotor) -> None:
+    """EntryError where two discs of one shaft overlap."""
+    wide = sorted(
+        (rotor.shaft_of[d.node - 1], rotor.places[d.node - 1], d.width or 0.0, k)
+        for k, d in enumerate(discs, start=1)
+    )
+    for (shaft, z, width, k), (other, z2, width2, k2) in pairwise(wide):
+        over = (width + width2) / 2 - (z2 - z)
+        if shaft == other and width > 0 and width2 > 0 and over > 1e-9 * (width + width2):
+            raise EntryError("discs", k2, "", f"overlaps discs[{k}] by {over * 1e3:.4g} mm")

@@ -1,0 +1,1 @@
+"""Case rotor-shaft."""

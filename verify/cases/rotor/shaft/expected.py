@@ -1,0 +1,33 @@
+"""What Timoshenko's equation asks of a shaft at rest, from its inputs alone.
+
+Written anew, so that a slip of the formula that is judged is none of what it is judged by.
+"""
+
+import math
+
+from verify.cases.rotor.shaft.inputs import ShaftInputs
+
+
+def shear_coefficient(nu: float, m: float) -> float:
+    """Hutchinson's kappa [1] by powers of nu as he prints it, m the bore over the outer diameter.
+
+    J. R. Hutchinson, J. Appl. Mech. 68 (2001) 87-92, Eq. 45, with a = 1 and b = m.
+    """
+    whole = 7 + 34 * m**2 + 7 * m**4
+    by_nu = 12 + 48 * m**2 + 12 * m**4
+    by_square = 4 + 16 * m**2 + 4 * m**4
+    return 6 * (1 + m**2) ** 2 * (1 + nu) ** 2 / (whole + by_nu * nu + by_square * nu**2)
+
+
+def frequency(q: ShaftInputs, j: int) -> float:
+    """Mode j at rest [rad/s]: the square W over Euler's solves 1 - W (1 + e + e s) + s e^2 W^2 = 0.
+
+    e = (k i)^2 with i the radius of gyration of the section is the rotary inertia and
+    s = E/(kappa G) what shear adds to it.
+    """
+    k = j * math.pi / q.L
+    e = k**2 * (q.d_o**2 + q.d_i**2) / 16
+    s = 2 * (1 + q.nu) / shear_coefficient(q.nu, q.m)
+    half = (1 + e + e * s) / 2
+    square = 1 / (half + math.sqrt(half**2 - s * e**2))
+    return k * math.sqrt(q.E * e * square / q.rho)

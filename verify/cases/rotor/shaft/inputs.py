@@ -1,0 +1,59 @@
+"""Inputs of a uniform shaft that turns in short bearings at both ends."""
+
+from pydantic import model_validator
+
+from analytic.rotor.cylinder import Cylinder
+from analytic.rotor.shafts import UniformShaft, hutchinson
+from verify.core.inputs import Inputs, quantity
+
+STUBBY = 0.5  # diameter over length beyond which no beam theory is meant
+
+
+class ShaftInputs(Inputs):
+    """A uniform shaft, solid or hollow, simply supported at both ends."""
+
+    L: float = quantity(
+        "600 mm", "mm", "L", "distance of the bearings (none is printed)", gt=0, le=1e5
+    )
+    d_o: float = quantity("60 mm", "mm", "d_o", "outer diameter (none is printed)", gt=0, le=1e5)
+    d_i: float = quantity("30 mm", "mm", "d_i", "bore; 0 for a solid shaft", omitted=0.0, ge=0)
+    n: float = quantity("10000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
+    rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
+    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+
+    @model_validator(mode="after")
+    def _shaft(self) -> "ShaftInputs":
+        if not self.d_i < 0.98 * self.d_o:
+            raise ValueError(
+                f"a shaft needs d_i < 0.98 d_o, got d_i = {self.d_i * 1e3:g} mm, "
+                f"d_o = {self.d_o * 1e3:g} mm"
+            )
+        if 0 < self.d_i < 0.05 * self.d_o:
+            raise ValueError(
+                f"a bore of {self.d_i * 1e3:g} mm is below a twentieth of d_o = "
+                f"{self.d_o * 1e3:g} mm: take the shaft as solid, d_i = 0"
+            )
+        if self.d_o > STUBBY * self.L:
+            raise ValueError(
+                f"d_o/L = {self.d_o / self.L:.2g} is above {STUBBY:g}: a block, not a shaft"
+            )
+        return self
+
+    @property
+    def m(self) -> float:
+        """Bore over outer diameter."""
+        return self.d_i / self.d_o
+
+    def shaft(self, *, kappa: float | None = None, L: float | None = None) -> UniformShaft:
+        """The shaft in closed form, with Hutchinson's shear coefficient unless another is given."""
+        return UniformShaft(
+            L=self.L if L is None else L, d_o=self.d_o, d_i=self.d_i, E=self.E, nu=self.nu,
+            rho=self.rho, kappa=hutchinson(nu=self.nu, m=self.m) if kappa is None else kappa,
+        )  # fmt: skip
+
+    def cylinder(self) -> Cylinder:
+        """The same in three-dimensional elasticity."""
+        return Cylinder(
+            r_o=self.d_o / 2, r_i=self.d_i / 2, E=self.E, nu=self.nu, rho=self.rho
+        )  # fmt: skip

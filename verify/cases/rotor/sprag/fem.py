@@ -1,0 +1,103 @@
+"""The central system on finer and finer beams; on the paper's own mesh also the ensemble."""
+
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from verify.cases.rotor.sprag.ensemble_fem import (
+    Ensemble,
+    critical_speeds_fem,
+    elasticities_fem,
+    ensemble_fem,
+)
+from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
+from verify.cases.rotor.sprag.layout import CENTRAL, DISCS
+from verify.cases.rotor.sprag.response_fem import responses_fem
+from verify.cases.rotor.sprag.solid_fem import solid_fem
+from verify.cases.rotor.sprag.system_fem import rotor_fem, uneven_clutch
+from verify.core.case import FemResult
+from verify.core.shown import Array
+
+LEVELS = (1, 2, 4, 8)  # beam elements in each of the paper's
+ORDERS = (1, 3, 5)
+MODES = 6
+ROUND_OFF = 1e-10  # of frequencies and amplitudes: the condition of K times epsilon
+SWEPT = np.linspace(0, 40_000, 41) * RPM
+
+
+def fem(q: SpragRotorInputs, level: int) -> FemResult:
+    values = beams_fem(q, level)
+    arrays: dict[str, Any] = {}
+    if level == LEVELS[0]:
+        ensemble = ensemble_fem(q.members)
+        arrays = ensemble_arrays_fem(ensemble)
+        arrays |= responses_fem(q, ensemble.members) | drawn_fem(q) | solid_fem(q)
+    u_it = {key: ROUND_OFF * abs(value) for key, value in values.items()}
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
+
+
+def ensemble_arrays_fem(found: Ensemble) -> dict[str, Any]:
+    """The members, what became of each start, and critical speeds of the members."""
+    starts = {"start met": found.met, "start kept": found.kept}
+    slopes = elasticities_fem(found.members)
+    return {
+        "members": found.members, "elasticities": slopes, **starts, **critical_fem(found.members),
+    }  # fmt: skip
+
+
+def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
+    """What the transfer matrices give too."""
+    from fem.rotor.critical import critical_speeds
+    from fem.rotor.modes import modes
+    from fem.rotor.response import unbalance_response
+
+    rotor = rotor_fem(CENTRAL, refine=refine)
+    values: dict[str, Any] = {}
+    w = modes(rotor, q.speed, MODES).frequencies
+    values |= {f"natural frequency {i + 1}": w[i] / (2 * pi) for i in range(MODES)}
+    for whirl in ("forward", "backward"):
+        speeds = critical_speeds(rotor, len(ORDERS), whirl).speeds
+        values |= {f"{whirl} critical {k}": v for k, v in zip(ORDERS, speeds, strict=True)}
+    turning = modes(rotor, 0.0, 3, "torsion").frequencies / (2 * pi)
+    values |= {"torsion, clutch": turning[1], "torsion, shaft": turning[2]}
+    U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}
+    response = unbalance_response(rotor, q.rig_speed, U)
+    values |= {f"amplitude {n}": response.major(n - 1)[0] for n in DISCS}
+    values["coupling"] = uneven_clutch(CENTRAL, q.offset)[0, 5]
+    return {key: float(v) for key, v in values.items()}
+
+
+def critical_fem(members: Array) -> dict[str, Array]:
+    """Critical speeds (m, 3): of assembled rotors, both whirls, and without the clutch."""
+    from fem.rotor.critical import critical_speeds
+
+    count = len(ORDERS)
+    rotors = [rotor_fem(p) for p in members]
+    found = {
+        whirl: np.array([critical_speeds(rotor, count, whirl).speeds for rotor in rotors])
+        for whirl in ("forward", "backward")
+    }
+    for name, left_out in (
+        ("without clutch", {"across": False, "tilt": False}),
+        ("without clutch across", {"across": False}),
+        ("without clutch in tilt", {"tilt": False}),
+    ):
+        found[name] = critical_speeds_fem(members, count, **left_out)[0]
+    return {f"critical, {name}": speeds for name, speeds in found.items()}
+
+
+def drawn_fem(q: SpragRotorInputs) -> dict[str, Array]:
+    """For figures: branches, whirl and shapes of the central system."""
+    from fem.rotor.campbell import campbell
+    from fem.rotor.modes import modes
+
+    rotor = rotor_fem(CENTRAL, refine=2)
+    swept = campbell(rotor, SWEPT, MODES)
+    found = modes(rotor, q.speed, MODES)
+    nodes = rotor.stations
+    return {
+        "swept": SWEPT, "branches": swept.frequencies / (2 * pi),
+        "branches, whirl": swept.whirl[-1], "shapes": found.shapes[:, :nodes, :2],
+        "shapes, whirl": found.whirl,
+    }  # fmt: skip

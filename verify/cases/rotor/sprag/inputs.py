@@ -1,0 +1,88 @@
+"""Inputs of the sprag clutch - rotor system: what the paper gives, and ranges for what it lacks."""
+
+import numpy as np
+from pydantic import model_validator
+
+from verify.core.inputs import Inputs, count, quantity
+from verify.core.shown import Array
+
+RPM = np.pi / 30
+PRINTED = (10149 * RPM, 32298 * RPM, 36245 * RPM)  # rad/s: the paper's critical speeds 1, 3, 5
+MOST = 256
+SLOWEST, FASTEST = 2000 * RPM, 60_000 * RPM  # of what a response may be asked at
+
+
+class SpragRotorInputs(Inputs):
+    """Loads, damping and the ensemble; the system itself is the paper's."""
+
+    speed: float = quantity(
+        "5000 r/min", "r/min", "n", "speed at which natural frequencies are compared",
+        ge=0, le=40_000, claims="huang2022:comparison-speed",
+    )  # fmt: skip
+    members: int = count(48, "N", "sets of parameters wanted", ge=8, le=MOST)
+    zeta_low: float = quantity(
+        "0.5 %", "%", "ζ_min", "least damping ratio at critical speeds 1 and 5 (none is printed)",
+        ge=0.05, le=20,
+    )  # fmt: skip
+    zeta_high: float = quantity(
+        "3 %", "%", "ζ_max", "largest damping ratio there (none is printed)", ge=0.05, le=20
+    )
+    U_1: float = quantity(
+        "1.4e-5 kg m", "kg m", "U_1", "unbalance 1, at node 4", gt=0, le=1,
+        claims="huang2022:unbalance-1",
+    )  # fmt: skip
+    U_2: float = quantity(
+        "1e-5 kg m", "kg m", "U_2", "unbalance 2, at node 19: lowest of three", gt=0, le=1,
+        claims="huang2022:unbalance-2-low",
+    )  # fmt: skip
+    U_2_middle: float = quantity(
+        "3e-5 kg m", "kg m", "U_2", "middle of three", gt=0, le=1,
+        claims="huang2022:unbalance-2-middle",
+    )  # fmt: skip
+    U_2_high: float = quantity(
+        "5e-5 kg m", "kg m", "U_2", "highest of three", gt=0, le=1,
+        claims="huang2022:unbalance-2-high",
+    )  # fmt: skip
+    rig_speed: float = quantity(
+        "7000 r/min", "r/min", "n_r", "speed of the orbit", ge=2000, le=60_000,
+        claims="huang2022:orbit-speed",
+    )  # fmt: skip
+    u_rig_1: float = quantity(
+        "7e-5 kg m", "kg m", "U_1", "unbalance of the rig at node 4", gt=0, le=1,
+        claims="huang2022:rig-unbalance-1",
+    )  # fmt: skip
+    u_rig_2: float = quantity(
+        "6e-5 kg m", "kg m", "U_2", "unbalance of the rig at node 19", gt=0, le=1,
+        claims="huang2022:rig-unbalance-2",
+    )  # fmt: skip
+    T: float = quantity(
+        "15 N m", "N m", "T", "torque that preloads the clutch", gt=0, le=1e5,
+        claims="huang2022:orbit-torque",
+    )  # fmt: skip
+    offset: float = quantity(
+        0.2, "1", "Δx/δ_0", "static offset of the clutch's rings over the sprags' deformation "
+        "(none is printed)", ge=0.001, le=0.9,
+    )  # fmt: skip
+    anisotropy: float = quantity(
+        0.2, "1", "k_y/k_x − 1", "how much stiffer bearings to the ground are along y "
+        "(none is printed)", ge=0, le=2,
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _ordered(self) -> "SpragRotorInputs":
+        if self.zeta_low > self.zeta_high:
+            raise ValueError(
+                f"damping ratios need zeta_low <= zeta_high, got {self.zeta_low:.3%} and "
+                f"{self.zeta_high:.3%}"
+            )
+        if not self.U_2 < self.U_2_middle < self.U_2_high:
+            raise ValueError(
+                "unbalances 2 rise, got "
+                f"{self.U_2:g}, {self.U_2_middle:g} and {self.U_2_high:g} kg m"
+            )
+        return self
+
+    @property
+    def unbalances_2(self) -> Array:
+        """Unbalance 2 (3,) [kg m], rising."""
+        return np.array([self.U_2, self.U_2_middle, self.U_2_high])

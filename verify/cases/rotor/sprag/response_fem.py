@@ -1,0 +1,160 @@
+"""What unbalance does to every member: amplitudes and loads over the speed and at the peaks.
+
+Nodes here are the paper's, numbered from 1; arrays begin with the members (m,).
+"""
+
+from typing import Any
+
+import numpy as np
+
+from verify.cases.rotor.sprag.facts import OPPOSITE
+from verify.cases.rotor.sprag.inputs import PRINTED, RPM, SpragRotorInputs
+from verify.cases.rotor.sprag.layout import DISCS, INNER, OUTER
+from verify.cases.rotor.sprag.system_fem import Damped, rotor_fem
+from verify.core.shown import Array
+
+SHOWN_NODES = (4, 6, 11, 16, 19, 21)  # of Figs. 9 to 11
+NEAR = np.outer(PRINTED, 1 + np.linspace(-0.05, 0.05, 17)).ravel()
+GRID = np.sort(np.concatenate([np.geomspace(3000, 42_000, 60) * RPM, NEAR]))
+MOVED = 11  # where a remark of Sec. 2.2 has unbalance 1
+WINDOW = np.linspace(-1, 1, 25)  # about a peak, in shares of
+WIDEST = 0.055  # of the speed: peaks 3 and 5 are 12 % apart
+RATIOS = 3.0  # of the damping ratio
+BAND = (5, 50, 95)  # per cent of members
+SMALL_OFFSETS = (0.01, 0.02)
+EVEN = 1 / 1.32471795724474602596 ** np.array([1, 2])  # powers of the plastic number
+THETA_Z = 5
+
+
+def damping_ratios(q: SpragRotorInputs, members: int) -> Array:
+    """Ratios (m, 2) at critical speeds 1 and 5, even over their logarithms (the R2 sequence).
+
+    No Rayleigh damping has ratios further apart than the frequencies are: the second is cut there.
+    """
+    share = (0.5 + np.arange(members)[:, None] * EVEN) % 1
+    zeta = q.zeta_low * (q.zeta_high / q.zeta_low) ** share
+    apart = PRINTED[-1] / PRINTED[0] * (1 - 1e-9)
+    zeta[:, 1] = np.clip(zeta[:, 1], zeta[:, 0] / apart, zeta[:, 0] * apart)
+    return np.asarray(zeta)
+
+
+def damped(zeta: Array) -> Damped:
+    """Ratios (2,) at critical speeds 1 and 5."""
+    return (PRINTED[0], float(zeta[0])), (PRINTED[-1], float(zeta[1]))
+
+
+def windows(zeta: Array) -> Array:
+    """Speeds (3, 25) [rad/s] about the three critical ones."""
+    wide = np.minimum(RATIOS * zeta[[0, 1, 1]], WIDEST)
+    return np.asarray(np.array(PRINTED)[:, None] * (1 + wide[:, None] * WINDOW))
+
+
+def responses_fem(q: SpragRotorInputs, members: Array) -> dict[str, Array]:
+    """Everything that facts and figures need of the members (m, 12)."""
+    zeta = damping_ratios(q, len(members))
+    each = [_member(q, p, z) for p, z in zip(members, zeta, strict=True)]
+    found = {key: np.stack([one[key] for one in each]) for key in each[0]}
+    over = ("nodes over speed", "bearings over speed")
+    bands = {key: np.percentile(found.pop(key), BAND, axis=0) for key in over}
+    return found | bands | {"zeta": zeta, "grid": GRID}
+
+
+def _member(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+    return bending_fem(q, p, zeta) | torsion_fem(q, p, zeta) | orbits_fem(q, p, zeta)
+
+
+def bending_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+    """Amplitudes: peaks (U_2, 3, 22), loads of bearings 3 and 4 (U_2, 3, 2), and over the speed."""
+    from fem.rotor.response import unbalance_response
+
+    speeds = np.concatenate([GRID, windows(zeta).ravel()])
+    rotor = rotor_fem(p, damping=damped(zeta))
+    one, two, moved = (unbalance_response(rotor, speeds, {n - 1: 1.0}) for n in (*DISCS, MOVED))
+    x = [
+        np.stack([response.at(node)[:, 0] for node in range(OUTER + INNER)])
+        for response in (one, two, moved)
+    ]
+    loads = [np.stack([r.link_load(k)[:, 0] for k in range(2)]) for r in (one, two)]
+
+    def combined(unit: list[Any], sense: int = 1) -> Array:
+        U_2 = sense * q.unbalances_2[:, None, None]
+        return np.asarray(np.abs(q.U_1 * unit[0] + U_2 * unit[1]))
+
+    nodes, bearings = combined(x), combined(loads)  # U_2, nodes or bearings, speeds
+    return {
+        "peaks": peaks(nodes), "peaks, moved": peaks(combined(x[::-1]))[0],
+        "loads": peaks(bearings), "convex": above_chord(together_fem(q, rotor), q.unbalances_2),
+        "peaks" + OPPOSITE: peaks(combined(x, -1)), "loads" + OPPOSITE: peaks(combined(loads, -1)),
+        "nodes over speed": nodes[:, [n - 1 for n in SHOWN_NODES], : GRID.size],
+        "bearings over speed": bearings[:, :, : GRID.size],
+    }  # fmt: skip
+
+
+def together_fem(q: SpragRotorInputs, rotor: Any) -> Array:
+    """Amplitudes (U_2, 2, speeds) of nodes 4 and 19, each solved with both unbalances acting."""
+    from fem.rotor.response import unbalance_response
+
+    solved = [unbalance_response(rotor, NEAR, {DISCS[0] - 1: q.U_1, DISCS[1] - 1: U_2})
+              for U_2 in q.unbalances_2.tolist()]  # fmt: skip
+    return np.array([[np.abs(r.at(node - 1)[:, 0]) for node in DISCS] for r in solved])
+
+
+def peaks(f: Array) -> Array:
+    """Highest local maxima (U_2, 3, k) in the windows of f (U_2, k, speeds); NaN where none is.
+
+    What is highest at a window's edge is the flank of another peak.
+    """
+    near = f[:, :, GRID.size :].reshape(*f.shape[:2], len(PRINTED), WINDOW.size)
+    inside = near[..., 1:-1]
+    is_peak = (inside > near[..., :-2]) & (inside > near[..., 2:])
+    highest = np.where(is_peak, inside, -np.inf).max(axis=-1).swapaxes(1, 2)
+    return np.asarray(np.where(np.isfinite(highest), highest, np.nan))
+
+
+def above_chord(f: Array, u: Array) -> Array:
+    """Largest f of the middle unbalance over the chord of the others, over the latter."""
+    share = (u[1] - u[0]) / (u[2] - u[0])
+    chord = (1 - share) * f[0] + share * f[2]
+    return np.asarray(((f[1] - chord) / chord).max())
+
+
+def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+    """Amplitudes of theta_z (3, 22) at the critical speeds, with offset and without; momentum."""
+    from fem.rotor.response import unbalance_response
+
+    def turned(offset: float, sense: int = 1) -> Any:
+        rotor = rotor_fem(p, damping=damped(zeta), offset=offset)
+        U = {DISCS[0] - 1: q.U_1, DISCS[1] - 1: sense * q.U_2}
+        q_all = unbalance_response(rotor, PRINTED, U).q
+        return rotor, q_all.reshape(3, -1, 6)[:, :, THETA_Z]
+
+    rotor, with_offset = turned(q.offset)
+    other = turned(q.offset, -1)[1]
+    small = np.stack([np.abs(turned(offset)[1]) for offset in SMALL_OFFSETS])
+    M = rotor.M[THETA_Z::6, THETA_Z::6]
+    split = np.arange(OUTER + INNER) < OUTER
+    momenta = [with_offset @ M @ part for part in (split, ~split)]
+    return {
+        "torsion": np.abs(with_offset), "torsion" + OPPOSITE: np.abs(other),
+        "torsion, small offsets": small,
+        "torsion, no offset": np.abs(turned(0.0)[1]),
+        "momenta": np.abs(np.array([momenta[0] + momenta[1], momenta[1]])),
+        "turned": np.stack([with_offset[:, n - 1] for n in DISCS]),
+        "turned" + OPPOSITE: np.stack([other[:, n - 1] for n in DISCS]),
+        "inertia": np.array([part @ M @ part for part in (1.0 * split, 1.0 * ~split)]),
+    }  # fmt: skip
+
+
+def orbits_fem(q: SpragRotorInputs, p: Array, zeta: Array) -> dict[str, Array]:
+    """X and y (2, 2) of nodes 4 and 19 at the rig's speed, supports alike in x and y and not."""
+    from fem.rotor.response import unbalance_response
+
+    U = {DISCS[0] - 1: q.u_rig_1, DISCS[1] - 1: q.u_rig_2}
+    found = {}
+    for name, anisotropy in (("isotropic", 0.0), ("anisotropic", q.anisotropy)):
+        rotor = rotor_fem(p, damping=damped(zeta), anisotropy=anisotropy)
+        response = unbalance_response(rotor, q.rig_speed, U)
+        orbits = [response.orbit(node - 1) for node in DISCS]
+        found[f"axes, {name}"] = np.array([[o.major, abs(o.minor)] for o in orbits])
+        found[f"orbit, {name}"] = np.array([[o.x, o.y] for o in orbits])
+    return found

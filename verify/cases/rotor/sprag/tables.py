@@ -1,0 +1,145 @@
+"""Tables and sketch of the system with sprag clutch."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.cases.rotor.sprag.facts import STATEMENTS, Statement, opposite
+from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
+from verify.cases.rotor.sprag.kinds import Arrays, arrays, held_of
+from verify.cases.rotor.sprag.layout import (
+    BETWEEN,
+    CLUTCH,
+    DISCS,
+    GROUNDED,
+    INNER,
+    OUTER,
+    PARAMETERS,
+)
+from verify.cases.rotor.sprag.model import MODES, ORDERS
+from verify.core.case import Context
+from verify.core.shown import Array, Shape, Sketch, Table
+
+UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
+
+
+def tables(context: Context) -> Sequence[Table]:
+    if not context.fem or not arrays(context)["members"].size:
+        return (unknowns(None),)
+    a = arrays(context)
+    return (table_1(context), facts(context), unknowns(a["members"]), slopes(a["elasticities"]))
+
+
+def table_1(context: Context) -> Table:
+    v, coarse = context.analytic, context.fem[0].values
+    solid = arrays(context)["solid"]
+    rows = []
+    for i in range(MODES):
+        exact, beams = v[f"natural frequency {i + 1}"], coarse[f"natural frequency {i + 1}"]
+        rows.append((
+            i + 1, "not in the text", round(beams, 3), round(exact, 3),
+            f"{100 * (beams / exact - 1):.4f}", round(float(solid[-1, i]), 2),
+            f"{100 * (exact / float(solid[-1, i]) - 1):+.2f}",
+        ))  # fmt: skip
+    return Table(
+        title=f"Natural frequencies at {context.inputs.speed / RPM:.5g} r/min (Table 1's layout)",
+        header=("order", "paper [Hz]", "20 beam elements [Hz]", "exact beams [Hz]",
+                "20 elements, error [%]", "elastic bodies [Hz]", "exact beams, error [%]"),
+        rows=tuple(rows),
+        note="of the central system, backward before forward; no figure of Table 1 is in the text",
+    )  # fmt: skip
+
+
+def facts(context: Context) -> Table:
+    a = arrays(context)
+    other = opposite(a)
+    most = np.sum([s.holds(a) & s.asked(a) for s in STATEMENTS], axis=0)
+    rows = tuple(
+        (s.name, s.place, held_of(s, a), _share(s, a), held_of(s, other), _share(s, other))
+        for s in STATEMENTS
+    )
+    return Table(
+        title="What was not fitted: statements of the paper in the sets of parameters",
+        header=("statement", "place", "holds in", "%", "unbalances opposite: holds in", "%"),
+        rows=rows,
+        note=f"no set was chosen by them; the one that holds most holds {int(most.max())} of "
+        f"{len(STATEMENTS)}. Sets where something compared has no peak about a critical speed are "
+        "not asked",
+    )  # fmt: skip
+
+
+def _share(statement: Statement, a: Arrays) -> str:
+    asked = statement.asked(a)
+    return f"{100 * float(statement.holds(a)[asked].mean()):.0f}" if asked.any() else "none asked"
+
+
+def unknowns(members: Array | None) -> Table:
+    """What the paper lacks: ranges with their reasons, and what three critical speeds leave."""
+    rows = []
+    for i, p in enumerate(PARAMETERS):
+        left = ("", "", "")
+        if members is not None:
+            spread = np.percentile(members[:, i] / p.factor, (5, 50, 95))
+            left = tuple(f"{float(x):.3g}" for x in spread)  # type: ignore[assignment]
+        rows.append((p.symbol, p.what, p.unit, p.low, p.high, *left, p.reason))
+    return Table(
+        title="What the paper lacks: ranges, and what three critical speeds leave of them",
+        header=("symbol", "what", "unit", "from", "to", "5 %", "50 %", "95 %", "reason"),
+        rows=tuple(rows),
+        note="even over the logarithm; discs 20 mm wide, a drum with the walls of Ref. 9's outer "
+        "race; steel",
+    )  # fmt: skip
+
+
+def slopes(elasticities: Array) -> Table:
+    """Medians of relative changes (m, 3, 12), and what combinations the speeds leave alone."""
+    middle = np.median(elasticities, axis=0)
+    stiff = np.linalg.svd(middle, compute_uv=False)
+    rows = tuple(
+        (p.symbol, p.what, *(f"{float(x):+.3f}" for x in middle[:, i]))
+        for i, p in enumerate(PARAMETERS)
+    )
+    return Table(
+        title="Change of a critical speed in % for 1 % more of a parameter",
+        header=("symbol", "what", *(f"n_{k}" for k in ORDERS)), rows=rows,
+        note="medians of the sets. Three combinations of the parameters are held, a step of 1 % "
+        "along them changes the speeds by " + ", ".join(f"{float(x):.2g}" for x in stiff)
+        + f" %; along {len(PARAMETERS) - len(stiff)} others nothing changes",
+    )  # fmt: skip
+
+
+def sketch(_: SpragRotorInputs) -> Sketch:
+    """Fig. 1, one step a node: the outer rotor above, the inner one below."""
+    x = {n: n - 1.0 for n in range(1, OUTER + 1)}
+    x |= {n: n - CLUTCH[1] + x[CLUTCH[0]] for n in range(OUTER + 1, OUTER + INNER + 1)}
+    up = {n: UPPER if n <= OUTER else 0.0 for n in x}
+    drum = [_box(x[7], x[8], UPPER, 1.0)]
+    drum += [_box(x[8], x[OUTER], UPPER + side * 0.8, 0.2) for side in (1, -1)]
+    shapes = [_box(x[1], x[7], UPPER, 0.45), *drum, _box(x[13], x[22], 0.0, 0.4)]
+    for n in x:
+        at = [x[n], up[n] + (1.25 if n <= OUTER else -1.4)]
+        shapes.append(Shape(style="text", points=np.array([at]), label=str(n)))
+    for k, n in zip((1, 2, 5), GROUNDED, strict=True):
+        away = -1 if n <= OUTER else 1  # from the numbers
+        foot, head = up[n] + 1.7 * away, up[n] + 0.5 * away
+        shapes += [Shape(style="leader", points=np.array([[x[n], foot], [x[n], head]]),
+                         label=f"bearing {k}")]  # fmt: skip
+    for a, b in (*BETWEEN, CLUTCH):
+        shapes.append(Shape(style="dimension", points=np.array([[x[a], UPPER - 1], [x[b], 0.4]])))
+    first, high = x[BETWEEN[0][0]], UPPER / 2 - 0.4
+    line = np.array([[first - 2.5, high - 0.7], [first - 0.2, high]])
+    shapes.append(Shape(style="leader", points=line, label="bearing 3, clutch, bearing 4"))
+    for k, n in enumerate(DISCS, 1):
+        high = 0.45 if n <= OUTER else 0.4
+        shapes += [_box(x[n] - 0.15, x[n] + 0.15, up[n] + side * (high + 0.2), 0.2)
+                   for side in (1, -1)]  # fmt: skip
+        tip = np.array([[x[n], up[n] + 2.7], [x[n], up[n] + (1.9 if n <= OUTER else 0.9)]])
+        shapes.append(Shape(style="load", points=tip, label=f"unbalance {k}"))
+    return Sketch(title="nodes of Fig. 1, one step each: no length is printed",
+                  shapes=tuple(shapes))  # fmt: skip
+
+
+def _box(left: float, right: float, middle: float, half: float) -> Shape:
+    low, high = middle - half, middle + half
+    corners = [[left, low], [right, low], [right, high], [left, high]]
+    return Shape(style="body", points=np.array(corners))

@@ -1,0 +1,119 @@
+"""Inputs of a shaft that is thick in its middle, and its beams: as drawn, and by the 45° rule."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from pydantic import model_validator
+
+from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
+from verify.core.inputs import Inputs, quantity
+
+SLICES = 16  # of a cone, each of its mean diameter
+SMALLEST = 1e-9  # of the length: a piece that is round-off
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of the shaft: its length, its diameter, and the one that counts for stiffness [m]."""
+
+    length: float
+    d: float
+    d_stiff: float
+
+
+class StepInputs(Inputs):
+    """A shaft of diameter d_1 with a thick part d_2, in two short elastic bearings at its ends."""
+
+    L: float = quantity("500 mm", "mm", "L", "length (none is printed)", gt=0, le=1e5)
+    d_1: float = quantity("40 mm", "mm", "d_1", "diameter (none is printed)", gt=0, le=1e5)
+    d_2: float = quantity("80 mm", "mm", "d_2", "diameter of the thick part", gt=0, le=1e5)
+    L_2: float = quantity("200 mm", "mm", "L_2", "length of the thick part", gt=0, le=1e5)
+    a: float | None = quantity(
+        None, "mm", "a", "where it begins; left out: in the middle", omitted=None, gt=0,
+        example="150 mm",
+    )  # fmt: skip
+    b: float = quantity("15 mm", "mm", "b", "width of the bearings, at both ends", gt=0)
+    k: float = quantity("2e5 N/mm", "N/mm", "k", "stiffness of a bearing across", gt=0, le=1e9)
+    n: float = quantity("6000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
+    rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
+    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+
+    @model_validator(mode="after")
+    def _shaft(self) -> "StepInputs":
+        if not 1.001 * self.d_1 <= self.d_2 <= 5 * self.d_1:
+            raise ValueError(
+                f"a step needs 1.001 d_1 <= d_2 <= 5 d_1, got d_1 = {self.d_1 * 1e3:g} mm, "
+                f"d_2 = {self.d_2 * 1e3:g} mm"
+            )
+        if 4 * self.d_1 > self.L:
+            raise ValueError(f"L = {self.L * 1e3:g} mm is below 4 d_1: a block, not a shaft")
+        if 10 * self.b > self.L:
+            raise ValueError(f"b = {self.b * 1e3:g} mm is above L/10: no short bearing")
+        if not self.b < min(self.start, self.L - self.start - self.L_2):
+            raise ValueError(
+                f"bearings of b = {self.b * 1e3:g} mm do not fit beside the thick part, which "
+                f"leaves {self.start * 1e3:g} and {(self.L - self.start - self.L_2) * 1e3:g} mm"
+            )
+        return self
+
+    @property
+    def start(self) -> float:
+        """Where the thick part begins [m]."""
+        return (self.L - self.L_2) / 2 if self.a is None else self.a
+
+    @property
+    def parts(self) -> tuple[tuple[float, float, float], ...]:
+        """Length, diameter and bore of each part, end to end [m]."""
+        rest = self.L - self.start - self.L_2
+        return ((self.start, self.d_1, 0.0), (self.L_2, self.d_2, 0.0), (rest, self.d_1, 0.0))
+
+    @property
+    def seats(self) -> tuple[float, float]:
+        """The middles of the bearings [m]."""
+        return self.b / 2, self.L - self.b / 2
+
+    def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
+        """Pieces end to end, with stations at the seats; `cone`: stiff as the 45° rule says.
+
+        From either step on, the thick part counts for stiffness with a diameter that grows from
+        d_1 by twice the distance, up to d_2.
+        """
+        reach = min((self.d_2 - self.d_1) / 2, self.L_2 / 2) if cone else 0.0
+        first, last = self.start, self.start + self.L_2
+        slope = reach * np.linspace(0, 1, slices + 1) if cone else np.zeros(1)
+        z = np.concatenate([
+            [0.0, self.seats[0]], first + slope, last - slope[::-1], [self.seats[1], self.L]
+        ])  # fmt: skip
+        found = []
+        for low, high in pairwise(z):
+            if high - low <= SMALLEST * self.L:
+                continue
+            middle = (low + high) / 2
+            thick = first < middle < last
+            d = self.d_2 if thick else self.d_1
+            depth = min(middle - first, last - middle)
+            stiff = min(d, self.d_1 + 2 * depth) if cone and thick else d
+            found.append(Piece(float(high - low), d, float(stiff)))
+        return tuple(found)
+
+    def rotor(self, *, cone: bool = False, slices: int = SLICES) -> Rotor:
+        """The shaft as Timoshenko's beam; what cones lack of rotary inertia sits at their ends."""
+        segments, lumps, node = [], [], 0
+        for k, piece in enumerate(self.pieces(cone=cone, slices=slices)):
+            share = (piece.d / piece.d_stiff) ** 2  # of the areas: keeps the mass
+            segments.append(
+                Segment(length=piece.length, d_o=piece.d_stiff, E=self.E, nu=self.nu,
+                        rho=self.rho * share)
+            )  # fmt: skip
+            missing = np.pi / 64 * piece.d**2 * (piece.d**2 - piece.d_stiff**2)
+            half = self.rho * missing * piece.length / 2
+            if half > 0:
+                lumps += [Disc(node=at, mass=0.0, polar=2 * half, diametral=half)
+                          for at in (k, k + 1)]  # fmt: skip
+            node = k + 1
+        return Rotor(
+            shafts=(Shaft(segments=tuple(segments)),), discs=tuple(lumps),
+            supports=(Support(node=1, kxx=self.k), Support(node=node - 1, kxx=self.k)),
+        )  # fmt: skip

@@ -1,0 +1,55 @@
+"""A fixed companion of the default rotor, in which bearings and shafts differ in every way.
+
+Bearings unlike in x and y with a coupling, damping that differs, tilting held and damped, a shaft
+that turns against the other, and two unbalances at an angle on each: signs and conjugates that
+the default rotor cannot tell apart change its numbers.
+"""
+
+from functools import cache
+
+import numpy as np
+
+from verify.cases.rotor.description import LinkInputs, ShaftInputs, SupportInputs, UnbalanceInputs
+from verify.cases.rotor.system.inputs import RPM, SystemInputs
+
+NAMED = "companion"
+JUDGED = (
+    *(f"frequency {k}" for k in (1, 2, 3, 4)),
+    *(f"critical {g}.{k}" for g in (1, 2) for k in (1, 2)),
+    "amplitude", "support load", "link load",
+)  # fmt: skip
+
+
+def has_companion(q: SystemInputs) -> bool:
+    """Whether it is judged beside `q`: beside the default rotor alone."""
+    return q == SystemInputs()
+
+
+@cache
+def companion() -> SystemInputs:
+    """The companion with unlike bearings."""
+    q = SystemInputs()
+    turned = np.deg2rad
+    return SystemInputs(
+        speed=5200 * RPM,
+        shafts=(
+            ShaftInputs(name="outer", start=q.shafts[0].start),
+            ShaftInputs(name="inner", ratio=-1.3),
+        ),
+        supports=(
+            SupportInputs(node=1, k=6e7, kyy=2.5e7, kxy=1e7, c=3000.0, cyy=600.0, k_tilt=3e4,
+                          c_tilt=40.0),
+            SupportInputs(node=6, k=3e7, kyy=4.5e7, kxy=-6e6, c=1500.0, cyy=4000.0),
+            SupportInputs(node=14, k=4e7, c=2500.0, k_tilt=2e4, c_tilt=30.0),
+        ),
+        links=(
+            LinkInputs(node=5, to=11, k=5e7, kyy=2e7, kxy=8e6, c=9000.0, cyy=4000.0, k_tilt=2e4,
+                       c_tilt=50.0),
+        ),
+        unbalances=(
+            UnbalanceInputs(node=2, value=20e-6, angle=turned(40.0)),
+            UnbalanceInputs(node=4, value=14e-6, angle=turned(130.0)),
+            UnbalanceInputs(node=7, value=30e-6, angle=turned(-70.0)),
+            UnbalanceInputs(node=13, value=40e-6, angle=turned(20.0)),
+        ),
+    )  # fmt: skip

@@ -1,0 +1,157 @@
+"""Inputs of any rotor: two shafts, one in the other, until one's own are put in."""
+
+from functools import cached_property
+
+import numpy as np
+from pydantic import model_validator
+
+from analytic.rotor.transfer_model import Rotor
+from analytic.rotor.transfer_supported import check_supported
+from verify.cases.rotor import description
+from verify.cases.rotor.description import (
+    DiscInputs,
+    LinkInputs,
+    SegmentInputs,
+    ShaftInputs,
+    SupportInputs,
+    UnbalanceInputs,
+)
+from verify.core import units
+from verify.core.inputs import EntryError, Inputs, count, quantity, table
+
+RPM = np.pi / 30
+MOST_NODES = 150
+
+
+def _segments() -> tuple[SegmentInputs, ...]:
+    """A tube on a longer solid shaft."""
+    tube = [(0.06, 0.07), (0.12, 0.07), (0.12, 0.07), (0.06, 0.06)]
+    core = [(0.06, 0.03), (0.10, 0.035), (0.12, 0.035), (0.12, 0.035), (0.12, 0.035),
+            (0.12, 0.035), (0.10, 0.035), (0.06, 0.03)]  # fmt: skip
+    return (
+        *(SegmentInputs(shaft="outer", length=z, d_o=d, d_i=0.05) for z, d in tube),
+        *(SegmentInputs(shaft="inner", length=z, d_o=d) for z, d in core),
+    )
+
+
+class SystemInputs(Inputs):
+    """Coaxial shafts with discs, bearings, links and unbalances."""
+
+    speed_from: float = quantity(
+        "5600 r/min", "r/min", "n_1", "operating speeds of the first shaft, from", ge=0, le=1e6
+    )
+    speed_to: float = quantity("9000 r/min", "r/min", "n_2", "operating speeds, to", gt=0, le=1e6)
+    margin: float = quantity(
+        0.15,
+        "1",
+        "m_n",
+        "separation margin of critical speeds from the operating speeds",
+        ge=0,
+        lt=1,
+    )
+    speed: float = quantity(
+        "9000 r/min", "r/min", "n", "speed at which frequencies and amplitudes are reported", gt=0,
+        le=1e6,
+    )  # fmt: skip
+    probe: int = count(4, "", "node whose amplitude is reported", ge=1, le=10_000)
+    shafts: tuple[ShaftInputs, ...] = table(
+        (ShaftInputs(name="outer", ratio=1.0, start=0.16), ShaftInputs(name="inner", ratio=1.4)),
+        "Shafts; speeds are the first one's, whose ratio is 1.",
+        required=True,
+    )
+    segments: tuple[SegmentInputs, ...] = table(
+        _segments(),
+        "Segments, in their order along each shaft; their ends are the nodes, numbered from 1 "
+        "along the first shaft, then on along the next.",
+        required=True,
+    )
+    discs: tuple[DiscInputs, ...] = table(
+        (
+            DiscInputs(node=2, mass=3.0, polar=0.0090, diametral=0.0050, width=0.02),
+            DiscInputs(node=4, mass=4.0, polar=0.0160, diametral=0.0085, width=0.02),
+            DiscInputs(node=7, d_o=0.2, d_i=0.03, width=0.02),
+            DiscInputs(node=13, d_o=0.22, d_i=0.035, width=0.025),
+        ),
+        "Rigid discs at nodes: mass, polar and diametral, or d_o, d_i, width and rho of a cylinder "
+        "for what is left out. Discs of one shaft must not overlap.",
+    )
+    supports: tuple[SupportInputs, ...] = table(
+        (
+            SupportInputs(node=1, k=6e7, c=800.0),
+            SupportInputs(node=6, k=4e7, c=600.0),
+            SupportInputs(node=14, k=4e7, c=600.0),
+        ),
+        "Bearings to the ground.",
+        required=True,
+    )
+    links: tuple[LinkInputs, ...] = table(
+        (LinkInputs(node=5, to=11, k=5e7, c=300.0),),
+        "Bearings and clutches between two shafts.",
+    )
+    unbalances: tuple[UnbalanceInputs, ...] = table(
+        (
+            UnbalanceInputs(node=4, value=units.parse("14 g mm", "g mm")),
+            UnbalanceInputs(node=13, value=units.parse("50 g mm", "g mm"), angle=np.pi / 2),
+        ),
+        "Unbalances, each turning with its shaft.",
+    )
+
+    @model_validator(mode="after")
+    def _sensible(self) -> "SystemInputs":
+        if not self.speed_from < self.speed_to:
+            raise ValueError(
+                "the operating speeds need speed_from < speed_to, got speed_from = "
+                f"{self.speed_from / RPM:g} r/min, speed_to = {self.speed_to / RPM:g} r/min"
+            )
+        description.check_shafts(self.shafts, self.segments)
+        nodes = len(self.segments) + len(self.shafts)
+        if nodes > MOST_NODES:
+            raise ValueError(f"segments have {nodes} nodes, at most {MOST_NODES} are taken")
+        description.check_nodes(
+            nodes, discs=self.discs, supports=self.supports, links=self.links,
+            unbalances=self.unbalances,
+        )  # fmt: skip
+        if self.probe > nodes:
+            raise ValueError(f"probe = {self.probe}: there are nodes 1 to {nodes}")
+        description.check_widths(self.discs, self.rotor)
+        self._links_join_shafts()
+        check_supported(self.rotor, tuple(shaft.name for shaft in self.shafts))
+        return self
+
+    def _links_join_shafts(self) -> None:
+        for k, link in enumerate(self.links, start=1):
+            a, b = (self.shafts[self.rotor.shaft_of[n - 1]] for n in (link.node, link.to))
+            if a == b:
+                raise EntryError(
+                    "links", k, f"to = {link.to}",
+                    f"node {link.node} is on shaft {a.name} too: a link joins two shafts",
+                )  # fmt: skip
+            if link.k_turn > 0 and a.ratio != b.ratio:
+                raise EntryError(
+                    "links", k, f"k_turn = {link.k_turn:g} N m/rad",
+                    f"shafts {a.name} and {b.name} turn at different speeds",
+                )  # fmt: skip
+
+    @cached_property
+    def rotor(self) -> Rotor:
+        """The rotor of the formulas."""
+        supports, links = description.springs_of(self.supports, self.links)
+        return Rotor(
+            shafts=description.shafts_of(self.shafts, self.segments),
+            discs=description.discs_of(self.discs), supports=supports, links=links,
+        )  # fmt: skip
+
+    @property
+    def places(self) -> tuple[float, ...]:
+        """Place of each node along the axis [m]."""
+        start = [self.shafts[k].start for k in self.rotor.shaft_of]
+        return tuple(z0 + z for z0, z in zip(start, self.rotor.places, strict=True))
+
+    def unbalanced(self) -> dict[float, dict[int, complex]]:
+        """Unbalances [kg m] by the ratio of their shaft and by station from 0."""
+        found: dict[float, dict[int, complex]] = {}
+        for u in self.unbalances:
+            ratio = self.shafts[self.rotor.shaft_of[u.node - 1]].ratio
+            group = found.setdefault(ratio, {})
+            group[u.node - 1] = group.get(u.node - 1, 0.0) + u.value * np.exp(1j * u.angle)
+        return found

@@ -1,0 +1,121 @@
+"""What is odd about a rotor that a user described, in words."""
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations, pairwise
+from typing import NamedTuple
+
+from verify.cases.rotor.description import SegmentInputs
+from verify.cases.rotor.system.inputs import RPM, SystemInputs
+from verify.core.case import Values
+
+APART = 1e-4  # m: what a bearing between two shafts may span along the axis
+TOUCH = 1e-9  # m: what rounded places may overlap by
+RIGID = 0.5  # damping times speed over stiffness, from which on damping holds a shaft
+LISTED = 4  # parts that a warning names
+
+
+class Placed(NamedTuple):
+    """Segment number `k` between two places of the axis [m]."""
+
+    k: int
+    low: float
+    high: float
+    segment: SegmentInputs
+
+
+def warnings(q: SystemInputs, _: Values) -> Sequence[str]:
+    return [*_links(q), *_through(q), *_damping(q), *_short(q), *_steps(q), *_speed(q)]
+
+
+def placed(q: SystemInputs) -> list[Placed]:
+    """Segments in their places, shaft by shaft."""
+    found = []
+    for shaft in q.shafts:
+        at = shaft.start
+        for k, s in enumerate(q.segments, start=1):
+            if s.shaft == shaft.name:
+                found.append(Placed(k, at, at + s.length, s))
+                at += s.length
+    return found
+
+
+def _links(q: SystemInputs) -> Iterator[str]:
+    for k, link in enumerate(q.links, start=1):
+        gap = q.places[link.node - 1] - q.places[link.to - 1]
+        if abs(gap) > APART:
+            yield (
+                f"links[{k}] joins nodes {abs(gap) * 1e3:.4g} mm apart along the axis: set the "
+                "shafts' start"
+            )
+
+
+def _through(q: SystemInputs) -> Iterator[str]:
+    """Shafts beside each other on one axis: the one must fit into the bore of the other."""
+    met = []
+    for a, b in combinations(placed(q), 2):
+        over = min(a.high, b.high) - max(a.low, b.low)
+        inner, outer = (a, b) if a.segment.d_o <= b.segment.d_o else (b, a)
+        fits = inner.segment.d_o <= outer.segment.d_i
+        if a.segment.shaft != b.segment.shaft and over > TOUCH and not fits:
+            met.append(
+                f"segments[{inner.k}], d_o = {inner.segment.d_o * 1e3:.4g} mm, in the bore of "
+                f"segments[{outer.k}], d_i = {outer.segment.d_i * 1e3:.4g} mm, over "
+                f"{over * 1e3:.4g} mm"
+            )
+    if met:
+        more = f"; and {len(met) - LISTED} more" if len(met) > LISTED else ""
+        yield f"shafts pass through each other: {'; '.join(met[:LISTED])}{more}"
+
+
+def _damping(q: SystemInputs) -> Iterator[str]:
+    springs = [
+        (f"{table}[{k}]", s)
+        for table, entries in (("supports", q.supports), ("links", q.links))
+        for k, s in enumerate(entries, start=1)
+    ]
+    if q.unbalances and not any(s.c or s.cyy or s.c_tilt for _, s in springs):
+        yield "no bearing is damped: amplitudes at critical speeds have no bound"
+    for name, s in springs:
+        across = s.c, s.k
+        along_y = s.c if s.cyy is None else s.cyy, s.k if s.kyy is None else s.kyy
+        if any(c * q.speed_to > RIGID * k for c, k in (across, along_y)):
+            yield (
+                f"{name}: damping times the highest operating speed is above {RIGID:g} of the "
+                "stiffness: it acts rigid; damping is left out of frequencies and critical speeds"
+            )
+
+
+def _short(q: SystemInputs) -> Iterator[str]:
+    """Runs of one diameter count, not what they are cut into."""
+    runs: list[list[Placed]] = []
+    for s in placed(q):
+        last = runs[-1][-1].segment if runs else None
+        alike = last is not None and (last.shaft, last.d_o) == (s.segment.shaft, s.segment.d_o)
+        if alike:
+            runs[-1].append(s)
+        else:
+            runs.append([s])
+    short = [run for run in runs if run[-1].high - run[0].low < run[0].segment.d_o / 10]
+    if short:
+        names = ", ".join(f"segments[{run[0].k}]" for run in short[:LISTED])
+        more = f" and {len(short) - LISTED} more" if len(short) > LISTED else ""
+        verb = "is" if len(short) == 1 else "are"
+        yield f"{names}{more} {verb} shorter than a tenth of the diameter: no beam there"
+
+
+def _steps(q: SystemInputs) -> Iterator[str]:
+    steps = [
+        a.k for a, b in pairwise(placed(q))
+        if a.segment.shaft == b.segment.shaft
+        and max(a.segment.d_o, b.segment.d_o) > 1.5 * min(a.segment.d_o, b.segment.d_o)
+    ]  # fmt: skip
+    if steps:
+        yield (
+            f"the diameter steps by half or more after segments[{steps[0]}]: beam theory is too "
+            "stiff there, by up to some 9 % of a frequency"
+        )
+
+
+def _speed(q: SystemInputs) -> Iterator[str]:
+    if q.speed > 1.2 * q.speed_to or q.speed < 0.8 * q.speed_from:
+        yield f"speed = {q.speed / RPM:.5g} r/min is not among the operating speeds"

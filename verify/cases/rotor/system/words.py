@@ -1,0 +1,123 @@
+"""What a rotor's critical speeds mean for its operating speeds, in words, the verdict first."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from verify.cases.rotor.system.inputs import RPM, SystemInputs
+from verify.cases.rotor.system.model import study
+from verify.core.case import Values
+
+SENSE = {1: "forward", -1: "backward", 0: "to and fro"}
+
+
+class Critical(NamedTuple):
+    """A critical speed of the rotor [rad/s], whose unbalance meets it, and the whirl's sense."""
+
+    speed: float
+    shafts: str
+    whirl: int
+
+
+def criticals(q: SystemInputs) -> list[Critical]:
+    """Of every shaft's unbalance, rising."""
+    return sorted(
+        Critical(float(speed), " and ".join(excited.shafts), int(whirl))
+        for excited in study(q).excited
+        for speed, whirl in zip(excited.speeds, excited.modes.whirl, strict=True)
+    )
+
+
+def limits(q: SystemInputs) -> tuple[float, float]:
+    """Operating speeds widened by the wanted margin [rad/s]."""
+    return q.speed_from * (1 - q.margin), q.speed_to * (1 + q.margin)
+
+
+def too_near(q: SystemInputs) -> list[Critical]:
+    low, high = limits(q)
+    return [c for c in criticals(q) if low <= c.speed <= high]
+
+
+def distance(q: SystemInputs, speed: float) -> float:
+    """Signed relative distance from the operating speeds: 0 inside, negative below them."""
+    if speed < q.speed_from:
+        return speed / q.speed_from - 1
+    return speed / q.speed_to - 1 if speed > q.speed_to else 0.0
+
+
+def findings(q: SystemInputs, v: Values) -> Sequence[str]:
+    return (*_verdict(q), *_neighbours(q), _frequencies(q), *_amplitudes(q, v))
+
+
+def _verdict(q: SystemInputs) -> list[str]:
+    asked = f"{q.speed_from / RPM:.5g} to {q.speed_to / RPM:.5g} r/min"
+    if not (met := too_near(q)):
+        return [f"clear: no critical speed within {q.margin:.0%} of {asked}"]
+    number = f"{len(met)} critical speed{'s' if len(met) > 1 else ''}"
+    return [f"not clear: {number} within {q.margin:.0%} of {asked}", *(_told(q, c) for c in met)]
+
+
+def _told(q: SystemInputs, critical: Critical) -> str:
+    far = distance(q, critical.speed)
+    place = "among the operating speeds" if far == 0 else f"{abs(far):.1%} "
+    place += "" if far == 0 else "below them" if far < 0 else "above them"
+    return (
+        f"critical at {critical.speed / RPM:.5g} r/min (unbalance of {critical.shafts}, "
+        f"{SENSE[critical.whirl]}): {place}"
+    )
+
+
+def _neighbours(q: SystemInputs) -> list[str]:
+    """The nearest critical speeds on either side of the margin."""
+    low, high = limits(q)
+    found = criticals(q)
+    below = [c for c in found if c.speed < low][-1:]
+    above = [c for c in found if c.speed > high][:1]
+    return [_told(q, c) for c in below + above]
+
+
+def _frequencies(q: SystemInputs) -> str:
+    modes = study(q).modes
+    told = ", ".join(
+        f"{w / 2 / np.pi:.4g} Hz {SENSE[int(s)]}" for w, s in zip(modes.w, modes.whirl, strict=True)
+    )
+    return f"natural frequencies at {q.speed / RPM:.5g} r/min: {told}"
+
+
+def _amplitudes(q: SystemInputs, v: Values) -> list[str]:
+    if "amplitude" not in v:
+        return []
+    loads = {
+        f"{table}[{k}]": sum(float(r.load(spring)[0]) for r in study(q).responses)
+        for table, springs in (("supports", q.rotor.supports), ("links", q.rotor.links))
+        for k, spring in enumerate(springs, start=1)
+    }
+    worst = max(loads, key=loads.__getitem__)
+    together = ", the unbalances of all shafts added" if len(study(q).responses) > 1 else ""
+    return [
+        f"at {q.speed / RPM:.5g} r/min node {q.probe} whirls with "
+        f"{v['amplitude'] * 1e6:.3g} µm (zero to peak) and the largest bearing load is "
+        f"{loads[worst]:.4g} N at {worst}{together}"
+    ]
+
+
+def summary(q: SystemInputs, _: Values) -> Mapping[str, Any]:
+    """JSON: the verdict, and every critical speed found with its distance."""
+    return {
+        "verdict": "not clear" if too_near(q) else "clear",
+        "critical_speeds": [
+            {"speed": c.speed / RPM, "unit": "r/min", "unbalance_of": c.shafts,
+             "whirl": SENSE[c.whirl], "distance": distance(q, c.speed)}
+            for c in criticals(q)
+        ],
+        "whirl": [SENSE[int(s)] for s in study(q).modes.whirl],
+    }  # fmt: skip
+
+
+def too_large(q: SystemInputs) -> str:
+    """Why beams of eight elements a segment are not taken."""
+    most = 60
+    if len(q.segments) > most:
+        return f"{len(q.segments)} segments, at most {most} are cut into elements"
+    return ""

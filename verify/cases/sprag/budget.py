@@ -1,0 +1,114 @@
+"""Error budgets of sprag clutches: races, wedge angle, length, time steps, plane assumption."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.judging.budget_statement import Cause, Corrected, Left, Rerun, Statement, Without
+
+LIGHTER, THICKER, LONGER, FLATTER = 4, 3, 4, 100
+
+
+def light(q: Any) -> Any:
+    """A quarter of the torque."""
+    return q.model_copy(update={"T": q.T / LIGHTER})
+
+
+def thick(q: Any) -> Any:
+    """Races with thicker walls."""
+    return q.model_copy(
+        update={"R_id": q.R_i - 1.5 * (q.R_i - q.R_id), "R_ed": q.R_e + THICKER * (q.R_ed - q.R_e)}
+    )
+
+
+def long(q: Any) -> Any:
+    """Longer sprags under the same load per length, their crown made for that."""
+    more = {"l": LONGER * q.l, "T": LONGER * q.T}
+    if q.Q is not None:
+        more["Q"] = LONGER * q.Q
+    return q.model_copy(update=more)
+
+
+def long_uncrowned(q: Any) -> Any:
+    """Longer sprags with a hundredth of the crown: all slices bear alike."""
+    more = long(q)
+    return more.model_copy(update={"K_1": more.K_1 / FLATTER, "z_m": more.z_m / FLATTER})
+
+
+def long_half_crowned(q: Any) -> Any:
+    """Longer sprags with half the crown: less would let the ends bear the largest pressure."""
+    more = long(q)
+    return more.model_copy(update={"K_1": more.K_1 / 2, "z_m": more.z_m / 2})
+
+
+BOTH = Without(Cause.PLANE, "plane strain on both sides")
+LONG = Rerun(cause=Cause.GEOMETRY, what="four times as long under the same load per length",
+             inputs=long, levels=(41, 81))  # fmt: skip
+# slices take what they yield by from their own load alone, strips from their neighbours' as well
+EVEN = Rerun(
+    cause=Cause.GEOMETRY, what="and a hundredth of the crown: an even load of the slices",
+    rows=("pressure at mid-length*",), inputs=long_uncrowned, levels=LONG.levels, after=LONG.what,
+)  # fmt: skip
+# at the larger torque the ends bear the largest pressure then, which is another one
+HALF = Rerun(
+    cause=Cause.GEOMETRY, what="and half the crown", rows=("largest pressure*",),
+    inputs=long_half_crowned, levels=LONG.levels, after=LONG.what,
+)  # fmt: skip
+STRIPS = (
+    Without(Cause.CONTACT, "none: exact law, pressures are not negative"),
+    Without(Cause.PLANE, "strips and slices, not plane"),
+)
+IN_TIME = (
+    Without(Cause.CONTACT, "rigid sprags on springs by the formulas' own law"),
+    Without(Cause.PLANE, "rigid bodies"),
+    Without(Cause.GEOMETRY, "one model on both sides"),
+)
+
+LAW = "slices yield by Palmgren's law of a whole roller, which no rerun gives to strips"
+SLICED = (Left(("pressure at mid-length*", "largest pressure*"), LAW),)
+WEDGE = Left(
+    ("T_*tan*1.8 N_0", "excess of N_e*", "torque n_s N*1.8 N_0"),
+    "a quarter of the torque and thicker races take more away than there is",
+)
+TURNED = Left(
+    ("turn of the races by rolling*",),
+    "neither the torque nor the races explain it, nothing else was rerun",
+)
+
+STATEMENTS: Mapping[str, Statement] = {
+    "sprag-wedge": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="a quarter of the torque: contacts half as wide",
+                  inputs=light, levels=(9,)),
+            Rerun(cause=Cause.GEOMETRY, what="races with thicker walls", inputs=thick, levels=(9,)),
+        ),
+        without=(BOTH,), left=(WEDGE, TURNED),
+        corrected=(
+            Corrected("rotation with half planes and Eq. 6, long, at N_0", "alpha, N_0",
+                      "half planes and Eq. 6, beside the yields of elastic bodies"),
+            Corrected("rotation with Eqs. 9, 10 as printed and elastic yields, at N_0",
+                      "alpha, N_0"),
+            Corrected("rotation with Palmgren's law, Eqs. 6 and 7, at N_0", "alpha, N_0",
+                      "Palmgren's law, beside the yields of elastic bodies"),
+            Corrected("rotation as the paper has it, Palmgren's law in Eqs. 9, 10 as printed, "
+                      "at T", "alpha", "both as printed, beside Eqs. 9, 10 corrected with the "
+                      "yields of elastic bodies"),
+            *(
+                Corrected(row.format(race), f"{key} {race[0].replace('o', 'e')}, N_0", what)
+                for race in ("inner", "outer")
+                for row, key, what in (
+                    ("mean displacement of the {} race (Eq. 6 as printed, thin), at N_0", "mean",
+                     "as printed for a thin race, beside a long one's"),
+                    ("Eq. 6 alone for the {} race under a sprag, at N_0", "race",
+                     "a mean of the race, beside the place under a sprag"),
+                )
+            ),
+        ),
+        headline="rotation of the sprags, at T",
+    ),
+    "sprag-engagement": Statement(without=IN_TIME),
+    "sprag-friction": Statement(without=IN_TIME),
+    "sprag-clutch": Statement(reruns=(LONG,), left=SLICED, without=STRIPS, finer=321),
+    "sprag-crown": Statement(reruns=(LONG,), left=SLICED, without=STRIPS),
+    "sprag-optimum": Statement(reruns=(LONG, EVEN, HALF), left=SLICED, without=STRIPS, finer=321),
+    "sprag-optimum-40": Statement(reruns=(LONG, EVEN), left=SLICED, without=STRIPS, finer=321),
+}  # fmt: skip

@@ -1,0 +1,305 @@
+"""The claims about one's own sprag clutch, and those about the numbers that the paper prints."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, ClassVar
+
+import numpy as np
+
+from verify.cases.contact.roller.accepted import Estimated
+from verify.cases.sprag.clutch.drawn_claims import BY_DRAWN, DRAWN
+from verify.cases.sprag.clutch.paper_fem import ANGLES, PRINTED
+from verify.cases.sprag.engagement.formulas import at_rest as static_turn
+from verify.cases.sprag.engagement.model import wedge
+from verify.cases.sprag.inputs import IDENTIFIED, EngagementInputs
+from verify.core.case import Context
+from verify.core.results import Kind, Partner, Row, Status
+from verify.core.shown import Array
+from verify.judging import judge
+from verify.judging.agreement import Pair, PaperAgreement, suites
+from verify.judging.checks import Accepted, Identity
+from verify.judging.claims import Claim
+from verify.judging.printed import Adopted
+
+SLICED = 0.02  # of a pressure by slices, and STRIPS of theirs: acceptance figures
+STRIPS = 0.003
+WIDER = 0.045  # demand of a row with that interval
+BY_STRIPS = "strips"
+FROM_DRAWN = "cubic between the loads of the contacts' laws, as told in u_ref"
+PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
+RESTS = 1e-3  # of the force, where N_e = N_i makes half as much
+ROUNDED = {"m_g": 0.05e-3, "I_g": 0.005e-8}  # kg, kg m²: half of the last digit in Table 1
+FOUND_FIT = 0.02  # of what was fitted
+FITTED = f"rests on {len(IDENTIFIED)} identified inputs"
+UNFITTED = "the pressure printed at 25 N m does not lie between those at {:.2g} and {:.2g}°".format(
+    *np.degrees(ANGLES)
+)
+
+Measured = Mapping[str, Array]
+
+
+def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
+    """Interval of slices over strips; none at one's own numbers, for which none was accepted."""
+    if q != EngagementInputs():
+        return None
+    return -SLICED - STRIPS, SLICED + STRIPS
+
+
+def measured(context: Context) -> Measured:
+    return context.fem[-1].arrays
+
+
+@dataclass(frozen=True, kw_only=True)
+class OfPaper(Accepted):
+    """A statement about the paper's clutch alone."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noted(Claim):
+    """A printed statement that the paper's own equations contradict: NOTE with its ledger entry.
+
+    `margin` says how surely; where it does not, the ledger is wrong and the row fails.
+    """
+
+    kind = Kind.FACT
+    paper_only: ClassVar[bool] = True
+
+    erratum: str
+    margin: Callable[[Context], tuple[float, float, str]]
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        margin, U, words = self.margin(context)
+        verdict = judge.fact(margin, U)
+        if verdict.status is Status.PASS:
+            said = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=said)
+        else:
+            said = f"ledger {self.erratum} says otherwise: {words}"
+            verdict = replace(verdict, reason=said if math.isfinite(margin) else UNFITTED)
+        return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Beside(Claim):
+    """What is computed from identified inputs beside a `figure` [SI], printed or given as input.
+
+    CALIBRATED within `bound` where it was `fitted` to it; else a prediction, SHOWN.
+    """
+
+    kind = Kind.APPROXIMATION
+    paper_only: ClassVar[bool] = True
+
+    value: Callable[[Measured], float]
+    figure: float
+    figure_is: str = "printed"
+    words: str
+    bound: float = math.inf
+    fitted: str = ""
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        v = self.value(measured(context))
+        if not math.isfinite(v):
+            verdict = judge.Verdict(Status.FAIL, UNFITTED)
+            return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=self.figure,
+                              published=self._printed(context))]  # fmt: skip
+        error = v / self.figure - 1
+        said, status = f"{error:+.1%}: {self.words}", Status.SHOWN
+        if self.fitted:
+            status = Status.CALIBRATED if abs(error) < self.bound else Status.FAIL
+            said = f"{said}; {self.fitted}"
+        verdict = judge.Verdict(status, said, v - self.figure)
+        return [
+            self._row(
+                context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=self.figure,
+                partner=Partner(by=self.figure_is, value=self.figure),
+                published=self._printed(context),
+            )
+        ]  # fmt: skip
+
+
+def rectangle(q: EngagementInputs) -> tuple[float, float]:
+    """Width and length [m] of a rectangle between the races with the mass and inertia given."""
+    h = q.R_e - q.R_i
+    w = math.sqrt(12 * q.I_g / q.m_g - h**2)
+    return w, q.m_g / (q.density * h * w)
+
+
+def length(context: Context) -> tuple[float, float, str]:
+    """How far inside what the rounding of m_g and I_g leaves the length is, over the length."""
+    q = context.inputs
+    w, l = rectangle(q)  # noqa: E741
+    (_, low), (_, high) = corners(q)
+    mass = q.m_g / (q.density * (q.R_e - q.R_i) * q.b)
+    words = (
+        f"a rectangle {w * 1e3:.3g} mm wide has l = {l * 1e3:.4g} mm, {low * 1e3:.1f} to "
+        f"{high * 1e3:.1f} mm by their rounding (U = {max(high - l, l - low) / l:.2f}); with "
+        f"b = {q.b * 1e3:g} mm the mass alone gives {mass * 1e3:.2g} mm"
+    )
+    return min(q.l - low, high - q.l) / q.l, 0.0, words
+
+
+def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Width and length [m] of the shortest and the longest rectangle that the digits allow."""
+    found = [
+        rectangle(q.model_copy(update={"m_g": q.m_g + a * ROUNDED["m_g"],
+                                       "I_g": q.I_g + b * ROUNDED["I_g"]}))
+        for a in (-1, 1) for b in (-1, 1)
+    ]  # fmt: skip
+    in_length = sorted(found, key=lambda one: one[1])
+    return in_length[0], in_length[-1]
+
+
+def width(context: Context) -> tuple[float, float, str]:
+    """How little the sprag's width means: N_max with the rectangle's instead."""
+    narrow = float(measured(context)["narrow"][0])
+    change = narrow / float(measured(context)["N_max"][0]) - 1
+    w, _ = rectangle(context.inputs)
+    (high, _), (low, _) = corners(context.inputs)
+    words = (
+        f"that rectangle is {w * 1e3:.3g} mm wide ({low * 1e3:.1f} to {high * 1e3:.1f} mm by "
+        f"rounding): N_max {change:+.2%}"
+    )
+    return 0.005 - abs(change), 0.0, words
+
+
+def preload(context: Context) -> tuple[float, float, str]:
+    """The springs' force is less than a hundredth of the static one."""
+    share = context.analytic["N_0"] / context.analytic["N"]
+    return 0.01 - share, 0.0, f"{share:.2%} of N"
+
+
+def at_rest(context: Context) -> Pair:
+    """An engagement that damping brings to rest ends at the static force of strut and springs."""
+    found, N = measured(context), context.analytic["N"]
+    clutch, damped = wedge(context.inputs), float(found["damped"][0])
+    sprung = float(clutch.force()(static_turn(clutch, context.inputs.T)))
+    words = (
+        f"{damped:.1f} N, {damped / sprung - 1:+.3%} by N_e = N_i beside {sprung:.1f} N of a strut "
+        f"with springs, which make {sprung / N - 1:+.2%} over {N:.1f} N without"
+    )
+    return Pair(sprung, damped, 0.0, words)
+
+
+def first_is_largest(context: Context) -> tuple[float, float, str]:
+    """The largest force is that of the first peak, over the next ones' by more than round-off."""
+    found = measured(context)
+    share = found["second peak"] / found["first peak"]
+    words = f"the second is {share[0]:.3f} of it at 25 N m, {share[1]:.3f} at 40 N m"
+    return float(1 - share.max()), 1e-3, words
+
+
+def deeper_is_lower(context: Context) -> tuple[float, float, str]:
+    """K_1 from 1 to 3 lowers the peak of the engagement (Fig. 13)."""
+    shallow, deep = measured(context)["Fig. 13"] / 1e6
+    return float(1 - deep / shallow), 1e-3, f"{shallow:.0f} MPa, {deep:.0f} MPa"
+
+
+def ends_carry(context: Context) -> tuple[float, float, str]:
+    """Without a crown the end slices bear more than the middle in the largest peak."""
+    end, middle = measured(context)["flat, ends"] / 1e6
+    return (
+        float(end / middle - 1),
+        1e-3,
+        f"{end:.0f} MPa at the ends, {middle:.0f} MPa at mid-length",
+    )
+
+
+def grows(context: Context) -> tuple[float, float, str]:
+    """Every doubling of the slices raises the uncrowned peak, and each by more than the last."""
+    found = measured(context)
+    n, p = found["flat, counts"], found["flat, peaks"]
+    rise = [float(np.interp(2 * k, n, p) / np.interp(k, n, p) - 1) for k in (11, 20.5, 40.5, 80.5)]
+    slope = math.log(p[-1] / p[-2]) / math.log(n[-1] / n[-2])
+    words = (
+        f"{p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices, {p[-1] / 1e6:.0f} MPa with {n[-1]:.0f}, "
+        f"last slope {slope:.2f}"
+    )
+    return min(b - a for a, b in pairwise(rise)), 0.0, words
+
+
+def ratios(context: Context) -> tuple[float, float, str]:
+    """Ratio of forces that both printed pairs imply, beside this clutch's."""
+    found = measured(context)
+    own = float(found["N_max"][1] / found["N_max"][0])
+    flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))
+    words = f"{flat:.2f} without crown, {best:.2f} with the best ones; computed {own:.3f}"
+    return min(flat - own, own - best), 0.02, words
+
+
+CHECKS = (
+    Identity(name="normal force under torque", symbol="N(T)", unit="N", analytic="N", fem="N",
+             formal=2, by=DRAWN, residual="law", demand=1e-3, demand_reason=FROM_DRAWN),
+    Identity(name="friction that torque asks for, tan ν", symbol="μ_req", unit="1",
+             analytic="mu_req", fem="mu_req", formal=2, by=DRAWN, residual="law", demand=1e-3,
+             demand_reason=FROM_DRAWN),
+    Identity(name="turn of the sprags under torque", symbol="α(T)", unit="deg", analytic="alpha",
+             fem="alpha", formal=2, by=DRAWN, residual="law alpha"),
+    Identity(name="sum of the five deflections", symbol="H", unit="µm", analytic="H", fem="H",
+             formal=2, by=DRAWN, residual="law alpha"),
+    *BY_DRAWN,
+    *(
+        Estimated(name=f"{what} under half of N by slices, {race} race", symbol=f"p_{k}",
+                  unit="MPa", analytic=f"p_{k} {key}, half", fem=f"p_{k} {key}, half",
+                  by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
+                  demand_reason="acceptance figure of slices")
+        for k, race in (("i", "inner"), ("o", "outer"))
+        for key, what in (("mid", "pressure at mid-length"), ("peak", "largest pressure"))
+    ),
+    OfPaper(name="the springs press with less than 1 % of the static force", symbol="N_0/N",
+            unit="1", margin=preload, fem_needed=False, fitted=FITTED),
+    PaperAgreement(name="an engagement that is damped ends at the static force within 0.1 %",
+                   symbol="N", unit="N", pair=at_rest, accepted=RESTS,
+                   source=suites("a tenth of the 1 % that the subject accepts of the static limit"),
+                   by="Runge-Kutta steps, compiled"),
+    OfPaper(name="length of the sprags within what m_g and I_g of Table 1 allow", symbol="l",
+             unit="1", margin=length, fem_needed=False, fitted=FITTED),
+    OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="1",
+             margin=width, fitted=FITTED),
+    Beside(name="wedge angle that the optimum at 25 N m asks for", symbol="ν_0", unit="deg",
+           value=lambda f: float(f["fitted"][0]), figure=EngagementInputs().nu_0,
+           figure_is="input", bound=0.03, words="against the input's angle", fitted=FITTED),
+    Beside(name="25 N m, best crown, angle fitted", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 25"][1]), figure=PRINTED[25.0][1], bound=FOUND_FIT,
+           words="the angle is fitted to it", fitted=FITTED,
+           printed=("huang2018:stress-25nm-optimised",)),
+    Beside(name="25 N m, no crown, slices fitted", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 25"][0]), figure=PRINTED[25.0][0], bound=FOUND_FIT,
+           words="the number of slices is fitted to it", fitted=FITTED,
+           printed=("huang2018:stress-25nm-unmodified",)),
+    Beside(name="40 N m, best crown, predicted from 25 N m", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 40"][1]), figure=PRINTED[40.0][1],
+           words="predicted, not judged: the printed pairs contradict each other",
+           printed=("huang2018:stress-40nm-optimised",)),
+    Beside(name="40 N m, no crown, predicted from 25 N m", symbol="p_max", unit="MPa",
+           value=lambda f: float(f["pair 40"][0]), figure=PRINTED[40.0][0],
+           words="predicted with the slices fitted at 25 N m, not judged",
+           printed=("huang2018:stress-40nm-unmodified",)),
+    Noted(name="both printed pairs have no common ratio of forces", symbol="p_max", unit="MPa",
+          erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
+          printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
+    Noted(name="the peak without a crown grows with the slices", symbol="p_max", unit="MPa",
+          erratum="huang2018:sec-4-2-unmodified-peak", margin=grows,
+          printed=("huang2018:stress-25nm-unmodified",)),
+    OfPaper(name="the first peak is the largest, 25 and 40 N m (Figs. 8, 13)", symbol="N_max",
+         unit="1", margin=first_is_largest, fitted=FITTED),
+    OfPaper(name="without a crown the ends carry the largest pressure (Fig. 16)", symbol="p_max",
+         unit="1", margin=ends_carry, fitted=FITTED),
+    OfPaper(name="K_1 from 1 to 3 lowers the peak (Fig. 13)", symbol="p_max", unit="1",
+         margin=deeper_is_lower, fitted=FITTED,
+         printed=("huang2018:fig13a-k1", "huang2018:fig13b-k1")),
+    Adopted(name="I_1 of Table 1", symbol="I_1", unit="kg m^2", reference="huang2018:table1-i-1",
+            why="in no equation and not explained: not used"),
+    Adopted(name="C_f of Table 1", symbol="C_f", unit="N m", reference="huang2018:table1-c-f",
+            why="in no equation and not explained: not used"),
+)  # fmt: skip

@@ -1,0 +1,136 @@
+"""One's own engagement in time: how high its first peak is, and whether it locks."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.sprag import pressure
+from analytic.sprag.balance import balance
+from analytic.sprag.closure import wedged
+from analytic.sprag.history import Phase
+from analytic.sprag.steps import missing
+from verify.cases.sprag.clutch.dynamic_words import findings, overall
+from verify.cases.sprag.clutch.run_fem import Run, run_fem, slid
+from verify.cases.sprag.engagement import pressures
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Dynamic, Output, Values
+from verify.core.shown import Curve, Curves, Density, Figure
+
+DEGREE = math.degrees(1.0)
+DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)
+ATOM = 1e-10  # m, below which a way is round-off
+
+
+def run(q: EngagementInputs, _values: Values) -> Values:
+    found = run_fem(q)
+    e = found.engagement
+    ways, energies = slid(found), balance(e)
+    M = e.table.n_s * e.T_i * e.table.at(e.alpha)["OA"]
+    values = {
+        "N_max": e.N_max, "slid_i": ways[0] if ways[0] > ATOM else 0.0,
+        "slid_o": ways[1] if ways[1] > ATOM else 0.0,
+        "friction": float(energies.friction[-1]), "damping": float(energies.damping[-1]),
+        "work": float(energies.torque[-1]), "missing": missing(e),
+        "theta_max": float((e.theta_i - e.theta_e).max()), "M_max": float(np.nanmax(M)),
+        "D_V": e.D_V, "t_slip": float(e.dt * (e.phases == Phase.SLIP).any(axis=1).sum()),
+    }  # fmt: skip
+    if e.followed:
+        values["p_i max"], values["p_o max"] = found.peaks
+        values["t_max"] = e.peak[0]
+    if e.verdict == "locks":
+        values["peak_factor"] = e.peak_factor
+    return {key: value for key, value in values.items() if math.isfinite(value)}
+
+
+def output(key: str, symbol: str, unit: str, what: str) -> Output:
+    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=False)
+
+
+OUTPUTS = (
+    output("N_max", "N_max", "N", "largest normal force of a sprag"),
+    output("peak_factor", "N_max/N", "1", "peak factor: over N at rest (Eq. 14, no springs)"),
+    output("t_max", "t_max", "ms", "time of that peak"),
+    output("M_max", "M_max", "N m", "largest torque that the sprags bear"),
+    output("theta_max", "θ_max", "deg", "largest turn of the races against each other"),
+    output("p_i max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
+    output("p_o max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
+    output("t_slip", "t_s", "ms", "time in which a contact slides"),
+    output("slid_i", "s_i", "mm", "way that the inner contacts slide"),
+    output("slid_o", "s_o", "mm", "way that the outer contacts slide"),
+    output("work", "W", "J", "work of the torque"),
+    output("friction", "W_μ", "J", "of it lost in sliding"),
+    output("damping", "W_c", "J", "of it lost in damping"),
+    output("missing", "ΔW/W", "1", "what the balance of energies misses"),
+    output("D_V", "D_V", "m/s", "band of sliding speeds in which contacts may stick"),
+)
+
+
+def summary(q: EngagementInputs, v: Values) -> dict[str, Any]:
+    """JSON; the verdict of the motion, `peak_factor` None where the clutch does not lock."""
+    return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
+
+
+def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
+    found = run_fem(q)
+    e = found.engagement
+    thin = slice(None, None, max(1, len(e.t) // DRAWN))
+    t = e.t[thin] * 1e3
+    static = [] if not math.isfinite(e.N_static) else [
+        Curve(name="at rest under T (Eq. 14, no springs)", x=t[[0, -1]],
+              y=np.full(2, e.N_static / 1e3), style="dashes", colour=4)
+    ]  # fmt: skip
+    force = Curves(
+        title="Normal force of a sprag", x_label="t [ms]", y_label="N [kN]", y_bottom=0.0,
+        curves=(Curve(name="engagement", x=t, y=e.N[thin] / 1e3), *static),
+        note=f"Largest {v['N_max'] / 1e3:.4g} kN at {e.peak[0] * 1e3:.4g} ms.",
+    )  # fmt: skip
+    loaded = e.N[thin] > 0.05 * e.N_max
+    asked = np.abs(e.T_i[thin][loaded]) / e.N[thin][loaded]
+    friction = Curves(
+        title="Friction that the inner contacts use", x_label="t [ms]", y_label="T_i/N",
+        curves=(
+            Curve(name="T_i/N, under more than 5 % of N_max", x=t[loaded], y=asked),
+            Curve(name="μ_s", x=t[[0, -1]], y=np.full(2, q.mu_s), style="dashes", colour=2),
+        ), y_bottom=0.0, note="Where it reaches μ_s the contact slides.",
+    )  # fmt: skip
+    return force, along(q, found), *over_time(q, found), friction
+
+
+def over_time(q: EngagementInputs, found: Run) -> tuple[Density, ...]:
+    """p(y, t) on both races; the contacts' radii are those under the largest force."""
+    e, one = found.engagement, found.one
+    every = slice(None, None, max(1, len(e.t) // ACROSS))
+    planes = [
+        pressure.along(e.N[every], one.gap, length=q.l, R=R, E_star=float(one.parts.E_star))
+        for R in one.radii(wedged(one.clutch, e.N_max))
+    ]
+    top = max(float(p.max()) for p in planes)
+    return tuple(
+        pressures.over_time(
+            e.t[every], p, q, top, title=f"Pressure on the {race} race",
+            note="Both races have one range of colours.",
+        ) for p, race in zip(planes, ("inner", "outer"), strict=True)
+    )  # fmt: skip
+
+
+def along(q: EngagementInputs, found: Run) -> Curves:
+    """Pressures along the inner contacts on the way up to the largest force, and on both races."""
+    y = pressures.centres(q) * 1e3
+    curves = []
+    for k, share in enumerate((0.05, 0.25, 0.5, 1.0)):
+        N = share * found.engagement.N_max
+        inner, outer = found.one.pressed(N)
+        curves.append(Curve(name=f"inner, {share:g} N_max", x=y, y=inner.peak_pressure / 1e6,
+                            colour=k))  # fmt: skip
+    curves.append(Curve(name="outer, N_max", x=y, y=outer.peak_pressure / 1e6, colour=3,
+                        style="dashes"))  # fmt: skip
+    return Curves(title="Pressure along the sprags on the way up to the peak", x_label="y [mm]",
+                  y_label="p [MPa]", curves=tuple(curves), y_bottom=0.0)  # fmt: skip
+
+
+DYNAMIC = Dynamic(
+    run=run, outputs=OUTPUTS, what="the engagement", findings=findings, summary=summary,
+    figures=figures, overall=overall,
+)  # fmt: skip

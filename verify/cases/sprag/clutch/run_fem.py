@@ -1,0 +1,65 @@
+"""Engagements of a sprag clutch by the compiled equations of motion, with their pressures."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from analytic.sprag.history import Engagement
+from analytic.sprag.motion import Motion, Speeds, Torque
+from analytic.sprag.table import tabulated
+from verify.cases.sprag.clutch.model import Built, built, under
+from verify.cases.sprag.clutch.values import blades
+from verify.cases.sprag.inputs import EngagementInputs
+
+AHEAD, WIDER = 4.0, 3.0  # of the static force: how far a table reaches, how much farther the next
+INSIDE = 1 - 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """An engagement with the clutch that it was of."""
+
+    one: Built
+    engagement: Engagement
+    end_of_profile: bool  # where its table ends; else the formulas do
+
+    @property
+    def peaks(self) -> tuple[float, float]:
+        """Largest pressures [Pa] of the inner and the outer contacts in all the time."""
+        return self.one.peaks(self.engagement.N_max)
+
+
+@lru_cache(maxsize=32)
+def run_fem(q: EngagementInputs) -> Run:
+    """The engagement; ArithmeticError or ValueError in a line where there is none."""
+    one, now = built(q), under(q)
+    least = np.nanmax([blades(q), float(now.N) if now else one.N_top])
+    return engaged_fem(one, q, AHEAD * float(least))
+
+
+def engaged_fem(one: Built, q: EngagementInputs, N_end: float) -> Run:
+    """The same of a clutch whose contacts are solved, with a table up to N_end [N] at first."""
+    from analytic.sprag.transient import engage
+
+    motion = Motion(
+        m_g=q.m_g, I_g=q.I_g, I_bi=q.I_bi, I_be=q.I_be, K_r=q.K_r, alpha_max=q.alpha_max,
+        C_rl=q.C_rl, k_out=q.k_out, mu_s=q.mu_s, mu_c=q.mu_c, gamma_b=q.gamma_b,
+    )  # fmt: skip
+    N_end = min(N_end, INSIDE * one.N_top)
+    while True:
+        table = tabulated(one.clutch, N_end=N_end, theta_max=q.alpha_max)
+        found = engage(
+            table, motion, Torque.step(q.T, t_ramp=q.t_ramp), duration=q.t_end, dt=q.dt,
+            D_V=q.D_V, speeds=Speeds(inner=q.w_i),
+        )  # fmt: skip
+        profile_ends = bool(table.values[0, -1] < (1 - 1e-9) * N_end)
+        if not found.over or profile_ends or N_end >= INSIDE * one.N_top:
+            return Run(one, found, profile_ends)
+        N_end = min(WIDER * N_end, INSIDE * one.N_top)
+
+
+def slid(run: Run) -> tuple[float, float]:
+    """Ways [m] that the inner and the outer contact have slid while they bore a load."""
+    e = run.engagement
+    return tuple(float(e.dt * np.abs(v[e.N > 0]).sum()) for v in (e.v_i, e.v_e))  # type: ignore[return-value]

@@ -1,0 +1,99 @@
+"""What a sprag between its races looks like, its angles drawn larger than they are."""
+
+import math
+
+import numpy as np
+from scipy.optimize import brentq
+
+from analytic.sprag.geometry import LogSprag
+from verify.cases.sprag.inputs import SpragInputs
+from verify.core.shown import Array, Shape, Sketch
+
+ORIGIN = np.zeros(2)
+SIDE = 0.36  # rad of race to either side
+LARGER = 5.0  # times the angles are drawn, at most
+STEEP = 0.8  # of the largest that a spiral has: (2 R_i/r_i + 1) sin(beta) is 1 there
+WALL = 0.4  # of the sprag's height: walls of races, where these are thicker
+
+
+def drawn(q: SpragInputs) -> LogSprag:
+    """The same sprag with a larger wedge angle."""
+    most = math.asin(STEEP / (2 * q.R_i / q.r_i + 1))
+
+    def over(nu: float) -> float:
+        return nu - math.asin(q.R_i / q.R_e * math.sin(nu)) - most
+
+    nu = brentq(over, 0.0, 1.2) if over(1.2) > 0 else 1.2
+    nu = max(min(LARGER * q.nu_0, float(nu)), q.nu_0)
+    return LogSprag.from_wedge_angle(nu_0=nu, R_i=q.R_i, R_e=q.R_e, r_i=q.r_i)
+
+
+def arc(centre: Array, r: float, low: float, high: float, n: int = 41) -> Array:
+    """Points of an arc; angles from up, clockwise [rad]."""
+    t = np.linspace(low, high, n)
+    return np.asarray(centre + r * np.column_stack([np.sin(t), np.cos(t)]))
+
+
+def sketch(q: SpragInputs) -> Sketch:
+    """The first contact, O below, C_e and B straight above it, A to the right."""
+    sprag, height = drawn(q), q.R_e - q.R_i
+    low, high = max(q.R_id, q.R_i - WALL * height), min(q.R_ed, q.R_e + WALL * height)
+    beta, eta = float(sprag.beta_0), float(sprag.eta_0)
+    out, up = np.array([math.sin(beta), math.cos(beta)]), np.array([0.0, 1.0])
+    A, B, C = q.R_i * out, q.R_e * up, float(sprag.OC_e) * up
+    long = float(np.hypot(*(B - A)))
+    along = (B - A) / long
+    tilt = math.atan2(along[0], along[1])
+    true = {name: math.degrees(float(getattr(q.sprag, f"{name}_0")))
+            for name in ("nu", "omega", "beta", "eta")}  # fmt: skip
+    top, away = q.R_e + 0.12 * height, 0.55 * height
+    shapes = (
+        Shape(style="modelled", points=ring(low, q.R_i)),
+        Shape(style="modelled", points=ring(q.R_e, high)),
+        Shape(style="body", points=outline(q, sprag)),
+        Shape(style="axis", points=np.array([low * 0.9 * up, top * up])),
+        Shape(style="axis", points=np.array([low * 0.9 * out, (q.R_i + 0.8 * long) * out])),
+        Shape(style="line", points=np.array([A, B])),
+        Shape(style="faint", points=np.array([A, C])),
+        Shape(style="load", points=np.array([A - 0.3 * height * along, A])),
+        Shape(style="load", points=np.array([B + 0.3 * height * along, B])),
+        *marked(arc(A, 0.72 * long, tilt, beta), f"ν_0 = {true['nu']:.3g}°", away),
+        *marked(arc(B, 0.36 * long, math.pi + tilt, math.pi), f"ω_0 = {true['omega']:.3g}°", -away),
+        *marked(arc(C, 0.6 * float(sprag.rho_0), math.pi - eta, math.pi),
+                f"η_0 = {true['eta']:.3g}°", away),
+        *marked(arc(ORIGIN, 0.93 * low, 0.0, beta), f"β_0 = {true['beta']:.3g}°", away),
+        *named("B", B, -away), *named("C_e", C, -away), *named("A", A, 1.2 * away),
+    )  # fmt: skip
+    times = float(sprag.nu_0) / q.nu_0
+    return Sketch(
+        title=f"one of {q.z} sprags at first contact, wedge angle drawn {times:.2g} times as "
+        "large; it carries along AB, and an inner race that drives to the left draws A under B",
+        shapes=tuple(Shape(style=s.style, points=s.points / q.R_e, label=s.label) for s in shapes),
+    )
+
+
+def ring(low: float, high: float) -> Array:
+    return np.vstack([arc(ORIGIN, low, -SIDE, SIDE), arc(ORIGIN, high, SIDE, -SIDE)])
+
+
+def outline(q: SpragInputs, sprag: LogSprag) -> Array:
+    """Spiral below and circle above the pole, joined by flanks b apart [m]."""
+    C, half = np.array([0.0, float(sprag.OC_e)]), q.b / 2
+    theta = np.linspace(-1.4, 1.4, 201)
+    phi = float(sprag.eta_0) + theta
+    r = np.asarray(sprag.rho_0 * np.exp(np.asarray(sprag.m) * theta))
+    below = C + np.column_stack([r * np.sin(phi), -r * np.cos(phi)])
+    below = below[np.abs(below[:, 0]) <= half]
+    r_e = float(sprag.r_e)
+    top = math.asin(min(0.9, half / r_e))
+    return np.vstack([below, arc(C, r_e, top, -top)])
+
+
+def marked(found: Array, label: str, away: float) -> tuple[Shape, ...]:
+    """An angle, its label beside it."""
+    return Shape(style="angle", points=found), *named(label, found[len(found) // 2], away)
+
+
+def named(label: str, at: Array, away: float) -> tuple[Shape, ...]:
+    beside = at + np.array([away, 0.06 * abs(away)])
+    return (Shape(style="leader", points=np.array([beside, at]), label=label),)

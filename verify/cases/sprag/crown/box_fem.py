@@ -1,0 +1,64 @@
+"""Largest pressures of an engagement over Eq. 19's crowns: some by engagements, all by contacts.
+
+A crown changes the largest force by a per cent, smoothly: a quadratic through the forces of 27
+engagements gives it for every other crown, whose contact alone is then solved.
+"""
+
+from itertools import combinations_with_replacement
+
+import numpy as np
+
+from analytic.contact import slices
+from verify.cases.sprag.crown.formulas import box, factorial, gaps, radius
+from verify.cases.sprag.engagement.model import parts
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.peaks import Peaks
+from verify.core.shown import Array
+
+FEW, MANY = 3, 5  # levels of the factorial: by engagements, and the paper's
+SHARES = (0.4, 1.0, 1.2, 1.6)  # of T: 10, 25, 30 and 40 N m in the paper
+FORCES = (0.08, 0.2, 0.4, 0.6, 0.8, 1.0)  # of the largest: where both contacts are compared
+
+
+def terms(u: Array) -> Array:
+    """Constant, linear and quadratic terms of points (n, 3) of the unit cube, (n, 10)."""
+    pairs = combinations_with_replacement(range(3), 2)
+    return np.column_stack([np.ones(len(u)), u, *(u[:, i] * u[:, j] for i, j in pairs)])
+
+
+def forces(q: EngagementInputs, engaged: Peaks, crowns: Array) -> Array:
+    """N_max [N] of the crowns (n, 3) under each torque, (n, m)."""
+    low, high = box(q)
+    known, asked = (terms((x - low) / (high - low)) for x in (engaged.crowns, crowns))
+    return np.asarray(asked @ np.linalg.lstsq(known, engaged.N_max, rcond=None)[0])
+
+
+def largest(q: EngagementInputs, crowns: Array, N: Array) -> Array:
+    """Largest pressures [Pa] of the crowns (n, 3) under forces N [N] (n, m), inner race, (n, m)."""
+    R = np.array([radius(q, float(x)) for x in N.mean(axis=0)])
+    found = slices.press(gaps(q, crowns)[:, None], length=q.l, R=R, E_star=float(parts(q).E_star),
+                         load=N)  # fmt: skip
+    return np.asarray(found.peak_pressure.max(axis=-1))
+
+
+def inner_over_outer(q: EngagementInputs, crowns: Array, N_max: float) -> Array:
+    """Largest pressures of the inner contact over those of the outer, (n, forces)."""
+    whole, N = parts(q), N_max * np.array(FORCES)
+    inner, outer = (
+        slices.press(gaps(q, crowns)[:, None], length=q.l, R=float(R), E_star=float(whole.E_star),
+                     load=N).peak_pressure.max(axis=-1)
+        for R in (whole.R_contact_i, whole.R_contact_e)
+    )  # fmt: skip
+    return np.asarray(inner / outer)
+
+
+def box_fem(q: EngagementInputs, engaged: Peaks) -> dict[str, Array]:
+    """Largest pressures under T over Eq. 19's crowns; `engaged` are those of 27 under T."""
+    many = factorial(q, MANY)
+    N = forces(q, engaged, many)
+    return {
+        "engaged p": engaged.largest[:, 0],
+        "by contacts": largest(q, engaged.crowns, engaged.N_max)[:, 0],
+        "box": many, "box N": N[:, 0], "box p": largest(q, many, N)[:, 0],
+        "inner/outer": inner_over_outer(q, many, float(engaged.N_max.max())).min(axis=1),
+    }  # fmt: skip

@@ -1,0 +1,176 @@
+"""The claims about a crown: its profile, its pressures, and what the figures of crowns say."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from verify.cases.contact.roller.accepted import Estimated
+from verify.cases.sprag.clutch.claims import (
+    BY_STRIPS,
+    FITTED,
+    PLACE,
+    SLICED,
+    STRIPS,
+    WIDER,
+    Noted,
+    OfPaper,
+)
+from verify.cases.sprag.clutch.drawn_fem import crowned
+from verify.cases.sprag.crown.figures import (
+    first_and_trough,
+    grows_with_torque,
+    highest_and_lowest,
+    in_other_order,
+    lowest_at_10,
+    more_even,
+    not_lowest_at_30,
+    order_at,
+)
+from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
+from verify.cases.sprag.crown.slices import hardly_by_slices
+from verify.cases.sprag.crown.table2 import TABLE_2
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.peaks import with_crown
+from verify.core.case import Context
+from verify.core.results import Row
+from verify.core.shown import Array
+from verify.judging.checks import Accepted, Fact, Identity
+
+DRAWN = "drawn profile"
+BOTH = "strips, at the force of compiled engagements"
+UNEQUAL = "N_e = N_i in Eqs. 14-16 and sprags without mass, half of what they do to N"
+MEAN_OF = 4000  # places of a profile
+EQUAL = 1e-9
+MOST = 0.5  # of a per cent: from here on z_m would do more than K_1
+
+
+def near(q: Any, v: Mapping[str, float]) -> tuple[float, float] | None:
+    """Slices over strips, and two races on a spring over the compiled sprags, by p ~ √N.
+
+    None at one's own numbers, for which no acceptance figure was given.
+    """
+    if q != EngagementInputs():
+        return None
+    low, high = (-v["unequal"] - v["inertia"]) / 2, v["inertia"] / 2
+    return low - SLICED - STRIPS, high + SLICED + STRIPS
+
+
+@dataclass(frozen=True, kw_only=True)
+class OfPaperEstimated(Estimated):
+    """An estimate for the paper's clutch alone."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+def drops(q: EngagementInputs, crowns: Array) -> Array:
+    """Drawn profiles [m] of the crowns (n, 3), (n, MEAN_OF)."""
+    return np.array([crowned(with_crown(q, crown), MEAN_OF) for crown in crowns])
+
+
+def straight_and_ends(context: Context) -> tuple[float, float]:
+    """How far below two places of MEAN_OF the straight middle is off (1 - K_2) l, for all crowns.
+
+    The drop is nowhere above z_m, and no smaller K_1 or K_2 makes it deeper anywhere.
+    """
+    q = context.inputs
+    crowns = factorial(q, 5)
+    z = drops(q, crowns)
+    off = np.abs((z == 0).mean(axis=1) - (1 - crowns[:, 1])).max()
+    cube = z.reshape(5, 5, 5, MEAN_OF)
+    deeper = min(float(np.diff(cube, axis=k).min()) for k in (0, 1, 2)) / float(z.max())
+    below = float((1 - z.max(axis=1) / crowns[:, 2]).min())
+    return min(2.5 / MEAN_OF - float(off), below, deeper + EQUAL), 0.0
+
+
+def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
+    """How far below a half z_m's share of the mean drop is, of the printed crowns at the most."""
+    q = context.inputs
+    printed = {c: z_m_share(c[0] * unit(q), c[2]) for c in ((1.0, 0.7, 1e-5), *DEEP)}
+    box = np.array([z_m_share(x[0] * unit(q), x[2]) for x in factorial(q, 5)])
+    most = max(printed, key=lambda c: printed[c])
+    words = (
+        f"1 % more z_m adds {printed[most]:.2f} % to the mean drop of {label(most)} at the most, "
+        f"{printed[(1.0, 0.7, 1e-5)]:.3f} % to that of (1, 0.7, 10 µm), K_1 the rest of 1 %; of "
+        f"Eq. 19's factorial z_m does more than K_1 in {int((box > MOST).sum())} of {len(box)}"
+    )
+    return MOST - printed[most], 0.0, words
+
+
+def inner_above(context: Context) -> tuple[float, float]:
+    """Least ratio of the contacts' largest pressures, inner over outer, less one, of all crowns."""
+    return float(context.fem[-1].arrays["inner/outer"].min()) - 1, 1e-6
+
+
+def in_the_box(context: Context) -> tuple[float, float, str]:
+    """How much lower than the clutch's own crown the lowest of Eq. 19's factorial is."""
+    v, found = context.analytic, context.fem[-1].arrays
+    k = int(found["box p"].argmin())
+    p, own = float(found["box p"][k]), v["p peak"]
+    off = float(np.abs(found["by contacts"] / found["engaged p"] - 1).max())
+    words = (
+        f"{label(tuple(found['box'][k]))} bears {p / 1e6:.0f} MPa, {p / own - 1:+.1%} against "
+        f"this crown's {own / 1e6:.0f} MPa; {len(found['box p'])} crowns up to "
+        f"{found['box p'].max() / 1e6:.0f} MPa"
+    )
+    return 1 - p / own, off + 0.01, words
+
+
+CHECKS = (
+    Identity(name="mean drop of the crown", symbol="z̄", unit="µm", analytic="mean", fem="mean",
+             formal=1, by=DRAWN),
+    Identity(name="share of z_m in the mean drop", symbol="e_z", unit="1", analytic="share",
+             fem="share", formal=1, by=DRAWN),
+    Estimated(name="pressure at mid-length under the largest force", symbol="p_mid", unit="MPa",
+              analytic="p mid peak", fem="p mid peak", by=BOTH, interval=near, demand=WIDER,
+              source=f"{PLACE}; {UNEQUAL}", demand_reason="acceptance figure of slices"),
+    *(
+        OfPaperEstimated(
+            name=f"largest pressure of {label(crown)} under that force", symbol="p_max",
+            unit="MPa", analytic=f"{label(crown)} p", fem=f"{label(crown)} p", by=BY_STRIPS,
+            interval=near, source=f"{PLACE}; {UNEQUAL}", demand=WIDER,
+            demand_reason="acceptance figure of slices")
+        for crown in DEEP
+    ),
+    Fact(name="Fig. 11: (1 - K_2) l stay straight, z_m is the deepest, all three deepen",
+         symbol="z", unit="1", margin=straight_and_ends, fem_needed=False),
+    Noted(name="Fig. 11: K_1, not z_m, sets the mean drop", symbol="e_z", unit="1",
+          erratum="huang2018:sec-4-1-overall-drop", margin=z_m_is_not_the_mean),
+    Fact(name="inner contact above the outer with all of Eq. 19's crowns, any force",
+         symbol="p_i/p_o", unit="1", margin=inner_above),
+    OfPaper(name="Fig. 12: best and worst of the printed crowns, under the static load",
+            symbol="p_max", unit="1", margin=highest_and_lowest, fitted=FITTED,
+            printed=("huang2018:fig12-best-k1", "huang2018:fig12-best-k2",
+                     "huang2018:fig12-best-zm", "huang2018:fig12-worst-k1",
+                     "huang2018:fig12-worst-k2", "huang2018:fig12-worst-zm")),
+    Noted(name="Fig. 12: the other way round at the first peak under 25 N m", symbol="p_max",
+          unit="1", erratum="huang2018:fig-12-load", margin=in_other_order),
+    OfPaper(name="Fig. 13: high at both ends at the first peak, low there at the trough",
+            symbol="p", unit="1", margin=first_and_trough, fitted=FITTED,
+            printed=("huang2018:fig13a-k2", "huang2018:fig13a-zm")),
+    OfPaper(name="Fig. 13: K_1 = 3 spreads the first peak's load more evenly", symbol="q", unit="1",
+            margin=more_even, fitted=FITTED,
+            printed=("huang2018:fig13b-k2", "huang2018:fig13b-zm")),
+    *(
+        OfPaper(name=f"Fig. 14: {words} is the lower of its two crowns at {T} N m", symbol="p_max",
+                unit="1", margin=order_at(k), fitted=FITTED,
+                printed=(f"huang2018:fig14-torque-{T}",
+                         *(f"huang2018:fig14-{T}nm-{x}" for x in ("k1", "k2", "zm"))))
+        for k, T, words in ((0, 10, "(1, 0.5, 8 µm)"), (1, 30, "(5, 0.5, 15 µm)"))
+    ),
+    OfPaper(name="Fig. 14: its crown at 10 N m is within 1 % of Eq. 19's lowest", symbol="p_max",
+            unit="1", margin=lowest_at_10, fitted=FITTED),
+    Noted(name="Fig. 14: K_1 = 5 is not the lowest at 30 N m", symbol="p_max", unit="1",
+          erratum="huang2018:fig-14-k1", margin=not_lowest_at_30),
+    OfPaper(name="Fig. 14: K_1 of the lowest crown grows with the torque", symbol="K_1", unit="1",
+            margin=grows_with_torque, fitted=FITTED),
+    OfPaper(name="Eq. 21's crown: p_max by 21 to 161 slices within 0.5 %", symbol="p_max", unit="1",
+            margin=hardly_by_slices, fitted=FITTED),
+    Accepted(name="the lowest of Eq. 19's factorial is below this crown's p_max", symbol="p_max",
+             unit="1", margin=in_the_box, fitted=FITTED),
+    *TABLE_2,
+)  # fmt: skip

@@ -1,0 +1,138 @@
+"""What the crown's three parameters make of its profile, and of the pressure under a force."""
+
+from collections.abc import Mapping
+from functools import lru_cache
+from itertools import product
+
+import numpy as np
+
+from analytic.contact import slices
+from analytic.contact.crown import straight_length
+from analytic.contact.sliced import SlicedContact
+from analytic.sprag.closure import wedged
+from verify.cases.sprag.clutch.model import built, mid, under
+from verify.cases.sprag.engagement.formulas import at_rest, sprags_inertia, swing
+from verify.cases.sprag.engagement.model import crowned_for, gap, parts, wedge
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.peaks import Crown, with_crown
+from verify.core.shown import Array
+
+LOW, HIGH = (1.0, 0.4, 5e-6), (5.0, 0.7, 25e-6)  # Eq. 19
+DEEP: tuple[Crown, ...] = (  # printed crowns whose ends are free under the first peak at 25 N m
+    (5, 0.7, 15e-6), (5, 0.5, 15e-6), (3, 0.4, 10e-6), (2.80, 0.7, 11.8e-6),
+)  # fmt: skip
+
+
+def label(crown: Crown) -> str:
+    return f"({crown[0]:g}, {crown[1]:g}, {crown[2] * 1e6:g} µm)"
+
+
+def unit(q: EngagementInputs) -> float:
+    """2 Q/(π l E'), which K_1 multiplies in Eq. 1 [m]."""
+    return crowned_for(q) / (np.pi * q.l * float(parts(q).E_star))
+
+
+def mean_drop(A: float, K_2: float, z_m: float) -> float:
+    r"""Mean of Eq. 1 over the length [m]: all that is taken off, over length and width.
+
+    .. math:: \bar z = K_2\left[z_m + 2A - 2A\,\frac{\operatorname{artanh}\sqrt c}{\sqrt c}\right],
+        \qquad c = 1 - e^{-z_m/A}
+
+    >>> round(mean_drop(1.0, 1.0, 1e-3) / 1e-3, 3)  # a parabola: a third
+    0.333
+    """
+    c = -np.expm1(-z_m / A)
+    return float(K_2 * (z_m + 2 * A * (1 - _around(c, z_m / A))))
+
+
+def z_m_share(A: float, z_m: float) -> float:
+    r"""By how many per cent the mean drop grows with a per cent of z_m; K_1 does the rest of one.
+
+    .. math:: \frac{z_m}{\bar z}\frac{\partial\bar z}{\partial z_m}, \qquad
+        \frac{\partial\bar z}{\partial z_m}
+        = K_2\left[1 - \frac1c + \frac{e^{-z_m/A}\operatorname{artanh}\sqrt c}{c\sqrt c}\right]
+
+    >>> round(z_m_share(1.0, 1e-3), 3), round(z_m_share(1.0, 40.0), 3)  # a parabola; Lundberg's
+    (1.0, 0.0)
+    """
+    c, left = -np.expm1(-z_m / A), np.exp(-z_m / A)
+    slope = 1 - (1 - left * _around(c, z_m / A)) / c
+    return float(z_m * slope / mean_drop(A, 1.0, z_m))
+
+
+def _around(c: float, m: float) -> float:
+    """artanh(√c)/√c of c = 1 - exp(-m), which is 1 in floats long before the artanh is infinite."""
+    root = np.sqrt(c)
+    return float((np.log1p(root) + m / 2) / root)  # 1 - c = exp(-m)
+
+
+def box(q: EngagementInputs) -> tuple[Array, Array]:
+    """Bounds of Eq. 19; z_m in the clutch's own unit(q), which is the paper's for its clutch."""
+    scale = np.array([1.0, 1.0, unit(q) / unit(EngagementInputs())])
+    return np.array(LOW) * scale, np.array(HIGH) * scale
+
+
+def factorial(q: EngagementInputs, levels: int) -> Array:
+    """All crowns of so many levels within `box`, (levels³, 3)."""
+    axes = [np.linspace(low, high, levels) for low, high in zip(*box(q), strict=True)]
+    return np.array(list(product(*axes)))
+
+
+def gaps(q: EngagementInputs, crowns: Array) -> Array:
+    """Drop [m] of each of the crowns (n, 3) at the slices, (n, slices)."""
+    return np.array([gap(with_crown(q, crown)) for crown in crowns])
+
+
+def radius(q: EngagementInputs, N: float) -> float:
+    """The inner contact's relative radius [m] under N [N]."""
+    one = built(q)
+    return one.radii(wedged(one.clutch, N))[0]
+
+
+def pressed(q: EngagementInputs, N: float, crown: Crown | None = None) -> SlicedContact:
+    """The inner contact under N [N], with the clutch's crown or another for the same load."""
+    z = gap(with_crown(q, crown)) if crown else gap(q)
+    return slices.press(z, length=q.l, R=radius(q, N), E_star=float(parts(q).E_star), load=N)
+
+
+def even(q: EngagementInputs, N: float) -> float:
+    """Hertz's pressure [Pa] of N [N] spread evenly over the length."""
+    return float(np.sqrt(N * float(parts(q).E_star) / (np.pi * q.l * radius(q, N))))
+
+
+@lru_cache(maxsize=16)
+def analytic(q: EngagementInputs) -> Mapping[str, float]:
+    """SI values; what the clutch does not have is left out."""
+    found = {"Q": crowned_for(q)}
+    if q.z_m > 0:
+        A = q.K_1 * unit(q)
+        found |= {
+            "A": A, "straight": float(straight_length(K_2=q.K_2, length=q.l)),
+            "mean": mean_drop(A, q.K_2, q.z_m), "share": z_m_share(A, q.z_m),
+            "suits": q.K_1 * found["Q"], "end slice": float(gap(q)[0]),
+        }  # fmt: skip
+    now = under(q)
+    if now is None:
+        return found
+    N = float(now.N)
+    found |= {"N": N} | _pressures(q, N, "rest")
+    swung, w = swing(q), wedge(q)
+    if swung.over:
+        return found
+    N_max = swung.peak[1]
+    unequal = float(np.interp(N_max, w.states.N[1:], w.states.N_e[1:] / w.states.N[1:])) - 1
+    found |= {"N_max": N_max, "K_1 suits": N_max / found["Q"], "unequal": unequal,
+              "inertia": sprags_inertia(w, at_rest(w, q.T)) / q.I_bi}  # fmt: skip
+    found |= _pressures(q, N_max, "peak")
+    if q == EngagementInputs():
+        found |= {f"{label(c)} p": float(pressed(q, N_max, c).peak_pressure.max()) for c in DEEP}
+    return found
+
+
+def _pressures(q: EngagementInputs, N: float, when: str) -> dict[str, float]:
+    contact = pressed(q, N)
+    p = contact.peak_pressure
+    return {
+        f"p {when}": float(p.max()), f"p mid {when}": mid(contact), f"p end {when}": float(p[0]),
+        f"p even {when}": even(q, N),
+    }  # fmt: skip

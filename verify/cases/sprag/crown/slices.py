@@ -1,0 +1,51 @@
+"""How the largest pressure of a crown hangs on the number of slices, or of strips."""
+
+import numpy as np
+
+from verify.core.case import Context
+from verify.core.shown import Curve, Curves
+
+MPa = 1e6
+NAMES = ("no crown", "Eq. 21's crown", "(5, 0.7, 15 µm)")
+FROM = 21  # slices
+WITHIN = 5e-3
+
+
+def hardly_by_slices(context: Context) -> tuple[float, float, str]:
+    """What is left of WITHIN of the spread by slices; strips, whose ends carry, in words."""
+    found = context.fem[-1].arrays
+    enough = found["counts"] >= FROM
+    own = found["counted, slices"][1][enough] / MPa
+    strips = found["counted, strips"][1] / MPa
+    spread = float(np.ptp(own) / own.mean())
+    words = (
+        f"{own.min():.0f} to {own.max():.0f} MPa; by strips on a half-space its ends, which "
+        f"carry, take over: {strips[0]:.0f} MPa by {found['counts'][0]:.0f}, {strips[-1]:.0f} MPa "
+        f"by {found['counts'][-1]:.0f}"
+    )
+    return WITHIN - spread, 0.0, words
+
+
+def by_number(context: Context) -> Curves:
+    """p_max against the number of slices and of strips, with and without a crown."""
+    found = context.fem[-1].arrays
+    n = found["counts"]
+    curves = [
+        Curve(name=f"{name}, {by}", x=n, y=found[f"counted, {by}"][k] / MPa, colour=2 * k,
+              style=style)
+        for k, name in enumerate(NAMES)
+        for by, style in (("slices", "line"), ("strips", "dashes"))
+    ]  # fmt: skip
+    curves += [
+        Curve(name=name, x=n[[0, -1]], y=np.full(2, p), style="dashes", colour=colour)
+        for name, p, colour in (("printed without crown, about 3500", 3500.0, 5),
+                                ("printed for Eq. 21, 2980", 2980.0, 3))
+    ]  # fmt: skip
+    N = float(found["counted N"][0])
+    return Curves(
+        title="What the number of slices makes of p_max", x_label="slices or strips",
+        y_label="p_max [MPa]", curves=tuple(curves), y_bottom=2500.0,
+        note=f"Under {N:.0f} N, the first peak at 25 N m. Where ends carry there is no limit: "
+        "without a crown by either model, with Eq. 21's crown by strips, whose half-space does "
+        "not end with the sprag. Level lines are what the paper prints.",
+    )  # fmt: skip

@@ -1,0 +1,179 @@
+"""Table 2: what its own numbers say, and the level of pressure beside this clutch's."""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from verify.cases.sprag.clutch.claims import FITTED, Beside, Measured, Noted, OfPaper
+from verify.cases.sprag.crown.figures import AT
+from verify.core.case import Context
+from verify.core.results import Kind, Partner, Row
+from verify.core.shown import Table
+from verify.judging import judge
+from verify.judging.checks import Margin
+from verify.judging.printed import PrintedClaim
+from verify.papers.digits import half_last_digit
+from verify.papers.ledger import published
+
+ROWS = range(1, 11)
+SAMPLE, CUT = 4, 10  # rows: a point of the factorial; an error that was cut off
+SURE = 3.0  # standard deviations
+COARSE = 0.27  # the change that a printed error's only digit may hide, 5 % of the largest error
+MEAN_LEVEL = 0.03  # of the pressure that the wedge angle was fitted to
+
+
+def cell(row: int, column: str) -> float:
+    return published(f"huang2018:table2-row{row}-{column}").value
+
+
+def relative_error(row: int) -> float:
+    """|actual - predicted|/predicted of the printed pair."""
+    actual, predicted = cell(row, "actual"), cell(row, "predicted")
+    return abs(actual - predicted) / predicted
+
+
+def standardised(row: int) -> float:
+    """The printed difference over the root of the printed MSE, read as MPa²; nan where that is 0.
+
+    >>> round(standardised(1), 1)
+    11.6
+    """
+    mse = cell(row, "mse")
+    return abs(cell(row, "actual") - cell(row, "predicted")) / math.sqrt(mse) if mse else math.nan
+
+
+@dataclass(frozen=True, kw_only=True)
+class Recomputed(PrintedClaim):
+    """A row's relative error from its printed pair beside the printed one; `reference` is that."""
+
+    kind = Kind.IDENTITY
+
+    analytic: str = ""
+    row: int
+
+    def judged(self, context: Context) -> Row:
+        v, entry = relative_error(self.row), published(self.reference)
+        r, u = entry.value / 100, (entry.standard_uncertainty or 0.0) / 100
+        U = judge.expanded(0.0, u)
+        verdict = judge.difference(v, r, U=U, scale=r, demand=self.demand)
+        return self._row(
+            context.case, Kind.IDENTITY, verdict, analytic=v, scale=r, u_num=0.0, u_ref=u,
+            u_input=0.0, partner=Partner(by=f"printed {entry.printed}", value=r),
+            published=self._beside(),
+        )  # fmt: skip
+
+
+def cut_off(_context: Context) -> tuple[float, float, str]:
+    """How far the last row's error is above what rounds to the printed one."""
+    entry = published(f"huang2018:table2-row{CUT}-error")
+    v = relative_error(CUT)
+    rounds = (entry.value + half_last_digit(entry.printed)) / 100
+    return v - rounds, 0.0, f"{v:.4%} by the printed pair, printed {entry.printed}"
+
+
+def too_small(_context: Context) -> tuple[float, float, str]:
+    """Mean square of the differences over what SURE deviations of the mean MSE allow [Pa²]."""
+    d = np.array([cell(k, "actual") - cell(k, "predicted") for k in ROWS if k != SAMPLE])
+    mse = np.array([cell(k, "mse") for k in ROWS if k != SAMPLE])
+    z = np.abs(d) / np.sqrt(mse)
+    words = (
+        f"mean square of the differences {np.mean(d**2):.0f} MPa², mean MSE {mse.mean():.1f}; "
+        f"{int((z > SURE).sum())} of {z.size} differences are more than {SURE:g} times √MSE, up to "
+        f"{z.max():.1f}"
+    )
+    return float(np.mean(d**2) - SURE**2 * mse.mean()) * 1e12, 0.0, words
+
+
+def is_a_sample(_context: Context) -> tuple[float, float, str]:
+    """Row 4 has MSE 0 and its difference is 0; the least of the other MSE [Pa²]."""
+    others = min(cell(k, "mse") for k in ROWS if k != SAMPLE)
+    same = cell(SAMPLE, "mse") == 0 and relative_error(SAMPLE) == 0
+    words = (
+        f"error and MSE are 0, elsewhere MSE is {others:g} at least: kriging returns its samples"
+    )
+    return (others if same else -others) * 1e12, 0.0, words
+
+
+def between(column: str) -> Margin:
+    """How far [Pa] a column's values are inside what Eq. 19's crowns reach at 25 N m.
+
+    And how far all are below the lowest crown at 40 N m.
+    """
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        p = context.fem[-1].arrays["random p"]
+        its = np.array([cell(k, column) for k in ROWS]) * 1e6
+        low, high, at_40 = p[:, AT[25]].min(), p[:, AT[25]].max(), p[:, AT[40]].min()
+        words = (
+            f"{its.min() / 1e6:.0f} to {its.max() / 1e6:.0f} MPa of {low / 1e6:.0f} to "
+            f"{high / 1e6:.0f} MPa at 25 N m; at 40 N m the lowest is {at_40 / 1e6:.0f} MPa"
+        )
+        return float(min(its.min() - low, high - its.max(), at_40 - its.max())), 0.0, words
+
+    return margin
+
+
+def median_25(found: Measured) -> float:
+    return float(np.median(found["random p"][:, AT[25]]))
+
+
+MEDIAN = 3032.6e6  # Pa, of the ten actual values
+
+
+def demanded(row: int) -> dict[str, Any]:
+    """What the digits of a row's printed error let it show: U of rounding, and half a digit."""
+    entry = published(f"huang2018:table2-row{row}-error")
+    asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
+    if asked <= judge.DEMAND:
+        return {}
+    return {"demand": min(asked, COARSE), "demand_reason": f"printed as {entry.printed}"}
+
+
+TABLE_2 = (
+    *(
+        Recomputed(name=f"Table 2, row {k}: error of the printed pair", symbol="ε", unit="%",
+                   row=k, reference=f"huang2018:table2-row{k}-error", **demanded(k))
+        for k in ROWS if k not in (SAMPLE, CUT)
+    ),
+    Noted(name=f"Table 2, row {CUT}: error of the printed pair", symbol="ε", unit="%",
+          erratum="huang2018:table-2-row-10-error", margin=cut_off,
+          printed=(f"huang2018:table2-row{CUT}-error",)),
+    Noted(name="Table 2: MSE is far too small for the differences", symbol="MSE", unit="MPa^2",
+          erratum="huang2018:table-2-mse", margin=too_small,
+          printed=tuple(f"huang2018:table2-row{k}-mse" for k in ROWS if k != SAMPLE)),
+    Noted(name="Table 2: row 4 is one of the points fitted", symbol="MSE", unit="MPa^2",
+          erratum="huang2018:table-2-row-4", margin=is_a_sample,
+          printed=("huang2018:table2-row4-mse", "huang2018:table2-row4-error")),
+    *(
+        OfPaper(name=f"Table 2: its {words} values are of 25 N m", symbol="p_max", unit="MPa",
+                margin=between(column), fitted=FITTED,
+                printed=tuple(f"huang2018:table2-row{k}-{column}" for k in ROWS))
+        for column, words in (("actual", "actual"), ("predicted", "predictive"))
+    ),
+    Beside(name="Table 2: median of the actual values, crowns at random", symbol="p_max",
+           unit="MPa", value=median_25, figure=MEDIAN, bound=MEAN_LEVEL,
+           words="its designs are not printed: 400 crowns at random within Eq. 19",
+           fitted=f"the wedge angle is fitted to Eq. 21's pressure; {FITTED}"),
+)  # fmt: skip
+
+
+def table_2() -> Table:
+    """Table 2 with what follows from its own numbers."""
+    rows = [
+        (
+            float(k), *(published(f"huang2018:table2-row{k}-{name}").printed
+                        for name in ("actual", "predicted", "error", "mse")),
+            round(100 * relative_error(k), 3), round(standardised(k), 1) if k != SAMPLE else None,
+        )
+        for k in ROWS
+    ]  # fmt: skip
+    return Table(
+        title="Table 2 with its errors recomputed",
+        header=("Row", "Actual [MPa]", "Predicted [MPa]", "Error, printed [%]", "MSE, printed",
+                "Error over predicted [%]", "Difference over √MSE"),
+        rows=tuple(rows),
+        note="The printed error is of the predicted value; the last does not round to it. If MSE "
+        "were the kriging variance in MPa², nearly all differences would exceed three deviations.",
+    )  # fmt: skip

@@ -1,0 +1,89 @@
+"""Pressures of an engagement over time and along the sprag, as figures."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.contact import slices
+from analytic.sprag.pressure import along
+from verify.cases.sprag.engagement.fem import drawn
+from verify.cases.sprag.engagement.model import gap, parts
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Context
+from verify.core.shown import Array, Curve, Curves, Density, Figure
+
+ms, MPa, mm = 1e-3, 1e6, 1e-3
+
+
+def pressures(context: Context) -> Sequence[Figure]:
+    """Of each design that is drawn: some moments, and p(y, t) on both races."""
+    found: list[Figure] = []
+    last = context.fem[-1].arrays
+    planes = {
+        (name, race): along(last[f"{name}drawn N"], gap(q), length=q.l, R=float(R),
+                            E_star=float(parts(q).E_star))
+        for name, q in drawn(context.inputs).items() for race, R in radii(q)
+    }  # fmt: skip
+    top = max(float(p.max()) for p in planes.values())
+    for name, q in drawn(context.inputs).items():
+        found.append(moments(last["N"], name, q))
+        found += [
+            over_time(
+                last["drawn t"], planes[name, race], q, top,
+                title=f"Pressure on the {race} race{_part(name)}",
+                note=f"(K_1, K_2, z_m) = {_crown(q)}. All these figures have one range of colours.",
+            ) for race, _ in radii(q)
+        ]  # fmt: skip
+    return found
+
+
+def over_time(
+    t: Array, p: Array, q: EngagementInputs, top: float, *, title: str, note: str
+) -> Density:
+    """Pressures p [Pa], (times, slices), over the times t [s], in colours from 0 to `top` [Pa]."""
+    return Density(
+        title=title, x_label="t [ms]", y_label="y [mm]", z_label="p [MPa]", x=t / ms,
+        y=centres(q) / mm, z=p.T / MPa, range=(0.0, top / MPa), note=note,
+    )  # fmt: skip
+
+
+def centres(q: EngagementInputs) -> Array:
+    """Where the slices are along the sprag [m]."""
+    return (np.arange(q.slices) + 0.5) / q.slices * q.l - q.l / 2
+
+
+def radii(q: EngagementInputs) -> tuple[tuple[str, Array], ...]:
+    """Both races and the relative radii [m] of their contacts."""
+    whole = parts(q)
+    return ("inner", whole.R_contact_i), ("outer", whole.R_contact_e)
+
+
+def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
+    """Pressure along the sprag on both races at the start, at the first peak and at the trough."""
+    top = int(np.argmax(N[: len(N) // 2]))
+    trough = top + int(np.argmin(N[top : top + max(len(N) // 4, 2)]))
+    loads = np.array([0.02 * N[top], N[top], max(N[trough], 1e-3 * N[top])])
+    curves = []
+    for (race, R), style in zip(radii(q), ("line", "dashes"), strict=True):
+        p = slices.press(
+            gap(q), length=q.l, R=float(R), E_star=float(parts(q).E_star), load=loads
+        ).peak_pressure
+        for colour, (words, one) in enumerate(
+            zip(("a 50th of the peak", "first peak", "first trough"), p, strict=True)
+        ):
+            curves.append(Curve(name=f"{words}, {race}", x=centres(q) / mm, y=one / MPa,
+                                style=style, colour=colour))  # fmt: skip
+    return Curves(
+        title=f"Pressure at some moments{_part(name)}", x_label="y [mm]", y_label="p [MPa]",
+        curves=tuple(curves),
+        note=f"{q.slices} slices, (K_1, K_2, z_m) = {_crown(q)}. At first the straight middle "
+        "carries; the paper says the ends.",
+    )  # fmt: skip
+
+
+def _part(name: str) -> str:
+    return f" (Fig. 13, part {name.strip()})" if name else ""
+
+
+def _crown(q: EngagementInputs) -> str:
+    return f"({q.K_1:g}, {q.K_2:g}, {q.z_m / mm:g} mm)"

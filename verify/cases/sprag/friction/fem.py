@@ -1,0 +1,279 @@
+"""The compiled steps where contacts slide: limits, sliding states, and the guard of their band.
+
+A level halves the time step of the inputs. What is compiled is imported inside functions.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from analytic.sprag.history import Phase
+from analytic.sprag.motion import Speeds, Torque
+from verify.cases.sprag.engagement.fem import (
+    SPLINES,
+    STUCK,
+    engaged_fem,
+    held,
+    highest,
+    partner_fem,
+)
+from verify.cases.sprag.engagement.formulas import MORE, with_torque
+from verify.cases.sprag.engagement.formulas import analytic as asked_engagement
+from verify.cases.sprag.engagement.model import motion, wedge
+from verify.cases.sprag.friction.formulas import BELOW, analytic, asked, weak
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import FemResult
+from verify.core.shown import Array
+
+if TYPE_CHECKING:
+    from analytic.sprag.history import Engagement
+
+LEVELS = (1, 2, 4)  # steps in the one of the inputs
+TORQUES = (0.6, 1.0, MORE)  # of T
+OVER = np.array([0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, MORE])  # of T, in the map
+BRACKET = (0.9, 1.1)  # of the friction asked for
+HALVINGS = 12
+SPEED = 100.0  # rad/s of a race that slides on
+HEAVY = 1e9  # times its inertia, which keeps that speed
+SLIDES, SETTLES = 16, 5  # periods of the engagement in which sliding, and the end, are steady
+UNTIL = 1.3  # of the time of the first peak
+NARROW = 1e-3  # m/s: the band of which the subject warns
+NEARLY = 1e-9  # of a torque, by which 16 of them differ
+ROUGH = 1e-6  # of LSODA, where a thousandth is asked for
+SWEEP = ((0.4, 1.0), (MORE, 1.0), (MORE, 2.0))  # of T, and of mu_s
+BANDS = (1.0, 0.1, 0.01, 1e-3, 1e-4)  # m/s
+STEPS = (2.0, 1.0, 0.5, 0.2)  # of the time step, in the sweep of the guard
+
+
+def fem(q: EngagementInputs, level: int) -> FemResult:
+    dt = q.dt / level
+    v = analytic(q)
+    boundary, half = boundary_fem(q, dt)
+    slides, wide = sliding_fem(q, dt, BELOW * v["tan_0"], SPEED)
+    overruns, wide_over = sliding_fem(q, dt, q.mu_s, -SPEED)
+    until = UNTIL * v["t_max"]
+    first, more = (engaged_fem(p, wedge(p), dt, duration=until, D_V=None)
+                   for p in (weak(q), weak(q, MORE)))  # fmt: skip
+    values = {
+        "mu_b": boundary, "N slides": slides, "N overruns": overruns,
+        "N_max": first.N_max, "N_max more": more.N_max, "sticks": sticks_fem(more),
+        "D_V": more.D_V,
+    } | amid_fem(q, dt, until)  # fmt: skip
+    arrays: dict[str, Array] = {}
+    if level == LEVELS[-1]:
+        values |= partners_fem(q, until)
+        arrays = (guarded_fem(q, until) | swept_fem(q, until) | boundaries_fem(q)
+                  | map_fem(q) | narrow_fem(q))  # fmt: skip
+    u_it = {
+        "mu_b": half, "N slides": wide, "N overruns": wide_over, "slips": STUCK * dt,
+        "sticks": STUCK * dt,
+    }  # fmt: skip
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays)
+
+
+def frequency(q: EngagementInputs) -> float:
+    """Small oscillations under the torque [Hz]."""
+    return asked_engagement(q)["f"]
+
+
+def settled(q: EngagementInputs) -> float:
+    """Time [s] after which an engagement tells whether it locks, t_end at least."""
+    return max(q.t_end, q.t_ramp + SETTLES / frequency(q))
+
+
+def rough(q: EngagementInputs, mu: float) -> EngagementInputs:
+    """The same with one coefficient of friction."""
+    return q.model_copy(update={"mu_s": mu, "mu_c": mu})
+
+
+def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
+    """The friction from which on the clutch locks, and half of the bracket."""
+    mu, _ = asked(q)
+    low, high = (share * mu for share in BRACKET)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        found = engaged_fem(rough(q, middle), wedge(q), dt, D_V=None, duration=settled(q))
+        locks = found.verdict == "locks"
+        low, high = (low, middle) if locks else (middle, high)
+    return (low + high) / 2, (high - low) / 2
+
+
+def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
+    """The same over tan(nu) at several torques."""
+    found = []
+    for factor in TORQUES:
+        boundary, half = boundary_fem(with_torque(q, factor), q.dt)
+        tan = asked(q, factor)[1]
+        found.append((factor * q.T, boundary / tan, half / tan))
+    return {"boundaries": np.array(found)}
+
+
+def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tuple[float, float]:
+    """Mean N [N] while the inner race slides on at `speed` [rad/s], and how much it wanders."""
+    moves = held(rough(q, mu), C_rl=0.0, I_bi=HEAVY * q.I_bi)
+    found = engaged_fem(
+        q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES / frequency(q),
+        speeds=Speeds(inner=speed), D_V=None,
+    )  # fmt: skip
+    half = len(found.N) // 2
+    window = np.hanning(half)  # in which parts of a period weigh next to nothing
+    middle, late = (
+        float(np.average(found.N[start : start + half], weights=window))
+        for start in (half // 2, len(found.N) - half)
+    )
+    # the closed form has lines through the clutch's states, the steps cubics
+    return late, max(abs(late - middle), late * max(swings(found, mu), SPLINES))
+
+
+def swings(found: "Engagement", mu: float) -> float:
+    """What the swing shifts the mean N by, over it: N and the arms of its moment swing together."""
+    N, late = found.N, len(found.N) // 2
+    at = found.table.at(found.alpha)
+    outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
+    arm = (at["h"] - at["b_i"] * mu - at["b_e"] * outer)[late:]
+    return float(abs(np.mean(N[late:] * arm) / (N[late:].mean() * arm.mean()) - 1))
+
+
+def sticks_fem(found: "Engagement") -> float:
+    """Time [s] at which the inner contact first comes to rest; 0 where it never slides.
+
+    Its speed is followed on the parabola of its last three samples outside the band.
+    """
+    slid = np.flatnonzero(found.phases[:, 0] == Phase.SLIP)
+    if not len(slid):
+        return 0.0
+    outside = slid[np.abs(found.v_i[slid]) > found.D_V]
+    k = outside[np.flatnonzero(np.diff(outside, append=np.inf) > 1)[0]]
+    first, slope, bend = np.polynomial.polynomial.polyfit([-2, -1, 0], found.v_i[k - 2 : k + 1], 2)
+    later = [x.real for x in np.roots([bend, slope, first]) if abs(x.imag) < 1e-9 and x.real > 0]
+    return float(found.t[k] + found.dt * min(later, default=0.0))
+
+
+def between(q: EngagementInputs) -> float:
+    """Friction between what rest and what the peak asks for."""
+    return (asked(q)[0] + asked_engagement(q)["mu_asked"]) / 2
+
+
+def amid_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:
+    """Largest N [N] and time [s] of the first slip with that friction.
+
+    The time is that at which T/N reaches it, on the straight line through the steps before.
+    """
+    amid = rough(q, between(q))
+    found = engaged_fem(amid, wedge(amid), dt, duration=until, D_V=None)
+    k = int(np.flatnonzero(found.phases[:, 0] == Phase.SLIP)[0])
+    before, last = found.T_i[k - 2 : k] / found.N[k - 2 : k]
+    ahead = (amid.mu_s - last) / (last - before)
+    return {"N_max amid": found.N_max, "slips": float(found.t[k - 1] + ahead * dt)}
+
+
+def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
+    """LSODA with events on the engagements that slip at the start."""
+    values: dict[str, float] = {}
+    for name, p in (("", weak(q)), (" more", weak(q, MORE))):
+        found = partner_fem(p, wedge(p), until)
+        values[f"LSODA N_max{name}"] = highest(found)[1]
+    slid = np.flatnonzero(found.rolls[:, 0] == 0)
+    amid = rough(q, between(q))
+    slips = partner_fem(amid, wedge(amid), until)
+    at = np.flatnonzero(slips.rolls[:, 0] == 0)
+    values |= {"LSODA N_max amid": highest(slips)[1], "LSODA slips": float(slips.t[at[0]])}
+    residuals = [SPLINES]
+    for name, one in (("", weak(q)), (" more", weak(q, MORE)), (" amid", amid)):
+        less = partner_fem(one, wedge(one), until, every=2, rtol=ROUGH)
+        residuals.append(abs(highest(less)[1] / values[f"LSODA N_max{name}"] - 1))
+    return values | {
+        "LSODA sticks": float(found.t[slid[-1]]) if len(slid) else 0.0,
+        "LSODA residual": max(residuals),
+    }
+
+
+def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
+    """1.6 T with weak springs and the narrow band: refused, and what comes back unguarded.
+
+    That is chaotic: the last digits of the torque, or of a machine's arithmetic, decide.
+    """
+    p = weak(q, MORE)
+    w = wedge(p)
+    runs = [engaged_fem(one, w, q.dt, D_V=NARROW, guard=False) for one in nearby(p)]
+    wrong, right = runs[0], engaged_fem(p, w, q.dt, D_V=None)
+    return {
+        "narrow": np.array([refused_fem(p, q.dt, NARROW), right.N_max]),
+        "unguarded": np.array([run.N_max for run in runs]),
+        "t": right.t[::10], "right N": right.N[::10], "wrong t": wrong.t[::10],
+        "wrong N": wrong.N[::10], "right v": right.v_i[:200], "wrong v": wrong.v_i[:200],
+        "fine t": right.t[:200],
+    }  # fmt: skip
+
+
+def nearby(p: EngagementInputs) -> list[EngagementInputs]:
+    """The same under 16 torques that differ by round-off, as another processor's results do."""
+    return [p.model_copy(update={"T": p.T * (1 + NEARLY * k)}) for k in range(16)]
+
+
+def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | None = None) -> bool:
+    """Whether the guard refuses the band."""
+    from analytic.sprag.transient import NarrowBandError
+
+    try:
+        engaged_fem(p, wedge(p), dt, D_V=D_V, duration=duration or p.t_end)
+    except NarrowBandError:
+        return True
+    return False
+
+
+def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
+    """N_max in bands that are chosen against LSODA, over torques and frictions."""
+    found = []
+    for factor, share in SWEEP:
+        p = weak(q, factor)
+        p = p.model_copy(update={"mu_s": share * q.mu_s, "mu_c": min(q.mu_c, share * q.mu_s)})
+        ours = engaged_fem(p, wedge(p), q.dt, duration=until, D_V=None).N_max
+        found.append((p.T, p.mu_s, ours, partner_fem(p, wedge(p), until, rtol=ROUGH).N_max))
+    return {"sweep": np.array(found)}
+
+
+def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
+    """Bands and steps: refused or not, and N_max with and without the guard over the right one.
+
+    Right is what steps a fifth as long give in the band chosen for them. Where the guard refuses,
+    the last digits decide the force: of nearby torques the one counts whose error is the median.
+    """
+    found = []
+    for factor in (1.0, MORE):
+        p = weak(q, factor)
+        w = wedge(p)
+        right = engaged_fem(p, w, STEPS[-1] * q.dt, D_V=None, duration=until).N_max
+        for step in STEPS:
+            for D_V in BANDS:
+                dt = step * q.dt
+                refused = refused_fem(p, dt, D_V, until)
+                runs = [
+                    engaged_fem(one, w, dt, D_V=D_V, guard=False, duration=until)
+                    for one in (nearby(p) if refused else [p])
+                ]
+                errors = sorted((run.N_max / right - 1 for run in runs), key=abs)
+                found.append((factor, step, D_V, refused, errors[len(errors) // 2]))
+    return {"guard": np.array(found, dtype=np.float64)}
+
+
+def map_fem(q: EngagementInputs) -> dict[str, Array]:
+    """Over torques: friction from which on it locks in the end, and without slip before.
+
+    The first with the springs of the inputs, both also with weak ones.
+    """
+    rows = []
+    for factor in OVER:
+        row = [factor * q.T]
+        for p in (with_torque(q, factor), weak(q, factor)):
+            row += [boundary_fem(p, q.dt)[0], most_asked_fem(p)]
+        rows.append(row)
+    return {"map": np.array(rows)}
+
+
+def most_asked_fem(q: EngagementInputs) -> float:
+    """Largest T/N while both contacts stick, friction unlimited."""
+    found = engaged_fem(q, wedge(q), q.dt, motion(rough(q, 0.999)), D_V=None)
+    pressed = found.N > 0
+    most = np.maximum(np.abs(found.T_i), np.abs(found.T_e))[pressed] / found.N[pressed]
+    return float(most.max())

@@ -1,0 +1,257 @@
+"""The claims about the best crown: beside what is printed, its valley, its maps, other torques."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from verify.cases.sprag.clutch.claims import FITTED, Beside, OfPaper, measured
+from verify.cases.sprag.clutch.paper_fem import PRINTED
+from verify.cases.sprag.optimum.crown_claims import pressed
+from verify.cases.sprag.optimum.ends_fem import SLICED
+from verify.cases.sprag.optimum.surrogate_claims import SURROGATE, Told
+from verify.core.case import Context
+from verify.core.shown import Array
+
+NEAR = 0.01  # of the best crown's pressure: what is as good
+ON_BOUND = 1e-3  # of a range
+FLAT = 0.005  # of it, in which the valley is told
+SURE = 1e-3  # of a pressure, which engagements are surely good for
+
+
+def best(context: Context) -> float:
+    return float(measured(context)["best true"][0])
+
+
+def printed_crown(context: Context) -> tuple[float, float, str]:
+    """What the printed crown bears above the best one found."""
+    p, found = float(measured(context)["at hand: pressures"][0].max()), measured(context)["best"]
+    words = (
+        f"{p / 1e6:.0f} MPa, {p / best(context) - 1:+.2%} above {best(context) / 1e6:.0f} MPa at "
+        f"{crowned(found)}"
+    )
+    return NEAR - (p / best(context) - 1), 0.0, words
+
+
+def crowned(crown: Array) -> str:
+    K_1, K_2, z_m = crown
+    return f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm"
+
+
+def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
+    """Where each parameter may lie so that the others can keep within that of the lowest."""
+    found = measured(context)
+    low = found["whole"] <= found["whole"].min() * (1 + within)
+    sides = {}
+    for axis, name in enumerate(("K_1", "K_2", "z_m")):
+        there = found[name][low.any(axis=tuple(k for k in range(3) if k != axis))]
+        sides[name] = (float(there[0]), float(there[-1]))
+    return sides
+
+
+def flat(context: Context) -> str:
+    sides, found = valley(context), measured(context)
+    share = float(np.mean(found["whole"] <= found["whole"].min() * (1 + FLAT)))
+    z_m = tuple(x * 1e6 for x in sides["z_m"])
+    return (
+        f"within {FLAT:.1%} lie {share:.1%} of the box, K_1 from {sides['K_1'][0]:.2f} to "
+        f"{sides['K_1'][1]:.2f}, K_2 from {sides['K_2'][0]:.2f} to {sides['K_2'][1]:.2f}, z_m from "
+        f"{z_m[0]:.1f} to {z_m[1]:.1f} µm{bound(context)}"
+    )
+
+
+def bound(context: Context) -> str:
+    """The bounds that the best crown lies on."""
+    box = context.inputs.box
+    u = box.to_unit(measured(context)["best"][None])[0]
+    on = [
+        f"{name} = {(low, high)[int(x > 0.5)] * (1e6 if name == 'z_m' else 1):g}"
+        + (" µm" if name == "z_m" else "")
+        for name, x, low, high in zip(("K_1", "K_2", "z_m"), u, box.low, box.high, strict=True)
+        if min(x, 1 - x) < ON_BOUND
+    ]
+    return f"; the best lies on the bound {', '.join(on)}" if on else ""
+
+
+def lundberg(context: Context) -> tuple[float, float, str]:
+    """A crown with K_1 Q = N_max, Lundberg's for the largest force, against the best one."""
+    K_1, _, _, p = measured(context)["Lundberg"]
+    low, high = valley(context)["K_1"]
+    words = (
+        f"K_1 = N_max/Q = {K_1:.2f}: {p / best(context) - 1:+.2%}; the best has "
+        f"{measured(context)['best'][0]:.2f}; {FLAT:.1%} leaves K_1 from {low:.2f} to {high:.2f}, "
+        "which hardly tells N_max/Q from others"
+    )
+    return FLAT - abs(float(p) / best(context) - 1), 0.0, words
+
+
+def turns(lines: Array) -> Array:
+    """By how much of its lowest value each line falls at first and rises at last, (n,)."""
+    lowest = lines.min(axis=1)
+    return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
+
+
+def factorial(context: Context) -> Array:
+    """True largest pressures [Pa] over K_1 and K_2 at the z_m nearest to that of Figs. 15, 17."""
+    found, n = measured(context), context.inputs.levels
+    largest = np.maximum(found["end"][:, 0], found["inside"][:, 0]).reshape(n, n, n)
+    return np.asarray(largest[:, :, int(np.argmin(np.abs(found["X"][:n, 2] - 10e-6)))])
+
+
+def over_K_1(context: Context) -> tuple[float, float, str]:
+    """Along K_1 every line of both maps falls, then rises, but for that of the lowest z_m."""
+    shallow, *deeper = measured(context)["true K_1, z_m"][0].T
+    found = turns(np.vstack([factorial(context).T, *deeper]))
+    words = (
+        f"least of {len(found)} lines {found.min():.2%}; left out: z_m = "
+        f"{context.inputs.z_m_low * 1e6:g} µm at the K_2 of the map over z_m, which "
+        f"{course(shallow)}"
+    )
+    return float(found.min()), SURE, words
+
+
+def over_K_2(context: Context) -> str:
+    return counted(context, factorial(context))
+
+
+def over_z_m(context: Context) -> str:
+    return counted(context, measured(context)["true K_1, z_m"][0])
+
+
+def counted(context: Context, lines: Array) -> str:
+    """How many lines of constant K_1 turn, and what that of the best crown's K_1 does."""
+    found, q = turns(lines), context.inputs
+    K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
+    near = int(np.argmin(np.abs(K_1 - measured(context)["best"][0])))
+    return (
+        f"on {np.sum(found > SURE)} of {len(found)} lines of constant K_1 it falls, then rises, by "
+        f"{found.max():.2%} at most; at K_1 = {K_1[near]:g}, the nearest to the best, it "
+        f"{course(lines[near])}"
+    )
+
+
+def course(line: Array) -> str:
+    """What a line does, turns of SURE and less aside."""
+    if (turn := float(turns(line[None])[0])) > SURE:
+        return f"falls, then rises by {turn:.2%}"
+    return f"only {'falls' if line[-1] < line[0] else 'rises'}, but for {SURE:.1%} at most"
+
+
+def larger_K_1(context: Context) -> tuple[float, float, str]:
+    """What the K_1 that is best under the smaller torque costs, all else being best for it."""
+    found = measured(context)
+    K_1, other = float(found["best"][0]), float(found["less"][0])
+    over = found["whole"].min(axis=(1, 2))
+    costs = float(np.interp(other, found["K_1"], over) / over.min() - 1)
+    words = (
+        f"{other:.2f} ({band(found['K_1'], found['less over K_1'])}) by kriging without infill, "
+        f"and {K_1:.2f} ({band(found['K_1'], over)}); the smaller would cost {costs:+.1%}"
+    )
+    return math.copysign(costs, K_1 - other), FLAT, words
+
+
+def band(K_1: Array, over: Array) -> str:
+    """From where to where a pressure over K_1 stays near its lowest."""
+    near = K_1[over <= over.min() * (1 + FLAT)]
+    return f"{near[0]:.2f} to {near[-1]:.2f} within {FLAT:.1%}"
+
+
+def steeper_z_m(context: Context) -> tuple[float, float, str]:
+    """How much more z_m changes under the larger torque, in the mean of the lines at K_2 = 0.5."""
+    more, less = (
+        float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
+        for p in measured(context)["true K_1, z_m"]
+    )
+    return more - less, SURE, f"{more:.1%} against {less:.1%} in the mean"
+
+
+def reductions(found: Any) -> Array:
+    """What the best crowns take off the pressure without one, under each torque."""
+    crowns = [float(found["best: pressures"][0].max())]
+    crowns += [float(found["less"][4])] if "less" in found else []
+    flat_ones = found["none: pressures"].max(axis=1)
+    return np.asarray(1 - np.array(crowns) / flat_ones)
+
+
+def improves(context: Context) -> tuple[float, float, str]:
+    """The reduction grows with the torque."""
+    more, less = reductions(measured(context))
+    return (
+        float(more - less),
+        SURE,
+        f"{more:.1%} against {less:.1%}, {context.inputs.slices} slices",
+    )
+
+
+def made_for(context: Context) -> tuple[float, float, str]:
+    """What the other torque's best crown bears above the best."""
+    p = float(measured(context)["less"][3])
+    return p / best(context) - 1, SURE, f"{p / best(context) - 1:+.1%}"
+
+
+def taken_off(context: Context) -> str:
+    """What the best crown takes off, by several numbers of slices under the same forces."""
+    best, none = (by_number(context, crown) for crown in ("best", "none"))
+    said = ", ".join(
+        f"{1 - p / flat:.1%} by {n} slices ({flat / 1e6:.0f} to {p / 1e6:.0f} MPa)"
+        for n, p, flat in zip(SLICED, best, none, strict=True)
+    )
+    return f"{said}: without a crown the pressure has no limit, and the best one's end neither"
+
+
+def by_number(context: Context, crown: str) -> Array:
+    """Largest pressures [Pa] by each of SLICED slices, its own engagement's by those given."""
+    found = measured(context)
+    own = np.array(SLICED) == context.inputs.slices
+    return np.where(own, found[f"{crown}: pressures"][0].max(), found[f"{crown}: sliced"])
+
+
+def beside(name: str, value: Callable[[Any], float], T: int, **more: Any) -> Beside:
+    return Beside(name=name, symbol="Pre_max", unit="MPa", value=value,
+                  figure=PRINTED[float(T)][1],
+                  printed=(f"huang2018:stress-{T}nm-optimised",), **more)  # fmt: skip
+
+
+def checks(T: int) -> tuple[Any, ...]:
+    """The claims of one of the two torques [N m]."""
+    optimum = tuple(f"huang2018:optimum-{T}nm-{key}" for key in ("k1", "k2", "zm"))
+    fitted = FITTED if T == 25 else ""
+    why = "" if T == 25 else ": predicted, the printed pairs contradict each other"
+    found = (
+        *SURROGATE,
+        beside(f"best crown at {T} N m", lambda f: float(f["best true"][0]), T, fitted=fitted,
+               bound=2 * NEAR, words=f"with the input's wedge angle{why}"),
+        beside(f"best crown at {T} N m, angle fitted", lambda f: float(f["fitted"][2]), T,
+               fitted=fitted, bound=NEAR,
+               words=f"the angle has the pressure printed at 25 N m with the printed crown{why}"),
+        Told(name="what the best crown takes off", symbol="Pre_max", unit="%",
+             words=taken_off, printed=(f"huang2018:stress-{T}nm-reduction",)),
+        OfPaper(name=f"printed crown within {NEAR:.0%} of the best one's pressure",
+                symbol="Pre_max", unit="1", margin=printed_crown, fitted=FITTED, printed=optimum),
+        Told(name="how flat the optimum is", symbol="Pre_max", unit="1", words=flat),
+        OfPaper(name=f"K_1 = N_max/Q within {FLAT:.1%} of the best crown's pressure", symbol="K_1",
+                unit="1", margin=lundberg, fitted=FITTED, printed=optimum[:1]),
+        OfPaper(name="p_max falls, then rises along K_1", symbol="Pre_max", unit="1",
+                margin=over_K_1, fitted=FITTED,
+                printed=(f"huang2018:fig{15 if T == 25 else 17}a-zm",)),
+        Told(name="p_max along z_m", symbol="Pre_max", unit="1", words=over_z_m,
+             printed=(f"huang2018:fig{15 if T == 25 else 17}b-k2",)),
+    )  # fmt: skip
+    return (*found, *(AT_25 if T == 25 else AT_40), *pressed(T))
+
+
+AT_25 = (
+    Told(name="p_max along K_2", symbol="Pre_max", unit="1", words=over_K_2,
+         printed=("huang2018:fig15a-zm",)),
+)  # fmt: skip
+AT_40 = (
+    OfPaper(name="the best K_1 is larger than at 25 N m", symbol="K_1", unit="1",
+            margin=larger_K_1, fitted=FITTED, printed=("huang2018:optimum-40nm-k1",)),
+    OfPaper(name="z_m changes more than at 25 N m", symbol="Pre_max", unit="1",
+            margin=steeper_z_m, fitted=FITTED, printed=("huang2018:fig17b-k2",)),
+    OfPaper(name="the best crown takes off more than at 25 N m", symbol="Pre_max", unit="1",
+            margin=improves, fitted=FITTED, printed=("huang2018:stress-40nm-reduction",)),
+    OfPaper(name="the best crown for 25 N m is not the best for 40 N m", symbol="Pre_max",
+            unit="1", margin=made_for, fitted=FITTED),
+)  # fmt: skip

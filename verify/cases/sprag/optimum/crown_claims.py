@@ -1,0 +1,180 @@
+"""The claims about a crown's contact at N_max: slices, strips and a half-space."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import slices
+from verify.cases.contact.roller.accepted import Estimated
+from verify.cases.sprag.clutch.claims import (
+    BY_STRIPS,
+    FITTED,
+    PLACE,
+    SLICED,
+    STRIPS,
+    WIDER,
+    Noted,
+    OfPaper,
+    measured,
+)
+from verify.cases.sprag.clutch.model import built, mid
+from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.optimum.surrogate_claims import Told
+from verify.cases.sprag.peaks import with_crown
+from verify.core.case import Context, FemResult
+from verify.core.results import Row, Status
+from verify.core.shown import Array
+from verify.judging import judge
+
+STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # of a sprag's length
+HALF_SPACE = "half-space"
+EDGE = 1e-4  # of a pressure: what it hangs on how cells lie on the edge of the contact
+SPREAD = 3.0  # times the last difference: uncertainty of what is refined
+GROWS = 0.02  # at each refinement, of a pressure that has no largest
+NONE_FREE = "no crown with free ends was found: surrogate and strips do not agree on one"
+
+
+def series(context: Context, crown: str, by: str, what: str) -> list[float]:
+    """Largest ("peak") or middle ("mid") pressures [Pa], coarse to fine."""
+    found = measured(context)
+    counts = STRIPPED if by == "strips" else CELLS
+    if what == "mid":
+        return [float(found[f"{crown}: {by} mid {n}"]) for n in counts]
+    return [float(found[f"{crown}: {by} {n}"].max()) for n in counts]
+
+
+def by_slices(context: Context, crown: str, what: str) -> float:
+    """The same of the slices."""
+    found, q = measured(context), with_crown(context.inputs, measured(context)[f"{crown}: crown"])
+    contact = slices.press(
+        gap(q), length=q.l, R=float(found[f"{crown}: R"]), E_star=float(built(q).parts.E_star),
+        load=float(found[f"{crown}: N_max"][0]),
+    )  # fmt: skip
+    return mid(contact) if what == "mid" else float(contact.peak_pressure.max())
+
+
+@dataclass(frozen=True, kw_only=True)
+class AtCrown(Estimated):
+    """A pressure at the crown with free ends under N_max, refined where the study had found it."""
+
+    what: str
+    beside: str  # "slices" or "strips"
+    against: str  # "strips" or "cells"
+
+    def rows(self, context: Context) -> list[Row]:
+        if "free: R" not in measured(context):
+            verdict = judge.Verdict(Status.FAIL if context.is_paper else Status.SHOWN, NONE_FREE)
+            return [self._row(context.case, self.kind, verdict)]
+        v = series(context, "free", self.against, self.what)
+        counts = STRIPPED if self.against == "strips" else CELLS
+        u = EDGE if self.against == "cells" else 0.0
+        levels = [
+            FemResult(h=1 / n, values={self.fem: p}, u_it={self.fem: u * p})
+            for n, p in zip(counts, v, strict=True)
+        ]
+        own = (
+            by_slices(context, "free", self.what) if self.beside == "slices"
+            else series(context, "free", "strips", self.what)[-1]
+        )  # fmt: skip
+        return super().rows(replace(context, fem=levels, analytic={self.analytic: own}))
+
+
+def within(share: float) -> Any:
+    """Interval of an acceptance figure; none at one's own numbers, for which none was accepted."""
+
+    def interval(q: Any, _values: Any) -> tuple[float, float] | None:
+        return (-share, share) if q == type(q)() else None
+
+    return interval
+
+
+def at_crown(name: str, what: str, beside: str, against: str, share: float, demand: float) -> Any:
+    return AtCrown(
+        name=f"{name}, crown with free ends", symbol="p", unit="MPa", analytic=what, fem=what,
+        what=what, beside=beside, against=against, by=BY_STRIPS if against == "strips"
+        else HALF_SPACE, interval=within(share), source=PLACE, demand=demand,
+        demand_reason="acceptance figures",
+    )  # fmt: skip
+
+
+def refined(context: Context, crown: str) -> tuple[float, float]:
+    """Largest pressure [Pa] on the half-space and how far it is uncertain."""
+    v = series(context, crown, "cells", "peak")
+    return v[-1], SPREAD * abs(v[-1] - v[-2])
+
+
+def higher(context: Context) -> tuple[float, float, str]:
+    """How much more the printed crown bears on a half-space than by slices."""
+    p, U = refined(context, "at hand")
+    own = by_slices(context, "at hand", "peak")
+    v = series(context, "at hand", "cells", "peak")
+    words = (
+        f"{', '.join(f'{x / 1e6:.0f}' for x in v)} MPa by {CELLS[0]}, {CELLS[1]} and {CELLS[2]} "
+        f"cells along, {own / 1e6:.0f} MPa by slices"
+    )
+    return p / own - 1, U / own, words
+
+
+def endless(context: Context) -> tuple[float, float, str]:
+    """How much every refinement raises the pressure at the ends of the best crown by slices."""
+    v = [series(context, "best", by, "peak") for by in ("strips", "cells")]
+    grows = min(float(np.min(np.diff(one) / one[:-1])) for one in v)
+    words = "; ".join(
+        f"{', '.join(f'{x / 1e6:.0f}' for x in one)} MPa by {', '.join(map(str, counts))} {by}"
+        for one, counts, by in zip(v, (STRIPPED, CELLS), ("strips", "cells"), strict=True)
+    )
+    return grows - GROWS, 0.0, f"{words}: by {grows:.1%} and more at each, {GROWS:.0%} asked"
+
+
+def to_make(context: Context) -> str:
+    """The crown with free ends and what it bears on a half-space, beside that at hand."""
+    if "free: R" not in measured(context):
+        return NONE_FREE
+    K_1, K_2, z_m = measured(context)["free"]
+    free, hand = (series(context, name, "cells", "peak") for name in ("free", "at hand"))
+    return (
+        f"K_1 = {K_1:.2f}, K_2 = {K_2:.3f}, z_m = {z_m * 1e6:.1f} µm: {free[-1] / 1e6:.0f} MPa by "
+        f"{CELLS[-1]} cells of a half-space, {free[0] / 1e6:.0f} by {CELLS[0]}; the crown at hand "
+        f"{hand[-1] / 1e6:.0f} and {hand[0] / 1e6:.0f}"
+    )
+
+
+def lower(context: Context) -> tuple[float, float, str]:
+    """What the crown with free ends takes off the printed one's pressure on a half-space."""
+    free, u = refined(context, "free")
+    hand, U = refined(context, "at hand")
+    paper = by_slices(context, "free", "peak") / float(measured(context)["best true"][0]) - 1
+    crown: Array = measured(context)["free"]
+    words = (
+        f"{free / 1e6:.0f} MPa with K_1 = {crown[0]:.2f}, K_2 = {crown[1]:.3f}, z_m = "
+        f"{crown[2] * 1e6:.1f} µm against {hand / 1e6:.0f} MPa; by slices it is {paper:+.1%} above "
+        "their best"
+    )
+    return 1 - free / hand, (u + U) / hand, words
+
+
+def pressed(T: int) -> tuple[Any, ...]:
+    """The claims about contacts, of the printed crown for a torque [N m] and of those found."""
+    both = SLICED + STRIPS
+    return (
+        *(
+            Estimated(name=f"{name} of the crown at hand at rest, by slices", symbol="p",
+                      unit="MPa", analytic=key, fem=key, by=BY_STRIPS, interval=within(both),
+                      source=PLACE, demand=WIDER, demand_reason="acceptance figure of slices")
+            for key, name in (("static mid", "pressure at mid-length"),
+                              ("static peak", "largest pressure"))
+        ),
+        at_crown("largest pressure by slices", "peak", "slices", "strips", both, WIDER),
+        at_crown("pressure at mid-length by slices", "mid", "slices", "strips", both, WIDER),
+        at_crown("largest pressure by strips", "peak", "strips", "cells", STRIPS, 2 * STRIPS),
+        at_crown("pressure at mid-length by strips", "mid", "strips", "cells", STRIPS, 2 * STRIPS),
+        Told(name="best crown with free ends", symbol="p_max", unit="1", words=to_make),
+        Noted(name="the printed crown bears more on a half-space than by slices", symbol="p_max",
+              unit="1", erratum="huang2018:eq-21-22-ends", margin=higher,
+              printed=(f"huang2018:stress-{T}nm-optimised",)),
+        OfPaper(name="the best crown by slices has no largest pressure on a half-space",
+                symbol="p_max", unit="1", margin=endless, fitted=FITTED),
+        OfPaper(name="a crown with free ends bears less than the printed one on a half-space",
+                symbol="p_max", unit="1", margin=lower, fitted=FITTED),
+    )  # fmt: skip

@@ -1,0 +1,84 @@
+"""What of the optimisation is measured beyond the time of a run: 200 designs, long searches, seeds.
+
+Parts of a deep measurement: validation designs; scipy's DIRECT on the engagements, without any
+surrogate; genetic algorithm and differential evolution from several seeds.
+"""
+
+import numpy as np
+from scipy.optimize import direct
+
+from analytic.surrogate.designs import full_factorial, random_designs
+from analytic.surrogate.evolution import evolve
+from analytic.surrogate.genetic import genetic
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs, OptimumInputs
+from verify.cases.sprag.optimum.study_fem import answers, fit_fem, single_fem
+from verify.cases.sprag.peaks import peaks_fem
+from verify.core.case import Case, FemResult
+from verify.core.shown import Array
+
+DESIGNS, SEED = 200, 3
+ENGAGEMENTS = 400  # of DIRECT
+SEEDS = 10
+
+
+def deep_fem(q: OptimumInputs, level: int) -> FemResult:
+    arrays = (validated_fem, direct_fem, seeds_fem)[level](q)
+    return FemResult(h=1.0, values={}, arrays=arrays)
+
+
+def validated_fem(q: OptimumInputs) -> dict[str, Array]:
+    """Relative errors of both surrogates at fresh designs, and the true pressures [Pa]."""
+    x = full_factorial(q.box, q.levels)
+    peaks = peaks_fem(q, x, [q.T])
+    fresh = random_designs(q.box, DESIGNS, SEED)
+    true = peaks_fem(q, fresh, [q.T]).largest[:, 0]
+    single = single_fem(x, peaks.largest[:, 0], q.box).predict(fresh)
+    two = fit_fem(x, answers(peaks), q.box).predict(fresh)
+    return {"true": true, "single": single / true - 1, "two": two / true - 1}
+
+
+def direct_fem(q: OptimumInputs) -> dict[str, Array]:
+    """Crowns and pressures [Pa] in the order in which DIRECT asked for them, (n, 4)."""
+    seen: list[list[float]] = []
+
+    def pressure(u: Array) -> float:
+        crown = q.box.from_unit(np.clip(u, 0, 1)[None])
+        p = float(peaks_fem(q, crown, [q.T]).largest[0, 0])
+        seen.append([*crown[0], p])
+        return p
+
+    direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
+    return {"direct": np.array(seen)}
+
+
+def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
+    """Smallest values [Pa] of one surrogate by both searches, from several seeds."""
+    x = full_factorial(q.box, q.levels)
+    surrogate = fit_fem(x, answers(peaks_fem(q, x, [q.T])), q.box)
+    ga = [
+        genetic(surrogate.predict, q.box, population=q.population, generations=q.generations,
+                crossover=q.crossover, mutation=q.mutation, seed=seed).value
+        for seed in range(SEEDS)
+    ]  # fmt: skip
+    de = [evolve(surrogate.predict, q.box, seed=seed).value for seed in range(SEEDS)]
+    return {"GA": np.array(ga), "DE": np.array(de)}
+
+
+def deep(T: int, inputs: type[OptimumInputs], name: str) -> Case:
+    return Case(
+        id=f"{name}-deep",
+        title=f"Best crown of a sprag clutch, {T} N m, longer",
+        paper="huang2018",
+        place="Sec. 3, Table 2",
+        lead="What kriging misses at 200 designs, and what searches find that take longer.",
+        inputs=inputs,
+        analytic=lambda _: {},
+        fem=deep_fem,
+        levels=(0, 1, 2),
+        checks=(),
+        outputs=(),
+    )
+
+
+DEEP_25 = deep(25, Optimum25Inputs, "sprag-optimum")
+DEEP_40 = deep(40, Optimum40Inputs, "sprag-optimum-40")

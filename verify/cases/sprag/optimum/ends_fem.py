@@ -1,0 +1,88 @@
+"""What the best crown's ends bear: slices, strips and the half-space under the same forces.
+
+Slices hardly know that a sprag ends. A contact that reaches the end under load has no largest
+pressure on a half-space, so that the crown to be made is sought among those that free the ends.
+"""
+
+import numpy as np
+
+from analytic.contact import slices, strips
+from analytic.sprag.closure import wedged
+from analytic.surrogate.infill import NoAgreementError
+from verify.cases.sprag.clutch.drawn_fem import crowned
+from verify.cases.sprag.clutch.model import built
+from verify.cases.sprag.optimum.inputs import OptimumInputs
+from verify.cases.sprag.optimum.study_fem import Answer, answers, infilled_fem
+from verify.cases.sprag.peaks import STRIPS, Peaks, one_fem, peaks_fem, with_crown
+from verify.core.shown import Array
+
+STRIPPED = (41, 81, 161)
+SLICED = (21, 41, 81, 161)
+CELLS = ((40, 384), (48, 512), (64, 768))  # across and along, narrow at the ends
+
+
+def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
+    """Of the best crown by slices, of that at hand, of the best by strips, and of none."""
+    crowns = {"best": found["best"], "at hand": np.array([q.K_1, q.K_2, q.z_m])}
+    own = freed_fem(q, found["X"], found["N_max"][:, 0])
+    if "free" in own:
+        crowns["free"] = own["free"]
+    for name, crown in crowns.items():
+        own |= {f"{name}: {key}": value for key, value in pressed_fem(q, crown).items()}
+    N, p = one_fem(with_crown(q, None), q.torques)
+    flat = sliced(q, None, float(N[0]), float(own["best: R"]))
+    return own | {"none: N_max": N, "none: pressures": p, "none: sliced": flat}
+
+
+def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
+    """The best crown by strips, whose ends have to be free; the same kriging, infill and search.
+
+    N (n,) are the known forces with the crowns x (n, 3). Empty where surrogate and strips do not
+    agree on a crown. Engagements and contacts that are not solved raise their own errors.
+    """
+    one = built(q)
+    R = one.radii(wedged(one.clutch, float(np.median(N))))[0]  # which the crowns hardly change
+    gaps = np.array([crowned(with_crown(q, crown), STRIPS) for crown in x])
+    by = strips.press(gaps, length=q.l, R=R, E_star=float(one.parts.E_star), load=N)
+    known = answers(Peaks(x, np.array([q.T]), N[:, None], by.pressure[:, None], "strips"))
+
+    def true(crown: Array) -> Answer:
+        return answers(peaks_fem(q, crown[None], [q.T], by="strips"))[0]
+
+    try:
+        last = infilled_fem(q, x, known, true)
+    except NoAgreementError:
+        return {}
+    return {"free": last.x, "free infill": np.array([[r.predicted, r.true] for r in last.history])}
+
+
+def pressed_fem(q: OptimumInputs, crown: Array) -> dict[str, Array]:
+    """A crown's engagement, and its contact at N_max by all three methods, refined."""
+    from analytic.contact.half_space_roller import press_roller
+
+    mine = with_crown(q, crown)
+    N, p = one_fem(mine, q.torques)
+    one, load = built(mine), float(N[0])
+    R, E_star = one.radii(wedged(one.clutch, load))[0], float(one.parts.E_star)
+    found = {"crown": crown, "N_max": N, "pressures": p, "R": R}
+    for n in STRIPPED:
+        by = strips.press(crowned(mine, n), length=q.l, R=R, E_star=E_star, load=load)
+        found |= {f"strips {n}": by.pressure, f"strips mid {n}": by.mid}
+    width = None  # of the patch, the same for all cells
+    for across, along in CELLS:
+        solid = press_roller(crowned(mine, along), length=q.l, R=R, E_star=E_star, load=load,
+                             cells=(across, along), width=width)  # fmt: skip
+        width = across * solid.contact.cell[0]
+        found |= {f"cells {along}": solid.centre_pressure, f"cells mid {along}": solid.mid_pressure}
+    found["sliced"] = sliced(q, crown, load, R)
+    return {name: np.asarray(value, dtype=np.float64) for name, value in found.items()}
+
+
+def sliced(q: OptimumInputs, crown: Array | None, N: float, R: float) -> Array:
+    """Largest pressures [Pa] by each of SLICED slices under N [N]."""
+    E_star = float(built(q).parts.E_star)
+    return np.array([
+        slices.press(crowned(with_crown(q, crown), n), length=q.l, R=R, E_star=E_star, load=N)
+        .peak_pressure.max()
+        for n in SLICED
+    ])  # fmt: skip

@@ -1,0 +1,231 @@
+"""The claims about kriging: its equations against the bordered system, its errors, its searches."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from verify.cases.sprag.clutch.claims import Measured, OfPaper, measured
+from verify.cases.sprag.optimum.bordered import Bordered
+from verify.core.case import Context
+from verify.core.results import Kind, Row, Status
+from verify.core.shown import Array
+from verify.judging import judge
+from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, suites
+from verify.judging.claims import Claim
+
+MEAN, LARGEST, AGREE = 0.005, 0.03, 0.005  # accepted errors of a surrogate
+SEARCHES = 1e-3  # by which searches of one surrogate may differ
+NEAR = 1e-3  # of the best crown's pressure: where a search has found it
+BLIND = 0.1  # of the error at fresh designs
+LEFT_OUT = 7  # designs that are left out one by one
+BOUND = 1e-6  # beyond which a condition number proves nothing
+EPS = float(np.finfo(np.float64).eps)
+
+
+def agrees(
+    name: str, symbol: str, pair: Callable[[Context], Pair], accepted: float, by: str, source: str
+) -> Agreement:
+    """Two largest pressures of any clutch."""
+    return Agreement(name=name, symbol=symbol, unit="MPa", pair=pair, accepted=accepted, by=by,
+                     source=source,
+                     everywhere=True)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Told(Claim):
+    """What is measured and judged by nothing: SHOWN."""
+
+    kind = Kind.FACT
+
+    words: Callable[[Context], str]
+
+    def rows(self, context: Context) -> list[Row]:
+        verdict = judge.Verdict(Status.SHOWN, f"measured: {self.words(context)}")
+        return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Repeated(Claim):
+    """A result of the kriging code against the bordered system, within what its condition leaves.
+
+    `pair(array, one)` gives both for one of the regimes, and their scale.
+    """
+
+    kind = Kind.EXACT
+
+    pair: Callable[[Callable[[str], Array], Bordered, Array], tuple[Array, Array, float]]
+
+    def rows(self, context: Context) -> list[Row]:
+        worst, bound = 0.0, 0.0
+        for array, one, extra in regimes(context):
+            ours, theirs, scale = self.pair(array, one, extra)
+            worst = max(worst, float(np.abs(ours - theirs).max()) / scale)
+            bound = max(bound, EPS * one.condition)
+        verdict = judge.exact(worst, bound=min(bound, BOUND), scale=1.0, demand=self.demand)
+        return [
+            self._row(
+                context.case, Kind.EXACT, verdict, fem=worst, scale=1.0,
+                interval_source=f"condition of the bordered system, at most {BOUND:g}",
+            )
+        ]  # fmt: skip
+
+
+def regimes(context: Context) -> Iterator[tuple[Callable[[str], Array], Bordered, Array]]:
+    """Of each kriged regime: its arrays by name, its bordered system, the extra designs there."""
+    found, box = measured(context), context.inputs.box
+    for name in ("end", "inside"):
+        if f"{name} designs" in found:
+            one = Bordered(
+                box.to_unit(found[f"{name} designs"]), found[f"{name} values"],
+                found[f"{name} scales"],
+            )  # fmt: skip
+            yield lambda key, n=name: found[f"{n} {key}"], one, box.to_unit(found["extra"])  # type: ignore[misc]
+
+
+def predictions(
+    array: Callable[[str], Array], one: Bordered, extra: Array
+) -> tuple[Array, Array, float]:
+    return array("predicted"), one.predicted(extra), float(np.abs(one.values).max())
+
+
+def deviations(
+    array: Callable[[str], Array], one: Bordered, extra: Array
+) -> tuple[Array, Array, float]:
+    return array("deviation"), one.deviation(extra), float(np.abs(one.values).max())
+
+
+def left_out(
+    array: Callable[[str], Array], one: Bordered, _extra: Array
+) -> tuple[Array, Array, float]:
+    """Some designs left out one by one, length scales kept."""
+    some = np.unique(np.linspace(0, len(one.x) - 1, LEFT_OUT).round().astype(int))
+    theirs = np.array([one.left_out(int(k)) for k in some])
+    return array("left out")[some], theirs, float(np.abs(one.values).max())
+
+
+def missed(found: Measured, which: str) -> Array:
+    """Relative errors of a surrogate, "single" or "two", at the extra designs."""
+    return np.asarray(found[f"extra {which}"] / found["extra largest"][:, 0] - 1)
+
+
+def spread(errors: Array) -> str:
+    size = np.abs(errors)
+    return f"{size.mean():.2%} in the mean, {size.max():.2%} at most"
+
+
+def fresh(context: Context) -> tuple[float, float, str]:
+    """The mean error at designs that the surrogate has not seen, or the largest by its own limit.
+
+    The larger of both counts, so that `MEAN` is the figure of either.
+    """
+    error = np.abs(missed(measured(context), "two"))
+    size = max(float(error.mean()), float(error.max()) * MEAN / LARGEST)
+    return size, 0.0, f"{spread(error)} of {len(error)} designs"
+
+
+def at_best(context: Context) -> Pair:
+    """Surrogate and true model where the search ended."""
+    *_, (*_, predicted, true) = measured(context)["infill"]
+    rounds = len(measured(context)["infill"])
+    words = (
+        f"{predicted / 1e6:.1f} and {true / 1e6:.1f} MPa after {rounds} rounds; infill ends only "
+        "where these agree so, evidence are fresh designs and the search without surrogate"
+    )
+    return Pair(predicted, true, 0.0, words)
+
+
+def searched(context: Context) -> Pair:
+    """Genetic algorithm and differential evolution on one surrogate."""
+    found = measured(context)
+    ga, de = (float(found[f"{name} value"][0]) for name in ("GA", "DE"))
+    words = (
+        f"{ga / 1e6:.2f} MPa after {found['GA evaluations'][0]:.0f} and {de / 1e6:.2f} MPa after "
+        f"{found['DE evaluations'][0]:.0f} points"
+    )
+    return Pair(ga, de, 0.0, words)
+
+
+def directly(context: Context) -> Pair:
+    """The best crown against a search on engagements alone, from the crown at hand."""
+    found = measured(context)
+    tried, best = found["direct"][:, 3], float(found["best true"][0])
+    low = float(tried.min())
+    words = (
+        f"{low / 1e6:.1f} MPa after {len(tried)} engagements, {low / best - 1:+.2%} beside "
+        f"{best / 1e6:.1f} MPa"
+    )
+    return Pair(best, low, 0.0, words)
+
+
+def asked(context: Context) -> str:
+    """Engagements that the surrogate costs, and those that a search without it needs."""
+    found = measured(context)
+    tried, best = found["direct"][:, 3], float(found["best true"][0])
+    near = tried <= best * (1 + NEAR)
+    first = f"{int(np.argmax(near)) + 1}" if near.any() else f"not within {len(tried)}"
+    return (
+        f"{len(found['X'])} of the factorial and {len(found['infill'])} of infill with kriging; "
+        f"within {NEAR:.1%} of its best crown without it, from the crown at hand: {first}"
+    )
+
+
+def single_errors(context: Context) -> str:
+    found = measured(context)
+    return (
+        f"at the extra designs {spread(missed(found, 'single'))}; a level left out "
+        f"{spread(found['level out single'])}; a design left out {spread(found['left out single'])}"
+    )
+
+
+def two_errors(context: Context) -> str:
+    found = measured(context)
+    return (
+        f"a level left out {spread(found['level out two'])}; a design left out "
+        f"{spread(found['left out two'])}"
+    )
+
+
+def blind(context: Context) -> tuple[float, float, str]:
+    """A design left out of the factorial tells less than a tenth of a single kriging's errors."""
+    found = measured(context)
+    known = float(np.abs(found["left out single"]).mean())
+    true = float(np.abs(missed(found, "single")).mean())
+    return BLIND - known / true, 0.0, f"{known:.3%} where fresh designs miss by {true:.2%}"
+
+
+def better(context: Context) -> tuple[float, float, str]:
+    """Two regimes kriged apart miss less than half of what one kriging does."""
+    one, two = (float(np.abs(missed(measured(context), k)).mean()) for k in ("single", "two"))
+    return 0.5 - two / one, 0.0, f"{two:.2%} against {one:.2%} in the mean"
+
+
+SURROGATE = (
+    Repeated(name="kriging prediction and the bordered system", symbol="Y", unit="1",
+             pair=predictions),
+    Repeated(name="kriging deviation and the bordered system", symbol="s", unit="1",
+             pair=deviations),
+    Repeated(name="designs left out in closed form and one by one", symbol="Y", unit="1",
+             pair=left_out),
+    Deviation(name=f"surrogate at fresh designs: {MEAN:.1%} in the mean, {LARGEST:.0%} at most",
+              symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
+              source=suites("the mean as at the best crown, single designs six times that"),
+              whole="pressure of an engagement",
+              by="surrogate", everywhere=True),
+    agrees(f"surrogate and true model within {AGREE:.1%} at the best crown", "Y", at_best, AGREE,
+           "engagement", SUBJECT),
+    agrees(f"genetic algorithm and differential evolution within {SEARCHES:.1%}", "Y", searched,
+           SEARCHES, "differential evolution",
+           suites("a fifth of what surrogate and true model may differ by")),
+    agrees(f"best crown and a search without surrogate within {AGREE:.1%}", "Pre_max", directly,
+           AGREE, "search without surrogate",
+           suites("as surrogate and true model")),
+    Told(name="engagements with and without kriging", symbol="n", unit="1", words=asked),
+    Told(name="errors of one kriging for all (Eq. 20)", symbol="Y", unit="1", words=single_errors),
+    Told(name="errors of kriging the end and the rest apart", symbol="Y", unit="1",
+         words=two_errors),
+    OfPaper(name="kriging the end and the rest apart halves the errors", symbol="Y", unit="1",
+            margin=better),
+    OfPaper(name="leaving out a design hides nine tenths of one kriging's errors", symbol="Y",
+            unit="1", margin=blind),
+)  # fmt: skip

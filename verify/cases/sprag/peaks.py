@@ -1,0 +1,192 @@
+"""Largest pressures of a sprag clutch's engagements, crown by crown: what a design of it judges by.
+
+A crown changes the laws of the contacts and little else: they are solved once for all torques.
+
+The slices of Eqs. 2-5 hardly know that a sprag ends: the crown that is best by them lets its ends
+carry, which strips on a half-space, and the more the finer they are, answer with a peak there
+(2946 MPa by 41 slices are 3255 MPa by 81 strips, 3766 by 161, for the best crown of Eq. 19 at
+25 N m). So a crown that is to be made is judged by strips, under the same forces, and with its ends
+free: where a contact ends before the sprag does the last strip is partly bare and bears less than
+the others, where it reaches the end it bears more, without limit as strips become narrower.
+"""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from analytic.contact import slices, strips
+from analytic.sprag.closure import wedged
+from verify.cases.sprag.clutch.model import Built, built
+from verify.cases.sprag.clutch.run_fem import AHEAD, engaged_fem
+from verify.cases.sprag.engagement.model import crowned_for, gap
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.shown import Array
+from verify.jobs.engines import Drive, Lost, local
+
+CHUNK = 5  # crowns that a process takes at a time
+STRIPS = 81  # along a sprag; where its ends carry nothing 161 of them change the peak by 0.1 %
+HOW = {
+    "slips": "a contact slides on",
+    "over the end": "the sprags leave their profile, or what the formulas can tell",
+    "disengages": "the contacts are apart at the end",
+    "not followed": "the force still rises at the end, take a longer t_end",
+}
+
+END = (
+    1.5  # what the end strip counts for: it may bear (2/3)^2 = 44 % of the force of the most loaded
+)
+
+Crown = tuple[float, float, float]  # K_1, K_2, z_m [m]
+By = Literal["slices", "strips"]
+
+
+class NoLockError(ArithmeticError):
+    """An engagement that does not lock: it has no largest pressure to make less."""
+
+
+@dataclass(frozen=True, eq=False)
+class Peaks:
+    """Of n crowns (n, 3) under m torques [N m], at the inner contacts.
+
+    `N_max` [N] (n, m), and under it the `pressure` [Pa] of each slice or strip from one end to the
+    other, (n, m, slices).
+    """
+
+    crowns: Array
+    torques: Array
+    N_max: Array
+    pressure: Array
+    by: By = "slices"
+
+    @property
+    def largest(self) -> Array:
+        """Pre_max [Pa] of Eq. 17, (n, m)."""
+        return np.asarray(self.pressure.max(axis=-1))
+
+    @property
+    def regimes(self) -> tuple[Array, Array]:
+        """What the end and all the rest count for [Pa], each (n, m): regimes for a surrogate.
+
+        Strips let no crown count as good whose ends carry: see END.
+        """
+        return (END if self.by == "strips" else 1.0) * self.end, self.inside
+
+    @property
+    def objective(self) -> Array:
+        """The larger regime [Pa], (n, m): what a crown is to make least.
+
+        That is `largest` of slices, and of strips where the ends are free.
+        """
+        return np.maximum(*self.regimes)
+
+    @property
+    def end(self) -> Array:
+        """Pressure [Pa] of the first slice, at an end, 0 where they carry nothing, (n, m)."""
+        return np.asarray(self.pressure[..., 0])
+
+    @property
+    def inside(self) -> Array:
+        """Largest pressure [Pa] of all other slices, (n, m)."""
+        return np.asarray(self.pressure[..., 1:-1].max(axis=-1))
+
+    def of(self, torque: int) -> "Peaks":
+        """The same under one of the torques, by its number."""
+        only = slice(torque, torque + 1)
+        return Peaks(
+            self.crowns, self.torques[only], self.N_max[:, only], self.pressure[:, only], self.by
+        )
+
+
+def with_crown(q: EngagementInputs, crown: Crown | Array | None) -> EngagementInputs:
+    """The clutch with another crown for the same load, or with none."""
+    Q = crowned_for(q)
+    if crown is None:
+        return q.model_copy(update={"z_m": 0.0, "Q": Q})
+    K_1, K_2, z_m = (float(x) for x in crown)
+    return q.model_copy(update={"K_1": K_1, "K_2": K_2, "z_m": z_m, "Q": Q})
+
+
+def one_fem(
+    q: EngagementInputs, torques: Iterable[float], by: By = "slices"
+) -> tuple[Array, Array]:
+    """N_max [N], (m,), and pressures [Pa], (m, slices), with the crown of `q`.
+
+    NoLockError where an engagement does not lock; its own errors where there is none.
+    """
+    one = built(q)
+    N, R = np.array([_peak_fem(one, q.model_copy(update={"T": float(T)})) for T in torques]).T
+    if by == "slices":
+        return N, slices.press(
+            one.gap, length=q.l, R=R, E_star=one.parts.E_star, load=N
+        ).peak_pressure
+    fine = gap(q.model_copy(update={"slices": STRIPS}))
+    return N, strips.press(fine, length=q.l, R=R, E_star=one.parts.E_star, load=N).pressure
+
+
+def _peak_fem(one: Built, q: EngagementInputs) -> tuple[float, float]:
+    """N_max [N] and the inner contact's relative radius [m] under it."""
+    run = engaged_fem(one, q, AHEAD * q.T / (q.z * q.R_i * math.tan(q.nu_0)))
+    verdict = run.engagement.verdict
+    if verdict != "locks":
+        raise NoLockError(f"under T = {q.T:g} N m {HOW[verdict]}: no crown mends that")
+    N = run.engagement.N_max
+    return N, one.radii(wedged(one.clutch, N))[0]
+
+
+Task = tuple[EngagementInputs, tuple[float, ...], tuple[Crown, ...], By]
+
+
+def some_fem(task: Task) -> list[tuple[Array, Array]] | str:
+    """A chunk of crowns; why, where an engagement does not lock.
+
+    An engagement that is not solved raises its own error: it says nothing about the clutch.
+    """
+    q, torques, crowns, by = task
+    try:
+        return [one_fem(with_crown(q, crown), torques, by) for crown in crowns]
+    except NoLockError as error:
+        return str(error)
+
+
+def peaks_fem(
+    q: EngagementInputs,
+    crowns: Array,
+    torques: Iterable[float],
+    *,
+    by: By = "slices",
+    jobs: int = 1,
+    progress: Callable[[int], None] = lambda _done: None,
+) -> Peaks:
+    """Engagements with each of the crowns (n, 3), made for the same load, under each torque [N m].
+
+    Pressures are those of the clutch's slices, or of STRIPS strips on a half-space. `progress` is
+    told how many crowns are done. NoLockError where one does not lock, another ArithmeticError
+    where an engagement is not solved.
+    """
+    torques, n = tuple(float(T) for T in torques), len(crowns)
+    tasks = [
+        tuple((float(a), float(b), float(c)) for a, b, c in crowns[k : k + CHUNK])
+        for k in range(0, n, CHUNK)
+    ]
+    found: dict[tuple[Crown, ...], list[tuple[Array, Array]]] = {}
+    done = 0
+    with local(0 if jobs == 1 or len(tasks) == 1 else min(jobs, len(tasks))) as engine:
+        for said in Drive(engine, some_fem).answers((q, torques, task, by) for task in tasks):
+            if said is None:
+                continue
+            (_, _, task, _), answer = said
+            if isinstance(answer, Lost):
+                raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+            if isinstance(answer, str):
+                raise NoLockError(answer)
+            found[task] = answer  # the same for crowns that come twice
+            done += len(task)
+            progress(done)
+    whole = [one for task in tasks for one in found[task]]
+    return Peaks(
+        np.asarray(crowns, dtype=np.float64), np.array(torques),
+        np.array([N for N, _ in whole]), np.array([p for _, p in whole]), by,
+    )  # fmt: skip

@@ -1,0 +1,84 @@
+"""What a wedged sprag looks like: one pitch with the strut between both contacts."""
+
+import math
+
+import numpy as np
+
+from verify.cases.freewheel.star_sketch import arc, label, ray
+from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.wedge.model import sprag_column
+from verify.core.shown import Array, Shape, Sketch
+
+SIDE = 0.42  # of the drawing's height: room for labels on either side
+
+
+def outline(q: WedgeInputs, *, turned: float, alpha_b: float, OC_e: float) -> Array:
+    """Closed outline (m, 2) [m] of the sprag about the axis, its pole on +y; empty if it rolls."""
+    whole = sprag_column(q)
+    drawn = whole and whole.outline(turned=turned, alpha_b=alpha_b)
+    if not drawn:
+        return np.empty((0, 2))
+    around = np.concatenate([[drawn.A], drawn.right, [drawn.B], drawn.left[::-1], [drawn.A]])
+    placed = around * np.exp(-1j * alpha_b) + 1j * OC_e
+    return np.column_stack([placed.real, placed.imag])
+
+
+def sketch(q: WedgeInputs) -> Sketch:
+    """One pitch to scale, in metres, at first contact; the axis lies below."""
+    sprag, half = q.sprag, math.pi / q.z
+    beta, OC_e = float(sprag.beta_0), float(sprag.OC_e)
+    A, B, pole = q.R_i * ray(beta), q.R_e * ray(0.0), OC_e * ray(0.0)
+    low, tall = q.R_id * math.cos(half), q.R_ed - q.R_id * math.cos(half)
+    wide = q.R_ed * math.sin(half)
+    body = outline(q, turned=0.0, alpha_b=0.0, OC_e=OC_e)
+    inner = [arc(q.R_i, -half, half), arc(q.R_id, half, -half)]
+    outer = [arc(q.R_e, -half, half), arc(q.R_ed, half, -half)]
+    along = (B - A) / np.hypot(*(B - A))
+    shapes = (
+        Shape(style="modelled", points=np.vstack(inner)),
+        Shape(style="modelled", points=np.vstack(outer)),
+        *((Shape(style="body", points=body),) if body.size else ()),
+        Shape(style="axis", points=np.vstack([low * ray(0.0), (q.R_ed + 0.06 * tall) * ray(0.0)])),
+        Shape(style="axis", points=np.vstack([low * ray(beta), (q.R_e + 0.1 * tall) * ray(beta)])),
+        Shape(style="load", points=np.vstack([A - 0.16 * tall * along, A])),
+        Shape(style="load", points=np.vstack([B + 0.16 * tall * along, B])),
+        Shape(style="load", label="T",
+              points=arc(q.R_id + 0.25 * (q.R_i - q.R_id), 0.75 * half, 0.3 * half)),
+        *_named(q, A, B, pole, tall=tall, wide=wide, low=low),
+        Shape(style="text", points=np.array([[wide + SIDE * tall, low]])),
+        Shape(style="text", points=np.array([[-wide - SIDE * tall, low]])),
+    )  # fmt: skip
+    return Sketch(
+        title=f"one of {q.z} pitches at first contact, to scale, the axis lies below: T turns the "
+        "inner race against the sprag, which turns clockwise and wedges; forces act along the line "
+        f"through both contacts, {math.degrees(q.nu_0):.4g}° off the radius at the inner one",
+        shapes=shapes,
+    )
+
+
+def _named(
+    q: WedgeInputs, A: Array, B: Array, pole: Array, *, tall: float, wide: float, low: float
+) -> tuple[Shape, ...]:
+    """Radii on the right, what is the sprag's on the left, each with an arrow to its place."""
+    half, right, left = math.pi / q.z, wide + 0.06 * tall, -wide - 0.06 * tall
+    radii = [
+        ("R_ed", q.R_ed, 0.97),
+        ("R_e", q.R_e, 0.7),
+        ("R_i", q.R_i, 0.42),
+        ("R_id", q.R_id, 0.06),
+    ]
+    found = [
+        Shape(style="leader", label=label(name, r),
+              points=np.array([[right, low + height * tall], r * ray(0.85 * half)]))
+        for name, r, height in radii
+    ]  # fmt: skip
+    spots = [
+        ("B", B, 0.8),
+        ("C_e", pole, 0.62),
+        (f"A, r_i = {q.r_i * 1e3:.4g} mm", A, 0.3),
+    ]
+    found += [
+        Shape(style="leader", label=name, points=np.vstack([[left, low + height * tall], spot]))
+        for name, spot, height in spots
+    ]
+    return tuple(found)

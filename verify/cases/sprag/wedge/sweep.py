@@ -1,0 +1,131 @@
+"""The sector of a sprag clutch over its stroke, by finite elements, and what lies between.
+
+States are taken at rotations whose normal forces grow from next to nothing to beyond 1.8 times a
+rigid clutch's, N_0 = T/(n_s R_i tan(nu_0)). In between cubic splines over the logarithm of N.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from verify.cases.sprag.fem import State
+from verify.cases.sprag.inputs import WedgeInputs
+from verify.cases.sprag.stroke import COARSE, Start, at_force
+
+if TYPE_CHECKING:
+    from fem.contact.solution import Touch
+
+Array = NDArray[np.float64]
+
+SHARES = (0.03, 0.22, 0.5, 1.0, 1.86)  # of N_0
+GROWS = 0.965  # power of N with which rotations grow
+FINER = 8  # cells that say how wide contacts are
+GAUSS = 24  # points of each stretch of an integral over ln N
+GROWING = 1.5  # first to last value, from which on logarithms are splined
+
+
+def rigid_force(q: WedgeInputs) -> float:
+    """N_0 = T/(n_s R_i tan(nu_0)) [N]: what a rigid clutch would press with."""
+    return q.T / (q.z * q.R_i * math.tan(q.nu_0))
+
+
+@lru_cache(maxsize=16)
+def starts_by_fem(q: WedgeInputs) -> tuple[Start, ...]:
+    """Starts of all states, the least loaded first; ArithmeticError where the sprag has none."""
+    now = at_force(q, SHARES[-1] * rigid_force(q) / q.l)
+    found = [now]
+    for above, share in pairwise(reversed(SHARES)):
+        guess = now.turned(now.place.alpha * (share / above) ** GROWS)
+        now = Start.after(guess.state(COARSE))
+        found.append(now)
+    # coarse meshes have all contacts too narrow alike
+    fine, coarse = now.state(FINER).widths, now.widths
+    share_i, share_e = (f / c for f, c in zip(fine, coarse, strict=True))
+    return tuple(
+        replace(s, widths=(share_i * s.widths[0], share_e * s.widths[1])) for s in reversed(found)
+    )
+
+
+class Sweep:
+    """States of the sector on meshes of `cells`, and splines between them over ln N."""
+
+    def __init__(self, q: WedgeInputs, cells: int) -> None:
+        self.q = q
+        self.states = [start.state(cells) for start in starts_by_fem(q)]
+        rows = [read(q, state) for state in self.states]
+        self.at_states = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+
+    def at(self, name: str, value: float, by: str = "N") -> float:
+        """A quantity where another has a value; ArithmeticError beyond the sweep."""
+        low, high = self.at_states[by][[0, -1]]
+        if not low <= value <= high:
+            raise ArithmeticError(f"{by} = {value:.4g} lies beyond the states from {low:.4g} on")
+        return float(self.over(name, by)(np.log(value)))
+
+    def over(self, name: str, by: str = "N") -> Callable[[Array], Array]:
+        """A quantity over the logarithm of another; of those that grow, logarithms are splined."""
+        x, y = np.log(self.at_states[by]), self.at_states[name]
+        if y[-1] > GROWING * y[0] > 0:
+            power = CubicSpline(x, np.log(y))
+            return lambda t: np.asarray(np.exp(power(t)))
+        spline = CubicSpline(x, y)
+        return lambda t: np.asarray(spline(t))
+
+    def turn_by_energy(self, T: Array) -> Array:
+        """Turn of the races [rad] up to torques T [N m]: the integral of n_s dU/T."""
+        U, z = self._logarithm("U", "T"), self.q.z
+        return self._integral(lambda t: z * np.exp(U(t) - t) * U(t, 1), "T", T)
+
+    def work(self, N: Array) -> Array:
+        """Work [J] on the yields of one sprag up to normal forces N [N]: the integral of N dH."""
+        H = self._logarithm("H", "N")
+        return self._integral(lambda t: np.exp(H(t) + t) * H(t, 1), "N", N)
+
+    def _logarithm(self, name: str, by: str) -> CubicSpline:
+        return CubicSpline(np.log(self.at_states[by]), np.log(self.at_states[name]))
+
+    def _integral(self, slope: Callable[[Array], Array], along: str, to: Array) -> Array:
+        """Up to values of what it runs along, of a slope over logarithms that begins as a power."""
+        first = float(np.log(self.at_states[along][0]))
+        ends = np.concatenate([[first], np.log(np.atleast_1d(to))])
+        x, w = np.polynomial.legendre.leggauss(GAUSS)
+        parts = []
+        for low, high in pairwise(ends):
+            t = low + (high - low) * (x + 1) / 2
+            parts.append(float((high - low) / 2 * w @ slope(t)))
+        step = 1e-3
+        at = slope(np.array([first, first + step]))
+        tail = at[0] / (np.log(at[1] / at[0]) / step)
+        return np.asarray(tail + np.cumsum(parts))
+
+
+def half_width(touch: "Touch") -> float:
+    """Half-width [m] of an elliptic pressure with the same mean distance from its centre.
+
+    That of the squares hangs twice as much on where the contact ends in a cell.
+    """
+    load = touch.p * touch.weight
+    return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())
+
+
+def read(q: WedgeInputs, state: State) -> dict[str, float]:
+    """Torque [N m], forces [N] on one sprag, lengths, angles, pressures; energy [J] of a pitch."""
+    (N, N_e), (T_i, T_e), (p_i, p_e) = state.N, state.T, state.peaks
+    a_i, a_e = map(half_width, state.solution.touches)
+    place, (nu, omega) = state.place, state.angles
+    (m_i, m_e), (c_i, c_e) = state.race_mean, state.race_at_contact
+    return {
+        "T": state.torque * q.l, "held": state.held * q.l, "N": N * q.l, "N_e": N_e * q.l,
+        "T_i": T_i * q.l, "T_e": T_e * q.l, "tan nu": math.tan(nu), "tan omega": math.tan(omega),
+        "alpha": place.alpha, "OC_e": place.D, "H": place.H, "OA": place.OA, "OB": place.OB,
+        "beta": place.beta, "strut nu": math.tan(place.strut[0]), "a_i": a_i, "a_e": a_e,
+        "p_i": p_i, "p_e": p_e, "mean i": -m_i, "mean e": m_e, "race i": -c_i, "race e": c_e,
+        "U": state.energy * q.l,
+    }  # fmt: skip

@@ -1,0 +1,154 @@
+"""Finite elements of case spring-buckling: one unit, critical points, drift, sweeps and the map."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from verify.cases.spring.buckling.inputs import (
+    DRIFT,
+    MANY,
+    MAP_L1,
+    MAP_N,
+    RATIO,
+    SAME_RATIO,
+    TAILS,
+    THICKNESSES,
+    BucklingInputs,
+)
+from verify.cases.spring.large_fem import PLACES, Spring
+from verify.core.case import FemResult
+from verify.core.shown import Field
+
+SWEPT = 8  # the level of sweeps and the map
+COARSE = 4  # of springs of another shape
+SHOWN = 0.1  # of the free length: a free head's shape in the figure
+LAST = 0.75  # of the free length: leaves of any spring would have met
+UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
+
+
+def fem(q: BucklingInputs, level: int) -> FemResult:
+    values: dict[str, float] = unit_fem(q, level)
+    u_it: dict[str, float] = {}
+    arrays: dict[str, Any] = {}
+    fields: list[Field] = []
+    for tail in TAILS:
+        one = spring(q, q.path | {"tail": tail}, q.b, level)
+        U, u, state = one.gives_way(LAST * q.length)
+        if state is None:  # the elastica has a critical point, else the case refuses the inputs
+            raise ArithmeticError(
+                f"no critical point of the free head up to {LAST:.0%} of the length, tail {tail}"
+            )
+        F = one.force(state)
+        values |= {f"U_cr, {tail}": U, f"F_cr, {tail}": F}
+        u_it |= {f"U_cr, {tail}": u, f"F_cr, {tail}": u / U * F}
+        values[f"F_lin, {tail}"], u_it[f"F_lin, {tail}"] = one.linear_load()
+        k_y, u_it[f"k_y, {tail}"] = one.lateral_stiffness(one.guided.rest())
+        values[f"k_y, {tail}"] = k_y
+        for share, moved in zip(DRIFT, drift(one, q.P), strict=True):
+            u_y = values[f"drift {share:g} P, {tail}"] = moved.u[one.head, 1]
+            u_it[f"drift {share:g} P, {tail}"] = PLACES * abs(u_y)
+        if level == SWEPT:
+            arrays |= {f"{name}, {tail}": array for name, array in along(one, q).items()}
+            arrays[f"let go, {tail}"] = (one.line.points + state.u[:, :2])[
+                one.line.elements[:, [0, 2, 1]]
+            ]
+            fields.append(shape(one, state, f"let go, {tail}"))
+    if level == SWEPT:
+        arrays |= swept(q)
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
+
+
+def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> Spring:
+    return Spring(path, b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
+
+
+def drift(one: Spring, P: float) -> Any:
+    """States of a head that is free from the first moment, at its shares of the load `P`."""
+    path = one.frame("").under_loads({one.head: (P, 0.0, 0.0)}, np.linspace(0.05, 1.1, 22))
+    by_share = {round(float(state.factor), 6): state for state in path.states}
+    return [by_share[share] for share in DRIFT]
+
+
+def along(one: Spring, q: BucklingInputs) -> dict[str, Any]:
+    """A free head's path and the guided one: forces, drift, and what holds them."""
+    loose, head = one.frame(""), {one.head: {"x": 1.0}}
+    U = np.concatenate([np.linspace(0.01, 0.15, 20), np.linspace(0.18, 0.6, 10)]) * q.length
+    path = loose.displaced(head, U)
+    rest = {way: one.determinant(one.guided.rest(), way) for way in ("free", "hinged")}
+    free = [one.determinant(state, "free") / rest["free"] for state in path.states]
+    u = path.u[:, one.head]
+    shapes = path.u[int(np.argmin(abs(U - SHOWN * q.length))), :, :2]
+    V = np.linspace(0.02, 0.7, 12) * q.length
+    states = one.compressed(V)
+    return {
+        "free": np.column_stack([path.reactions[:, one.head, 0], u[:, 0], u[:, 1], free]),
+        "guided": np.column_stack([
+            V, [one.force(s) for s in states], [one.lateral_stiffness(s)[0] for s in states],
+            [one.determinant(s, "hinged") / rest["hinged"] for s in states],
+        ]),
+        "free shape": (one.line.points + shapes)[one.line.elements[:, [0, 2, 1]]],
+    }  # fmt: skip
+
+
+def swept(q: BucklingInputs) -> dict[str, Any]:
+    """U_cr over b on one centre line; over n; at one L_0/b; and U_cr/L_0 over n and L_1."""
+    own = q.path | {"tail": "arc"}
+    by_b = []
+    for share in THICKNESSES:
+        one = spring(q, own, share * q.b, SWEPT)
+        U, _, state = one.gives_way(LAST * q.length)
+        by_b.append((share * q.b, U, one.force(state) if state else math.nan))
+    ratio = []
+    for n in SAME_RATIO:
+        length = q.length_of(n, q.L1)
+        ratio.append(shortening(spring(q, own | {"n": n}, length / RATIO, COARSE), length))
+    found = {"by b": np.array(by_b), "same ratio": np.array(ratio)}
+    found["many"] = np.array([
+        shortening(spring(q, own | {"n": n}, q.b, COARSE), q.length_of(n, q.L1)) for n in MANY
+    ])  # fmt: skip
+    found["map"] = np.array([
+        [shortening(spring(q, own | {"n": n, "L1": k * q.L1}, q.b, COARSE),
+                    q.length_of(n, k * q.L1)) for n in MAP_N]
+        for k in MAP_L1
+    ])  # fmt: skip
+    return found
+
+
+def shortening(one: Spring, length: float) -> float:
+    """Share of the free length at which a free head buckles; NaN where it never does."""
+    return one.gives_way(LAST * length)[0] / length
+
+
+def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
+    """Stiffnesses of one middle unit about its centre, clamped at one end."""
+    from fem.beam.curved import solve_curved_frame
+    from meshes.spring.path import accordion
+
+    one = spring(q, q.path | {"tail": "arc"}, q.b, level)
+    line, pieces = one.line, list(accordion(**q.path, tail="arc"))[UNIT_PIECES]
+    (x0, y0), (x1, y1) = (pieces[0].x, pieces[0].y), pieces[-1].end
+    middle = line.points[line.elements[:, 2]]
+    own = line.elements[(middle[:, 0] > x0) & (middle[:, 0] < x1)]
+    nodes, elements = np.unique(own, return_inverse=True)
+    points = line.points[nodes]
+    start, end = (int(np.hypot(*(points - at).T).argmin()) for at in ((x0, y0), (x1, y1)))
+    p, y = x1 - x0, (y1 - y0) / 2
+    # unit loads at the centre, carried to the end by a rigid arm
+    loads = {"turn": (0, 0, 1.0), "axial": (1.0, 0, y), "lateral": (0, 1.0, -p / 2)}
+    found = {}
+    for name, load in loads.items():
+        solved = solve_curved_frame(
+            points, elements.reshape(own.shape), sections=one.section, supports={start: "xyr"},
+            loads={end: load},
+        )  # fmt: skip
+        found[f"unit {name}"] = -1 / (2 * solved.potential_energy)
+    return found
+
+
+def shape(one: Spring, state: Any, name: str) -> Field:
+    """The guided spring at its critical point."""
+    return Field(
+        name=name, points=one.line.points, cells=one.line.elements[:, :2],
+        point_data={"displacement": state.u[:, :2]}, units={"displacement": "m"},
+    )  # fmt: skip

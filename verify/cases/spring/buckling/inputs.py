@@ -1,0 +1,44 @@
+"""Inputs of case spring-buckling, and the springs it looks at besides the one given."""
+
+import math
+from typing import Literal
+
+from verify.cases.spring.inputs import SpringInputs
+from verify.core.inputs import quantity
+
+TAILS: tuple[Literal["arc"], Literal["mid-leaf"]] = ("arc", "mid-leaf")
+DRIFT = (0.5, 0.9)  # shares of the load P at which the drift is compared
+THICKNESSES = (0.5, 1.0, 1.5, 2.0)  # of b
+MANY = (16, 24, 36, 54)  # units, on the way to many
+RATIO = 240.0  # L_0/b of Eq. 13
+SAME_RATIO = (8, 12, 20)  # units at that ratio
+MAP_N = (6, 8, 10, 14, 20)
+MAP_L1 = (0.5, 1.0, 1.5, 2.0)  # of L_1
+
+
+class BucklingInputs(SpringInputs):
+    """A spring and the force that presses it."""
+
+    F: float | None = quantity(
+        None, "N", "F", "working force, against the buckling force", omitted=None, gt=0,
+        example="0.5 N",
+    )  # fmt: skip
+
+    @property
+    def length(self) -> float:
+        """From the head's leaf to the tail's on the centre line [m]."""
+        return self.length_of(self.n, self.L1)
+
+    def length_of(self, n: int, L1: float) -> float:
+        """The same of a spring with other segments [m]."""
+        leaf = (L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
+        pitch = leaf * math.cos(self.alpha) + 2 * self.R * math.sin(self.alpha)
+        return (n - 2) * pitch + 2 * self.R
+
+    @property
+    def P(self) -> float:
+        """Euler's load of a column that bends like the unfolded strip [N]: the size of loads."""
+        leaf = (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
+        unfolded = (self.n - 2) * (leaf + 2 * self.R * self.alpha)
+        EI = self.E * self.h * self.b**3 / 12
+        return math.pi**2 / 4 * EI / (unfolded * self.length)

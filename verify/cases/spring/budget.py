@@ -1,0 +1,156 @@
+"""Error budgets of springs: slenderness, large displacement, width, and the plane assumption."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.map.inputs import SHARES, Cell, MapInputs
+from verify.core.case import FemResult
+from verify.judging.budget_statement import (
+    Argument,
+    Cause,
+    Left,
+    Rerun,
+    Statement,
+    Without,
+    plane_strain,
+)
+
+SECTION = "fem.beam.section:Section"
+RIGID = 1e11  # N, five orders above what a strip of this size has
+THINNER, MORE, SMALL, FIRMER = 4, 3, 1e-4, 10.0
+
+
+def thin(q: Any) -> Any:
+    """A thinner strip."""
+    return q.model_copy(update={"b": q.b / THINNER})
+
+
+def half_as_thick(q: Any) -> Any:
+    """A strip half as thick."""
+    return q.model_copy(update={"b": q.b / 2})
+
+
+def many(q: Any) -> Any:
+    """More segments."""
+    return q.model_copy(update={"n": MORE * q.n})
+
+
+def long_leaf(q: Any) -> Any:
+    """Longer leaves between the same arcs, and a strip as much wider."""
+    return q.model_copy(update={"L1": 2 * q.L1, "h": 2 * q.h})
+
+
+def fem_small(q: MapInputs, level: int) -> FemResult:
+    """The guided spring hardly pressed, its force in proportion."""
+    from verify.cases.spring.map.fem import spring
+
+    here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
+    one = spring(q, here, level, max(1, level // 2))
+    return proportional(level, one.force(one.compressed([SMALL * here.length])[-1]), SMALL)
+
+
+def fem_free(q: MapInputs, level: int) -> FemResult:
+    """The same with a free head."""
+    from verify.cases.spring.map.fem import spring
+
+    here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
+    k = spring(q, here, level, max(1, level // 2)).stiffness
+    return proportional(level, k * here.length, 1.0)
+
+
+def fem_paper(q: MapInputs, level: int) -> FemResult:
+    """The same on the paper's lengths: arcs of the inner radius."""
+    from verify.cases.spring.large_fem import Spring
+
+    path = q.paper_path | {"tail": "arc"}
+    one = Spring(path, q.b, q.h, q.E, q.nu, per_arc=level, per_leaf=max(1, level // 2))
+    return proportional(level, one.stiffness * q.length, 1.0)
+
+
+def proportional(level: int, force: float, share: float) -> FemResult:
+    """Forces at the shares of the length that a case has, from one at another share."""
+    values = {f"F, {wanted:g}": wanted / share * force for wanted in SHARES}
+    return FemResult(h=1 / level, values=values)
+
+
+def fem_firmer(q: CurveInputs, level: int) -> FemResult:
+    """The stiffness at rest, as the case reads it, with contact that is firmer."""
+    from verify.cases.spring.curve.fem import fem_compress
+    from verify.cases.spring.curve.runs import FIRST, spring_of
+
+    pressed = [FIRST * q.stroke, 2 * FIRST * q.stroke]
+    rest = fem_compress(spring_of(q), pressed, per_arc=level, times=FIRMER)
+    once, twice = rest.F / rest.U
+    return FemResult(h=1 / level, values={"k0": float(2 * once - twice)})
+
+
+PROPORTION = "hardly pressed, the force in proportion"
+HEAD = "and head free instead of guided"
+EQ_9_FAR = ("Eq. 9 at*",)
+EQ_9 = ("Eqs. 1-9 against the curved beam",)
+HARINGX = ("Haringx*",)
+NO_PLANE = Without(Cause.PLANE, "a strip as beams: its width is case spring-width's")
+
+STATEMENTS: Mapping[str, Statement] = {
+    "spring-accordion": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="no shear of the strip", rows=EQ_9,
+                  changes=(Argument(SECTION, {"GA": RIGID}),)),
+            Rerun(cause=Cause.GEOMETRY, what="no stretching of the strip", rows=EQ_9,
+                  changes=(Argument(SECTION, {"EA": RIGID}),)),
+        ),
+        without=(NO_PLANE, Without(Cause.DISPLACEMENT, "small on both sides")),
+        finer=48,
+    ),
+    "spring-continuum": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="a strip half as thick", inputs=half_as_thick,
+                  levels=(2, 4)),
+            Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress",
+                  rows=("*plane stress",), changes=plane_strain(), shared=True),
+        ),
+        without=(Without(Cause.DISPLACEMENT, "small on both sides"),),
+    ),
+    "spring-stages": Statement(
+        without=(NO_PLANE, Without(Cause.CONTACT, "0 by construction: closed pairs are rigid "
+                                   "links, open ones nothing")),
+        finer=48,
+    ),
+    "spring-width": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="leaves and width twice as large, arcs as they are",
+                  rows=("factor of the spring by one leaf's",), inputs=long_leaf),
+        ),
+        without=(Without(Cause.PLANE, "shells and solids with their width"),),
+    ),
+    "spring-curve": Statement(
+        reruns=(
+            Rerun(cause=Cause.CONTACT, fem=fem_firmer,
+                  what="ten times the contact's stiffness; nothing touches at rest"),
+        ),
+        without=(NO_PLANE,),
+    ),
+    "spring-buckling": Statement(
+        reruns=(
+            Rerun(cause=Cause.GEOMETRY, what="three times as many segments", rows=HARINGX,
+                  inputs=many, levels=(4,)),
+            Rerun(cause=Cause.GEOMETRY, what="a strip a quarter as thick", rows=HARINGX,
+                  inputs=thin, levels=(4,)),
+        ),
+        left=(
+            Left(("Haringx's column, tail held*",), "neither thickness nor segments "
+                 "explain it, its ends were not rerun"),
+        ),
+        without=(NO_PLANE,), finer=24,
+    ),
+    "spring-map": Statement(
+        reruns=(
+            Rerun(cause=Cause.DISPLACEMENT, what=PROPORTION, rows=EQ_9_FAR, fem=fem_small),
+            Rerun(cause=Cause.GEOMETRY, what=HEAD, rows=EQ_9_FAR, fem=fem_free, after=PROPORTION),
+            Rerun(cause=Cause.GEOMETRY, what="and arcs of the inner radius, as Eqs. 1-9 have them",
+                  rows=EQ_9_FAR, fem=fem_paper, after=HEAD),
+        ),
+        without=(NO_PLANE,), finer=24,
+    ),
+}  # fmt: skip

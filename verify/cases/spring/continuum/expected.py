@@ -1,0 +1,78 @@
+"""What plane elasticity adds to a thin frame's flexibility, to second order in b/R, in closed form.
+
+The centre line of the spring is symmetric about the line of the force: a leaf of the slope alpha
+crosses it in its middle, and arcs about points at L1/2 end at the apex, L1/2 + R from it. With the
+angle t from the apex an arc has the lever y = L1/2 + R cos t, and a unit force gives M = y,
+N = -cos t and V = sin t there, cos alpha and sin alpha on the leaves. Over 1/(EA) each length adds
+
+- N^2 + 12/5 (1 + nu) V^2: axial force, and shear of a rectangle;
+- on arcs 2/5 (M/R)^2: a curved bar in pure bending is softer by (b/R)^2/30 in Golovin's solution;
+- on arcs 2 (1 + 6 nu/5) N M/R: what M and N do together, M positive that pulls the outer fibre.
+
+M^2/I = 12 M^2/(A b^2) is the thin frame's part.
+"""
+
+import math
+from dataclasses import dataclass
+
+from verify.cases.spring.inputs import SpringInputs
+
+
+@dataclass(frozen=True)
+class Added:
+    """Shares of the thin frame's flexibility [1]: axial force with shear, and curvature."""
+
+    shear: float
+    curvature: float
+
+
+@dataclass(frozen=True)
+class _Arc:
+    """Integrals over an arc from its apex to the angle t [rad], per radius."""
+
+    R: float
+    c: float  # from the line of the force to the centre
+    t: float
+
+    @property
+    def cos(self) -> float:
+        return math.sin(self.t)
+
+    @property
+    def cos2(self) -> float:
+        return self.t / 2 + math.sin(2 * self.t) / 4
+
+    @property
+    def lever(self) -> float:
+        """Of y cos t."""
+        return self.c * self.cos + self.R * self.cos2
+
+    @property
+    def square(self) -> float:
+        """Of y^2."""
+        return self.c**2 * self.t + 2 * self.c * self.R * self.cos + self.R**2 * self.cos2
+
+
+def added(q: SpringInputs, *, wide: bool) -> Added:
+    """Both shares for a head that moves freely and a tail clamped at the end of its arc.
+
+    `wide` is plane strain: nu/(1 - nu) in the place of nu.
+    """
+    nu = q.nu / (1 - q.nu) if wide else q.nu
+    R, c = q.R, q.L1 / 2
+    middle = q.n - 2  # leaves, each with an arc at both ends; a quarter turn at head and tail
+    arcs = ((2.0, _Arc(R, c, math.pi / 2)), (2.0 * middle, _Arc(R, c, q.alpha)))
+
+    def round_arcs(of: str) -> float:
+        return R * sum(count * float(getattr(arc, of)) for count, arc in arcs)
+
+    reach = c + R * math.cos(q.alpha)  # of a leaf's ends
+    leaves = middle * 2 * reach / math.sin(q.alpha)
+    squares = c**3 / 3 + leaves * reach**2 / 3 + round_arcs("square")
+    across = leaves * math.sin(q.alpha) ** 2 + round_arcs("t") - round_arcs("cos2") + c
+    along = leaves * math.cos(q.alpha) ** 2 + round_arcs("cos2")
+    shear = along + 12 / 5 * (1 + nu) * across
+    together = -round_arcs("lever") / R
+    curvature = 2 / 5 * round_arcs("square") / R**2 + 2 * (1 + 6 / 5 * nu) * together
+    thin = 12 / q.b**2 * squares
+    return Added(shear / thin, curvature / thin)

@@ -1,0 +1,312 @@
+"""What is claimed of the whole curve: contact, energy, limits, and Eq. 10 beside its readings."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from analytic.spring.stages import stages
+from verify.cases.spring.curve.fem import TWICE, Array
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.curve.runs import (
+    BEYOND,
+    COARSE,
+    FINE,
+    THIN,
+    THIN_UNITS,
+    TIMES,
+    readings,
+    thin,
+    touching,
+)
+from verify.cases.spring.stages.readings import eq10
+from verify.core.case import Context
+from verify.judging.agreement import Deviation, suites
+from verify.judging.checks import Accepted, Identity, Limit, Margin
+
+mm = 1e-3
+PENETRATION = 1e-4  # of b: contact is settled to that
+SAME_CONTACT = 0.002  # of a slope, whatever the contact's stiffness
+HALVED = 0.003  # of a slope, on a mesh of half the size
+BALANCE = 1e-5  # of the work
+K1, K2, CROSSING, FORCE = 0.01, 0.05, 0.05, 0.04  # of Eq. 10
+SETTLED = 1e-4  # of b: how early contact may act, or late
+RETRACED = 1e-5  # of the force: contact is settled to 1e-4 b, a few millionths of it
+STIFFER = 10.0  # times k_2, once all loops meet
+ROUNDING = 1e-9  # of a displacement
+FITTED = "calibrated: of the readings the one whose k_1 is nearest to that of Eq. 10"
+
+
+@dataclass(frozen=True)
+class Lines:
+    """Two straight lines fitted to a curve before and after its tips touch, as Eq. 10 was made.
+
+    `k1`, `k2` [N/m], their constants `c1`, `c2` [N]; `U_A`, `F_A` where the tips begin to press.
+    """
+
+    k1: float
+    c1: float
+    k2: float
+    c2: float
+    U_A: float
+    F_A: float
+
+    @property
+    def U(self) -> float:
+        """Displacement [m] where the lines cross."""
+        return (self.c1 - self.c2) / (self.k2 - self.k1)
+
+
+def fitted(curve: Array, stroke: float) -> Lines:
+    """Least squares over U, F, N (3, k) up to the stroke; NaN where nothing touches."""
+    U, F, N = curve[:, stroke * (1 + ROUNDING) >= curve[0]]
+    U_A, F_A, _ = touching(U, F, N)
+    free = U <= U_A if np.isfinite(U_A) else np.ones(len(U), bool)
+    if free.sum() < 3:
+        return Lines(*(np.nan,) * 6)
+    k1, c1 = np.polyfit(U[free], F[free], 1)
+    k2, c2 = np.polyfit(U[~free], F[~free], 1) if (~free).sum() > 2 else (np.nan, np.nan)
+    return Lines(float(k1), float(c1), float(k2), float(c2), U_A, F_A)
+
+
+def array(context: Context, name: str) -> Array:
+    """What some level stored under `name`."""
+    return next(level.arrays[name] for level in context.fem if name in level.arrays)
+
+
+def curve(context: Context, level: int = FINE) -> Array:
+    """U, F and the sum of normal forces (3, k) of the inputs' spring."""
+    U, F, press = (array(context, f"curve {level} {key}") for key in ("U", "F", "press"))
+    return np.array([U, F, press.sum(axis=1)])
+
+
+def lines(context: Context, level: int = FINE) -> Lines:
+    """Of the curve of the inputs."""
+    return fitted(curve(context, level), context.inputs.stroke)
+
+
+def read(context: Context) -> list[tuple[str, float, Lines, Array]]:
+    """Every reading with every strip: name, factor, its lines, and U and F (2, k)."""
+    q: CurveInputs = context.inputs
+    found = []
+    for name, _ in readings(q):
+        U, F, N = array(context, f"reading {name}")
+        for factor in (1.0, q.width_factor, 1 / (1 - q.nu**2)):
+            stiff = np.array([U, factor * F, factor * N])
+            found.append((name, factor, fitted(stiff, q.stroke), stiff[:2]))
+    return found
+
+
+def beside(context: Context, other: Array) -> tuple[Lines, Lines]:
+    """Of the inputs' curve on the coarse mesh and of the `other` (3, k), in states of both."""
+    own, stroke = curve(context, COARSE), context.inputs.stroke
+    U, V = (np.round(one[0] / stroke, 6) for one in (own, other))
+    own, other = own[:, np.isin(U, V)], other[:, np.isin(V, U)]
+    return fitted(own, stroke), fitted(other, stroke)
+
+
+def apart(one: Lines, other: Lines) -> float:
+    """Largest relative difference of the slopes that both have."""
+    off = [abs(other.k1 / one.k1 - 1), abs(other.k2 / one.k2 - 1)]
+    return float(np.nanmax(off)) if np.isfinite(off).any() else np.nan
+
+
+def without(context: Context) -> str:
+    """What is missing where no leaves touch within the stroke, in words."""
+    return "" if np.isfinite(lines(context).k2) else "; k_2: no leaves touch for long enough"
+
+
+def drift(number: Callable[[Lines], float]) -> Callable[[Context], float]:
+    """How far a fitted number is from the one on the coarse mesh, over itself."""
+
+    def of(context: Context) -> float:
+        coarse, fine = map(number, beside(context, curve(context)))
+        return abs(coarse / fine - 1)
+
+    return of
+
+
+def depth(context: Context) -> tuple[float, float, str]:
+    b, deepest = context.inputs.b, float(array(context, f"curve {FINE} depth").max())
+    return deepest / b, 0.0, f"surfaces overlap by {deepest / b:.1e} b at most"
+
+
+def same_contact(context: Context) -> tuple[float, float, str]:
+    off = max(apart(*beside(context, array(context, f"contact {times:g}"))) for times in TIMES)
+    words = f"slopes change by {off:.1e} at most with a contact 10 times softer or stiffer"
+    return off, 0.0, words + without(context)
+
+
+def halved(context: Context) -> tuple[float, float, str]:
+    off = apart(*beside(context, curve(context)))
+    words = f"slopes change by {off:.1e} at most from {COARSE} to {FINE} cells"
+    return off, 0.0, words + without(context)
+
+
+def balance(context: Context) -> tuple[float, float, str]:
+    work, stored, lost = (
+        array(context, f"curve {FINE} {key}") for key in ("work", "stored", "dissipated")
+    )
+    off = float(abs(work - stored - lost).max() / work.max())
+    words = f"work less stored and lost energy is {off:.1e} of the work at most"
+    return off, 0.0, words
+
+
+def retraced(context: Context) -> tuple[float, float, str]:
+    """Force on the way back against the way there, without friction."""
+    U, F, _ = array(context, "there and back")
+    turn = int(np.argmax(U))
+    back = F[turn + 1 :] / np.interp(U[turn + 1 :], U[: turn + 1], F[: turn + 1]) - 1
+    off = float(abs(back).max())
+    return off, 0.0, f"forces on the way back differ by {off:.1e}"
+
+
+def ends_early(context: Context) -> bool:
+    """Whether an equilibrium was not found before the force doubled or the last displacement."""
+    U, F, _ = curve(context)
+    stroke = context.inputs.stroke
+    at_stroke = F[stroke * (1 + ROUNDING) >= U][-1]
+    return bool(stroke * (1 + BEYOND[-1]) * (1 - ROUNDING) > U[-1] and TWICE * at_stroke >= F[-1])
+
+
+def stiffens(context: Context) -> tuple[float, float, str]:
+    """Slope at the end of the third stage over k_2; NaN where the curve ends early."""
+    U, F, _ = curve(context)
+    if ends_early(context):
+        return np.nan, 0.0, f"no result, no equilibrium was found beyond {U[-1] / mm:.4g} mm"
+    ratio = float((F[-1] - F[-2]) / (U[-1] - U[-2])) / lines(context).k2
+    if not np.isfinite(ratio):
+        return ratio, 0.0, without(context).removeprefix("; ")
+    words = f"{ratio:.3g} times k_2 at {U[-1] / mm:.4g} mm, {F[-1]:.4g} N"
+    return ratio - STIFFER, 0.0, words
+
+
+def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
+    """What is left of `figure` about a number of Eq. 10."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        def own(found: Lines) -> float:
+            return float(getattr(found, key))
+
+        off = own(lines(context)) / printed() - 1
+        return figure - abs(off), drift(own)(context), f"{off:+.2%} of the printed one"
+
+    return margin
+
+
+def nearest(context: Context) -> tuple[float, float, str]:
+    """How much nearer in k_1 the inputs' reading is than the next one; it is chosen by that."""
+    q: CurveInputs = context.inputs
+    own = f"{q.tail}, {q.head}, {q.arcs}", q.width_factor
+    off = {
+        (name, f): abs(found.k1 / eq10().k1 - 1)
+        for name, f, found, _ in read(context) if np.isfinite(found.k1)
+    }  # fmt: skip
+    next_one = min((key for key in off if key != own), key=off.__getitem__)
+    words = f"{off[own]:.2%} off; next is {next_one[0]}, f = {next_one[1]:.4g}: {off[next_one]:.2%}"
+    return off[next_one] - off[own], 0.0, words
+
+
+def along(context: Context) -> tuple[float, float, str]:
+    """Largest deviation of F(U) from Eq. 10 at 1 ... 17 mm."""
+    U, off = deviations(context, FINE)
+    worst = int(np.argmax(abs(off)))
+    u = float(abs(off - deviations(context, COARSE)[1]).max())
+    words = f"{off[worst]:+.2%} at {U[worst] / mm:g} mm is the largest, {off[-1]:+.2%} at the end"
+    return FORCE - abs(off[worst]), u, words
+
+
+def deviations(context: Context, level: int) -> tuple[Array, Array]:
+    """U = 1 ... 17 mm, and force over that of Eq. 10, less one."""
+    U = np.arange(1.0, 18.0) * mm
+    reached, F = (array(context, f"curve {level} {key}") for key in ("U", "F"))
+    return U, np.interp(U, reached, F) / printed_force(U) - 1
+
+
+def printed_force(U: Array) -> Array:
+    """Eq. 10 [N] at U [m]."""
+    own = eq10()
+    return np.where(own.U > U, own.k1 * U + own.c1, own.k2 * U + own.c2)
+
+
+def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list[float]]]:
+    """Nonlinear beam over closed form for leaves ever more slender: U_A, F_A or k_2."""
+    name = ("U_A", "F_A", "k2")[k]
+
+    def points(context: Context) -> tuple[list[float], list[float], list[float]]:
+        coarse, fine = array(context, "thin")[:, :, k]
+        forms = [_thin(context.inputs, share) for share in THIN]
+        exact = np.array([form[name] for form in forms])
+        early = [SETTLED * thin(context.inputs, share).b / form["gap"]
+                 for share, form in zip(THIN, forms, strict=True)]  # fmt: skip
+        u = np.maximum(abs(fine / coarse - 1), early)
+        return list(THIN), (fine / exact - 1).tolist(), u.tolist()
+
+    return points
+
+
+@cache
+def _thin(q: CurveInputs, share: float) -> dict[str, float]:
+    spring = thin(q, share)
+    found = stages(n=THIN_UNITS, b=spring.b, h=q.h, radius=spring.line["radius"], L1=q.L1,
+                   alpha=spring.line["alpha"], E=q.E, nu=q.nu, theory="shear")  # fmt: skip
+    return {key: float(getattr(found, key)) for key in ("U_A", "F_A", "k2", "gap")}
+
+
+@dataclass(frozen=True, kw_only=True)
+class OfThePaper(Accepted):
+    """What sets the paper's spring beside Eq. 10."""
+
+    paper_only = True
+
+
+@dataclass(frozen=True, kw_only=True)
+class Slender(Limit):
+    """Of the closed form and the elements, not of one's own spring."""
+
+    paper_only = True
+
+
+LIMIT = "linear theory is exact where leaves turn by nothing; 0.2 % settles the closed form"
+CHECKS: tuple[Any, ...] = (
+    Identity(name="stiffness at rest", symbol="k_1", unit="N/mm", analytic="k1", fem="k0",
+             formal=4, demand=5e-4, demand_reason="frame elements are to settle 0.05 %"),
+    *(
+        Slender(name=f"{words}, closed form for slender leaves", symbol=f"{symbol}, FE/formula − 1",
+              unit="1", points=parallel(k), exponent=None, demand=2e-3, demand_reason=LIMIT)
+        for k, (symbol, words) in enumerate((
+            ("U_A", "displacement where tips touch"), ("F_A", "force where tips touch"),
+            ("k_2", "stiffness beyond"),
+        ))
+    ),
+    Deviation(name="leaves do not enter each other", symbol="δ/b", unit="1", size=depth,
+              accepted=PENETRATION, whole="thickness", source="what contact is settled to"),
+    Deviation(name="slopes do not depend on the contact's stiffness", symbol="Δk/k", unit="1",
+              size=same_contact, accepted=SAME_CONTACT,
+              source=suites("a fifth of the 1 % that rows of slopes are asked for"),
+              whole="slopes k_1, k_2"),
+    Deviation(name="slopes stay under halving of the mesh", symbol="Δk/k", unit="1", size=halved,
+              accepted=HALVED,
+              source=suites("a third of the 1 % that rows of slopes are asked for"),
+              whole="slopes k_1, k_2"),
+    Deviation(name="work is stored or lost in friction", symbol="W − V − D", unit="1",
+              size=balance, accepted=BALANCE,
+              source=suites("no more than contact that is settled to 1e-4 b"), whole="work"),
+    Deviation(name="the way back is the way there without friction", symbol="ΔF/F", unit="1",
+              size=retraced, accepted=RETRACED,
+              source=suites("contact is settled to 1e-4 b"), whole="force there"),
+    Accepted(name="stiffness rises tenfold once loops meet (stage BE)", symbol="dF/dU", unit="1",
+             margin=stiffens),
+    OfThePaper(name="the reading is the nearest by k_1 alone", symbol="k_1", unit="1",
+             fitted=FITTED, margin=nearest),
+    OfThePaper(name="k_1 of the reading beside Eq. 10", symbol="k_1", unit="1", fitted=FITTED,
+             margin=near("k1", K1, lambda: eq10().k1), printed=("wang2023:k1-fea",)),
+    OfThePaper(name="k_2 of the reading beside Eq. 10", symbol="k_2", unit="1", fitted=FITTED,
+             margin=near("k2", K2, lambda: eq10().k2), printed=("wang2023:k2-fea",)),
+    OfThePaper(name="where the lines cross, beside Eq. 10", symbol="U", unit="1", fitted=FITTED,
+             margin=near("U", CROSSING, lambda: eq10().U)),
+    OfThePaper(name="F(U) at 1 ... 17 mm beside Eq. 10", symbol="F", unit="1", fitted=FITTED,
+             margin=along),
+)  # fmt: skip

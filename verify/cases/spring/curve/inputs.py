@@ -1,0 +1,76 @@
+"""Inputs of the accordion spring's whole curve: ends, arcs, friction and how far it is pressed."""
+
+import math
+from typing import Literal, Self
+
+from pydantic import model_validator
+
+from analytic.spring import frame
+from analytic.spring.loops import Tail
+from analytic.spring.stages import Head
+from verify.cases.spring.inputs import SpringInputs
+from verify.cases.spring.stages.inputs import refuse_wider
+from verify.core.inputs import quantity, word
+
+Arcs = Literal["r", "r + b/2"]
+SHORTEST = 0.05  # of the free length: a curve shorter than that shows nothing
+LONGEST = 0.72
+
+
+class CurveInputs(SpringInputs):
+    """The accordion spring with both end leaves whole, pressed beyond the touching of its tips."""
+
+    width_factor: float = quantity(
+        1.0957, "1", "f",
+        "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)", ge=1, le=1.3,
+    )  # fmt: skip
+    mu: float = quantity(
+        0.15, "1", "μ", "friction between the leaves", ge=0, le=0.5,
+        claims="wang2023:fea-friction-coefficient",
+    )  # fmt: skip
+    stroke: float = quantity(
+        "17 mm", "mm", "U_max", "displacement up to which the curve is followed", gt=0, le=1e4
+    )
+    head: Head = word(
+        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
+    )
+    tail: Tail = word(
+        "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
+    )
+    arcs: Arcs = word("r", "radius of the arcs' centre line: r as printed, or r + b/2")
+
+    @model_validator(mode="after")
+    def _factor(self) -> Self:
+        refuse_wider(self.width_factor, self.nu)
+        return self
+
+    @model_validator(mode="after")
+    def _reach(self) -> Self:
+        L0 = frame.free_length(n=self.n, b=self.b, r=self.R - self.b / 2, L1=self.L1,
+                               alpha=self.alpha)  # fmt: skip
+        if not SHORTEST * L0 <= self.stroke <= LONGEST * L0:
+            raise ValueError(
+                f"the curve is followed over {SHORTEST:.0%} to {LONGEST:.0%} of the free length "
+                f"L_0 = {L0 * 1e3:.4g} mm, got stroke = {self.stroke * 1e3:g} mm"
+            )
+        return self
+
+    @property
+    def R(self) -> float:
+        """Radius of the arcs' centre line [m], as the reading has it."""
+        return self.r if self.arcs == "r" else self.r + self.b / 2
+
+    @property
+    def is_paper(self) -> bool:
+        """Whether Eq. 10 and the readings speak of this spring."""
+        return self == CurveInputs()
+
+    @property
+    def factor(self) -> float:
+        """What the strip's width stiffens it by."""
+        return self.width_factor
+
+    @property
+    def leaf(self) -> float:
+        """Straight length [m] of the middle units."""
+        return (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)

@@ -1,0 +1,130 @@
+"""What case spring-curve has solved: the curve, other contacts and friction, readings, limits."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from verify.cases.spring.curve.fem import Array, Curve, Spring, fem_compress
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.core.case import FemResult
+
+LEVELS = (4, 6, 8)  # cells of an arc and of a leaf
+COARSE, READINGS, FINE = LEVELS
+GRID = 68  # states over the stroke on the finest mesh
+HALF, QUARTER = GRID // 2, GRID // 4  # on the coarse mesh, and of its variants and the readings
+FIRST = 1e-6  # of the stroke, for the stiffness at rest
+TIMES = (0.1, 10.0)  # the contact's usual stiffness
+BACK = (14, 10, 6)  # of the variants' states, on the way back
+BEYOND = np.arange(1, 41) * 0.006  # of the stroke, beyond it
+ROUND_OFF = 1e-9
+TOUCH = 0.004  # of the force: tips that press this much touch for sure
+THIN = (0.01, 0.005, 0.002, 0.001)  # r over L_1, towards leaves that stay parallel
+THIN_UNITS, THIN_SLOPE, THIN_CELLS = 10, 1.5, (2, 3)
+THIN_GRID = (10.0, 14.0, 15.6, 16.0)  # of the loops' radius
+
+
+def spring_of(q: CurveInputs, **changed: Any) -> Spring:
+    """The spring of the inputs, or one of its readings."""
+    own: dict[str, Any] = {
+        "line": q.path, "b": q.b, "h": q.h, "E": q.E, "nu": q.nu, "factor": q.width_factor,
+        "head": q.head, "tail": q.tail, "mu": q.mu,
+    }  # fmt: skip
+    return Spring(**own | changed)
+
+
+def readings(q: CurveInputs) -> Iterator[tuple[str, Spring]]:
+    """What the paper leaves open: tail, head and arcs, without friction and width factor."""
+    arcs = {"r": q.r, "r + b/2": q.r + q.b / 2}
+    for tail, head, (name, radius) in product(
+        ("arc", "mid-leaf"), ("free", "guided"), arcs.items()
+    ):
+        changed = {"line": q.path | {"radius": radius}, "head": head, "tail": tail}
+        yield f"{tail}, {head}, {name}", spring_of(q, factor=1.0, mu=0.0, **changed)
+
+
+def grid(q: CurveInputs, states: int) -> Array:
+    """Displacements [m] over the stroke."""
+    return np.linspace(0, q.stroke, states + 1)[1:]
+
+
+def fem(q: CurveInputs, level: int) -> FemResult:
+    own = spring_of(q)
+    rest = fem_compress(own, [FIRST * q.stroke, 2 * FIRST * q.stroke], per_arc=level)
+    once, twice = rest.F / rest.U
+    k0 = float(2 * once - twice)  # secants tend to it evenly
+    arrays: dict[str, Any] = {}
+    if level == COARSE:
+        curve = fem_compress(own, grid(q, HALF), per_arc=level)
+        arrays = curve.arrays(f"curve {level}") | _variants(q)
+    if level == READINGS and q.is_paper:
+        arrays = _read(q)
+    if level == FINE:
+        beyond = (q.stroke * (1 + BEYOND)).tolist()
+        curve = fem_compress(own, grid(q, GRID), per_arc=level, beyond=beyond)
+        arrays = curve.arrays(f"curve {level}") | {"rest": rest.shapes[0, rest.nodes]}
+    return FemResult(h=1 / level, values={"k0": k0}, u_it={"k0": ROUND_OFF * k0}, arrays=arrays)
+
+
+def _variants(q: CurveInputs) -> dict[str, Any]:
+    """Other contact stiffnesses, and there and back without friction, on the coarse mesh."""
+    there, found = grid(q, QUARTER), {}
+    for times in TIMES:
+        varied = fem_compress(spring_of(q), there, per_arc=COARSE, times=times)
+        found[f"contact {times:g}"] = _kept(varied)
+    both_ways = np.append(there, there[np.array(BACK) - 1])
+    slippery = fem_compress(spring_of(q, mu=0.0), both_ways, per_arc=COARSE)
+    return found | {"there and back": _kept(slippery)}
+
+
+def _read(q: CurveInputs) -> dict[str, Any]:
+    """The readings, and the limit of slender leaves."""
+    held, found = grid(q, QUARTER), {}
+    for name, spring in readings(q):
+        within = held if spring.head != "free" else held[:1]  # it buckles soon after
+        found[f"reading {name}"] = _kept(fem_compress(spring, within, per_arc=COARSE))
+    limit = [[thin_fem(q, share, cells) for share in THIN] for cells in THIN_CELLS]
+    return found | {"thin": np.array(limit)}
+
+
+def _kept(curve: Curve) -> Array:
+    """U, F and the sum of the normal forces (3, k)."""
+    return np.array([curve.U, curve.F, curve.press.sum(axis=1)])
+
+
+def thin(q: CurveInputs, share: float) -> Spring:
+    """A guided spring whose loops are `share` of its leaves, and so are its leaves' slopes.
+
+    Small enough, everything turns by angles of that order only, and linear theory becomes exact.
+    """
+    radius = share * q.L1
+    line = {"n": THIN_UNITS, "L1": q.L1, "radius": radius, "alpha": np.pi / 2 - THIN_SLOPE * share}
+    return Spring(line=line, b=0.2 * radius, h=q.h, E=q.E, nu=q.nu, factor=1.0, head="guided",
+                  tail="mid-leaf")  # fmt: skip
+
+
+def thin_fem(q: CurveInputs, share: float, cells: int) -> tuple[float, float, float]:
+    """Displacement [m] and force [N] where its tips touch, and the stiffness from there on."""
+    spring = thin(q, share)
+    curve = fem_compress(spring, spring.line["radius"] * np.array(THIN_GRID), per_arc=cells)
+    return _line(curve.U[-2:], curve.F[-2:], curve.press[-2:].sum(axis=1))
+
+
+def touching(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
+    """U_A, F_A and the slope beyond, from the two first states in which tips surely touch.
+
+    N is the sum of normal forces, which begins at zero in A and grows evenly. NaN where nothing
+    touches.
+    """
+    i = int(np.argmax(N > TOUCH * F))
+    if i == 0 or i + 1 == len(U):
+        return (np.nan,) * 3
+    return _line(U[i : i + 2], F[i : i + 2], N[i : i + 2])
+
+
+def _line(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
+    """Where N began, the force there and the slope, from two states."""
+    k = (F[1] - F[0]) / (U[1] - U[0])
+    U_A = U[0] - N[0] * (U[1] - U[0]) / (N[1] - N[0])
+    return float(U_A), float(F[0] - k * (U[0] - U_A)), float(k)

@@ -1,0 +1,49 @@
+"""Inputs of the accordion spring beyond its free stage: its ends, and what the width stiffens."""
+
+from pydantic import model_validator
+
+from analytic.spring.loops import Tail
+from analytic.spring.stages import Head
+from verify.cases.spring.inputs import AccordionInputs
+from verify.core.inputs import quantity, word
+
+
+def refuse_wider(width_factor: float | None, nu: float) -> None:
+    """ValueError for a factor beyond that of a strip much wider than its leaves are long."""
+    most = 1 / (1 - nu**2)
+    if width_factor is not None and width_factor > most * (1 + 1e-6):
+        raise ValueError(
+            f"a strip is stiffened by its width by 1/(1 - ν²) = {most:.5g} at most, got "
+            f"width_factor = {width_factor:g}"
+        )
+
+
+class StagesInputs(AccordionInputs):
+    """The accordion spring with both end leaves whole, and how it is held."""
+
+    width_factor: float | None = quantity(
+        1.0957, "1", "f",
+        "stiffness of the wide strip over that of a narrow one, at most 1/(1 - ν²)", omitted=None,
+        ge=1, le=1.3, example="1.09",
+    )  # fmt: skip
+    head: Head = word(
+        "guided", "boundary condition of the head: guided, neither sideways motion nor rotation"
+    )
+    tail: Tail = word(
+        "mid-leaf", "where the clamp of the tail begins: in its middle, or at its arc"
+    )
+
+    @model_validator(mode="after")
+    def _factor(self) -> "StagesInputs":
+        refuse_wider(self.width_factor, self.nu)
+        return self
+
+    @property
+    def widest(self) -> float:
+        """The factor of a strip much wider than its leaves are long."""
+        return 1 / (1 - self.nu**2)
+
+    @property
+    def factor(self) -> float:
+        """The width factor that the judged rows take."""
+        return 1.0 if self.width_factor is None else self.width_factor

@@ -1,0 +1,218 @@
+"""What the paper leaves open, and what each reading says of Eq. 10: sixteen springs, one line each.
+
+The paper states neither how head and tail are held nor whether arcs have r or r + b/2, nor how
+much its shell model gains by its width. A reading is chosen by k_1 alone; what it then says of
+k_2 and of the point A is a prediction, and calibrated all the same.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import product
+from typing import Any
+
+from analytic.spring.loops import Tail
+from analytic.spring.stages import Head, Stages, stages
+from verify.cases.spring.stages.inputs import StagesInputs
+from verify.core.case import Context
+from verify.core.results import Row
+from verify.core.shown import Table
+from verify.judging.checks import Accepted, Margin
+from verify.judging.judge import expanded
+from verify.papers.ledger import published
+
+MET = 0.01  # k_1 within this of the printed one
+ACCEPTED = 0.05  # what k_2 and the crossing are to keep
+EQ10_END = 16.85e-3  # m: 11 N, where the tests end, on the second line
+FITTED = "calibrated: of the sixteen readings the one whose k_1 is nearest to the printed one"
+LOOSE = "linear theory alone: such a spring buckles near 1 N, see spring-buckling and spring-curve"
+N_PER_MM, mm = 1e3, 1e-3
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to read the paper's spring, and its stages [SI]."""
+
+    tail: Tail
+    head: Head
+    radius: str
+    strip: str
+    factor: float
+    stages: Stages
+
+    @property
+    def k1(self) -> float:
+        return float(self.stages.k1)
+
+    @property
+    def k2(self) -> float:
+        return float(self.stages.k2)
+
+    @property
+    def U_A(self) -> float:
+        return float(self.stages.U_A)
+
+    @property
+    def F_A(self) -> float:
+        return float(self.stages.F_A)
+
+    @property
+    def off(self) -> float:
+        """Of k_1 from that of Eq. 10."""
+        return self.k1 / eq10().k1 - 1
+
+    def __str__(self) -> str:
+        return f"tail at {self.tail}, head {self.head}, {self.radius}, {self.strip}"
+
+
+@dataclass(frozen=True)
+class Lines:
+    """The two lines of Eq. 10 [SI] and where they cross, with standard uncertainties of that.
+
+    The printed digits of all four constants enter the crossing to first order.
+    """
+
+    k1: float
+    c1: float
+    k2: float
+    c2: float
+
+    @property
+    def U(self) -> float:
+        return (self.c1 - self.c2) / (self.k2 - self.k1)
+
+    @property
+    def F(self) -> float:
+        return self.k1 * self.U + self.c1
+
+    def spread(self, u_k1: float, u_c1: float, u_k2: float, u_c2: float) -> tuple[float, float]:
+        """Standard uncertainties of U and F."""
+        rise = self.k2 - self.k1
+        by_U = (self.U * u_k1, u_c1, self.U * u_k2, u_c2)  # over the difference of the slopes
+        by_F = (self.k2 * self.U * u_k1, self.k2 * u_c1, self.k1 * self.U * u_k2, self.k1 * u_c2)
+        return math.hypot(*by_U) / rise, math.hypot(*by_F) / rise
+
+
+def _entries() -> tuple[tuple[float, float], ...]:
+    """Values and standard uncertainties [SI] of the constants of Eq. 10."""
+    found = []
+    for name, factor in (("k1-fea", N_PER_MM), ("eq10-oa-intercept", 1.0), ("k2-fea", N_PER_MM),
+                         ("eq10-ab-intercept", 1.0)):  # fmt: skip
+        entry = published(f"wang2023:{name}")
+        found.append((entry.value * factor, (entry.standard_uncertainty or 0.0) * factor))
+    return tuple(found)
+
+
+@cache
+def eq10() -> Lines:
+    """The lines as printed."""
+    return Lines(*(value for value, _ in _entries()))
+
+
+def uncertainties() -> dict[str, float]:
+    """Standard uncertainties [SI] of what Eq. 10 is asked for, from its printed digits."""
+    u = [u for _, u in _entries()]
+    U, F = eq10().spread(*u)
+    return {"k1": u[0], "k2": u[2], "U": U, "F": F}
+
+
+def readings(q: StagesInputs) -> list[Reading]:
+    """Tail, head, radius and strip: sixteen, and eight more with a width factor of one's own."""
+    strips = [("E I", 1.0), ("E I/(1 − ν²)", q.widest)]
+    if q.width_factor is not None:
+        strips.append((f"{q.width_factor:.5g} E I", q.width_factor))
+    tails: tuple[Tail, ...] = ("arc", "mid-leaf")
+    heads: tuple[Head, ...] = ("free", "guided")
+    paths = (("r", q.paper_path), ("r + b/2", q.path))
+    return [
+        Reading(tail, head, radius, strip, factor,
+                stages(**path, b=q.b, h=q.h, E=q.E, nu=q.nu, width_factor=factor, head=head,
+                       tail=tail))
+        for tail, head, (radius, path), (strip, factor) in product(tails, heads, paths, strips)
+    ]  # fmt: skip
+
+
+def meeting(q: StagesInputs) -> list[Reading]:
+    """The readings whose k_1 is within a per cent of the printed one, the nearest first."""
+    near = sorted(readings(q), key=lambda x: abs(x.off))
+    return [x for x in near if abs(x.off) <= MET]
+
+
+def chosen(q: StagesInputs) -> Reading:
+    """By k_1 alone, among the sixteen that need no factor of one's own."""
+    return min(readings(q.model_copy(update={"width_factor": None})), key=lambda x: abs(x.off))
+
+
+class PaperReading(Accepted):
+    """What the chosen reading says of the paper's spring; of one's own it says nothing."""
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+def keeps(key: str, figure: float) -> Margin:
+    """What the chosen reading leaves of `figure` about k1, k2, U or F of Eq. 10 [SI]."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        reading, printed = chosen(context.inputs), float(getattr(eq10(), key))
+        off = float(getattr(reading, {"U": "U_A", "F": "F_A"}.get(key, key))) / printed - 1
+        words = f"{off:+.1%} of the printed one, {figure:.0%} accepted ({reading}"
+        words += f"; {LOOSE})" if reading.head == "free" else ")"
+        return (figure - abs(off)) * printed, expanded(0.0, uncertainties()[key]), words
+
+    return margin
+
+
+def tables(context: Context) -> Sequence[Table]:
+    """Every reading beside Eq. 10 and the tests; deviations for the paper's own numbers."""
+    q = context.inputs
+    test = {name: published(f"wang2023:{name}-test").value * N_PER_MM for name in ("k1", "k2")}
+    rows = []
+    for x in readings(q):
+        row: tuple[Any, ...] = (x.tail, x.head, x.radius, x.strip, round(x.k1 / N_PER_MM, 4),
+               round(x.U_A / mm, 3), round(x.F_A, 3), round(x.k2 / N_PER_MM, 4))  # fmt: skip
+        if context.is_paper:
+            row += (percent(x.off), percent(x.U_A / eq10().U - 1), percent(x.F_A / eq10().F - 1),
+                    percent(x.k2 / eq10().k2 - 1), percent(x.k1 / test["k1"] - 1),
+                    percent(x.k2 / test["k2"] - 1), "yes" if abs(x.off) <= MET else "")  # fmt: skip
+        rows.append(row)
+    header: tuple[str, ...] = ("tail held at", "head", "arc radius", "strip", "k_1 [N/mm]",
+                               "U_A [mm]", "F_A [N]", "k_2 [N/mm]")  # fmt: skip
+    title = "What the paper leaves open: stages OA and AB for every combination"
+    if not context.is_paper:
+        return (Table(title=title, header=header, rows=tuple(rows), note=NOTE),)
+    header += ("k_1, Eq. 10", "U_A", "F_A", "k_2", "k_1, test", "k_2, test", "k_1 within 1 %")
+    return (Table(title=f"{title}, beside Eq. 10 and the tests", header=header, rows=tuple(rows),
+                  note=f"{told(q)} {NOTE}"),)  # fmt: skip
+
+
+NOTE = (
+    "Linear theory; point A is where the first tip touches, k_2 the slope from there on (both "
+    "tips for a tail held at mid-leaf, the head's alone for one held at its arc). U_A does not "
+    "depend on the strip's factor; k_1, F_A and k_2 go with it."
+)
+
+
+def told(q: StagesInputs) -> str:
+    """Which readings meet the printed k_1, and how far their predictions are apart."""
+    found = meeting(q)
+    if not found:
+        return f"No reading meets the printed k_1 within {MET:.0%}."
+    names = "; ".join(
+        f"{x} ({x.off:+.1%}): U_A {x.U_A / eq10().U - 1:+.1%}, F_A {x.F_A / eq10().F - 1:+.1%}, "
+        f"k_2 {x.k2 / eq10().k2 - 1:+.1%}"
+        for x in found
+    )
+    return (
+        f"Printed: k_1 = {eq10().k1 / N_PER_MM:.3f}, k_2 = {eq10().k2 / N_PER_MM:.3f} N/mm, lines "
+        f"crossing at {eq10().U / mm:.2f} mm and {eq10().F:.2f} N. Chosen by k_1 alone, within "
+        f"{MET:.0%}: {names}."
+    )
+
+
+def percent(share: float) -> str:
+    """A signed deviation with one decimal."""
+    return f"{100 * share:+.1f} %"

@@ -1,0 +1,184 @@
+"""What case spring-width claims of its shells: acceptance figures, limits, other elements."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.spring.frame import Head, Tail
+from analytic.spring.wide_leaf import width_factor
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.width.fem import ENDS
+from verify.cases.spring.width.inputs import WidthInputs
+from verify.core.case import Context
+from verify.core.results import Row
+from verify.core.shown import Array
+from verify.judging import judge
+from verify.judging.agreement import Pair, farthest
+from verify.judging.checks import Limit, Margin
+from verify.judging.convergence import grid_convergence
+from verify.papers.ledger import published
+
+N_PER_MM = 1e3
+LIMIT = 0.005  # of the factor at the ends of the sweep
+TAKEN = 0.002  # of the factor that the whole curve is computed with
+ESTIMATE = 0.001  # of the factor, by a leaf's
+SWEEP = 0.005  # the same over all widths
+SOLID = 1e-3  # of the factor, by solids
+HEAD = 5e-4  # of the factor, whatever holds the head and the tail
+UNIFORM = 5e-5  # of the factor, however the head's force spreads
+MET = 0.01  # of the printed stiffness
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperLimit(Limit):
+    """A limit that one power leads to at the paper's inputs; at one's own it is not claimed.
+
+    A tail held where it is bent adds to a narrow spring what a clamp keeps from curving across, in
+    proportion to the width, beside what its leaves gain.
+    """
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+def swept(context: Context, name: str) -> Array:
+    """An array of the level on which sweeps are made."""
+    return next(result.arrays[name] for result in context.fem if name in result.arrays)
+
+
+def relative_uncertainty(context: Context, key: str, formal: float | None = None) -> float:
+    """Of the finest value of `key`, standard; infinite where it does not converge."""
+    h, v = context.series(key)
+    grid = grid_convergence(h, v, formal=formal, scale=abs(v[-1]))
+    return judge.numerical_uncertainty(grid) / abs(v[-1])
+
+
+def sweep_uncertainty(context: Context) -> float:
+    """Standard uncertainty of swept factors: what their mesh and the finest differ by.
+
+    At the inputs' width and at the narrowest.
+    """
+    series = (context.series(key)[1] for key in ("f", "f narrowest"))
+    return max(abs(value / f[-1] - 1) for f in series for value in f)
+
+
+def sweep(context: Context) -> Array:
+    """Widths [m] and factors (m, 2), narrow to wide."""
+    names = ("narrow", "medium", "wide")
+    found: Any = [row for name in names for row in swept(context, f"sweep {name}")]
+    return np.array(sorted(map(tuple, found)))
+
+
+def limits(context: Context) -> tuple[float, float]:
+    """Of a narrow and of a wide spring by formula."""
+    return 1.0, context.analytic["k wide"] / context.analytic["k narrow"]
+
+
+def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
+    """Plane stress over the shell, against the width over the thickness."""
+    h, f = swept(context, "sweep narrow").T
+    u = [sweep_uncertainty(context)] * len(h)
+    return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
+
+
+def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
+    """Plane strain over the shell, against a leaf's length over the width."""
+    h, f = swept(context, "sweep wide").T
+    u = [sweep_uncertainty(context)] * len(h)
+    return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
+
+
+def at_end(which: int) -> Callable[[Context], Pair]:
+    """The limit and the factor at the narrow (0) or wide (-1) end of the sweep."""
+
+    def pair(context: Context) -> Pair:
+        h, f = map(float, sweep(context)[which])
+        limit = limits(context)[which]
+        U = judge.expanded(sweep_uncertainty(context)) * f
+        return Pair(limit, f, U, f"{f / limit - 1:+.3%} at h = {h * 1e3:.4g} mm")
+
+    return pair
+
+
+def taken(context: Context) -> Pair:
+    """The factor that curves are made with, and the shell's."""
+    default = CurveInputs.model_fields["width_factor"].default
+    f = context.series("f")[1][-1]
+    U = judge.expanded(relative_uncertainty(context, "f")) * f
+    return Pair(default, f, U, f"{default:g} taken, {f:.5f} by the shell")
+
+
+def estimate(context: Context) -> Pair:
+    """A leaf's factor and the spring's at the inputs' width."""
+    f, leaf = context.series("f")[1][-1], context.analytic["f"]
+    U = judge.expanded(relative_uncertainty(context, "f")) * f
+    return Pair(leaf, f, U, f"leaf {leaf:.5f}, spring {f:.5f}: {leaf / f - 1:+.3%}")
+
+
+def leaf_factor(q: WidthInputs, h: Any) -> Array:
+    """The factor of a middle leaf of width h [m] (m,)."""
+    return np.asarray(width_factor(h, q.leaf, nu=q.nu), dtype=np.float64)
+
+
+def estimates(context: Context) -> Pair:
+    """Both where they are farthest apart over all widths of the sweep."""
+    h, f = sweep(context).T
+    leaves = leaf_factor(context.inputs, h)
+    off = leaves / f - 1
+    found = farthest(leaves, f, judge.expanded(sweep_uncertainty(context)))
+    worst = int(abs(off).argmax())
+    words = f"leaf {off[worst]:+.2%} at most, at h = {h[worst] * 1e3:.3g} mm"
+    return replace(found, words=words)
+
+
+def solids(name: str) -> Callable[[Context], Pair]:
+    """Shell and solid of a loop, each over its own plane strain."""
+
+    def pair(context: Context) -> Pair:
+        keys = f"{name}, shell", f"{name}, solid"
+        shell, solid = (context.series(key)[1][-1] for key in keys)
+        u = (relative_uncertainty(context, key, formal=4) for key in keys)  # quadratic elements
+        U = judge.expanded(math.hypot(*u)) * solid
+        words = f"shell {shell:.5f}, solid {solid:.5f} of plane strain: {shell / solid - 1:+.1e}"
+        return Pair(shell, solid, U, words)
+
+    return pair
+
+
+def ends(context: Context) -> Pair:
+    """The largest and the least factor of all ways to hold the ends, on one mesh."""
+    f = swept(context, "ends")
+    return Pair(float(f.max()), float(f.min()), 0.0, f"{f.min():.5f} to {f.max():.5f}")
+
+
+def uniform(context: Context) -> Pair:
+    """Stiffness by a line that stays straight and by a uniform force, on one mesh."""
+    line, force = map(float, swept(context, "uniform"))
+    words = f"a uniform force moves the head by {1 - force / line:+.1e} more"
+    return Pair(line, force, 0.0, words)
+
+
+def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
+    """Factor and stiffness [N/m] by the shell for every way to hold the ends."""
+    found: dict[tuple[Tail, Head], tuple[float, float]] = {}
+    for (tail, head), f in zip(ENDS, swept(context, "ends"), strict=True):
+        found[tail, head] = float(f), float(f * context.analytic[f"{tail}, {head}, k narrow"])
+    return found
+
+
+def meets(tail: Tail, head: Head) -> Margin:
+    """What is left of the figure between the shell with these ends and the paper's shell model."""
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        printed = published("wang2023:k1-fea").value * N_PER_MM
+        k = readings(context)[tail, head][1]
+        U = judge.expanded(sweep_uncertainty(context), 0.5 / math.sqrt(3) / printed)
+        off = k / printed - 1
+        return MET - abs(off), U, f"{k / N_PER_MM:.4f} N/mm, {off:+.2%} of the printed one"
+
+    return margin

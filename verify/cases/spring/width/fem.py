@@ -1,0 +1,257 @@
+"""Finite elements of case spring-width: shells and solids of the spring, a loop and a leaf."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.spring.frame import Head, Tail
+from verify.cases.spring.width.inputs import WidthInputs
+from verify.core.case import FemResult
+from verify.core.shown import Field
+
+if TYPE_CHECKING:
+    from fem.plane.material import Elastic
+    from fem.shell.solution import ShellSolution
+    from meshes.shell.surface import ShellMesh
+    from meshes.spring.path import Piece
+
+LEVELS = (2, 3, 4)  # cells of an arc
+SWEPT = 2  # the level of sweeps and of ends that are not the inputs' own
+ENDS: tuple[tuple[Tail, Head], ...] = (
+    ("arc", "free"), ("arc", "guided"), ("mid-leaf", "free"), ("mid-leaf", "guided"),
+)  # fmt: skip
+HEADS = {"free": "", "hinged": "y", "guided": "yabc"}
+NARROW = (0.2, 0.5, 1.0, 2.0, 4.0)  # widths over the thickness, or over THREAD where that is more
+THREAD = 1 / 120  # of a leaf's length: narrower ones are ill-conditioned
+MEDIUM = (0.1, 0.2, 0.4, 0.7, 1.0)  # widths over a leaf's length
+WIDE = (2.0, 5.0, 10.0, 30.0, 90.0)
+RATIOS = (0.2, 1.0, 5.0)  # of a thin leaf's width over its length
+THIN = 3e-5  # thickness over length of a leaf that is Kirchhoff's plate
+BOTH = (20.0, 100.0)  # widths over the thickness at which solids stand beside shells
+ROUND_OFF = 1e-12  # of the energy
+
+
+def fem(q: WidthInputs, level: int) -> FemResult:
+    values: dict[str, float] = {}
+    for tail, head in ENDS:
+        values[f"{tail}, {head}, held"] = fem_spring(q, q.h, level, tail, head, held=True)
+    values["narrow"] = fem_spring(q, q.h, level, q.tail, q.head, held=True, narrow=True)
+    values["k"] = fem_spring(q, q.h, level, q.tail, q.head)
+    values["f"] = values["k"] / values["narrow"]
+    values["f narrowest"] = factor(q, NARROW[0] * thread(q), level)
+    arrays: dict[str, NDArray[Any]] = {}
+    for ratio in RATIOS:
+        values[f"leaf {ratio:g}"], arrays[f"lifted {ratio:g}"] = fem_leaf(q, ratio, level)
+    fields: list[Field] = []
+    for name, h in widths_of_both(q).items():
+        loops = shell_loop(q, h, level)
+        values[f"{name}, shell"], values[f"{name}, solid"] = loops[0], solid_loop(q, h, level)
+        fields = [loop_field(*loops[1:])]  # the last one has the inputs' width
+    if level == SWEPT:
+        arrays |= sweeps(q)
+    u_it = {key: ROUND_OFF * abs(value) for key, value in values.items()}
+    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
+
+
+def thread(q: WidthInputs) -> float:
+    """The width [m] that narrow springs are measured by."""
+    return max(q.b, THREAD * q.leaf)
+
+
+def widths_of_both(q: WidthInputs) -> dict[str, float]:
+    """Widths [m] of the loop that is solved as a shell and as a solid, the inputs' own last."""
+    return {f"h/b = {ratio:g}": ratio * q.b for ratio in BOTH} | {"own": q.h}
+
+
+def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
+    """The factor over widths, at other ends, and under a uniform force instead of a rigid line."""
+    swept = {
+        "narrow": [ratio * thread(q) for ratio in NARROW],
+        "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * thread(q)],
+        "wide": [ratio * q.leaf for ratio in WIDE],
+    }
+    found = {
+        f"sweep {name}": np.array([(h, factor(q, h, SWEPT)) for h in widths]).reshape(-1, 2)
+        for name, widths in swept.items()
+    }
+    found["ends"] = np.array([factor(q, q.h, SWEPT, *ends) for ends in ENDS])
+    found["uniform"] = np.array([factor(q, q.h, SWEPT, uniform=each) for each in (False, True)])
+    return found
+
+
+def factor(
+    q: WidthInputs, h: float, level: int, tail: Tail | None = None, head: Head | None = None, *,
+    uniform: bool = False,
+) -> float:  # fmt: skip
+    """Stiffness over that in plane stress on the same mesh, held as the inputs say or otherwise."""
+    ends = tail or q.tail, head or q.head
+    plane = fem_spring(q, h, level, *ends, held=True, narrow=True)
+    return fem_spring(q, h, level, *ends, uniform=uniform) / plane
+
+
+def fem_spring(
+    q: WidthInputs, h: float, level: int, tail: Tail, head: Head, *, held: bool = False,
+    narrow: bool = False, uniform: bool = False,
+) -> float:  # fmt: skip
+    """Stiffness [N/m] of the spring as a shell of width h [m], symmetric about its middle.
+
+    With its edges `held`, which neither turn nor leave their planes, it is in plane strain, and of
+    the `narrow` strip's material as stiff as that in plane stress. A `uniform` force acts on the
+    head instead of a line that stays straight.
+    """
+    from meshes.spring.path import accordion
+
+    material = fem_plane_stress(q) if narrow else fem_steel(q)
+    mesh = fem_mesh(
+        list(accordion(**q.path, tail=tail)), q.b, h, level, across=cells(q, h, level, held)
+    )
+    solved = fem_pulled(mesh, q.b, h, material, HEADS[head], held=held, uniform=uniform)
+    return -1 / solved.potential_energy
+
+
+def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
+    """Across half the width: one where nothing changes, few where all of it is edge."""
+    if held:
+        return 1
+    return level if h <= NARROW[-1] * q.b else 3 * level
+
+
+def fem_steel(q: WidthInputs) -> "Elastic":
+    from fem.plane.material import Elastic
+
+    return Elastic(E=q.E, nu=q.nu)
+
+
+def fem_plane_stress(q: WidthInputs) -> "Elastic":
+    """What is in plane strain as stiff as the spring's steel in plane stress."""
+    from fem.plane.material import Elastic
+
+    return Elastic(E=q.E * (1 + 2 * q.nu) / (1 + q.nu) ** 2, nu=q.nu / (1 + q.nu))
+
+
+def fem_mesh(
+    path: "Sequence[Piece]", b: float, h: float, level: int, *, across: int
+) -> "ShellMesh":
+    """Half of the strip's width; cells shrink to its edge, whose layer is about b wide."""
+    from meshes.shell.strip import swept_path
+
+    return swept_path(path, width=h / 2, per_arc=level, per_leaf=3 * level, across=across,
+                      finest=3.2 * b / level, leaf_ends=0.1)  # fmt: skip
+
+
+def fem_pulled(
+    mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
+    held: bool = False, uniform: bool = False,
+) -> "ShellSolution":  # fmt: skip
+    """Under one newton along x on half the width's head; two on the whole."""
+    from fem.shell.solve import solve_shell
+
+    supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
+    if held:
+        supports["edge"] = "zab"
+    return solve_shell(
+        mesh.points, mesh.cells, thickness=b, materials=material, boundaries=mesh.boundaries,
+        ties={} if uniform else {"head": "x"}, edge_loads={"head": (2 / h, 0.0, 0.0)},
+        supports=supports,
+    )  # fmt: skip
+
+
+def fem_leaf(q: WidthInputs, ratio: float, level: int) -> tuple[float, NDArray[np.float64]]:
+    """The factor of a leaf so thin that it is Kirchhoff's plate, and how it curves across.
+
+    The latter (k, 2): place along the leaf over its length, and what the edge is lifted above the
+    middle there over the head's movement.
+    """
+    from meshes.shell.strip import swept_path
+    from meshes.spring.path import Piece
+
+    length, b, h = q.leaf, THIN * q.leaf, ratio * q.leaf
+    path = [Piece("leaf", 0.0, 0.0, math.pi / 2, length, 0.0, 1)]
+
+    def solve(material: "Elastic", held: bool) -> tuple["ShellMesh", "ShellSolution"]:
+        mesh = swept_path(
+            path, width=h / 2, per_arc=1, per_leaf=6 * level, across=1 if held else 3 * level,
+            finest=None if held else 0.02 * min(h / 2, length) / level, leaf_ends=0.02,
+        )  # fmt: skip
+        return mesh, fem_pulled(mesh, b, h, material, HEADS["guided"], held=held)
+
+    (mesh, wide), (_, narrow) = solve(fem_steel(q), False), solve(fem_plane_stress(q), True)
+    y, x = mesh.points[:, 1] / length, wide.u[:, 0]
+    edge, middle = (np.unique(mesh.boundaries[name]) for name in ("edge", "middle"))
+    edge, middle = edge[np.argsort(y[edge])], middle[np.argsort(y[middle])]
+    lifted = (x[edge] - x[middle]) / x.max()
+    factor = narrow.potential_energy / wide.potential_energy
+    return float(factor), np.column_stack([y[edge], lifted])
+
+
+def fem_loop(q: WidthInputs) -> "tuple[Piece, ...]":
+    """Half a leaf, two quarter arcs, and half a leaf."""
+    from meshes.spring.path import Piece
+
+    a, R, turn = q.L1 / 2, q.R, -math.pi / 2
+    return (
+        Piece("leaf", 0.0, 0.0, math.pi / 2, a, 0.0, 1),
+        Piece("arc", 0.0, a, math.pi / 2, R * math.pi / 2, turn, 1),
+        Piece("arc", R, a + R, 0.0, R * math.pi / 2, turn, 1),
+        Piece("leaf", 2 * R, a, turn, a, 0.0, 1),
+    )
+
+
+def shell_loop(q: WidthInputs, h: float, level: int) -> "tuple[float, ShellMesh, ShellSolution]":
+    """Stiffness of a loop of width h over that in plane strain, with its solution."""
+    path = fem_loop(q)
+    mesh = fem_mesh(path, q.b, h, level, across=cells(q, h, level, held=False))
+    solved = fem_pulled(mesh, q.b, h, fem_steel(q), HEADS["guided"])
+    flat = fem_mesh(path, q.b, h, level, across=1)
+    endless = fem_pulled(flat, q.b, h, fem_steel(q), HEADS["guided"], held=True)
+    return endless.potential_energy / solved.potential_energy, mesh, solved
+
+
+def solid_loop(q: WidthInputs, h: float, level: int) -> float:
+    """The same of 27-node solids, one through the thickness."""
+    return fem_solid(q, h, level, held=False) / fem_solid(q, h, level, held=True)
+
+
+def fem_solid(q: WidthInputs, h: float, level: int, *, held: bool) -> float:
+    """Stiffness [N/m] of the loop as a solid; what shears its ends is a parabola over them."""
+    from fem.solid.solve import solve_solid
+    from meshes.solid.strip import solid_strip
+
+    path = fem_loop(q)
+    x, y = path[-1].end
+    mesh = solid_strip(path, b=q.b, width=h / 2, through=1, per_arc=level, per_leaf=3 * level,
+                       across=1 if held else 2 * level, grading=100.0)  # fmt: skip
+
+    def shear(centre: float, force: float) -> Any:
+        def traction(p: Any) -> Any:
+            t = force / (q.b * h / 2) * 1.5 * (1 - (2 * (p[0] - centre) / q.b) ** 2)
+            return np.array([t, 0 * t, 0 * t])
+
+        return traction
+
+    solved = solve_solid(
+        mesh, materials=fem_steel(q), points=(2, 3, 3), uniform={(0.0, 0.0, None): "x"},
+        supports={
+            "middle": "z", "head": "y", "tail": "y", (x, y, None): "x" if held else "xz",
+            **({"edge": "z"} if held else {}),
+        },
+        tractions={"head": shear(0.0, 1.0), "tail": shear(x, -1.0)},
+    )  # fmt: skip
+    return -1 / solved.potential_energy
+
+
+QUARTERS = ((0, 4, 8, 7), (4, 1, 5, 8), (8, 5, 2, 6), (7, 8, 6, 3))  # of a nine-node cell
+NEAREST = (0, 6, 8, 2)  # Gauss point in each quarter, the second coordinate running fastest
+
+
+def loop_field(mesh: "ShellMesh", solved: "ShellSolution") -> Field:
+    """Half the loop's width under two newtons on the whole."""
+    cells = mesh.cells[:, QUARTERS].reshape(-1, 4)
+    stress = solved.bending_stress[:, NEAREST].reshape(-1, 3, 3)
+    return Field(
+        name="loop", points=mesh.points, cells=cells, point_data={"displacement": solved.u},
+        cell_data={"across": stress[:, 2, 2]}, units={"displacement": "m", "across": "Pa"},
+    )  # fmt: skip

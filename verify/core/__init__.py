@@ -1,0 +1,1 @@
+"""Units, inputs, cases, rows, figure data, files and texts: what all other packages build on."""

@@ -1,0 +1,162 @@
+"""What a case states: inputs, two independent models, and the checks that pair them."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Protocol
+
+from numpy.typing import NDArray
+
+from verify.core.inputs import Inputs
+from verify.core.results import Row
+from verify.core.shown import Equation, Field, Figure, Picture, Sketch, Table
+
+Values = Mapping[str, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FemResult:
+    """Finite-element values of one level, in SI units.
+
+    `h` is the mesh size relative to anything that stays the same over the levels; `u_it` the
+    iteration or round-off uncertainty of single values; `arrays` what checks evaluate later.
+    """
+
+    h: float
+    values: Values
+    u_it: Values = field(default_factory=dict)
+    arrays: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    fields: tuple[Field, ...] = ()
+
+
+@dataclass(frozen=True)
+class Context:
+    """What a check may look at. `fem` holds the levels from coarse to fine, empty if not run."""
+
+    case: str
+    inputs: Any
+    analytic: Values
+    fem: Sequence[FemResult]
+    is_paper: bool  # printed numbers speak of the paper's inputs alone
+
+    @property
+    def converging(self) -> bool:
+        """Whether there are levels enough to say how uncertain the finest is."""
+        return len(self.fem) >= 3
+
+    def series(self, key: str) -> tuple[list[float], list[float]]:
+        """Mesh sizes and finite-element values of `key`, coarse to fine."""
+        return [r.h for r in self.fem], [r.values[key] for r in self.fem]
+
+
+class Check(Protocol):
+    """One claim of a case, judged by `rows`; see `verify.judging.checks`."""
+
+    paper_only: ClassVar[bool]
+
+    @property
+    def needs_fem(self) -> bool: ...
+
+    def rows(self, context: Context) -> list[Row]: ...
+
+    def skipped(self, case: str, reason: str) -> list[Row]: ...
+
+
+@dataclass(frozen=True, kw_only=True)
+class Output:
+    """A value of the analytic side that `check` prints; `judged` where a row pairs it with FE."""
+
+    key: str
+    symbol: str
+    unit: str
+    what: str
+    judged: bool = True
+
+
+@dataclass(frozen=True, kw_only=True)
+class Dynamic:
+    """What a case computes only where `check --dynamic` asks: a course in time, compiled first.
+
+    `run(inputs, values)` takes the formulas' values and gives further ones in SI units; it imports
+    what is compiled inside its body. The other functions take the inputs and all values together.
+    `run`, or any of them, raises ArithmeticError or ValueError in one line where there is no
+    answer. `overall` is the verdict of both parts together, and the findings that stand in the
+    place of the first one of the formulas.
+    """
+
+    run: Callable[[Any, Values], Values]
+    outputs: tuple[Output, ...]
+    what: str = "the motion in time"
+    findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
+    summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}
+    figures: Callable[[Any, Values], Sequence[Figure]] = lambda _inputs, _values: ()
+    overall: Callable[[Any, Values], tuple[str, Sequence[str]]] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Portion:
+    """Some of a case's finite-element values for less time, for sweeps that need no others.
+
+    `fem(inputs, level)` gives the values `keys`, each as the case's own `fem` has them on the same
+    mesh; `levels` are at least three, coarse to fine.
+    """
+
+    name: str
+    fem: Callable[[Any, int], FemResult]
+    levels: tuple[int, ...]
+    keys: tuple[str, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scan:
+    """A region about the default inputs over which a case's formulas are measured for the report.
+
+    `vary` holds axes as `freewheel sweep` takes them, "z=3:12:4"; `only` parts of the names of the
+    rows that are swept, all where empty. `star` varies one input at a time instead of all together,
+    `at` holds others elsewhere than by default, "e=2mm".
+    """
+
+    vary: tuple[str, ...]
+    only: tuple[str, ...] = ()
+    star: bool = False
+    at: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """One subject of one paper.
+
+    `analytic(inputs)` and `fem(inputs, level)` share no code; `fem` imports meshes and fem inside
+    its body, so that formulas alone start fast. `levels` run from coarse to fine. `quick` cases
+    run in the quick round at full sharpness.
+    """
+
+    finder: ClassVar[Callable[[str], "Case"]]  # by id, in any process; the registry sets it
+
+    id: str
+    title: str
+    paper: str
+    place: str
+    lead: str
+    inputs: type[Inputs]
+    analytic: Callable[[Any], Values]
+    fem: Callable[[Any, int], FemResult]
+    levels: tuple[int, ...]
+    checks: tuple[Check, ...]
+    outputs: tuple[Output, ...]
+    readings: tuple[str, ...] = ()
+    assumptions: tuple[str, ...] = ()
+    quick: bool = True
+    # what follows for the one who asks, in words, the verdict first
+    findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
+    # the same for programs, as JSON beside the values
+    summary: Callable[[Any, Values], Mapping[str, Any]] = lambda _inputs, _values: {}
+    warnings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
+    equations: Callable[[Any, Values], Sequence[Equation]] = lambda _inputs, _values: ()
+    tables: Callable[[Context], Sequence[Table]] = lambda _context: ()
+    too_large: Callable[[Any], str] = lambda _inputs: ""  # why finite elements refuse these inputs
+    sketch: Callable[[Any], Sketch | None] = lambda _inputs: None
+    figures: Callable[[Context], Sequence[Figure]] = lambda _context: ()
+    pictures: Callable[[Any], Sequence[Picture]] = lambda _inputs: ()
+    dynamic: Dynamic | None = None
+    portions: tuple[Portion, ...] = ()
+    scans: tuple[Scan, ...] = ()

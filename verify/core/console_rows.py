@@ -1,0 +1,130 @@
+"""The rows of a check on the terminal: formula beside reference, then all that was found."""
+
+from collections.abc import Mapping, Sequence
+
+from verify.core.differences import COMPARED, UNJUDGED, difference_texts, largest, percent, size
+from verify.core.references import FE, FINITE_ELEMENTS, reference_name
+from verify.core.results import Row, Status
+
+COMPANION = ": convergence"  # rows that stand beside the one they are about
+LISTED = (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED)
+PRINTED = "printed values"
+NAMED = 5  # rows of one status that the closing sentences name
+
+Causes = Mapping[tuple[Status, str, str], list[Row]]
+
+
+def row_cells(rows: Sequence[Row]) -> list[tuple[str, ...]]:
+    """Head and lines of the table of rows; convergence that passed has no line.
+
+    The column of references is headed "FE" where all of them are; otherwise each is named.
+    """
+    shown = shown_rows(rows)
+    every = all(reference_name(row) == FE for row in shown if row.reference is not None)
+    head = ("", "", "formula", FE if every else "reference", *(() if every else ("by",)), "",
+            "difference", "allowed")  # fmt: skip
+    return [head, *(_compared(row, named=not every) for row in shown)]
+
+
+def title(rows: Sequence[Row]) -> str:
+    """What stands above the table: what the formulas are compared with."""
+    names = {
+        PRINTED if (name := _full_name(row)).startswith("printed ") else name
+        for row in rows if row.kind in COMPARED and row.reference is not None
+    }  # fmt: skip
+    ordered = sorted(names, key=lambda name: (name != FINITE_ELEMENTS, name == PRINTED, name))
+    return f"formulas against {_shortened(ordered) or 'references'}"
+
+
+def shown_rows(rows: Sequence[Row]) -> list[Row]:
+    """All rows but convergence that passed beside the row that it is about."""
+    known = {row.quantity for row in rows}
+    return [
+        row for row in rows
+        if row.status is not Status.PASS or not row.quantity.endswith(COMPANION)
+        or row.quantity.removesuffix(COMPANION) not in known
+    ]  # fmt: skip
+
+
+def causes(rows: Sequence[Row]) -> Causes:
+    """Rows that did not simply pass, by status, case and reason."""
+    found: dict[tuple[Status, str, str], list[Row]] = {}
+    for row in rows:
+        if row.status in LISTED:
+            found.setdefault((row.status, row.case, row.reason), []).append(row)
+    return found
+
+
+def closing(rows: Sequence[Row]) -> list[str]:
+    """The closing sentences: how many pass, the largest difference, what is detected, the rest."""
+    found = [_counted([row for row in rows if not row.quantity.endswith(COMPANION)], "comparisons")]
+    found += [
+        _counted([row for row in rows if row.quantity.endswith(COMPANION)], "convergence rows")
+    ]
+    said = ["; ".join(filter(None, found))]
+    if (row := largest(list(rows))) is not None:
+        text, allowed = difference_texts(row)
+        judged = f"; {row.status.value}, not judged" if row.status in UNJUDGED else ""
+        judged += f"; expected {allowed}" if "to" in allowed else ""
+        said.append(
+            f"largest difference of all comparisons: {text} "
+            f"({row.quantity}; reference: {_full_name(row)}{judged})"
+        )
+    limits = [row.detects for row in rows if row.kind in COMPARED and row.detects is not None
+              and row.status not in UNJUDGED]  # fmt: skip
+    if limits:
+        said.append(f"detection limit of the judged rows: {percent(max(limits))}")
+    return [*said, *_unjudged(rows)]
+
+
+def _counted(rows: Sequence[Row], what: str) -> str:
+    """`5 of 6 comparisons pass`; empty without rows."""
+    passed = sum(row.status is Status.PASS for row in rows)
+    return f"{passed} of {len(rows)} {what} pass" if rows else ""
+
+
+def _unjudged(rows: Sequence[Row]) -> list[str]:
+    """One sentence with the rows that were not judged, by status; the largest difference first."""
+    parts = []
+    for status in UNJUDGED:
+        group = sorted((row for row in rows if row.status is status), key=size, reverse=True)
+        if group:
+            parts.append(f"{len(group)} {status.value} ({_shortened([_named(r) for r in group])})")
+    return [f"not judged: {', '.join(parts)}"] if parts else []
+
+
+def _full_name(row: Row) -> str:
+    name = reference_name(row)
+    return FINITE_ELEMENTS if name == FE else name
+
+
+def _named(row: Row) -> str:
+    text, _ = difference_texts(row)
+    return f"{row.quantity}: {text}" if text else row.quantity
+
+
+def _shortened(names: Sequence[str]) -> str:
+    more = f"; and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return "; ".join(names[:NAMED]) + more
+
+
+def _compared(row: Row, *, named: bool) -> tuple[str, ...]:
+    """Status, quantity, both values, whose the reference is, difference and what is allowed."""
+    name = reference_name(row) if row.reference is not None else ""
+    found, allowed = difference_texts(row)
+    if found and not allowed:
+        allowed = "not judged" if row.status in UNJUDGED else ""
+    return (
+        row.status.value, row.quantity, number(row.analytic), number(row.reference),
+        *((name,) if named else ()), unit_of(row.unit), found, allowed,
+    )  # fmt: skip
+
+
+def number(value: float | int | str | None) -> str:
+    """Six significant digits; empty for nothing."""
+    return "" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def unit_of(unit: str) -> str:
+    """A unit as it stands beside a number; empty for a plain one."""
+    return "" if unit == "1" else unit

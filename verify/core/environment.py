@@ -1,0 +1,133 @@
+"""What the project needs of the machine: versions of Python, shared libraries, Debian packages.
+
+Standard library only, and read by any Python 3.7, because the set-up (module system_packages)
+runs before there is a virtual environment. This is the one list of libraries and packages.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import importlib
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Collection, Sequence
+
+OLDEST, NEWEST = (3, 11), (3, 14)  # all wheels of requirements.txt exist for these and between
+MESHES, PICTURES = "meshes", "pictures"  # gmsh does not start without these; pictures are fewer
+
+# shared library, its Debian package, what needs it
+LIBRARIES = (
+    ("libGLU.so.1", "libglu1-mesa", MESHES),
+    ("libGL.so.1", "libgl1", MESHES),
+    ("libEGL.so.1", "libegl1", PICTURES),
+    ("libXft.so.2", "libxft2", MESHES),
+    ("libXcursor.so.1", "libxcursor1", MESHES),
+    ("libXinerama.so.1", "libxinerama1", MESHES),
+    ("libXfixes.so.3", "libxfixes3", MESHES),
+    ("libfontconfig.so.1", "libfontconfig1", MESHES),
+    ("libgomp.so.1", "libgomp1", MESHES),
+)
+PACKAGES = ("python3-venv", *(package for _, package, _ in LIBRARIES))
+OPENGL = ("libEGL.so.1", "libGL.so.1")
+DRIVERS = "apt-get install libegl-mesa0 libgl1-mesa-dri"  # what OpenGL without a screen draws with
+
+# A sphere drawn off-screen: exit status 3 where the picture is empty.
+RENDER = """
+import pyvista
+plotter = pyvista.Plotter(off_screen=True, window_size=(64, 64))
+plotter.add_mesh(pyvista.Sphere(), color="red")
+raise SystemExit(0 if plotter.screenshot(return_img=True).std() > 1 else 3)
+"""
+RENDER_SECONDS = 60.0
+
+
+def python_problem(version: Sequence[int]) -> str:
+    """Why a Python of `version` (major, minor, ...) is not supported, in one line; "" if it is."""
+    if OLDEST <= tuple(version[:2]) <= NEWEST:
+        return ""
+    minors = range(NEWEST[1], OLDEST[1] - 1, -1)
+    found = [name for name in (f"python3.{minor}" for minor in minors) if shutil.which(name)]
+    remedy = f"make PYTHON={found[0]}" if found else "set PYTHON"
+    return (
+        f"needs Python 3.{OLDEST[1]} to 3.{NEWEST[1]}, this is {version[0]}.{version[1]}: {remedy}"
+    )
+
+
+def loads(library: str) -> bool:
+    """Whether the dynamic linker finds the shared library."""
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def missing_libraries(need: str = "") -> tuple[str, ...]:
+    """Libraries that are not there, all or those of one `need`; none are asked for off Linux."""
+    if sys.platform != "linux":
+        return ()
+    return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))
+
+
+def install_line(libraries: Collection[str]) -> str:
+    """The command that brings `libraries`."""
+    packages = [package for library, package, _ in LIBRARIES if library in libraries]
+    return f"apt-get install {' '.join(packages)}"
+
+
+def probe(script: str, seconds: float) -> str:
+    """Run Python code in a process of its own: "" where it ends well, else one line why not."""
+    try:
+        done = subprocess.run(  # noqa: S603 - our own interpreter and our own script
+            [sys.executable, "-c", script],
+            capture_output=True, text=True, errors="replace", check=False, timeout=seconds,
+            stdin=subprocess.DEVNULL,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return f"no answer within {seconds:g} s"
+    if done.returncode == 0:
+        return ""
+    if done.returncode < 0:
+        return f"killed by {signal.Signals(-done.returncode).name}"
+    said = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    return said[-1] if said else f"exit status {done.returncode}"
+
+
+def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
+    """What keeps pyvista from drawing off-screen, with the packages to install; "" if nothing.
+
+    It draws in a process of its own, because VTK dies of a missing OpenGL without an exception.
+    """
+    problem = probe(RENDER, seconds)
+    if not problem:
+        return ""
+    problem = {"exit status 3": "the picture stays empty"}.get(problem, problem)
+    return f"pyvista cannot draw off-screen ({problem}){remedy_for_pictures()}"
+
+
+def remedy_for_pictures() -> str:
+    """What to install where pyvista can't draw, to follow the reason; nothing off Linux."""
+    if sys.platform != "linux":
+        return ""
+    absent = [library for library in OPENGL if not loads(library)]
+    if not absent:
+        return f"; Mesa's drivers may be missing: {DRIVERS}"
+    return f"; missing {', '.join(absent)}: {install_line(absent)}"
+
+
+def missing_for_meshes(problem: str) -> str:
+    """What an import of gmsh that failed with `problem` means, with the packages to install."""
+    absent = [x for x, _, of in LIBRARIES if f"{x}:" in problem or (of == MESHES and not loads(x))]
+    if absent:
+        return f"gmsh, which makes the meshes, needs {', '.join(absent)}: {install_line(absent)}"
+    return f"gmsh, which makes the meshes, cannot be imported ({problem}): see freewheel doctor"
+
+
+def require_gmsh() -> None:
+    """Raise OSError, in one line with the packages to install, where gmsh cannot be imported."""
+    try:
+        importlib.import_module("gmsh")  # by name: what asks for libraries needs no gmsh itself
+    except (ImportError, OSError) as error:
+        raise OSError(missing_for_meshes(str(error))) from error

@@ -1,0 +1,361 @@
+"""Inputs of a case: SI floats with a unit, a symbol and a range; from defaults or from a file.
+
+A parameter file is TOML:
+
+    case = "ring-lame"
+    [inputs]
+    r_i = "60 mm"
+    nu = 0.3
+
+An input may be a list of tables, [[inputs.supports]], each entry of which is a model of its own.
+"""
+
+import math
+import tomllib
+import types
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, ClassVar, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic.fields import FieldInfo
+
+from verify.core import units
+from verify.core.shown import InputValue
+
+MAX_BYTES = 1_000_000
+LARGEST_INTEGER = 10**15
+LONGEST_NAME = 120
+LONGEST_RULE = 400  # of what a case says of its own inputs
+MOST_ENTRIES = 1000  # of a table
+TOP_LEVEL = ("case", "name", "inputs")
+
+
+class InputError(ValueError):
+    """Wrong input; the message is one line that names file, key, rule and value."""
+
+
+class EntryError(ValueError):
+    """A rule that a model's own validator finds broken in one entry of a table.
+
+    `entry` counts from 1; `key` is the input there, empty where the rule is of the whole entry.
+    """
+
+    def __init__(self, table: str, entry: int, key: str, rule: str) -> None:
+        self.place = f"{table}[{entry}]" + (f".{key}" if key else "")
+        super().__init__(f"{self.place}: {rule}")
+
+
+class Inputs(BaseModel):
+    """Base of every case's inputs: frozen, no unknown keys, floats in SI units."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    # another set of inputs that templates offer: of what, and the TOML of its values by name
+    instead: ClassVar[tuple[str, Mapping[str, str]]] = ("", {})
+
+    def display(self) -> tuple[InputValue, ...]:
+        """Every input in its own unit, in the order of the model; an entry of a table is a line."""
+        found: list[InputValue] = []
+        for name, field in type(self).model_fields.items():
+            value, about = getattr(self, name), meta(field)
+            if isinstance(value, tuple):
+                found += [_entry(name, k, entry) for k, entry in enumerate(value, start=1)]
+            elif value is not None:
+                found.append(
+                    InputValue(
+                        name=name, symbol=about["symbol"] or name, what=about["what"],
+                        value=_shown(value, about["unit"]), unit=about["unit"],
+                    )
+                )  # fmt: skip
+        return tuple(found)
+
+    def record(self) -> dict[str, Any]:
+        """Values and units by name for other programs, each entry of a table as such a record."""
+        found: dict[str, Any] = {}
+        for name, field in type(self).model_fields.items():
+            value, unit = getattr(self, name), meta(field)["unit"]
+            if isinstance(value, tuple):
+                found[name] = [entry.record() for entry in value]
+            elif value is not None:
+                found[name] = {"value": _shown(value, unit), "unit": unit}
+        return found
+
+
+def _entry(table: str, number: int, entry: Inputs) -> InputValue:
+    """One entry of a table as a line: what differs from what is meant by leaving it out."""
+    told = [
+        f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
+        for name, field in type(entry).model_fields.items()
+        if (value := getattr(entry, name)) is not None and value != meta(field)["omitted"]
+    ]
+    return InputValue(
+        name=f"{table}[{number}]", symbol=f"{table}[{number}]", what=", ".join(told), value="",
+        unit="1",
+    )  # fmt: skip
+
+
+REQUIRED = "required"
+BOUNDS = {"gt": "greater than", "ge": "at least", "lt": "less than", "le": "at most"}
+
+
+def quantity(
+    default: str | float | None,
+    unit: str,
+    symbol: str,
+    what: str,
+    *,
+    claims: str = "",
+    omitted: float | str | None = REQUIRED,
+    example: str = "",
+    **bounds: float,
+) -> Any:
+    """A float input in `unit`; bounds gt, ge, lt, le are in that unit too.
+
+    `default` is the paper's number and `claims` the printed value that it repeats ("paper:id").
+    `omitted` is what a parameter file means by leaving the input out; without it, it may not.
+    An input without a default has an `example` with its unit, for templates.
+    """
+    value = units.parse(default, unit) if isinstance(default, str) else default
+    limits: dict[str, Any] = {k: bound * units.factor(unit) for k, bound in bounds.items()}
+    return Field(
+        default=value,
+        json_schema_extra=_extra(unit, symbol, what, claims, omitted) | {"example": example},
+        **limits,
+    )
+
+
+def count(default: int, symbol: str, what: str, *, claims: str = "", **bounds: int) -> Any:
+    """A whole number; bounds gt, ge, lt, le."""
+    limits: dict[str, Any] = dict(bounds)
+    return Field(
+        default=default, json_schema_extra=_extra("1", symbol, what, claims, REQUIRED), **limits
+    )
+
+
+def text(default: str | None, what: str, *, omitted: str | None = REQUIRED) -> Any:
+    """A name that the user chooses, printable and short."""
+    return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))
+
+
+def table(default: tuple[Inputs, ...], what: str, *, required: bool = False) -> Any:
+    """A list of tables, of the model that the annotation tuple[Model, ...] names.
+
+    Left out, it is empty, unless it is `required`.
+    """
+    omitted: Any = REQUIRED if required else ()
+    return Field(default=default, json_schema_extra=_extra("1", "", what, "", omitted))
+
+
+def word(default: str, what: str) -> Any:
+    """An input that is one of a few words; left out, it is the default."""
+    return Field(default=default, json_schema_extra=_extra("1", "", what, "", default))
+
+
+def _extra(unit: str, symbol: str, what: str, claims: str, omitted: Any) -> dict[str, Any]:
+    return {"unit": unit, "symbol": symbol, "what": what, "claims": claims, "omitted": omitted}
+
+
+def meta(field: FieldInfo) -> dict[str, Any]:
+    """Unit, symbol, description and so on of one input."""
+    extra = field.json_schema_extra
+    assert isinstance(extra, dict)
+    return dict(extra)
+
+
+def bounds_of(field: FieldInfo) -> list[tuple[str, float]]:
+    """The bounds of an input in words, with their SI values."""
+    return [
+        (word, getattr(bound, rule))
+        for bound in field.metadata
+        for rule, word in BOUNDS.items()
+        if hasattr(bound, rule)
+    ]
+
+
+def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
+    """Case id, name and raw inputs of a parameter file; InputError where it can't be read."""
+    try:
+        if path.is_dir():
+            raise InputError(f"{path}: is a directory, expected a TOML file")
+        if path.exists() and not path.is_file():
+            raise InputError(f"{path}: is not a regular file, expected a TOML file")
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"{path}: is larger than {MAX_BYTES:,} bytes, no parameter file is")
+        data = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        reason = getattr(error, "strerror", None) or _one_line(str(error))
+        if isinstance(error, UnicodeDecodeError):
+            reason = f"not UTF-8 text (byte {error.start})"
+        raise InputError(f"{path}: cannot be read: {reason}") from error
+    except RecursionError as error:
+        raise InputError(f"{path}: cannot be read: nested too deeply") from error
+    if unknown := [key for key in data if key not in TOP_LEVEL]:
+        hint = " (inputs belong under [inputs])" if "inputs" not in data else ""
+        raise InputError(
+            f"{path}: {_one_line(unknown[0])}: unknown key; known are {', '.join(TOP_LEVEL)}{hint}"
+        )
+    case, name, raw = data.get("case"), data.get("name", path.stem), data.get("inputs")
+    if not isinstance(case, str):
+        raise InputError(f'{path}: case: needs a line such as case = "ring-lame", {_got(case)}')
+    if not isinstance(name, str):
+        raise InputError(f"{path}: name: needs a text, {_got(name)}")
+    if not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
+        raise InputError(
+            f"{path}: name: needs 1 to {LONGEST_NAME} printable characters, {_got(name)}"
+        )
+    if not isinstance(raw, dict):
+        raise InputError(f"{path}: inputs: needs a table [inputs], {_got(raw)}")
+    return case, name, raw
+
+
+def build(model: type[Inputs], raw: Mapping[str, Any], where: str) -> Inputs:
+    """Inputs from the raw values of a parameter file; InputError for the first fault."""
+    return _built(model, raw, where, "inputs")
+
+
+def _built(model: type[Inputs], raw: Mapping[str, Any], where: str, place: str) -> Inputs:
+    """The inputs at `place`: "inputs" itself or an entry of a table, "inputs.supports[2]"."""
+    fields = model.model_fields
+    if unknown := [key for key in raw if key not in fields]:
+        raise InputError(
+            f"{where}: {place}.{_one_line(unknown[0])}: unknown key; known are {', '.join(fields)}"
+        )
+    left_out = {k: meta(f)["omitted"] for k, f in fields.items() if k not in raw}
+    if needed := [k for k, omitted in left_out.items() if omitted == REQUIRED]:
+        raise InputError(f"{where}: {place}: missing {', '.join(needed)}")
+    values = {
+        key: _entries(entry_model(fields[key]), raw[key], where, f"{place}.{key}")
+        if is_table(fields[key])
+        else _value(fields[key], raw[key], f"{where}: {place}.{key}")
+        for key in raw
+    }
+    try:
+        return model(**values, **left_out)
+    except ValidationError as error:
+        raise InputError(f"{where}: {broken_rule(model, error, place)}") from error
+
+
+def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inputs, ...]:
+    """The entries of a table, counted from 1 in messages."""
+    if not isinstance(raw, list) or not all(isinstance(entry, dict) for entry in raw):
+        raise InputError(f"{where}: {place}: needs tables [[{place}]], {_got(raw)}")
+    if len(raw) > MOST_ENTRIES:
+        raise InputError(f"{where}: {place}: has {len(raw)} entries, at most {MOST_ENTRIES}")
+    return tuple(
+        _built(model, entry, where, f"{place}[{k}]") for k, entry in enumerate(raw, start=1)
+    )
+
+
+def _value(field: FieldInfo, raw: Any, where: str) -> Any:
+    """One raw TOML value as what the model expects."""
+    unit, kind = meta(field)["unit"], kind_of(field)
+    if kind is float and isinstance(raw, str):
+        try:
+            return units.parse(raw, unit)
+        except ValueError as error:
+            raise InputError(f"{where}: {error}") from error
+    if isinstance(raw, int) and abs(raw) > LARGEST_INTEGER:
+        raise InputError(f"{where}: {_text(raw)} is out of range")
+    if kind is float:
+        if isinstance(raw, bool) or not isinstance(raw, int | float):
+            raise InputError(f"{where}: needs {_wanted(unit)}, {_got(raw)}")
+        if unit != "1":
+            example = raw if math.isfinite(raw) else 1.5
+            raise InputError(
+                f'{where}: {raw} has no unit: needs {_wanted(unit)}, such as "{example} {unit}"'
+            )
+        if not math.isfinite(raw):
+            raise InputError(f"{where}: {raw} is not finite")
+        return float(raw)
+    if kind is int and (isinstance(raw, bool) or not isinstance(raw, int)):
+        raise InputError(f"{where}: needs a whole number, {_got(raw)}")
+    if kind is str and choices(field) and raw not in choices(field):
+        raise InputError(f"{where}: needs one of {', '.join(choices(field))}, {_got(raw)}")
+    if kind is str and not (isinstance(raw, str) and raw.strip() and raw.isprintable()):
+        raise InputError(f"{where}: needs a printable text, {_got(raw)}")
+    if kind is str and len(raw) > LONGEST_NAME:
+        raise InputError(f"{where}: needs at most {LONGEST_NAME} characters, {_got(raw)}")
+    return raw
+
+
+def is_table(field: FieldInfo) -> bool:
+    """Whether an input is a list of tables."""
+    return get_origin(field.annotation) is tuple
+
+
+def entry_model(field: FieldInfo) -> type[Inputs]:
+    """The model of the entries of a table."""
+    found: type[Inputs] = get_args(field.annotation)[0]
+    return found
+
+
+def kind_of(field: FieldInfo) -> type:
+    """The type of an input: float, int, str for words and texts, tuple for tables."""
+    annotation = field.annotation
+    if get_origin(annotation) is tuple:
+        return tuple
+    if get_origin(annotation) in (Union, types.UnionType):
+        annotation = next(a for a in get_args(annotation) if a is not type(None))
+    if get_origin(annotation) is Literal:
+        return str
+    assert isinstance(annotation, type)
+    return annotation
+
+
+def choices(field: FieldInfo) -> tuple[str, ...]:
+    """What an input that is a word may be; nothing for numbers."""
+    return tuple(get_args(field.annotation)) if get_origin(field.annotation) is Literal else ()
+
+
+def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
+    """The first fault in inputs at `place` as `key = value unit: rule`, in the input's unit."""
+    error: Any = wrong.errors(include_url=False)[0]
+    message = str(error["msg"]).removeprefix("Value error, ")
+    if not error["loc"]:
+        named = isinstance((error.get("ctx") or {}).get("error"), EntryError)
+        return f"{place}{'.' if named else ': '}{_one_line(message, longest=LONGEST_RULE)}"
+    name = str(error["loc"][0])
+    unit = meta(model.model_fields[name])["unit"]
+    for rule, bound in (error.get("ctx") or {}).items():
+        if rule in BOUNDS:
+            given, shown = _with_unit(error["input"], unit), _with_unit(bound, unit)
+            return f"{place}.{name} = {given}: must be {BOUNDS[rule]} {shown}"
+    return f"{place}.{name} = {_with_unit(error['input'], unit)}: {_one_line(message)}"
+
+
+def _with_unit(value: Any, unit: str) -> str:
+    if not isinstance(value, int | float):
+        return _one_line(repr(value))
+    return f"{value / units.factor(unit):.6g}" + ("" if unit == "1" else f" {unit}")
+
+
+def _shown(value: Any, unit: str) -> Any:
+    if isinstance(value, float):
+        return float(f"{value / units.factor(unit):.15g}")  # no 19.439999999999998
+    return value
+
+
+def _wanted(unit: str) -> str:
+    return units.DIMENSIONS.get(unit, f"a quantity in {unit}")
+
+
+def _got(value: Any) -> str:
+    return "it is missing" if value is None else f"got {_text(value)}"
+
+
+def _text(value: Any) -> str:
+    """A TOML value in one line; Python refuses to print integers of thousands of digits."""
+    if isinstance(value, int) and abs(value) > LARGEST_INTEGER:
+        return f"an integer of {value.bit_length()} bits"
+    try:
+        return _one_line(repr(value))
+    except ValueError:
+        return "a list or table with an integer of thousands of digits"
+
+
+def _one_line(text: str, *, longest: int = 120) -> str:
+    line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return line if len(line) <= longest else line[: longest - 1] + "…"

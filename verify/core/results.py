@@ -1,0 +1,562 @@
+"""Value types that a run produces and reports read. Nothing here computes or draws."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any
+
+from verify.core.shown import (
+    Equation,
+    Field,
+    Figure,
+    FormulaValue,
+    InputValue,
+    Picture,
+    Sketch,
+    Table,
+)
+
+SCHEMA_VERSION = 1
+
+
+class Kind(StrEnum):
+    """What a row claims; see `verify.judging.judge` for when each passes."""
+
+    IDENTITY = "identity"
+    ASYMPTOTIC = "asymptotic"
+    APPROXIMATION = "approximation"
+    TREND = "trend"
+    FACT = "fact"
+    EXACT = "exact"
+
+
+class Status(StrEnum):
+    """How a row was judged, worst first."""
+
+    FAIL = "FAIL"
+    SKIP = "SKIP"
+    NOTE = "NOTE"
+    CALIBRATED = "CALIBRATED"
+    SHOWN = "SHOWN"
+    PASS = "PASS"  # noqa: S105 - not a password
+
+
+@dataclass(frozen=True, kw_only=True)
+class Published:
+    """A printed value beside a row, in the row's unit."""
+
+    document: str
+    id: str
+    place: str
+    kind: str
+    printed: str
+    value: float
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Partner:
+    """A value that is neither the formula nor the finite-element one."""
+
+    by: str
+    value: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Grid:
+    """How finite-element levels converge, and what their grid convergence index was made of.
+
+    `levels` are values by relative mesh size, coarse to fine. With an order the index is
+    gci = factor |v3 - v2|/(r^used - 1). All but orders and `factor` is in `unit`: `scale` measures
+    round-off, and `allowed` is what the index of a series without an order may be.
+    """
+
+    unit: str
+    levels: tuple[tuple[float, float], ...]
+    scale: float
+    allowed: float
+    behaviour: str
+    gci: float
+    u_it: float
+    order: float | None = None
+    formal: float | None = None
+    used: float | None = None
+    factor: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One judged comparison. Dimensional numbers are in `unit`; `detects`, `demand` are relative.
+
+    `difference` is value minus reference; `interval` holds the expected signed model error of an
+    approximation; `levels` the finite-element values by mesh size, coarse to fine, and `levels_u`
+    their standard uncertainties where a limit is fitted to them.
+    """
+
+    case: str
+    quantity: str
+    symbol: str
+    unit: str
+    kind: Kind
+    status: Status
+    reason: str = ""
+    analytic: float | None = None
+    fem: float | None = None
+    partner: Partner | None = None
+    difference: float | None = None
+    scale: float | None = None
+    scale_name: str = ""
+    demand: float | None = None
+    demand_reason: str = ""
+    u_num: float | None = None
+    u_ref: float | None = None
+    u_input: float | None = None
+    order: float | str | None = None
+    formal_order: float | None = None
+    tolerance: float | None = None
+    detects: float | None = None
+    interval: tuple[float, float] | None = None
+    interval_source: str = ""
+    levels: tuple[tuple[float, float], ...] = ()
+    published: tuple[Published, ...] = ()
+    grid: Grid | None = None
+    levels_u: tuple[float, ...] = ()
+
+    @property
+    def id(self) -> str:
+        """`case/quantity`, unique in a run."""
+        return f"{self.case}/{self.quantity}"
+
+    @property
+    def by(self) -> str:
+        """Whose value the formula is compared with."""
+        return "FE" if self.partner is None or self.fem is not None else self.partner.by
+
+    @property
+    def reference(self) -> float | None:
+        """The value that the formula is compared with: finite elements', or the partner's."""
+        return self.fem if self.fem is not None or self.partner is None else self.partner.value
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseResult:
+    """Everything that one case produced; `name` is that of the user's parameters, if any.
+
+    `refused` says why finite elements do not take these inputs, where they were not asked to.
+    `findings` say in words what follows from the formulas, the verdict first.
+    `errors` are the tracebacks of what went wrong inside the case.
+    """
+
+    id: str
+    title: str
+    paper: str
+    place: str
+    lead: str
+    inputs: tuple[InputValue, ...]
+    equations: tuple[Equation, ...]
+    assumptions: tuple[str, ...]
+    readings: tuple[str, ...]
+    rows: tuple[Row, ...]
+    tables: tuple[Table, ...] = ()
+    fields: tuple[Field, ...] = ()
+    warnings: tuple[str, ...] = ()
+    sketch: Sketch | None = None
+    values: tuple[FormulaValue, ...] = ()
+    figures: tuple[Figure, ...] = ()
+    pictures: tuple[Picture, ...] = ()
+    name: str = ""
+    findings: tuple[str, ...] = ()
+    refused: str = ""
+    seconds: float = 0.0
+    cached: bool = False
+    command: str = ""
+    errors: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperClaim:
+    """A judged row that claims a printed number, in the number's own unit; `u` is the FE's."""
+
+    row: str
+    status: Status
+    analytic: float | None
+    fem: float | None
+    u: float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperCell:
+    """A cell of a printed table; for a number its `value` ("paper:id") and what is said of it.
+
+    `inputs` are the case inputs that repeat it, `rows` the judged rows that claim it, `errata` ids
+    of the same paper's errata about it.
+    """
+
+    text: str
+    value: str | None = None
+    unit: str = ""
+    inputs: tuple[str, ...] = ()
+    rows: tuple[PaperClaim, ...] = ()
+    errata: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperTable:
+    """A table as a paper prints it; without rows `note` says why. `errata` are about the whole."""
+
+    paper: str
+    name: str
+    caption: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[PaperCell, ...], ...]
+    note: str = ""
+    errata: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityAxis:
+    """An input that was varied, with its values in `unit` and the nominal one."""
+
+    name: str
+    symbol: str
+    unit: str
+    values: tuple[float, ...]
+    nominal: float | None
+    log: bool = False  # spaced in equal ratios
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityLimit:
+    """Where a formula's error stays within `limit`: points by their verdict, and it in words.
+
+    `words` names the largest box of points that are all inside, whole error bars included, or of a
+    star the range of each input alone; `box` has the ranges, an input's name and two values in its
+    unit each.
+    """
+
+    limit: float
+    inside: int
+    outside: int
+    undecided: int
+    words: str
+    box: tuple[tuple[str, float, float], ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityRegion:
+    """What was measured of a formula over some inputs: errors (points,) and their bars, relative.
+
+    Over a grid of one or two `axes`, the last one fastest; of a star the one along which the error
+    changes most. `breaks` says what takes the formula out of the middle limit first.
+    """
+
+    over: str
+    points: int
+    unsolved: int
+    problems: tuple[str, ...]
+    limits: tuple[ValidityLimit, ...]
+    breaks: str
+    axes: tuple[ValidityAxis, ...] = ()
+    error: tuple[float, ...] = ()
+    U: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityCard:
+    """Where one formula may be used; `error`, `U` are those of its row at the case's own inputs.
+
+    `tex` is the formula where the case shows it, `place` where it stands in the paper.
+    """
+
+    case: str
+    quantity: str
+    symbol: str
+    place: str
+    tex: str
+    error: float | None
+    U: float | None
+    regions: tuple[ValidityRegion, ...]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValidityExact:
+    """A formula and finite elements that solve the same problem: how far apart they were at most.
+
+    `U` is the error bar of that point; both are relative. None where no point was solved.
+    """
+
+    quantity: str
+    symbol: str
+    largest: float | None
+    U: float | None
+    points: int
+    unsolved: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Validity:
+    """The cards of one case; without a measurement `missing` says why.
+
+    `over` says what the exact ones were measured over, `others` which formulas were left out, and
+    `maps` which cases show more.
+    """
+
+    case: str
+    title: str
+    subject: str
+    date: str = ""
+    missing: str = ""
+    cards: tuple[ValidityCard, ...] = ()
+    exact: tuple[ValidityExact, ...] = ()
+    over: str = ""
+    others: tuple[str, ...] = ()
+    maps: tuple[str, ...] = ()
+
+
+class CrossState(StrEnum):
+    """How a comparison with a second solver came out."""
+
+    AGREES = "agrees"
+    OUTSIDE = "outside"  # farther apart than allowed
+    MISSING = "not measured"
+    ALONE = "no second solver"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Crosscheck:
+    """A number of the project beside that of a second solver on the same mesh and loads.
+
+    `ours`, `theirs` are in `unit`, `difference` (theirs over ours less one) and `allowed` relative;
+    `why` says what makes a difference, or why nothing was measured or no solver takes it. `row` is
+    the id of the row that it stands beside, if any; `seconds` those of the project and of the other
+    solver.
+    """
+
+    case: str
+    problem: str
+    what: str
+    quantity: str
+    row: str
+    symbol: str
+    unit: str
+    solver: str
+    state: CrossState
+    version: str = ""
+    date: str = ""
+    ours: float | None = None
+    theirs: float | None = None
+    difference: float | None = None
+    allowed: float | None = None
+    why: str = ""
+    seconds: tuple[float, ...] = ()
+    unknowns: int = 0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Change:
+    """What is no longer as it was in a release: a row's `aspect`, from `was` to `now`, in words.
+
+    `size` tells how far a value moved. A loosened demand or band needs the `reason` stated for it.
+    """
+
+    row: str
+    aspect: str
+    was: str
+    now: str
+    size: str = ""
+    loosened: bool = False
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drift:
+    """What has moved since a `release`; of `compared` rows, how many have `tightened` demands.
+
+    `tighter` are these demands and bands.
+    """
+
+    release: str
+    date: str
+    commit: str
+    compared: int
+    tightened: int
+    changes: tuple[Change, ...] = ()
+    tighter: tuple[Change, ...] = ()
+    unused: tuple[str, ...] = ()  # reasons stated since the release that nothing asks for
+
+    @property
+    def unexplained(self) -> tuple[Change, ...]:
+        """Loosened without a reason: red."""
+        return tuple(c for c in self.changes if c.loosened and not c.reason)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingsTried:
+    """A printed number that is not met as its formula is first read, and what else it may mean.
+
+    `readings` is the best of `hits` combinations that reproduce it, empty where none does, with its
+    `value`; `chance` is how many of as few changes would do so by accident. With `missing` nothing
+    was tried, for that reason. `reference` names the number or the erratum, "paper:id".
+    """
+
+    reference: str
+    place: str
+    printed: str
+    unit: str
+    what: str = ""
+    as_it_stands: float | None = None
+    met: bool = False
+    tried: int = 0
+    hits: int = 0
+    readings: tuple[str, ...] = ()
+    value: float | None = None
+    chance: float = 0.0
+    is_evidence: bool = False
+    errata: tuple[str, ...] = ()
+    missing: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BudgetPart:
+    """What one cause contributes to a relative difference, by a rerun without it; `u` half-width.
+
+    None where there was no rerun, and `note` says why. What is `shared` by formula and finite
+    elements is no part of their difference and is not subtracted from it.
+    """
+
+    cause: str
+    what: str
+    contribution: float | None
+    u: float | None
+    shared: bool = False
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BudgetJoint:
+    """By how much two causes removed together do more than one by one; None where not rerun."""
+
+    causes: tuple[str, str]
+    value: float | None
+    note: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RowBudget:
+    """Of what the difference (formula - FE)/scale of a row is made, all relative.
+
+    `remainder` is what the parts leave of `total`, with the half-width `u`; `U` is the row's own
+    tolerance. `within` says of an identity whether the remainder is explained by both. `headline`
+    rows are drawn. `apart` says whether reruns leave little of what is large; where not, `why`.
+    """
+
+    quantity: str
+    symbol: str
+    kind: Kind
+    total: float
+    U: float | None
+    parts: tuple[BudgetPart, ...]
+    joints: tuple[BudgetJoint, ...]
+    remainder: float
+    u: float
+    within: bool | None = None
+    headline: bool = False
+    apart: bool = True
+    why: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseBudget:
+    """The budgets of one case's rows; without a measurement `missing` says why.
+
+    `seconds` is what all its reruns took together, on one processor.
+    """
+
+    case: str
+    title: str
+    date: str = ""
+    seconds: float = 0.0
+    missing: str = ""
+    rows: tuple[RowBudget, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class MutantGroup:
+    """What was tried of one group: `rows` and `tests` caught some, `apart` crashed or ran on.
+
+    `all` is how many there are; those apart are not among those `tried`.
+    """
+
+    name: str
+    all: int
+    tried: int
+    rows: int
+    tests: int
+    survived: int
+    apart: int
+
+    @property
+    def caught(self) -> int:
+        """Mutants that a row or a test notices."""
+        return self.rows + self.tests
+
+
+@dataclass(frozen=True, kw_only=True)
+class Survivor:
+    """A mutant that nothing noticed, and why nobody can, where that was argued."""
+
+    group: str
+    where: str
+    line: int
+    operator: str
+    before: str
+    after: str
+    reason: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Caught:
+    """What the suite catches of mistakes made on purpose; without a measurement `missing` says why.
+
+    `references` holds shares of rows that turn red where their references are changed; `stale`
+    names the groups that were not measured for this code.
+    """
+
+    date: str = ""
+    missing: str = ""
+    stale: tuple[str, ...] = ()
+    groups: tuple[MutantGroup, ...] = ()
+    survivors: tuple[Survivor, ...] = ()
+    references: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Report:
+    """A whole run: judged cases, the ledgers and where the numbers come from.
+
+    `name` is that of a user's parameter file; empty for the papers' own numbers.
+    """
+
+    cases: tuple[CaseResult, ...]
+    papers: tuple[Mapping[str, Any], ...]
+    equations: tuple[Mapping[str, Any], ...]
+    errata: tuple[Mapping[str, Any], ...]
+    published: tuple[Mapping[str, Any], ...]
+    provenance: Mapping[str, Any]
+    tables: tuple[PaperTable, ...] = ()
+    name: str = ""
+    validity: tuple[Validity, ...] = ()
+    drift: Drift | None = None
+    searches: tuple[ReadingsTried, ...] = ()
+    budgets: tuple[CaseBudget, ...] = ()
+    crosschecks: tuple[Crosscheck, ...] = ()
+    caught: Caught | None = None
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """All rows in the order of the cases."""
+        return tuple(row for case in self.cases for row in case.rows)
+
+    def count(self, status: Status) -> int:
+        """Rows of one status."""
+        return sum(row.status is status for row in self.rows)

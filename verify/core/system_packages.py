@@ -1,0 +1,185 @@
+"""Before the set-up: the Python in use and system libraries, installed by apt-get where allowed.
+
+Standard library only, and read by any Python 3.7: the module runs as a script before
+there is a virtual environment. Exit status 0 or, after one line that names what to do, 2; 130
+after Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from verify.core.environment import LIBRARIES, MESHES, missing_libraries, python_problem
+
+FORBIDDEN = "FREEWHEEL_NO_APT"  # set: nothing is installed, the line to run is printed
+LOCK_SECONDS = 120  # another apt-get or dpkg may take so long
+APT = ("apt-get", "-q", "-o", f"DPkg::Lock::Timeout={LOCK_SECONDS}", "-o", "Acquire::Retries=1")
+INSTALL = (*APT, "install", "-y", "--no-install-recommends")
+REPAIR = "dpkg --configure -a"  # what apt-get asks for after an interrupted installation
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What decides whether system packages are installed, and by which command."""
+
+    root: bool = False
+    apt: bool = False  # Debian, Ubuntu or a descendant, with apt-get
+    dnf: bool = False
+    forbidden: bool = False  # by FREEWHEEL_NO_APT
+
+    @property
+    def may_install(self) -> bool:
+        return self.root and self.apt and not self.forbidden
+
+
+def this_machine() -> Machine:
+    """The machine and the user that run this process."""
+    return Machine(
+        root=hasattr(os, "geteuid") and os.geteuid() == 0,
+        apt=debian_family(_os_release()) and shutil.which("apt-get") is not None,
+        dnf=shutil.which("dnf") is not None,
+        forbidden=os.environ.get(FORBIDDEN, "0") not in ("", "0"),
+    )
+
+
+def debian_family(os_release: str) -> bool:
+    """Whether the text of /etc/os-release is that of Debian, Ubuntu or a descendant."""
+    pairs = (line.partition("=")[::2] for line in os_release.splitlines())
+    names = {key: value.strip("\"'").split() for key, value in pairs}
+    return "debian" in names.get("ID", []) + names.get("ID_LIKE", []) or "ubuntu" in names.get(
+        "ID", []
+    )
+
+
+def venv_package(prefix: str, version: Sequence[int]) -> str:
+    """Debian package with venv for the Python installed at `prefix`; "" if there is none."""
+    return f"python{version[0]}.{version[1]}-venv" if prefix == "/usr" else ""
+
+
+def packages_for(libraries: Collection[str], venv: str = "") -> list[str]:
+    """Debian packages that contain `libraries`, after the package `venv` if one is needed."""
+    found = [package for library, package, _ in LIBRARIES if library in libraries]
+    return [venv, *found] if venv else found
+
+
+def line_to_run(libraries: Collection[str], venv: str, machine: Machine) -> str:
+    """The one line that installs what is missing on `machine`."""
+    packages = " ".join(packages_for(libraries, venv))
+    sudo = "" if machine.root else "sudo "
+    if machine.apt:
+        return f"{sudo}apt-get update && {sudo}apt-get install -y {packages}"
+    if machine.dnf:
+        return " ".join([f"{sudo}dnf install", *(f"'{library}()(64bit)'" for library in libraries)])
+    return f"install the packages that contain them (in Debian: {packages})"
+
+
+def apt_install(packages: Sequence[str]) -> str:
+    """Install Debian packages without questions: "" where all is well, else apt-get's reason."""
+    outdated = _update()
+    status, output = _run([*INSTALL, *packages])
+    if status and REPAIR in output:
+        _run(REPAIR.split())
+        status, output = _run([*INSTALL, *packages])
+    return (outdated or reason(output) or f"exit status {status}") if status else ""
+
+
+def reason(output: str) -> str:
+    """The first line of apt-get's output that states an error; "" if there is none."""
+    starts = ("E: ", "W: Failed to fetch")
+    lines = [line for line in output.splitlines() if line.startswith(starts)]
+    return " ".join(lines[0][3:].split()) if lines else ""
+
+
+def _update() -> str:
+    """Renew the package lists, after waiting for another apt-get: "" or why they are not new."""
+    end = time.monotonic() + LOCK_SECONDS
+    while True:
+        _, output = _run([*APT, "update"])
+        if "lists/lock" not in output or time.monotonic() > end:
+            return reason(output)
+        time.sleep(2)
+
+
+def _run(words: Sequence[str]) -> tuple[int, str]:
+    """Exit status and output of a command that asks nothing; its end is waited for on Ctrl-C."""
+    quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
+    with subprocess.Popen(  # noqa: S603 - our own words
+        words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True, errors="replace",
+    ) as process:  # fmt: skip
+        try:
+            output = process.communicate()[0]
+        except KeyboardInterrupt:  # apt-get has it too, and ends where dpkg is not cut in two
+            process.communicate()
+            raise
+    return process.returncode, output
+
+
+def _os_release() -> str:
+    path = Path("/etc/os-release")
+    return path.read_text("utf-8", "replace") if path.is_file() else ""
+
+
+def _without_venv() -> bool:
+    """Whether this Python cannot make a virtual environment with pip in it."""
+    importlib.invalidate_caches()
+    return importlib.util.find_spec("venv") is None or importlib.util.find_spec("ensurepip") is None
+
+
+def _install(libraries: Sequence[str], venv: str, machine: Machine) -> str:
+    """Install what is missing; "" where all is well."""
+    packages = packages_for(libraries, venv)
+    _say(f"installing with apt-get ({FORBIDDEN}=1 forbids it): {' '.join(packages)}")
+    problem = apt_install(packages)
+    if not problem:
+        return ""
+    return f"apt-get failed ({problem}); run: {line_to_run(libraries, venv, machine)}"
+
+
+def check(machine: Machine) -> str:
+    """Install what is missing or name it: "" where set-up can go on, else one line why not."""
+    problem = python_problem(sys.version_info[:2])
+    if problem:
+        return problem
+    lacking = _without_venv()
+    venv = venv_package(sys.base_prefix, sys.version_info[:2]) if lacking else ""
+    if lacking and not venv:
+        return f"{sys.executable} has no module venv or ensurepip: set PYTHON to one that has"
+    missing = missing_libraries()
+    if (missing or venv) and machine.may_install:
+        return _install(missing, venv, machine)
+    what = ", ".join([*(["the module ensurepip"] if venv else []), *missing])
+    line = line_to_run(missing, venv, machine)
+    if venv or missing_libraries(MESHES):
+        return f"missing {what}; run: {line}"
+    if missing:
+        _say(f"without {what} pictures are fewer; run: {line}")
+    return ""
+
+
+def main() -> int:
+    try:
+        problem = check(this_machine())
+    except KeyboardInterrupt:
+        _say("system libraries are not complete; the next make continues")
+        return 130
+    if problem:
+        _say(problem)
+    return 2 if problem else 0
+
+
+def _say(message: str) -> None:
+    print(f"freewheel: {message}", file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,50 @@
+"""What the commands print of judged rows."""
+
+import re
+from collections.abc import Sequence
+
+from verify.core.console_rows import causes, closing, row_cells, shown_rows, title
+from verify.core.results import Report, Row, Status
+
+_POWER = re.compile(r"(?<=[\w)])\^(-?\d+)")
+_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+def print_verdicts(report: Report) -> None:
+    """Counts by case, then every row that did not simply pass, each reason once a case."""
+    head = ("case", "rows", *(s.value for s in Status))
+    lines = [head]
+    for case in report.cases:
+        states = [row.status for row in case.rows]
+        counts = (str(states.count(s) or "·") for s in Status)
+        lines.append((case.id, str(len(states)), *counts))
+    for line in aligned(lines):
+        print(line)
+    for (status, case_id, reason), rows in causes(report.rows).items():
+        more = f" and {len(rows) - 1} more" if len(rows) > 1 else ""
+        print(raised(f"{status.value:10} {case_id}: {rows[0].quantity}{more}: {reason}"))
+    print(f"{len(report.rows)} rows")
+
+
+def print_rows(rows: Sequence[Row]) -> None:
+    """The judged rows in short, reasons of those that did not pass, and the closing sentences."""
+    print(title(rows))
+    for line in aligned(row_cells(rows)):
+        print(f"  {line}")
+    for (status, _, reason), group in causes(shown_rows(rows)).items():
+        more = f" and {len(group) - 1} more" if len(group) > 1 else ""
+        print(raised(f"{status.value} {group[0].quantity}{more}: {reason}"))
+    for sentence in closing(rows):
+        print(raised(sentence))
+
+
+def aligned(lines: Sequence[tuple[str, ...]]) -> list[str]:
+    """Lines whose columns are as wide as their longest cell, powers raised."""
+    shown = [tuple(map(raised, line)) for line in lines]
+    wide = [max(map(len, column)) for column in zip(*shown, strict=True)]
+    return ["  ".join(map(str.ljust, line, wide)).rstrip() for line in shown]
+
+
+def raised(text: str) -> str:
+    """10^-5 as 10⁻⁵, kg m^2 as kg m²."""
+    return _POWER.sub(lambda match: match[1].translate(_RAISED), text)

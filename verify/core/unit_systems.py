@@ -1,0 +1,124 @@
+"""Units of an answer: those of the case (mm, N, MPa), SI base units, or inch and pound-force."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, Literal
+
+from verify.core import units
+
+System = Literal["si", "mm", "inch"]
+
+# No unit on the right of a map stands on its left: converting twice changes nothing.
+DISPLAYED: Mapping[System, Mapping[str, str]] = {
+    "mm": {},
+    "si": {
+        "mm": "m", "µm": "m", "nm": "m", "MPa": "Pa", "GPa": "Pa", "kN": "N", "N/mm": "N/m",
+        "N/µm": "N/m", "1/mm": "1/m", "deg": "rad", "deg/mm": "rad/m", "ms": "s",
+        "r/min": "rad/s", "g mm": "kg m", "µJ/m": "J/m",
+    },
+    "inch": {
+        "mm": "in", "µm": "mil", "nm": "mil", "MPa": "ksi", "GPa": "ksi", "N": "lbf", "kN": "lbf",
+        "N m": "lbf in", "N/mm": "lbf/in", "N/m": "lbf/in", "N/µm": "lbf/in",
+        "N m/rad": "lbf in/rad", "N m s/rad": "lbf in s/rad", "N s/m": "lbf s/in",
+        "kg": "lb", "kg m^2": "lb in^2", "kg/m^3": "lb/in^3", "g mm": "oz in", "kg m": "oz in",
+        "m/s": "ft/s", "s/m": "s/ft", "1/mm": "1/in", "deg/mm": "deg/in", "J": "lbf in",
+        "J/m": "lbf", "µJ/m": "lbf",
+    },
+}  # fmt: skip
+INCH_WORDS = frozenset((
+    "in", "inch", "inches", "ft", "foot", "feet", "mil", "thou", "lbf", "psi",
+    "ksi", "lb", "pound", "oz", "ounce", "slug", "pound_force",
+))  # fmt: skip
+LENGTH = units.dimensions("mm")
+NUMBER = r"[-+±]?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?"
+FEWEST_DIGITS, MOST_DIGITS = 3, 5  # of a number in a sentence
+LARGEST_WHOLE = 1e7  # larger numbers have a power of ten
+
+
+def system_of(raw: Any) -> System:
+    """The system of a file's inputs: inch where most of its lengths, or else most units, are."""
+    given = list(_units_in(raw))
+    lengths = [unit for unit in given if units.dimensions(unit) == LENGTH]
+    inch = [bool(INCH_WORDS & set(re.findall(r"[A-Za-z_]+", u))) for u in lengths or given]
+    return "inch" if 2 * sum(inch) > len(inch) else "mm"
+
+
+def _units_in(raw: Any) -> Iterator[str]:
+    """Every unit that a TOML value holds."""
+    if isinstance(raw, Mapping):
+        for value in raw.values():
+            yield from _units_in(value)
+    elif isinstance(raw, list):
+        for value in raw:
+            yield from _units_in(value)
+    elif isinstance(raw, str):
+        for part in raw.split(":"):
+            if (match := re.fullmatch(rf"\s*{NUMBER}\s*(\D.*?)\s*", part)) and _known(match[1]):
+                yield match[1]
+
+
+def _known(unit: str) -> bool:
+    try:
+        units.dimensions(unit)
+    except ValueError:
+        return False
+    return True
+
+
+def unit_in(unit: str, system: System) -> str:
+    """The unit that shows quantities of `unit` in a system."""
+    return DISPLAYED[system].get(unit, unit)
+
+
+def converted(value: float, unit: str, system: System) -> tuple[float, str]:
+    """A value in `unit` as value and unit of a system.
+
+    >>> value, unit = converted(25.4, "mm", "inch")
+    >>> round(value, 12), unit
+    (1.0, 'in')
+    """
+    target = unit_in(unit, system)
+    return (value, unit) if target == unit else (value * ratio(unit, target), target)
+
+
+def ratio(unit: str, target: str) -> float:
+    """How many `target` one `unit` is."""
+    return units.factor(unit) / units.factor(target)
+
+
+def text_in(text: str, system: System) -> str:
+    """A sentence whose numbers with a unit, lists and ranges of them too, are converted.
+
+    >>> text_in("d is 25.4 mm; 10 to 20 MPa", "inch")
+    'd is 1 in; 1.45 to 2.9 ksi'
+    """
+    names = sorted(DISPLAYED[system], key=len, reverse=True)
+    if not names:
+        return text
+    between = r"(?: to | and | or |, |/)"
+    unit = "|".join(re.escape(name) for name in names)
+    pattern = rf"(?<![\w.]){NUMBER}(?:{between}{NUMBER})* (?:{unit})(?![\w/^²·]| (?:m|s)\b|\.\w)"
+    return re.sub(pattern, lambda match: _phrase(match[0], names, system), text)
+
+
+def cells_in(lines: Iterable[Sequence[str]], system: System) -> list[tuple[str, ...]]:
+    """Lines of a table whose cells are converted like sentences."""
+    return [tuple(text_in(cell, system) for cell in line) for line in lines]
+
+
+def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
+    """Numbers and their unit, each number with at least as many digits as before."""
+    unit = next(name for name in names if phrase.endswith(f" {name}"))
+    target = unit_in(unit, system)
+    numbers = phrase.removesuffix(f" {unit}")
+    return re.sub(NUMBER, lambda n: _text(n[0], ratio(unit, target)), numbers) + f" {target}"
+
+
+def _text(number: str, factor: float) -> str:
+    """A number of a sentence, converted, with as many digits as it had within some bounds."""
+    sign, bare = ("±", number[1:]) if number[0] == "±" else ("", number)
+    value = float(bare.replace(",", "")) * factor
+    digits = len(re.sub(r"e.*|[-+.,]", "", bare).lstrip("0"))
+    digits = min(max(FEWEST_DIGITS, digits), MOST_DIGITS)
+    is_whole = 10**digits <= abs(value) < LARGEST_WHOLE
+    return sign + (f"{value:.0f}" if is_whole else f"{value:.{digits}g}")

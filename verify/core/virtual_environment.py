@@ -1,0 +1,249 @@
+"""A virtual environment from a lock with hashes; an interrupted set-up is continued.
+
+Standard library only: the module is run as a script (FOLDER LOCK) by the Python that the
+environment is for. Packages are installed in small groups. What a killed set-up had downloaded
+is not downloaded again, also where the index lets `pip` cache nothing.
+Exit status 0, or 2 after one line that names the reason.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import hashlib
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from importlib.metadata import distributions
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+READY = ".ready"  # in a complete environment: its parent folder and Python, read by tools/is-ready
+LOG = "pip.txt"  # output of the last pip
+FAILED = "failed.txt"  # why the last set-up ended early
+SHARED = "shared.pth"
+DOWNLOADS = "downloads"  # pip's temporary files, where a killed pip leaves what it had loaded
+GROUP = 8  # packages that one pip installs
+PIN = re.compile(r"([A-Za-z0-9._-]+)==([^\s;\\]+)")
+HASH = re.compile(r"--hash=sha256:([0-9a-f]{64})")
+PIP = (
+    "-I",
+    "-m",
+    "pip",
+    "install",
+    "--quiet",
+    "--no-input",
+    "--disable-pip-version-check",
+    "--no-deps",
+)
+NO_NETWORK = ("Retrying (", "Temporary failure", "No route to host")
+
+
+class SetUpError(Exception):
+    """Why there is no environment, in one line."""
+
+
+def pins(lock: str) -> dict[str, str]:
+    """The lock's entries, each with its hashes, by name and version ("numpy==2.4.6")."""
+    entries = re.split(r"^(?=[A-Za-z0-9])", lock, flags=re.MULTILINE)[1:]
+    matches = ((PIN.match(entry), entry) for entry in entries)
+    return {match[0]: entry for match, entry in matches if match}
+
+
+def installed(site: Path) -> set[str]:
+    """Names and versions ("numpy==2.4.6") of the packages in a site-packages folder."""
+    found = distributions(path=[str(site)])
+    return {f"{normalized(d.metadata['Name'])}=={d.version}" for d in found}
+
+
+def normalized(name: str) -> str:
+    """A package's name as the lock has it."""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def remove_incomplete(site: Path) -> list[str]:
+    """Forget packages whose installation was killed, so that they are installed again.
+
+    pip writes RECORD last, and puts a package that it replaces aside with a "~" in its name.
+    """
+    found = site.glob("*.dist-info")
+    killed = [x for x in found if not (x / "RECORD").is_file() or x.name.startswith("~")]
+    for info in killed:
+        shutil.rmtree(info)
+    return [info.name for info in killed]
+
+
+def usable(folder: Path) -> bool:
+    """Whether `folder` has an environment that this version of Python made there, with pip."""
+    pip = folder / "bin" / "pip"
+    try:
+        made_here = f"{folder}/bin/python" in pip.read_text("utf-8", "replace")
+        words = [
+            str(folder / "bin" / "python"),
+            "-Ic",
+            "import pip, sys; print(*sys.version_info[:2])",
+        ]
+        done = subprocess.run(words, capture_output=True, text=True, check=False)  # noqa: S603
+    except OSError:
+        return False
+    same = done.stdout.split() == [str(number) for number in sys.version_info[:2]]
+    whole = all((info / "RECORD").is_file() for info in site_packages(folder).glob("pip-*"))
+    return made_here and done.returncode == 0 and same and whole
+
+
+def site_packages(folder: Path) -> Path:
+    version = "python{}.{}".format(*sys.version_info[:2])
+    return folder / "lib" / version / "site-packages"
+
+
+def create(folder: Path) -> None:
+    """Make an empty environment with pip in place of whatever `folder` is."""
+    if folder.is_symlink() or folder.is_file():
+        folder.unlink()
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    run([sys.executable, "-I", "-m", "venv", str(folder)], folder / LOG)
+
+
+def run(words: list[str], log: Path, **environ: str) -> None:
+    """Run a command with its output in `log`; raise SetUpError with its reason where it fails.
+
+    Ctrl-C kills it without a warning, so that pip does not delete what it has downloaded. It has
+    the lock of `alone` too: where this process is killed alone, the next set-up waits for its end.
+    """
+    with log.open("w", encoding="utf-8") as output:
+        done = subprocess.run(  # noqa: S603 - our own words
+            words, stdout=output, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, check=False,
+            env={**os.environ, **environ}, close_fds=False, preexec_fn=ignore_interrupts,
+        )  # fmt: skip
+    if done.returncode:
+        raise SetUpError(reason(log.read_text("utf-8", "replace"), done.returncode))
+
+
+def ignore_interrupts() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def reason(output: str, status: int) -> str:
+    """Why pip or venv failed, in one line, from its output."""
+    if any(sign in output for sign in NO_NETWORK):
+        return "no connection to the package index"
+    errors = [line[7:] for line in output.splitlines() if line.startswith("ERROR: ")]
+    lines = errors or [line for line in output.splitlines() if line.strip()]
+    return lines[-1].strip() if lines else f"exit status {status}"
+
+
+def install(folder: Path, lock: str, others: set[str]) -> None:
+    """Install what the lock names and neither `folder` nor `others` has, with progress."""
+    install_downloaded(folder, lock)
+    there = installed(site_packages(folder)) | others
+    todo = [entry for name, entry in pins(lock).items() if name not in there]
+    with tempfile.TemporaryDirectory() as place:
+        for start in range(0, len(todo), GROUP):
+            group = Path(place) / "requirements.txt"
+            group.write_text("".join(todo[start : start + GROUP]), "utf-8")
+            last = min(start + GROUP, len(todo))
+            say(f"installing packages {start + 1} to {last} of {len(todo)} into {folder.name}")
+            pip(folder, "--require-hashes", "-r", str(group))
+
+
+def install_downloaded(folder: Path, lock: str) -> None:
+    """Install the files that a killed pip left, as far as they are whole: those of the lock."""
+    hashes = set(HASH.findall(lock))
+    found = sorted((folder / DOWNLOADS).rglob("*.whl"))
+    whole = [x for x in found if hashlib.sha256(x.read_bytes()).hexdigest() in hashes]
+    once = {path.name: str(path) for path in whole}
+    if once:
+        say(f"installing packages that were downloaded before: {len(once)}")
+        pip(folder, "--no-index", *once.values())
+    shutil.rmtree(folder / DOWNLOADS, ignore_errors=True)
+
+
+def pip(folder: Path, *words: str) -> None:
+    temporary = folder / DOWNLOADS
+    temporary.mkdir(exist_ok=True)
+    command = [str(folder / "bin" / "python"), *PIP, *words]
+    run(command, folder / LOG, TMPDIR=str(temporary))
+
+
+@contextlib.contextmanager
+def alone() -> Iterator[None]:
+    """Wait for another set-up of this folder to end."""
+    try:
+        import fcntl
+    except ImportError:  # not on this system
+        yield
+        return
+    handle = os.open(ROOT, os.O_RDONLY)
+    os.set_inheritable(handle, True)
+    try:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            say("another set-up of this folder is running: waiting for its end")
+            fcntl.flock(handle, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(handle)
+
+
+def set_up(folder: Path, lock: Path, *, project: bool, shared: Path | None) -> None:
+    """Make or complete the environment `folder` from `lock`.
+
+    With `project`, the project itself is installed, editable. Packages of the environment `shared`
+    are used where their versions are those of the lock.
+    """
+    for name in (READY, FAILED):
+        (folder / name).unlink(missing_ok=True)
+    if not usable(folder):
+        say(f"making {folder.name} with Python {sys.version.split()[0]}, about a minute")
+        create(folder)
+    remove_incomplete(site_packages(folder))
+    others: set[str] = set()
+    if shared is not None:
+        relative = os.path.relpath(site_packages(shared), site_packages(folder))
+        (site_packages(folder) / SHARED).write_text(f"{relative}\n", "utf-8")
+        others = installed(site_packages(shared))
+    install(folder, lock.read_text("utf-8"), others)
+    if project:
+        pip(folder, "--no-build-isolation", "-e", str(ROOT))
+    shutil.rmtree(folder / DOWNLOADS, ignore_errors=True)
+    version = "{}.{}".format(*sys.version_info[:2])
+    (folder / READY).write_text(f"{ROOT} {version}\n", "utf-8")
+    say(f"{folder.name} is complete")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("lock", type=Path)
+    parser.add_argument("--project", action="store_true", help="install the project too")
+    parser.add_argument("--shared", type=Path, help="environment whose packages are used")
+    words = parser.parse_args()
+    folder = ROOT / words.folder
+    shared = ROOT / words.shared if words.shared else None
+    try:
+        with alone():
+            set_up(folder, ROOT / words.lock, project=words.project, shared=shared)
+    except KeyboardInterrupt:
+        say(f"{folder.name} is not complete; the next make continues")
+        return 130
+    except (SetUpError, OSError) as error:
+        if folder.is_dir():
+            (folder / FAILED).write_text(f"{error}\n", "utf-8")
+        say(f"{folder.name} is not complete ({error}); the next make continues")
+        return 2
+    return 0
+
+
+def say(message: str) -> None:
+    print(f"freewheel: {message}", file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

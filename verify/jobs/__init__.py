@@ -1,0 +1,1 @@
+"""The cache of results, the scheduler, and processes that solve."""

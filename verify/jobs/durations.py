@@ -1,0 +1,89 @@
+"""How long levels take: measured in earlier runs, else from a cost model; what is left of a run.
+
+A level is named by its case and number; durations are wall-clock seconds of one process.
+"""
+
+import heapq
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from statistics import median
+
+from verify.core.files import write_whole
+
+Level = tuple[str, int]
+
+COST_EXPONENT = 2.0  # plane meshes: cells grow with the square of the level
+FINEST_SECONDS = 5.0  # of a case's finest level where nothing was ever measured
+OVERRUN = 0.5  # a level beyond its expectation takes another half of what it took
+FILE = "durations.json"
+
+
+def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> dict[Level, float]:
+    """Seconds that each level will take.
+
+    A known level takes what it took. Another one of the same case is scaled from the nearest
+    known level by the cost model; a case of which nothing is known costs, at its finest level,
+    what the others' finest known levels cost (median).
+    """
+    levels = list(levels)
+    finest: dict[str, int] = {}
+    for case, level in known:
+        finest[case] = max(level, finest.get(case, 0))
+    usual = median(known[item] for item in finest.items()) if finest else FINEST_SECONDS
+    top = {case: max(n for c, n in levels if c == case) for case, _ in levels}
+    expected = {}
+    for case, level in levels:
+        near = [n for c, n in known if c == case] or [top[case]]
+        anchor = min(near, key=lambda n: abs(math.log(max(n, 1) / max(level, 1))))
+        cost = (max(level, 1) / max(anchor, 1)) ** COST_EXPONENT
+        expected[case, level] = known.get((case, anchor), usual) * cost
+    return expected
+
+
+def refined(earlier: Mapping[Level, float], measured: Mapping[Level, float]) -> dict[Level, float]:
+    """Earlier durations at the pace of this run, and those that this run measured itself."""
+    both = [level for level in measured if level in earlier]
+    before = sum(earlier[level] for level in both)
+    pace = sum(measured[level] for level in both) / before if before else 1.0
+    return {level: pace * seconds for level, seconds in earlier.items()} | dict(measured)
+
+
+def remaining_seconds(
+    running: Sequence[tuple[float, float]], waiting: Sequence[float], processes: int
+) -> float:
+    """Seconds until the last level ends.
+
+    `running` holds (expected, elapsed) seconds of the levels under way, `waiting` the expected
+    seconds of those that follow in this order, each on the process that is free first.
+    """
+    left = [e - t if e > t else OVERRUN * t for e, t in running]
+    free = left + [0.0] * max(processes - len(left), 0)
+    heapq.heapify(free)
+    for seconds in waiting:
+        heapq.heapreplace(free, free[0] + seconds)
+    return max(free, default=0.0)
+
+
+def load(folder: Path) -> dict[Level, float]:
+    """Durations kept in `folder`; entries that make no sense, or a torn file, are ignored."""
+    try:
+        stored = json.loads((folder / FILE).read_text("utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return {}
+    found = {}
+    for name, seconds in stored.items() if isinstance(stored, dict) else ():
+        case, _, level = name.rpartition(" ")
+        sensible = isinstance(seconds, int | float) and 0 < seconds < math.inf
+        if case and level.isdecimal() and sensible:
+            found[case, int(level)] = float(seconds)
+    return found
+
+
+def store(folder: Path, measured: Mapping[Level, float]) -> None:
+    """Add `measured` to what `folder` keeps; OSError where there is no room."""
+    kept = load(folder) | dict(measured)
+    record = {f"{case} {level}": round(seconds, 4) for (case, level), seconds in kept.items()}
+    data = json.dumps(dict(sorted(record.items())), indent=0).encode()
+    write_whole(folder / FILE, lambda file: file.write(data))

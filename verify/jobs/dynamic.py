@@ -1,0 +1,96 @@
+"""What `check --dynamic` adds: the part of a case that runs in time, on one's own parameters."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from verify.core.case import Case, Dynamic, Output, Values
+from verify.core.inputs import InputError, Inputs
+from verify.core.progress import told_if_slow
+from verify.core.results import CaseResult
+from verify.core.shown import Figure, FormulaValue
+from verify.papers.described import shown_values
+
+
+@dataclass(frozen=True, kw_only=True)
+class DynamicResult:
+    """What ran: `raw` in SI units by key, of which `outputs` are shown, and what follows."""
+
+    what: str
+    raw: Values
+    outputs: tuple[Output, ...]
+    findings: tuple[str, ...]
+    summary: Mapping[str, Any]
+    figures: tuple[Figure, ...]
+    verdict: str = ""  # of both parts together, where the case has one
+    first: tuple[str, ...] = ()  # findings in the place of the formulas' first
+
+    def after(self, findings: tuple[str, ...]) -> tuple[str, ...]:
+        """All findings, `findings` those of the formulas."""
+        return (self.first + findings[1:] if self.first else findings) + self.findings
+
+    @property
+    def values(self) -> tuple[FormulaValue, ...]:
+        """The outputs in display units."""
+        return shown_values(self.outputs, self.raw)
+
+    def unjudged(self) -> "DynamicResult":
+        """The same where finite elements judge none of its outputs."""
+        return replace(self, outputs=tuple(replace(o, judged=False) for o in self.outputs))
+
+
+def run_dynamic(
+    case: Case, inputs: Inputs, values: Values, *, where: str, drawn: bool, quiet: bool
+) -> DynamicResult:
+    """The dynamic part on these inputs, its figures only where they are `drawn`.
+
+    InputError says in one line, after `where`, that there is none or why it has no answer; what
+    takes longer than two seconds is told on stderr unless `quiet`.
+    """
+    part = asked_for(case, where)
+    try:
+        with (
+            told_if_slow(f"{part.what}: compiled the first time, some seconds", quiet=quiet),
+            np.errstate(all="ignore"),
+        ):
+            return _ran(part, inputs, values, drawn=drawn)
+    except (ValueError, ArithmeticError) as error:
+        raise InputError(f"{where}: {part.what}: {error}") from error
+
+
+def asked_for(case: Case, where: str) -> Dynamic:
+    """The dynamic part of a case; InputError where there is none."""
+    if case.dynamic is None:
+        raise InputError(f"{where}: case {case.id} has no dynamic part: leave out --dynamic")
+    return case.dynamic
+
+
+def with_dynamic(result: CaseResult, dynamic: DynamicResult) -> CaseResult:
+    """The result as a report shows it, the dynamic part after the static one."""
+    return replace(
+        result,
+        values=result.values + dynamic.values,
+        findings=dynamic.after(result.findings),
+        figures=result.figures + dynamic.figures,
+    )
+
+
+def _ran(part: Dynamic, inputs: Inputs, values: Values, *, drawn: bool) -> DynamicResult:
+    raw = dict(part.run(inputs, values))
+    if wild := [key for key, value in raw.items() if not math.isfinite(value)]:
+        raise ArithmeticError(f"{wild[0]} is not finite with these inputs")
+    together = {**values, **raw}
+    verdict, first = part.overall(inputs, together) if part.overall else ("", ())
+    return DynamicResult(
+        what=part.what,
+        raw=raw,
+        outputs=part.outputs,
+        findings=tuple(part.findings(inputs, together)),
+        summary=part.summary(inputs, together),
+        figures=tuple(part.figures(inputs, together)) if drawn else (),
+        verdict=verdict,
+        first=tuple(first),
+    )

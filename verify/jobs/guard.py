@@ -1,0 +1,84 @@
+"""What goes wrong inside a case becomes a red row of that case; the others go on as usual."""
+
+import traceback
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from verify.core.case import Case, Check
+from verify.core.results import Kind, Row, Status
+
+PARTS = ("equations", "findings", "warnings", "tables", "figures", "pictures")  # sequences
+
+
+def named(error: BaseException) -> str:
+    """The exception's name and message in one line."""
+    text = " ".join(str(error).split())
+    return f"{type(error).__name__}: {text}" if text else type(error).__name__
+
+
+def unsolved(error: BaseException) -> bool:
+    """Whether a solver raised the error to report that it has no solution; others are faults."""
+    faults = ZeroDivisionError, OverflowError, FloatingPointError
+    return isinstance(error, ArithmeticError) and not isinstance(error, faults)
+
+
+class Guard:
+    """Runs what a case brings; `rows` holds a red row for each failure, `traces` its traceback."""
+
+    def __init__(self, case: Case) -> None:
+        self.case = case
+        self.rows: list[Row] = []
+        self.traces: list[str] = []
+
+    def values(self, inputs: Any) -> dict[str, float]:
+        """The analytic values, none where the formulas fail."""
+        return dict(self._part("formulas", self.case.analytic, {})(inputs))
+
+    def guarded(self) -> Case:
+        """The case with empty equations, tables and the like where making them fails."""
+        parts: dict[str, Any] = {p: self._part(p, getattr(self.case, p), ()) for p in PARTS}
+        return replace(self.case, sketch=self._part("sketch", self.case.sketch, None), **parts)
+
+    def silent(self) -> Case:
+        """The case without them, where there are no values to put in."""
+        empty: dict[str, Any] = dict.fromkeys((*PARTS, "sketch"), lambda *_: ())
+        return replace(self.case, **empty | {"sketch": lambda _inputs: None})
+
+    def judged(self, check: Check, rows: Callable[[], list[Row]]) -> list[Row]:
+        """The rows of one check, red ones of the same names where judging fails."""
+        try:
+            return list(rows())
+        except Exception as error:  # whatever it is, it is this case's alone
+            return self.red(check, self._note(error))
+
+    def red(self, check: Check, reason: str) -> list[Row]:
+        """The rows that a check would give, failed for one reason."""
+        try:
+            known = check.skipped(self.case.id, "")
+        except Exception as error:
+            self._note(error)
+            known = [self.row(getattr(check, "name", type(check).__name__), reason)]
+        return [replace(row, status=Status.FAIL, reason=reason) for row in known]
+
+    def row(self, quantity: str, reason: str) -> Row:
+        """A red row about a part of the case."""
+        return Row(
+            case=self.case.id, quantity=quantity, symbol="", unit="1", kind=Kind.FACT,
+            status=Status.FAIL, reason=reason,
+        )  # fmt: skip
+
+    def _part(self, name: str, make: Callable[..., Any], empty: Any) -> Callable[..., Any]:
+        def made(*arguments: Any) -> Any:
+            try:
+                found = make(*arguments)
+                return tuple(found) if empty == () else found
+            except Exception as error:
+                self.rows.append(self.row(name, self._note(error)))
+                return empty
+
+        return made
+
+    def _note(self, error: Exception) -> str:
+        self.traces.append("".join(traceback.format_exception(error)))
+        return named(error)

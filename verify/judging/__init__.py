@@ -1,0 +1,1 @@
+"""Convergence, verdicts, the kinds of checks, and how a row is explained."""

@@ -1,0 +1,175 @@
+"""Claims that two values of one thing agree within a figure stated beforehand.
+
+The figure is an acceptance of the subject, what a paper states, or the suite's own demand with its
+reason; it is never read off the row's own finite elements. What has it is
+judged like any comparison: it says what it detects.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.core.case import Context
+from verify.core.results import Kind, Partner, Row, Status
+from verify.judging import judge
+from verify.judging.claims import Claim
+
+SUBJECT = "acceptance figure of the subject"  # stated for that very quantity
+ALIKE = 1e-9  # of the largest distance: pairs of symmetric places differ by round-off
+BOTH_WAYS = "as wide as the acceptance figure is both ways"
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A value, what it is compared with, and U of the latter, in SI; the error in words.
+
+    `allowed` is the signed model error that the figure leaves where it speaks of something else.
+    """
+
+    value: float
+    reference: float
+    U: float
+    words: str
+    allowed: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stated(Claim):
+    """What claims with a figure share: it is one for the paper's numbers, and judged there.
+
+    At one's own the error is told, but where `everywhere` says that the figure holds for any.
+    `source` says whose figure it is: `SUBJECT`, a paper's by its place, or `suites` own.
+    `by` names whose value the reference is, finite elements' where empty.
+    """
+
+    accepted: float
+    source: str
+    by: str = ""
+    fem_needed: bool = True
+    everywhere: bool = False
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def _told(self, context: Context, words: str, **more: Any) -> list[Row]:
+        told = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        return [self._row(context.case, Kind.FACT, told, published=self._printed(context), **more)]
+
+    def _judged_here(self, context: Context) -> bool:
+        return context.is_paper or self.everywhere
+
+    def _beside(self, value: float) -> dict[str, Any]:
+        return {"partner": Partner(by=self.by, value=value)} if self.by else {"fem": value}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Agreement(Stated):
+    """One value within ± `accepted` of another, relative: an approximation with that interval.
+
+    Of many such pairs `pair(context)` gives the one that is farthest apart.
+    """
+
+    kind = Kind.APPROXIMATION
+
+    pair: Callable[[Context], Pair]
+
+    def rows(self, context: Context) -> list[Row]:
+        found = self.pair(context)
+        if not self._judged_here(context):
+            return self._told(context, found.words)
+        limits = found.allowed or (-self.accepted, self.accepted)
+        verdict = judge.approximation(
+            found.value, found.reference, U=found.U, interval=limits, demand=self.demand
+        )
+        return [
+            self._row(
+                context.case, self.kind, worded(verdict, found.words), analytic=found.value,
+                scale=abs(found.reference), interval=limits, interval_source=self.source,
+                u_num=found.U / judge.COVERAGE, published=self._printed(context),
+                **self._beside(found.reference),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperAgreement(Agreement):
+    """An agreement of the paper's own numbers, which one's own do not claim."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+@dataclass(frozen=True, kw_only=True)
+class Deviation(Stated):
+    """The size of a difference over a field or a set, over that of the whole: zero is expected.
+
+    `size(context)` gives it with its expanded uncertainty, and the error in words. Both sides
+    solve the same problem; what moves one of them by p of the whole moves the size by p at most.
+    """
+
+    kind = Kind.IDENTITY
+
+    size: Callable[[Context], tuple[float, float, str]]
+    whole: str  # what the size is taken over
+
+    def rows(self, context: Context) -> list[Row]:
+        size, U, words = self.size(context)
+        if not self._judged_here(context):
+            return self._told(context, words)
+        verdict = judge.difference(size, 0.0, U=self.accepted - U, scale=1.0, demand=self.demand)
+        return [
+            self._row(
+                context.case, self.kind, worded(verdict, words), analytic=0.0, scale=1.0,
+                scale_name=self.whole, u_num=U / judge.COVERAGE, interval_source=self.source,
+                published=self._printed(context), **self._beside(size),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class PaperDeviation(Deviation):
+    """A deviation of the paper's own numbers, which one's own do not claim."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: float) -> Pair:
+    """Of two arrays alike the pair that is farthest apart, `u` the relative U of its reference.
+
+    Of pairs that are as far apart but for round-off the first, whatever the processor.
+    """
+    off = np.ravel(values / references - 1)
+    size = np.abs(off)
+    k = int(size.argmax())
+    if np.isfinite(size[k]):
+        k = int(np.argmax(size >= (1 - ALIKE) * size[k]))
+    value, reference = float(np.ravel(values)[k]), float(np.ravel(references)[k])
+    words = f"off by {off[k]:+.2g} at most of {off.size}"
+    return Pair(value, reference, u * abs(reference), words)
+
+
+def suites(reason: str) -> str:
+    """The source of a figure that nobody but this suite demands, and why that much."""
+    return f"the suite's own demand: {reason}"
+
+
+def demanded(accepted: float) -> dict[str, Any]:
+    """The suite's demand, or what a figure leaves that is wider than half of it."""
+    if 2 * accepted <= judge.DEMAND:
+        return {}
+    return {"demand": 2 * accepted, "demand_reason": BOTH_WAYS}
+
+
+def worded(verdict: judge.Verdict, words: str) -> judge.Verdict:
+    """The verdict with the error in words behind its reason."""
+    reason = f"{verdict.reason}: {words}" if verdict.reason else words
+    return replace(verdict, reason=reason)

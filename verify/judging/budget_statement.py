@@ -1,0 +1,155 @@
+"""How a case says which causes of a difference are rerun, and how each is removed."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from fnmatch import fnmatchcase
+from typing import Any
+
+from verify.core.case import FemResult
+from verify.core.inputs import Inputs
+
+
+class Cause(StrEnum):
+    """What a difference of formula and finite elements may come from, in the order of tables."""
+
+    FORMULA = "formula"
+    DISCRETISATION = "discretisation"
+    ITERATION = "iteration"
+    CONTACT = "contact law"
+    GEOMETRY = "finite geometry"
+    PLANE = "plane assumption"
+    DISPLACEMENT = "small displacement"
+
+
+@dataclass(frozen=True)
+class Argument:
+    """A function or class "module:name" that is called with other keyword arguments."""
+
+    target: str
+    keywords: Mapping[str, Any]
+
+    def __str__(self) -> str:
+        return f"{self.target}({', '.join(f'{k}={v!r}' for k, v in self.keywords.items())})"
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A number "module:NAME" that is another multiple of itself; an integer stays one."""
+
+    target: str
+    factor: float
+
+    def __str__(self) -> str:
+        return f"{self.target} x {self.factor:g}"
+
+
+Change = Argument | Constant
+
+
+def as_given(q: Any) -> Any:
+    """The inputs as they are."""
+    return q
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rerun:
+    """A cause of a difference and how it is removed; `what` says it in words.
+
+    Removed by other `inputs`, which formulas then take as well, by `changes` to the case's own
+    finite elements, or by other ones, `fem(inputs, level)`, with the case's keys. `rows` names the
+    rows that it is about, * for any letters, all where empty. It is run on `levels`, coarse to
+    fine: on the finer of two its effect is read, on the coarser how well; without any on the two
+    coarsest of the case. A cause that means nothing while another one acts is removed `after` that
+    one, whose words these are: its own `inputs` or `fem` lack both. What both sides assume alike is
+    `shared`: no part of their difference, and shown beside it.
+    """
+
+    cause: Cause
+    what: str
+    rows: tuple[str, ...] = ()
+    inputs: Callable[[Any], Inputs] = as_given
+    changes: tuple[Change, ...] = ()
+    fem: Callable[[Any, int], FemResult] | None = None
+    levels: tuple[int, ...] = ()
+    after: str = ""
+    shared: bool = False
+
+    @property
+    def name(self) -> str:
+        """Unique in a case."""
+        return f"{self.cause}: {self.what}"
+
+    def about(self, row: str) -> bool:
+        """Whether the row of this name is meant."""
+        return not self.rows or any(fnmatchcase(row, name) for name in self.rows)
+
+
+@dataclass(frozen=True)
+class Corrected:
+    """A formula that gives way to a corrected one, whose value has the analytic `key`.
+
+    For the one row of that name; `what` says what it then lacks, what it is if nothing is said.
+    """
+
+    row: str
+    key: str
+    what: str = "as printed, beside the corrected one"
+
+    @property
+    def name(self) -> str:
+        """What its part is called."""
+        return f"{Cause.FORMULA}: {self.what}"
+
+
+@dataclass(frozen=True)
+class Left:
+    """Rows, by name with * for any letters, that are not taken apart, and why in a few words."""
+
+    rows: tuple[str, ...]
+    why: str
+
+
+@dataclass(frozen=True)
+class Without:
+    """A cause that a case does not have, and why in a word."""
+
+    cause: Cause
+    why: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Statement:
+    """What a case says of its budget.
+
+    `finer` is a level beyond the finest, 0 where one takes too long: then the three finest are
+    extrapolated. `headline` names the row that is drawn, the first approximation where empty.
+    `corrected` formulas come before all reruns, and what stays large is `left` with its reason.
+    """
+
+    reruns: tuple[Rerun, ...] = ()
+    corrected: tuple[Corrected, ...] = ()
+    left: tuple[Left, ...] = ()
+    without: tuple[Without, ...] = ()
+    finer: int = 0
+    headline: str = ""
+
+    def correction(self, row: str) -> Corrected | None:
+        """The formula that takes the place of the row's own."""
+        return next((one for one in self.corrected if one.row == row), None)
+
+    def reason(self, row: str) -> str:
+        """Why the row of this name is not taken apart; empty where nothing is said."""
+        return next(
+            (one.why for one in self.left if any(fnmatchcase(row, name) for name in one.rows)), ""
+        )
+
+
+def plane_strain(target: str = "fem.plane.solve:solve_plane") -> tuple[Change, ...]:
+    """Bodies that cannot strain along their axis."""
+    return (Argument(target, {"assumption": "plane strain"}),)
+
+
+def plane_stress(target: str = "fem.plane.solve:solve_plane") -> tuple[Change, ...]:
+    """Bodies whose ends are free of stress."""
+    return (Argument(target, {"assumption": "plane stress"}),)

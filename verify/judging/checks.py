@@ -1,0 +1,214 @@
+"""The kinds of claims that pair a formula with finite elements, each judged by `judge`."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from verify.core.case import Context
+from verify.core.results import Kind, Row, Status
+from verify.judging import judge
+from verify.judging.claims import Claim, FemClaim
+from verify.judging.convergence import fit_order
+
+
+@dataclass(frozen=True, kw_only=True)
+class Identity(FemClaim):
+    """Formula and finite elements solve the same problem: |FE - formula| <= U.
+
+    `residual` is the analytic key of a series' own standard uncertainty, over the scale.
+    """
+
+    kind = Kind.IDENTITY
+
+    analytic: str
+    residual: str = ""
+
+    def rows(self, context: Context) -> list[Row]:
+        r = context.analytic[self.analytic]
+        scale = abs(context.analytic[self.scale]) if self.scale else abs(r)
+        grid, u_num, u_it = self.convergence(context, scale)
+        convergence = self.converges(context, grid, u_it, scale)
+        u_ref = context.analytic[self.residual] * scale if self.residual else 0.0
+        if not grid.converges:
+            verdict = judge.Verdict(Status.FAIL, "does not converge")
+        else:
+            v, U = context.series(self.fem)[1][-1], judge.expanded(u_num, u_ref)
+            verdict = judge.difference(v, r, U=U, scale=scale, demand=self.demanded(context))
+        row = self._row(
+            context.case, Kind.IDENTITY, verdict, analytic=r, scale=scale, scale_name=self.scale,
+            u_ref=u_ref, u_input=0.0, **self.numbers(context, grid, u_num, u_it, scale),
+        )  # fmt: skip
+        return [row, convergence]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Approximation(FemClaim):
+    """A formula that neglects something: m = formula/FE - 1 in an interval known beforehand.
+
+    `interval(inputs, analytic values)` must not look at these finite elements; `source` says
+    where it comes from. Without an interval the row is SHOWN.
+    """
+
+    kind = Kind.APPROXIMATION
+
+    analytic: str
+    interval: Callable[[Any, Any], tuple[float, float] | None] | None
+    source: str
+
+    def rows(self, context: Context) -> list[Row]:
+        formula, v = context.analytic[self.analytic], context.series(self.fem)[1][-1]
+        grid, u_num, u_it = self.convergence(context, abs(formula))
+        convergence = self.converges(context, grid, u_it, abs(formula))
+        limits = self.interval and self.interval(context.inputs, context.analytic)
+        if not grid.converges:
+            verdict = judge.Verdict(Status.FAIL, "does not converge")
+        else:
+            U = judge.expanded(u_num)
+            verdict = judge.approximation(
+                formula, v, U=U, interval=limits, demand=self.demanded(context)
+            )
+        row = self._row(
+            context.case, Kind.APPROXIMATION, verdict, analytic=formula, scale=abs(v),
+            interval=limits, interval_source=self.source,
+            **self.numbers(context, grid, u_num, u_it, abs(formula)),
+        )  # fmt: skip
+        return [row, convergence]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Order(Claim):
+    """Errors against an exact value fall with the order that theory gives (kind trend)."""
+
+    kind = Kind.TREND
+    paper_only = True  # of the elements, not of the formula
+
+    errors: Callable[[Context], tuple[list[float], list[float]]]
+    order: float
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        try:
+            h, e = self.errors(context)
+            fit = fit_order(h, e)
+        except ValueError as error:
+            verdict = judge.Verdict(Status.FAIL, f"no order: {error}")
+            return [self._row(context.case, Kind.TREND, verdict, analytic=self.order)]
+        verdict = judge.difference(
+            fit.order, self.order, U=judge.expanded(fit.u), scale=self.order, demand=self.demand
+        )
+        if verdict.difference is not None and abs(verdict.difference) > (verdict.tolerance or 0):
+            said = f"order {fit.order:.2f} ± {judge.expanded(fit.u):.1g}, theory {self.order:g}"
+            verdict = replace(verdict, reason=said)
+        return [
+            self._row(
+                context.case, Kind.TREND, verdict, analytic=self.order, fem=fit.order,
+                scale=self.order, u_num=fit.u, order=fit.order, formal_order=self.order,
+                levels=tuple(zip(h, e, strict=True)),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exact(Claim):
+    """A finite-element balance that holds to round-off: |residual| <= bound x scale."""
+
+    kind = Kind.EXACT
+
+    fem: str
+    scale: str  # analytic key of the natural magnitude
+
+    bound: float
+    bound_reason: str
+
+    def rows(self, context: Context) -> list[Row]:
+        v = context.series(self.fem)[1][-1]
+        scale = abs(context.analytic[self.scale])
+        verdict = judge.exact(v, bound=self.bound, scale=scale, demand=self.demand)
+        return [
+            self._row(
+                context.case, Kind.EXACT, verdict, fem=v, scale=scale, scale_name=self.scale,
+                interval_source=self.bound_reason,
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Limit(Claim):
+    """The formula becomes exact as eps goes to 0: d = d0 + c eps^q with d0 = 0 (asymptotic).
+
+    `points(context)` gives eps, d = formula/FE - 1 and its standard uncertainty.
+    """
+
+    kind = Kind.ASYMPTOTIC
+
+    points: Callable[[Context], tuple[list[float], list[float], list[float]]]
+    exponent: float | None
+
+    def rows(self, context: Context) -> list[Row]:
+        eps, d, u = self.points(context)
+        try:
+            fit = judge.fit_limit(eps, d, u)
+        except (ValueError, RuntimeError) as error:
+            verdict = judge.Verdict(Status.FAIL, f"no limit: {error}")
+            return [self._row(context.case, Kind.ASYMPTOTIC, verdict)]
+        verdict = judge.asymptotic(fit, q=self.exponent, scale=1.0, demand=self.demand)
+        return [
+            self._row(
+                context.case, Kind.ASYMPTOTIC, verdict, fem=fit.d0, analytic=0.0, scale=1.0,
+                order=fit.q, formal_order=self.exponent, levels=tuple(zip(eps, d, strict=True)),
+                levels_u=tuple(u),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fact(Claim):
+    """A statement that holds or not: `margin(context)` and its expanded uncertainty."""
+
+    kind = Kind.FACT
+
+    margin: Callable[[Context], tuple[float, float]]
+    fem_needed: bool = True
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        margin, U = self.margin(context)
+        verdict = judge.fact(margin, U)
+        return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
+
+
+Margin = Callable[[Context], tuple[float, float, str]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Accepted(Claim):
+    """A statement with an acceptance figure, which is one for the paper's numbers: judged there.
+
+    At one's own it is told. `margin` gives what is left of the figure, its expanded uncertainty,
+    and the error in words.
+    What holds on inputs that were fitted is CALIBRATED: `fitted` names them.
+    """
+
+    kind = Kind.FACT
+
+    margin: Margin
+    fem_needed: bool = True
+    fitted: str = ""
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        margin, U, words = self.margin(context)
+        verdict = judge.fact(margin, U)
+        told = replace(verdict, reason=f"{verdict.reason}: {words}")
+        if self.fitted and verdict.status is Status.PASS:
+            told = replace(told, status=Status.CALIBRATED, reason=f"{told.reason}; {self.fitted}")
+        if not context.is_paper:
+            told = judge.Verdict(Status.SHOWN, f"measured: {words}")
+        return [self._row(context.case, Kind.FACT, told, published=self._printed(context))]

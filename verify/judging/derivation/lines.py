@@ -1,0 +1,91 @@
+"""The lines that derivations share: numbers with units, tolerance, difference, sharpness."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from verify.core.differences import difference, difference_texts, offset, percent
+from verify.core.results import Kind, Row
+from verify.judging import judge
+
+Step = tuple[str, str]  # what it is, and how it came about
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """The steps to a verdict; `u_num` in the row's unit where finite elements have one."""
+
+    steps: tuple[Step, ...]
+    verdict: judge.Verdict
+    u_num: float | None = None
+
+
+def long(value: float) -> str:
+    """Enough digits to see a difference between values that agree."""
+    return f"{value:.12g}"
+
+
+def short(value: float | None) -> str:
+    """Enough digits to redo a division."""
+    return "unknown" if value is None else f"{value:.4g}"
+
+
+def amount(value: float | None, unit: str, digits: Callable[[float], str] = short) -> str:
+    """A number with its unit."""
+    text = "unknown" if value is None else digits(value)
+    return text if unit == "1" else f"{text} {unit}"
+
+
+def demand(row: Row) -> float:
+    """The row's own demand, or the suite's."""
+    return judge.DEMAND if row.demand is None else row.demand
+
+
+def expanded(unit: str, u_num: float, u_ref: float, u_input: float, U: float) -> Step:
+    """U from its three standard uncertainties."""
+    return (
+        "U",
+        f"2 √(u_num² + u_ref² + u_input²) = 2 √({short(u_num)}² + {short(u_ref)}² + "
+        f"{short(u_input)}²) = {amount(U, unit)}",
+    )
+
+
+def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step, ...]:
+    """Scale, difference, |d| ≤ U and what the row detects."""
+    U, scale = verdict.tolerance, row.scale
+    # as judged: the shown values were converted, which moves their last digit
+    d = verdict.difference if row.difference is None else row.difference
+    named = row.scale_name or "|reference|"
+    lines = [("scale", f"{named} = {amount(scale, row.unit)}")]
+    if d is None or U is None or scale is None:
+        return (*lines, ("test", "a number is not finite: not converged"))
+    lines += [
+        ("d", f"{what} = {amount(offset(row), row.unit)}{_share(row)}"),
+        ("test", f"|d| ≤ U, that is {short(abs(d))} ≤ {short(U)}: "
+         f"{'holds' if abs(d) <= U else 'does not hold'}"),
+        sharpness(row, verdict, f"(U + |d|)/scale = ({short(U)} + {short(abs(d))})/{short(scale)}"),
+    ]  # fmt: skip
+    return tuple(lines)
+
+
+def _share(row: Row) -> str:
+    """The difference in the convention of all pages, and what it is a part of."""
+    found = difference(row)
+    if found is None or row.kind is Kind.TREND:
+        return ""
+    text, _ = difference_texts(row)
+    return f", {text}" if found.of else f", {text} of the reference"
+
+
+def sharpness(row: Row, verdict: judge.Verdict, how: str) -> Step:
+    """The smallest relative change that surely turns the row red, beside the demand on it."""
+    if verdict.detects is None or not math.isfinite(verdict.detects):
+        return ("detects", "nothing: the uncertainty is not finite")
+    asked = demand(row)
+    word = "meets" if verdict.detects <= asked else "misses"
+    reason = row.demand_reason or "the suite's default"
+    limit, most = (
+        (short(verdict.detects), f"{asked:g}") if row.kind in (Kind.EXACT, Kind.TREND)
+        else (percent(verdict.detects), percent(asked))
+    )  # fmt: skip
+    return ("detects", f"{how} = {limit}, which {word} the demand {most} ({reason})")

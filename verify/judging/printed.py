@@ -1,0 +1,132 @@
+"""Claims that set a formula beside what a paper prints; they need no finite elements."""
+
+from abc import abstractmethod
+from dataclasses import dataclass, replace
+
+from verify.core import units
+from verify.core.case import Context
+from verify.core.results import Kind, Partner, Published, Row, Status
+from verify.judging import judge
+from verify.judging.claims import Claim, beside
+from verify.papers.ledger import erratum, published
+
+NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judged"
+
+
+@dataclass(frozen=True, kw_only=True)
+class PrintedClaim(Claim):
+    """A formula value `analytic` beside the printed `reference` ("paper:id")."""
+
+    paper_only = True
+
+    analytic: str
+    reference: str
+
+    @property
+    def needs_fem(self) -> bool:
+        return False
+
+    def rows(self, context: Context) -> list[Row]:
+        return [self.judged(context)] if context.is_paper else []
+
+    @abstractmethod
+    def judged(self, context: Context) -> Row:
+        """Judge the claim on the paper's inputs."""
+
+    def _beside(self) -> tuple[Published, ...]:
+        return (beside(self.reference, self.unit),)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PrintedTheory(PrintedClaim):
+    """The formula against the number that the paper computed from it: the last digit decides."""
+
+    kind = Kind.IDENTITY
+
+    def judged(self, context: Context) -> Row:
+        v, entry = context.analytic[self.analytic], published(self.reference)
+        f = units.factor(entry.unit)
+        r, u = entry.value * f, entry.standard_uncertainty
+        shown = {"analytic": v, "published": self._beside()}
+        if u is None:
+            verdict = judge.Verdict(Status.SHOWN, "printed as approximate", v - r)
+            return self._row(context.case, Kind.APPROXIMATION, verdict, scale=abs(r), **shown)
+        verdict = judge.difference(
+            v, r, U=judge.expanded(0.0, u * f), scale=abs(r), demand=self.demand
+        )
+        partner = Partner(by=f"printed {entry.printed}", value=r)
+        return self._row(
+            context.case, Kind.IDENTITY, verdict, scale=abs(r), u_num=0.0, u_ref=u * f,
+            u_input=0.0, partner=partner, **shown,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class PrintedMeasurement(PrintedClaim):
+    """A test or a commercial finite-element value without stated uncertainty: SHOWN."""
+
+    kind = Kind.APPROXIMATION
+
+    def judged(self, context: Context) -> Row:
+        v, entry = context.analytic[self.analytic], published(self.reference)
+        r = entry.value * units.factor(entry.unit)
+        said = f"formula {100 * (v / r - 1):+.1f} %: {NO_UNCERTAINTY}"
+        verdict = judge.Verdict(Status.SHOWN, said, v - r)
+        return self._row(
+            context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
+            partner=Partner(by=f"printed {entry.kind} {entry.printed}", value=r),
+            published=self._beside(),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contradiction(PrintedClaim):
+    """A printed number that the paper's own formulas contradict: NOTE, with its ledger entry.
+
+    `analytic` must exceed the printed `reference` surely; where it does not, the ledger is wrong
+    and the row fails. `erratum` names the entry ("paper:id").
+    """
+
+    kind = Kind.FACT
+
+    erratum: str
+
+    def judged(self, context: Context) -> Row:
+        entry, v = published(self.reference), context.analytic[self.analytic]
+        f = units.factor(entry.unit)
+        U = judge.expanded(0.0, (entry.standard_uncertainty or 0.0) * f)
+        verdict = judge.fact(v - entry.value * f, U)
+        if verdict.status is Status.PASS:
+            why = erratum(self.erratum)
+            verdict = replace(
+                verdict, status=Status.NOTE, reason=f"ledger {self.erratum}: {why.right}"
+            )
+        else:
+            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise")
+        partner = Partner(by=f"printed {entry.printed}", value=entry.value * f)
+        return self._row(
+            context.case, Kind.FACT, verdict, analytic=v, scale=abs(entry.value * f),
+            partner=partner, published=self._beside(),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Adopted(PrintedClaim):
+    """A printed number that is taken as it stands: NOTE, for the reason `why`.
+
+    Beside it is the value of `analytic`, where there is one.
+    """
+
+    kind = Kind.FACT
+
+    analytic: str = ""
+    why: str
+
+    def judged(self, context: Context) -> Row:
+        v = context.analytic[self.analytic] if self.analytic else None
+        entry = published(self.reference)
+        r = entry.value * units.factor(entry.unit)
+        return self._row(
+            context.case, Kind.FACT, judge.Verdict(Status.NOTE, self.why), analytic=v,
+            partner=Partner(by=f"printed {entry.printed}", value=r), published=self._beside(),
+        )  # fmt: skip

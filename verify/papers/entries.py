@@ -1,0 +1,88 @@
+"""What a paper's file is made of: values, numbered equations and errata, each valid by itself."""
+
+import math
+from typing import Annotated, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+
+from verify.papers.digits import half_last_digit, number
+
+Words = Annotated[str, StringConstraints(min_length=1, strip_whitespace=True)]
+Key = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9-]*$")]
+
+
+class Entry(BaseModel):
+    """Base of what a paper's file holds: nothing unknown, nothing changed."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Value(Entry):
+    """A printed number that states an input, a result, a claim or a limit of the paper's work."""
+
+    id: Key
+    what: Words
+    symbol: str = ""
+    printed: Words
+    value: float
+    unit: Words
+    kind: Literal["theory", "FEA", "test", "standard"]
+    role: Literal["input", "result", "claim", "limit"]
+    place: Words
+    also: tuple[Words, ...] = ()
+    approximate: bool = False  # "about", "close to", a bound: the last digit says nothing
+    note: str = ""
+
+    @property
+    def standard_uncertainty(self) -> float | None:
+        """Half the last printed digit over root three [unit]; None where it is only about so."""
+        return None if self.approximate else half_last_digit(self.printed) / math.sqrt(3)
+
+    @model_validator(mode="after")
+    def _value_is_what_is_printed(self) -> Self:
+        if not math.isclose(number(self.printed), self.value, rel_tol=1e-12, abs_tol=0.0):
+            raise ValueError(f"{self.id}: value {self.value!r} is not the printed {self.printed!r}")
+        return self
+
+
+class Equation(Entry):
+    """A numbered equation: implemented (code, and a check that it breaks), argued or missing.
+
+    `tex` is the equation as it is printed, mistakes included.
+    """
+
+    number: int = Field(ge=1)
+    what: Words
+    tex: Words
+    status: Literal["implemented", "argued", "missing"]
+    code: str = ""
+    test: str = ""
+    note: str = ""
+
+    @model_validator(mode="after")
+    def _claims_are_backed(self) -> Self:
+        if self.status == "implemented" and not (self.code and self.test):
+            raise ValueError(f"equation {self.number} is implemented: name its code and its test")
+        if self.status == "argued" and not self.note:
+            raise ValueError(f"equation {self.number} is argued: give the argument in its note")
+        if self.status == "missing" and (self.code or self.test):
+            raise ValueError(f"equation {self.number} is missing, yet names code or a test")
+        return self
+
+
+class Erratum(Entry):
+    """Something printed that cannot be right, its right form, and the evidence.
+
+    `printed_tex` and `right_tex` draw what `printed` and `right` say in plain text; `values` are
+    the ids of the printed values of the same paper that it is about.
+    """
+
+    id: Key
+    place: Words
+    printed: Words
+    printed_tex: str = ""
+    right: Words
+    right_tex: str = ""
+    evidence: Words
+    test: str = ""  # empty: no case shows it yet
+    values: tuple[Key, ...] = ()

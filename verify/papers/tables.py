@@ -1,0 +1,83 @@
+"""Tables that a paper prints, in its own layout. A number in a cell is a value of the same file.
+
+A cell "=k1-theory" stands for the value of that id, so that no number is typed twice; any other
+cell is plain text.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Self
+
+from pydantic import model_validator
+
+from verify.papers.digits import is_number
+from verify.papers.entries import Entry, Value, Words
+
+
+class PrintedTable(Entry):
+    """One table, `name` as the paper numbers it. Without rows `note` says what is missing."""
+
+    name: Words
+    caption: Words
+    header: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
+    note: str = ""
+
+    @property
+    def references(self) -> Iterator[str]:
+        """Ids of the values in its cells, row by row."""
+        return (id_ for row in self.rows for cell in row if (id_ := referred(cell)))
+
+    @model_validator(mode="after")
+    def _has_its_layout(self) -> Self:
+        if not self.rows and not self.note:
+            raise ValueError(f"{self.name} has no rows: say why in its note")
+        for row in self.rows:
+            if len(row) != len(self.header):
+                raise ValueError(
+                    f"{self.name}: row {' | '.join(row)} has {len(row)} cells, "
+                    f"the header {len(self.header)}"
+                )
+            if typed := [cell for cell in row if is_number(cell)]:
+                raise ValueError(f"{self.name}: cell {typed[0]} is a number: refer to its value")
+        return self
+
+
+def referred(cell: str) -> str | None:
+    """The id that a cell refers to, None for plain text.
+
+    >>> referred("=k1-theory"), referred("k_1")
+    ('k1-theory', None)
+    """
+    return cell[1:] if cell.startswith("=") else None
+
+
+def named_tables(place: str) -> set[str]:
+    """Tables that a place is about; text before or after a table is not in it.
+
+    >>> sorted(named_tables("Table 1 and Table 2, row 3")), named_tables("Sec. 4, before Table 1")
+    (['Table 1', 'Table 2'], set())
+    """
+    return set(re.findall(r"(?<!before )(?<!after )(Table \d+)", place))
+
+
+def check_tables(tables: Sequence[PrintedTable], values: Sequence[Value], printed: int) -> None:
+    """Raise ValueError where tables and values do not hold the same numbers, each once.
+
+    `printed` is how many tables the paper numbers.
+    """
+    if (names := [t.name for t in tables]) != [f"Table {i + 1}" for i in range(printed)]:
+        raise ValueError(f"needs Tables 1 to {printed} in order, has {names}")
+    placed = {v.id: v.place.partition(",")[0] for v in values}
+    for table in tables:
+        for id_, times in Counter(table.references).items():
+            if id_ not in placed:
+                raise ValueError(f"{table.name}: there is no value {id_}")
+            if times > 1:
+                raise ValueError(f"{table.name}: value {id_} stands in {times} cells")
+            if placed[id_] != table.name:
+                raise ValueError(f"{table.name}: value {id_} is printed in {placed[id_]}")
+    shown = {id_ for table in tables for id_ in table.references}
+    if lost := [i for i, place in placed.items() if place.startswith("Table") and i not in shown]:
+        raise ValueError(f"{placed[lost[0]]} has no cell for value {lost[0]}")

@@ -1,0 +1,1 @@
+"""Sweeps, regions of validity, error budgets, second solvers, readings and designs."""

@@ -1,0 +1,116 @@
+"""The arithmetic of a budget: what each cause contributes, what is left, and how sure that is.
+
+The error of a row is m = (formula - FE)/scale, for most rows formula/FE - 1. A cause contributes
+c = m - m', where m' is the error with that cause alone removed: what goes when the cause goes. What
+all contributions leave of m is the remainder.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from verify.judging.convergence import grid_convergence
+
+COVERAGE = 2.0  # half-widths that a remainder of nothing may have
+LARGE = 0.2  # of the total: from there on two causes are removed together as well
+
+
+@dataclass(frozen=True)
+class Part:
+    """What a cause contributes, and its numerical uncertainty (half-width), both relative.
+
+    Without a number `note` says why. What is `shared` by both sides does not count.
+    """
+
+    name: str
+    contribution: float | None
+    u: float | None
+    shared: bool = False
+    note: str = ""
+
+    @property
+    def counts(self) -> bool:
+        """Whether it is subtracted from the total."""
+        return self.contribution is not None and not self.shared
+
+
+@dataclass(frozen=True)
+class Joint:
+    """By how much two causes removed together change the error more than each alone does."""
+
+    names: tuple[str, str]
+    value: float | None
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Balance:
+    """A row's total error, what it is made of, and the remainder with its half-width."""
+
+    total: float
+    parts: tuple[Part, ...]
+    remainder: float
+    u: float
+
+    @property
+    def large(self) -> tuple[str, ...]:
+        """Names of the causes that contribute more than LARGE of the total each."""
+        return tuple(
+            part.name for part in self.parts
+            if part.counts and abs(part.contribution or 0.0) > LARGE * abs(self.total)
+        )  # fmt: skip
+
+
+def balance(total: float, parts: Sequence[Part]) -> Balance:
+    """The remainder of `total` with the uncertainties of all parts that count."""
+    mine = [part for part in parts if part.counts]
+    left = total - math.fsum(part.contribution or 0.0 for part in mine)
+    return Balance(total, tuple(parts), left, math.hypot(*(part.u or 0.0 for part in mine)))
+
+
+def removed(
+    name: str, pairs: Sequence[tuple[float, float]], *, finest: float, shared: bool
+) -> Part:
+    """The part of a cause from errors (with it, without it) on meshes, coarse to fine.
+
+    Read on the finest of them; it is as uncertain as the finest two differ, with one mesh alone as
+    the error there is off that on the case's `finest`.
+    """
+    found = [with_it - without for with_it, without in pairs]
+    if not found or not all(map(math.isfinite, found)):
+        return Part(name, None, None, shared, "no value without it")
+    u = abs(found[-1] - found[-2]) if len(found) > 1 else abs(pairs[0][0] - finest)
+    return Part(name, found[-1], u, shared)
+
+
+def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
+    """What a mesh beyond the finest changes; what it leaves itself, by the order, is uncertain.
+
+    `h` are both mesh sizes, `order` that of the series or NaN.
+    """
+    change = finest - beyond
+    if not math.isfinite(change):
+        return Part(name, None, None, note="no value on that mesh")
+    left = 1.0
+    if math.isfinite(order) and h[0] > h[1]:
+        left = min(1.0, 1 / ((h[0] / h[1]) ** order - 1))
+    return Part(name, change, left * abs(change))
+
+
+def extrapolated(name: str, errors: Sequence[float], h: Sequence[float], order: float) -> Part:
+    """What refinement to nothing changes, by the order of the three finest meshes."""
+    if not all(map(math.isfinite, errors[-3:])):
+        return Part(name, None, None, note="values on the finest mesh alone")
+    if not math.isfinite(order):
+        spread = max(errors[-3:]) - min(errors[-3:])
+        return Part(name, 0.0, spread, note="no order: the spread of three meshes")
+    change = (errors[-1] - errors[-2]) / ((h[-2] / h[-1]) ** order - 1)
+    return Part(name, -change, abs(change))
+
+
+def observed(h: Sequence[float], v: Sequence[float], formal: float | None, scale: float) -> float:
+    """Order by which values on three meshes converge, at most the formal one; NaN without one."""
+    if len(v) < 3 or not all(map(math.isfinite, v)) or not scale > 0:
+        return math.nan
+    grid = grid_convergence(h, v, formal=formal, scale=scale)
+    return math.nan if grid.used is None else grid.used

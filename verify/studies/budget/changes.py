@@ -1,0 +1,80 @@
+"""Finite elements of a case with a few things about them changed, and nothing else."""
+
+import functools
+import importlib
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from typing import Any
+
+from verify.judging.budget_statement import Argument, Change, Constant
+
+
+@contextmanager
+def changed(changes: Sequence[Change]) -> Iterator[None]:
+    """While the body runs, `changes` hold; whatever happens, all is as before afterwards.
+
+    Functions are found anew by whoever imports them while they run, as the `fem` functions of
+    cases do. LookupError where a name is not there, RuntimeError where what should be called with
+    other arguments was not called.
+    """
+    calls: dict[str, int] = {}
+    with ExitStack() as stack:
+        for change in changes:
+            if isinstance(change, Argument):
+                calls[change.target] = 0
+                stack.enter_context(_called_with(change, calls))
+            else:
+                stack.enter_context(_other_value(change))
+        yield
+    for target, count in calls.items():
+        if not count:
+            raise RuntimeError(f"{target} was not called: nothing was changed")
+
+
+@contextmanager
+def _called_with(change: Argument, calls: dict[str, int]) -> Iterator[None]:
+    module, name, original = _found(change.target)
+
+    def counted(call: Callable[..., Any], *given: Any, **keywords: Any) -> Any:
+        calls[change.target] += 1
+        return call(*given, **{**keywords, **change.keywords})
+
+    setattr(module, name, _like(original, counted))
+    try:
+        yield
+    finally:
+        setattr(module, name, original)
+
+
+def _like(original: Any, counted: Callable[..., Any]) -> Any:
+    """What is called in the place of `original`: a class stays one, whose instances are alike."""
+    if not isinstance(original, type):
+        return functools.partial(counted, original)
+
+    start = vars(original)["__init__"]
+
+    def __init__(self: Any, *given: Any, **keywords: Any) -> None:  # noqa: N807 - a method
+        counted(functools.partial(start, self), *given, **keywords)
+
+    return type(original.__name__, (original,), {"__init__": __init__})
+
+
+@contextmanager
+def _other_value(change: Constant) -> Iterator[None]:
+    module, name, original = _found(change.target)
+    if isinstance(original, bool) or not isinstance(original, int | float):
+        raise LookupError(f"{change.target} is not a number")
+    setattr(module, name, type(original)(original * change.factor))
+    try:
+        yield
+    finally:
+        setattr(module, name, original)
+
+
+def _found(target: str) -> tuple[Any, str, Any]:
+    module_name, _, name = target.partition(":")
+    try:
+        module = importlib.import_module(module_name)
+        return module, name, getattr(module, name)
+    except (ImportError, AttributeError) as error:
+        raise LookupError(f"{target}: no such thing to change") from error

@@ -1,0 +1,50 @@
+"""The budgets of rows whose formula is itself a cause: what a corrected one gives instead.
+
+The row's formula gives way to the corrected one first, and all other causes are removed from what
+that leaves: the remainder of the row is the corrected formula's.
+"""
+
+import math
+from dataclasses import replace
+
+from verify.judging.budget_statement import Corrected
+from verify.studies.budget import found
+from verify.studies.budget.balance import Balance, Part
+from verify.studies.budget.compared import values
+from verify.studies.budget.found import RowBudget, Solutions
+from verify.studies.budget.plan import AS_IT_IS, Plan, Step, inputs_of
+from verify.studies.sweep.pairs import Pair
+
+
+def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
+    """Of every row that the finest mesh and the formulas have a value of."""
+    says = {pair.name: plan.says.correction(pair.name) for pair in plan.rows}
+    twins = tuple(_twin(pair, says[pair.name]) for pair in plan.rows)
+    mine = {pair.name: pair for pair in plan.rows}
+    return tuple(
+        one if (by := says[one.pair.name]) is None
+        else _printed(mine[one.pair.name], one, by, plan, solutions)
+        for one in found.budgets(replace(plan, rows=twins), solutions)
+    )  # fmt: skip
+
+
+def _twin(pair: Pair, by: Corrected | None) -> Pair:
+    """The same row with the corrected formula's value."""
+    if by is None:
+        return pair
+    claim = replace(pair.claim, analytic=by.key)  # type: ignore[call-arg]
+    return replace(pair, analytic=by.key, claim=claim)
+
+
+def _printed(
+    pair: Pair, twin: RowBudget, by: Corrected, plan: Plan, solutions: Solutions
+) -> RowBudget:
+    """The row's own budget from its twin's: both formulas beside the same finite elements."""
+    step = Step(plan.case.id, (AS_IT_IS,), plan.case.levels[-1])
+    total = values(pair, inputs_of(plan, step), solutions[step]).error
+    change = total - twin.balance.total
+    part = Part(by.name, change if math.isfinite(change) else None, 0.0)
+    left = twin.balance
+    return replace(
+        twin, pair=pair, balance=Balance(total, (part, *left.parts), left.remainder, left.u)
+    )

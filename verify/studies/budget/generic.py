@@ -1,0 +1,65 @@
+"""What any case's finite elements are: which causes they have, and what their solvers stop at."""
+
+from verify.core import source_code
+from verify.core.case import Case
+from verify.judging.budget_statement import Cause, Constant, Rerun, Without
+
+TIGHTER, LOOSER = 0.01, 100.0  # a tolerance over the usual one; where rounding allows no tighter
+# where iterations of the solvers end, by module; what is not here is solved directly
+TOLERANCES = (
+    "fem.beam.large_newton:TOLERANCE",
+    "fem.beam.large_stability:WIDTH",
+    "fem.beam.touching_closest:SETTLED",
+    "fem.contact.active_sets:STATE_TOLERANCE",
+    "fem.contact.cone:EXACT",
+    "fem.contact.convex:CONVERGED",
+    "fem.contact.nitsche:BOUND",
+    "fem.fourier.vibration:TOLERANCE",
+    "verify.cases.contact.line.fem:HIT",
+    "verify.cases.contact.sphere.fem:HIT",
+    "verify.cases.freewheel.fem:STILL",
+    "verify.cases.sprag.fem:STILL",
+    "verify.cases.polyhedral.clutch.fem:CLOSE",
+    "verify.cases.polyhedral.wedge.model:HIT",
+    "verify.cases.freewheel.friction.model:STILL",
+    "verify.cases.freewheel.clutch.fem:NEAR",
+)
+CONTACT = ("fem.contact.problem", "fem.beam.touching", "fem.fourier.contact", "fem.rotor.struts")
+# points of what bodies exert on each other; the law itself is exact: no pressure or no gap
+INTEGRATED = ("fem.contact.pairing:GAUSS", "fem.fourier.contact:GAUSS")
+
+
+def reached(case: Case) -> frozenset[str]:
+    """Modules that the case's finite elements reach, its own among them."""
+    return frozenset(source_code.parts_of(case.fem)[1]) | {case.fem.__module__}
+
+
+def tolerances(case: Case, factor: float) -> tuple[Constant, ...]:
+    """The tolerances of the solvers that a case reaches, each `factor` times itself."""
+    modules = reached(case)
+    return tuple(
+        Constant(target, factor) for target in TOLERANCES if target.partition(":")[0] in modules
+    )
+
+
+def without(case: Case) -> tuple[Without, ...]:
+    """Causes that nothing a case reaches has."""
+    modules = reached(case)
+    found = []
+    if not any(name in modules for name in CONTACT):
+        found.append(Without(Cause.CONTACT, "no contact in it"))
+    if not any(name.startswith(("fem.plane", "fem.contact.problem")) for name in modules):
+        found.append(Without(Cause.PLANE, "no plane model"))
+    return tuple(found)
+
+
+def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
+    """Contacts by an exact law, integrated at more points; none where there is no such contact."""
+    modules = reached(case)
+    return tuple(
+        Rerun(
+            cause=Cause.CONTACT, what="exact law, integrated at twice as many points",
+            changes=(Constant(target, 2),), levels=levels,
+        )
+        for target in INTEGRATED if target.partition(":")[0] in modules
+    )  # fmt: skip

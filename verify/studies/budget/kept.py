@@ -1,0 +1,136 @@
+"""Budgets as a small file of the project for each case, which counts while its code stands."""
+
+import hashlib
+import json
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cache as memoised
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from verify.core import source_code
+from verify.core.files import write_whole
+from verify.studies.budget import balance, compared, corrected
+from verify.studies.budget import found as founds
+from verify.studies.budget.balance import Balance, Joint, Part
+from verify.studies.budget.found import RowBudget
+from verify.studies.budget.plan import Plan
+from verify.studies.budget.solve import code_of
+
+FOLDER = Path(__file__).parents[2] / "measured" / "budget"
+DIGITS = 6  # significant: parts add up to totals
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The budgets of a case, the day they were made, and the seconds that all reruns took."""
+
+    date: str
+    seconds: float
+    rows: tuple[RowBudget, ...]
+
+
+def measured(plan: Plan, folder: Path | None = None) -> Measured | None:
+    """What is kept; None where nothing is, or other code, inputs or reruns made it."""
+    try:
+        data = json.loads(_path(plan, folder).read_text("utf-8"))
+        if data["made by"] != _made_by(plan):
+            return None
+        pairs = {pair.name: pair for pair in plan.rows}
+        return Measured(data["date"], float(data["seconds"]), tuple(
+            RowBudget(pairs[name], _balance(row), tuple(_joint(one) for one in row["joints"]))
+            for name, row in data["rows"].items()
+        ))  # fmt: skip
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return None
+
+
+def keep(
+    plan: Plan, found: Sequence[RowBudget], seconds: float, folder: Path | None = None
+) -> Path:
+    """Write the budgets; the file that has them."""
+    data = {
+        "case": plan.case.id,
+        "date": time.strftime("%Y-%m-%d", time.gmtime()),
+        "seconds": round(seconds, 1),
+        "made by": _made_by(plan),
+        "rows": _short({
+            one.pair.name: {
+                "total": one.balance.total, "remainder": one.balance.remainder,
+                "u": one.balance.u, "parts": [_spare(asdict(p)) for p in one.balance.parts],
+                "joints": [asdict(joint) for joint in one.joints],
+            }
+            for one in found
+        }),
+    }  # fmt: skip
+    path = _path(plan, folder)
+    text = json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
+    # a line for each row: what changed shows
+    text = text.replace(']},"', ']},\n"') + "\n"
+    write_whole(path, lambda file: file.write(text.encode("utf-8")))
+    return path
+
+
+def _made_by(plan: Plan) -> dict[str, Any]:
+    """All that the numbers depend on."""
+    case, says = plan.case, plan.says
+    return {
+        "arithmetic": _arithmetic(),
+        "inputs": json.loads(json.dumps(case.inputs().model_dump())),
+        "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.fem)],
+        "levels": [*case.levels, says.finer],
+        "rows": [[p.name, p.analytic, p.fem, p.scale, p.claim.formal] for p in plan.rows],
+        "reruns": [_signature(plan, name) for name in plan.reruns],
+        "without": [f"{one.cause}: {one.why}" for one in plan.without],
+        **({"corrected": [_hash(corrected), *_corrections(plan)]} if says.corrected else {}),
+    }
+
+
+def _arithmetic() -> str:
+    """Hash of how contributions are made of solutions."""
+    return _hash(balance, compared, founds)
+
+
+@memoised
+def _hash(*modules: ModuleType) -> str:
+    texts = sorted(source_code.module_hash(module.__name__) for module in modules)
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
+
+
+def _corrections(plan: Plan) -> list[list[str]]:
+    return [[one.row, one.key, one.what] for one in plan.says.corrected]
+
+
+def _signature(plan: Plan, name: str) -> list[Any]:
+    rerun = plan.reruns[name]
+    return [name, code_of(plan, name), source_code.source_of(rerun.inputs), list(rerun.rows),
+            list(rerun.levels), rerun.after, rerun.shared]  # fmt: skip
+
+
+def _path(plan: Plan, folder: Path | None) -> Path:
+    return (folder or FOLDER) / f"{plan.case.id}.json"
+
+
+def _short(value: Any) -> Any:
+    if isinstance(value, float):
+        return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None
+    if isinstance(value, Mapping):
+        return {key: _short(one) for key, one in value.items()}
+    return [_short(one) for one in value] if isinstance(value, list | tuple) else value
+
+
+def _spare(part: dict[str, Any]) -> dict[str, Any]:
+    """Without what is as usual."""
+    return {k: v for k, v in part.items() if not (k in ("shared", "note") and not v)}
+
+
+def _balance(row: Mapping[str, Any]) -> Balance:
+    parts = tuple(Part(**part) for part in row["parts"])
+    return Balance(float(row["total"]), parts, float(row["remainder"]), float(row["u"]))
+
+
+def _joint(data: Mapping[str, Any]) -> Joint:
+    return Joint(**{**data, "names": tuple(data["names"])})

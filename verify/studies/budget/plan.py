@@ -1,0 +1,127 @@
+"""All solutions that the budgets of a case need: as it is, finer, and each cause removed."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from typing import Any
+
+from verify.core.case import Case
+from verify.judging.budget_statement import Cause, Rerun, Statement, Without
+from verify.judging.claims import FemClaim
+from verify.studies.budget.generic import LOOSER, TIGHTER, contact, tolerances, without
+from verify.studies.sweep.pairs import Pair
+
+AS_IT_IS, FINER = "as it is", "a finer mesh"
+TIGHT, LOOSE = "tolerances / 100", "tolerances x 100"
+AND = " and "
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A case, what it says of its budget, and the rows that have one."""
+
+    case: Case
+    says: Statement
+    rows: tuple[Pair, ...]
+
+    @cached_property
+    def reruns(self) -> Mapping[str, Rerun]:
+        """What is removed, by name."""
+        own = self.says.reruns
+        causes = {*(rerun.cause for rerun in own), *(one.cause for one in self.says.without)}
+        levels = next((rerun.levels for rerun in own), ())  # where others are dear, so is this
+        generic = () if Cause.CONTACT in causes else contact(self.case, levels)
+        return {rerun.name: rerun for rerun in (*generic, *own)}
+
+    @property
+    def without(self) -> tuple[Without, ...]:
+        """Causes that there are none of; the case's own words come first."""
+        own = {one.cause: one for one in self.says.without}
+        stated = {rerun.cause for rerun in self.reruns.values()}
+        every = {one.cause: one for one in without(self.case)} | own
+        return tuple(every[cause] for cause in Cause if cause in every and cause not in stated)
+
+    def before(self, rerun: Rerun) -> tuple[str, ...]:
+        """What is removed already where this cause is; LookupError for words of no rerun."""
+        if not rerun.after:
+            return (AS_IT_IS,)
+        return (next(name for name, one in self.reruns.items() if one.what == rerun.after),)
+
+    def levels(self, rerun: Rerun) -> tuple[int, ...]:
+        """The meshes that a cause is removed on, coarse to fine."""
+        return rerun.levels or self.case.levels[:2]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One solution: `causes` removed, by the names of their reruns, on the mesh `level`."""
+
+    case: str
+    causes: tuple[str, ...]
+    level: int
+
+    @property
+    def title(self) -> str:
+        """What progress and reasons call it."""
+        return f"{self.case} level {self.level}, {AND.join(self.causes)}"
+
+
+def rows(case: Case) -> tuple[Pair, ...]:
+    """Rows that set a value of formulas beside one of finite elements."""
+    return tuple(
+        Pair(
+            name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
+            analytic=claim.analytic, fem=claim.fem, scale=claim.scale, by=claim.by, claim=claim,
+        )
+        for claim in case.checks if isinstance(claim, FemClaim) and hasattr(claim, "analytic")
+    )  # fmt: skip
+
+
+def first(plan: Plan) -> tuple[Step, ...]:
+    """The steps that need no others: every cause alone."""
+    case = plan.case
+    found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
+    if plan.says.finer:
+        found.append(Step(case.id, (FINER,), plan.says.finer))
+    if tolerances(case, TIGHTER):
+        found.append(Step(case.id, (TIGHT,), case.levels[0]))
+    for name, rerun in plan.reruns.items():
+        for level in plan.levels(rerun):
+            found += [Step(case.id, (name,), level), Step(case.id, plan.before(rerun), level)]
+    return tuple(dict.fromkeys(found))
+
+
+def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
+    """The steps for pairs of causes that are `large` for some row, on the finer of their meshes."""
+    pairs = dict.fromkeys(pair for names in large for pair in combinations(names, 2))
+    found = [step for pair in pairs if (step := joint(plan, pair)) is not None]
+    beside = [
+        Step(plan.case.id, causes, step.level)
+        for step in found for causes in ((AS_IT_IS,), *((name,) for name in step.causes))
+    ]  # fmt: skip
+    return tuple(dict.fromkeys((*found, *beside)))
+
+
+def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
+    """Both causes removed together; None where their finite elements are their own."""
+    both = [plan.reruns[name] for name in pair]
+    if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):
+        return None
+    level = min(plan.levels(rerun)[-1] for rerun in both)
+    return Step(plan.case.id, pair, level)
+
+
+def inputs_of(plan: Plan, step: Step) -> Any:
+    """The inputs of a step; what the causes change follows one after the other. ValueError."""
+    found = plan.case.inputs()
+    for name in step.causes:
+        if name in plan.reruns:
+            found = plan.reruns[name].inputs(found)
+            found = type(found).model_validate(found.model_dump())  # by the inputs' own rules
+    return found
+
+
+def tolerance_factor(step: Step) -> float:
+    """By what the solvers' tolerances are multiplied in this step; 1 as a rule."""
+    return {TIGHT: TIGHTER, LOOSE: LOOSER}.get(step.causes[0], 1.0)

@@ -1,0 +1,114 @@
+"""One solution of a budget, in any process, and its place in the cache."""
+
+import hashlib
+import json
+import math
+import time
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from verify.core import source_code
+from verify.core.case import FemResult
+from verify.core.files import write_whole
+from verify.jobs import cache
+from verify.jobs.guard import named, unsolved
+from verify.jobs.run import keep_level
+from verify.studies.budget import plan as plans
+from verify.studies.budget.changes import changed
+from verify.studies.budget.generic import LOOSER, TIGHTER, tolerances
+from verify.studies.budget.plan import Plan, Step
+
+FOLDER = "budget"  # in the cache
+FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Values [SI] by key of both sides; `problem` says in a line why there are none."""
+
+    formulas: Mapping[str, float]
+    fe: Mapping[str, float]
+    u_it: Mapping[str, float]
+    h: float
+    seconds: float
+    problem: str = ""
+
+
+def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
+    """The solution of a step: from the cache, or computed and kept, whatever goes wrong in it."""
+    path = None if folder is None else folder / FOLDER / plan.case.id / f"{key(plan, step)}.json"
+    if path is not None and (found := _kept(path)) is not None:
+        return found
+    start = time.perf_counter()
+    try:
+        with np.errstate(all="ignore"):
+            formulas, result = _both(plan, step, folder)
+        found = Solution(
+            {k: float(v) for k, v in formulas.items()},
+            {k: float(v) for k, v in result.values.items()},
+            {k: float(v) for k, v in result.u_it.items()},
+            float(result.h), time.perf_counter() - start,
+        )  # fmt: skip
+    except Exception as error:  # gmsh raises Exception itself
+        said = str(error) if unsolved(error) else named(error)
+        found = Solution({}, {}, {}, math.nan, time.perf_counter() - start, " ".join(said.split()))
+    if path is not None and not found.problem:
+        text = json.dumps(asdict(found))
+        write_whole(path, lambda file: file.write(text.encode()))
+    return found
+
+
+def _both(plan: Plan, step: Step, folder: Path | None) -> tuple[Mapping[str, float], FemResult]:
+    case, q = plan.case, plans.inputs_of(plan, step)
+    mine = [plan.reruns[name] for name in step.causes if name in plan.reruns]
+    changes = [change for rerun in mine for change in rerun.changes]
+    factor = plans.tolerance_factor(step)
+    if factor != 1:
+        changes += tolerances(case, factor)
+    own = next((rerun.fem for rerun in mine if rerun.fem is not None), None)
+    if own is None and not changes:  # only inputs or the mesh: the usual cache
+        return case.analytic(q), _usual(plan, q, step.level, folder)
+    with changed(changes):
+        return case.analytic(q), (own or case.fem)(q, step.level)
+
+
+def _usual(plan: Plan, q: Any, level: int, folder: Path | None) -> FemResult:
+    if folder is not None and (found := cache.load(folder, plan.case, q, level)) is not None:
+        return found
+    result = plan.case.fem(q, level)
+    if folder is not None:
+        keep_level(folder, plan.case, q, level, result)
+    return result
+
+
+def key(plan: Plan, step: Step) -> str:
+    """The name of a solution: everything that it depends on."""
+    q = plans.inputs_of(plan, step).model_dump()
+    parts = [str(FORMAT), json.dumps(q, sort_keys=True, default=str), str(step.level)]
+    parts += [code_of(plan, name) for name in step.causes]
+    parts += [source_code.source_of(plan.case.fem), source_code.whole_source_of(plan.case.analytic)]
+    parts += [f"{name} {version(name)}" for name in cache.libraries_of(plan.case.fem)]
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
+def code_of(plan: Plan, name: str) -> str:
+    """What a cause's removal depends on, in words: what it changes, and to what."""
+    rerun = plan.reruns.get(name)
+    if rerun is None:
+        factor = {plans.TIGHT: TIGHTER, plans.LOOSE: LOOSER}.get(name, 1.0)
+        told = tolerances(plan.case, factor) if factor != 1 else ()
+        return f"{name} {', '.join(map(str, told))}"
+    own = "" if rerun.fem is None else source_code.source_of(rerun.fem)
+    return f"{', '.join(map(str, rerun.changes))} {own}"
+
+
+def _kept(path: Path) -> Solution | None:
+    try:
+        return Solution(**json.loads(path.read_text("utf-8")))
+    except (OSError, ValueError, TypeError):
+        return None

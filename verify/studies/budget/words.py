@@ -1,0 +1,39 @@
+"""What was rerun for the numerical part of a budget, in the words of the case's refinement.
+
+The names that are kept say which level was solved after which; a reader wants to know what that is.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+from verify.judging.budget_statement import Cause
+from verify.studies.budget.found import RICHARDSON, RowBudget
+
+MESHES = ("the next finer mesh", "the three finest meshes")
+STRIPS = ("more and narrower strips", "the three finest divisions into strips")
+STEPS = ("shorter time steps", "the three finest time steps")
+OTHER = {
+    "sprag-engagement": STEPS, "sprag-friction": STEPS, "sprag-clutch": STRIPS,
+    "sprag-crown": STRIPS, "sprag-optimum": STRIPS, "sprag-optimum-40": STRIPS,
+}  # fmt: skip
+
+_LEVEL = re.compile(rf"{Cause.DISCRETISATION}: level \d+ after \d+")
+_EXTRAPOLATED = f"{Cause.DISCRETISATION}: {RICHARDSON}"
+
+
+def in_words(case_id: str, rows: Iterable[RowBudget]) -> tuple[RowBudget, ...]:
+    """The same budgets, their discretisation as a reader of the case calls it."""
+    next_one, finest = OTHER.get(case_id, MESHES)
+
+    def said(name: str) -> str:
+        name = _LEVEL.sub(f"{Cause.DISCRETISATION}: {next_one}", name)
+        extrapolated = f"{Cause.DISCRETISATION}: Richardson from {finest}"
+        return name.replace(_EXTRAPOLATED, extrapolated)
+
+    return tuple(
+        replace(row, balance=replace(row.balance, parts=tuple(
+            replace(part, name=said(part.name)) for part in row.balance.parts
+        )))
+        for row in rows
+    )  # fmt: skip

@@ -1,0 +1,170 @@
+"""Decks of plane strips at large displacement, with contact: eight-node cells, reduced integration.
+
+Plane strain is per unit of width. Plane stress is posed as a thin strip, whose forces are told per
+unit of width as well.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, NamedTuple, TextIO
+
+import numpy as np
+
+from fem.plane.material import Elastic
+from verify.studies.crosscheck.calculix import keywords
+from verify.studies.crosscheck.calculix.keywords import Array, Indices, Side, Term
+from verify.studies.crosscheck.calculix.plane import FAMILIES
+from verify.studies.crosscheck.calculix.reading import blocks, buckling_factors
+from verify.studies.crosscheck.calculix.running import run_deck
+
+STEEL = Elastic(E=206e3, nu=0.3)  # MPa
+TIGHT = "1e-6,1e-4,,,1e-6,,,"  # share of the mean force left over, of the last movement changed
+RIGHT, END, LEFT, START = 1, 2, 3, 4  # sides of a cell, seen along the line
+
+
+def faces(cells: Iterable[int], side: int) -> list[Side]:
+    """That side of `cells`, which count from 0."""
+    return [(cell, side) for cell in cells]
+
+
+class Held(NamedTuple):
+    """Component (0, 1) of nodes, held or, in a step, moved to `value`."""
+
+    nodes: Sequence[int] | Indices
+    component: int
+    value: float = 0.0
+
+
+class Load(NamedTuple):
+    """Dead force on a node along a component (0, 1)."""
+
+    node: int
+    component: int
+    value: float
+
+
+class Touching(NamedTuple):
+    """Two surfaces that may touch."""
+
+    slave: list[Side]
+    master: list[Side]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Problem:
+    """Strips with supports, pairs of surfaces that touch, and steps of loads and movements.
+
+    `linear` strips are taken as they lie; a `buckling` step finds factors on the loads, by cells of
+    full integration: with reduced ones calculix counts half of what stresses stiffen, and factors
+    come out twice as large.
+    """
+
+    points: Array
+    cells: Indices
+    held: Sequence[Held]
+    steps: Sequence[Sequence[Held | Load]]
+    watched: Sequence[int]
+    touching: Sequence[Touching] = ()
+    stiffness: float = 0.0  # of the contact: pressure over overlap
+    friction: float = 0.0
+    increment: float = 0.25  # of each step
+    material: Elastic = STEEL
+    assumption: Literal["plane strain", "plane stress"] = "plane strain"
+    width: float = 1.0  # of the deck; a thin one in plane stress
+    linear: bool = False
+    buckling: bool = False
+
+
+@dataclass(frozen=True)
+class Answer:
+    """After each step: displacements (k, watched, 2), forces on the first moved nodes (k, 2).
+
+    Forces are per unit of width.
+    """
+
+    u: Array
+    reaction: Array
+    seconds: float
+
+
+def run(problem: Problem, deck: Path, limit: float = 300.0) -> Answer:
+    """Write, run and read; RuntimeError as `run_deck`."""
+    write_deck(problem, deck)
+    done = run_deck(deck, limit=limit)
+    return answer(problem, deck, done.wall)
+
+
+def answer(problem: Problem, deck: Path, seconds: float = 0.0) -> Answer:
+    """What stands beside a deck that was solved."""
+    said = deck.with_suffix(".dat")
+    u = np.array(blocks(said, "displacements"))[:, :, 1:3]
+    force = np.zeros((0, 2))
+    if moved_by(problem):
+        force = np.array(blocks(said, "total force"))[:, 0, :2] / problem.width
+    return Answer(u, force, seconds)
+
+
+def factor(deck: Path) -> float:
+    """The smallest positive factor on the loads at which a strip buckles."""
+    found = buckling_factors(deck.with_suffix(".dat"))
+    return float(found[found > 0].min())
+
+
+def write_deck(problem: Problem, path: Path) -> Path:
+    p = problem
+    moved = moved_by(p)
+    with path.open("w", encoding="ascii") as deck:
+        keywords.nodes(deck, np.arange(1, len(p.points) + 1), p.points, "ALL")
+        kind = f"{FAMILIES[p.assumption]}8" + "R" * (not p.buckling)
+        keywords.elements(deck, kind, "BODY", p.cells + 1, np.arange(1, len(p.cells) + 1))
+        keywords.solid(deck, "BODY", p.material, p.width)
+        for name, nodes in (("WATCHED", p.watched), ("MOVED", moved)):
+            if nodes:
+                keywords.node_set(deck, name, (int(i) + 1 for i in nodes))
+        _write_contact(p, deck)
+        keywords.boundary(deck, _held(p.held))
+        if not p.linear:
+            deck.write(f"*CONTROLS, PARAMETERS=FIELD\n{TIGHT}\n")
+        for step in p.steps:
+            _write_step(p, step, deck)
+            if moved:
+                deck.write("*NODE PRINT, NSET=MOVED, TOTALS=ONLY, FREQUENCY=1000\nRF\n")
+            deck.write("*END STEP\n")
+    return path
+
+
+def moved_by(problem: Problem) -> list[int]:
+    """Nodes that the first step moves, and whose force is told."""
+    held = [own for own in problem.steps[0] if isinstance(own, Held)]
+    return sorted({int(node) for own in held for node in own.nodes})
+
+
+def _write_step(p: Problem, step: Sequence[Held | Load], deck: TextIO) -> None:
+    deck.write("*STEP" + ("" if p.linear else ", NLGEOM") + ", INC=1000\n")
+    if p.buckling:
+        deck.write("*BUCKLE\n4,1e-3,30,200\n")
+    elif p.linear:
+        deck.write("*STATIC\n")
+    else:
+        deck.write(f"*STATIC\n{p.increment!r},1.,1e-6,{p.increment!r}\n")
+    loads = [own for own in step if isinstance(own, Load)]
+    keywords.forces(deck, ((o.node + 1, o.component + 1, p.width * o.value) for o in loads))
+    keywords.boundary(deck, _held(own for own in step if isinstance(own, Held)))
+    deck.write("*NODE PRINT, NSET=WATCHED, FREQUENCY=1000\nU\n")
+    deck.write("*NODE FILE, OUTPUT=2D, FREQUENCY=1000\nU\n")
+
+
+def _write_contact(p: Problem, deck: TextIO) -> None:
+    for k, pair in enumerate(p.touching):
+        own = {f"{name}{k}": [(cell + 1, side) for cell, side in sides]
+               for name, sides in zip("SM", pair, strict=True)}  # fmt: skip
+        keywords.surfaces(deck, own)
+    if p.touching:
+        keywords.interaction(deck, "I", p.stiffness, p.friction, p.stiffness / 2)
+    for k in range(len(p.touching)):
+        keywords.contact_pair(deck, f"S{k}", f"M{k}", "I")
+
+
+def _held(held: Iterable[Held]) -> list[Term]:
+    return [(int(node) + 1, own.component + 1, own.value) for own in held for node in own.nodes]

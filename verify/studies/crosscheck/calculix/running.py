@@ -1,0 +1,72 @@
+"""Run calculix on a deck and keep what it says beside it."""
+
+import os
+import re
+import resource
+import shutil
+import subprocess
+import time
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from verify.studies.crosscheck.calculix.reading import Array, displacements
+
+LAST = 500  # characters of what it said that an error repeats
+
+
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """Wall-clock and processor seconds of one run of `deck`."""
+
+    wall: float
+    cpu: float
+    deck: Path
+
+    @cached_property
+    def u(self) -> Array:
+        """Displacements (nodes, 2) of the last increment."""
+        return displacements(self.deck.with_suffix(".frd"))
+
+
+def executable() -> str | None:
+    """Path of the calculix solver, or None where there is none."""
+    return shutil.which("ccx")
+
+
+def version() -> str:
+    """What calculix calls itself."""
+    said = subprocess.run([str(executable()), "-v"], capture_output=True, text=True, check=False)  # noqa: S603
+    return " ".join(re.findall(r"Version\s+(\S+)", said.stdout)) or "unknown"
+
+
+def start() -> float:
+    """Seconds of a process that only tells its version."""
+    begun = time.perf_counter()
+    version()
+    return time.perf_counter() - begun
+
+
+def run_deck(deck: Path, threads: int = 1, limit: float | None = None) -> Run:
+    """Run calculix on `deck`; RuntimeError with its own words where it fails, or over the `limit`.
+
+    `limit` is in seconds. What it says stays beside the deck, as a .log.
+    """
+    command = [str(executable()), "-i", deck.stem]
+    environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
+    log = deck.with_suffix(".log")
+    before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    with log.open("w", encoding="utf-8") as said:
+        try:
+            done = subprocess.run(  # noqa: S603
+                command, cwd=deck.parent, env=environment, stdout=said,
+                stderr=subprocess.STDOUT, check=False, timeout=limit,
+            )  # fmt: skip
+        except subprocess.TimeoutExpired:
+            raise RuntimeError(f"calculix took more than {limit:g} s on {deck.name}") from None
+    wall, after = time.perf_counter() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)
+    words = log.read_text("utf-8", errors="replace")
+    if done.returncode or "*ERROR" in words:
+        raise RuntimeError(f"calculix failed on {deck.name}: {words[-LAST:]}")
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return Run(wall=wall, cpu=cpu, deck=deck)

@@ -1,0 +1,226 @@
+"""Rollers, spheres, press fits and slipping discs in contact, beside calculix."""
+
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.cases.contact.line.flat import FLAT, disc_fem
+from verify.cases.contact.line.pair import PAIR, pair_fem
+from verify.cases.contact.press_fit.case import PRESS_FIT, fem_fit, read
+from verify.cases.contact.press_fit.shown import WORDS
+from verify.cases.contact.slip.case import SLIP
+from verify.cases.contact.slip.driven import Rollers
+from verify.cases.contact.slip.fem import ZONE
+from verify.cases.contact.sphere.case import SPHERE
+from verify.cases.contact.sphere.fem import fem_problem, push
+from verify.studies.crosscheck.clock import timed
+from verify.studies.crosscheck.comparisons.touching import (
+    CONTACT,
+    PENALTY,
+    Touched,
+    along_first_moment,
+    posed,
+)
+from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity
+
+if TYPE_CHECKING:
+    from verify.cases.contact.line.fem import Pressed
+
+STIFF, SOFTER = 500.0, 100.0  # slopes of the penalty [E/a], without friction and with it
+LEVEL = 3
+LOAD = "load at the same approach"
+NORMAL, PUSH = "normal force", "tangential force at the same displacement"
+SLIPPING = 6  # cells on the half-width of slipping discs
+
+
+def line(case: Any, solve: Any) -> Posed:
+    """Quarters of rollers whose cut is moved until the contact carries the load."""
+    from fem.plane.material import Elastic
+    from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
+
+    q: Any = case.inputs()
+    found: Pressed
+    found, _ = timed(lambda: solve(q))
+    state, seconds = timed(
+        lambda: found.problem.solve(displacements={found.cut: {"y": -found.approach}})
+    )
+    steel: Any = (
+        Elastic(E=q.E, nu=q.nu) if case is FLAT
+        else {"upper": Elastic(E=q.E_1, nu=q.nu_1), "lower": Elastic(E=q.E_2, nu=q.nu_2)}
+    )  # fmt: skip
+    E = steel.E if case is FLAT else max(m.E for m in steel.values())
+    deck = ContactDeck(
+        states=[state], materials=steel, assumption="plane strain",
+        how=Settings(slope=STIFF * E / found.a),
+    )  # fmt: skip
+    ours = {
+        LOAD: 2 * abs(state.touches[0].force[1]), "a": along_first_moment(state.touches[0]),
+        "p_0": found.peak,
+    }  # fmt: skip
+
+    def there(fields: Touched) -> Numbers:
+        force, moment = abs(fields.force()[1]), abs(fields.moment())
+        return {LOAD: 2 * force, "a": 3 * np.pi / 4 * moment / force, "p_0": fields.peak()}
+
+    return posed(deck, ours, seconds, there)
+
+
+def sphere(pair: str) -> Posed:
+    """A sphere at Hertz's approach, turned about its axis."""
+    from fem.plane.material import Elastic
+    from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
+
+    q: Any = SPHERE.inputs()
+    problem, a = fem_problem(q, pair, LEVEL), q.a(pair)
+    hertz = a**2 / q.hertz(pair)["R"]
+    state, seconds = timed(lambda: problem.solve(displacements={"upper.middle": {"y": -hertz}}))
+    materials = {"upper": Elastic(E=q.E_1, nu=q.nu_1)}
+    if pair == "sphere":
+        materials["lower"] = Elastic(E=q.E_2, nu=q.nu_2)
+    deck = ContactDeck(
+        states=[state], materials=materials, assumption="axisymmetric",
+        how=Settings(slope=STIFF * q.E_1 / a),
+    )  # fmt: skip
+    return posed(
+        deck, {"load": push(state)}, seconds, lambda fields: {"load": -fields.force()[1]}
+    )  # fmt: skip
+
+
+def fit(kind: str, assumption: Any) -> Posed:
+    """Quarters of two rings, the inner one pressed into the outer one."""
+    from fem.plane.material import Elastic
+    from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
+
+    q: Any = PRESS_FIT.inputs()
+    state, seconds = timed(lambda: fem_fit(q, 2, kind, assumption))
+    deck = ContactDeck(
+        states=[state], assumption=assumption, how=Settings(slope=100 * q.E_i / q.delta),
+        materials={"inner": Elastic(E=q.E_i, nu=q.nu_i), "outer": Elastic(E=q.E_o, nu=q.nu_o)},
+    )  # fmt: skip
+    own = read(q, state, kind)
+    names = ("inner bore", "outer rim")
+    ours = {"p": own["p"]} | {f"u, {name}": own[f"u, {name}"] for name in names}
+
+    def there(fields: Touched) -> Numbers:
+        from verify.studies.crosscheck.comparisons.plane import outwards
+
+        walls = {"inner bore": "inner.bore", "outer rim": "outer.rim"}
+        # the same share of it presses along x, whatever the pressure
+        found = {"p": own["p"] * fields.force()[0] / state.touches[0].force[0]}
+        return found | {f"u, {k}": outwards(fields.solution, v) for k, v in walls.items()}
+
+    return posed(deck, ours, seconds, there)
+
+
+def slip(stage: float) -> Posed:
+    """Half discs pressed together, pushed sideways to Q_max and swung back to a share of it."""
+    from fem.contact.pairs import Pair
+    from fem.contact.problem import ContactProblem
+    from fem.contact.shapes import Circle
+    from fem.plane.material import Elastic
+    from meshes.contact.disc import half_disc
+    from meshes.join import join
+    from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
+
+    q: Any = SLIP.inputs()
+    fine: Any = {"R": q.R, "zone": ZONE * q.a, "cells": SLIPPING, "refine": 1}
+    steel = Elastic(E=q.E, nu=q.nu)
+    problem = ContactProblem(
+        join({"upper": half_disc(**fine), "lower": half_disc(**fine, below=True)}),
+        materials=steel, assumption="plane strain",
+        supports={"lower.middle": "xy", "upper.middle": "xy"},
+        contacts=[Pair(
+            slave="upper.surface", master="lower.surface", friction=q.mu,
+            slave_shape=Circle((0.0, q.R), q.R), master_shape=Circle((0.0, -q.R), q.R),
+        )],
+    )  # fmt: skip
+    rollers, Q_max = Rollers(q, problem), q.share * q.mu * q.P
+    pressed, cut = rollers.pressed
+    pushed, top = rollers.loaded(Q_max, cut, pressed)
+    states = [pressed, pushed]
+    if stage < 1:
+        states.append(rollers.loaded(stage * Q_max, top * (stage, 1.0), pushed)[0])
+    _, seconds = timed(lambda: rollers.at(top, pressed))
+    deck = ContactDeck(
+        states=states, materials=steel, assumption="plane strain",
+        how=Settings(slope=SOFTER * q.E / q.a, increments=2, cut=True),
+    )  # fmt: skip
+    x, y = states[-1].touches[0].force
+    return posed(
+        deck, {NORMAL: -y, PUSH: x}, len(states) * seconds,
+        lambda fields: {NORMAL: -fields.force()[1], PUSH: fields.force()[0]},
+    )  # fmt: skip
+
+
+def line_quantities(approach: str) -> tuple[Quantity, ...]:
+    return (
+        Quantity(name=LOAD, row=f"{approach}, Hertz", beside=True, symbol="P(δ)", unit="N/mm",
+                 allowed=CONTACT, why=PENALTY),
+        Quantity(name="a", row="half-width, Hertz", symbol="a", unit="µm", allowed=CONTACT,
+                 why=PENALTY),
+        Quantity(name="p_0", row="peak pressure, Hertz", symbol="p_0", unit="MPa",
+                 allowed=CONTACT, why=PENALTY),
+    )  # fmt: skip
+
+
+CONTACTS = (
+    Cross(
+        id="contact-flat", case="contact-flat", solver=CALCULIX,
+        what="a quarter of a roller on a rigid flat, plane strain",
+        pose=partial(line, FLAT, lambda q: disc_fem(q, q.P, q.guess, LEVEL)),
+        quantities=line_quantities("approach of flat and centre"),
+    ),
+    Cross(
+        id="contact-pair", case="contact-pair", solver=CALCULIX,
+        what="quarters of two rollers, plane strain",
+        pose=partial(line, PAIR, lambda q: pair_fem(q, LEVEL)),
+        quantities=line_quantities("approach of the centres"),
+    ),
+    *(
+        Cross(
+            id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
+            what=f"a sphere on {words} at Hertz's approach, turned about its axis",
+            pose=partial(sphere, pair),
+            quantities=(
+                Quantity(name="load", row=f"force at Hertz's approach on {words}", symbol="P(δ)",
+                         unit="N", allowed=CONTACT, why=PENALTY),
+            ),
+        )
+        for pair, words in (("flat", "a rigid flat"), ("sphere", "a sphere"))
+    ),
+    *(
+        Cross(
+            id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
+            what=f"half discs with friction, pressed and {words}, plane strain",
+            pose=partial(slip, stage),
+            quantities=(
+                Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
+                Quantity(name=PUSH, row=row, beside=True, symbol="Q(δ)", unit="N/mm",
+                         allowed=CONTACT, why=f"{PENALTY}; what sticks slips a little"),
+            ),
+        )
+        for stage, words, row in (
+            (1.0, "pushed", "displacement beyond the chord, Q/(μP) = 0.6"),
+            (-0.5, "swung back", "cycle: traction within 3 % in L2, Q/Q_max = -0.5"),
+        )
+    ),
+    *(
+        Cross(
+            id=f"contact-press-fit, {kind}, {a}", case="contact-press-fit", solver=CALCULIX,
+            what=f"quarters of two rings pressed into each other, {a}",
+            pose=partial(fit, kind, a),
+            quantities=(
+                Quantity(name="p", row=f"contact pressure, mean, {WORDS[kind]}, {a}", symbol="p",
+                         unit="MPa", allowed=CONTACT, why=PENALTY),
+                Quantity(name="u, inner bore", symbol="u_r(r_i)", unit="µm", allowed=CONTACT,
+                         row=f"displacement of the inner ring's bore, {WORDS[kind]}, {a}",
+                         why=PENALTY),
+                Quantity(name="u, outer rim", symbol="u_r(r_o)", unit="µm", allowed=CONTACT,
+                         row=f"displacement of the outer wall's rim, {WORDS[kind]}, {a}",
+                         why=PENALTY),
+            ),
+        )
+        for kind, a in (("drawn", "plane strain"),)
+    ),
+)  # fmt: skip

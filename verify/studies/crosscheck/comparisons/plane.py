@@ -1,0 +1,87 @@
+"""How a plane problem is posed to calculix, and what is read of its answer."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from verify.core.shown import Array
+from verify.studies.crosscheck.statement import Numbers, Posed
+
+if TYPE_CHECKING:
+    from fem.plane.solution import PlaneSolution
+    from verify.studies.crosscheck.calculix.plane import PlaneDeck
+
+MESH = "the same cells: six printed digits, and points of integration that calculix has fewer of"
+LINEAR = 5e-5  # of displacements and energies on one mesh
+AVERAGED = 1e-3  # of stresses at nodes
+
+
+@dataclass(frozen=True)
+class Fields:
+    """What a deck of calculix, solved at `path`, has for its nodes."""
+
+    deck: "PlaneDeck"
+    path: Path
+
+    @cached_property
+    def solution(self) -> "PlaneSolution":
+        """The project's solution with calculix's displacements in the place of its own."""
+        from verify.studies.crosscheck.calculix.reading import displacements
+
+        u = displacements(self.path.with_suffix(".frd"))[: self.deck.numbering.count]
+        return replace(self.deck.solution, u=self.deck.numbering.spread(u))
+
+    @cached_property
+    def stress(self) -> Array:
+        """Stresses (nodes, 6) of its own, averaged at nodes: xx, yy, zz, xy, yz, zx."""
+        from verify.studies.crosscheck.calculix.reading import nodal
+
+        return nodal(self.path.with_suffix(".frd"), "STRESS")
+
+    @property
+    def energy(self) -> float:
+        """Strain energy of its own, for the solution's thickness."""
+        from verify.studies.crosscheck.calculix.reading import strain_energy
+
+        share = self.deck.depth / self.deck.solution.thickness
+        return strain_energy(self.path.with_suffix(".dat")) / share
+
+    def hoop(self, boundary: str) -> float:
+        """Mean of the hoop stresses at the nodes of a boundary about the origin."""
+        number = self.deck.numbering.nodes(boundary) - 1
+        x, y = self.deck.numbering.x[:, number]
+        xx, yy, _, xy = self.stress[number, :4].T
+        return float(((xx * y**2 + yy * x**2 - 2 * xy * x * y) / (x**2 + y**2)).mean())
+
+
+def posed(
+    deck: "PlaneDeck", ours: Numbers, seconds: float, read: Callable[[Fields], Numbers],
+    name: str = "deck",
+) -> Posed:  # fmt: skip
+    """The problem of `deck`, of which `read` has the same numbers."""
+    return Posed(
+        ours=ours, seconds=seconds, unknowns=deck.unknowns,
+        write=lambda folder: deck.write(folder / f"{name}.inp"),
+        read=lambda path: read(Fields(deck, path)),
+    )  # fmt: skip
+
+
+def outwards(solution: "PlaneSolution", boundary: str) -> float:
+    """Mean radial displacement of a boundary about the origin."""
+    side = solution.on_boundary(boundary)
+    return float(side.mean(side.polar()[0]))
+
+
+def hoop(solution: "PlaneSolution", boundary: str) -> float:
+    """Mean hoop stress of a boundary about the origin."""
+    side = solution.on_boundary(boundary)
+    return float(side.mean(side.polar()[2]))
+
+
+def radial(solution: "PlaneSolution", point: tuple[float, float]) -> float:
+    """Displacement of the node at `point`, away from the origin."""
+    return float(np.dot(solution.displacement_at(point), point) / np.hypot(*point))

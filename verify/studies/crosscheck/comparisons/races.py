@@ -1,0 +1,90 @@
+"""A roller in a race whose rim is held, beside calculix."""
+
+from typing import Any
+
+import numpy as np
+
+from verify.cases.contact.line.fem import Pressed
+from verify.cases.contact.line.ring import RING
+from verify.studies.crosscheck.clock import timed
+from verify.studies.crosscheck.comparisons.touching import (
+    CONTACT,
+    PENALTY,
+    Touched,
+    along_first_moment,
+    posed,
+)
+from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity
+
+STIFF = 500.0  # slope of the penalty [E/a]
+LEVEL = 3
+LOAD = "load at the same approach"
+
+
+def race() -> Posed:
+    """A quarter of the roller and half the race, pushed together as far as the load did."""
+    from fem.contact.pairs import Pair
+    from fem.contact.problem import ContactProblem
+    from fem.contact.shapes import Circle
+    from fem.plane.material import Elastic
+    from meshes.contact.disc import quarter_disc
+    from meshes.contact.race import half_race
+    from meshes.join import join
+    from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
+
+    q: Any = RING.inputs()
+    steel = {"roller": Elastic(E=q.E_1, nu=q.nu_1), "race": Elastic(E=q.E_2, nu=q.nu_2)}
+
+    def build(zone: float, cells: int, refine: int) -> ContactProblem:
+        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
+        return ContactProblem(
+            join({"roller": quarter_disc(R=q.R, **fine),
+                  "race": half_race(r_i=q.r_i, r_o=q.r_o, **fine)}),
+            materials=steel, assumption="plane strain",
+            supports={"roller.axis": "x", "race.axis": "x",
+                      "roller.middle": "y", "race.rim": "xy"},
+            contacts=[
+                Pair(slave="roller.surface", master="race.bore",
+                     slave_shape=Circle((0.0, q.R), q.R),
+                     master_shape=Circle((0.0, q.r_i), q.r_i, hollow=True))
+            ],
+        )  # fmt: skip
+
+    found = Pressed(
+        build, LEVEL, P=q.P, guess=q.guess, arc=q.R, softness=q.softness, cut="roller.middle"
+    )
+    state, seconds = timed(
+        lambda: found.problem.solve(displacements={found.cut: {"y": -found.approach}})
+    )
+    deck = ContactDeck(
+        states=[state], materials=steel, assumption="plane strain",
+        how=Settings(slope=STIFF * max(q.E_1, q.E_2) / found.a),
+    )  # fmt: skip
+    ours = {
+        LOAD: 2 * abs(state.touches[0].force[1]), "a": along_first_moment(state.touches[0]),
+        "p_0": found.peak,
+    }  # fmt: skip
+
+    def there(fields: Touched) -> Numbers:
+        force = abs(fields.force()[1])
+        # the moment about the origin, where the contact begins, is that of the forces along y
+        a = 3 * np.pi / 4 * abs(fields.moment()) / force
+        return {LOAD: 2 * force, "a": a, "p_0": fields.peak()}
+
+    return posed(deck, ours, seconds, there)
+
+
+RACES = (
+    Cross(
+        id="contact-ring", case="contact-ring", solver=CALCULIX,
+        what="a quarter of a roller in half a race whose rim is held, plane strain", pose=race,
+        quantities=(
+            Quantity(name=LOAD, row="approach of centre and rim", beside=True, symbol="P(δ)",
+                     unit="N/mm", allowed=CONTACT, why=PENALTY),
+            Quantity(name="a", row="half-width, Hertz", symbol="a", unit="µm", allowed=CONTACT,
+                     why=PENALTY),
+            Quantity(name="p_0", row="peak pressure, Hertz", symbol="p_0", unit="MPa",
+                     allowed=CONTACT, why=PENALTY),
+        ),
+    ),
+)  # fmt: skip

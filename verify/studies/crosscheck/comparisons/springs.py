@@ -1,0 +1,286 @@
+"""The accordion spring as a strip of plane cells, straight and at large displacement."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from math import sqrt
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.cases.spring.accordion.case import ACCORDION, curved_fem, line_fem, shapes, stiffness
+from verify.cases.spring.buckling.case import BUCKLING
+from verify.cases.spring.buckling.fem import spring
+from verify.cases.spring.continuum.case import CONTINUUM, cells_along
+from verify.cases.spring.curve.case import CURVE
+from verify.cases.spring.curve.fem import Spring, fem_compress
+from verify.studies.crosscheck.clock import timed
+from verify.studies.crosscheck.comparisons import plane
+from verify.studies.crosscheck.comparisons.plane import LINEAR, MESH
+from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity
+
+if TYPE_CHECKING:
+    from verify.studies.crosscheck.calculix.large import Answer
+    from verify.studies.crosscheck.calculix.strips import Strip
+
+FINE = 3.5  # cells over the root of length over thickness
+THIN = 0.1  # of the thickness, how wide a strip of plane stress is
+LEVEL = 8  # elements of an arc here, and cells there
+STRIP = "a strip of cells where the project has beams, which differ by (b/R)²/30 in their arcs"
+SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
+TWO_SIDES = f"{STRIP}, tenfold in what is left of two sides"
+STEEP = "a share of the stiffness is 6.4 shares of the drift here, by the tangent stiffness"
+UNITS = 6  # of a spring whose tips are to touch
+PRESSED = (6e-3, 9e-3)  # m, by which it is: the tips are apart, and touch
+APART, TOUCHING = "force, tips apart", "force, tips touching"
+ASIDE = 1e-6  # m, that a head is moved aside
+# N, in which a thin strip's forces are told: calculix takes what is left of a balance for nothing
+# below a millionth of the unit, which is 0.7 % of a newton's load on so thin a strip
+SMALL = 1e-3
+
+
+def continuum(assumption: Any) -> Posed:
+    """The spring as a plane body under one newton, on the very cells."""
+    from fem.plane.material import Elastic
+    from fem.plane.solve import solve_plane
+    from meshes.spring.strip import strip
+    from verify.studies.crosscheck.calculix.plane import PlaneDeck
+
+    q: Any = CONTINUUM.inputs()
+    along = cells_along(q, 2)
+    mesh = strip(**q.path, b=q.b, through=2, per_arc=along["arc"], per_leaf=along["leaf"])
+    tail = mesh.p[:, np.unique(mesh.facets[:, mesh.boundaries["tail"]])].mean(axis=1)
+    x = float(tail[0])
+    steel = Elastic(E=q.E, nu=q.nu)
+
+    def parabola(centre: float, force: float) -> Any:
+        def traction(at: Any) -> Any:
+            shape = 1.5 * (1 - (2 * (at[0] - centre) / q.b) ** 2)
+            return np.array([force / (q.b * q.h) * shape, np.zeros_like(shape)])
+
+        return traction
+
+    body, seconds = timed(lambda: solve_plane(
+        mesh, materials=steel, assumption=assumption, supports={"tail": "y"},
+        anchors={(x, float(tail[1])): "x"}, thickness=q.h,
+        tractions={"head": parabola(0.0, 1.0), "tail": parabola(x, -1.0)},
+    ))  # fmt: skip
+    deck = PlaneDeck(solution=body, materials=steel, assumption=assumption)
+    return plane.posed(
+        deck, {"k": 1 / (2 * body.strain_energy)}, seconds,
+        lambda fields: {"k": 1 / (2 * fields.energy)},
+    )  # fmt: skip
+
+
+def accordion(tail: Any, head: str) -> Posed:
+    """The frame of curved elements under one newton, and a strip about the same line."""
+    q: Any = ACCORDION.inputs()
+    shape = shapes(q)[f"head {head}, tail at {tail}"]
+    solved, seconds = timed(lambda: curved_fem(q, shape, line_fem(shape, 2 * LEVEL)))
+
+    def problem(part: "Strip") -> dict[str, Any]:
+        from verify.studies.crosscheck.calculix.large import Held, Load
+        from verify.studies.crosscheck.calculix.strips import section_held
+
+        guided = [Held(part.across[0], 1)] if head == "guided" else []
+        return {
+            "held": [*section_held(part, -1, 1), *guided], "linear": True,
+            "steps": [[Load(part.middle(0), 0, 1 / q.h)]], "watched": [part.middle(0)],
+        }  # fmt: skip
+
+    return posed(
+        q, dict(shape.path) | {"tail": tail}, problem, {"k": stiffness(solved)[0]}, seconds,
+        lambda answer: {"k": 1 / float(answer.u[0, 0, 0])},
+    )  # fmt: skip
+
+
+def aside() -> Posed:
+    """The guided head moved aside without load."""
+    q: Any = BUCKLING.inputs()
+    one = spring(q, q.path | {"tail": "arc"}, q.b, LEVEL)
+    (k, _), seconds = timed(lambda: one.lateral_stiffness(one.guided.rest()))
+
+    def problem(part: "Strip") -> dict[str, Any]:
+        from verify.studies.crosscheck.calculix.large import Held
+        from verify.studies.crosscheck.calculix.strips import section_held
+
+        return {
+            "held": [*section_held(part, -1, 1), Held([part.middle(0)], 0)], "linear": True,
+            "steps": [[Held(part.across[0], 1, ASIDE)]], "watched": [part.middle(0)],
+        }  # fmt: skip
+
+    return posed(
+        q, one.path, problem, {"k_y": k}, seconds,
+        lambda answer: {"k_y": float(answer.reaction[0, 1]) * q.h / ASIDE},
+    )  # fmt: skip
+
+
+def buckled(tail: str) -> Posed:
+    """The linear buckling load of the spring whose head is free."""
+    q: Any = BUCKLING.inputs()
+    one = spring(q, q.path | {"tail": tail}, q.b, LEVEL)
+    (load, _), seconds = timed(one.linear_load)
+
+    def problem(part: "Strip") -> dict[str, Any]:
+        from verify.studies.crosscheck.calculix.large import Load
+        from verify.studies.crosscheck.calculix.strips import section_held
+
+        return {
+            "held": section_held(part, -1, 1), "linear": True, "buckling": True,
+            "steps": [[Load(part.middle(0), 0, 1 / q.h)]], "watched": [part.middle(0)],
+        }  # fmt: skip
+
+    return posed(q, one.path, problem, {"F": load}, seconds, None)
+
+
+def drift(share: float) -> Posed:
+    """A free head under a dead force, far beyond small displacements."""
+    q: Any = BUCKLING.inputs()
+    one = spring(q, q.path | {"tail": "arc"}, q.b, LEVEL)
+
+    def solve() -> Any:
+        steps = np.linspace(0.05, share, 20)
+        return one.frame("").under_loads({one.head: (q.P, 0.0, 0.0)}, steps)
+
+    path, seconds = timed(solve)
+    u = path.u[-1, one.head, :2]
+
+    def problem(part: "Strip") -> dict[str, Any]:
+        from verify.studies.crosscheck.calculix.large import Load
+        from verify.studies.crosscheck.calculix.strips import section_held
+
+        return {
+            "held": section_held(part, -1, 1), "watched": [part.middle(0)], "increment": 0.25,
+            "steps": [[Load(part.middle(0), 0, share * q.P / q.h / SMALL)]],
+        }  # fmt: skip
+
+    return posed(
+        q, one.path, problem, {"u_x": float(u[0]), "u_y": float(u[1])}, seconds,
+        lambda answer: dict(zip(("u_x", "u_y"), answer.u[-1, 0].tolist(), strict=True)), SMALL,
+    )  # fmt: skip
+
+
+def curve() -> Posed:
+    """A guided spring of six units, pressed until its tips have touched its leaves."""
+    q: Any = CURVE.inputs()
+    line = dict(q.path) | {"n": UNITS}
+    wide = 1 / (1 - q.nu**2)
+    own = Spring(line=line, b=q.b, h=1.0, E=q.E, nu=q.nu, factor=wide, head="guided",
+                 tail="mid-leaf")  # fmt: skip
+    found, seconds = timed(lambda: fem_compress(own, PRESSED, per_arc=LEVEL))
+    if not found.press[0].sum() == 0 < found.press[-1].sum():
+        raise ArithmeticError("the tips touch too early, or not at all")
+    ours = dict(zip((APART, TOUCHING), found.F.tolist(), strict=True))
+
+    from fem.plane.material import Elastic
+    from verify.studies.crosscheck.calculix.compressed import compressed
+    from verify.studies.crosscheck.calculix.large import answer, write_deck
+
+    problem = compressed(line, q.b, PRESSED, material=Elastic(E=q.E, nu=q.nu))
+    return Posed(
+        ours=ours, seconds=seconds, unknowns=2 * len(problem.points),
+        write=lambda folder: write_deck(problem, folder / "deck.inp"),
+        read=lambda deck: dict(
+            zip((APART, TOUCHING), answer(problem, deck).reaction[:, 0].tolist(), strict=True)
+        ),
+    )  # fmt: skip
+
+
+def posed(
+    q: Any, path: Mapping[str, Any], problem: "Callable[[Strip], dict[str, Any]]", ours: Numbers,
+    seconds: float, read: "Callable[[Answer], Numbers] | None", unit: float = 1.0,
+) -> Posed:  # fmt: skip
+    """A strip about the line `path` in plane stress; without `read` a buckling factor is read.
+
+    `unit` [N] is the deck's unit of force, which the loads of `problem` are told in.
+    """
+    from fem.plane.material import Elastic
+    from meshes.spring import path as line
+    from verify.studies.crosscheck.calculix.large import Problem, answer, factor, write_deck
+    from verify.studies.crosscheck.calculix.strips import strip
+
+    pieces = list(line.accordion(**path))
+    # quadratic cells of length l bend a piece of length L with an error of (l/L)^2 (l/b)^2
+    counts = [max(4, round(FINE * sqrt(piece.length / q.b))) for piece in pieces]
+    part = strip(pieces, counts, q.b)
+    own: Problem = Problem(
+        points=part.points, cells=part.cells, material=Elastic(E=q.E / unit, nu=q.nu),
+        assumption="plane stress", width=THIN * q.b, **problem(part),
+    )  # fmt: skip
+    return Posed(
+        ours=ours, seconds=seconds, unknowns=2 * len(part.points),
+        write=lambda folder: write_deck(own, folder / "deck.inp"),
+        read=lambda deck: (
+            {name: factor(deck) for name in ours} if read is None else read(answer(own, deck))
+        ),
+    )  # fmt: skip
+
+
+SPRINGS = (
+    *(
+        Cross(
+            id=f"spring-continuum, {a}", case="spring-continuum", solver=CALCULIX,
+            what=f"the strip as a plane body under one newton, {a}", pose=partial(continuum, a),
+            quantities=(
+                Quantity(name="k", row=f"stiffness, thick curved frame, {a}", symbol="k",
+                         unit="N/mm", allowed=LINEAR, why=MESH),
+            ),
+        )
+        for a in ("plane stress", "plane strain")
+    ),
+    *(
+        Cross(
+            id=f"spring-accordion, {head}, {tail}", case="spring-accordion", solver=CALCULIX,
+            what=f"the strip under one newton, head {head}, tail at {tail}",
+            pose=partial(accordion, tail, head),
+            quantities=(
+                Quantity(name="k", symbol="k", unit="N/mm", **SLENDER,
+                         row=f"stiffness, head {head}, tail at {tail}: curved elements"),
+            ),
+        )
+        for head in ("free", "guided") for tail in ("arc", "mid-leaf")
+    ),
+    Cross(
+        id="spring-buckling, aside", case="spring-buckling", solver=CALCULIX,
+        what="the strip's guided head moved aside", pose=aside,
+        quantities=(
+            Quantity(name="k_y", symbol="k_y", unit="N/mm", **SLENDER, row="lateral stiffness of "
+                     "the guided head, unloaded, tail held at its arc"),
+        ),
+    ),
+    *(
+        Cross(
+            id=f"spring-buckling, linear, {tail}", case="spring-buckling", solver=CALCULIX,
+            what=f"the strip's linear buckling load, head free, tail held at {words}",
+            pose=partial(buckled, tail),
+            quantities=(
+                Quantity(name="F", symbol="F_lin", unit="N", **SLENDER, row="linear buckling load "
+                         f"of the undeformed spring, tail held at {words}"),
+            ),
+        )
+        for tail, words in (("arc", "its arc"), ("mid-leaf", "mid-leaf"))
+    ),
+    *(
+        Cross(
+            id=f"spring-buckling, drift{near}", case="spring-buckling", solver=CALCULIX,
+            what=f"the strip's free head under the dead force {share:g} P, large displacement",
+            pose=partial(drift, share),
+            quantities=(
+                Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
+                Quantity(name="u_y", symbol="u_y", unit="mm", allowed=5e-3, why=why,
+                         row=f"drift of a free head under {share:g} P, tail held at its arc"),
+            ),
+        )
+        for share, near, why in ((0.5, "", TWO_SIDES), (0.9, " near P", f"{TWO_SIDES}; {STEEP}"))
+    ),
+    Cross(
+        id="spring-curve", case="spring-curve", solver=CALCULIX,
+        what="the strip compressed until its tips touch and beyond, plane strain", pose=curve,
+        quantities=(
+            Quantity(name=APART, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
+                     beside=True, row="stiffness at rest"),
+            Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
+                     why=f"{STRIP}; tips press by a penalty",
+                     beside=True, row="leaves do not enter each other"),
+        ),
+    ),
+)  # fmt: skip

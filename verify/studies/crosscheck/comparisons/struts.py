@@ -1,0 +1,129 @@
+"""Struts of a sprag clutch between two rigid hubs, beside springs of calculix."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.cases.rotor.clutch.case import CLUTCH
+from verify.cases.rotor.clutch.struts_fem import pinned_by_fem
+from verify.core.shown import Array
+from verify.studies.crosscheck.clock import timed
+from verify.studies.crosscheck.statement import CALCULIX, Cross, Posed, Quantity
+
+if TYPE_CHECKING:
+    from fem.rotor.struts import Joint
+
+SLICES = 8  # of a sprag
+TABLE = 200  # points of the law, straight in between
+WIDE = 0.9  # of the shortening under T, up to which the law is told on either side
+BACK = -4e-3  # rad, the twist of the last step: a tenth of the torque less
+CENTRE, TURN = 1, 2  # nodes of the inner hub: where it is, and how far it has turned
+LAW = "one law, told as a table; six printed digits, and Newton's last steps"
+ALIKE = 1e-5
+
+
+def struts() -> Posed:
+    """The inner hub moved aside and tilted, as it stands under T, and then turned back."""
+    q: Any = CLUTCH.inputs()
+    rest = pinned_by_fem(q, SLICES)
+    moves = np.zeros((2, 6))
+    moves[:, [0, 4]], moves[1, 5] = (q.e, 2 * q.e / q.L), BACK
+
+    def solve() -> Array:
+        return np.array([rest.moved(move).loads()[[0, 4, 5]] for move in moves])
+
+    loads, seconds = timed(solve)
+    return Posed(
+        ours=named(loads), seconds=seconds, unknowns=6,
+        write=lambda folder: written(rest, moves, folder / "deck.inp"),
+        read=lambda deck: named(holding(deck)),
+    )  # fmt: skip
+
+
+def named(loads: Array) -> dict[str, float]:
+    """Force aside, moment of the tilt and torque (2, 3) by name."""
+    return {
+        f"{name}{words}": float(value)
+        for row, words in zip(loads, ("", ", back"), strict=True)
+        for name, value in zip(("F_x", "M_y", "M_z"), row, strict=True)
+    }
+
+
+def written(rest: "Joint", moves: Array, path: Path) -> Path:
+    """The deck: a spring for each strut, pressed as it lies, between held and joined nodes.
+
+    One more spring holds a node that nothing else does: calculix solves for something.
+    """
+    from fem.rotor.struts_kinds import Pinned
+    from verify.studies.crosscheck.calculix import keywords
+
+    ends = rest.struts
+    assert isinstance(ends, Pinned)
+    count, s_0 = len(ends.a), float(np.max(ends.s_0))
+    inner, outer = np.arange(count) + TURN + 1, np.arange(count) + TURN + 1 + count
+    shortened = s_0 * np.linspace(1 + WIDE, 1 - WIDE, TABLE)
+    with path.open("w", encoding="ascii") as deck:
+        keywords.nodes(deck, np.array([CENTRE, TURN]), np.zeros((2, 3)))
+        keywords.nodes(deck, inner, ends.a, "INNER")
+        keywords.nodes(deck, outer, ends.b)
+        cells = np.column_stack([inner, outer])
+        keywords.elements(deck, "SPRINGA", "STRUTS", cells, np.arange(1, count + 1))
+        deck.write("*SPRING, ELSET=STRUTS, NONLINEAR\n\n")
+        for s, force in zip(shortened, rest.law(shortened)[0], strict=True):
+            deck.write(f"{-force:.12e},{s_0 - s:.12e}\n")
+        deck.write(f"*RIGID BODY, NSET=INNER, REF NODE={CENTRE}, ROT NODE={TURN}\n")
+        loose = int(outer[-1]) + 1
+        keywords.nodes(deck, np.array([loose]), np.zeros((1, 3)))
+        deck.write(f"*ELEMENT, TYPE=SPRING1, ELSET=LOOSE\n{count + 1},{loose}\n")
+        deck.write("*SPRING, ELSET=LOOSE\n1\n1.\n")
+        held = [(int(i), k, 0.0) for i in outer for k in (1, 2, 3)]
+        keywords.boundary(deck, [*held, (loose, 2, 0.0), (loose, 3, 0.0)])
+        for name, node in (("CENTRE", CENTRE), ("TURN", TURN)):
+            keywords.node_set(deck, name, [node])
+        for move in moves:
+            deck.write("*STEP, NLGEOM, INC=1000\n*STATIC\n1.,1.\n")
+            keywords.boundary(deck, [
+                (node, k + 1, move[first + k])
+                for node, first in ((CENTRE, 0), (TURN, 3)) for k in range(3)
+            ])  # fmt: skip
+            keywords.forces(deck, [(loose, 1, 1.0)])
+            deck.writelines(
+                f"*NODE PRINT, NSET={name}, FREQUENCY=1000\nRF\n" for name in ("CENTRE", "TURN")
+            )
+            deck.write("*END STEP\n")
+    return path
+
+
+def holding(deck: Path) -> Array:
+    """The same (2, 3) of calculix's tables: in each step the centre, then what turns about it."""
+    from verify.studies.crosscheck.calculix.reading import blocks
+
+    centre, turn = (
+        np.array(blocks(deck.with_suffix(".dat"), "forces")).reshape(2, 2, 4).swapaxes(0, 1)
+    )
+    return np.column_stack([centre[:, 1], turn[:, 2:]])
+
+
+def quantity(name: str, symbol: str, unit: str, row: str = "") -> Quantity:
+    return Quantity(name=name, symbol=symbol, unit=unit, allowed=ALIKE, why=LAW, row=row,
+                    beside=bool(row))  # fmt: skip
+
+
+STRUTS = (
+    Cross(
+        id="rotor-clutch", case="rotor-clutch", solver=CALCULIX,
+        what="springs between two rigid hubs, held in both, the inner one aside and tilted, then "
+        "turned back",
+        pose=struts,
+        quantities=(
+            quantity("F_x", "F_x", "N", "stiffness along x, ends held in both races"),
+            quantity("M_y", "M_y", "N m"),
+            quantity("M_z", "M_z", "N m", "torque, ends held in both races"),
+            quantity("F_x, back", "F_x", "N"),
+            quantity("M_y, back", "M_y", "N m"),
+            quantity("M_z, back", "M_z", "N m",
+                     "torsional stiffness, ends held in both races"),
+        ),
+    ),
+)  # fmt: skip

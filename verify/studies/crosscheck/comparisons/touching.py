@@ -1,0 +1,98 @@
+"""How a contact problem is posed to calculix, and what is read of its answer."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from verify.core.shown import Array
+from verify.studies.crosscheck.statement import Numbers, Posed
+
+if TYPE_CHECKING:
+    from fem.contact.solution import Touch
+    from fem.plane.solution import PlaneSolution
+    from verify.studies.crosscheck.calculix.contact import ContactDeck
+
+CONTACT = 0.01
+PENALTY = (
+    "calculix presses by a penalty, on parabolas in the place of circles: overlap takes off some "
+    "of the force"
+)
+
+
+@dataclass(frozen=True)
+class Touched:
+    """What a deck of calculix with contact, solved at `path`, has; forces for the whole width."""
+
+    deck: "ContactDeck"
+    path: Path
+
+    @cached_property
+    def u(self) -> Array:
+        """Displacements (nodes, 2) from the places in the mesh, at the end."""
+        from verify.studies.crosscheck.calculix.reading import displacements
+
+        u = displacements(self.path.with_suffix(".frd"))[: self.deck.numbering.count]
+        return u if self.deck.shift is None else u + self.deck.shift
+
+    @cached_property
+    def solution(self) -> "PlaneSolution":
+        """The project's solution with calculix's displacements in the place of its own."""
+        return replace(self.deck.states[-1].plane, u=self.deck.numbering.spread(self.u))
+
+    @cached_property
+    def _on_slaves(self) -> Array:
+        from verify.studies.crosscheck.calculix.reading import contact_totals
+
+        pairs = len(self.deck.surfaces.pairs)
+        return contact_totals(self.path.with_suffix(".dat"), pairs) / self.deck.told
+
+    def force(self, pair: int = 0) -> tuple[float, float]:
+        """Force (x, y) on the master."""
+        x, y = -self._on_slaves[pair, :2]
+        return float(x), float(y)
+
+    def moment(self, pair: int = 0) -> float:
+        """Moment of the contact's force on the master about the origin."""
+        return -float(self._on_slaves[pair, 5])
+
+    @cached_property
+    def pressures(self) -> Array:
+        """Contact pressures (nodes,) at the end, zero where nothing touches."""
+        from verify.studies.crosscheck.calculix.reading import nodal
+
+        return nodal(self.path.with_suffix(".frd"), "CONTACT")[:, 3]
+
+    def peak(self, pair: int = 0) -> float:
+        """Largest pressure at a node of the slave."""
+        trace = self.deck.surfaces.slaves[pair]
+        return float(self.pressures[self.deck.numbering.of[trace.dofs[0]] - 1].max())
+
+    def half_width(self, pair: int = 0) -> float:
+        """Half the length that is in contact."""
+        from verify.studies.crosscheck.calculix.reading import contact_areas
+
+        pairs = len(self.deck.surfaces.pairs)
+        areas = contact_areas(self.path.with_suffix(".dat"), pairs)
+        return float(areas[pair]) / self.deck.depth / 2
+
+
+def posed(
+    deck: "ContactDeck", ours: Numbers, seconds: float, read: Callable[[Touched], Numbers],
+    name: str = "deck",
+) -> Posed:  # fmt: skip
+    """The problem of `deck`, of which `read` has the same numbers."""
+    return Posed(
+        ours=ours, seconds=seconds, unknowns=deck.unknowns,
+        write=lambda folder: deck.write(folder / f"{name}.inp"),
+        read=lambda path: read(Touched(deck, path)),
+    )  # fmt: skip
+
+
+def along_first_moment(touch: "Touch") -> float:
+    """Half-width of an elliptic pressure on x >= 0 by its mean distance from the axis."""
+    x, load = touch.mortar.points.x[0], touch.p * touch.weight
+    return float(3 * np.pi / 4 * (load @ x) / load.sum())

@@ -1,0 +1,67 @@
+"""Comparisons judged: how far both solvers are apart, and whether that may be."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from verify.core import units
+from verify.core.results import Crosscheck, CrossState
+from verify.studies.crosscheck.alone import ALONE
+from verify.studies.crosscheck.kept import Found, current, kept
+from verify.studies.crosscheck.registry import COMPARISONS
+from verify.studies.crosscheck.statement import Cross
+
+# names of numbers that belong to no row, where a comparison has them short
+TOLD = {
+    "mid": "pressure at mid-length", "q mid": "load per length at mid-length",
+    "largest": "largest pressure",
+}  # fmt: skip
+STALE = "not measured for this code: make crosscheck does it"
+
+
+def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
+    """A line for each quantity."""
+    lines = []
+    for q in cross.quantities:
+        ours, theirs = found.ours[q.name], found.theirs[q.name]
+        difference = theirs / ours - 1 if ours else abs(theirs)
+        agrees = abs(difference) <= q.allowed
+        lines.append(Crosscheck(
+            case=cross.case, problem=cross.id, what=cross.what,
+            quantity=TOLD.get(q.name, q.name) if q.beside or not q.row else q.row,
+            row=f"{cross.case}/{q.row}" if q.row else "", symbol=q.symbol, unit=q.unit,
+            solver=cross.solver, version=found.version, date=found.date,
+            state=CrossState.AGREES if agrees else CrossState.OUTSIDE,
+            ours=ours / units.factor(q.unit), theirs=theirs / units.factor(q.unit),
+            difference=difference, allowed=q.allowed, why=q.why, seconds=tuple(found.seconds),
+            unknowns=found.unknowns,
+        ))  # fmt: skip
+    return tuple(lines)
+
+
+def reported(cases: Sequence[str], file: Path | None = None) -> tuple[Crosscheck, ...]:
+    """What a report on these cases shows: lines that are kept, what is not measured, and by none.
+
+    Cases without a comparison say why; a report on such cases alone shows nothing.
+    """
+    found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross, file)]
+    if not found:
+        return ()
+    return (*found, *(_none(case, why) for case, why in ALONE.items() if case in cases))
+
+
+def _none(case: str, why: str) -> Crosscheck:
+    return Crosscheck(
+        case=case, problem=case, what="no second solver", quantity="", row="", symbol="", unit="1",
+        solver="", state=CrossState.ALONE, why=why,
+    )  # fmt: skip
+
+
+def _of(cross: Cross, file: Path | None) -> Iterator[Crosscheck]:
+    found = current(cross, kept(file))
+    if found is not None:
+        yield from judged(cross, found)
+        return
+    yield Crosscheck(
+        case=cross.case, problem=cross.id, what=cross.what, quantity="", row="", symbol="",
+        unit="1", solver=cross.solver, state=CrossState.MISSING, why=STALE,
+    )  # fmt: skip

@@ -1,0 +1,35 @@
+"""Numbers that differ from another one by a single digit."""
+
+from collections.abc import Iterator
+
+from verify.papers.digits import half_last_digit, number
+
+
+def is_misprint(value: float, printed: str) -> bool:
+    """Whether a value, with as many digits as the printed number, differs from it in one.
+
+    >>> is_misprint(27.6596, "27.86"), is_misprint(27.6596, "27.66"), is_misprint(7.66, "27.66")
+    (True, False, False)
+    """
+    return _in_place(number(printed), printed) in set(_changed(_in_place(value, printed)))
+
+
+def misprints(value: float, printed: str) -> Iterator[float]:
+    """All numbers that differ from a value in one of the digits that `printed` has."""
+    unit = 2 * half_last_digit(printed)
+    return (int(text) * unit for text in _changed(_in_place(value, printed)))
+
+
+def _in_place(value: float, printed: str) -> str:
+    """The digits of a value down to the last printed place, with its sign."""
+    return str(round(value / (2 * half_last_digit(printed))))
+
+
+def _changed(text: str) -> Iterator[str]:
+    """Each digit in turn as any other; the first one is no zero."""
+    for n, digit in enumerate(text):
+        if digit.isdigit():
+            for other in "0123456789":
+                leads = n == 0 or not text[n - 1].isdigit()
+                if other != digit and not (leads and other == "0"):
+                    yield text[:n] + other + text[n + 1 :]

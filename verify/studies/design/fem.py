@@ -1,0 +1,125 @@
+"""What finite elements say of the members of a front."""
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import inf, isnan
+
+from analytic.spring.energy import curvature_factor
+from verify.studies.design.compressed import Curve, compressed
+from verify.studies.design.inputs import Demands
+from verify.studies.design.springs import Formulas, Springs
+from verify.studies.design.strip import HEAD_HELD, strip
+
+PER_ARC = (4, 8)  # elements of both meshes; the error falls with the fourth power
+SHARE = 1 / 3  # of what Eq. 11 leaves for the displacement, the formula's stiffness may take
+ROUNDING = 1e-9  # of a displacement
+STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compressed
+
+
+@dataclass(frozen=True)
+class Verified:
+    """What finite elements say of one candidate.
+
+    `k1` [N/m] at small displacements, its change with the mesh `mesh`, and `deviation`, formula
+    less finite elements; `curve` is that of large displacements. Shares of the finite elements'
+    values. `stress` [Pa] is that under F_w as it bends then; `room` [m] and `sigma` [Pa] are what
+    the task allows across and in bending.
+    """
+
+    k1: float
+    mesh: float
+    deviation: float
+    curve: Curve
+    delta: float
+    U_w: float
+    e_max: float
+    stress: float = 0.0
+    room: float = inf
+    sigma: float = inf
+
+    @property
+    def too_high(self) -> bool:
+        """Whether it takes more room across, pressed to U_w, than there is."""
+        return self.curve.height > self.room
+
+    @property
+    def overstressed(self) -> bool:
+        """Whether the stress under F_w is more than allowed."""
+        return self.stress > self.sigma
+
+    @property
+    def unsolved(self) -> bool:
+        """Whether its curve ends without an equilibrium before it is known up to U_w and F_w."""
+        end = float(self.curve.U[-1]) * (1 + ROUNDING)
+        return not self.curve.whole and (self.U_w > end or isnan(self.delta))
+
+    @property
+    def limit(self) -> float:
+        """How far the formula's stiffness may be off."""
+        return SHARE * self.e_max
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the formula's stiffness lies within the limit, and the mesh settles that."""
+        return abs(self.deviation) + self.mesh <= self.limit
+
+    @property
+    def e_r(self) -> float:
+        """Eq. 11 with the displacement that F_w really causes: (U_w - Δ)/Δ; NaN for none."""
+        return self.U_w / self.delta - 1
+
+    @property
+    def fits(self) -> bool:
+        """Whether that keeps Eq. 11, no leaves touch up to U_w, and room and strength suffice.
+
+        What was not solved does not fit: it might do anything.
+        """
+        if self.too_high or self.overstressed or self.curve.touches <= self.U_w or self.unsolved:
+            return False
+        return abs(self.e_r) <= self.e_max  # a NaN does not
+
+
+def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
+    """Candidate `i`: its stiffness from two meshes, and its curve."""
+    coarse, fine = (_stiffness(s, i, q, per_arc) for per_arc in PER_ARC)
+    U_w = float(f.U_w[i])
+    curve = compressed(s, f, i, q, stroke=STROKE * max(U_w, float(f.delta(q.F_w)[i])))
+    return Verified(
+        k1=fine, mesh=abs(coarse / fine - 1), deviation=float(f.k1[i]) / fine - 1, curve=curve,
+        delta=curve.displacement(q.F_w), U_w=U_w, e_max=q.e_max,
+        stress=_stress(s, i, q, curve, U_w), room=inf if q.room is None else q.room,
+        sigma=q.sigma,
+    )  # fmt: skip
+
+
+def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
+    """Bending stress [Pa] inside a loop under F_w, from the couple at U_w under nearly F_w."""
+    b, force = float(s.b[i]), curve.force(U_w)
+    share = q.F_w / force if force > 0 else 1.0
+    bent = float(curvature_factor(b=b, r=float(s.r[i])))
+    return bent * 6 * share * curve.couple / (q.h * b**2)
+
+
+def verified(
+    s: Springs, f: Formulas, members: Sequence[int], q: Demands, tell: Callable[[int, float], None]
+) -> list[Verified]:
+    """All `members`; `tell` hears how many are done, and the seconds that the rest will take."""
+    found: list[Verified] = []
+    start = time.monotonic()
+    for done, i in enumerate(members):
+        tell(done, (len(members) - done) * (time.monotonic() - start) / max(done, 1))
+        found.append(verified_by_fem(s, f, i, q))
+    return found
+
+
+def _stiffness(s: Springs, i: int, q: Demands, per_arc: int) -> float:
+    from fem.beam.curved import solve_curved_frame
+
+    line, section = strip(s, i, q, per_arc)
+    solved = solve_curved_frame(
+        line.points, line.elements, sections=section,
+        loads={line.nodes["head"]: (1.0, 0.0, 0.0)},
+        supports={line.nodes["tail"]: "xyr", line.nodes["head"]: HEAD_HELD[q.head]},
+    )  # fmt: skip
+    return float(-1 / (2 * solved.potential_energy))

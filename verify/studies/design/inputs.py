@@ -1,0 +1,190 @@
+"""What a spring is asked to do, and the parameters that a search may vary."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import model_validator
+
+from verify.answers.assumed.complete import complete
+from verify.answers.assumed.registry import DESIGN_SPRING_TASK as CASE
+from verify.answers.assumed.rules import Assumed
+from verify.core.inputs import InputError, Inputs, build, quantity, read_parameter_file, word
+from verify.core.unit_systems import System, system_of
+from verify.studies.design.sweep import Sweep
+
+Arcs = Literal["centre line", "inner"]
+Head = Literal["guided", "free"]
+Tail = Literal["mid-leaf", "arc"]
+MOST_CANDIDATES = 300_000
+
+SWEEPS = {
+    sweep.name: sweep
+    for sweep in (
+        Sweep(name="n", unit="1", what="numbers of segments", default=[8, 10, 12, 14],
+              low=4, high=200, whole=True),
+        Sweep(name="b", unit="mm", what="thicknesses of strip that can be had",
+              default=["0.09 mm", "0.1 mm", "0.11 mm", "0.12 mm"],
+              low=0, above=True, high=10),
+        Sweep(name="L1", unit="mm", symbol="L_1", what="straight lengths of head and tail",
+              default="10 mm : 14 mm : 41", low=0, above=True, high=1e3),
+        Sweep(name="r", unit="mm", what="inner radii of the arcs",
+              default="0.35 mm : 0.65 mm : 7", low=0, above=True, high=100),
+        Sweep(name="alpha", unit="deg", symbol="α", what="angles of the arcs",
+              default="77 deg : 83 deg : 7", low=20, high=90),
+    )
+}  # fmt: skip
+
+
+class Demands(Inputs):
+    """What the spring has to do, what it is made of, and the limits that it has to keep."""
+
+    F_w: float = quantity("5 N", "N", "F_w", "working force", gt=0, le=1e5)
+    L_w: float | None = quantity(
+        "17.3 mm", "mm", "L_w", "length of the spring at the working force; or give U_w",
+        omitted=None, gt=0, le=1e4,
+    )  # fmt: skip
+    U_w: float | None = quantity(
+        None, "mm", "U_w", "working displacement, in the place of L_w", omitted=None, gt=0, le=1e4,
+        example="8.3 mm",
+    )  # fmt: skip
+    h: float = quantity("56 mm", "mm", "h", "width", gt=0, le=1e4, claims="wang2023:h")
+    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5, claims="wang2023:E")
+    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45, claims="wang2023:nu")
+    width_factor: float | None = quantity(
+        None, "1", "f",
+        "stiffness of the wide strip over that of a narrow one; by default that of a leaf, a plate",
+        omitted=None, ge=1, le=1.3, example="1.0957",
+    )  # fmt: skip
+    arcs: Arcs = word(
+        "centre line", "radius of the arcs in k_1: true centre line or, as Eqs. 1-9 have it, inner"
+    )
+    head: Head = word("guided", "the roller guides the head or, as in Eqs. 1-9, leaves it free")
+    tail: Tail = word("mid-leaf", "where the tail is clamped: mid-leaf or, as in Eqs. 1-9, arc")
+    wedge: float = quantity(
+        "27 mm", "mm", "L_max", "length of the wedge, which the free spring has to fit in",
+        gt=0, le=1e4,
+    )  # fmt: skip
+    room: float | None = quantity(
+        "15 mm", "mm", "H_max", "room across, for 2 (L_1/2 + r + b)", omitted=None, gt=0, le=1e4
+    )
+    sigma: float = quantity(
+        "500 MPa", "MPa", "σ_max", "bending stress allowed at F_w", gt=0, le=1e5
+    )
+    margin: float = quantity(
+        "15 %", "%", "m_A",
+        "how far U_w stays below U_A, where leaves touch (linear theory: up to an eighth too far)",
+        omitted=0.0, ge=0, le=1000,
+    )  # fmt: skip
+    sway: float | None = quantity(
+        "20 %", "%", "m_cr", "how far U_w stays below U_cr, where the spring sways", omitted=None,
+        ge=0, le=1000,
+    )  # fmt: skip
+    friction: float = quantity(
+        0.15, "1", "µ", "friction where leaves touch, in finite elements", omitted=0.0, ge=0, le=1,
+        claims="wang2023:fea-friction-coefficient",
+    )  # fmt: skip
+    b_tolerance: float | None = quantity(
+        "0.002 mm", "mm", "t_b", "tolerance of the thickness, ± this", omitted=None, ge=0, le=1
+    )
+    k_band: float | None = quantity(
+        "8 %", "%", "δ_k", "change of stiffness allowed for it", omitted=None, gt=0, le=1000
+    )
+    e_max: float = quantity(
+        "3 %", "%", "e_r", "largest |U_w - Δ|/Δ", gt=0, le=100,
+        claims="wang2023:rule-displacement-error-max",
+    )  # fmt: skip
+    ratio_min: float = quantity(
+        0.3, "1", "Δ'_min", "smallest U_w/L_0", ge=0, lt=1,
+        claims="wang2023:rule-displacement-ratio-min",
+    )  # fmt: skip
+    ratio_max: float = quantity(
+        0.6, "1", "Δ'_max", "largest U_w/L_0", gt=0, le=1,
+        claims="wang2023:rule-displacement-ratio-max",
+    )  # fmt: skip
+    z_max: float | None = quantity(
+        240.0, "1", "z_max", "largest L_0/b, a rule of doubtful worth", omitted=None, gt=0, le=1e6,
+        claims="wang2023:rule-length-thickness-max",
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _consistent(self) -> "Demands":
+        if (self.L_w is None) == (self.U_w is None):
+            given = "neither is given" if self.L_w is None else "both are given"
+            raise ValueError(f"needs either L_w or U_w, {given}")
+        if not self.ratio_min < self.ratio_max:
+            raise ValueError(
+                f"needs ratio_min < ratio_max, got {self.ratio_min:g} and {self.ratio_max:g}"
+            )
+        if (self.b_tolerance is None) != (self.k_band is None):
+            missing = "b_tolerance" if self.b_tolerance is None else "k_band"
+            raise ValueError(f"b_tolerance and k_band belong together, {missing} is missing")
+        wide = 1 / (1 - self.nu**2)
+        if self.width_factor is not None and self.width_factor > wide * (1 + 1e-12):
+            raise ValueError(
+                f"width_factor = {self.width_factor:g} is more than 1/(1 - ν²) = {wide:.5g}, "
+                "that of an endlessly wide strip"
+            )
+        if self.L_w is not None and not self.L_w < self.wedge:
+            raise ValueError(
+                f"needs L_w < wedge, got L_w = {self.L_w * 1e3:g} mm, "
+                f"wedge = {self.wedge * 1e3:g} mm"
+            )
+        return self
+
+
+@dataclass(frozen=True)
+class Task:
+    """A design task: `demands`, the SI values of every swept parameter, what the file left out."""
+
+    name: str
+    demands: Demands
+    ranges: Mapping[str, tuple[float, ...]]
+    assumed: tuple[Assumed, ...] = ()
+    system: System = "mm"
+
+    @property
+    def count(self) -> int:
+        """Number of candidates."""
+        return math.prod(len(values) for values in self.ranges.values())
+
+
+def load(path: Path) -> Task:
+    """A design task from a parameter file; InputError says in one line what is wrong."""
+    case, name, raw = read_parameter_file(path)
+    if case != CASE:
+        raise InputError(
+            f"{path}: case: design takes {CASE}, design-sprag or sprag-clutch, got {case[:60]!r}"
+        )
+    whole, assumed = complete(CASE, Demands, raw, str(path))
+    return replace(task(whole, name, str(path)), assumed=assumed, system=system_of(raw))
+
+
+def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
+    """A design task from raw inputs."""
+    known = (*Demands.model_fields, *SWEEPS)
+    for key in raw:
+        if key not in known:
+            raise InputError(
+                f"{where}: inputs.{key[:40]!s}: unknown key; known are {', '.join(known)}"
+            )
+    demands = build(Demands, {k: v for k, v in raw.items() if k not in SWEEPS}, where)
+    assert isinstance(demands, Demands)
+    if missing := [key for key in SWEEPS if key not in raw]:
+        raise InputError(f"{where}: inputs: missing {', '.join(missing)}")
+    ranges = {k: sweep.read(raw[k], f"{where}: inputs.{k}") for k, sweep in SWEEPS.items()}
+    found = Task(name, demands, ranges)
+    if found.count > MOST_CANDIDATES:
+        raise InputError(
+            f"{where}: inputs: n, b, L1, r and alpha make {found.count:,} candidates, "
+            f"at most {MOST_CANDIDATES:,} are taken: give coarser ranges"
+        )
+    return found
+
+
+def default() -> Task:
+    """What the template asks for."""
+    ranges = {k: sweep.read(sweep.default, f"inputs.{k}") for k, sweep in SWEEPS.items()}
+    return Task(f"my {CASE}", Demands(), ranges)

@@ -1,0 +1,73 @@
+"""Where nothing is feasible: the candidate that comes nearest, and which limits to relax."""
+
+import operator
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.core.inputs import BOUNDS, bounds_of
+from verify.studies.design.inputs import Demands
+from verify.studies.design.limits import ROUND_OFF, Judged, Limit
+
+KEPT = {word: getattr(operator, rule) for rule, word in BOUNDS.items()}
+
+
+@dataclass(frozen=True)
+class Relaxation:
+    """Candidate `i` needs `limit` at `needed` [SI of the input] in the place of `given`."""
+
+    limit: Limit
+    candidate: int
+    given: float
+    needed: float
+
+    @property
+    def excess(self) -> float:
+        """Share of the bound by which the candidate is beyond."""
+        return float(self.limit.excess[self.candidate])
+
+    @property
+    def possible(self) -> bool:
+        """Whether the input may be set to what is needed."""
+        bounds = bounds_of(Demands.model_fields[self.limit.key])
+        return all(KEPT[word](self.needed, bound) for word, bound in bounds)
+
+
+def relaxation(limit: Limit, i: int) -> Relaxation:
+    """What of a limit candidate `i` asks for."""
+    given, needed = limit.bound - limit.offset, float(limit.value[i]) - limit.offset
+    return Relaxation(limit, i, given, needed)
+
+
+def _least(excess: NDArray[np.float64]) -> int:
+    """The candidate with the least excess, the first of those that differ by round-off."""
+    return int(np.argmax(excess <= excess.min() + ROUND_OFF))
+
+
+def nearest(judged: Judged) -> list[Relaxation]:
+    """What the candidate with the smallest largest excess violates, the worst first.
+
+    Empty where no candidate is a spring at all.
+    """
+    if not judged.possible.any():
+        return []
+    excess = np.array([limit.excess for limit in judged.limits])
+    i = _least(np.where(judged.possible, excess.max(axis=0), np.inf))
+    found = [relaxation(limit, i) for limit in judged.limits if limit.violated[i]]
+    return sorted(found, key=lambda r: -r.excess)
+
+
+def alone(judged: Judged) -> Sequence[Relaxation]:
+    """For every limit whose relaxing alone makes something feasible, the least that does so.
+
+    What no input can be set to is left out.
+    """
+    lonely = judged.possible & (judged.violations.sum(axis=0) == 1)
+    found = []
+    for limit, bad in zip(judged.limits, judged.violations, strict=True):
+        which = np.flatnonzero(lonely & bad)
+        if which.size:
+            found.append(relaxation(limit, int(which[_least(limit.excess[which])])))
+    return sorted((r for r in found if r.possible), key=lambda r: r.excess)

@@ -1,0 +1,35 @@
+"""Crowns within their tolerance: the wanted one and the corners of what may be ground."""
+
+import numpy as np
+
+from verify.core.shown import Array
+from verify.studies.design_sprag.inputs import Task
+
+
+def corners(task: Task, crowns: Array) -> Array:
+    """The crowns (n, 3) and the corners of their tolerances, (n, c, 3), the wanted ones first.
+
+    The whole profile grows with its drop: K_1 and z_m are times 1 ± t_z/z_m. A crown that would
+    begin beyond the middle begins there.
+    """
+    z_m = crowns[:, 2]
+    found = [crowns]
+    grown = (-1, 1) if task.wishes.t_z else (0,)
+    moved = (-1, 1) if task.wishes.t_y else (0,)
+    for more in grown:
+        for longer in moved:
+            if not more and not longer:
+                continue
+            factor = 1 + more * task.wishes.t_z / z_m
+            K_2 = np.minimum(crowns[:, 1] + longer * task.t_K2, 1.0)
+            found.append(np.column_stack([crowns[:, 0] * factor, K_2, z_m * factor]))
+    return np.stack(found, axis=1)
+
+
+def reach(task: Task) -> tuple[Array, Array]:
+    """Lowest and highest (K_1, K_2, z_m) that a crown of the task's ranges can be ground to."""
+    share, moved = task.wishes.t_z / task.low[2], task.t_K2
+    low = np.array(task.low) * [1 - share, 1, 1] - [0, moved, task.wishes.t_z]
+    high = np.array(task.high) * [1 + share, 1, 1] + [0, moved, task.wishes.t_z]
+    high[1] = min(high[1], 1.0)
+    return low, high

@@ -1,0 +1,168 @@
+"""What a crown is asked to do: the clutch, its torques, the ranges and tolerances of the crown."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import model_validator
+
+from verify.answers.assumed.complete import complete
+from verify.answers.assumed.registry import DESIGN_SPRAG_TASK as CASE
+from verify.answers.assumed.rules import Assumed
+from verify.cases.sprag.clutch.advice import why
+from verify.cases.sprag.clutch.limits import verdict
+from verify.cases.sprag.clutch.values import analytic
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.inputs import InputError, build, count, quantity, read_parameter_file, word
+from verify.core.unit_systems import System, system_of
+from verify.studies.design.sweep import Sweep
+from verify.studies.design_sprag.ranges import RANGES
+
+CLUTCH = "sprag-clutch"
+MOST_TORQUES = 12
+STATES = {"slips": "slips", "rolls over": "rolls over", "no state": "has no state"}
+LARGEST_SHARE = 0.5  # of the smallest drop, which its tolerance may be
+
+TORQUES = Sweep(name="torques", unit="N m", what="torques that it has to engage under",
+                default=["25 N m"], low=0, above=True, high=1e9)  # fmt: skip
+
+Aim = Literal["excess", "pressure"]
+Contacts = Literal["strips", "slices"]
+Method = Literal["evolution", "genetic"]
+
+
+class Wishes(EngagementInputs):
+    """The clutch, with the crown that it has now, and what the best crown is to be."""
+
+    aim: Aim = word(
+        "excess", "what is made least: the largest excess over the best crown of each torque, or "
+        "the largest pressure of all, so that the largest torque decides; alike for one torque",
+    )  # fmt: skip
+    contacts: Contacts = word(
+        "strips", "pressures: by strips on a half-space or, as in the paper, by slices, which let "
+        "the ends carry",
+    )  # fmt: skip
+    method: Method = word("evolution", "search: differential evolution, or the paper's algorithm")
+    t_z: float = quantity(
+        "0.001 mm", "mm", "t_z", "tolerance of the drop at the ends, ± this; the whole profile "
+        "grows with it", omitted=0.0, ge=0, le=10,
+    )  # fmt: skip
+    t_y: float = quantity(
+        "0.1 mm", "mm", "t_y", "tolerance of where the crown begins, ± this along the sprag",
+        omitted=0.0, ge=0, le=1e3,
+    )  # fmt: skip
+    seed: int = count(0, "", "seed of whatever is drawn at random", ge=0, le=10**9)
+
+    @model_validator(mode="after")
+    def _fits_length(self) -> "Wishes":
+        if not 2 * self.t_y < self.l:
+            raise ValueError(
+                f"a crown begins on the sprag: t_y < l/2, got t_y = {self.t_y * 1e3:g} mm, "
+                f"l = {self.l * 1e3:g} mm"
+            )
+        return self
+
+
+@dataclass(frozen=True)
+class Task:
+    """A design task: `clutch` with its crown now, and SI bounds of (K_1, K_2, z_m).
+
+    `assumed` are the inputs that the file left out.
+    """
+
+    name: str
+    wishes: Wishes
+    torques: tuple[float, ...]
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+    assumed: tuple[Assumed, ...] = ()
+    system: System = "mm"
+
+    @property
+    def clutch(self) -> EngagementInputs:
+        """The clutch alone."""
+        return EngagementInputs(
+            **{name: getattr(self.wishes, name) for name in EngagementInputs.model_fields}
+        )
+
+    @property
+    def t_K2(self) -> float:
+        """Tolerance of K_2 that t_y is."""
+        return 2 * self.wishes.t_y / self.wishes.l
+
+
+def load(path: Path) -> Task:
+    """A design task from a parameter file; InputError says in one line what is wrong."""
+    case, name, raw = read_parameter_file(path)
+    if case not in (CASE, CLUTCH):
+        raise InputError(f'{path}: case: needs case = "{CASE}" or "{CLUTCH}", got {case[:60]!r}')
+    own = (TORQUES.name, *(r.name for r in RANGES), *_wished()) if case == CLUTCH else ()
+    if alien := [key for key in raw if key in own]:
+        raise InputError(f'{path}: inputs.{alien[0]}: belongs to case = "{CASE}"')
+    whole, assumed = complete(CASE, Wishes, raw, str(path))
+    return replace(task(whole, name, str(path)), assumed=assumed, system=system_of(raw))
+
+
+def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
+    """A design task from raw inputs; what they leave out is the paper's task without tolerance."""
+    known = (*Wishes.model_fields, TORQUES.name, *(r.name for r in RANGES))
+    for key in raw:
+        if key not in known:
+            raise InputError(
+                f"{where}: inputs.{key[:40]!s}: unknown key; known are {', '.join(known)}"
+            )
+    wishes = build(
+        Wishes, {"seed": 0} | {k: v for k, v in raw.items() if k in Wishes.model_fields}, where
+    )
+    assert isinstance(wishes, Wishes)
+    torques: tuple[float, ...] = (wishes.T,)
+    if TORQUES.name in raw:
+        torques = TORQUES.read(raw[TORQUES.name], f"{where}: inputs.{TORQUES.name}")
+    if len(torques) > MOST_TORQUES:
+        raise InputError(
+            f"{where}: inputs.torques: {len(torques)} torques, at most {MOST_TORQUES} are taken"
+        )
+    bounds = [r.read(raw.get(r.name, r.default), f"{where}: inputs.{r.name}") for r in RANGES]
+    (a, b, c), (d, e, f) = zip(*bounds, strict=True)
+    found = Task(name, wishes, torques, (a, b, c), (d, e, f))
+    _refuse_wide(found, where)
+    return found
+
+
+def unable(task: Task) -> str:
+    """Why the clutch does not hold one of the torques at rest, whatever its crown; or nothing."""
+    for T in task.torques:
+        q = task.clutch.model_copy(update={"T": T})
+        values = analytic(q)
+        state = verdict(q, values)
+        if state in ("slips", "rolls over", "no state"):
+            return f"under T = {T:g} N m it {STATES[state]}: {why(q, values)}"
+    return ""
+
+
+def default() -> Task:
+    """What the template asks for."""
+    bounds = [r.read(r.default, f"inputs.{r.name}") for r in RANGES]
+    (a, b, c), (d, e, f) = zip(*bounds, strict=True)
+    torques = TORQUES.read(TORQUES.default, "inputs.torques")
+    return Task(f"my {CASE}", Wishes(), torques, (a, b, c), (d, e, f))
+
+
+def _wished() -> tuple[str, ...]:
+    return tuple(n for n in Wishes.model_fields if n not in EngagementInputs.model_fields)
+
+
+def _refuse_wide(task: Task, where: str) -> None:
+    """InputError where a tolerance is too wide for the ranges."""
+    t_z, least = task.wishes.t_z, task.low[2]
+    if t_z > LARGEST_SHARE * least:
+        raise InputError(
+            f"{where}: inputs.t_z = {t_z * 1e3:g} mm: is more than half of the smallest drop of "
+            f"z_m_range, {least * 1e3:g} mm"
+        )
+    if not task.t_K2 < task.low[1]:
+        raise InputError(
+            f"{where}: inputs.t_y = {task.wishes.t_y * 1e3:g} mm: is K_2 ± {task.t_K2:.3g}, more "
+            f"than the smallest of K_2_range, {task.low[1]:g}"
+        )

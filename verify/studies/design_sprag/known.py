@@ -1,0 +1,62 @@
+"""What the true model has answered: engagements of crowns, and the pressures in them."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from verify.core.shown import Array
+from verify.studies.design_sprag.inputs import Contacts
+
+SHARP = 3.0  # times its strip's pressure, which an end that carries counts
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """Of n crowns (n, 3) under m torques: N_max [N] (n, m), and pressures under it [Pa].
+
+    `slices` (n, m, slices) are those of the clutch's slices; `strips` those on a half-space, as
+    many along the sprag as the torque's contact needs, (n, strips) for each torque.
+    """
+
+    crowns: Array
+    N_max: Array
+    slices: Array
+    strips: tuple[Array, ...]
+
+    def __len__(self) -> int:
+        return len(self.crowns)
+
+    def __getitem__(self, which: slice) -> "Known":
+        return Known(self.crowns[which], self.N_max[which], self.slices[which],
+                     tuple(p[which] for p in self.strips))  # fmt: skip
+
+    def with_(self, more: "Known") -> "Known":
+        """These and more crowns."""
+        return replace(
+            self,
+            crowns=np.vstack([self.crowns, more.crowns]),
+            N_max=np.vstack([self.N_max, more.N_max]),
+            slices=np.concatenate([self.slices, more.slices]),
+            strips=tuple(np.vstack(pair) for pair in zip(self.strips, more.strips, strict=True)),
+        )
+
+    def along(self, contacts: Contacts, torque: int) -> Array:
+        """Pressures (n, slices or strips) [Pa] along the sprag under one of the torques."""
+        return self.strips[torque] if contacts == "strips" else self.slices[:, torque]
+
+    def counted(self, contacts: Contacts, torque: int) -> Array:
+        """The same as a search counts them.
+
+        On a half-space the pressure at an end that carries grows without limit, as the root of
+        how narrow a strip is asked for: strips of b/3 count there as those of b/27 would, some
+        micrometres. Slices count as they are, as in the paper.
+        """
+        p = self.along(contacts, torque)
+        if contacts == "slices":
+            return p
+        return np.column_stack([SHARP * p[:, 0], p[:, 1:-1], SHARP * p[:, -1]])
+
+    def largest(self, contacts: Contacts) -> Array:
+        """Largest pressures (n, m) [Pa], as they are counted."""
+        m = self.N_max.shape[1]
+        return np.column_stack([self.counted(contacts, k).max(axis=1) for k in range(m)])

@@ -1,0 +1,167 @@
+"""The true model: engagements of the clutch with any crown, kept on disk as they come.
+
+Forces are those of the clutch's slices, which hardly know the crown's ends: pressures under them
+are found by slices and by strips on a half-space.
+"""
+
+import io
+import json
+import os
+import time
+import zipfile
+from collections.abc import Callable
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+
+from analytic.contact import crown, strips
+from analytic.sprag.closure import wedged
+from verify.cases.sprag.clutch.model import Built, built
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
+from verify.core import source_code
+from verify.core.files import write_whole
+from verify.core.shown import Array
+from verify.jobs import cache
+from verify.jobs.engines import Drive, Lost, local
+from verify.studies.design_sprag.known import Known
+
+PER_HALF_WIDTH = 3  # strips: where ends carry more of them matter, where they don't these do
+FEWEST, MOST = 41, 401
+TOLERANCE = 1e-8  # of the strips
+SAME = 1e-7  # relative change of a crown's numbers that makes no other crown
+
+Tell = Callable[[int, int, float], None]  # done, of all, seconds left
+One = tuple[Array, Array]  # N_max (m,) and pressures (m, slices) of a crown
+
+
+class Model:
+    """The clutch under its torques; `known` grows by every crown that it is asked for."""
+
+    def __init__(
+        self, q: EngagementInputs, torques: tuple[float, ...], middle: Crown, *, jobs: int,
+        tell: Tell, folder: Path | None = None,
+    ) -> None:  # fmt: skip
+        self.q, self.torques, self.jobs, self.tell = q, torques, jobs, tell
+        self.folder = folder or cache.default_folder() / "design-sprag"
+        self.engaged: set[Crown] = set()
+        self.one: Built = built(with_crown(q, middle))
+        self.Q = float(with_crown(q, None).Q or 0)
+        first = self._engaged(np.array([middle]))
+        loads = first[0][0]
+        self.R = np.array([self.one.radii(wedged(self.one.clutch, N))[0] for N in loads])
+        E_star = float(self.one.parts.E_star)
+        b = np.sqrt(4 * loads * self.R / (np.pi * E_star * q.l))
+        counts = np.clip(np.ceil(PER_HALF_WIDTH * q.l / b), FEWEST, MOST).astype(int)
+        self.counts = tuple(int(n) | 1 for n in counts)
+        self.known = self._known(np.array([middle]), first)
+
+    def answers(self, crowns: Array) -> Known:
+        """Answers for crowns (n, 3), z_m = 0 for none.
+
+        NoLockError where one does not lock, another ArithmeticError where one is not solved.
+        """
+        return self._known(crowns, self._engaged(crowns))
+
+    def ask(self, crowns: Array) -> Known:
+        """The same, and what is new of them is known from then on."""
+        found = self.answers(crowns)
+        for k in range(len(found)):
+            apart = np.abs(found.crowns[k] / self.known.crowns - 1).max(axis=1)
+            if apart.min() > SAME:
+                self.known = self.known.with_(found[k : k + 1])
+        return found
+
+    def gap(self, crowns: Array, n: int) -> Array:
+        """Drops (..., n) [m] of crowns (..., 3) at the centres of n slices."""
+        return self.drop(crowns, crown.slice_centres(length=self.q.l, slices=n))
+
+    def drop(self, crowns: Array, y: Array) -> Array:
+        """The same at places y (k,) [m] along the sprag."""
+        K_1, K_2, z_m = (crowns[..., k, None] for k in range(3))
+        drop = crown.logarithmic(
+            y, K_1=K_1, K_2=K_2, z_m=np.where(z_m > 0, z_m, 1.0), load=self.Q, length=self.q.l,
+            E_star=float(self.one.parts.E_star),
+        )  # fmt: skip
+        return np.asarray(np.where(z_m > 0, drop, 0.0))
+
+    def by_strips(self, crowns: Array, loads: Array, torque: int, n: int) -> Array:
+        """Pressures (k, n) [Pa] of crowns (k, 3) by n strips, under loads (k,) [N] of a torque."""
+        return strips.press(
+            self.gap(crowns, n), length=self.q.l, R=self.R[torque],
+            E_star=float(self.one.parts.E_star), load=loads, tolerance=TOLERANCE,
+        ).pressure  # fmt: skip
+
+    def _known(self, crowns: Array, found: list[One]) -> Known:
+        N_max = np.array([N for N, _ in found])
+        return Known(
+            np.asarray(crowns, dtype=np.float64), N_max, np.array([p for _, p in found]),
+            tuple(self.by_strips(crowns, N_max[:, k], k, n) for k, n in enumerate(self.counts)),
+        )  # fmt: skip
+
+    def _engaged(self, crowns: Array) -> list[One]:
+        tasks = [
+            tuple((float(a), float(b), float(c)) for a, b, c in crowns[k : k + CHUNK])
+            for k in range(0, len(crowns), CHUNK)
+        ]
+        whole: list[Task] = [(self.q, self.torques, task, "slices") for task in tasks]
+        found = {task[2]: one for task in whole if (one := load(self.folder, task))}
+        missing = {task[2]: task for task in whole if task[2] not in found}
+        alone, kept = self.jobs == 1 or len(missing) < 2, len(found)
+        start = time.monotonic()
+        try:
+            with local(0 if alone else min(self.jobs, len(missing))) as engine:
+                for said in Drive(engine, some_fem).answers(missing.values()):
+                    made = len(found) - kept
+                    left = (len(missing) - made) * (time.monotonic() - start) / max(made, 1)
+                    if len(whole) > 1 and made:
+                        self.tell(sum(map(len, found.values())), len(crowns), left)
+                    if said is None:
+                        continue
+                    task, answer = said
+                    if isinstance(answer, Lost):
+                        raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+                    if isinstance(answer, str):
+                        raise NoLockError(answer)
+                    found[task[2]] = answer
+                    store(self.folder, task, answer)
+        except KeyboardInterrupt as stop:
+            done = self.engaged.union(*found)
+            raise KeyboardInterrupt(
+                f"interrupted: {len(done)} crowns are kept, the same command goes on"
+            ) from stop
+        self.engaged.update(*tasks)
+        return [one for task in tasks for one in found[task]]
+
+
+def key(task: Task) -> str:
+    """Hexadecimal name of a chunk's answers, by everything that they depend on."""
+    q, torques, crowns, by = task
+    clutch = with_crown(q, None).model_dump(exclude={"K_1", "K_2", "z_m", "T", "p_lim", "R_p"})
+    task_text = json.dumps([clutch, torques, crowns, by], sort_keys=True)
+    parts = [task_text, source_code.source_of(some_fem)]
+    parts += [f"{name} {version(name)}" for name in cache.libraries_of(some_fem)]
+    return sha256("\0".join(parts).encode()).hexdigest()[:32]
+
+
+def load(folder: Path, task: Task) -> list[One] | None:
+    """What is kept of a chunk; None where there is nothing, or nothing that can be read."""
+    path = folder / f"{key(task)}.npz"
+    try:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
+            N, p = data["N"], data["p"]
+        os.utime(path)
+    except (*cache.UNREADABLE, zipfile.BadZipFile):
+        return None
+    return list(zip(N, p, strict=True))
+
+
+def store(folder: Path, task: Task, answer: list[One]) -> None:
+    """Keep a chunk; a place that cannot be written keeps nothing."""
+    N, p = (np.array(part) for part in zip(*answer, strict=True))
+    try:
+        write_whole(folder / f"{key(task)}.npz", lambda file: np.savez(file, N=N, p=p))
+    except OSError:
+        return

@@ -1,0 +1,43 @@
+"""The commented file of a crown's design task, made from its model; the paper's clutch."""
+
+import json
+
+from verify.answers.assumed.registry import ASSUMPTIONS
+from verify.answers.assumed.registry import DESIGN_SPRAG_TASK as CASE
+from verify.answers.assumed.sprags import SEED
+from verify.answers.template_lines import aligned, commented, if_left_out, sections
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.studies.design_sprag.inputs import TORQUES, Wishes
+from verify.studies.design_sprag.ranges import RANGES
+
+HEAD = f"""\
+# A design task: the crown of a sprag clutch with the lowest pressures as it engages, after
+# Huang et al. 2018 (Eqs. 1-20), checked against a half-space. The clutch is the paper's; put in
+# your own numbers, and then
+#   freewheel design my.toml                  the best crown, beside your own and none
+#   freewheel design my.toml --out crown/     and a page, the profile to grind, clutch.toml
+# A value keeps its unit; any other unit of the same kind will do. K_1, K_2 and z_m are the crown
+# that the clutch has now; Q is the load that K_1 counts, for the best crown too.
+
+case = "{CASE}"
+name = "my clutch"
+
+[inputs]
+"""
+TASK = '# The task; a list of torques may also be a range "10 N m : 40 N m : 4" of 4 values'
+
+
+def template() -> str:
+    """A file that, with the lines behind a #, reads as the default task."""
+    clutch = sections(EngagementInputs, ASSUMPTIONS[CASE], "the paper's")
+    wished = commented(Wishes)[len(EngagementInputs.model_fields) :]
+    torques = json.dumps(TORQUES.default)
+    text, about = wished.pop()  # the seed is the last one
+    wished.append((text, f"{about}; {if_left_out(SEED)}"))
+    task = [
+        (f"{TORQUES.name} = {torques}", f"{TORQUES.what}; {TORQUES.rule}; optional, T if left out"),
+        *((f'{r.name} = "{r.default}"', f"{r.what}, {r.symbol}; {r.rule}; Eq. 19") for r in RANGES),
+        *wished,
+    ]
+    hidden = [(f"# {text.removeprefix('# ')}", about) for text, about in task]
+    return f"{HEAD}{clutch}\n{TASK}\n{aligned(hidden)}"

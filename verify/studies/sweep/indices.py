@@ -1,0 +1,209 @@
+"""What scatters a formula's error: variance-based sensitivity indices of a sample's results.
+
+I. M. Sobol', Math. Comput. Simul. 55 (2001) 271-280, doi:10.1016/S0378-4754(00)00270-6, from the
+design and by the estimators of A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270,
+doi:10.1016/j.cpc.2009.09.018, Table 2 (b) and (f).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from verify.core.shown import Array
+from verify.studies.sweep.axes import Tolerance
+from verify.studies.sweep.boxes import Flags
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.pairs import Pair
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import (
+    INSIDE,
+    LIMITS,
+    OUTSIDE,
+    UNDECIDED,
+    UNSOLVED,
+    Points,
+    verdicts,
+)
+
+LEAST_ROWS = 8  # of the base sample, for indices
+RESAMPLES = 999
+CONFIDENCE = 0.95
+STEADY = 1e-12  # standard deviation, of the largest value, below which it is round-off
+LOOSE = 0.2  # width of an index's interval, from which on the sample is called small
+NOISY = 0.1  # share of a variance that may be numerical noise, from which on it is told
+AT_ONCE = 2**22  # numbers drawn at a time
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A value and its confidence interval (95 %, bootstrap)."""
+
+    value: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Index:
+    """The first-order and the total index of one input."""
+
+    tolerance: Tolerance
+    first: Estimate
+    total: Estimate
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """How one quantity scatters over the sample, and through which inputs.
+
+    `mean`, `sd` and the quantiles at 2.5, 50 and 97.5 % [SI] are over `n` points, NaN where n is 0.
+    `noise` is the mean square of the finite elements' standard uncertainty, of the variance.
+    `indices` are in the order of the plan's tolerances, or empty for the reason `why`.
+    """
+
+    n: int
+    mean: float
+    sd: float
+    low: float
+    median: float
+    high: float
+    noise: float
+    indices: tuple[Index, ...]
+    why: str
+
+    @property
+    def ranked(self) -> tuple[Index, ...]:
+        """The indices, the largest total one first."""
+        return tuple(sorted(self.indices, key=lambda one: -one.total.value))
+
+    @property
+    def widest(self) -> float:
+        """The width of the widest interval of all indices, 0 where there are none."""
+        every = (e for one in self.indices for e in (one.first, one.total))
+        return max((e.high - e.low for e in every), default=0.0)
+
+
+@dataclass(frozen=True)
+class Within:
+    """How many points of the sample are inside a limit, outside, between, and without an answer."""
+
+    limit: float
+    inside: int
+    outside: int
+    undecided: int
+    unsolved: int
+
+
+@dataclass(frozen=True)
+class Indices:
+    """What a sample says of one pair: of the formula, the finite elements and the formula's error.
+
+    Indices are from `rows` rows of the base sample; `dropped` others lack a point.
+    """
+
+    pair: Pair
+    rows: int
+    dropped: int
+    formula: Scatter
+    fe: Scatter
+    error: Scatter
+    within: tuple[Within, ...]
+
+
+def indices(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> Indices:
+    """The scatter of a pair and its causes; ValueError for a grid, which is no sample."""
+    if not plan.base:
+        raise ValueError("sensitivity indices need a sample, got a grid")
+    solved = np.isfinite(course.error + course.U_error)
+    rows: Flags = np.all(solved.reshape(-1, plan.base), axis=0)
+    of = np.flatnonzero(solved[: 2 * plan.base])  # of A and B, which are independent
+    exact = np.zeros_like(course.U)
+    return Indices(
+        course.pair, int(rows.sum()), int((~rows).sum()),
+        formula=_scatter(plan, course.formula, exact, of, rows),
+        fe=_scatter(plan, course.fe, course.U, of, rows),
+        error=_scatter(plan, course.error, course.U_error, of, rows),
+        within=tuple(_within(course, 2 * plan.base, limit) for limit in limits),
+    )  # fmt: skip
+
+
+def _within(course: Course, first: int, limit: float) -> Within:
+    found = verdicts(course.error[:first], course.U_error[:first], limit)
+    counts = (int((found == one).sum()) for one in (INSIDE, OUTSIDE, UNDECIDED, UNSOLVED))
+    return Within(limit, *counts)
+
+
+def _scatter(plan: Plan, values: Array, U: Array, of: Points, rows: Flags) -> Scatter:
+    """`of` are the points to take moments of, `rows` the base rows to take indices of."""
+    y = values[of]
+    if not len(y):
+        return Scatter(0, *(np.nan,) * 6, (), "no point has an answer")
+    sd = float(y.std(ddof=1)) if len(y) > 1 else 0.0
+    noise = _share(float(np.mean((U[of] / 2) ** 2)), sd**2)
+    found: tuple[Index, ...] = ()
+    if not (why := _why_not(int(rows.sum()), y, sd, noise)):
+        a, b, *mixed = values.reshape(-1, plan.base)[:, rows]
+        found = _indices(plan, terms(a, b, np.array(mixed)))
+    low, median, high = (float(q) for q in np.quantile(y, (0.025, 0.5, 0.975)))
+    return Scatter(len(y), float(y.mean()), sd, low, median, high, noise, found, why)
+
+
+def _share(part: float, whole: float) -> float:
+    return part / whole if whole else np.inf if part else 0.0
+
+
+def _why_not(rows: int, y: Array, sd: float, noise: float) -> str:
+    """Why there are no indices, "" where there are."""
+    if rows < LEAST_ROWS:
+        return f"{rows} complete rows of the sample are too few, it takes {LEAST_ROWS}"
+    if sd <= STEADY * float(np.abs(y).max()):
+        return "does not vary"
+    if noise >= 1:
+        return "varies no more than the finite elements are uncertain"
+    return ""
+
+
+def terms(a: Array, b: Array, mixed: Array) -> Array:
+    """What the indices are means of, (n, 2 + 2 d), from results at the rows of A, B and the mixed.
+
+    `a` and `b` are (n,), `mixed` (d, n): A with one column of B. Results are taken from their
+    mean, which no index depends on but how far its estimate scatters.
+    """
+    mean = (a.mean() + b.mean()) / 2
+    a, b, mixed = a - mean, b - mean, mixed - mean
+    variance = ((a**2 + b**2) / 2, (a + b) / 2)
+    return np.column_stack([*variance, *(b * (mixed - a)), *((a - mixed) ** 2 / 2)])
+
+
+def estimates(means: Array) -> Array:
+    """First-order and total indices (..., 2, d) from means (..., 2 + 2 d) of `terms`."""
+    variance = means[..., 0] - means[..., 1] ** 2
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = means[..., 2:] / variance[..., None]
+    return found.reshape(*means.shape[:-1], 2, -1)
+
+
+def _indices(plan: Plan, of: Array) -> tuple[Index, ...]:
+    value = estimates(of.mean(axis=0))
+    again = estimates(_resampled(of))
+    tail = (1 - CONFIDENCE) / 2
+    low, high = np.nanquantile(again, (tail, 1 - tail), axis=0)
+    return tuple(
+        Index(one, *(Estimate(*map(float, (value[k, j], low[k, j], high[k, j]))) for k in (0, 1)))
+        for j, one in enumerate(plan.tolerances)
+    )
+
+
+def _resampled(of: Array) -> Array:
+    """Means (RESAMPLES, columns) over rows drawn again with replacement, the same draws always."""
+    n = len(of)
+    draws = np.random.default_rng(0)
+    some = max(1, AT_ONCE // n)
+    parts = []
+    for start in range(0, RESAMPLES, some):
+        k = min(some, RESAMPLES - start)
+        drawn = draws.integers(n, size=(k, n)) + n * np.arange(k)[:, None]
+        times = np.bincount(drawn.ravel(), minlength=k * n).reshape(k, n)
+        parts.append(times @ of / n)
+    return np.vstack(parts)

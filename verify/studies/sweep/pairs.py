@@ -1,0 +1,211 @@
+"""What a sweep compares: the rows of a case that set a formula beside finite elements."""
+
+import difflib
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from verify.core import units
+from verify.core.case import Case, Context, FemResult, Portion
+from verify.core.inputs import InputError
+from verify.core.results import Kind, Row
+from verify.judging import judge
+from verify.judging.checks import Approximation, Identity
+from verify.judging.claims import FemClaim
+from verify.judging.convergence import GridConvergence, grid_convergence
+
+LEVELS = 3  # that an error bar needs
+MOST_NAMES = 5  # that are offered for one that fits nothing
+LIKE = 0.75  # share of letters from which on a word may be another one mistyped
+DOUBTFUL = 0.01  # of a value: what a series that doesn't converge may scatter and still count
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A row that sets the formula's value `analytic` beside the finite elements' `fem`, by keys.
+
+    `scale` is the key of the natural magnitude that a difference is related to; the finite-element
+    value itself where empty. `by` names what stands in the place of finite elements, if anything.
+    """
+
+    name: str
+    symbol: str
+    unit: str
+    kind: Kind
+    analytic: str
+    fem: str
+    scale: str
+    by: str
+    claim: FemClaim
+
+    @property
+    def plain(self) -> bool:
+        """Whether the claim compares the two values as they are, and does not derive others."""
+        return type(self.claim).rows in (Identity.rows, Approximation.rows)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One pair at one point, in SI units: formula, finite elements, and their expanded uncertainty.
+
+    `error` is (formula - FE)/scale with the expanded uncertainty `U_error`; `problem` says why
+    there is none.
+    """
+
+    formula: float
+    fe: float
+    U: float
+    error: float
+    U_error: float
+    problem: str = ""
+
+
+def pairs(case: Case) -> tuple[Pair, ...]:
+    """All pairs of a case, in the order of its rows, but for what is true of the paper alone."""
+    return tuple(
+        Pair(
+            name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
+            analytic=claim.analytic, fem=claim.fem, scale=claim.scale, by=claim.by, claim=claim,
+        )
+        for claim in case.checks
+        if isinstance(claim, FemClaim) and hasattr(claim, "analytic")
+        and claim.swept and not claim.paper_only
+    )  # fmt: skip
+
+
+def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:
+    """The pairs whose name contains one of the texts `only`, all without; InputError for none.
+
+    A text that is a whole name means that row alone.
+    """
+    every = pairs(case)
+    if not every:
+        raise InputError(f"{case.id} has no row that sets a formula beside finite elements")
+    names = [pair.name for pair in every]
+    for text in only:
+        if not any(text.lower() in name.lower() for name in names):
+            raise InputError(
+                f"--only {text}: no row of {case.id} is called so: {_offered(text, names)}"
+            )
+    wanted = [
+        name for name in names
+        if not only or any(
+            name == text if text in names else text.lower() in name.lower() for text in only
+        )
+    ]  # fmt: skip
+    return tuple(pair for pair in every if pair.name in wanted)
+
+
+def _offered(text: str, names: Sequence[str]) -> str:
+    """The names with most words like those of the text, or else the first and how many more."""
+    scores = [
+        sum(bool(difflib.get_close_matches(word, name.lower().split(), 1, LIKE))
+            for word in text.lower().split()) for name in names
+    ]  # fmt: skip
+    if best := max(scores):
+        near = [name for name, score in zip(names, scores, strict=True) if score == best]
+        return f"near it are {'; '.join(near[:MOST_NAMES])}"
+    more = len(names) - MOST_NAMES
+    return "; ".join(names[:MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
+
+
+def whole(case: Case) -> Portion:
+    """A case's own finite elements, on its coarsest levels, as the portion without a name."""
+    keys = tuple(dict.fromkeys(pair.fem for pair in pairs(case)))
+    return Portion(name="", fem=case.fem, levels=case.levels[:LEVELS], keys=keys)
+
+
+def portion(case: Case, chosen: Sequence[Pair]) -> Portion:
+    """The least of the case's finite elements that gives the values of the pairs."""
+    keys = {pair.fem for pair in chosen}
+    return next((p for p in case.portions if keys <= set(p.keys)), whole(case))
+
+
+@dataclass(frozen=True)
+class Known:
+    """What is known of a point [SI]: the formulas' values, and those of the levels by key.
+
+    A value that a level does not have is NaN. `h` are the mesh sizes, coarse to fine; `u_it` the
+    largest iteration uncertainty of all levels.
+    """
+
+    case: str
+    inputs: Any
+    formulas: Mapping[str, float]
+    h: Sequence[float]
+    fe: Mapping[str, Sequence[float]]
+    u_it: Mapping[str, float]
+
+
+def compared(pair: Pair, point: Known) -> Compared:
+    """The pair at a point. A series whose differences grow counts while its scatter is small."""
+    return _plainly(pair, point) if pair.plain else _by_its_row(pair, point)
+
+
+def _plainly(pair: Pair, point: Known) -> Compared:
+    r, v = point.formulas.get(pair.analytic, math.nan), point.fe.get(pair.fem, ())
+    scale = abs(point.formulas[pair.scale]) if pair.scale else abs(v[-1]) if v else math.nan
+    residual = getattr(pair.claim, "residual", "")
+    of_reference = abs(r) if not pair.scale else scale
+    u_ref = point.formulas[residual] * of_reference if residual else 0.0
+    u_it = point.u_it.get(pair.fem, 0.0)
+    return _judged(pair, r, point.h, v, scale, u_it, u_ref)
+
+
+def _by_its_row(pair: Pair, point: Known) -> Compared:
+    """The pair from the row that its claim makes, which may derive the values that it compares."""
+    levels = [
+        FemResult(
+            h=h,
+            values={key: v[k] for key, v in point.fe.items() if not math.isnan(v[k])},
+            u_it=point.u_it,
+        )
+        for k, h in enumerate(point.h)
+    ]
+    context = Context(point.case, point.inputs, point.formulas, levels, is_paper=False)
+    claim = pair.claim
+    if isinstance(claim, Approximation):
+        claim = replace(claim, interval=None)  # may cost more than the point
+    rows: list[Row] = claim.rows(context)
+    row = next((row for row in rows if row.levels and row.analytic is not None), None)
+    if row is None or row.grid is None or row.analytic is None:
+        return _none(math.nan, math.nan, "no such row with these inputs")
+    f = units.factor(pair.unit)
+    v = [value * f for _, value in row.levels]
+    scale = (row.scale or math.nan) * f if pair.scale else abs(v[-1])
+    return _judged(
+        pair, row.analytic * f, point.h, v, scale, row.grid.u_it * f, (row.u_ref or 0.0) * f
+    )
+
+
+def _judged(
+    pair: Pair, r: float, h: Sequence[float], v: Sequence[float], scale: float, u_it: float,
+    u_ref: float,
+) -> Compared:  # fmt: skip
+    if not v or not all(map(math.isfinite, (*v, r))):
+        what = "the formula has" if v and all(map(math.isfinite, v)) else "finite elements have"
+        return _none(r, v[-1] if v else math.nan, f"{what} no finite value")
+    if not (scale > 0 and math.isfinite(scale)):
+        return _none(r, v[-1], "nothing to relate a difference to")
+    natural = scale if pair.scale else abs(r)  # as rows have it
+    gci = _index(grid_convergence(h, v, formal=pair.claim.formal, scale=natural, u_it=u_it), v)
+    if not math.isfinite(gci):
+        return _none(r, v[-1], "does not converge")
+    U = judge.expanded(math.hypot(gci / 2, u_it), u_ref)
+    # where the value itself is the scale, formula/FE - 1 carries the quotient's own size
+    wide = 1.0 if pair.scale else abs(r / v[-1])
+    return Compared(r, v[-1], U, (r - v[-1]) / scale, U / scale * wide)
+
+
+def _index(grid: GridConvergence, v: Sequence[float]) -> float:
+    """Grid convergence index; three times the scatter where no order can be told, inf if large."""
+    if grid.converges:
+        return grid.gci
+    scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))
+    small = len(v) >= LEVELS and scatter <= DOUBTFUL * abs(v[-1])
+    return scatter if small else math.inf
+
+
+def _none(r: float, v: float, problem: str) -> Compared:
+    return Compared(r, v, math.nan, math.nan, math.nan, problem)

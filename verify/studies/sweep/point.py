@@ -1,0 +1,117 @@
+"""One point of a sweep: formulas and finite elements at one set of inputs, solved anywhere.
+
+What comes back holds every number that rows are compared by, level by level, so that other rows,
+or a changed rule of judging, need no new solution.
+"""
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from math import nan
+from typing import Any
+
+import numpy as np
+
+from verify.core import source_code
+from verify.core.case import Case, Portion
+from verify.core.inputs import Inputs
+from verify.jobs.guard import named, unsolved
+from verify.studies.sweep.pairs import LEVELS, whole
+
+
+class OtherCodeError(RuntimeError):
+    """A process solves with other code than the one that asked."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What a point has given: values [SI] by key, of finite elements by level, coarse to fine.
+
+    `u_it` holds the largest iteration uncertainty of all levels. The problems say in one line why
+    there are no values of a side.
+    """
+
+    formulas: Mapping[str, float]
+    h: tuple[float, ...]
+    fe: Mapping[str, tuple[float, ...]]
+    u_it: Mapping[str, float]
+    problem_formulas: str = ""
+    problem_fe: str = ""
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class Task:
+    """A point to solve; `formulas` and `fe` say which sides, `code` with which sources."""
+
+    number: int
+    case: str
+    portion: str
+    inputs: Inputs
+    formulas: bool
+    fe: bool
+    code: tuple[str, str]
+
+
+def solve_batch(tasks: Sequence[Task]) -> list[Solution]:
+    """The solutions of some points, one after the other; OtherCodeError."""
+    return [solve_point(task) for task in tasks]
+
+
+def solve_point(task: Task) -> Solution:
+    """The solution of a point; whatever goes wrong there is told in it. OtherCodeError."""
+    case, part = _known(task.case, task.portion)
+    if code_of(case, part) != task.code:
+        raise OtherCodeError(f"their code of {task.case} is not that of the sweep")
+    start = time.perf_counter()
+    found = Solution({}, (), {}, {})
+    with np.errstate(all="ignore"):
+        if task.formulas:
+            found = _with_formulas(found, case, task.inputs)
+        if task.fe:
+            found = _with_fe(found, part, task.inputs)
+    return replace(found, seconds=time.perf_counter() - start)
+
+
+def code_of(case: Case, part: Portion) -> tuple[str, str]:
+    """Hashes of the sources of a case's formulas and of its finite elements."""
+    return source_code.whole_source_of(case.analytic), source_code.source_of(part.fem)
+
+
+@cache
+def _known(case: str, portion: str) -> tuple[Case, Portion]:
+    from verify.cases.registry import CASES, find  # a spawned process knows no cases yet
+
+    found = find(case, CASES)
+    return found, next(p for p in (*found.portions, whole(found)) if p.name == portion)
+
+
+def _with_formulas(found: Solution, case: Case, inputs: Any) -> Solution:
+    try:
+        values = case.analytic(inputs)
+        return replace(found, formulas={key: float(value) for key, value in values.items()})
+    except Exception as error:  # whatever it is, it is this point's alone
+        return replace(found, problem_formulas=_said("formulas", error))
+
+
+def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
+    levels = []
+    for level in part.levels[:LEVELS]:
+        try:
+            levels.append(part.fem(inputs, level))
+        except Exception as error:  # gmsh raises Exception itself
+            return replace(found, problem_fe=_said(f"level {level}", error))
+    keys = dict.fromkeys(key for one in levels for key in one.values)
+    return replace(
+        found,
+        h=tuple(float(one.h) for one in levels),
+        fe={key: tuple(float(one.values.get(key, nan)) for one in levels) for key in keys},
+        u_it={key: max(float(one.u_it.get(key, 0.0)) for one in levels) for key in keys},
+    )
+
+
+def _said(where: str, error: Exception) -> str:
+    if unsolved(error):
+        return f"not converged: {where}: {' '.join(str(error).split())}"
+    return f"{where}: {named(error)}"

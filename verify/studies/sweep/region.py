@@ -1,0 +1,236 @@
+"""Where a formula may be used: the points at which its error stays within a limit.
+
+A point is inside a limit where the whole error bar is, outside where all of it is beyond, and
+undecided between; unsolved where there are no two values to compare. A box is a product of ranges
+of the axes, all of whose points are inside.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.core.shown import Array
+from verify.studies.sweep.axes import Axis
+from verify.studies.sweep.boxes import largest_box
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+
+LIMITS = (0.02, 0.05, 0.10)  # of the error
+INSIDE, OUTSIDE, UNDECIDED, UNSOLVED = 1, -1, 0, -9
+SAME = 1e-9  # of an axis: places and distances along it that differ by less are alike
+NAMES = {INSIDE: "inside", OUTSIDE: "outside", UNDECIDED: "undecided", UNSOLVED: "unsolved"}
+
+Verdicts = NDArray[np.int8]
+Points = NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class Range:
+    """Values [SI] of an axis from `low` to `high`; `whole` where these are the axis's ends."""
+
+    axis: Axis
+    low: float
+    high: float
+    whole: bool
+
+
+@dataclass(frozen=True)
+class Break:
+    """What takes the formula out of a limit soonest, from the base point along one axis.
+
+    `last` is the last value [SI] inside and `first` the next one, which is not; `at` where the
+    end of the error bar passes the limit between them, by straight interpolation, None where
+    `first` is unsolved or the axis has whole numbers only. `why` says why it is unsolved.
+    """
+
+    axis: Axis
+    last: float
+    first: float
+    at: float | None
+    verdict: int
+    why: str
+
+    @property
+    def up(self) -> bool:
+        """Whether larger values break it."""
+        return self.first > self.last
+
+
+@dataclass(frozen=True)
+class Region:
+    """The points of a sweep inside one `limit`, for one formula.
+
+    `box` is the largest box, with `held` points, empty where no point is inside; of a star, whose
+    axes vary one at a time, the longest range on each axis that has one. `base` [SI] is the point
+    from which `breaks` is looked for: the inputs' own values (`nominal`), or the grid point next
+    to them, where they are inside, else the middle of the box. `at_nominal` is the verdict at the
+    inputs' own values, None where the grid doesn't hold them.
+    """
+
+    limit: float
+    inside: int
+    outside: int
+    undecided: int
+    unsolved: int
+    box: tuple[Range, ...]
+    held: int
+    base: tuple[float, ...] | None
+    nominal: bool
+    at_nominal: int | None
+    breaks: Break | None
+
+    @property
+    def points(self) -> int:
+        """All points of the sweep."""
+        return self.inside + self.outside + self.undecided + self.unsolved
+
+    @property
+    def everywhere(self) -> bool:
+        """Whether every point is inside."""
+        return self.inside == self.points
+
+
+@dataclass(frozen=True)
+class Line:
+    """Points along one axis, all other inputs held: their values `x` [SI], rising, and rows."""
+
+    axis: Axis
+    x: Array
+    points: Points
+    base: int  # index in x
+
+
+def verdicts(error: Array, U_error: Array, limit: float) -> Verdicts:
+    """INSIDE, OUTSIDE, UNDECIDED or UNSOLVED for errors with their bars, of any shape."""
+    size = np.abs(error)
+    found = np.full(size.shape, UNDECIDED, dtype=np.int8)
+    with np.errstate(invalid="ignore"):
+        found[size + U_error <= limit] = INSIDE
+        found[size - U_error > limit] = OUTSIDE
+    found[~(np.isfinite(error) & np.isfinite(U_error))] = UNSOLVED
+    return found
+
+
+def regions(plan: Plan, course: Course, limits: Sequence[float] = LIMITS) -> tuple[Region, ...]:
+    """The region of a course within each limit; ValueError for a sample, which has no axes."""
+    if not plan.axes:
+        raise ValueError("a region needs axes, got a sample")
+    return tuple(_region(plan, course, limit) for limit in limits)
+
+
+def _region(plan: Plan, course: Course, limit: float) -> Region:
+    found = verdicts(course.error, course.U_error, limit)
+    counts = {name: int((found == verdict).sum()) for verdict, name in NAMES.items()}
+    ranges, middle, held = (_of_star if plan.star else _of_grid)(plan, found)
+    nominal = nominal_point(plan)
+    at_nominal = None if nominal is None else int(found[nominal])
+    base = nominal if at_nominal == INSIDE else middle
+    return Region(
+        limit=limit, **counts, box=ranges, held=held,
+        base=None if base is None else tuple(float(v) for v in plan.points[base]),
+        nominal=base is not None and base == nominal, at_nominal=at_nominal,
+        breaks=None if base is None else _first_break(course, found, lines(plan, base), limit),
+    )  # fmt: skip
+
+
+def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
+    """The largest box, the row of its middle, and how many points it holds."""
+    box = largest_box((found == INSIDE).reshape(plan.shape))
+    if box is None:
+        return (), None, 0
+    middle = [(i + j) // 2 for i, j in box.ranges]
+    ranges = tuple(
+        _range(one, one.values[i], one.values[j])
+        for one, (i, j) in zip(plan.axes, box.ranges, strict=True)
+    )
+    return ranges, int(np.ravel_multi_index(middle, plan.shape)), box.points
+
+
+def _of_star(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
+    """The longest range of each axis, and how many points they hold; a star has no other middle."""
+    ranges, rows = [], set[int]()
+    for line in lines(plan, 0):
+        if box := largest_box(found[line.points] == INSIDE):
+            i, j = box.ranges[0]
+            ranges.append(_range(line.axis, line.x[i], line.x[j]))
+            rows |= set(line.points[i : j + 1].tolist())
+    return tuple(ranges), None, len(rows)
+
+
+def _range(axis: Axis, low: float, high: float) -> Range:
+    whole = low <= axis.values[0] and high >= axis.values[-1]
+    return Range(axis, float(low), float(high), bool(whole))
+
+
+def nominal_point(plan: Plan) -> int | None:
+    """The row with the inputs' own values, or of a grid the next to them; None outside of it."""
+    if plan.star:
+        return 0
+    near = []
+    for one in plan.axes:
+        room = SAME * (one.values[-1] - one.values[0])
+        if one.nominal is None or not (
+            one.values[0] - room <= one.nominal <= one.values[-1] + room
+        ):
+            return None
+        place = _places(one, np.array([*one.values, one.nominal]))
+        apart = np.abs(place[:-1] - place[-1])
+        near.append(int(np.argmax(apart <= apart.min() + SAME * np.ptp(place))))
+    return int(np.ravel_multi_index(near, plan.shape))
+
+
+def lines(plan: Plan, base: int) -> Iterator[Line]:
+    """The line along each axis through the point in row `base`; a star has those of its middle."""
+    at = plan.points[base]
+    for k, axis in enumerate(plan.axes):
+        rows = np.flatnonzero((np.delete(plan.points, k, axis=1) == np.delete(at, k)).all(axis=1))
+        rows = rows[np.argsort(plan.points[rows, k], kind="stable")]
+        x = plan.points[rows, k]
+        yield Line(axis, x, rows, int(np.flatnonzero(x == at[k])[0]))
+
+
+def _first_break(
+    course: Course, found: Verdicts, every: Iterator[Line], limit: float
+) -> Break | None:
+    """Soonest is by the share of the axis's length that lies between; None if it never breaks.
+
+    A point without an answer ends a line, but a formula breaks where its error is beyond the limit:
+    only where no line has such an end is the one without an answer told.
+    """
+    best, least = None, (True, np.inf)
+    for line in every:
+        for way in (range(line.base + 1, len(line.x)), range(line.base - 1, -1, -1)):
+            out = next((i for i in way if found[line.points[i]] != INSIDE), None)
+            if out is None:
+                continue
+            one = _break(course, found, line, out - way.step, out, limit)
+            reached = one.first if one.at is None else one.at
+            place = _places(line.axis, np.array([line.x[line.base], reached, *line.x[[0, -1]]]))
+            share = abs(place[1] - place[0]) / (place[3] - place[2])
+            unsolved = one.verdict == UNSOLVED
+            if (unsolved, share + SAME) < least:  # of alike ones the first
+                best, least = one, (unsolved, float(share))
+    return best
+
+
+def _break(
+    course: Course, found: Verdicts, line: Line, last: int, out: int, limit: float
+) -> Break:  # fmt: skip
+    inner, outer = line.points[last], line.points[out]
+    at = None
+    if found[outer] != UNSOLVED and not line.axis.whole:
+        # the end of the bar that lies beyond, as a straight line between the two points
+        sign = np.sign(course.error[outer]) or 1.0
+        a, b = (sign * course.error[k] + course.U_error[k] - limit for k in (inner, outer))
+        at = float(line.x[last] + (line.x[out] - line.x[last]) * a / (a - b))
+    return Break(
+        line.axis, float(line.x[last]), float(line.x[out]), at, int(found[outer]),
+        course.problems[outer],
+    )  # fmt: skip
+
+
+def _places(axis: Axis, values: Array) -> Array:
+    """Where values lie along the axis as it is spaced."""
+    return np.log(np.maximum(values, np.finfo(float).tiny)) if axis.spacing == "log" else values

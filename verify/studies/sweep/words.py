@@ -1,0 +1,119 @@
+"""Regions, breaks, errors and indices of a sweep in words."""
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+from verify.studies.sweep.axes import Axis, Tolerance
+from verify.studies.sweep.indices import Estimate, Scatter
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import UNDECIDED, UNSOLVED, Break, Region
+from verify.studies.sweep.tables import REFUSED
+
+SMALL = 1e-4  # per cent: nobody asks which part of it
+
+
+def box_in_words(plan: Plan, one: Region) -> str:
+    """Where the formula stays within the limit."""
+    if not one.inside:
+        between = f", {one.undecided:,} undecided" if one.undecided else ""
+        return f"nowhere{between}" if one.unsolved < one.points else "nothing is solved"
+    solved = one.points - one.unsolved
+    ranges = (
+        ", ".join(
+            f"{r.axis.symbol} {ends(r.axis, r.low, r.high)}"
+            f"{' (all)' if r.whole and not one.everywhere else ''}"
+            for r in one.box
+        )
+        + ", one input at a time" * plan.star
+    )
+    held = f"{'ranges' if plan.star else 'a box'} of {one.held:,} points, "
+    box = ranges if one.held == one.inside else f"{held}{ranges}"
+    if one.inside == solved:
+        return f"all {solved:,} points{' that are solved' if one.unsolved else ''}: {box}"
+    of = f"{one.inside:,} of {solved:,} points"
+    return f"{box}; {of}{'' if one.held == one.inside else ' in all'}"
+
+
+def break_in_words(plan: Plan, one: Region) -> str:
+    """What takes the formula out of the limit first; "" where nothing does, or it never is in."""
+    if one.base is None:
+        return ""
+    start = "" if one.nominal else f"from {place(plan.axes, one.base)}, "
+    if not one.nominal and one.at_nominal is not None:
+        start = f"not at the inputs' own values; {start}"
+    if (by := one.breaks) is None:
+        together = ", several inputs together do" if one.outside else ""
+        return "" if one.everywhere else f"{start}nothing breaks it along one axis{together}"
+    return f"{start}{_broken(by)}"
+
+
+def _broken(by: Break) -> str:
+    axis = by.axis
+    if by.verdict == UNSOLVED:  # which says nothing about the formula
+        what = "refused" if by.why.startswith(REFUSED) else "not solved"
+        return (
+            f"no answer beyond {axis.symbol} = {valued(axis, by.last)}: "
+            f"{valued(axis, by.first)} is {what} ({bare(by.why)})"
+        )
+    way = f"first broken by {axis.symbol} {'above' if by.up else 'below'}"
+    doubt = ", where the error bar reaches beyond" if by.verdict == UNDECIDED else ""
+    if by.at is None:
+        return f"{way} {valued(axis, by.last)}{doubt}"
+    low, high = sorted((by.last, by.first))
+    between = f"between {axis.shown(low):.4g} and {valued(axis, high)}"
+    return f"{way} {valued(axis, by.at)} ({between}){doubt}"
+
+
+def bare(why: str) -> str:
+    """A reason without saying again that inputs are refused."""
+    return re.sub(rf"^({REFUSED}: )?(inputs(: |\.))?", "", why)
+
+
+def error_with_bar(course: Course, n: int) -> str:
+    """The error of a point in percent with its expanded uncertainty, to two digits of the latter.
+
+    Of a bar below a thousandth of the error, or below SMALL, no more than that is told.
+    """
+    error, bar = 100 * float(course.error[n]), 100 * float(course.U_error[n])
+    if not bar > 0:
+        return f"{error:+.3g} %"
+    power = math.floor(math.log10(max(abs(error) / 1000, SMALL)))
+    if bar >= 10**power:
+        digits = max(0, 1 - math.floor(math.log10(bar)))
+        return f"{error:+.{digits}f} ± {bar:.{digits}f} %"
+    digits = max(0, -power)
+    least = f"< {10**power:.{digits}f} %"
+    return f"{error:+.{digits}f} ± {least}" if abs(error) + bar >= 10**power else least
+
+
+def ranked(scatter: Scatter) -> list[tuple[str, str, str]]:
+    """The inputs by what they cause alone (S1) and in all (ST), with 95 % intervals, as cells."""
+    return [
+        (index.tolerance.symbol, f"S1 {_index(index.first)}", f"ST {_index(index.total)}")
+        for index in scatter.ranked
+    ]
+
+
+def _index(of: Estimate) -> str:
+    return f"{of.value:.2f} ({of.low:.2f} to {of.high:.2f})"
+
+
+def place(varied: Sequence[Axis | Tolerance], values: Iterable[float]) -> str:
+    """The values [SI] of the inputs that vary, with their symbols and units."""
+    return ", ".join(f"{a.symbol} {valued(a, v)}" for a, v in zip(varied, values, strict=True))
+
+
+def valued(one: Axis | Tolerance, value: float) -> str:
+    """A value [SI] in the input's unit, with it."""
+    unit = "" if one.unit == "1" else f" {one.unit}"
+    return f"{one.shown(value):.4g}{unit}"
+
+
+def ends(axis: Axis, low: float, high: float) -> str:
+    """A range of values [SI] in the axis's unit: "2..6 mm"."""
+    unit = "" if axis.unit == "1" else f" {axis.unit}"
+    if low == high:
+        return valued(axis, low)
+    return f"{axis.shown(low):.4g}..{axis.shown(high):.4g}{unit}"

@@ -1,0 +1,111 @@
+"""The validity cards of a run: what was measured of each formula, beside the row of the run."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from verify.core.case import Case
+from verify.core.results import CaseResult, Kind, Row, Validity, ValidityCard, ValidityExact
+from verify.judging.judge import expanded
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.pairs import Pair, pairs
+from verify.studies.sweep.plan import Plan
+from verify.studies.validity import words
+from verify.studies.validity.equations import place, tex
+from verify.studies.validity.kept import Measured, measured
+from verify.studies.validity.left_out import LEFT_OUT, MAPS, SUBJECTS
+from verify.studies.validity.regions import region
+
+ALIKE = 1e-9  # of the largest error: round-off of where an input does not matter
+STALE = "not measured for this code: freewheel deep validity:{} does it"
+
+
+def validity(
+    results: Sequence[CaseResult], cases: Sequence[Case], folder: Path | None = None
+) -> tuple[Validity, ...]:
+    """What is known of each case that sets formulas beside finite elements, in their order."""
+    known = {case.id: case for case in cases}
+    told = {result.id for result in results}
+    found = [
+        of_case(known[result.id], result, folder)
+        for result in results
+        if result.id in known and pairs(known[result.id])
+    ]
+    # a run of some cases has no place for the maps of others
+    return tuple(
+        replace(one, maps=tuple(name for name in one.maps if name in told)) for one in found
+    )
+
+
+def of_case(case: Case, result: CaseResult, folder: Path | None = None) -> Validity:
+    """The cards of one case, from the file that `folder` has of it."""
+    head = Validity(
+        case=case.id, title=case.title,
+        subject=SUBJECTS.get(case.id.partition("-")[0], "Other subjects"),
+        maps=MAPS.get(case.id, ()),
+    )  # fmt: skip
+    every = pairs(case)
+    found = measured(case, folder) if case.scans else None
+    if found is None:
+        missing = STALE.format(case.id) if case.scans else LEFT_OUT.get(case.id, "")
+        return replace(head, missing=missing, others=_names(every))
+    courses = [(plan, course) for plan, kept in found.scans for course in kept]
+    swept = {course.pair.name for _, course in courses}
+    exact = [p for p in every if p.kind is Kind.IDENTITY and p.name in swept]
+    return replace(
+        head, date=found.date, missing=LEFT_OUT.get(case.id, ""),
+        cards=tuple(
+            _card(case, pair, result, [(p, c) for p, c in courses if c.pair == pair])
+            for pair in every if pair.kind is not Kind.IDENTITY and pair.name in swept
+        ),
+        exact=tuple(_exact(p, [c for _, c in courses if c.pair == p]) for p in exact),
+        over=_over(found, exact), others=_names([p for p in every if p.name not in swept]),
+    )  # fmt: skip
+
+
+def _card(
+    case: Case, pair: Pair, result: CaseResult, courses: Sequence[tuple[Plan, Course]]
+) -> ValidityCard:
+    row = next((row for row in result.rows if row.quantity == pair.name), None)
+    error, U = _at_paper(row)
+    return ValidityCard(
+        case=case.id, quantity=pair.name, symbol=pair.symbol, place=place(case, pair),
+        tex=tex(case, pair, result.equations), error=error, U=U,
+        regions=tuple(region(plan, course) for plan, course in courses),
+    )  # fmt: skip
+
+
+def _at_paper(row: Row | None) -> tuple[float | None, float | None]:
+    """The row's relative error against FE or its partner, and its bar; None where not solved."""
+    if row is None or row.analytic is None or row.reference is None or not row.scale:
+        return None, None
+    error = (row.analytic - row.reference) / row.scale
+    return error, None if row.u_num is None else expanded(row.u_num) / row.scale
+
+
+def _exact(pair: Pair, courses: Sequence[Course]) -> ValidityExact:
+    error, U = (
+        np.concatenate([getattr(c, name) for c in courses]) for name in ("error", "U_error")
+    )
+    solved = np.isfinite(error)
+    size = np.abs(np.where(solved, error, 0.0))
+    largest = int(np.argmax(size >= (1 - ALIKE) * size.max())) if solved.any() else None
+    return ValidityExact(
+        quantity=pair.name, symbol=pair.symbol, points=len(error), unsolved=int((~solved).sum()),
+        largest=None if largest is None else float(error[largest]),
+        U=None if largest is None else float(U[largest]),
+    )  # fmt: skip
+
+
+def _over(found: Measured, exact: Sequence[Pair]) -> str:
+    names = {pair.name for pair in exact}
+    return "; ".join(dict.fromkeys(
+        words.over(plan) for plan, kept in found.scans
+        if names & {course.pair.name for course in kept}
+    ))  # fmt: skip
+
+
+def _names(left: Sequence[Pair]) -> tuple[str, ...]:
+    return tuple(pair.name for pair in left)

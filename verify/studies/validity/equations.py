@@ -1,0 +1,73 @@
+"""Which equation of a paper a row's formula is, and how the case writes it."""
+
+import re
+from collections.abc import Sequence
+
+from verify.core.case import Case
+from verify.core.results import Kind
+from verify.core.shown import Equation
+from verify.papers.ledger import cited, papers
+from verify.studies.sweep.pairs import Pair, pairs
+
+_NUMBERS = re.compile(r"Eqs?\. ([\d, and-]*\d)")
+_GREEK = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "eta": "η",
+    "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "rho": "ρ", "sigma": "σ",
+    "tau": "τ", "varphi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Omega": "Ω",
+}  # fmt: skip
+
+
+def numbers(text: str) -> frozenset[int]:
+    """The equations that a text names: "Eqs. 6, 8-10" are 6, 8, 9 and 10."""
+    found: set[int] = set()
+    for given in _NUMBERS.findall(text):
+        for part in re.split(r", | and ", given):
+            first, _, last = part.strip(" ,").partition("-")
+            if first.isdecimal():
+                found.update(range(int(first), int(last or first) + 1))
+    return frozenset(found)
+
+
+def place(case: Case, pair: Pair) -> str:
+    """The equation and paper that a row is about, by its name or the ledger's; else the case's."""
+    named = f"{case.id}/{pair.name}"
+    known = [
+        f"Eq. {equation.number}" for paper in papers() for equation in paper.equations
+        if paper.key == case.paper and equation.test == named
+    ]  # fmt: skip
+    found = _NUMBERS.search(pair.name)
+    where = ", ".join(known) or (found[0] if found else "")
+    paper = cited(case.paper)
+    return f"{where}, {paper}" if where else f"{paper}, {case.place}"
+
+
+def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:
+    """The formula of an approximation as the case writes it; empty where that is not certain.
+
+    An equation counts whose left side is the row's symbol. Of several formulas with one symbol it
+    is that of the row which names the same equation of the paper.
+    """
+    if "printed" in pair.name:
+        return ""
+    symbol = _bare(pair.symbol)
+    mine = [e for e in shown if "=" in e.tex and _left(e.tex) == symbol]
+    rivals = {
+        p.analytic for p in pairs(case)
+        if p.kind is Kind.APPROXIMATION and _bare(p.symbol) == symbol
+    }  # fmt: skip
+    if len(rivals) > 1:
+        asked = numbers(pair.name)
+        mine = [e for e in mine if asked and asked & numbers(e.place)]
+    return mine[0].tex if len(mine) == 1 else ""
+
+
+def _left(text: str) -> str:
+    r"""The left side of an equation as plain letters: \delta_{BE} is δ_BE."""
+    left = text.partition("=")[0].strip()
+    left = re.sub(r"\\([A-Za-z]+) ?", lambda m: _GREEK.get(m[1], f"\\{m[1]}"), left)
+    return left.replace("{", "").replace("}", "").replace("\\", "")
+
+
+def _bare(symbol: str) -> str:
+    """A symbol without what it depends on: α(T) is α."""
+    return symbol.partition("(")[0].strip()

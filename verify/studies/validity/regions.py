@@ -1,0 +1,92 @@
+"""Where the error of one formula stays within the limits, and the errors that are drawn."""
+
+from collections import Counter
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.core.results import ValidityAxis, ValidityLimit, ValidityRegion
+from verify.studies.sweep.axes import Axis
+from verify.studies.sweep.outcome import Course
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import Range, Region, lines, regions
+from verify.studies.validity import words
+from verify.studies.validity.breaks import breaks
+
+MIDDLE = 1  # of LIMITS: the one whose loss is told
+MOST_DRAWN = 2  # axes
+COMMAND = ", check it without --fem"  # advice to one who asks for that point
+
+
+def region(plan: Plan, course: Course) -> ValidityRegion:
+    """All that is told of a formula over one plan, with the errors that are drawn."""
+    found = regions(plan, course)
+    reasons = Counter(reason.removesuffix(COMMAND) for reason in course.problems if reason)
+    drawn, rows = _drawn(plan, course)
+    return ValidityRegion(
+        over=words.over(plan), points=len(plan.points), unsolved=found[0].unsolved,
+        problems=tuple(f"{count} × {reason}" for reason, count in reasons.most_common()),
+        limits=tuple(_limit(one, star=plan.star) for one in found), breaks=breaks(found[MIDDLE]),
+        axes=drawn, error=tuple(course.error[rows].tolist()),
+        U=tuple(course.U_error[rows].tolist()),
+    )  # fmt: skip
+
+
+def _limit(found: Region, *, star: bool) -> ValidityLimit:
+    return ValidityLimit(
+        limit=found.limit, inside=found.inside, outside=found.outside, undecided=found.undecided,
+        words=box_words(found, star=star),
+        box=tuple((one.axis.name, one.axis.shown(one.low), one.axis.shown(one.high))
+                  for one in found.box),
+    )  # fmt: skip
+
+
+def box_words(found: Region, *, star: bool) -> str:
+    """The largest box, a range for each axis, or of a star the range of each input alone.
+
+    "All", "none" where that is what it is.
+    """
+    if found.everywhere:
+        return "all that was measured"
+    if not found.box:
+        return "none of what was measured"
+    return _alone(found.box) if star else ", ".join(_range(one) for one in found.box)
+
+
+def _range(one: Range) -> str:
+    return f"all {one.axis.symbol}" if one.whole else words.span(one.axis, one.low, one.high)
+
+
+def _alone(ranges: Sequence[Range]) -> str:
+    """Ranges that hold one at a time, those of a whole axis together at the end."""
+    told = [words.alone(one.axis, one.low, one.high) for one in ranges if not one.whole]
+    whole = ", ".join(one.axis.symbol for one in ranges if one.whole)
+    return "; ".join([*told, f"{whole} alone throughout"] if whole else told)
+
+
+def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:
+    """The axes of a figure and the points in it: a grid, or the line that the error varies most on.
+
+    Nothing of a grid of more axes than can be drawn.
+    """
+    if not plan.star:
+        if len(plan.axes) > MOST_DRAWN:
+            return (), []
+        return tuple(_axis(a, a.values) for a in plan.axes), list(range(len(plan.points)))
+    every = [line for line in lines(plan, 0) if len(line.x) > 1]
+    best = max(every, key=lambda line: _spread(course.error[line.points]))
+    return (_axis(best.axis, tuple(best.x.tolist())),), best.points.tolist()
+
+
+def _spread(error: np.ndarray[tuple[int], np.dtype[np.float64]]) -> float:
+    known = error[np.isfinite(error)]
+    return float(np.ptp(known)) if known.size else -1.0
+
+
+def _axis(axis: Axis, values: tuple[float, ...]) -> ValidityAxis:
+    return ValidityAxis(
+        name=axis.name, symbol=axis.symbol, unit=axis.unit,
+        values=tuple(axis.shown(v) for v in values),
+        nominal=None if axis.nominal is None else axis.shown(axis.nominal),
+        log=axis.spacing == "log",
+    )  # fmt: skip

@@ -1,0 +1,66 @@
+"""Numbers, ranges and axes of a measurement in words."""
+
+from verify.studies.sweep.axes import Axis
+from verify.studies.sweep.plan import Plan
+
+
+def quantity(axis: Axis, value: float) -> str:
+    """A value [SI] of the axis with its unit: "3.2 mm"."""
+    return f"{number(axis.shown(value))}{_unit(axis)}"
+
+
+def number(value: float) -> str:
+    """Four significant digits, no exponent before six figures."""
+    return f"{value:.4g}" if abs(value) < 1e4 else f"{value:,.6g}".replace(",", "")
+
+
+def span(axis: Axis, low: float, high: float) -> str:
+    """From one value [SI] to another: "δ_1 3 to 8 mm", "z = 12" for one alone."""
+    if low == high:
+        return f"{axis.symbol} = {quantity(axis, low)}"
+    return f"{axis.symbol} {_ends(axis, low, high)}"
+
+
+def alone(axis: Axis, low: float, high: float) -> str:
+    """The range [SI] of an input with all others held: "T alone 5 to 15 N m"."""
+    if low == high:
+        return f"{axis.symbol} alone at {quantity(axis, low)}"
+    return f"{axis.symbol} alone {_ends(axis, low, high)}"
+
+
+def between(axis: Axis, last: float, first: float) -> str:
+    """Two neighbouring values [SI], the smaller one first: "15 and 40 N m"."""
+    low, high = sorted((last, first))
+    return f"{number(axis.shown(low))} and {quantity(axis, high)}"
+
+
+def near(axis: Axis, last: float, first: float, at: float) -> str:
+    """An interpolated value [SI], two digits of it; nothing where these are no longer between."""
+    low, high = sorted(axis.shown(v) for v in (last, first))
+    about = float(f"{axis.shown(at):.2g}")
+    return f" (about {number(about)})" if low < about < high else ""
+
+
+def over(plan: Plan) -> str:
+    """What was varied, over which ranges and with how many values each, and what was held where."""
+    parts = [f"{span(a, a.values[0], a.values[-1])} ({len(a.values)} values)" for a in plan.axes]
+    own, varied = plan.case.inputs(), {axis.name for axis in plan.axes}
+    held = [
+        f"{shown.symbol or shown.name} = {number(float(shown.value))} {shown.unit}".removesuffix(
+            " 1"
+        )
+        for shown, usual in zip(plan.inputs.display(), own.display(), strict=True)
+        if shown.value != usual.value and shown.name not in varied
+    ]
+    return (
+        ", ".join(parts) + ", one at a time" * (plan.star and len(parts) > 1)
+        + f", at {', '.join(held)}" * bool(held)
+    )  # fmt: skip
+
+
+def _ends(axis: Axis, low: float, high: float) -> str:
+    return f"{number(axis.shown(low))} to {quantity(axis, high)}"
+
+
+def _unit(axis: Axis) -> str:
+    return "" if axis.unit == "1" else f" {axis.unit}"
