@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: setup verify quick deep crosscheck mutants test check portable bench readme lock clean
+.PHONY: setup verify quick deep crosscheck mutants test soak check portable bench readme lock clean
 
 setup: .venv/.ready
 
@@ -32,6 +32,10 @@ portable: .venv/.ready
 # A file is one worker's, so that what its tests share is solved once (pytest 9.2 tells xdist 3.8 no groups).
 test: .venv/.ready
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist loadfile --no-loadscope-reorder
+
+# Tests that take minutes each: kills at random moments, full disks, whole cases, other machines.
+soak: .venv/.ready
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist loadfile -m soak
 
 check: .venv/.ready
 	$(BIN)/ruff check .

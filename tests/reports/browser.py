@@ -5,6 +5,7 @@ import json
 import re
 import shutil
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -28,6 +29,7 @@ def browse(folder: Path, *flags: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*base, *flags], capture_output=True, text=True, timeout=400, check=False)
 
 
+@cache
 def looked_at(
     folder: Path,
     name: str,
@@ -38,7 +40,7 @@ def looked_at(
 ) -> dict[str, object]:
     """What the host measured of the page `name` in a frame of `width` pixels.
 
-    `status` is the filter of the rows that a host may set.
+    `status` is the filter of the rows that a host may set. What was measured once is kept.
     """
     framed = folder / f"{Path(host).stem}-{name}-{width}.html"
     text = Path(__file__).with_name(host).read_text("utf-8")

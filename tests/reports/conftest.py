@@ -1,14 +1,17 @@
 """One judged run for all report tests, and the same with hostile texts and every status."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from reports.write import write
 from verify.app.commands import make_report
 from verify.cases.registry import CASES
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
 from verify.core.shown import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
+from verify.jobs.cache import picture_folder
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
 NAME = " ".join(["word"] * 18)  # 90 letters
@@ -36,6 +39,14 @@ def hostile(report) -> Report:
         inputs=(replace(first.inputs[0], what=HOSTILE, symbol=HOSTILE),),
     )  # fmt: skip
     return replace(report, cases=(case, *others))
+
+
+@pytest.fixture(scope="session")
+def written(report, tmp_path_factory) -> Path:
+    """The folder of the whole report, written once for tests that only read it."""
+    folder = tmp_path_factory.mktemp("written")
+    write(report, folder, cache=picture_folder())
+    return folder
 
 
 @pytest.fixture(scope="session")

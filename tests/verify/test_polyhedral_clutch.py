@@ -215,7 +215,7 @@ def test_values_of_odd_clutches_are_finite_or_left_out_and_their_state_is_told(
         pytest.param({"mu": 0.22, "p_t": "29 MPa"}, {EQ_20}, id="locks by Eq. 20"),
         pytest.param({"mu": 0.32}, {EQ_20, EQ_21}, id="nearly endless"),
         pytest.param({"z": 24, "delta_1": "0.5 mm", "rho": "0.3 mm", "e": "3 mm", "p_t": "5 MPa"},
-                     set(), id="thin, 24 rollers"),
+                     set(), id="thin, 24 rollers", marks=pytest.mark.soak),
         pytest.param({"M_t": "110 N m"}, set(), id="a little less wanted than is carried"),
         pytest.param({"p_t": "20.5 MPa"}, set(), id="far less than is wanted"),
         pytest.param({"p_t": "200 MPa"}, set(), id="far more than is wanted"),

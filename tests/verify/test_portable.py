@@ -265,6 +265,7 @@ def test_wrong_arguments_are_refused_in_one_line(arguments, words, capsys):
     assert words in capsys.readouterr().err
 
 
+@pytest.mark.soak
 def test_a_sample_of_rows_has_the_same_verdicts_on_other_machines(tmp_path, monkeypatch, capsys):
     """Perturbed inputs and two BLAS threads, with caches of their own; run again, nothing is."""
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))

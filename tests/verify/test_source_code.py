@@ -317,6 +317,7 @@ def loaded():
     return {name: (set(modules), files) for name, modules, files in told}
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
 def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
     loaded, called = loaded[case.id]

@@ -150,12 +150,13 @@ def undisturbed(tmp_path_factory, with_equations):
     return place, time.monotonic() - start
 
 
-def test_twenty_kills_lose_and_tear_nothing(place, undisturbed):
+@pytest.mark.parametrize("kills", [6, pytest.param(KILLS, marks=pytest.mark.soak)])
+def test_kills_lose_and_tear_nothing(kills, place, undisturbed):
     """Seeded moments, from the first levels in an empty cache to the last file of the report."""
     right, seconds = undisturbed
     moments = random.Random(20)
     kept = {}
-    for kill in range(KILLS):
+    for kill in range(kills):
         process = place.start("--jobs", "1" if kill % 4 == 3 else "2")
         try:
             process.wait(moments.uniform(0.1, 1.05 * seconds))

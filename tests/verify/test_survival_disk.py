@@ -94,6 +94,7 @@ def test_a_report_that_finds_no_space_is_one_line_and_the_old_one_stays(tiny, sh
     assert {p.name: p.read_bytes() for p in tiny.iterdir() if p.name != ".lock"} == old
 
 
+@pytest.mark.soak
 def test_a_quota_on_files_is_one_line_for_the_cache_and_one_for_the_report(
     tmp_path, with_equations
 ):
@@ -129,7 +130,10 @@ def test_a_read_only_output_folder_is_found_before_the_work(tiny, tmp_path):
     assert not (tmp_path / "fem").exists()
 
 
-@pytest.mark.parametrize("place", ["itself", "parent", "entry"])
+@pytest.mark.parametrize(
+    "place",
+    ["itself", *(pytest.param(p, marks=pytest.mark.soak) for p in ("parent", "entry"))],
+)
 def test_a_file_where_the_cache_wants_a_folder_is_one_line(place, tmp_path):
     cache = tmp_path / "fem"
     if place == "itself":

@@ -88,6 +88,7 @@ def test_a_killed_worker_and_a_killed_client_leave_the_table_of_an_undisturbed_r
     assert table(tmp_path) == undisturbed
 
 
+@pytest.mark.soak
 def test_ctrl_c_says_what_is_kept_and_the_same_command_goes_on(undisturbed, tmp_path):
     process = client(tmp_path, "--jobs", "2")
     until(lambda: points(tmp_path) >= 2)
@@ -163,6 +164,7 @@ def test_a_killed_scheduler_is_told_and_another_one_goes_on_with_the_same_number
     assert table(tmp_path) == undisturbed
 
 
+@pytest.mark.soak
 def test_a_scheduler_that_is_not_there_is_told(tmp_path, monkeypatch):
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
