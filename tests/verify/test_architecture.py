@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -67,3 +68,28 @@ def test_ids_of_cases_start_with_their_subject():
     subjects = ("ring", "contact", "spring", "freewheel", "polyhedral", "sprag", "rotor")
     for case in CASES:
         assert case.id.partition("-")[0] in subjects
+
+
+def imports_of(path, modules):
+    """Modules of the project that a file imports, inside functions too."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            names = [f"{node.module}.{alias.name}" for alias in node.names] + [node.module or ""]
+        elif isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        else:
+            continue
+        found |= modules & set(names)
+    return found
+
+
+def test_no_module_imports_itself_by_way_of_others():
+    paths = {
+        ".".join(path.relative_to(ROOT).with_suffix("").parts): path
+        for package in ("analytic", "fem", "meshes", "verify", "reports")
+        for path in (ROOT / package).rglob("*.py")
+        if path.name != "__init__.py"
+    }
+    graph = {name: imports_of(path, set(paths)) for name, path in paths.items()}
+    TopologicalSorter(graph).prepare()  # CycleError names the circle

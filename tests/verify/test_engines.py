@@ -8,7 +8,8 @@ import sys
 import pytest
 
 from verify.core.inputs import InputError
-from verify.jobs.engines import Drive, Engine, GoneError, Here, Lost, Where, local
+from verify.jobs.engine import Engine, GoneError
+from verify.jobs.engines import Drive, Here, Lost, Where, local
 from verify.jobs.workers import WorkerDiedError
 
 

@@ -11,7 +11,8 @@ from verify.cases.ring.lame.case import LAME
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
-from verify.jobs.engines import Engine, GoneError, Here, local
+from verify.jobs.engine import Engine, GoneError
+from verify.jobs.engines import Here, local
 from verify.jobs.run import Job
 from verify.jobs.schedule import run
 from verify.jobs.workers import WorkerDiedError

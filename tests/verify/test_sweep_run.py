@@ -8,7 +8,7 @@ import pytest
 
 from tests.verify.sweep_made import CASE, Here, chosen
 from verify.cases import registry
-from verify.jobs.engines import GoneError
+from verify.jobs.engine import GoneError
 from verify.studies.sweep import point, run
 from verify.studies.sweep.plan import grid
 from verify.studies.sweep.run import solve

@@ -7,7 +7,7 @@ from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
 from typing import Any
 
-from verify.jobs.engines import Engine, GoneError
+from verify.jobs.engine import Engine, GoneError
 from verify.jobs.workers import GUARD
 
 PATIENCE = 10.0  # s for a scheduler to answer, and for its first worker

@@ -10,12 +10,13 @@ import time
 import traceback
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
 from verify.core.inputs import InputError
+from verify.jobs.engine import Engine, GoneError
 from verify.jobs.guard import named
 from verify.jobs.workers import Processes, RemoteTraceback
 
@@ -31,27 +32,6 @@ class Lost:
 
     reason: str
     trace: str = ""
-
-
-class GoneError(OSError):
-    """The engine answers no more; what was answered before is kept."""
-
-
-@dataclass(frozen=True)
-class Engine:
-    """An executor, how many tasks it solves at a time, and what kills a task without an answer.
-
-    `gone` says why it will never answer again, "" while it may. `renew` ends idle processes, so
-    that a task that killed one finds a fresh one. `ahead` tasks wait there for each that is solved.
-    """
-
-    executor: Executor
-    workers: Callable[[], int]
-    deadly: tuple[type[BaseException], ...] = (BrokenExecutor,)
-    gone: Callable[[], str] = lambda: ""
-    renew: Callable[[], None] = lambda: None
-    ahead: int = 0
-    remote: bool = False  # tasks may run on machines that don't see this one's files
 
 
 class Here(Executor):

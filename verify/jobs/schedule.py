@@ -14,7 +14,8 @@ from verify.core.inputs import Inputs
 from verify.core.progress import Show, State
 from verify.core.results import CaseResult
 from verify.jobs import cache, durations
-from verify.jobs.engines import Drive, Engine, Lost, local
+from verify.jobs.engine import Engine
+from verify.jobs.engines import Drive, Lost, local
 from verify.jobs.run import Job, Solved, judge_case, keep_level, solve_level
 
 

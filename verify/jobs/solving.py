@@ -11,7 +11,8 @@ from verify.core.files import remove_abandoned
 from verify.core.progress import State, shown
 from verify.core.results import CaseResult
 from verify.jobs import cache
-from verify.jobs.engines import GoneError, Where
+from verify.jobs.engine import GoneError
+from verify.jobs.engines import Where
 from verify.jobs.run import Job
 from verify.jobs.schedule import run
 from verify.jobs.workers import refuse_reimport

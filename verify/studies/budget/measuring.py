@@ -11,7 +11,8 @@ from verify.core.inputs import InputError
 from verify.core.nearest import nearest
 from verify.core.progress import Show, State
 from verify.jobs import cache
-from verify.jobs.engines import Drive, Engine, GoneError, Lost, Where
+from verify.jobs.engine import Engine, GoneError
+from verify.jobs.engines import Drive, Lost, Where
 from verify.judging.budget_statement import Statement
 from verify.studies.budget import kept
 from verify.studies.budget.corrected import budgets
