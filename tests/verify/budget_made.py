@@ -67,7 +67,7 @@ TIGHT = Rerun(
 )  # fmt: skip
 CASE = Case(
     id="made-up-leaf", title="A leaf", paper="", place="", lead="", inputs=Leaf, analytic=formulas,
-    fem=fem, levels=(1, 2, 4), outputs=(),
+    reference=fem, levels=(1, 2, 4), outputs=(),
     checks=(
         Approximation(name="stiffness", symbol="k", unit="N/mm", analytic="k", fem="k", formal=2,
                       interval=None, source=""),

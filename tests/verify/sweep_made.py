@@ -43,7 +43,7 @@ def row(name, symbol, unit, key):
 
 CASE = Case(
     id="made-up-plate", title="", paper="", place="", lead="", inputs=Plate, analytic=formulas,
-    fem=fem, levels=(1, 2, 4),
+    reference=fem, levels=(1, 2, 4),
     checks=(row("stiffness", "k", "N/mm", "k"), row("stress", "σ", "MPa", "s")), outputs=(),
 )  # fmt: skip
 

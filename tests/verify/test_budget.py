@@ -125,7 +125,7 @@ def test_a_finer_mesh_that_fails_leaves_the_three_finest(measured_here, monkeypa
             raise ArithmeticError("too fine")
         return made.fem(q, level)
 
-    plan = made.plan(case=replace(made.CASE, fem=until_four))
+    plan = made.plan(case=replace(made.CASE, reference=until_four))
     steps = {step: solved(plan, step, None) for step in first(plan)}
     part = budgets(plan, steps)[0].balance.parts[0]
     assert part.name == (
@@ -206,7 +206,7 @@ def test_tolerances_are_tightened_and_loosened_where_that_fails(measured_here, m
             raise ArithmeticError("rounding")
         return made.fem(q, level)
 
-    monkeypatch.setattr(registry, "CASES", (replace(made.CASE, fem=difficult),))
+    monkeypatch.setattr(registry, "CASES", (replace(made.CASE, reference=difficult),))
     says = Statement(reruns=(made.NARROW,))
     measured_here(says)
     row = rows_of(measuring.plan_of(made.CASE.id))["stiffness"]

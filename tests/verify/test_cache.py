@@ -22,7 +22,7 @@ def made_up(inputs, level):
 
 CASE = Case(
     id="ring-made-up", title="", paper="", place="", lead="", inputs=Beam, analytic=lambda q: {},
-    fem=made_up, levels=(1, 2, 4), checks=(), outputs=(),
+    reference=made_up, levels=(1, 2, 4), checks=(), outputs=(),
 )  # fmt: skip
 RESULT = FemResult(
     h=0.1,
@@ -84,7 +84,7 @@ def test_a_later_result_replaces_an_earlier_one(tmp_path):
         pytest.param(CASE, Beam(L=1.0 + 1e-15), 2, id="another input"),
         pytest.param(CASE, Beam(L=Beam().b, b=Beam().L), 2, id="inputs exchanged"),
         pytest.param(replace(CASE, id="ring-other"), Beam(), 2, id="another case"),
-        pytest.param(replace(CASE, fem=assert_same), Beam(), 2, id="another fem function"),
+        pytest.param(replace(CASE, reference=assert_same), Beam(), 2, id="another fem function"),
     ],
 )
 def test_a_result_is_found_for_nothing_but_what_it_is_of(case, inputs, level, tmp_path):

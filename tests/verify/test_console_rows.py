@@ -110,7 +110,7 @@ def test_every_case_whose_reference_uses_no_finite_elements_is_known():
         case.id for case in CASES
         if not any(
             name.startswith("fem.") and not name.startswith("fem.rotor.struts")
-            for name in parts_of(case.fem)[1]
+            for name in parts_of(case.reference)[1]
         )
     }  # fmt: skip
     assert len(bare) >= 9

@@ -167,7 +167,7 @@ def test_the_half_space_takes_neither_the_formulas_crowns_nor_their_tilt(monkeyp
                 pressed(CROWNS.inputs(), 4, crown=gap(CROWNS.inputs())).values
                 for gap in REFERENCES.values()
             ),
-            {k: v for k, v in CROWNS.fem(CROWNS.inputs(), 4).values.items() if v},
+            {k: v for k, v in CROWNS.reference(CROWNS.inputs(), 4).values.items() if v},
         ]
 
     def refused(*_, **__):

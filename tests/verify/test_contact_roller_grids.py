@@ -15,7 +15,7 @@ CLAIMED = ("peak", "mid", "approach", "low end", "high end", "ends", "moment")
 @pytest.mark.parametrize("case", [ROLLER, TILTED], ids=lambda case: case.id)
 def test_what_neighbouring_grids_differ_by_is_claimed_and_little(case):
     q = case.inputs()
-    found = case.fem(q, LEVEL)
+    found = case.reference(q, LEVEL)
     beside = [pressed(q, LEVEL + step).values for step in (-1, 1)]
     for key in CLAIMED:
         apart = max(abs(values[key] - found.values[key]) for values in beside)
@@ -27,7 +27,7 @@ def test_what_neighbouring_grids_differ_by_is_claimed_and_little(case):
 
 def test_so_it_is_for_crowns_of_an_even_pressure():
     q = CROWNS.inputs()
-    found = CROWNS.fem(q, LEVEL)
+    found = CROWNS.reference(q, LEVEL)
     for name, gap in REFERENCES.items():
         beside = [pressed(q, LEVEL + step, crown=gap(q)).values for step in (-1, 1)]
         for key in ("mid", "approach", "ends"):

@@ -77,18 +77,18 @@ def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monk
     def interrupted(inputs, level):
         if level == 2:
             raise KeyboardInterrupt
-        return ACCORDION.fem(inputs, level)
+        return ACCORDION.reference(inputs, level)
 
     monkeypatch.setattr(source_code, "source_of", lambda _function: "same code")
-    monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=interrupted),))
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, reference=interrupted),))
     with pytest.raises(KeyboardInterrupt):
         deep.run_deep([], jobs=1)
 
     def rest(inputs, level):
         assert level == 2
-        return ACCORDION.fem(inputs, level)
+        return ACCORDION.reference(inputs, level)
 
-    monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=rest),))
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, reference=rest),))
     assert deep.run_deep([], jobs=1) == 0
 
 
@@ -96,7 +96,7 @@ def test_a_part_that_fails_is_told_and_nothing_is_kept(folder, monkeypatch, caps
     def broken(_inputs, _level):
         raise ArithmeticError("no root")
 
-    monkeypatch.setattr(registry, "DEEP", (replace(FAST, fem=broken),))
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, reference=broken),))
     assert deep.run_deep([], jobs=1) == 1
     assert "no root" in capsys.readouterr().out
     assert not folder.exists()

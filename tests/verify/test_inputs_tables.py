@@ -120,7 +120,7 @@ def test_programs_get_entries_with_values_and_units():
 def fenced():
     return Case(
         id="fence", title="Fence", paper="huang2022", place="", lead="", inputs=Fence,
-        analytic=lambda _: {}, fem=LAME.fem, levels=(1,), checks=(), outputs=(),
+        analytic=lambda _: {}, reference=LAME.reference, levels=(1,), checks=(), outputs=(),
     )  # fmt: skip
 
 

@@ -16,7 +16,7 @@ PORTIONS = [pytest.param(case, part, id=case.id) for case in (RING, ACCORDION)
 @pytest.mark.parametrize(("case", "portion"), PORTIONS)
 def test_a_portion_has_the_values_of_its_case_on_the_same_mesh(case, portion):
     level = portion.levels[0]
-    part, whole = (fem(case.inputs(), level) for fem in (portion.fem, case.fem))
+    part, whole = (fem(case.inputs(), level) for fem in (portion.fem, case.reference))
     assert set(part.values) == set(portion.keys)
     assert part.h == whole.h
     assert part.values == {key: whole.values[key] for key in portion.keys}

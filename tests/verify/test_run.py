@@ -42,7 +42,7 @@ def holds(name, margin=lambda _context: (1.0, 0.0), **more):
 
 CASE = Case(
     id="ring-made-up", title="", paper="", place="", lead="", inputs=Beam,
-    analytic=lambda q: {"v": q.L}, fem=made_up, levels=(1, 2, 4), outputs=(),
+    analytic=lambda q: {"v": q.L}, reference=made_up, levels=(1, 2, 4), outputs=(),
     checks=(holds("with elements"), holds("formula alone", fem_needed=False)),
 )  # fmt: skip
 OTHER = replace(CASE, id="ring-other")
@@ -127,7 +127,7 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reas
             raise error
         return made_up(inputs, level)
 
-    result = here(replace(CASE, fem=fem))
+    result = here(replace(CASE, reference=fem))
     assert rows_of(result) == {
         "with elements": ("FAIL", reason), "formula alone": ("PASS", "held")
     }  # fmt: skip
@@ -135,7 +135,7 @@ def test_finite_elements_that_raise_turn_the_rows_that_need_them_red(error, reas
 
 
 def test_finite_elements_that_no_row_needs_still_turn_the_case_red():
-    result = here(replace(CASE, fem=boom, checks=CASE.checks[1:]))
+    result = here(replace(CASE, reference=boom, checks=CASE.checks[1:]))
     assert rows_of(result)["finite elements"][0] == "FAIL"
 
 
@@ -196,7 +196,7 @@ def counting(case, solved):
         return made_up(inputs, level)
 
     # the cache knows a function by its source: that of `fem` above
-    return replace(case, fem=fem)
+    return replace(case, reference=fem)
 
 
 def test_what_is_stored_is_not_solved_again(tmp_path):

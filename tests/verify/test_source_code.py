@@ -298,7 +298,7 @@ for name in sys.argv[1:]:
         case = find(name)
         inputs, called = case.inputs(), set()
         sys.setprofile(note)
-        case.fem(inputs, case.levels[0])
+        case.reference(inputs, case.levels[0])
         sys.setprofile(None)
         print(json.dumps([name, project(), sorted(called)]), flush=True)
         os._exit(0)
@@ -321,7 +321,7 @@ def loaded():
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
 def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
     loaded, called = loaded[case.id]
-    _, reached = source_code.parts_of(case.fem)
+    _, reached = source_code.parts_of(case.reference)
     packages = {name.rpartition(".")[0] for name in loaded}  # they import nothing
     assert loaded - packages - {"fem", "meshes"} <= set(reached)
     root = Path(source_code.__file__).parents[2]
@@ -338,7 +338,7 @@ def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
     ids=lambda case: case.id,
 )  # fmt: skip
 def test_a_changed_formula_solves_nothing_anew_where_finite_elements_take_none(case):
-    assert not [name for name in source_code.parts_of(case.fem)[1] if name.startswith("analytic")]
+    assert not [name for name in source_code.parts_of(case.reference)[1] if name.startswith("analytic")]
 
 
 def test_a_source_has_the_same_text_in_every_python():

@@ -237,7 +237,7 @@ def test_an_elastica_that_is_not_found_says_nothing_of_stability():
 def test_the_finer_map_has_a_part_for_each_of_its_rows():
     rows = [row for grid in points(MapInputs(), deep=True).values() for row in grid]
     assert len(DEEP_MAP.levels) == len(rows)
-    part = DEEP_MAP.fem(MapInputs(), 0).arrays["cells"]
+    part = DEEP_MAP.reference(MapInputs(), 0).arrays["cells"]
     assert part.shape == (len(DEEP_SLENDER), 3)
     assert len(rows[-1]) == len(DEEP_LEAVES)
     assert (part > 0).all()

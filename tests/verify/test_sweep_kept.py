@@ -80,7 +80,7 @@ def test_a_solution_has_its_time_and_the_largest_uncertainty_of_its_levels(known
     def fem(q, level):
         return FemResult(h=1 / level, values={"k": 1.0}, u_it={"k": 1.0 / level})
 
-    case = replace(CASE, fem=fem)
+    case = replace(CASE, reference=fem)
     monkeypatch.setattr(registry, "CASES", (*registry.CASES[:-1], case))
     got = solve_point(task(code=code_of(case, whole(case))))
     assert got.u_it == {"k": 1.0}

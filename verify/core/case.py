@@ -139,7 +139,7 @@ class Case:
     lead: str
     inputs: type[Inputs]
     analytic: Callable[[Any], Values]
-    fem: Callable[[Any, int], FemResult]
+    reference: Callable[[Any, int], FemResult]
     levels: tuple[int, ...]
     checks: tuple[Check, ...]
     outputs: tuple[Output, ...]

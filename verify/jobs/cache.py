@@ -70,8 +70,8 @@ def trim(folder: Path, largest: float = LARGEST) -> None:
 def key(case: Case, inputs: Inputs, level: int) -> str:
     """Hexadecimal name of one result."""
     canonical = json.dumps(inputs.model_dump(), sort_keys=True)
-    parts = [str(FORMAT), case.id, canonical, str(level), source_of(case.fem)]
-    parts += [f"{name} {version(name)}" for name in libraries_of(case.fem)]
+    parts = [str(FORMAT), case.id, canonical, str(level), source_of(case.reference)]
+    parts += [f"{name} {version(name)}" for name in libraries_of(case.reference)]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 

@@ -34,7 +34,7 @@ def measured(case: Case, folder: Path | None = None) -> Measured | None:
     try:
         data = json.loads(((folder or FOLDER) / f"{case.id}.json").read_text("utf-8"))
         if (
-            data["code"] != source_code.source_of(case.fem)
+            data["code"] != source_code.source_of(case.reference)
             or data["inputs"] != case.inputs().model_dump()
         ):
             return None
@@ -55,7 +55,7 @@ def keep(case: Case, parts: Sequence[FemResult], folder: Path | None = None) -> 
     data: dict[str, Any] = {
         "case": case.id,
         "date": time.strftime("%Y-%m-%d", time.gmtime()),
-        "code": source_code.source_of(case.fem),
+        "code": source_code.source_of(case.reference),
         "inputs": case.inputs().model_dump(),
         "parts": [
             {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),

@@ -68,7 +68,7 @@ def group(module) -> Group:
     case = Case(
         id="ring-tape", title="", paper="", place="", lead="", inputs=Bar,
         analytic=lambda q: {"length": module.length(q.a), "count": module.count(q.a)},
-        fem=lambda *_: FemResult(h=1.0, values={}), levels=(), outputs=(), checks=(row,),
+        reference=lambda *_: FemResult(h=1.0, values={}), levels=(), outputs=(), checks=(row,),
     )  # fmt: skip
     load = Load(case, Bar(), ())
     bench = Bench(load, known.Noted(0.1, (), load.judged().states))

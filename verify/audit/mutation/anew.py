@@ -24,7 +24,7 @@ QUICK = 5.0  # s: the others are asked last, after the tests
 @cache
 def formulas_in(case: Case) -> frozenset[str]:
     """The modules of formulas that a case's levels are made with."""
-    return frozenset(name for name in parts_of(case.fem)[1] if name.startswith("analytic."))
+    return frozenset(name for name in parts_of(case.reference)[1] if name.startswith("analytic."))
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:

@@ -76,7 +76,7 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
     anew: dict[int, FemResult] = {}
     try:
         for level in levels:
-            anew[level] = case.fem(load.inputs, level)
+            anew[level] = case.reference(load.inputs, level)
     except Exception as error:
         by = By.REFUSED if refuses(error) else By.CRASHED
         return [by.value, f"{case.id}: {named(error)}"[:200]]

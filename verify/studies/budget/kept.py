@@ -80,7 +80,7 @@ def _made_by(plan: Plan) -> dict[str, Any]:
     return {
         "arithmetic": _arithmetic(),
         "inputs": json.loads(json.dumps(case.inputs().model_dump())),
-        "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.fem)],
+        "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.reference)],
         "levels": [*case.levels, says.finer],
         "rows": [[p.name, p.analytic, p.fem, p.scale, p.claim.formal] for p in plan.rows],
         "reruns": [_signature(plan, name) for name in plan.reruns],

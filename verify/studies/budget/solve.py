@@ -74,13 +74,13 @@ def _both(plan: Plan, step: Step, folder: Path | None) -> tuple[Mapping[str, flo
     if own is None and not changes:  # only inputs or the mesh: the usual cache
         return case.analytic(q), _usual(plan, q, step.level, folder)
     with changed(changes):
-        return case.analytic(q), (own or case.fem)(q, step.level)
+        return case.analytic(q), (own or case.reference)(q, step.level)
 
 
 def _usual(plan: Plan, q: Any, level: int, folder: Path | None) -> FemResult:
     if folder is not None and (found := cache.load(folder, plan.case, q, level)) is not None:
         return found
-    result = plan.case.fem(q, level)
+    result = plan.case.reference(q, level)
     if folder is not None:
         keep_level(folder, plan.case, q, level, result)
     return result
@@ -91,8 +91,11 @@ def key(plan: Plan, step: Step) -> str:
     q = plans.inputs_of(plan, step).model_dump()
     parts = [str(FORMAT), json.dumps(q, sort_keys=True, default=str), str(step.level)]
     parts += [code_of(plan, name) for name in step.causes]
-    parts += [source_code.source_of(plan.case.fem), source_code.whole_source_of(plan.case.analytic)]
-    parts += [f"{name} {version(name)}" for name in cache.libraries_of(plan.case.fem)]
+    parts += [
+        source_code.source_of(plan.case.reference),
+        source_code.whole_source_of(plan.case.analytic),
+    ]
+    parts += [f"{name} {version(name)}" for name in cache.libraries_of(plan.case.reference)]
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 

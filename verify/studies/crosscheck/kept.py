@@ -43,7 +43,7 @@ def code_of(cross: Cross) -> str:
     pose = getattr(cross.pose, "func", cross.pose)
     case = find(cross.case)
     told = [
-        source_code.source_of(pose), source_code.source_of(case.fem),
+        source_code.source_of(pose), source_code.source_of(case.reference),
         posing(cross.solver, pose.__module__), json.dumps(case.inputs().model_dump()), cross.id,
     ]  # fmt: skip
     told += [f"{q.name} {q.row} {q.unit}" for q in cross.quantities]

@@ -113,7 +113,7 @@ def _offered(text: str, names: Sequence[str]) -> str:
 def whole(case: Case) -> Portion:
     """A case's own finite elements, on its coarsest levels, as the portion without a name."""
     keys = tuple(dict.fromkeys(pair.fem for pair in pairs(case)))
-    return Portion(name="", fem=case.fem, levels=case.levels[:LEVELS], keys=keys)
+    return Portion(name="", fem=case.reference, levels=case.levels[:LEVELS], keys=keys)
 
 
 def portion(case: Case, chosen: Sequence[Pair]) -> Portion:

@@ -233,7 +233,7 @@ FLAT = Case(
     "measures what Hertz's simplifications cost and finds the derived 3/16 (a/R)² of p_0.",
     inputs=FlatInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 3, 4, 6),
     scans=(Scan(vary=("F=100N:30000N:6:log", "nu=0,0.3,0.45"), star=True),),
     checks=CHECKS,

@@ -145,7 +145,7 @@ PAIR = Case(
     "which the bodies meet, and finite elements must fall on it.",
     inputs=PairInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 3, 4, 6),
     scans=(Scan(vary=("F=300N,1000N,3407N,10000N,20000N", "R_2=4.02mm,11.11mm,50mm"), star=True),),
     checks=CHECKS,

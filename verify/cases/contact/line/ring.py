@@ -152,7 +152,7 @@ RING = Case(
     "how far centre and held rim approach is derived from the ring's own Fourier series.",
     inputs=RaceInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 3, 4, 6),
     scans=(
         Scan(

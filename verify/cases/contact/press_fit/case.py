@@ -355,7 +355,7 @@ PRESS_FIT = Case(
     "meshes that overlap; a solid shaft takes the race's place for the third.",
     inputs=FitInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("r_i=5mm,12mm,19.44mm", "E_o=70GPa,206GPa", "nu_i=0.2,0.3"), star=True),

@@ -331,7 +331,7 @@ ROLLER = Case(
     "derived, and the half-space must agree.",
     inputs=CrownedInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(Scan(vary=("F=1500N,3407N,6000N", "L=6mm,9mm"), star=True),),
     checks=CHECKS,

@@ -386,7 +386,7 @@ CROWNS = Case(
     "a half-space under the load that they are made for.",
     inputs=StripInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(16, 24, 32),
     scans=(Scan(vary=("F=1500N,3407N,6000N", "L=6mm,9mm"), star=True),),
     checks=CHECKS,

@@ -114,7 +114,7 @@ END = Case(
     "bodies' finite size.",
     inputs=EndInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 3, 4),
     checks=CHECKS,
     outputs=OUTPUTS,

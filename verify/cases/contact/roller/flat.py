@@ -115,7 +115,7 @@ UNCROWNED = Case(
     "is judged, and the slope with which the peak grows.",
     inputs=RollerInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(8, 11, 16, 22, 32),
     scans=(Scan(vary=("F=1000N,3407N,10000N", "L=4mm,9mm,18mm", "R_1=2mm,4.02mm,8mm"), star=True),),
     checks=CHECKS,

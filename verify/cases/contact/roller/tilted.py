@@ -118,7 +118,7 @@ TILTED = Case(
     "and slices are told the gap that the tilt leaves and must find the end that takes more.",
     inputs=TiltedInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("theta=0.01deg,0.03deg,0.06deg",), star=True),

@@ -145,7 +145,7 @@ SLIP = Case(
     "and pushed sideways say whether that holds.",
     inputs=SlipInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(24, 40, 56),
     scans=(Scan(vary=("share=0.3,0.6,0.9", "mu=0.1,0.2"), star=True),),
     checks=CHECKS,

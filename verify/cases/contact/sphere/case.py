@@ -173,7 +173,7 @@ SPHERE = Case(
     "the sphere's own solution predicts, his approach by the finite distance to its middle.",
     inputs=SphereInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 4, 8),
     scans=(
         Scan(vary=("P=2N,16N,100N,500N,2000N", "R_2=4.02mm,11.11mm"), star=True),

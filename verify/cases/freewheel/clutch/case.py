@@ -100,7 +100,7 @@ CLUTCH = Case(
     "micrometres turn the clamping angle, and with it everything else.",
     inputs=ClutchInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     checks=CHECKS,
     outputs=OUTPUTS,

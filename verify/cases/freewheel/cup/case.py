@@ -71,7 +71,7 @@ CUP = Case(
     "its summit, and its energy says the torsion.",
     inputs=CupInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     checks=CHECKS,
     outputs=(

@@ -73,7 +73,7 @@ FRICTION = Case(
     "resultant.",
     inputs=FrictionInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("T=13N m,26N m", "F_ax=300N,600N,1200N"), star=True),

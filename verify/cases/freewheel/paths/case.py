@@ -106,7 +106,7 @@ PATHS = Case(
     "friction, slip at the same load by any way, and show that the ring walks before.",
     inputs=PathInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     checks=CHECKS,
     outputs=(

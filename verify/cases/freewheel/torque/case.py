@@ -73,7 +73,7 @@ TORQUE = Case(
     "its energy says the torsion without any thought of rolling.",
     inputs=StarInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("T=6.5N m,13N m,26N m,39N m", "R_a=19mm,21mm,30mm"), star=True),

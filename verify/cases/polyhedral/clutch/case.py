@@ -230,7 +230,7 @@ CLUTCH = Case(
     "Eq. 21 promises several times as much. Sizes and loads are the project's.",
     inputs=ClutchInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(

@@ -186,7 +186,7 @@ LOCKING = Case(
     "with Hertz's patch, say how much. Sizes and loads are the project's.",
     inputs=LockingInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("p_t=15MPa,30MPa,60MPa,100MPa", "delta_1=3mm,4mm,6mm", "z=4,6,8"), star=True),

@@ -268,7 +268,7 @@ MAP = Case(
     "beside them. Sizes are the project's.",
     inputs=MapInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("delta_1=3mm,4mm", "rho=2mm,3mm"), star=True),

@@ -185,7 +185,7 @@ PRESSURE = Case(
     "as the wall vanishes. Sizes are the project's: the paper prints none.",
     inputs=RoundRing,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(1, 2, 3, 4),
     scans=(
         Scan(vary=("delta_1=1mm,2mm,4mm,6mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),

@@ -198,7 +198,7 @@ RING = Case(
     "elements beside them. Sizes are the project's: the paper prints none.",
     inputs=HubRing,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     portions=(
         Portion(

@@ -90,7 +90,7 @@ WEDGE = Case(
     "until they slip. An elastic roller on an elastic race with friction says the same.",
     inputs=WedgeInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("alpha=4deg,6deg,8deg", "N=500N,1500N,4000N"), star=True),

@@ -271,7 +271,7 @@ LAME = Case(
     "elements solve the same problem here, so that what is left is discretisation error.",
     inputs=RingInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 4, 8, 16),
     scans=(
         Scan(

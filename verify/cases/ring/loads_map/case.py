@@ -133,7 +133,7 @@ MAP = Case(
     "trusted there.",
     inputs=MapInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 3, 5),
     scans=(
         Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),

@@ -195,7 +195,7 @@ ROTATION = Case(
     "same race. Neither a speed nor a density is printed: both are inputs of this project.",
     inputs=RotationInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(2, 4, 8, 12),
     scans=(
         Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),

@@ -18,7 +18,7 @@ CLUTCH = Case(
     "exact kinematics. What the equations leave out is derived, and so are the rows' intervals.",
     inputs=ClutchInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(16, 32, 64, 128),
     scans=(
         Scan(

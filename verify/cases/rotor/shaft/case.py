@@ -167,7 +167,7 @@ SHAFT = Case(
     "are this project's.",
     inputs=ShaftInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(1, 2, 4, 8),
     scans=(
         Scan(

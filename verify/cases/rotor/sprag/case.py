@@ -64,7 +64,7 @@ SPRAG_ROTOR = Case(
     "elastic bodies.",
     inputs=SpragRotorInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(

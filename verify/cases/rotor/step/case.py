@@ -169,7 +169,7 @@ STEP = Case(
     "no dimension: those are this project's.",
     inputs=StepInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(1, 2, 3),
     checks=CHECKS,
     outputs=(

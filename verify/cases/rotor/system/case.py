@@ -20,7 +20,7 @@ SYSTEM = Case(
     "elements go to the same values. The numbers are this project's own.",
     inputs=SystemInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(1, 2, 4, 8),
     scans=(
         Scan(vary=("speed=5000r/min,9000r/min", "supports[1].k=1e7N/m,6e7N/m,3e8N/m"), star=True),

@@ -112,7 +112,7 @@ CLUTCH = Case(
     "calibrated, not evidence.",
     inputs=EngagementInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("T=12N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm"), star=True),

@@ -38,7 +38,7 @@ CROWN = Case(
     "compiled engagements, and where it fits another force than theirs, that force is named.",
     inputs=EngagementInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     quick=False,
     scans=(

@@ -81,7 +81,7 @@ ENGAGEMENT = Case(
     "a spring.",
     inputs=EngagementInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("T=15N m,25N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),

@@ -67,7 +67,7 @@ FRICTION = Case(
     "band of sticking gives wrong forces and no sign of it; a guard refuses it.",
     inputs=EngagementInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     checks=CHECKS,
     outputs=(

@@ -73,7 +73,7 @@ def deep(T: int, inputs: type[OptimumInputs], name: str) -> Case:
         lead="What kriging misses at 200 designs, and what searches find that take longer.",
         inputs=inputs,
         analytic=lambda _: {},
-        fem=deep_fem,
+        reference=deep_fem,
         levels=(0, 1, 2),
         checks=(),
         outputs=(),

@@ -24,7 +24,7 @@ WEDGE = Case(
     "same yields, while Palmgren's law with Eqs. 6 and 7 yields a quarter too much.",
     inputs=WedgeInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(

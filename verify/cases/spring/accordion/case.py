@@ -342,7 +342,7 @@ ACCORDION = Case(
     "its centre line: straight closed-form elements and curved quadratic ones.",
     inputs=AccordionInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(4, 8, 16, 32),
     portions=(
         Portion(name="k_1", fem=stiffness_fem, levels=(4, 8, 16), keys=(f"{OWN}, curved",)),

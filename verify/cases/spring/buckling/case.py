@@ -268,7 +268,7 @@ BUCKLING = Case(
     "geometrically exact beams.",
     inputs=BucklingInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(4, SWEPT, 16),
     scans=(Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),),
     checks=CHECKS,

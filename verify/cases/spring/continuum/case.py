@@ -127,7 +127,7 @@ CONTINUUM = Case(
     "radius. The strip is taken as narrow (plane stress) and as wide (plane strain).",
     inputs=AccordionInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(

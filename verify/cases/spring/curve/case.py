@@ -56,7 +56,7 @@ CURVE = Case(
     "gives its Eq. 10.",
     inputs=CurveInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     checks=(
         *CHECKS,

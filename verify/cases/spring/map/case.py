@@ -214,7 +214,7 @@ MAP = Case(
     "geometrically exact beams without contact.",
     inputs=MapInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(4, MAPPED, 16),
     scans=(
         Scan(vary=("n=8,10,14", "b=0.1mm,0.2mm"), star=True),
@@ -261,7 +261,7 @@ DEEP_MAP = Case(
     lead="The maps of spring-map with every number of segments and angle between.",
     inputs=MapInputs,
     analytic=lambda _: {},
-    fem=deep_fem,
+    reference=deep_fem,
     levels=tuple(range(len(DEEP_SEGMENTS) + len(DEEP_ANGLES))),
     checks=(),
     outputs=(),

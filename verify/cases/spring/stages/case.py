@@ -202,7 +202,7 @@ STAGES = Case(
     "theory on both sides.",
     inputs=StagesInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=(4, 8, 16, 32),
     scans=(
         Scan(vary=("n=6,10,14", "b=0.05mm,0.1mm,0.2mm", "alpha=70deg,80deg"), star=True),

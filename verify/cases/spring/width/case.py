@@ -161,7 +161,7 @@ WIDTH = Case(
     "an endless strip in plane strain.",
     inputs=WidthInputs,
     analytic=analytic,
-    fem=fem,
+    reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("h=14mm,28mm,56mm", "n=6,10"), star=True),
