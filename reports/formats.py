@@ -7,8 +7,8 @@ from typing import NamedTuple
 from markupsafe import Markup, escape
 
 from verify.core.differences import difference_texts, divisor, significant
-from verify.core.references import FE, reference_name
-from verify.core.results import Kind, Row
+from verify.core.references import reference_name
+from verify.core.results import FE, Kind, Row
 
 MINUS = "−"
 

@@ -338,7 +338,9 @@ def test_every_module_that_a_case_really_loads_is_in_its_key(case, loaded):
     ids=lambda case: case.id,
 )  # fmt: skip
 def test_a_changed_formula_solves_nothing_anew_where_finite_elements_take_none(case):
-    assert not [name for name in source_code.parts_of(case.reference)[1] if name.startswith("analytic")]
+    assert not [
+        name for name in source_code.parts_of(case.reference)[1] if name.startswith("analytic")
+    ]
 
 
 def test_a_source_has_the_same_text_in_every_python():

@@ -26,7 +26,9 @@ def called(monkeypatch):
 
         return inner
 
-    known = replace(CASE, analytic=counted("formulas", CASE.analytic), reference=counted("fe", CASE.reference))
+    known = replace(
+        CASE, analytic=counted("formulas", CASE.analytic), reference=counted("fe", CASE.reference)
+    )
     monkeypatch.setattr(registry, "CASES", (known,))
     point._known.cache_clear()
     monkeypatch.setattr(run, "code_of", lambda _case, _part: ("formulas", "fe"))

@@ -7,8 +7,8 @@ from dataclasses import replace
 from verify.answers.answer import Answer
 from verify.answers.console import number
 from verify.core import units
-from verify.core.references import FE, FINITE_ELEMENTS, reference_name
-from verify.core.results import Row, Status
+from verify.core.references import FINITE_ELEMENTS, reference_name
+from verify.core.results import FE, Row, Status
 from verify.jobs.dynamic import DynamicResult
 
 HOLDS = ("", "holds", "locks")

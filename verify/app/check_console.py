@@ -11,7 +11,6 @@ from verify.answers.evidence import reference_of_design
 from verify.answers.shared_readings import SharedReading
 from verify.core.case import Case
 from verify.core.console_rows import number, unit_of
-from verify.core.references import case_method
 from verify.core.results import CaseResult
 from verify.core.shown import LIMITS_TITLE, FormulaValue, Table
 from verify.core.told import aligned, print_rows, raised
@@ -94,7 +93,7 @@ def _hints(checked: Checked) -> list[str]:
         return found
     if checked.result.refused:
         return [*found, f"(check --fem is not possible: {checked.result.refused})"]
-    method = case_method(checked.case.id)
+    method = checked.case.method.case
     return [*found, f"(check --fem compares the values marked * with: {method})"]
 
 

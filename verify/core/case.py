@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Protocol
 from numpy.typing import NDArray
 
 from verify.core.inputs import Inputs
+from verify.core.references import Method
 from verify.core.results import Row
 from verify.core.shown import Equation, Field, Figure, Picture, Sketch, Table
 
@@ -125,9 +126,9 @@ class Scan:
 class Case:
     """One subject of one paper.
 
-    `analytic(inputs)` and `fem(inputs, level)` share no code; `fem` imports meshes and fem inside
-    its body, so that formulas alone start fast. `levels` run from coarse to fine. `quick` cases
-    run in the quick round at full sharpness.
+    `analytic(inputs)` and `reference(inputs, level)` share no code; `reference` imports meshes and
+    fem inside its body, so that formulas alone start fast; `method` says what it is. `levels` run
+    from coarse to fine. `quick` cases run in the quick round at full sharpness.
     """
 
     finder: ClassVar[Callable[[str], "Case"]]  # by id, in any process; the registry sets it
@@ -146,6 +147,7 @@ class Case:
     readings: tuple[str, ...] = ()
     assumptions: tuple[str, ...] = ()
     quick: bool = True
+    method: Method = Method()  # noqa: RUF009 - frozen
     # what follows for the one who asks, in words, the verdict first
     findings: Callable[[Any, Values], Sequence[str]] = lambda _inputs, _values: ()
     # the same for programs, as JSON beside the values

@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 
 from verify.core.differences import COMPARED, UNJUDGED, difference_texts, largest, percent, size
-from verify.core.references import FE, FINITE_ELEMENTS, reference_name
-from verify.core.results import Row, Status
+from verify.core.references import FINITE_ELEMENTS, reference_name
+from verify.core.results import FE, Row, Status
 
 COMPANION = ": convergence"  # rows that stand beside the one they are about
 LISTED = (Status.FAIL, Status.SKIP, Status.SHOWN, Status.NOTE, Status.CALIBRATED)

@@ -18,6 +18,8 @@ from verify.core.shown import (
 
 SCHEMA_VERSION = 1
 
+FE = "FE"  # finite elements, as method of a reference
+
 
 class Kind(StrEnum):
     """What a row claims; see `verify.judging.judge` for when each passes."""
@@ -88,9 +90,9 @@ class Grid:
 class Row:
     """One judged comparison. Dimensional numbers are in `unit`; `detects`, `demand` are relative.
 
-    `difference` is value minus reference; `interval` holds the expected signed model error of an
-    approximation; `levels` the finite-element values by mesh size, coarse to fine, and `levels_u`
-    their standard uncertainties where a limit is fitted to them.
+    `method` is that of the reference `fem`; `difference` is value minus reference; `interval` holds
+    the expected signed model error of an approximation; `levels` the reference's values by mesh
+    size, coarse to fine, and `levels_u` their standard uncertainties where a limit is fitted.
     """
 
     case: str
@@ -102,6 +104,7 @@ class Row:
     reason: str = ""
     analytic: float | None = None
     fem: float | None = None
+    method: str = FE
     partner: Partner | None = None
     difference: float | None = None
     scale: float | None = None
@@ -130,7 +133,7 @@ class Row:
     @property
     def by(self) -> str:
         """Whose value the formula is compared with."""
-        return "FE" if self.partner is None or self.fem is not None else self.partner.by
+        return FE if self.partner is None or self.fem is not None else self.partner.by
 
     @property
     def reference(self) -> float | None:

@@ -86,7 +86,7 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
         return check.skipped(context.case, job.skip)
     if check.needs_fem and not job.use_fem:
         return []
-    return check.rows(context)
+    return [replace(row, method=job.case.method.alone) for row in check.rows(context)]
 
 
 def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> Solved:

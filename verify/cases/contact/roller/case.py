@@ -23,6 +23,7 @@ from verify.cases.contact.roller.formulas import interval, strip_values, values
 from verify.cases.contact.roller.half_space import pressed, result, stair, too_short
 from verify.cases.contact.roller.inputs import CrownedInputs, RollerInputs
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.references import Method
 from verify.core.shown import Array, Curve, Curves, Figure
 from verify.judging.checks import Accepted, Approximation, Exact
 
@@ -331,6 +332,7 @@ ROLLER = Case(
     "derived, and the half-space must agree.",
     inputs=CrownedInputs,
     analytic=analytic,
+    method=Method("half-space; finite elements at mid-length", "half-space"),
     reference=fem,
     levels=LEVELS,
     scans=(Scan(vary=("F=1500N,3407N,6000N", "L=6mm,9mm"), star=True),),

@@ -16,6 +16,7 @@ from verify.cases.contact.roller.formulas import by_strips, strip_values
 from verify.cases.contact.roller.half_space import Pressed, pressed, stair, too_short
 from verify.cases.contact.roller.inputs import DESIGNS, CrownedInputs, StripInputs
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.references import BY_HALF_SPACE
 from verify.core.shown import Array, Curve, Curves, Equation, Field, Figure, Picture
 from verify.core.tex import tex
 from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, demanded, suites
@@ -386,6 +387,7 @@ CROWNS = Case(
     "a half-space under the load that they are made for.",
     inputs=StripInputs,
     analytic=analytic,
+    method=BY_HALF_SPACE,
     reference=fem,
     levels=(16, 24, 32),
     scans=(Scan(vary=("F=1500N,3407N,6000N", "L=6mm,9mm"), star=True),),

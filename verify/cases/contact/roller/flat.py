@@ -21,6 +21,7 @@ from verify.cases.contact.roller.formulas import values
 from verify.cases.contact.roller.half_space import pressed, result, too_short
 from verify.cases.contact.roller.inputs import RollerInputs
 from verify.core.case import Case, Context, FemResult, Scan, Values
+from verify.core.references import BY_HALF_SPACE
 from verify.core.shown import Curve, Curves, Figure, Refinement
 from verify.judging.checks import Order
 
@@ -115,6 +116,7 @@ UNCROWNED = Case(
     "is judged, and the slope with which the peak grows.",
     inputs=RollerInputs,
     analytic=analytic,
+    method=BY_HALF_SPACE,
     reference=fem,
     levels=(8, 11, 16, 22, 32),
     scans=(Scan(vary=("F=1000N,3407N,10000N", "L=4mm,9mm,18mm", "R_1=2mm,4.02mm,8mm"), star=True),),

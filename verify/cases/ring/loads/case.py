@@ -71,7 +71,7 @@ READINGS = (
 SHARED: dict[str, Any] = {
     "paper": "huang2018",
     "analytic": analytic,
-    "fem": fem,
+    "reference": fem,
     "levels": (8, 12, 16),
     "assumptions": (
         "linear elasticity, small strain, forces along radii, no friction",

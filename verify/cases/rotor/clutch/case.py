@@ -7,6 +7,7 @@ from verify.cases.rotor.clutch.inputs import ClutchInputs
 from verify.cases.rotor.clutch.model import analytic
 from verify.cases.rotor.clutch.words import findings, summary, too_large, warnings
 from verify.core.case import Case, Output, Scan
+from verify.core.references import Method
 
 CLUTCH = Case(
     id="rotor-clutch",
@@ -18,7 +19,7 @@ CLUTCH = Case(
     "exact kinematics. What the equations leave out is derived, and so are the rows' intervals.",
     inputs=ClutchInputs,
     analytic=analytic,
-    reference=fem,
+    method=Method("struts in exact kinematics", "struts"), reference=fem,
     levels=(16, 32, 64, 128),
     scans=(
         Scan(

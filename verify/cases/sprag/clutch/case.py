@@ -12,6 +12,7 @@ from verify.cases.sprag.clutch.words import SHORT, findings, summary, warnings
 from verify.cases.sprag.inputs import ASSUMED, IDENTIFIED, EngagementInputs
 from verify.core.case import Case, Output, Scan
 from verify.core.inputs import meta
+from verify.core.references import BY_STRIPS
 
 FINEST = 61  # slices that the other side solves anew at each of many loads
 
@@ -112,7 +113,7 @@ CLUTCH = Case(
     "calibrated, not evidence.",
     inputs=EngagementInputs,
     analytic=analytic,
-    reference=fem,
+    method=BY_STRIPS, reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("T=12N m,25N m,40N m", "R_ed=23mm,26.23mm,32mm"), star=True),

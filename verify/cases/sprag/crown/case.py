@@ -9,6 +9,7 @@ from verify.cases.sprag.crown.table2 import table_2
 from verify.cases.sprag.crown.words import findings, summary, warnings
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Case, Context, Output, Scan
+from verify.core.references import BY_STRIPS
 from verify.core.shown import Table
 
 
@@ -38,7 +39,7 @@ CROWN = Case(
     "compiled engagements, and where it fits another force than theirs, that force is named.",
     inputs=EngagementInputs,
     analytic=analytic,
-    reference=fem,
+    method=BY_STRIPS, reference=fem,
     levels=LEVELS,
     quick=False,
     scans=(

@@ -8,6 +8,7 @@ from verify.cases.sprag.engagement.fem import LEVELS, fem
 from verify.cases.sprag.engagement.formulas import analytic
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Case, Output, Scan, Values
+from verify.core.references import BY_INTEGRATION
 
 MOST_STEPS = 200_000  # of a level, which finite memory and LSODA bear
 SURE = 1.05  # of the friction asked for
@@ -81,7 +82,7 @@ ENGAGEMENT = Case(
     "a spring.",
     inputs=EngagementInputs,
     analytic=analytic,
-    reference=fem,
+    method=BY_INTEGRATION, reference=fem,
     levels=LEVELS,
     scans=(
         Scan(vary=("T=15N m,25N m,40N m", "k_out=30000N m/rad,100000N m/rad"), star=True),

@@ -8,6 +8,7 @@ from verify.cases.sprag.friction.fem import LEVELS, fem, settled
 from verify.cases.sprag.friction.formulas import analytic
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Case, Output, Values
+from verify.core.references import BY_INTEGRATION
 
 MOST_STEPS = 50_000  # of a level: several hundred engagements are run
 SURE = 1.1  # of the friction asked for
@@ -67,7 +68,7 @@ FRICTION = Case(
     "band of sticking gives wrong forces and no sign of it; a guard refuses it.",
     inputs=EngagementInputs,
     analytic=analytic,
-    reference=fem,
+    method=BY_INTEGRATION, reference=fem,
     levels=LEVELS,
     checks=CHECKS,
     outputs=(

@@ -11,6 +11,7 @@ from verify.cases.sprag.optimum.fem import LEVELS, fem
 from verify.cases.sprag.optimum.formulas import analytic
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs, OptimumInputs
 from verify.core.case import Case, Output, Values
+from verify.core.references import BY_SEARCHES
 
 MOST_STEPS = 50_000  # of an engagement, of which a study has hundreds
 
@@ -47,7 +48,8 @@ def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = False)
 SHARED: dict[str, Any] = {
     "paper": "huang2018",
     "analytic": analytic,
-    "fem": fem,
+    "reference": fem,
+    "method": BY_SEARCHES,
     "levels": LEVELS,
     "outputs": (
         output("Q", "Q", "N", "load that all crowns are made for, without yields"),
