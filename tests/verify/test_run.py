@@ -143,7 +143,7 @@ def test_ctrl_c_is_no_fault_of_a_case():
     def stop(*_):
         raise KeyboardInterrupt
 
-    for part in ("fem", "analytic", "tables"):
+    for part in ("reference", "analytic", "tables"):
         with pytest.raises(KeyboardInterrupt):
             run([Job(replace(CASE, **{part: stop}), Beam())])
 
