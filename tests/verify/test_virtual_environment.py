@@ -127,7 +127,7 @@ PIP = """
 """
 SET_UP = """
     import pathlib, sys
-    from verify import virtual_environment
+    from verify.core import virtual_environment
     with virtual_environment.alone():
         words = [sys.executable, *sys.argv[1:3]]
         virtual_environment.run(words, pathlib.Path(sys.argv[3]), TMPDIR=sys.argv[4])

@@ -122,6 +122,11 @@ class Scan:
     at: tuple[str, ...] = ()
 
 
+def _unknown(case_id: str) -> "Case":
+    """In a process that knows no cases."""
+    raise ValueError(f"unknown case {case_id!r}")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Case:
     """One subject of one paper.
@@ -131,7 +136,7 @@ class Case:
     from coarse to fine. `quick` cases run in the quick round at full sharpness.
     """
 
-    finder: ClassVar[Callable[[str], "Case"]]  # by id, in any process; the registry sets it
+    finder: ClassVar[Callable[[str], "Case"]] = staticmethod(_unknown)  # the registry sets it
 
     id: str
     title: str

@@ -17,7 +17,7 @@ from verify.core.results import Kind, Row
 from verify.judging.judge import COVERAGE
 
 FOLDER = Path(__file__).parent
-ROOT = FOLDER.parents[1]
+ROOT = FOLDER.parents[2]
 ENDING = ".json.gz"
 FORMAT = 1
 EXACTLY = 15  # significant digits of values that are compared to round-off
