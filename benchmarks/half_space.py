@@ -30,7 +30,7 @@ from analytic.contact.half_space import press
 from analytic.contact.half_space_contact import centres
 from analytic.contact.half_space_convolution import Convolution
 from benchmarks.plot_half_space import draw
-from verify.studies.crosscheck.guests import tamaas_press
+from verify.studies.crosscheck.external import tamaas_press
 
 OUT = Path(__file__).parent / "out"
 PEER = Path(tamaas_press.__file__)

@@ -19,7 +19,7 @@ from meshes.spring.centre_line import centre_line
 from verify.cases.registry import CASES, find
 from verify.core.case import Case
 from verify.core.inputs import Inputs
-from verify.jobs.engines import Where
+from verify.jobs.executor import Where
 from verify.studies.sweep.axes import changed
 from verify.studies.sweep.pairs import portion, selected
 from verify.studies.sweep.plan import Plan, grid

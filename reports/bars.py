@@ -6,7 +6,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.plots import WIDTH, Axes
-from verify.core.shown import Bars
+from verify.core.figures import Bars
 
 LINE, THICK = 13.0, 12.0  # of text, of a bar
 GAP = 11.0  # between bars

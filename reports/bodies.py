@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reports.outlines import Indices
-from verify.core.shown import Array, Field, Picture
+from verify.core.figures import Array, Field, Picture
 
 AXES = "xyz"
 SHEAR_XY = 2  # of the columns xx, yy, xy, zz

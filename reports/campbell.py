@@ -9,7 +9,7 @@ from reports import svg
 from reports.curves import LINE, key, style
 from reports.labels import Box, beside, spread
 from reports.plots import WIDTH, Axes
-from verify.core.shown import Array, Band, Campbell, Curve
+from verify.core.figures import Array, Band, Campbell, Curve
 
 TOP, BOTTOM, KEY = 44.0, 292.0, 346.0
 APART = 5.0  # clear of a name, for the next one

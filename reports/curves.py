@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.plots import HEIGHT, WIDTH, Axes
-from verify.core.shown import Array, Band, Curve, Curves
+from verify.core.figures import Array, Band, Curve, Curves
 
 LINE = 18.0  # height of a line of the key
 SWATCH = 30.0

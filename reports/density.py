@@ -11,7 +11,7 @@ from reports import svg
 from reports.bitmaps import FINER, webp
 from reports.plots import WIDTH, Axes
 from reports.ramps import SIGNED, UNSIGNED, Scale
-from verify.core.shown import Array, Density
+from verify.core.figures import Array, Density
 
 LEFT, TOP, RIGHT, BOTTOM = 52.0, 28.0, 390.0, 232.0
 HEIGHT = 310.0

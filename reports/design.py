@@ -9,7 +9,7 @@ from markupsafe import Markup
 from reports import formats, html
 from reports.design_plots import Bars, Parallel, Region, bars, parallel, region
 from reports.sketch import sketch
-from verify.core.shown import Figure, Sketch, Table
+from verify.core.figures import Figure, Sketch, Table
 
 Picture = Figure | Bars | Region | Parallel
 

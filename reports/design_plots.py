@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from reports import svg
 from reports.plots import WIDTH
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 LINE, SWATCH, LETTER = 18.0, 14.0, 6.2
 CELL_TOP = 26.0

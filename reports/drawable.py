@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from reports import svg
 from reports.plots import WIDTH
-from verify.core.shown import (
+from verify.core.figures import (
     Bars,
     Campbell,
     Curves,

@@ -9,7 +9,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 HATCH = 5.0  # between strokes
 MOST = 6000  # pieces of a line of equal error: more is no line but noise

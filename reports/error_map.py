@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 
 from reports import svg
 from reports.plots import WIDTH
-from verify.core.shown import Array, Map
+from verify.core.figures import Array, Map
 
 LEFT, TOP, RIGHT = 62.0, 26.0, 8.0
 CELL = 21.0  # height

@@ -12,7 +12,7 @@ from markupsafe import Markup
 from numpy.typing import NDArray
 
 from reports import svg
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 DEEPEST = 8  # classes of each sign that have a colour of their own
 UNSOLVED = 99

@@ -13,8 +13,8 @@ from reports import svg
 from reports.picture_cache import Drawn
 from reports.pictures import draw
 from reports.viewer import viewer
+from verify.core.figures import Picture
 from verify.core.results import CaseResult
-from verify.core.shown import Picture
 
 NOTHING = Markup("")
 WIDTH = 400.0

@@ -42,8 +42,7 @@ from reports.validity_map import scale_key
 from reports.verdicts import first_author, verdicts
 from reports.whirl import whirl
 from reports.zones import zones
-from verify.core.results import CaseResult, Report, Row, Status
-from verify.core.shown import (
+from verify.core.figures import (
     LIMITS_TITLE,
     Bars,
     Campbell,
@@ -60,6 +59,7 @@ from verify.core.shown import (
     Whirl,
     Zones,
 )
+from verify.core.results import CaseResult, Report, Row, Status
 
 HERE = Path(__file__).parent / "templates"
 STYLES = ("palette.css", "report.css", "figures.css")

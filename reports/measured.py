@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 LIMITS = (0.02, 0.05, 0.10)
 TINY = 5e-4  # errors below are all alike in a figure

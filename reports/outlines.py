@@ -5,7 +5,7 @@ from collections import defaultdict
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 Indices = NDArray[np.int64]
 

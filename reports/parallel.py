@@ -9,7 +9,7 @@ from markupsafe import Markup
 from reports import svg
 from reports.curves import LINE, key, style
 from reports.plots import WIDTH, Axes
-from verify.core.shown import Array, Curve, Parallel, ParallelAxis
+from verify.core.figures import Array, Curve, Parallel, ParallelAxis
 
 LEFT, RIGHT, TALL = 34.0, 366.0, 190.0
 LETTER, APART, ROW = 6.6, 6.0, 14.0  # width of a letter, between words, height of a row of them

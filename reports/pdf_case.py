@@ -13,8 +13,8 @@ from reports.row_lines import Line, failed_first, lines
 from reports.second import NOTHING, Seconds
 from reports.sketch import sketch
 from reports.standalone import Drawing, standalone
+from verify.core.figures import FormulaValue, InputValue
 from verify.core.results import CaseResult, Crosscheck, Row
-from verify.core.shown import FormulaValue, InputValue
 
 MARKS = {"theory": "|", "FEA": "□", "test": "◇"}  # as the graphic of a row draws them
 

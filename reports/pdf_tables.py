@@ -6,8 +6,8 @@ from typing import Any
 
 from reports import formats
 from reports.richtext import Run, digits, runs
+from verify.core.figures import Table
 from verify.core.results import Row
-from verify.core.shown import Table
 
 Data = dict[str, Any]
 

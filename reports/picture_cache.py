@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from verify.core.figures import Array, Field, Picture
 from verify.core.files import write_whole
-from verify.core.shown import Array, Field, Picture
 
 CODE = (
     "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "polygons", "ramps", "raster",

@@ -16,7 +16,7 @@ from reports import picture_cache
 from reports.bitmaps import flaw
 from reports.picture_cache import Drawn
 from reports.scene import Scene, compose
-from verify.core.shown import Field, Picture
+from verify.core.figures import Field, Picture
 
 PYVISTA = "reports.render"
 # seconds to start and for one picture: many times what a busy machine needs

@@ -10,9 +10,9 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.outlines import simplified
+from verify.core.figures import Array, Dots, Profile
 from verify.core.references import is_finite_elements
 from verify.core.results import Kind, Row
-from verify.core.shown import Array, Dots, Profile
 
 WIDTH, HEIGHT = 400.0, 300.0
 UNSEEN = 0.05  # pixels that a line may be off

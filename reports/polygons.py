@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reports.outlines import Indices, edges
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 STROKE = 5.0  # pixels across a line
 THINNEST = 4.0  # pixels across a strip

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 # no end is nearly white or nearly black, and lightness grows along the unsigned ramp
 UNSIGNED = ("#5f55b8", "#3f79bd", "#2b97a6", "#45b082", "#93c552", "#e0c93a")

@@ -7,7 +7,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.plots import HEIGHT, WIDTH, Axes
-from verify.core.shown import Refinement
+from verify.core.figures import Refinement
 
 APART = 16.0  # between two names
 

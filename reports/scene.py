@@ -10,7 +10,7 @@ from reports import ramps
 from reports.bodies import Body, body
 from reports.outlines import Indices, polylines
 from reports.polygons import pieces, polygons, shaded
-from verify.core.shown import Array, Field, Picture
+from verify.core.figures import Array, Field, Picture
 
 WIDTH, HEIGHT = 1300, 860  # pixels at most
 MARGIN = 0.025  # of the larger side of what is shown

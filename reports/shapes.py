@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.plots import WIDTH
-from verify.core.shown import Array, Panel, Shapes
+from verify.core.figures import Array, Panel, Shapes
 
 EDGE, GAP, NAME = 8.0, 16.0, 18.0  # around all, between panels, for a panel's name
 LETTER = 6.2  # about the width of a letter of a name

@@ -7,7 +7,7 @@ import numpy as np
 from markupsafe import Markup
 
 from reports import svg
-from verify.core.shown import Array, Sketch
+from verify.core.figures import Array, Sketch
 
 WIDTH, HEIGHT = 400.0, 300.0
 MARGIN = 34.0  # for labels around the drawing

@@ -12,7 +12,7 @@ from reports.measured import Measured
 from reports.slim import slim
 from reports.sweep_plots import Causes, Histogram, causes, histogram
 from reports.validity_map import has_nominal, measured, scale_key, validity_map
-from verify.core.shown import Figure, Table
+from verify.core.figures import Figure, Table
 
 
 @dataclass(frozen=True, kw_only=True)

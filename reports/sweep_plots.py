@@ -7,7 +7,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.plots import WIDTH, Axes
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 LETTER = 6.4
 ROW, THICK = 36.0, 9.0

@@ -15,7 +15,7 @@ from reports import svg
 from reports.error_cells import Cells
 from reports.measured import Measured, all_within, inside, undecided
 from reports.plots import Axes
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 EVEN = 0.4  # largest error up to which the axis is even
 BEND = 0.05  # where an axis that isn't goes over from even to logarithmic

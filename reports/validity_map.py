@@ -11,7 +11,7 @@ from reports.error_scale import UNSOLVED, classes, css, scale
 from reports.measured import LIMITS, Measured, all_within, undecided
 from reports.plots import WIDTH
 from reports.validity_line import validity_line
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 SMALL = 320.0, 200.0
 LINE, LETTER = 18.0, 6.2

@@ -10,7 +10,7 @@ from markupsafe import Markup
 from reports import ramps
 from reports.bodies import body
 from reports.scene import exaggeration
-from verify.core.shown import Field, Picture
+from verify.core.figures import Field, Picture
 
 WIDEST_INDEX = 65535  # that 16 bits hold
 STEPS = 20  # of the slider up to the displacement as drawn

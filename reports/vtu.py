@@ -13,8 +13,8 @@ from pathlib import Path
 import meshio
 import numpy as np
 
+from verify.core.figures import Array, Field
 from verify.core.results import Report
-from verify.core.shown import Array, Field
 
 CELLS = {2: "line", 3: "triangle", 4: "quad"}
 

@@ -11,7 +11,7 @@ from markupsafe import Markup
 
 from reports import svg
 from reports.plots import WIDTH
-from verify.core.shown import Array, ComplexArray, Mode, Whirl
+from verify.core.figures import Array, ComplexArray, Mode, Whirl
 
 YAW, PITCH = math.radians(26), math.radians(20)  # of the viewer, from beside the shafts
 EDGE, GAP, NAME = 8.0, 20.0, 18.0  # around all, between panels, for a panel's name

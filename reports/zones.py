@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from reports import svg
 from reports.curves import key, style
 from reports.plots import HEIGHT, WIDTH, Axes
-from verify.core.shown import Array, Zone, Zones
+from verify.core.figures import Array, Zone, Zones
 
 LINE = 18.0  # height of a line of the key
 LETTER = 7.0  # about the width of a letter of a zone's name

@@ -12,7 +12,7 @@ from verify.core.case import Case
 from verify.core.inputs import Inputs
 from verify.core.results import CaseResult, Row, Status
 from verify.jobs.cache import default_folder, picture_folder
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 # A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

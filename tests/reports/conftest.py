@@ -9,8 +9,8 @@ import pytest
 from reports.write import write
 from verify.app.commands import make_report
 from verify.cases.registry import CASES
+from verify.core.figures import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
-from verify.core.shown import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.jobs.cache import picture_folder
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"

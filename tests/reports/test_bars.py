@@ -7,7 +7,7 @@ import pytest
 
 from reports.bars import LETTER, NAME, bars
 from reports.plots import WIDTH
-from verify.core.shown import Bars
+from verify.core.figures import Bars
 
 LONG = "contact of the sprag with its outer race, both ends"
 

@@ -7,7 +7,7 @@ import pytest
 
 from reports.html import plot
 from reports.labels import beside, spread
-from verify.core.shown import Campbell
+from verify.core.figures import Campbell
 
 SPEEDS = np.linspace(0.0, 6000.0, 13)
 SPLIT = np.column_stack([100 - SPEEDS / 200, 100 + SPEEDS / 200, 0 * SPEEDS + 102])

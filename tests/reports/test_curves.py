@@ -10,9 +10,9 @@ from reports.curves import curves
 from reports.html import plot as html_plot
 from reports.rows import HEADER, cells
 from reports.standalone import HERE
+from verify.core.figures import Band, Curve, Curves
 from verify.core.results import Status
-from verify.core.shown import Band, Curve, Curves
-from verify.judging.derivation.steps import derive
+from verify.judging.explain.steps import derive
 
 X = np.linspace(0.0, 4.0, 5)
 

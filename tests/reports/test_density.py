@@ -11,7 +11,7 @@ from PIL import Image
 from reports.density import density
 from reports.ramps import UNSIGNED
 from reports.standalone import standalone
-from verify.core.shown import Density
+from verify.core.figures import Density
 
 X, Y = np.linspace(0.0, 60.0, 61), np.linspace(-4.5, 4.5, 41)
 

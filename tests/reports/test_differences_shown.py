@@ -14,9 +14,9 @@ from reports.richtext import runs
 from reports.rows import cells
 from reports.signature import position
 from verify.cases.registry import find
+from verify.core.figures import Profile
 from verify.core.references import reference_name
 from verify.core.results import Kind
-from verify.core.shown import Profile
 
 TEMPLATES = Path(reports.__file__).parent / "templates"
 

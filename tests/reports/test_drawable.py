@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from reports.html import plot
-from verify.core.shown import (
+from verify.core.figures import (
     Bars,
     Curve,
     Curves,

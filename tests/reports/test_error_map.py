@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from reports.error_map import error_map, percent
-from verify.core.shown import Map
+from verify.core.figures import Map
 
 ERROR = np.array([[0.004, -0.03, 0.08], [0.019, 0.051, np.nan]])
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from reports.frames import frame
 from reports.picture_cache import Drawn
-from verify.core.shown import Picture
+from verify.core.figures import Picture
 
 STRESS = Picture(
     field="f", data="d", symbol="σ_v", unit="MPa", factor=1.0, caption="stress", decades=True

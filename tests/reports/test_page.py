@@ -15,8 +15,8 @@ from reports.pdf_case import case_data
 from reports.row_lines import COMPANION, lines
 from verify.app.commands import make_report
 from verify.cases.sprag.crown.case import CROWN
+from verify.core.figures import Whirl
 from verify.core.results import Kind, Row, Status
-from verify.core.shown import Whirl
 from verify.jobs.cache import picture_folder
 
 VOID = {"meta", "link", "br", "img", "input", "hr"}

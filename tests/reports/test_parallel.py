@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from reports.html import plot
-from verify.core.shown import Parallel, ParallelAxis
+from verify.core.figures import Parallel, ParallelAxis
 
 AXES = (
     ParallelAxis(name="k_1", unit="N/m", low=1e6, high=1e8, log=True),

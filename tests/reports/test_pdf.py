@@ -20,8 +20,8 @@ from reports.pdf_data import document
 from reports.pdf_tables import LONGEST, SHOWN
 from reports.standalone import HERE
 from reports.write import PAPER, write
+from verify.core.figures import Table
 from verify.core.results import Status
-from verify.core.shown import Table
 from verify.jobs.cache import picture_folder
 
 NASTY = '#panic("x") <script> $x$ @y *b* _i_ // \\ [z] `r` "q"'

@@ -14,7 +14,7 @@ from reports import pictures, raster
 from reports.pictures import draw
 from reports.polygons import pieces
 from reports.scene import compose
-from verify.core.shown import Field, Picture
+from verify.core.figures import Field, Picture
 
 WORDS = Picture(field="", data="s", symbol="σ", unit="MPa", factor=1e6, caption="")
 RED, BLUE = (203, 58, 58), (42, 107, 200)  # the ends of the signed ramp

@@ -10,7 +10,7 @@ import pytest
 from reports import picture_cache, pictures
 from reports.bitmaps import FINER, flaw, webp
 from reports.pictures import draw
-from verify.core.shown import Field, Picture
+from verify.core.figures import Field, Picture
 
 WORDS = Picture(field="", data="s", symbol="σ", unit="MPa", factor=1e6, caption="")
 

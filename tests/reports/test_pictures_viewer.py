@@ -11,7 +11,7 @@ import pytest
 from reports.html import HERE
 from reports.scene import compose
 from reports.viewer import viewer
-from verify.core.shown import Field, Picture
+from verify.core.figures import Field, Picture
 
 SPRING = Field(
     name="spring", points=np.array([[0.0, 0], [0, 2], [3, 2]]), cells=np.array([[0, 1], [1, 2]]),

@@ -10,8 +10,8 @@ from reports.html import plot
 from reports.plots import Axes, convergence, distances, profile
 from reports.refinement import refinement
 from verify.cases.registry import CASES
+from verify.core.figures import Dots, Profile, Refinement
 from verify.core.results import Grid, Kind, Partner, Row, Status
-from verify.core.shown import Dots, Profile, Refinement
 
 X = np.linspace(0.0, 1.0, 5)
 PROFILE = Profile(

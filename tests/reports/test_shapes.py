@@ -7,7 +7,7 @@ import pytest
 
 from reports.plots import WIDTH
 from reports.shapes import LETTER, shapes
-from verify.core.shown import Panel, Shapes
+from verify.core.figures import Panel, Shapes
 
 LONG = np.array([[0.0, 0.0], [20.0, 0.0], [20.0, 5.0]])
 SHORT = np.array([[0.0, 0.0], [8.0, 0.0], [8.0, 5.0]])

@@ -11,7 +11,7 @@ from reports.records import report_record
 from verify.cases.registry import CASES
 from verify.core.results import Change, Drift, ReadingsTried
 from verify.jobs.cache import picture_folder
-from verify.studies.definitions.tried import searches
+from verify.studies.readings.tried import searches
 
 
 def page(report, frames):

@@ -11,7 +11,7 @@ from reports.error_cells import Cells, isoline
 from reports.error_scale import UNSOLVED, classes, css, edges, scale
 from reports.measured import LIMITS, Measured, all_within, undecided
 from reports.validity_map import measured, scale_key, validity_map
-from verify.core.shown import Curve, Curves
+from verify.core.figures import Curve, Curves
 
 X, Y = np.array([3.0, 6.0, 12.0]), np.array([1.0, 2.0])
 ERROR = np.array([[0.03, -0.3], [0.0, 0.0], [0.0, np.nan]])

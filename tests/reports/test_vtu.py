@@ -8,7 +8,7 @@ import pytest
 import pyvista
 
 from reports.vtu import vtu, vtu_files
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 VTK = {2: pyvista.CellType.LINE, 3: pyvista.CellType.TRIANGLE, 4: pyvista.CellType.QUAD}
 

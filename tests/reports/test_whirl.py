@@ -10,7 +10,7 @@ from reports.html import anchors, page, plot
 from reports.pdf_case import case_data
 from reports.standalone import standalone
 from reports.whirl import ALONG, RIGHT, UP, whirl
-from verify.core.shown import Mode, Whirl
+from verify.core.figures import Mode, Whirl
 
 Z = np.linspace(0.0, 0.9, 13)
 BOW = np.sin(np.pi * Z / 0.9).astype(complex)

@@ -12,8 +12,8 @@ from reports.rows import HEADER, cells
 from reports.sheets import LONGEST, Sheets
 from reports.workbook import Book, Link, Printed
 from reports.xlsx import xlsx
+from verify.core.figures import Table
 from verify.core.results import Status
-from verify.core.shown import Table
 
 NOON = datetime(2026, 1, 1, 12, tzinfo=UTC)
 

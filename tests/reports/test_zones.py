@@ -7,7 +7,7 @@ import pytest
 
 from reports.bars import bars
 from reports.zones import zones
-from verify.core.shown import Bars, Curve, Zone, Zones
+from verify.core.figures import Bars, Curve, Zone, Zones
 
 X = np.linspace(0.0, 10.0, 51)
 HOLDS = Zone(name="holds", top=3 + 0.2 * X, tone="good")

@@ -6,7 +6,7 @@ import numpy as np
 
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, count, quantity
-from verify.jobs.engines import Where, local
+from verify.jobs.executor import Where, local
 from verify.judging.checks import Approximation
 from verify.studies.sweep.outcome import Course, Outcome
 from verify.studies.sweep.pairs import portion, selected

@@ -7,7 +7,8 @@ import pytest
 
 from tests.verify.test_checks import context
 from verify.core.results import Kind, Status
-from verify.judging.agreement import (
+from verify.judging.explain.steps import derive, steps
+from verify.judging.tolerance_checks import (
     SUBJECT,
     Agreement,
     Deviation,
@@ -17,7 +18,6 @@ from verify.judging.agreement import (
     demanded,
     farthest,
 )
-from verify.judging.derivation.steps import derive, steps
 
 
 def agreement(value, reference=2.0, U=0.0, kind=Agreement, **more):

@@ -15,12 +15,13 @@ from verify.core.inputs import InputError
 from verify.core.results import CaseResult, Kind, Row, Status
 from verify.judging.budget_statement import Argument, Cause, Constant, Rerun, Statement, as_given
 from verify.studies import deep
-from verify.studies.budget import balance, generic, kept, measuring
+from verify.studies.budget import balance, generic, measuring
+from verify.studies.budget import store as kept
 from verify.studies.budget.changes import changed
+from verify.studies.budget.console import of_case
 from verify.studies.budget.found import budgets
 from verify.studies.budget.plan import AS_IT_IS, Plan, Step, first, inputs_of, together
 from verify.studies.budget.solve import solved
-from verify.studies.budget.told import of_case
 
 ORIGINAL = made.Solver
 RESULT = CaseResult(

@@ -11,8 +11,8 @@ from verify.cases.registry import CASES, find
 from verify.cases.rotor import budget as rotor_budget
 from verify.cases.sprag import budget as sprag_budget
 from verify.judging.budget_statement import Cause
-from verify.studies.budget.kept import measured
 from verify.studies.budget.measuring import chosen, plan_of
+from verify.studies.budget.store import measured
 
 LEFT = {  # at most, of the row: what is told of it
     ("polyhedral-ring", "K of the paper"): 1e-4,

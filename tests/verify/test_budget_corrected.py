@@ -9,14 +9,14 @@ from tests.verify import budget_made as made
 from verify.cases.registry import CASES
 from verify.core.results import CaseResult
 from verify.judging.budget_statement import Corrected, Left, Statement
-from verify.studies.budget import kept
+from verify.studies.budget import store as kept
 from verify.studies.budget.balance import Balance
+from verify.studies.budget.console import apart, of_case
 from verify.studies.budget.corrected import budgets
-from verify.studies.budget.kept import measured
 from verify.studies.budget.measuring import plan_of
 from verify.studies.budget.plan import Plan, first, rows
 from verify.studies.budget.solve import solved
-from verify.studies.budget.told import apart, of_case
+from verify.studies.budget.store import measured
 
 K, PRINTED = 100.0, 250.0
 CORRECTED = Corrected("stiffness", "k corrected")

@@ -5,7 +5,7 @@ import pytest
 from verify.studies.budget.balance import Balance, Part
 from verify.studies.budget.found import RowBudget
 from verify.studies.budget.measuring import plan_of
-from verify.studies.budget.words import OTHER, in_words
+from verify.studies.budget.messages import OTHER, in_words
 
 
 def said(case, name):

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from verify.core.case import Case, FemResult
+from verify.core.figures import Field
 from verify.core.inputs import Inputs, quantity
-from verify.core.shown import Field
 from verify.jobs import cache
 
 

@@ -13,7 +13,7 @@ from verify.core.case import Context, FemResult
 from verify.core.results import Kind, Status
 from verify.judging.checks import Approximation, Exact, Fact, Identity, Limit, Order
 from verify.judging.claims import beside
-from verify.judging.printed import Contradiction, PrintedMeasurement, PrintedTheory
+from verify.judging.published_checks import Contradiction, PrintedMeasurement, PrintedTheory
 
 SIZES = (1 / 2, 1 / 4, 1 / 8)
 MICRO = 1e-6

@@ -251,7 +251,7 @@ def test_a_solver_that_fails_is_a_red_row_and_no_traceback(
     monkeypatch, tmp_path, with_equations, capsys
 ):
     from fem.plane import solve
-    from verify.jobs import solving
+    from verify.jobs import session as solving
 
     def stuck(*_args, **_more):
         raise ArithmeticError("the linear solve did not converge: relative residual 1e+00")

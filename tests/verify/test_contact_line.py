@@ -19,7 +19,7 @@ from verify.cases.contact.line.pair import PAIR
 from verify.cases.contact.line.ring import RING
 from verify.cases.registry import find
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("contact-line")
 COARSE = replace(PAIR, levels=(2, 3, 4))

@@ -13,7 +13,7 @@ from verify.cases.contact.press_fit import case as contact_press_fit
 from verify.cases.contact.press_fit.case import PRESS_FIT, FitInputs
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 COARSE = replace(PRESS_FIT, levels=(1, 2, 3))
 RAW = {"r_i": "20 mm", "r_f": "26 mm", "r_o": "40 mm", "delta": "15 µm", "E_i": "206 GPa",

@@ -28,7 +28,7 @@ from verify.cases.contact.roller.inputs import Crown, Roller, TiltedInputs
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.registry import find
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("contact-roller")
 CASES = (ROLLER, TILTED, UNCROWNED, CROWNS)

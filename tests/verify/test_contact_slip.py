@@ -18,7 +18,7 @@ from verify.cases.contact.slip.inputs import SlipInputs
 from verify.cases.contact.slip.read import AROUND, around, at_nodes, simpson, smoothed, stick_share
 from verify.core.case import Context
 from verify.core.results import Kind, Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 COARSE = replace(SLIP, levels=(16, 24, 32))
 MPa, mm = 1e6, 1e-3

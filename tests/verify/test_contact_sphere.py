@@ -14,7 +14,7 @@ from verify.cases.contact.sphere.case import SPHERE
 from verify.cases.contact.sphere.inputs import SphereInputs
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 COARSE = replace(SPHERE, levels=(2, 3, 4))
 RAW = {"R_1": "4 mm", "R_2": "11 mm", "P": "16 N", "E_1": "206 GPa", "nu_1": 0.3,

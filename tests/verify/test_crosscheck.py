@@ -11,10 +11,11 @@ from verify.app.cli import run
 from verify.app.crosscheck import command
 from verify.cases.registry import CASES
 from verify.core.results import CrossState
-from verify.studies.crosscheck import judged, kept, registry, solvers
-from verify.studies.crosscheck.alone import ALONE
+from verify.studies.crosscheck import judged, registry, solvers
+from verify.studies.crosscheck import store as kept
 from verify.studies.crosscheck.calculix import running
 from verify.studies.crosscheck.comparisons import clutches, contacts, rings
+from verify.studies.crosscheck.not_compared import ALONE
 from verify.studies.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS, Cross, Quantity
 
 installed = pytest.mark.skipif(

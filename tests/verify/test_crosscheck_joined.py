@@ -8,7 +8,8 @@ import pytest
 
 from verify.app.crosscheck import command
 from verify.core.results import CrossState
-from verify.studies.crosscheck import judged, kept, solvers
+from verify.studies.crosscheck import judged, solvers
+from verify.studies.crosscheck import store as kept
 from verify.studies.crosscheck.calculix import running
 from verify.studies.crosscheck.comparisons import races, rotors, rounds, springs, struts
 from verify.studies.crosscheck.statement import ROSS

@@ -11,7 +11,7 @@ from verify.cases.spring.accordion.case import ACCORDION
 from verify.core import source_code
 from verify.core.case import FemResult
 from verify.jobs import cache, deep_results
-from verify.jobs.schedule import run
+from verify.jobs.scheduler import run
 from verify.studies import deep
 
 PARTS = (

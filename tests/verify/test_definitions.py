@@ -11,12 +11,12 @@ from verify.app.cli import run
 from verify.cases.registry import CASES
 from verify.papers.digits import half_last_digit
 from verify.papers.ledger import erratum, published
-from verify.studies.definitions import registry
-from verify.studies.definitions.generic import numbers, printed_rounding, readings
-from verify.studies.definitions.misprints import is_misprint, misprints
-from verify.studies.definitions.readings import angle, count, elastic, length, result, switched
-from verify.studies.definitions.search import DIGIT, SPANS, Reading, search, together, window
-from verify.studies.definitions.tried import searches
+from verify.studies.readings import registry
+from verify.studies.readings.generic import numbers, printed_rounding, readings
+from verify.studies.readings.misprints import is_misprint, misprints
+from verify.studies.readings.readings import angle, count, elastic, length, result, switched
+from verify.studies.readings.search import DIGIT, SPANS, Reading, search, together, window
+from verify.studies.readings.tried import searches
 
 INPUTS = {"F": 18.0, "r": 4.02, "b": 3.05, "a": 0.2, "n": 12, "E": 206.0, "nu": 0.3}
 READINGS = (*length("r"), *length("b"), *angle("a"), *count("n"), *elastic("E", "nu"), *result())

@@ -10,8 +10,8 @@ from verify.cases.registry import CASES
 from verify.core.case import Context, FemResult
 from verify.core.results import Kind, Status
 from verify.judging.checks import Approximation, Fact, Identity, Limit
-from verify.judging.derivation.grid import regrid
-from verify.judging.derivation.steps import derive, steps
+from verify.judging.explain.grid import regrid
+from verify.judging.explain.steps import derive, steps
 
 EACH = pytest.mark.parametrize(
     "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]

@@ -15,8 +15,9 @@ from tests.verify.template_text import whole
 from verify.app.cli import run
 from verify.app.commands import load as load_check
 from verify.cases.spring.stages.inputs import StagesInputs
-from verify.studies.design import told
+from verify.studies.design import console as told
 from verify.studies.design.compressed import compressed
+from verify.studies.design.console import verdict
 from verify.studies.design.fem import Verified, verified_by_fem
 from verify.studies.design.inputs import default
 from verify.studies.design.limits import Limit
@@ -24,7 +25,6 @@ from verify.studies.design.nearest import relaxation
 from verify.studies.design.outcome import Outcome
 from verify.studies.design.search import search
 from verify.studies.design.template import template
-from verify.studies.design.told import verdict
 
 # eight springs, two of them on the front
 SMALL = {

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from verify.app.design_sprag.page import _tiles, _torques
-from verify.studies.design_sprag import told
+from verify.studies.design_sprag import console as told
 from verify.studies.design_sprag.inputs import default
 from verify.studies.design_sprag.known import Known
 from verify.studies.design_sprag.outcome import Bound, Outcome

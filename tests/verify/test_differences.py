@@ -9,7 +9,7 @@ from verify.core.differences import difference, difference_texts, largest, perce
 from verify.core.results import Kind, Status
 from verify.judging import judge
 from verify.judging.claims import make_row
-from verify.judging.derivation.steps import steps
+from verify.judging.explain.steps import steps
 
 EACH = pytest.mark.parametrize(
     "case", [pytest.param(c, id=c.id, marks=pytest.mark.xdist_group(c.id)) for c in CASES]

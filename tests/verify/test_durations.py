@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from verify.jobs import durations
-from verify.jobs.durations import FINEST_SECONDS, expected_seconds, refined, remaining_seconds
+from verify.jobs import timing as durations
+from verify.jobs.timing import FINEST_SECONDS, expected_seconds, refined, remaining_seconds
 
 
 def test_a_level_takes_what_it_took():

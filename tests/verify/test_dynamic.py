@@ -15,7 +15,7 @@ from verify.cases import registry
 from verify.cases.ring.lame.case import LAME
 from verify.core import progress, units
 from verify.core.case import Dynamic, Output
-from verify.core.shown import Curve, Curves
+from verify.core.figures import Curve, Curves
 
 RING = """\
 case = "ring-lame"

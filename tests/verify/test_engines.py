@@ -9,8 +9,8 @@ import pytest
 
 from verify.core.inputs import InputError
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.engines import Drive, Here, Lost, Where, local
-from verify.jobs.workers import WorkerDiedError
+from verify.jobs.executor import Drive, Here, Lost, Where, local
+from verify.jobs.processes import WorkerDiedError
 
 
 @pytest.mark.parametrize(

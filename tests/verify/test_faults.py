@@ -16,7 +16,7 @@ from verify.cases.ring.lame.case import LAME
 from verify.cases.spring.accordion.case import ACCORDION
 from verify.cases.spring.continuum.case import CONTINUUM
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 from verify.judging import claims, convergence
 
 # Coarser levels where the finite elements themselves are broken and must be solved anew.

@@ -17,6 +17,7 @@ from verify.cases.freewheel.clutch import fem as freewheel_clutch_fem
 from verify.cases.freewheel.clutch import model as freewheel_clutch_model
 from verify.cases.freewheel.clutch import remedies
 from verify.cases.freewheel.clutch.case import CLUTCH, too_large
+from verify.cases.freewheel.clutch.figures import lights
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import (
     as_axial_load_grows,
@@ -27,12 +28,11 @@ from verify.cases.freewheel.clutch.limits import (
 )
 from verify.cases.freewheel.clutch.model import analytic, light
 from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
-from verify.cases.freewheel.clutch.shown import lights
 from verify.cases.freewheel.inputs import StarInputs
 from verify.core import units
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case
+from verify.jobs.level import Job, judge_case
 
 CUP = {"kind": "outer cam", "R": 10e-3, "r": 2e-3, "X": 13.8832168e-3, "R_a": 17.5e-3, "r_b": 0.0}
 SHARP = {"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0}

@@ -23,7 +23,7 @@ from verify.cases.freewheel.fem import Place, Sector, State
 from verify.cases.freewheel.sweep import Sweep
 from verify.core.case import Context
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 COARSE = replace(CUP, levels=LEVELS)

@@ -20,7 +20,7 @@ from verify.cases.freewheel.friction.limit import Limit
 from verify.cases.freewheel.sweep import Sweep
 from verify.cases.freewheel.torque.fem import ratio
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 COARSE = replace(FRICTION, levels=LEVELS)

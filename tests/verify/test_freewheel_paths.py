@@ -17,7 +17,7 @@ from verify.cases.freewheel.paths.times import tan_of, time_of_slip
 from verify.cases.freewheel.torque.model import state_under
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 FIRST, SECOND, THIRD = (
     "axial load at slip, torque first (load case 1)",

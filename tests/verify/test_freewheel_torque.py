@@ -26,7 +26,7 @@ from verify.cases.freewheel.torque.fem import at_angle
 from verify.cases.freewheel.torque.model import under_force, under_torque
 from verify.core.case import Context
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 FEW = (0.05, 0.3, 0.7, 1.06)  # of the overlap, enough of the states to see what is wrong

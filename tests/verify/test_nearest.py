@@ -1,7 +1,7 @@
 """Names offered in the place of an unknown one."""
 
 from verify.app.cli import run
-from verify.core.nearest import FEW, nearest
+from verify.core.suggestions import FEW, nearest
 
 
 def test_names_like_it_stand_first_and_of_many_few_are_shown():

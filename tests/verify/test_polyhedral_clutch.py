@@ -20,7 +20,7 @@ from verify.cases.polyhedral.locking.fem import LockedRing
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-clutch")
 

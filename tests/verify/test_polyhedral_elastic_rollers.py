@@ -8,7 +8,7 @@ from analytic.polyhedral import locking
 from analytic.polyhedral.locking import RollerContact
 from fem.contact import problem, shapes
 from verify.cases.polyhedral.locking.case import LOCKING
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-locking")
 

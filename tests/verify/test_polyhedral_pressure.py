@@ -13,7 +13,7 @@ from verify.cases.polyhedral.inputs import RoundRing
 from verify.cases.polyhedral.pressure.case import PRESSURE, analytic
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-pressure")
 

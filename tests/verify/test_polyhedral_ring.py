@@ -15,7 +15,7 @@ from verify.cases.polyhedral.ring import case as polyhedral_ring
 from verify.cases.polyhedral.ring.case import RING, analytic
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("polyhedral-ring")
 

@@ -19,7 +19,7 @@ from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.cases.polyhedral.wedge.limit import Limit
 from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (8, 10, 12)
 COARSE = replace(WEDGE, levels=LEVELS)

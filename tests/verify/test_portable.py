@@ -23,7 +23,7 @@ from verify.audit.portable.variants import (
 )
 from verify.cases.registry import CASES, find
 from verify.core.inputs import EntryError, Inputs, count, quantity, table, word
-from verify.jobs.run import Job
+from verify.jobs.level import Job
 
 FLAGS = frozenset({"pni", "sse4_2", "avx", "avx2"})
 FOUND = ["X86_V3", "X86_V4"]

@@ -5,7 +5,7 @@ import pytest
 
 from verify.cases.registry import CASES
 from verify.core.case import Context, FemResult
-from verify.core.shown import Profile
+from verify.core.figures import Profile
 from verify.judging.profiles import along
 
 X = np.linspace(0, 1, 7)

@@ -10,11 +10,13 @@ from reports.records import row_record
 from verify.app import commands
 from verify.app import release as making
 from verify.app.cli import run
-from verify.audit.releases import digits, kept, reasons, since
+from verify.audit.releases import changes as since
+from verify.audit.releases import digits, reasons
+from verify.audit.releases import store as kept
 from verify.audit.releases.compare import drift
-from verify.audit.releases.kept import Release, load, newest, store
 from verify.audit.releases.reasons import Reason
 from verify.audit.releases.row_changes import row_changes
+from verify.audit.releases.store import Release, load, newest, store
 from verify.cases.ring.lame.case import LAME
 from verify.core.inputs import InputError
 from verify.core.results import CaseResult, Kind, Partner, Row, Status

@@ -21,7 +21,7 @@ from verify.cases.ring.loads.case import INNER, OUTER
 from verify.cases.ring.loads.inputs import InnerInputs, OuterInputs, too_large
 from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS, MapInputs
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("ring-loads")
 COARSE = replace(OUTER, levels=(2, 3, 4))

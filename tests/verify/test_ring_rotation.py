@@ -15,7 +15,7 @@ from verify.cases.ring.rotation import case as ring_rotation
 from verify.cases.ring.rotation.case import ROTATION
 from verify.cases.ring.rotation.inputs import RotationInputs
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("ring-rotation")
 COARSE = replace(ROTATION, levels=(1, 2, 4))

@@ -17,7 +17,7 @@ from verify.cases.rotor.clutch.inputs import ClutchInputs
 from verify.cases.rotor.clutch.model import corrected
 from verify.core.case import Context
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("rotor-clutch")
 COARSE = replace(CLUTCH, levels=(8, 16, 32))

@@ -16,7 +16,7 @@ from verify.cases.rotor.shaft import inputs as rotor_shaft_inputs
 from verify.cases.rotor.shaft.case import SHAFT
 from verify.cases.rotor.shaft.inputs import ShaftInputs
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("rotor-shaft")
 COARSE = replace(SHAFT, levels=(1, 2, 3, 4))

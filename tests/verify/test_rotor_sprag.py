@@ -10,11 +10,11 @@ from verify.cases.rotor.sprag import ensemble_fem as ensemble
 from verify.cases.rotor.sprag import layout as fig_1
 from verify.cases.rotor.sprag import solid_fem as solid
 from verify.cases.rotor.sprag.case import SPRAG_ROTOR
+from verify.cases.rotor.sprag.check_types import FittedTo, Share
 from verify.cases.rotor.sprag.claims import FITTED_SPEEDS, IDENTITIES
 from verify.cases.rotor.sprag.elastic import drawn
 from verify.cases.rotor.sprag.fem import beams_fem, drawn_fem, ensemble_arrays_fem
 from verify.cases.rotor.sprag.inputs import PRINTED, RPM, SpragRotorInputs
-from verify.cases.rotor.sprag.kinds import FittedTo, Share
 from verify.cases.rotor.sprag.model import ORDERS, analytic
 from verify.cases.rotor.sprag.response_fem import (
     above_chord,

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from verify.cases.rotor.sprag.facts import STATEMENTS, opposite
-from verify.cases.rotor.sprag.kinds import held_of
+from verify.cases.rotor.sprag.assertions import STATEMENTS, opposite
+from verify.cases.rotor.sprag.check_types import held_of
 from verify.cases.rotor.sprag.response_fem import GRID, WINDOW, peaks
 
 RISING = np.arange(1.0, 4.0)  # three unbalances, or three peaks

@@ -18,7 +18,7 @@ from verify.cases.rotor.step.fem import NEAR_ONE
 from verify.cases.rotor.step.inputs import StepInputs
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("rotor-step")
 RULE = "weak form, 45° rule,"

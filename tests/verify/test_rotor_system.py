@@ -21,7 +21,7 @@ from verify.cases.rotor.system.warnings import warnings
 from verify.core import units
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
-from verify.jobs.run import Job, Solved, judge_case
+from verify.jobs.level import Job, Solved, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
 RAW = inputs_of(template(SYSTEM))

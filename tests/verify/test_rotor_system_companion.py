@@ -10,7 +10,7 @@ from verify.cases.rotor.system.companion import JUDGED, companion
 from verify.cases.rotor.system.fem import fem
 from verify.cases.rotor.system.inputs import RPM, SystemInputs
 from verify.cases.rotor.system.model import analytic, study
-from verify.jobs.run import Job, Solved, judge_case
+from verify.jobs.level import Job, Solved, judge_case
 
 pytestmark = pytest.mark.xdist_group("rotor-system")
 

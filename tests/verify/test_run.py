@@ -12,10 +12,10 @@ from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Status
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.engines import Here, local
-from verify.jobs.run import Job
-from verify.jobs.schedule import run
-from verify.jobs.workers import WorkerDiedError
+from verify.jobs.executor import Here, local
+from verify.jobs.level import Job
+from verify.jobs.processes import WorkerDiedError
+from verify.jobs.scheduler import run
 from verify.judging.checks import Fact
 
 
@@ -218,7 +218,7 @@ def test_without_a_cache_everything_is_solved_and_nothing_stored(tmp_path, monke
 
 
 def test_the_longest_levels_come_first_as_measured_in_earlier_runs(tmp_path):
-    from verify.jobs import durations
+    from verify.jobs import timing as durations
 
     durations.store(tmp_path, {("ring-made-up", 4): 1.0, ("ring-other", 4): 9.0})
     solved = []

@@ -26,7 +26,7 @@ from verify.cases.sprag.clutch.case import CLUTCH, too_large
 from verify.cases.sprag.clutch.claims import CHECKS, FITTED, rectangle
 from verify.cases.sprag.clutch.drawn_fem import Drawn
 from verify.cases.sprag.clutch.dynamic import DYNAMIC
-from verify.cases.sprag.clutch.dynamic_words import least_time
+from verify.cases.sprag.clutch.dynamic_messages import least_time
 from verify.cases.sprag.clutch.limits import as_torque_grows, verdict
 from verify.cases.sprag.clutch.model import built, first_contact, under
 from verify.cases.sprag.clutch.paper_fem import BEST, PRINTED, designed

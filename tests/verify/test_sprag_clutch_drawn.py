@@ -18,7 +18,7 @@ from verify.cases.sprag.clutch.drawn_fem import Drawn
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.optimum import fem as sprag_optimum_fem
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs
-from verify.jobs.run import Job, judge_case
+from verify.jobs.level import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
 PAPER = EngagementInputs()

@@ -17,7 +17,6 @@ from verify.cases.sprag.crown import table2 as sprag_crown_table2
 from verify.cases.sprag.crown.box_fem import forces, terms
 from verify.cases.sprag.crown.case import CROWN, too_large
 from verify.cases.sprag.crown.claims import CHECKS
-from verify.cases.sprag.crown.figures import ordered
 from verify.cases.sprag.crown.formulas import (
     analytic,
     box,
@@ -27,13 +26,14 @@ from verify.cases.sprag.crown.formulas import (
     unit,
     z_m_share,
 )
+from verify.cases.sprag.crown.measured_figures import ordered
+from verify.cases.sprag.crown.messages import verdict
 from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
 from verify.cases.sprag.crown.table2 import MEDIAN, cell, relative_error, standardised
-from verify.cases.sprag.crown.words import verdict
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
+from verify.core.figures import Curves
 from verify.core.results import Status
-from verify.core.shown import Curves
 
 pytestmark = pytest.mark.xdist_group("sprag-crown")
 

@@ -15,7 +15,7 @@ from verify.cases.sprag.engagement.case import ENGAGEMENT, analytic, too_large
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("sprag-engagement")
 PAPER = EngagementInputs()

@@ -18,7 +18,7 @@ from verify.cases.sprag.friction import formulas
 from verify.cases.sprag.friction.case import FRICTION, analytic, too_large
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.jobs.cache import default_folder
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("sprag-friction")
 PAPER = EngagementInputs()

@@ -19,7 +19,7 @@ from verify.cases.sprag.peaks import with_crown
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case
+from verify.jobs.level import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("sprag-optimum")
 BOTH = pytest.mark.parametrize("case", [OPTIMUM_25, OPTIMUM_40], ids=lambda case: case.id)

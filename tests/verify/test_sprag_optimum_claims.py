@@ -11,7 +11,7 @@ from verify.cases.sprag.optimum.inputs import Optimum25Inputs
 from verify.cases.sprag.optimum.surrogate_claims import asked
 from verify.core.case import Context, FemResult
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case
+from verify.jobs.level import Job, judge_case
 from verify.judging import judge
 
 pytestmark = pytest.mark.xdist_group("sprag-optimum")

@@ -20,14 +20,14 @@ from verify.cases.sprag.wedge import expected, model
 from verify.cases.sprag.wedge import sweep as sprag_wedge_sweep
 from verify.cases.sprag.wedge.case import WEDGE
 from verify.cases.sprag.wedge.expected import Expected, at_share, plane_yields
+from verify.cases.sprag.wedge.figures import parts_of
+from verify.cases.sprag.wedge.messages import too_large
 from verify.cases.sprag.wedge.model import Race, analytic, rigid_force
-from verify.cases.sprag.wedge.shown import parts_of
 from verify.cases.sprag.wedge.sketch import outline
 from verify.cases.sprag.wedge.sweep import Sweep
-from verify.cases.sprag.wedge.words import too_large
 from verify.core.case import Context
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (4, 6, 8)
 COARSE = replace(WEDGE, levels=LEVELS)

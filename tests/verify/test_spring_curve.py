@@ -10,8 +10,8 @@ from meshes.spring import centre_line as meshed
 from verify.cases.spring.curve import claims, runs
 from verify.cases.spring.curve import fem as model
 from verify.cases.spring.curve.case import CURVE
+from verify.cases.spring.curve.figures import points, tables
 from verify.cases.spring.curve.inputs import CurveInputs
-from verify.cases.spring.curve.shown import points, tables
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context, FemResult
 from verify.core.inputs import InputError, build

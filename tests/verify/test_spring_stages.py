@@ -16,7 +16,7 @@ from verify.cases.spring.stages.readings import chosen, eq10, meeting, readings,
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
-from verify.jobs.run import Job, judge_case, solve_level
+from verify.jobs.level import Job, judge_case, solve_level
 
 pytestmark = pytest.mark.xdist_group("spring-stages")
 COARSE = replace(STAGES, levels=(4, 8, 16))

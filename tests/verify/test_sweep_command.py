@@ -14,7 +14,7 @@ from verify.app.sweep import command
 from verify.core.case import Portion
 from verify.core.inputs import InputError
 from verify.jobs import cache
-from verify.jobs.engines import Where
+from verify.jobs.executor import Where
 from verify.studies.sweep.point import Solution
 from verify.studies.sweep.run import Solved, Timing
 from verify.studies.sweep.store import Store

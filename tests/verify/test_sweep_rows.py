@@ -8,7 +8,7 @@ from verify.cases.registry import CASES
 from verify.core import units
 from verify.core.case import Context, FemResult
 from verify.jobs.cache import default_folder
-from verify.jobs.run import solve_level
+from verify.jobs.level import solve_level
 from verify.studies.sweep.pairs import LEVELS, Known, compared, pairs
 
 MEASURED = [case for case in CASES if pairs(case)]

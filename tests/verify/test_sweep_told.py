@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from tests.verify.sweep_made import CASE, Plate, chosen, course, outcome
+from verify.studies.sweep.console import told
+from verify.studies.sweep.console_table import shortened
+from verify.studies.sweep.messages import error_with_bar
 from verify.studies.sweep.plan import grid, sample
-from verify.studies.sweep.told import told
-from verify.studies.sweep.told_table import shortened
-from verify.studies.sweep.words import error_with_bar
 
 NAN = np.nan
 

@@ -8,8 +8,8 @@ from verify.answers.registry import answer as answer_of
 from verify.app.check_console import Checked, print_check
 from verify.app.commands import make_report
 from verify.cases.registry import CASES
+from verify.core.console import print_verdicts, raised
 from verify.core.results import Status
-from verify.core.told import print_verdicts, raised
 
 
 @pytest.fixture

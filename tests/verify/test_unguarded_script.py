@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[2]
 SCRIPT = """\
 from pathlib import Path
 from verify.app.commands import run_verify
-from verify.jobs.engines import Where
+from verify.jobs.executor import Where
 
 {guard}run_verify(["ring-lame"], quick=False, where=Where(2, "{engine}"), out=Path("out"),
            use_cache=False)
@@ -35,7 +35,7 @@ def test_without_the_guard_the_script_ends_with_one_error_that_names_it(tmp_path
     assert not list((tmp_path / "out").iterdir())  # no process wrote a report
     lines = done.stderr.strip().splitlines()
     last = lines[-1]
-    assert last.startswith("verify.jobs.engines.GoneError: ")
+    assert last.startswith("verify.jobs.executor.GoneError: ")
     assert 'put the calls of the script under `if __name__ == "__main__":`' in last
     assert "does not converge" not in done.stderr
 

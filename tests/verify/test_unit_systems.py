@@ -13,9 +13,9 @@ from verify.cases.registry import CASES
 from verify.core import units
 from verify.core.inputs import entry_model, is_table, meta
 from verify.core.unit_systems import DISPLAYED, converted, system_of, text_in
-from verify.jobs.engines import Where
-from verify.jobs.run import Job
-from verify.jobs.solving import solve
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.session import solve
 
 PARTS = Path(__file__).parent / "parts"
 ROLLER = PARTS / "roller-clutch-31.toml"

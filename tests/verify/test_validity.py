@@ -11,15 +11,17 @@ from tests.verify.sweep_made import CASE, Here, course
 from verify.cases import registry
 from verify.core import source_code
 from verify.core.case import Scan
+from verify.core.figures import Equation
 from verify.core.inputs import InputError
 from verify.core.results import CaseResult, Kind, Partner, Row, Status
-from verify.core.shown import Equation
 from verify.judging.checks import Identity
 from verify.studies.sweep import point
 from verify.studies.sweep.outcome import outcome
 from verify.studies.sweep.pairs import pairs
 from verify.studies.sweep.run import solve
-from verify.studies.validity import kept, measuring, words
+from verify.studies.validity import measuring
+from verify.studies.validity import messages as words
+from verify.studies.validity import store as kept
 from verify.studies.validity.cards import of_case, validity
 from verify.studies.validity.equations import numbers, place, tex
 from verify.studies.validity.left_out import LEFT_OUT, MAPS

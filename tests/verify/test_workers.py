@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from verify.jobs.engines import TICK, Drive, Lost, local
+from verify.jobs.executor import TICK, Drive, Lost, local
 
 # Tasks are Python expressions: a spawned process knows `eval` by its name.
 SEGFAULT = "__import__('ctypes').string_at(0)"
@@ -109,7 +109,7 @@ def test_a_caller_that_gives_up_leaves_no_process():
 
 SLEEPING = """
 import os, sys
-from verify.jobs.engines import Drive, local
+from verify.jobs.executor import Drive, local
 if __name__ == "__main__":
     with local(2) as engine:
         sleep = "print(__import__('os').getpid(), flush=True) or __import__('time').sleep(60)"

@@ -6,8 +6,8 @@ from typing import Any, TypeVar
 
 from verify.answers.assumed.rules import Assumed
 from verify.core.case import Output
+from verify.core.figures import FormulaValue, InputValue
 from verify.core.results import CaseResult, Grid, Row
-from verify.core.shown import FormulaValue, InputValue
 from verify.core.unit_systems import DISPLAYED, System, converted, ratio, text_in, unit_in
 from verify.jobs.dynamic import DynamicResult
 

@@ -9,8 +9,8 @@ from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import permissible
 from verify.cases.freewheel.clutch.limits import allowed_shift, as_torque_grows
+from verify.cases.freewheel.clutch.messages import verdict
 from verify.cases.freewheel.clutch.model import analytic, past_corners
-from verify.cases.freewheel.clutch.words import verdict
 from verify.cases.ring.loads.case import OUTER
 from verify.cases.ring.loads.inputs import OuterInputs
 from verify.core.case import Values

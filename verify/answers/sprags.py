@@ -7,8 +7,8 @@ from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import permissible
-from verify.cases.sprag.clutch.advice import why
 from verify.cases.sprag.clutch.limits import as_torque_grows, verdict
+from verify.cases.sprag.clutch.recommendations import why
 from verify.cases.sprag.clutch.values import analytic
 from verify.cases.sprag.crown.formulas import pressed
 from verify.cases.sprag.engagement.formulas import at_rest

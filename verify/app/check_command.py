@@ -27,9 +27,9 @@ from verify.core.inputs import InputError, Inputs
 from verify.core.results import CaseResult, Status
 from verify.core.unit_systems import System
 from verify.jobs.dynamic import asked_for, run_dynamic, with_dynamic
-from verify.jobs.engines import Where
-from verify.jobs.run import Job
-from verify.jobs.solving import solve
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.session import solve
 
 GIVE_STRENGTH = "give R_p"
 DRAWN_IN_MM = "equations, figures and further tables of this page are in mm, N and MPa"

@@ -10,10 +10,10 @@ from verify.answers.console import headline, limits
 from verify.answers.evidence import reference_of_design
 from verify.answers.shared_readings import SharedReading
 from verify.core.case import Case
+from verify.core.console import aligned, print_rows, raised
 from verify.core.console_rows import number, unit_of
+from verify.core.figures import LIMITS_TITLE, FormulaValue, Table
 from verify.core.results import CaseResult
-from verify.core.shown import LIMITS_TITLE, FormulaValue, Table
-from verify.core.told import aligned, print_rows, raised
 from verify.core.unit_systems import System
 from verify.jobs.dynamic import DynamicResult
 

@@ -6,9 +6,9 @@ from pathlib import Path
 from verify.answers.keys import identifier
 from verify.cases.registry import find
 from verify.core.case import Case, Output
+from verify.core.console import aligned
 from verify.core.console_rows import unit_of
 from verify.core.inputs import meta, read_parameter_file
-from verify.core.told import aligned
 
 
 def run_keys(file: Path) -> int:

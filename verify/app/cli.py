@@ -16,10 +16,10 @@ from cyclopts import App, CycloptsError, Parameter  # noqa: E402 - threads are c
 
 from verify.app.arguments import CaseId, Engine, Jobs, case_ids  # noqa: E402
 from verify.app.crosscheck.cli import crosscheck  # noqa: E402
-from verify.app.definitions.cli import search  # noqa: E402
 from verify.app.design.cli import design  # noqa: E402
 from verify.app.mutation.cli import mutants  # noqa: E402
 from verify.app.portable.cli import portable  # noqa: E402
+from verify.app.readings.cli import search  # noqa: E402
 from verify.app.sweep.cli import sweep  # noqa: E402
 
 app = App(
@@ -73,7 +73,7 @@ def verify(
         Reuse finite-element results of earlier runs.
     """
     from verify.app.commands import run_verify
-    from verify.jobs.engines import Where
+    from verify.jobs.executor import Where
 
     where = Where(jobs, engine, scheduler)
     return run_verify(cases, quick=quick, where=where, out=out, use_cache=cache)

@@ -8,19 +8,19 @@ from pathlib import Path
 
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.parameter_file import read
-from verify.audit.releases.since import lines, since
+from verify.audit.releases.changes import lines, since
 from verify.cases.registry import CASES, find
 from verify.core import environment
 from verify.core.case import Case, Values
+from verify.core.console import print_verdicts, raised
 from verify.core.inputs import REQUIRED, InputError, Inputs, meta
 from verify.core.results import CaseBudget, CaseResult, Caught, Crosscheck, Report, Status, Validity
-from verify.core.told import print_verdicts, raised
 from verify.jobs import cache
-from verify.jobs.engines import Where
-from verify.jobs.run import Job
-from verify.jobs.solving import solve
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.session import solve
 from verify.papers.ledger import cited
-from verify.studies.definitions.tried import searches
+from verify.studies.readings.tried import searches
 
 ROOT = Path(__file__).parents[2]
 BAD = (Status.FAIL, Status.SKIP)
@@ -145,7 +145,7 @@ def _validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Val
 
 def _budgets(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
     """The error budgets, which are about the papers' own inputs too."""
-    from verify.studies.budget.told import told  # reads sources of all that they depend on
+    from verify.studies.budget.console import told  # reads sources of all that they depend on
 
     return told(results, cases)
 

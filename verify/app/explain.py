@@ -11,10 +11,10 @@ from verify.cases.registry import CASES
 from verify.core.case import Case, Context
 from verify.core.inputs import InputError, Inputs
 from verify.core.results import Row, Status
-from verify.jobs.engines import Where
-from verify.jobs.run import Job
-from verify.jobs.solving import solve
-from verify.judging.derivation.steps import derive
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.session import solve
+from verify.judging.explain.steps import derive
 
 BESIDE = ": convergence"  # the row that every finite-element row has beside it
 LISTED = 12

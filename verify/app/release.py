@@ -5,14 +5,14 @@ import time
 from pathlib import Path
 
 from verify.app.commands import make_report
-from verify.audit.releases.kept import path_of, store, version
-from verify.audit.releases.since import WITHOUT
+from verify.audit.releases.changes import WITHOUT
+from verify.audit.releases.store import path_of, store, version
 from verify.cases.registry import CASES
 from verify.core.inputs import InputError
 from verify.core.results import Report, Status
-from verify.jobs.engines import Where
-from verify.jobs.run import Job
-from verify.jobs.solving import solve
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.session import solve
 
 
 def release(root: Path, folder: Path | None = None, *, jobs: int = 0) -> Path:

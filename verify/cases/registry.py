@@ -50,7 +50,7 @@ from verify.cases.spring.map.case import MAP as SPRING_MAP
 from verify.cases.spring.stages.case import STAGES
 from verify.cases.spring.width.case import WIDTH
 from verify.core.case import Case
-from verify.core.nearest import FEW, nearest
+from verify.core.suggestions import FEW, nearest
 
 CASES: tuple[Case, ...] = (
     LAME, OUTER, INNER, MAP, ROTATION,

@@ -6,10 +6,10 @@ from typing import Any, ClassVar, Protocol
 
 from numpy.typing import NDArray
 
+from verify.core.figures import Equation, Field, Figure, Picture, Sketch, Table
 from verify.core.inputs import Inputs
 from verify.core.references import Method
 from verify.core.results import Row
-from verify.core.shown import Equation, Field, Figure, Picture, Sketch, Table
 
 Values = Mapping[str, float]
 

@@ -21,7 +21,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.fields import FieldInfo
 
 from verify.core import units
-from verify.core.shown import InputValue
+from verify.core.figures import InputValue
 
 MAX_BYTES = 1_000_000
 LARGEST_INTEGER = 10**15

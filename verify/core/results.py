@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from verify.core.shown import (
+from verify.core.figures import (
     Equation,
     Field,
     Figure,

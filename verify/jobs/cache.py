@@ -23,9 +23,9 @@ from typing import Any
 import numpy as np
 
 from verify.core.case import Case, FemResult
+from verify.core.figures import Field
 from verify.core.files import write_whole
 from verify.core.inputs import Inputs
-from verify.core.shown import Field
 from verify.core.source_code import COMPILED, parts_of, source_of
 
 LIBRARIES = ("gmsh", "scikit-fem", "numpy", "scipy")

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from verify.core.case import Case, Dynamic, Output, Values
+from verify.core.figures import Figure, FormulaValue
 from verify.core.inputs import InputError, Inputs
 from verify.core.progress import told_if_slow
 from verify.core.results import CaseResult
-from verify.core.shown import Figure, FormulaValue
-from verify.papers.described import shown_values
+from verify.papers.case_report import shown_values
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from verify.core.case import Context
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.judging.convergence import grid_convergence
 from verify.judging.judge import numerical_uncertainty
 

@@ -7,9 +7,9 @@ from verify.core.progress import shown
 from verify.core.results import Status
 from verify.jobs import cache
 from verify.jobs.deep_results import FOLDER, keep, measured
-from verify.jobs.engines import Where
-from verify.jobs.run import Job
-from verify.jobs.solving import solve
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.session import solve
 
 
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:

@@ -9,7 +9,7 @@ import pytest
 from analytic.contact import love
 from analytic.contact.half_space import press
 from analytic.contact.half_space_contact import centres
-from verify.studies.crosscheck.guests.tamaas_press import press as press_there
+from verify.studies.crosscheck.external.tamaas_press import press as press_there
 
 E_STAR = 1.1319e11  # Pa
 NEAR = 1e-5  # relative difference of pressures in the mean square

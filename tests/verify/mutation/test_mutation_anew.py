@@ -8,10 +8,11 @@ from functools import partial
 import pytest
 
 from tests.conftest import solved
-from verify.audit.mutation import anew, trial
-from verify.audit.mutation.forked import Task, answers
-from verify.audit.mutation.known import Noted
+from verify.audit.mutation import resolve as anew
+from verify.audit.mutation import trial
+from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
+from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import Changed, mutants, source
 from verify.audit.mutation.trial import Bench
 from verify.audit.mutation.workload import Load

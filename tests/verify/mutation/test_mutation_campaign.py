@@ -9,15 +9,16 @@ from textwrap import dedent
 
 import pytest
 
-from verify.audit.mutation import groups, known, score, suite, trial, workload
+from verify.audit.mutation import baseline as known
+from verify.audit.mutation import groups, score, suite, trial, workload
 from verify.audit.mutation.campaign import Campaign
-from verify.audit.mutation.forked import Task, answers
+from verify.audit.mutation.console import told
 from verify.audit.mutation.groups import Group, functions_of
 from verify.audit.mutation.outcomes import By, Outcome, Store
 from verify.audit.mutation.sample import sample
+from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FORMULAS
-from verify.audit.mutation.told import told
 from verify.audit.mutation.trial import Bench, Shift
 from verify.audit.mutation.workload import Load
 from verify.core.case import Case, FemResult

@@ -8,7 +8,7 @@ from functools import partial
 
 import pytest
 
-from verify.audit.mutation.forked import LATE, Task, answers
+from verify.audit.mutation.sandbox import LATE, Task, answers
 
 
 def test_answers_come_as_json_from_other_processes():

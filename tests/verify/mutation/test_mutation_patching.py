@@ -6,8 +6,8 @@ from textwrap import dedent
 
 import pytest
 
-from verify.audit.mutation.forked import Task, answers
 from verify.audit.mutation.patching import NotPatchedError, patch
+from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FORMULAS
 

@@ -7,9 +7,9 @@ import pytest
 
 from tests.conftest import solved
 from verify.audit.mutation import trial
-from verify.audit.mutation.forked import Task, answers
-from verify.audit.mutation.known import Noted
+from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
+from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.audit.mutation.trial import Bench

@@ -18,10 +18,10 @@ from verify.core.case import Context
 from verify.core.inputs import InputError
 from verify.core.results import Kind, Status
 from verify.jobs.cache import default_folder
-from verify.jobs.run import solve_level
+from verify.jobs.level import solve_level
 from verify.judging import judge
-from verify.judging.agreement import Agreement, Pair
 from verify.judging.checks import Approximation, Exact, Fact, Limit
+from verify.judging.tolerance_checks import Agreement, Pair
 
 ALL = frozenset(PERTURBATIONS)
 SERIES = power_law(2.0, 1e-3)

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from verify.answers.assumed.rules import Assumed
+from verify.core.console import aligned
 from verify.core.results import CaseResult
-from verify.core.told import aligned
 
 
 def print_assumed(assumed: Sequence[Assumed]) -> None:

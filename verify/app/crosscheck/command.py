@@ -6,11 +6,11 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from verify.app.commands import writable
+from verify.core.console import aligned, raised
 from verify.core.inputs import InputError
 from verify.core.progress import State, shown
 from verify.core.results import Crosscheck, CrossState
-from verify.core.told import aligned, raised
-from verify.studies.crosscheck import kept
+from verify.studies.crosscheck import store as kept
 from verify.studies.crosscheck.judged import judged
 from verify.studies.crosscheck.registry import chosen
 from verify.studies.crosscheck.solvers import Solver, rerun, solve, solvers

@@ -17,10 +17,10 @@ from verify.app.commands import writable
 from verify.core.files import write_whole
 from verify.core.unit_systems import System
 from verify.studies.design.answer import answer
+from verify.studies.design.console import print_outcome
 from verify.studies.design.inputs import load
 from verify.studies.design.outcome import CHOSEN, Outcome, carry_out, chosen_file
 from verify.studies.design.records import candidates_csv, record
-from verify.studies.design.told import print_outcome
 
 PAGE, TABLE = "design.html", "candidates.csv"
 

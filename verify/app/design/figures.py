@@ -8,7 +8,7 @@ import numpy as np
 from reports.design import Picture
 from reports.design_plots import Bars, Parallel, Region
 from verify.core import units
-from verify.core.shown import Curve, Curves
+from verify.core.figures import Curve, Curves
 from verify.studies.design.compressed import PARTS
 from verify.studies.design.front import scaled
 from verify.studies.design.outcome import Outcome

@@ -5,17 +5,25 @@ from collections.abc import Sequence
 
 from reports.design import DesignPage, Tile
 from verify.app.design.figures import figures
-from verify.cases.spring.stages import shown as spring_stages_shown
+from verify.cases.spring.stages import figures as spring_stages_shown
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.core import units
-from verify.core.shown import Sketch, Table
+from verify.core.figures import Sketch, Table
+from verify.studies.design.console import (
+    FRONT,
+    geometry,
+    in_unit,
+    rounded,
+    spare,
+    verdict,
+    warnings,
+)
 from verify.studies.design.inputs import SWEEPS
 from verify.studies.design.limits import Limit
 from verify.studies.design.nearest import Relaxation
 from verify.studies.design.outcome import Outcome
 from verify.studies.design.records import COLUMNS, columns
 from verify.studies.design.search import Search
-from verify.studies.design.told import FRONT, geometry, in_unit, rounded, spare, verdict, warnings
 
 STEPS = (
     "Every combination of n, b, α, r and L_1 is a candidate; the paper fixes b and n, walks over "

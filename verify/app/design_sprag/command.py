@@ -18,6 +18,7 @@ from verify.core.files import write_whole
 from verify.core.inputs import InputError
 from verify.core.unit_systems import System
 from verify.studies.design_sprag.answer import answer
+from verify.studies.design_sprag.console import print_outcome
 from verify.studies.design_sprag.inputs import load
 from verify.studies.design_sprag.outcome import Outcome, carry_out
 from verify.studies.design_sprag.records import (
@@ -27,7 +28,6 @@ from verify.studies.design_sprag.records import (
     profile_csv,
     record,
 )
-from verify.studies.design_sprag.told import print_outcome
 
 PAGE = "design.html"
 

@@ -3,9 +3,9 @@
 import numpy as np
 
 from reports.design import Picture
-from verify.core.shown import Array, Curve, Curves, Density
+from verify.core.figures import Array, Curve, Curves, Density
+from verify.studies.design_sprag.console import named
 from verify.studies.design_sprag.outcome import Outcome
-from verify.studies.design_sprag.told import named
 from verify.studies.design_sprag.verified import Check
 
 MPa, mm, um = 1e6, 1e-3, 1e-6

@@ -6,10 +6,8 @@ from collections.abc import Sequence
 from reports.design import DesignPage, Tile
 from verify.app.design_sprag.figures import figures
 from verify.cases.sprag.clutch.sketch import sketch
-from verify.core.shown import Table
-from verify.studies.design_sprag.outcome import Outcome
-from verify.studies.design_sprag.ranges import RANGES
-from verify.studies.design_sprag.told import (
+from verify.core.figures import Table
+from verify.studies.design_sprag.console import (
     HEAD_CROWN,
     check_heads,
     check_line,
@@ -23,6 +21,8 @@ from verify.studies.design_sprag.told import (
     verdict,
     warnings,
 )
+from verify.studies.design_sprag.outcome import Outcome
+from verify.studies.design_sprag.ranges import RANGES
 from verify.studies.design_sprag.verified import Check
 
 MPa, mm, um = 1e6, 1e-3, 1e-6

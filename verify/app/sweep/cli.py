@@ -57,7 +57,7 @@ def sweep(
         Solve anew the points that failed.
     """
     from verify.app.sweep.command import run_sweep
-    from verify.jobs.engines import Where
+    from verify.jobs.executor import Where
 
     return run_sweep(
         file, vary=vary, star=star, sample=sample, tolerances=tolerance, only=only,

@@ -13,17 +13,17 @@ from verify.app.commands import ROOT, load, writable
 from verify.core.files import write_whole
 from verify.core.inputs import InputError
 from verify.core.progress import Lines, shown
-from verify.jobs.engines import Where
+from verify.jobs.executor import Where
 from verify.studies.sweep import plan as plans
 from verify.studies.sweep.axes import changed
+from verify.studies.sweep.console import print_outcome
+from verify.studies.sweep.messages import bare
 from verify.studies.sweep.outcome import Outcome, outcome
 from verify.studies.sweep.pairs import portion, selected
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.records import record
 from verify.studies.sweep.run import solve
 from verify.studies.sweep.tables import REFUSED, points_csv, sensitivity_csv, validity_csv
-from verify.studies.sweep.told import print_outcome
-from verify.studies.sweep.words import bare
 
 PAGE = "sweep.html"
 

@@ -12,7 +12,7 @@ from reports.sweep import Panels, Picture
 from reports.sweep_plots import Causes, Histogram, reach
 from reports.validity_map import LEAST
 from verify.core import units
-from verify.core.shown import Array, Band, Curve, Curves
+from verify.core.figures import Array, Band, Curve, Curves
 from verify.studies.sweep.axes import Axis, Tolerance
 from verify.studies.sweep.indices import Indices, Scatter
 from verify.studies.sweep.outcome import Course

@@ -17,9 +17,10 @@ from verify.app.sweep.page_tables import (
     sensitivity,
 )
 from verify.app.sweep.verdicts import grid_in_words, sample_in_words, unit_after
+from verify.core.figures import Table
 from verify.core.results import Kind
-from verify.core.shown import Table
 from verify.studies.sweep.axes import Axis, Tolerance
+from verify.studies.sweep.console_table import worst
 from verify.studies.sweep.indices import Indices, indices
 from verify.studies.sweep.outcome import Course, Outcome
 from verify.studies.sweep.pairs import LEVELS
@@ -28,7 +29,6 @@ from verify.studies.sweep.point import code_of
 from verify.studies.sweep.region import regions
 from verify.studies.sweep.run import versions
 from verify.studies.sweep.tables import FAILED, REFUSED, SOLVED, largest, reasons, statuses
-from verify.studies.sweep.told_table import worst
 
 MOST_REASONS = 6
 MOST_DRAWN, ROOM = 20, 40_000  # rows with pictures, and points in all of them: a page has its size

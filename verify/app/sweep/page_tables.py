@@ -6,14 +6,14 @@ import numpy as np
 
 from verify.app.sweep.verdicts import limit_named, place, share
 from verify.core import units
-from verify.core.shown import Table
+from verify.core.figures import Table
 from verify.studies.sweep.axes import Axis, Tolerance
 from verify.studies.sweep.indices import Estimate, Indices
+from verify.studies.sweep.messages import box_in_words, break_in_words, error_with_bar
 from verify.studies.sweep.outcome import Course, Outcome
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import LIMITS, Region
 from verify.studies.sweep.tables import largest, quantities, reasons, statuses, with_unit
-from verify.studies.sweep.words import box_in_words, break_in_words, error_with_bar
 
 MOST_LINES = 200  # of the table of points
 MOST_COLUMNS = 6  # rows whose errors stand in it

@@ -8,11 +8,11 @@ import numpy as np
 from reports.measured import all_within
 from verify.studies.sweep.axes import Axis, Tolerance
 from verify.studies.sweep.indices import LOOSE, NOISY, Indices, Scatter
+from verify.studies.sweep.messages import box_in_words, break_in_words, error_with_bar
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import Region
 from verify.studies.sweep.tables import largest
-from verify.studies.sweep.words import box_in_words, break_in_words, error_with_bar
 
 
 def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from verify.audit.mutation import trial
-from verify.audit.mutation.forked import LATE, Answer, Task, answers
 from verify.audit.mutation.groups import Group
 from verify.audit.mutation.outcomes import By, Outcome, Store
+from verify.audit.mutation.sandbox import LATE, Answer, Task, answers
 from verify.core.progress import Show, State
 
 TESTS = 200.0  # s for the tests of one mutant, which took AT_MOST unchanged

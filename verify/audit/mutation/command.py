@@ -7,17 +7,17 @@ from pathlib import Path
 from typing import Any
 
 from verify.audit.mutation import groups, references, score
+from verify.audit.mutation.baseline import FOLDER, Notes
 from verify.audit.mutation.campaign import Campaign
+from verify.audit.mutation.console import told
 from verify.audit.mutation.digest import digest
-from verify.audit.mutation.known import FOLDER, Notes
 from verify.audit.mutation.outcomes import Store
-from verify.audit.mutation.told import told
 from verify.audit.mutation.workload import Load, loads
 from verify.cases.registry import CASES
 from verify.core.inputs import InputError
 from verify.core.progress import Show, State, shown
 from verify.jobs import cache
-from verify.jobs.engines import Where
+from verify.jobs.executor import Where
 
 SEED = 0  # of the sample that is kept
 

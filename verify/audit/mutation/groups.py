@@ -6,17 +6,19 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from verify.audit.mutation import anew, trial
-from verify.audit.mutation.forked import Task
-from verify.audit.mutation.known import Noted, Notes
+from verify.audit.mutation import resolve as anew
+from verify.audit.mutation import trial
+from verify.audit.mutation.baseline import Noted, Notes
 from verify.audit.mutation.sample import is_constant, reached, readers, sample
+from verify.audit.mutation.sandbox import Task
 from verify.audit.mutation.sites import Changed, source
 from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.audit.mutation.trial import Bench
 from verify.audit.mutation.workload import Load
 from verify.core.case import Case
 from verify.core.progress import Show, State
-from verify.jobs import cache, durations
+from verify.jobs import cache
+from verify.jobs import timing as durations
 
 # with some to spare: one in twenty crashes, of finite elements one in six, and counts apart
 SIZES = {"formulas": 260, "judging": 64, "finite-elements": 54}

@@ -3,13 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from verify.audit.mutation.known import Noted
+from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
 from verify.audit.mutation.patching import patch
 from verify.audit.mutation.sites import Changed, source
 from verify.audit.mutation.workload import Judged, Load, reddened, refuses
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.jobs.guard import named
 
 Verdict = list[str]  # by what it was noticed, and in words what

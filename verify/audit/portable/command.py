@@ -16,7 +16,7 @@ from verify.cases.registry import CASES, find
 from verify.core.inputs import InputError
 from verify.core.progress import shown
 from verify.jobs import cache
-from verify.jobs.engines import Where
+from verify.jobs.executor import Where
 
 ROOT = Path(__file__).parents[3]
 MOST_SEEDS = 1000

@@ -22,8 +22,8 @@ from verify.cases.registry import CASES, find
 from verify.core.case import Case
 from verify.core.files import remove_abandoned
 from verify.jobs import cache
-from verify.jobs.run import Job
-from verify.jobs.schedule import run
+from verify.jobs.level import Job
+from verify.jobs.scheduler import run
 
 TESTS = ROOT / "tests" / "verify" / "test_rows.py"
 

@@ -4,7 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from verify.audit.releases.kept import Kept
+from verify.audit.releases.store import Kept
 from verify.audit.releases.thresholds import Figure, figures, is_wider, relative_error, scale_limit
 from verify.core.results import Change
 

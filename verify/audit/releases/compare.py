@@ -11,10 +11,10 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from verify.audit.releases.bands import STRENGTH, tightened
-from verify.audit.releases.kept import Kept, Release, kept
 from verify.audit.releases.reasons import Reason, stated
 from verify.audit.releases.renames import case_of, name_change, renamed_rows
 from verify.audit.releases.row_changes import row_changes
+from verify.audit.releases.store import Kept, Release, kept
 from verify.core.results import CaseResult, Change, Drift, Status
 
 

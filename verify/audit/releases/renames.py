@@ -4,8 +4,8 @@ import math
 import re
 from collections.abc import Collection, Mapping, Sequence
 
-from verify.audit.releases.kept import Kept
 from verify.audit.releases.row_changes import CONVERGENCE
+from verify.audit.releases.store import Kept
 from verify.audit.releases.thresholds import SOLVE_TOL
 from verify.core.results import Change
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from verify.audit.releases.bands import NOTHING, STRENGTH, loosened, number, share
-from verify.audit.releases.kept import Kept
+from verify.audit.releases.store import Kept
 from verify.audit.releases.thresholds import (
     ROUND_OFF,
     SOLVE_TOL,

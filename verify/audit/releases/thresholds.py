@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from verify.audit.releases.digits import RECORDED_TOL, is_literal, is_printed, is_stated
-from verify.audit.releases.kept import Kept
+from verify.audit.releases.store import Kept
 from verify.judging.judge import COVERAGE
 
 BAND_SHARE = 0.1  # of the row's band

@@ -7,7 +7,7 @@ import numpy as np
 from analytic.freewheel.state import State
 from verify.cases.freewheel.torque.fem import GRID
 from verify.core.case import Context
-from verify.core.shown import Curve, Curves, Profile
+from verify.core.figures import Curve, Curves, Profile
 from verify.judging.profiles import along
 
 FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.core.shown import Array, Shape, Sketch
+from verify.core.figures import Array, Shape, Sketch
 
 mm = 1e-3
 SIDE = 0.62  # of the drawing's height: room for labels on either side

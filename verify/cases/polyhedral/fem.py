@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from verify.cases.polyhedral.inputs import HubRing, PolygonRing
-from verify.core.shown import Array, Field
+from verify.core.figures import Array, Field
 
 if TYPE_CHECKING:
     from fem.plane.material import Assumption

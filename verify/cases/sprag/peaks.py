@@ -23,8 +23,8 @@ from verify.cases.sprag.clutch.model import Built, built
 from verify.cases.sprag.clutch.run_fem import AHEAD, engaged_fem
 from verify.cases.sprag.engagement.model import crowned_for, gap
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.shown import Array
-from verify.jobs.engines import Drive, Lost, local
+from verify.core.figures import Array
+from verify.jobs.executor import Drive, Lost, local
 
 CHUNK = 5  # crowns that a process takes at a time
 STRIPS = 81  # along a sprag; where its ends carry nothing 161 of them change the peak by 0.1 %

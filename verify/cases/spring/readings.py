@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from verify.core.case import Context
-from verify.core.shown import Table
+from verify.core.figures import Table
 from verify.papers.digits import half_last_digit
 from verify.papers.ledger import published
 

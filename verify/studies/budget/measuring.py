@@ -8,13 +8,13 @@ from functools import cache as memoised
 from verify.core.case import Case
 from verify.core.environment import require_gmsh
 from verify.core.inputs import InputError
-from verify.core.nearest import nearest
 from verify.core.progress import Show, State
+from verify.core.suggestions import nearest
 from verify.jobs import cache
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.engines import Drive, Lost, Where
+from verify.jobs.executor import Drive, Lost, Where
 from verify.judging.budget_statement import Statement
-from verify.studies.budget import kept
+from verify.studies.budget import store as kept
 from verify.studies.budget.corrected import budgets
 from verify.studies.budget.found import RowBudget, Solutions
 from verify.studies.budget.plan import LOOSE, TIGHT, Plan, Step, first, rows, together

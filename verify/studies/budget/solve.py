@@ -17,7 +17,7 @@ from verify.core.case import FemResult
 from verify.core.files import write_whole
 from verify.jobs import cache
 from verify.jobs.guard import named, unsolved
-from verify.jobs.run import keep_level
+from verify.jobs.level import keep_level
 from verify.studies.budget import plan as plans
 from verify.studies.budget.changes import changed
 from verify.studies.budget.generic import LOOSER, TIGHTER, tolerances

@@ -5,10 +5,10 @@ from pathlib import Path
 
 from verify.core import units
 from verify.core.results import Crosscheck, CrossState
-from verify.studies.crosscheck.alone import ALONE
-from verify.studies.crosscheck.kept import Found, current, kept
+from verify.studies.crosscheck.not_compared import ALONE
 from verify.studies.crosscheck.registry import COMPARISONS
 from verify.studies.crosscheck.statement import Cross
+from verify.studies.crosscheck.store import Found, current, kept
 
 # names of numbers that belong to no row, where a comparison has them short
 TOLD = {

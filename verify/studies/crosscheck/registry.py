@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 from verify.cases.registry import CASES, find
 from verify.core.inputs import InputError
-from verify.core.nearest import nearest
-from verify.studies.crosscheck.alone import ALONE
+from verify.core.suggestions import nearest
 from verify.studies.crosscheck.comparisons.clutches import CLUTCHES
 from verify.studies.crosscheck.comparisons.contacts import CONTACTS
 from verify.studies.crosscheck.comparisons.half_spaces import HALF_SPACES
@@ -16,6 +15,7 @@ from verify.studies.crosscheck.comparisons.rounds import ROUNDS
 from verify.studies.crosscheck.comparisons.solids import SOLIDS
 from verify.studies.crosscheck.comparisons.springs import SPRINGS
 from verify.studies.crosscheck.comparisons.struts import STRUTS
+from verify.studies.crosscheck.not_compared import ALONE
 from verify.studies.crosscheck.statement import Cross
 
 _ORDER = {case.id: i for i, case in enumerate(CASES)}

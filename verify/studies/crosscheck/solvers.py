@@ -13,7 +13,7 @@ from verify.studies.crosscheck.statement import CALCULIX, ROSS, SOLVERS, TAMAAS
 
 ROOT = Path(__file__).parents[3]
 OWN = ROOT / ".venv-crosscheck"  # the environment of tamaas and ROSS
-GUESTS = Path(__file__).parent / "guests"
+GUESTS = Path(__file__).parent / "external"
 SCRIPTS = {TAMAAS: "tamaas_press.py", ROSS: "ross_rotor.py"}
 MODULES = {TAMAAS: "tamaas", ROSS: "ross"}
 ENOUGH = 60.0  # s for a module to say its version

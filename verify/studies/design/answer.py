@@ -1,9 +1,9 @@
 """The answer of `freewheel design` for a spring: the chosen one, its margin, what limits it."""
 
 from verify.answers.answer import Answer, Criterion, Quantity
+from verify.studies.design.console import geometry, verdict
 from verify.studies.design.limits import Limit
 from verify.studies.design.outcome import Outcome
-from verify.studies.design.told import geometry, verdict
 
 NOTHING = "no candidate meets all limits"
 

@@ -2,8 +2,8 @@
 
 from verify.answers.answer import Answer, Quantity
 from verify.answers.assessment import Assessment
+from verify.studies.design_sprag.console import named
 from verify.studies.design_sprag.outcome import Outcome
-from verify.studies.design_sprag.told import named
 
 
 def answer(outcome: Outcome) -> Answer:

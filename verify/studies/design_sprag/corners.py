@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.design_sprag.inputs import Task
 
 

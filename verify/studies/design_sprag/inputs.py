@@ -10,8 +10,8 @@ from pydantic import model_validator
 from verify.answers.assumed.complete import complete
 from verify.answers.assumed.registry import DESIGN_SPRAG_TASK as CASE
 from verify.answers.assumed.rules import Assumed
-from verify.cases.sprag.clutch.advice import why
 from verify.cases.sprag.clutch.limits import verdict
+from verify.cases.sprag.clutch.recommendations import why
 from verify.cases.sprag.clutch.values import analytic
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.inputs import InputError, build, count, quantity, read_parameter_file, word

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.design_sprag.inputs import Contacts
 
 SHARP = 3.0  # times its strip's pressure, which an end that carries counts

@@ -22,10 +22,10 @@ from verify.cases.sprag.clutch.model import Built, built
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
 from verify.core import source_code
+from verify.core.figures import Array
 from verify.core.files import write_whole
-from verify.core.shown import Array
 from verify.jobs import cache
-from verify.jobs.engines import Drive, Lost, local
+from verify.jobs.executor import Drive, Lost, local
 from verify.studies.design_sprag.known import Known
 
 PER_HALF_WIDTH = 3  # strips: where ends carry more of them matter, where they don't these do

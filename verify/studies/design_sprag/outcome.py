@@ -9,8 +9,8 @@ import numpy as np
 from analytic.surrogate.designs import random_designs
 from verify.cases.sprag.peaks import NoLockError
 from verify.core import progress
+from verify.core.figures import Array
 from verify.core.inputs import InputError
-from verify.core.shown import Array
 from verify.studies.design_sprag.corners import corners, reach
 from verify.studies.design_sprag.inputs import Task, unable
 from verify.studies.design_sprag.known import Known

@@ -10,8 +10,8 @@ import numpy as np
 
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core import units
+from verify.core.figures import Array
 from verify.core.inputs import meta
-from verify.core.shown import Array
 from verify.studies.design_sprag.outcome import Outcome
 from verify.studies.design_sprag.verified import LIMIT, Check
 

@@ -12,7 +12,7 @@ from analytic.surrogate.found import Found, Objective
 from analytic.surrogate.gate import PoorSurrogateError, Quality, gate, quality
 from analytic.surrogate.genetic import genetic
 from analytic.surrogate.infill import Infilled, infill
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.design_sprag.corners import corners, reach
 from verify.studies.design_sprag.inputs import Task
 from verify.studies.design_sprag.model import Model

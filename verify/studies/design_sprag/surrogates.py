@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.surrogate.box import Box
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.design_sprag.inputs import Contacts
 from verify.studies.design_sprag.known import Known
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from analytic.contact import slices
 from analytic.contact.half_space_roller import RollerContact, press_roller
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.design_sprag.corners import corners
 from verify.studies.design_sprag.inputs import Contacts, Task
 from verify.studies.design_sprag.known import Known

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.sweep.axes import Tolerance
 from verify.studies.sweep.boxes import Flags
 from verify.studies.sweep.outcome import Course

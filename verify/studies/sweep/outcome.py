@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.jobs.guard import named
 from verify.studies.sweep.pairs import Compared, Known, Pair, compared
 from verify.studies.sweep.point import Solution

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from verify.core.case import Case
+from verify.core.figures import Array
 from verify.core.inputs import InputError, Inputs
-from verify.core.shown import Array
 from verify.studies.sweep.axes import Axis, Tolerance, axis, tolerance
 from verify.studies.sweep.pairs import Pair
 

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from verify.core import units
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.sweep.axes import Axis, Tolerance
 from verify.studies.sweep.indices import Indices, indices
 from verify.studies.sweep.outcome import Course, Outcome

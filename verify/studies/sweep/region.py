@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.sweep.axes import Axis
 from verify.studies.sweep.boxes import largest_box
 from verify.studies.sweep.outcome import Course

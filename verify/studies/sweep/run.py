@@ -13,7 +13,7 @@ from verify.core.inputs import InputError, Inputs
 from verify.core.progress import Show, State
 from verify.jobs import cache
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.engines import Drive, Lost, Where
+from verify.jobs.executor import Drive, Lost, Where
 from verify.studies.sweep.axes import changed
 from verify.studies.sweep.pairs import portion
 from verify.studies.sweep.plan import Plan

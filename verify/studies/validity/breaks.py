@@ -1,7 +1,7 @@
 """What takes a formula out of a limit first, in words."""
 
 from verify.studies.sweep.region import OUTSIDE, UNDECIDED, UNSOLVED, Break, Region
-from verify.studies.validity import words
+from verify.studies.validity import messages as words
 
 ALREADY = {
     OUTSIDE: "beyond {} at the case's own inputs already",

@@ -12,11 +12,11 @@ from verify.judging.judge import expanded
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.pairs import Pair, pairs
 from verify.studies.sweep.plan import Plan
-from verify.studies.validity import words
+from verify.studies.validity import messages as words
 from verify.studies.validity.equations import place, tex
-from verify.studies.validity.kept import Measured, measured
 from verify.studies.validity.left_out import LEFT_OUT, MAPS, SUBJECTS
 from verify.studies.validity.regions import region
+from verify.studies.validity.store import Measured, measured
 
 ALIKE = 1e-9  # of the largest error: round-off of where an input does not matter
 STALE = "not measured for this code: freewheel deep validity:{} does it"

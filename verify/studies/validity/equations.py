@@ -4,8 +4,8 @@ import re
 from collections.abc import Sequence
 
 from verify.core.case import Case
+from verify.core.figures import Equation
 from verify.core.results import Kind
-from verify.core.shown import Equation
 from verify.papers.ledger import cited, papers
 from verify.studies.sweep.pairs import Pair, pairs
 

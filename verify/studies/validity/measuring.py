@@ -5,12 +5,12 @@ from collections.abc import Sequence
 
 from verify.core.case import Case
 from verify.core.inputs import InputError
-from verify.core.nearest import nearest
 from verify.core.progress import Show
-from verify.jobs.engines import Where
+from verify.core.suggestions import nearest
+from verify.jobs.executor import Where
 from verify.studies.sweep.outcome import outcome
 from verify.studies.sweep.run import solve
-from verify.studies.validity import kept
+from verify.studies.validity import store as kept
 
 NAME = "validity"
 

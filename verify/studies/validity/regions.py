@@ -10,7 +10,7 @@ from verify.studies.sweep.axes import Axis
 from verify.studies.sweep.outcome import Course
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.region import Range, Region, lines, regions
-from verify.studies.validity import words
+from verify.studies.validity import messages as words
 from verify.studies.validity.breaks import breaks
 
 MIDDLE = 1  # of LIMITS: the one whose loss is told

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from verify.cases.contact.line import shown as contact_line_shown
+from verify.cases.contact.line import figures as contact_line_shown
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status
-from verify.core.shown import Array
 from verify.judging import judge
 from verify.judging.checks import Exact, Fact, Identity
 from verify.judging.claims import Claim

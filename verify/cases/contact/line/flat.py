@@ -8,7 +8,7 @@ import numpy as np
 from analytic.contact import disc_stress, hertz_line, hertz_line_approach
 from analytic.contact.disc import disc_under_load
 from analytic.contact.hertz_line_stress import largest_shear_stress
-from verify.cases.contact.line import shown as contact_line_shown
+from verify.cases.contact.line import figures as contact_line_shown
 from verify.cases.contact.line.checks import (
     BALANCES,
     FLOOR,
@@ -24,7 +24,7 @@ from verify.cases.contact.line.fem import Pressed
 from verify.cases.contact.line.inputs import FlatInputs, too_small
 from verify.cases.contact.line.warnings import warnings
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
-from verify.core.shown import Figure
+from verify.core.figures import Figure
 from verify.judging.checks import Approximation, Fact, Identity, Limit
 
 SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R

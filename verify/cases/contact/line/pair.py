@@ -6,7 +6,7 @@ from typing import Any
 from analytic.contact import hertz_line, hertz_line_approach, pair_series
 from analytic.contact.disc_stress import shear_excess
 from analytic.contact.hertz_line_stress import largest_shear_stress, tilted_shear_excess
-from verify.cases.contact.line import shown as contact_line_shown
+from verify.cases.contact.line import figures as contact_line_shown
 from verify.cases.contact.line.checks import BALANCES, about, hertz_profile
 from verify.cases.contact.line.fem import Pressed
 from verify.cases.contact.line.inputs import PairInputs, too_small

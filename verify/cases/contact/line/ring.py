@@ -10,7 +10,7 @@ from analytic.contact.disc_stress import shear_excess
 from analytic.contact.hertz_line_stress import largest_shear_stress, tilted_shear_excess
 from analytic.contact.pair_series import CATALAN, meeting_curvature
 from analytic.contact.partial_slip import dundurs_beta
-from verify.cases.contact.line import shown as contact_line_shown
+from verify.cases.contact.line import figures as contact_line_shown
 from verify.cases.contact.line.checks import BALANCES, about, hertz_profile
 from verify.cases.contact.line.fem import Pressed
 from verify.cases.contact.line.inputs import RaceInputs, too_small

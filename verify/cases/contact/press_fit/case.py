@@ -8,10 +8,10 @@ from pydantic import model_validator
 
 from analytic.contact.checks import Assumption
 from analytic.contact.press_fit import Wall, contact_pressures, pressure_of_overlap
-from verify.cases.contact.press_fit import shown
+from verify.cases.contact.press_fit import figures as shown
 from verify.core.case import Case, FemResult, Output, Scan, Values
+from verify.core.figures import Field
 from verify.core.inputs import Inputs, quantity
-from verify.core.shown import Field
 from verify.judging.checks import Exact, Identity
 
 if TYPE_CHECKING:

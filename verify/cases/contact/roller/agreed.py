@@ -5,7 +5,7 @@ from collections.abc import Callable
 from verify.cases.contact.roller.accepted import LEAST
 from verify.cases.contact.roller.case import HALF_SPACE
 from verify.core.case import Context
-from verify.judging.agreement import SUBJECT, Agreement, Pair, demanded
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded
 
 
 def within(

@@ -9,7 +9,8 @@ from analytic.contact import strips
 from analytic.contact.best_crown import BestCrown
 from analytic.contact.crown import logarithmic
 from verify.cases.contact.line.checks import about
-from verify.cases.contact.roller import profiles, shown
+from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.accepted import (
     ENDS,
     SHARE,
@@ -23,8 +24,8 @@ from verify.cases.contact.roller.formulas import interval, strip_values, values
 from verify.cases.contact.roller.half_space import pressed, result, stair, too_short
 from verify.cases.contact.roller.inputs import CrownedInputs, RollerInputs
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Array, Curve, Curves, Figure
 from verify.core.references import Method
-from verify.core.shown import Array, Curve, Curves, Figure
 from verify.judging.checks import Accepted, Approximation, Exact
 
 HALF_SPACE = "half-space"

@@ -9,18 +9,19 @@ import numpy as np
 
 from analytic.contact import hertz_line
 from analytic.contact.crown import johns_gohar, lundberg
-from verify.cases.contact.roller import profiles, shown
+from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.contact.roller.case import ASSUMPTIONS, HALF_SPACE, READINGS
 from verify.cases.contact.roller.formulas import by_strips, strip_values
 from verify.cases.contact.roller.half_space import Pressed, pressed, stair, too_short
 from verify.cases.contact.roller.inputs import DESIGNS, CrownedInputs, StripInputs
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Array, Curve, Curves, Equation, Field, Figure, Picture
 from verify.core.references import BY_HALF_SPACE
-from verify.core.shown import Array, Curve, Curves, Equation, Field, Figure, Picture
 from verify.core.tex import tex
-from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, demanded, suites
 from verify.judging.checks import Accepted, Fact
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, demanded, suites
 
 MPa, mm, um = shown.MPa, shown.mm, shown.um
 EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}

@@ -1,10 +1,10 @@
 """A roller's end face: finite elements of both bodies where a half-space has no face at all."""
 
-from verify.cases.contact.roller import end_shown as shown
+from verify.cases.contact.roller import end_figures as shown
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.contact.roller.end_fem import CROWNS, EndInputs, fem
+from verify.cases.contact.roller.end_figures import BODIES
 from verify.cases.contact.roller.end_formulas import analytic
-from verify.cases.contact.roller.end_shown import BODIES
 from verify.core.case import Case, Context, Output, Values
 from verify.judging.checks import Accepted, Approximation, Margin
 

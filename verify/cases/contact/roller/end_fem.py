@@ -10,8 +10,8 @@ from scipy.interpolate import CubicSpline
 from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.inputs import STRETCH, Crown
 from verify.core.case import FemResult
+from verify.core.figures import Array, Field
 from verify.core.inputs import quantity
-from verify.core.shown import Array, Field
 
 if TYPE_CHECKING:
     from fem.fourier.compliance import SurfaceCompliance

@@ -10,7 +10,7 @@ from analytic.contact.edge import edge_exponent
 from analytic.contact.half_space_roller import press_roller
 from verify.cases.contact.roller.end_fem import CROWNS, EndInputs
 from verify.core.case import Values
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 HALF_SPACE = (64, 512)
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.contact import strips
-from verify.cases.contact.roller import shown
+from verify.cases.contact.roller import figures as shown
 from verify.cases.contact.roller.agreed import within
 from verify.cases.contact.roller.case import (
     ASSUMPTIONS,
@@ -21,8 +21,8 @@ from verify.cases.contact.roller.formulas import values
 from verify.cases.contact.roller.half_space import pressed, result, too_short
 from verify.cases.contact.roller.inputs import RollerInputs
 from verify.core.case import Case, Context, FemResult, Scan, Values
+from verify.core.figures import Curve, Curves, Figure, Refinement
 from verify.core.references import BY_HALF_SPACE
-from verify.core.shown import Curve, Curves, Figure, Refinement
 from verify.judging.checks import Order
 
 SLOPE = 0.5  # of 1/peak over the cell: pressure grows as 1/sqrt(distance) towards the end

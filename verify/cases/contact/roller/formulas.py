@@ -18,7 +18,7 @@ from verify.cases.contact.roller.inputs import (
     StripInputs,
 )
 from verify.core.case import Context, Values
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 LEAST = 1e-4  # of a model error: nothing sharper is claimed
 OWN = 1e-3  # nor this at one's own numbers, for which nobody chose strips and grids

@@ -13,7 +13,7 @@ import numpy as np
 
 from verify.cases.contact.roller.inputs import STRETCH
 from verify.core.case import FemResult
-from verify.core.shown import Array, Field
+from verify.core.figures import Array, Field
 
 if TYPE_CHECKING:
     from analytic.contact.half_space_roller import RollerContact

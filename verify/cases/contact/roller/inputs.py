@@ -6,8 +6,8 @@ import numpy as np
 from pydantic import model_validator
 
 from analytic.contact.crown import logarithmic
+from verify.core.figures import Array
 from verify.core.inputs import Inputs, count, quantity
-from verify.core.shown import Array
 
 WIDEST = 0.1  # of the length of the roller that its half-width may be
 FEWEST, MOST = 41, 401  # strips

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from verify.cases.contact.roller.inputs import Crown, Roller, TiltedInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 Gap = Callable[[Array], Array]
 

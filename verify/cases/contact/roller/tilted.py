@@ -8,7 +8,8 @@ import numpy as np
 
 from analytic.contact import strips
 from analytic.contact.best_crown import BestCrown
-from verify.cases.contact.roller import profiles, shown
+from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.accepted import ENDS
 from verify.cases.contact.roller.agreed import within
 from verify.cases.contact.roller.case import (
@@ -32,9 +33,9 @@ from verify.cases.contact.roller.formulas import values
 from verify.cases.contact.roller.half_space import pressed, result, stair, too_short
 from verify.cases.contact.roller.inputs import CrownedInputs, TiltedInputs
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Array, Curve, Curves, Figure
 from verify.core.references import BY_HALF_SPACE
-from verify.core.shown import Array, Curve, Curves, Figure
-from verify.judging.agreement import suites
+from verify.judging.tolerance_checks import suites
 
 TILTS = np.linspace(0.0, 2.0, 33)  # over the one given
 BEST_TILTS = np.linspace(0.0, 2.0, 5)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from analytic.contact import hertz_line, partial_slip, tangential_cycle
-from verify.cases.contact.slip import shown as contact_slip_shown
+from verify.cases.contact.slip import figures as contact_slip_shown
 from verify.cases.contact.slip.claims import (
     AGREE,
     HALF_PLANES,
@@ -20,8 +20,8 @@ from verify.cases.contact.slip.claims import (
 from verify.cases.contact.slip.fem import SHARES, STAGES, fem
 from verify.cases.contact.slip.inputs import SlipInputs
 from verify.core.case import Case, Output, Scan, Values
-from verify.judging.agreement import Agreement, suites
 from verify.judging.checks import Exact, Fact
+from verify.judging.tolerance_checks import Agreement, suites
 
 FE_SHARES = (0.5, 0.9)  # amplitudes whose slip strips the meshes resolve
 SECANT = "loads are met within 1e-12 of P, and states within 1e-11"

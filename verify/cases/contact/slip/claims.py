@@ -10,9 +10,9 @@ from analytic.contact import partial_slip, tangential_cycle
 from verify.cases.contact.slip.inputs import SlipInputs
 from verify.core.case import Context, Values
 from verify.core.results import Kind, Row
-from verify.judging.agreement import Pair
 from verify.judging.checks import Approximation, Fact, Identity
 from verify.judging.claims import FemClaim
+from verify.judging.tolerance_checks import Pair
 
 HALF_PLANES = 2e-4  # share of the half planes' own error below which they and the discs are one
 MODEL = 2.0  # bound of that error over (a/R)²

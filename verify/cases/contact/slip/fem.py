@@ -18,7 +18,7 @@ from verify.cases.contact.slip.read import (
     traction,
 )
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 Array = NDArray[np.float64]
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from verify.cases.contact.slip.inputs import SlipInputs
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution

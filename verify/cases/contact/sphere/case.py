@@ -6,7 +6,7 @@ from scipy.optimize import brentq
 
 from analytic.contact import hertz_point
 from analytic.contact.sphere_series import Sphere, pressed_spheres
-from verify.cases.contact.sphere import shown
+from verify.cases.contact.sphere import figures as shown
 from verify.cases.contact.sphere.fem import fem
 from verify.cases.contact.sphere.inputs import PAIRS, WORDS, SphereInputs
 from verify.core.case import Case, Output, Scan, Values

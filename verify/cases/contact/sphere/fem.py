@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from verify.cases.contact.errors import fem_errors
 from verify.cases.contact.sphere.inputs import PAIRS, SphereInputs
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.problem import ContactProblem

@@ -2,12 +2,12 @@
 
 from verify.cases.freewheel.clutch.claims import CHECKS
 from verify.cases.freewheel.clutch.fem import fem, star
+from verify.cases.freewheel.clutch.figures import equations, figures, sketch
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import under
+from verify.cases.freewheel.clutch.messages import findings, warnings
 from verify.cases.freewheel.clutch.model import analytic
-from verify.cases.freewheel.clutch.shown import equations, figures, sketch
 from verify.cases.freewheel.clutch.summary import summary
-from verify.cases.freewheel.clutch.words import findings, warnings
 from verify.cases.freewheel.torque import case as freewheel_torque
 from verify.cases.freewheel.torque.fem import LEVELS
 from verify.core.case import Case, Output

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.core.shown import Array, Shape, Sketch
+from verify.core.figures import Array, Shape, Sketch
 
 
 def cup(q: ClutchInputs) -> Sketch:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.freewheel.cup import shown
+from verify.cases.freewheel.cup import figures as shown
 from verify.cases.freewheel.cup.claims import CHECKS
 from verify.cases.freewheel.cup.fem import LEVELS, fem
 from verify.cases.freewheel.cup.inputs import CupInputs

@@ -9,9 +9,9 @@ from verify.cases.freewheel.cup.model import given_angle
 from verify.cases.freewheel.torque.claims import ALIKE, BOTH, OTHER, accepted, no_load
 from verify.cases.freewheel.torque.model import STRAIGHT, Interval, times
 from verify.core.case import Context, Values
-from verify.judging.agreement import suites
 from verify.judging.checks import Approximation, Exact, Fact, Limit
 from verify.judging.judge import DEMAND
+from verify.judging.tolerance_checks import suites
 
 BRACKET = "rings that enclose the cup, with a column below the flat; winding up; (a/r)² of Hertz"
 ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from analytic.freewheel import criterion
-from verify.cases.freewheel.friction import shown as freewheel_friction_shown
+from verify.cases.freewheel.friction import figures as freewheel_friction_shown
 from verify.cases.freewheel.friction.claims import CHECKS
 from verify.cases.freewheel.friction.fem import LEVELS, fem
 from verify.cases.freewheel.friction.formulas import analytic, both_contacts

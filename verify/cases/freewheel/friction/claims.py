@@ -16,9 +16,16 @@ from verify.cases.freewheel.friction.formulas import (
 )
 from verify.cases.freewheel.friction.limit import HELD
 from verify.core.case import Context
-from verify.core.shown import Array
-from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, PaperDeviation, suites
+from verify.core.figures import Array
 from verify.judging.checks import Approximation, Exact, Identity
+from verify.judging.tolerance_checks import (
+    SUBJECT,
+    Agreement,
+    Deviation,
+    Pair,
+    PaperDeviation,
+    suites,
+)
 
 ONSET, CONE = 1e-3, 5e-3  # acceptance of the subject
 OWN = 2e-3  # and of F_t/F_n, which is the required friction without an axial load

@@ -22,7 +22,7 @@ from verify.cases.freewheel.friction.model import (
 )
 from verify.cases.freewheel.sweep import Start
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 Array = NDArray[np.float64]
 

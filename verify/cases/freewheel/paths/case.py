@@ -3,13 +3,13 @@
 import math
 from collections.abc import Sequence
 
-from verify.cases.freewheel.paths import shown
+from verify.cases.freewheel.paths import figures as shown
 from verify.cases.freewheel.paths.claims import CHECKS
 from verify.cases.freewheel.paths.fem import LEVELS, fem
 from verify.cases.freewheel.paths.formulas import SWAY, analytic, courses, of_limit
 from verify.cases.freewheel.paths.inputs import PathInputs
 from verify.cases.freewheel.torque import case as freewheel_torque
-from verify.cases.freewheel.torque.shown import sketch
+from verify.cases.freewheel.torque.figures import sketch
 from verify.core.case import Case, Output, Values
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring

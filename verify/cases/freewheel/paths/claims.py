@@ -10,10 +10,10 @@ from analytic.freewheel import criterion
 from verify.cases.freewheel.paths.formulas import SHARES, courses, expected, of_limit
 from verify.cases.freewheel.paths.times import time_of_slip
 from verify.core.case import Context
-from verify.core.shown import Array
-from verify.judging.agreement import Agreement, Deviation, Pair, demanded, farthest, suites
+from verify.core.figures import Array
 from verify.judging.checks import Accepted, Approximation, Fact, Margin
-from verify.judging.printed import Adopted
+from verify.judging.published_checks import Adopted
+from verify.judging.tolerance_checks import Agreement, Deviation, Pair, demanded, farthest, suites
 
 OWN, KEPT, ALIKE = (
     2e-3,

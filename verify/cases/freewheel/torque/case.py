@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from verify.cases.freewheel.inputs import StarInputs
-from verify.cases.freewheel.torque import shown
+from verify.cases.freewheel.torque import figures as shown
 from verify.cases.freewheel.torque.claims import CHECKS
 from verify.cases.freewheel.torque.fem import LEVELS, fem
 from verify.cases.freewheel.torque.model import analytic

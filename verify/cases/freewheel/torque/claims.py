@@ -15,8 +15,8 @@ from verify.cases.freewheel.torque.model import (
     under_torque,
 )
 from verify.core.case import Context, Values
-from verify.judging.agreement import SUBJECT, Agreement, Pair, demanded, suites
 from verify.judging.checks import Approximation, Exact, Limit
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, suites
 
 BRACKET = "a layer and two discs that enclose the star, its winding up, (a/r)² of Hertz"
 SHARP = "acceptance of the subject"

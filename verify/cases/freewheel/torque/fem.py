@@ -11,7 +11,7 @@ from verify.cases.freewheel.fem import State
 from verify.cases.freewheel.inputs import StarInputs
 from verify.cases.freewheel.sweep import Sweep, given_angle, rigid_force
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 Array = NDArray[np.float64]
 

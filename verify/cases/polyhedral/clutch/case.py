@@ -14,7 +14,7 @@ from analytic.polyhedral.locking import Roller, RollerContact
 from analytic.polyhedral.parts import Parts
 from analytic.polyhedral.rim_slope import steepest
 from analytic.polyhedral.sector import Sector
-from verify.cases.polyhedral.clutch import shown
+from verify.cases.polyhedral.clutch import figures as shown
 from verify.cases.polyhedral.clutch.claims import CHECKS, slack
 from verify.cases.polyhedral.clutch.fem import DrivenRing
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
@@ -22,7 +22,7 @@ from verify.cases.polyhedral.clutch.stress import in_fillet
 from verify.cases.polyhedral.fem import largest_in_fillet, whole
 from verify.cases.polyhedral.warnings import of_fillets
 from verify.core.case import Case, FemResult, Scan, Values
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 LEVELS = (1, 2, 3, 4)
 WIDE = 2.0  # walls: wider rings are not in plane stress all along

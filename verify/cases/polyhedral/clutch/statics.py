@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 
 @dataclass(frozen=True)

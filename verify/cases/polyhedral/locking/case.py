@@ -13,14 +13,14 @@ from analytic.polyhedral.roller_load import roller_load
 from analytic.polyhedral.sector import Sector
 from analytic.polyhedral.wall_stress import bore_stress
 from verify.cases.polyhedral.fem import largest_in_fillet, pressed_fem, whole
-from verify.cases.polyhedral.locking import shown
+from verify.cases.polyhedral.locking import figures as shown
 from verify.cases.polyhedral.locking.bounds import fillet_blur
 from verify.cases.polyhedral.locking.claims import CHECKS
 from verify.cases.polyhedral.locking.fem import LockedRing, held_fem
 from verify.cases.polyhedral.locking.inputs import LockingInputs
 from verify.cases.polyhedral.warnings import of_fillets
 from verify.core.case import Case, FemResult, Output, Scan, Values
-from verify.core.shown import Array, Field
+from verify.core.figures import Array, Field
 
 LEVELS = (1, 2, 3, 4)
 DRAWN = 2  # level of the curves

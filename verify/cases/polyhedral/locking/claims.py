@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from verify.cases.polyhedral.locking import bounds
-from verify.cases.polyhedral.locking.shown import curves
+from verify.cases.polyhedral.locking.figures import curves
 from verify.core.case import Context, Values
 from verify.core.results import Row, Status
 from verify.judging import judge

@@ -12,13 +12,13 @@ from analytic.polyhedral.locking import Roller, locked
 from analytic.polyhedral.sector import Sector
 from verify.cases.polyhedral.fem import UNIT, factors, largest_in_fillet, pressed_fem
 from verify.cases.polyhedral.inputs import PolygonRing, RoundRing
-from verify.cases.polyhedral.map import shown
-from verify.cases.polyhedral.map.shown import FLATS, SHARES, WALLS
+from verify.cases.polyhedral.map import figures as shown
+from verify.cases.polyhedral.map.figures import FLATS, SHARES, WALLS
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Figure
 from verify.core.inputs import quantity
-from verify.core.shown import Figure
-from verify.judging.agreement import SUBJECT, Agreement, Pair, demanded, farthest, suites
 from verify.judging.checks import Accepted, Identity
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, farthest, suites
 
 LEVELS = (1, 2, 3)
 MAPPED = 2  # the level on which the whole of the maps is solved

@@ -8,10 +8,10 @@ import numpy as np
 from analytic.polyhedral import expansion
 from analytic.ring import lame
 from verify.cases.polyhedral.inputs import RoundRing
-from verify.cases.polyhedral.pressure import shown
-from verify.cases.polyhedral.pressure.shown import WALLS
+from verify.cases.polyhedral.pressure import figures as shown
+from verify.cases.polyhedral.pressure.figures import WALLS
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
-from verify.core.shown import Field
+from verify.core.figures import Field
 from verify.judging.checks import Approximation, Exact, Identity, Limit
 from verify.judging.convergence import grid_convergence
 from verify.judging.judge import numerical_uncertainty

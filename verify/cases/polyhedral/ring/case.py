@@ -20,7 +20,7 @@ from verify.cases.polyhedral.fem import (
     stations,
 )
 from verify.cases.polyhedral.inputs import HubRing, PolygonRing
-from verify.cases.polyhedral.ring import shown
+from verify.cases.polyhedral.ring import figures as shown
 from verify.cases.polyhedral.warnings import of_fillets
 from verify.core.case import Case, FemResult, Output, Portion, Scan, Values
 from verify.judging.checks import Approximation, Exact, Identity

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
-from verify.cases.polyhedral.wedge import shown as polyhedral_wedge_shown
+from verify.cases.polyhedral.wedge import figures as polyhedral_wedge_shown
 from verify.cases.polyhedral.wedge.claims import CHECKS
 from verify.cases.polyhedral.wedge.fem import LEVELS, fem
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs

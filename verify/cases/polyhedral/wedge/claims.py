@@ -10,8 +10,8 @@ from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.cases.polyhedral.wedge.stick import SHARES, small
 from verify.core.case import Context, Values
 from verify.core.results import Row
-from verify.judging.agreement import Deviation
 from verify.judging.checks import Approximation, Exact, Fact, Identity
+from verify.judging.tolerance_checks import Deviation
 
 BALANCED = "forces in balance, on any mesh"
 STATICS = 1e-6  # of a value: what forces in balance may miss

@@ -12,7 +12,7 @@ from verify.cases.polyhedral.wedge.limit import Limit
 from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
 from verify.cases.polyhedral.wedge.stick import let_go
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.contact.solution import ContactSolution, Touch

@@ -7,10 +7,10 @@ import numpy as np
 from pydantic import model_validator
 
 from analytic.ring import lame
-from verify.cases.ring.lame import shown as ring_shown
+from verify.cases.ring.lame import figures as ring_shown
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Field
 from verify.core.inputs import Inputs, quantity
-from verify.core.shown import Field
 from verify.judging.checks import Exact, Identity, Order
 
 Assumption = Literal["plane stress", "plane strain"]

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from verify.cases.ring.loads import shown
+from verify.cases.ring.loads import figures as shown
 from verify.cases.ring.loads.claims import checks
 from verify.cases.ring.loads.fem import fem
 from verify.cases.ring.loads.formulas import analytic

@@ -11,10 +11,10 @@ from verify.cases.ring.loads.fem import stations
 from verify.cases.ring.loads.inputs import LoadsInputs
 from verify.core.case import Check, Context, Values
 from verify.core.results import Row
-from verify.judging.agreement import Deviation
 from verify.judging.checks import Accepted, Approximation, Identity
 from verify.judging.convergence import grid_convergence
 from verify.judging.judge import expanded, numerical_uncertainty
+from verify.judging.tolerance_checks import Deviation
 
 SHARP = 1e-3
 ACCEPTED = "acceptance figure of finite elements against the Fourier ring"

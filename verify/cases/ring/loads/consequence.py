@@ -17,7 +17,7 @@ from analytic.contact.hertz_line_approach import approach_to_centre
 from verify.cases.ring.loads import formulas
 from verify.cases.ring.loads.inputs import InnerInputs, LoadsInputs, OuterInputs
 from verify.core.case import Context
-from verify.core.shown import Table
+from verify.core.figures import Table
 
 COUNTS = (6, 8, 12, 16, 24)
 

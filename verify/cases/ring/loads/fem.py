@@ -7,7 +7,7 @@ import numpy as np
 
 from verify.cases.ring.loads.inputs import LoadsInputs, Wall
 from verify.core.case import FemResult
-from verify.core.shown import Array, Field
+from verify.core.figures import Array, Field
 
 CELLS = 4  # on half the patch of the coarsest mesh
 ROUND = 1e-11  # of displacements: machine epsilon times the ring over its cells (below 1e5)

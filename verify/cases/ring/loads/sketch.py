@@ -3,7 +3,7 @@
 import numpy as np
 
 from verify.cases.ring.loads.inputs import LoadsInputs
-from verify.core.shown import Array, Shape, Sketch
+from verify.core.figures import Array, Shape, Sketch
 
 mm = 1e-3
 

@@ -11,8 +11,8 @@ from verify.cases.ring.loads.claims import AWAY, EDGE
 from verify.cases.ring.loads.fem import CELLS, ROUND, fem_sector
 from verify.cases.ring.loads.inputs import Wall
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Figure, Map
 from verify.core.inputs import Inputs, quantity
-from verify.core.shown import Figure, Map
 from verify.judging.checks import Identity
 
 COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)

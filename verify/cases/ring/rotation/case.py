@@ -9,11 +9,11 @@ import numpy as np
 from analytic.ring import rotating
 from analytic.ring.smeared import race_deflection
 from verify.cases.ring.lame.case import ASSUMPTIONS, FAST, hoop_stress
-from verify.cases.ring.rotation import shown
+from verify.cases.ring.rotation import figures as shown
 from verify.cases.ring.rotation.inputs import RotationInputs
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
+from verify.core.figures import Field
 from verify.core.results import Kind, Row, Status
-from verify.core.shown import Field
 from verify.judging import judge
 from verify.judging.checks import Exact, Identity, Order
 from verify.judging.claims import Claim

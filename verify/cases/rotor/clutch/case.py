@@ -1,11 +1,11 @@
 """Stiffness of a sprag clutch between two rotors (Eqs. 1-11), beside struts between rigid hubs."""
 
-from verify.cases.rotor.clutch import shown
+from verify.cases.rotor.clutch import figures as shown
 from verify.cases.rotor.clutch.claims import CHECKS
 from verify.cases.rotor.clutch.fem import fem
 from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.cases.rotor.clutch.messages import findings, summary, too_large, warnings
 from verify.cases.rotor.clutch.model import analytic
-from verify.cases.rotor.clutch.words import findings, summary, too_large, warnings
 from verify.core.case import Case, Output, Scan
 from verify.core.references import Method
 

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from analytic.rotor.clutch import LINE_CONTACT
-from verify.cases.rotor.clutch.facts import (
+from verify.cases.rotor.clutch.assertions import (
     DIFFERENCES,
     Misprint,
     another_lever,
@@ -22,8 +22,8 @@ from verify.cases.rotor.clutch.model import ENTRIES, STATES, corrected, tangent,
 from verify.cases.rotor.clutch.series import over_angle, over_offset, over_yield
 from verify.cases.rotor.clutch.tilted import left_out
 from verify.core.case import Values
-from verify.judging.agreement import SUBJECT, Agreement, Deviation
 from verify.judging.checks import Approximation, Exact, Fact, Identity, Limit
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation
 
 Interval = Callable[[Any, Any], tuple[float, float] | None]
 TILTED = {"K_y,γx": "coupling of y and the tilt about x", "K_x,γy": "coupling of x and the tilt "

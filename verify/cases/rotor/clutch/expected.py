@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from verify.cases.rotor.clutch.inputs import ClutchInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 POWER = 10 / 9  # of a line contact
 

@@ -13,7 +13,7 @@ from verify.cases.rotor.clutch.struts_fem import (
     yields_for_fem,
 )
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from fem.rotor.struts import Joint

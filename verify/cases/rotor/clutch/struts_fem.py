@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from verify.cases.rotor.clutch.inputs import ClutchInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from fem.rotor.struts import Joint

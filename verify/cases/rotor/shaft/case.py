@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.rotor.pochhammer import bending_frequency
-from verify.cases.rotor.shaft import shown
-from verify.cases.rotor.shaft.agreed import FINE, slender, within_ceiling
+from verify.cases.rotor.shaft import figures as shown
 from verify.cases.rotor.shaft.claims import (
     CEILING,
     FormulasLimit,
@@ -21,10 +20,11 @@ from verify.cases.rotor.shaft.claims import (
 )
 from verify.cases.rotor.shaft.fem import MODES, SLENDER, THEORIES, fem
 from verify.cases.rotor.shaft.inputs import ShaftInputs
+from verify.cases.rotor.shaft.tolerances import FINE, slender, within_ceiling
 from verify.core.case import Case, Output, Scan, Values
-from verify.judging.agreement import SUBJECT, Agreement
 from verify.judging.checks import Accepted, Approximation, Identity, Limit, Order
 from verify.judging.judge import DEMAND
+from verify.judging.tolerance_checks import SUBJECT, Agreement
 
 FOUR = "elements of order four"
 

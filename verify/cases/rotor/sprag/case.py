@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from verify.cases.rotor.sprag import shown, tables
+from verify.cases.rotor.sprag import figures as shown
+from verify.cases.rotor.sprag import tables
 from verify.cases.rotor.sprag.claims import FITTED_SPEEDS, IDENTITIES, SHARES
 from verify.cases.rotor.sprag.elastic import ELASTIC
 from verify.cases.rotor.sprag.fem import LEVELS, fem
@@ -10,7 +11,7 @@ from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
 from verify.cases.rotor.sprag.linear import LINEAR_ROWS
 from verify.cases.rotor.sprag.model import MODES, ORDERS, analytic
 from verify.core.case import Case, Output, Scan, Values
-from verify.core.shown import Equation
+from verify.core.figures import Equation
 from verify.core.tex import tex
 
 

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from verify.cases.rotor.sprag.facts import STATEMENTS, Statement
+from verify.cases.rotor.sprag.assertions import STATEMENTS, Statement
+from verify.cases.rotor.sprag.check_types import COARSE, FittedTo, Rounded, Share, Told, arrays
 from verify.cases.rotor.sprag.inputs import PRINTED
-from verify.cases.rotor.sprag.kinds import COARSE, FittedTo, Rounded, Share, Told, arrays
 from verify.cases.rotor.sprag.model import MODES, ORDERS
 from verify.core.case import Context
-from verify.judging.agreement import SUBJECT, Agreement, Pair, farthest
 from verify.judging.checks import Accepted, Identity
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
 BEAMS = 5e-6  # acceptance figure of 8 beams in each of the paper's elements
 BARS = 1e-5  # the same for elements of torsion, whose twist is linear

@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from verify.cases.rotor.sprag.check_types import Rounded, arrays
 from verify.cases.rotor.sprag.claims import WITHIN_PRINTED
-from verify.cases.rotor.sprag.kinds import Rounded, arrays
 from verify.cases.rotor.sprag.layout import CENTRAL, DISCS, OUTER, RHO, layout
 from verify.cases.rotor.sprag.model import MODES
 from verify.cases.rotor.sprag.solid_fem import REFINED
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status
-from verify.core.shown import Array
 from verify.judging import judge
 from verify.judging.claims import Claim
 from verify.judging.convergence import grid_convergence

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from verify.cases.rotor.sprag.inputs import PRINTED
 from verify.cases.rotor.sprag.layout import HIGH, LOW, PARAMETERS, layout
 from verify.cases.rotor.sprag.matrices_fem import assembled_fem, energies_fem
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 BATCH = 64  # starts solved together
 MOST_BATCHES = 32

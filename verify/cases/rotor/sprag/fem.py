@@ -17,7 +17,7 @@ from verify.cases.rotor.sprag.response_fem import responses_fem
 from verify.cases.rotor.sprag.solid_fem import solid_fem
 from verify.cases.rotor.sprag.system_fem import rotor_fem, uneven_clutch
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 LEVELS = (1, 2, 4, 8)  # beam elements in each of the paper's
 ORDERS = (1, 3, 5)

@@ -3,8 +3,8 @@
 import numpy as np
 from pydantic import model_validator
 
+from verify.core.figures import Array
 from verify.core.inputs import Inputs, count, quantity
-from verify.core.shown import Array
 
 RPM = np.pi / 30
 PRINTED = (10149 * RPM, 32298 * RPM, 36245 * RPM)  # rad/s: the paper's critical speeds 1, 3, 5

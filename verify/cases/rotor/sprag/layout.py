@@ -9,7 +9,7 @@ from math import pi, tan
 import numpy as np
 from numpy.typing import ArrayLike
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 E, NU, RHO = 210e9, 0.3, 7850.0  # steel
 BORE = 19.44 / 26.23  # of the drum over its diameter, as of the outer race of Ref. 9

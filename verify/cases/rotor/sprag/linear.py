@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from verify.cases.rotor.sprag.facts import STATEMENTS
+from verify.cases.rotor.sprag.assertions import STATEMENTS
+from verify.cases.rotor.sprag.check_types import Drawn, Noted, Rounded, Spread, arrays, held_of
 from verify.cases.rotor.sprag.inputs import PRINTED
-from verify.cases.rotor.sprag.kinds import Drawn, Noted, Rounded, Spread, arrays, held_of
 from verify.cases.rotor.sprag.layout import (
     BETWEEN,
     CENTRAL,
@@ -21,8 +21,8 @@ from verify.cases.rotor.sprag.model import ORDERS
 from verify.cases.rotor.sprag.response_fem import SHOWN_NODES, SMALL_OFFSETS
 from verify.cases.rotor.sprag.system_fem import uneven_clutch
 from verify.core.case import Context
-from verify.core.shown import Array
-from verify.judging.agreement import Agreement, Pair, farthest, suites
+from verify.core.figures import Array
+from verify.judging.tolerance_checks import Agreement, Pair, farthest, suites
 from verify.papers.ledger import published
 
 ROUND_OFF = 1e-10

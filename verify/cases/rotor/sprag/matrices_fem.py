@@ -21,7 +21,7 @@ from verify.cases.rotor.sprag.layout import (
     E,
     Layout,
 )
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 UNKNOWNS = 2 * (OUTER + INNER)
 FIRST = np.array([2 * i for i in range(OUTER + INNER - 1) if i != OUTER - 1])  # of an element

@@ -32,7 +32,7 @@ from verify.cases.rotor.sprag.layout import (
     layout,
 )
 from verify.core.case import Values
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 MODES = 6
 ORDERS = (1, 3, 5)

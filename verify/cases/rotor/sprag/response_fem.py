@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.rotor.sprag.facts import OPPOSITE
+from verify.cases.rotor.sprag.assertions import OPPOSITE
 from verify.cases.rotor.sprag.inputs import PRINTED, RPM, SpragRotorInputs
 from verify.cases.rotor.sprag.layout import DISCS, INNER, OUTER
 from verify.cases.rotor.sprag.system_fem import Damped, rotor_fem
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 SHOWN_NODES = (4, 6, 11, 16, 19, 21)  # of Figs. 9 to 11
 NEAR = np.outer(PRINTED, 1 + np.linspace(-0.05, 0.05, 17)).ravel()

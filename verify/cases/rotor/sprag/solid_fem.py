@@ -19,7 +19,7 @@ from verify.cases.rotor.sprag.layout import (
     Layout,
     layout,
 )
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from fem.fourier.vibration import RotatingSolid

@@ -20,7 +20,7 @@ from verify.cases.rotor.sprag.layout import (
     E,
     layout,
 )
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 Damped = tuple[tuple[float, float], tuple[float, float]]  # two frequencies [rad/s], their ratios
 

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.rotor.sprag.facts import STATEMENTS, Statement, opposite
+from verify.cases.rotor.sprag.assertions import STATEMENTS, Statement, opposite
+from verify.cases.rotor.sprag.check_types import Arrays, arrays, held_of
 from verify.cases.rotor.sprag.inputs import RPM, SpragRotorInputs
-from verify.cases.rotor.sprag.kinds import Arrays, arrays, held_of
 from verify.cases.rotor.sprag.layout import (
     BETWEEN,
     CLUTCH,
@@ -18,7 +18,7 @@ from verify.cases.rotor.sprag.layout import (
 )
 from verify.cases.rotor.sprag.model import MODES, ORDERS
 from verify.core.case import Context
-from verify.core.shown import Array, Shape, Sketch, Table
+from verify.core.figures import Array, Shape, Sketch, Table
 
 UPPER = 4.2  # where the sketch has the outer rotor's axis, over the inner one's
 

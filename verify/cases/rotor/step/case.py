@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 
 from analytic.rotor.transfer_modes import critical_speeds, whirl_frequencies
-from verify.cases.rotor.step import shown
+from verify.cases.rotor.step import figures as shown
 from verify.cases.rotor.step.fem import MODES, NEAR_ONE, fem, middle
 from verify.cases.rotor.step.inputs import SLICES, StepInputs
 from verify.core.case import Case, Context, Output, Values

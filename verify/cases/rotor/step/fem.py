@@ -7,7 +7,7 @@ import numpy as np
 
 from verify.cases.rotor.step.inputs import StepInputs
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.fourier.vibration import RotatingSolid

@@ -1,13 +1,13 @@
 """Any rotor of coaxial shafts: exact transfer matrices beside beams, on an engineer's own file."""
 
-from verify.cases.rotor.system import shown
+from verify.cases.rotor.system import figures as shown
 from verify.cases.rotor.system.claims import CHECKS
 from verify.cases.rotor.system.fem import fem
 from verify.cases.rotor.system.inputs import SystemInputs
+from verify.cases.rotor.system.messages import findings, summary, too_large
 from verify.cases.rotor.system.model import CRITICALS, FREQUENCIES, analytic
 from verify.cases.rotor.system.sketch import sketch
 from verify.cases.rotor.system.warnings import warnings
-from verify.cases.rotor.system.words import findings, summary, too_large
 from verify.core.case import Case, Output, Scan
 
 SYSTEM = Case(

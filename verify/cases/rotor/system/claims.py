@@ -9,9 +9,9 @@ from verify.cases.rotor.system.companion import JUDGED, NAMED
 from verify.cases.rotor.system.model import CRITICALS, FREQUENCIES
 from verify.core.case import Context
 from verify.core.results import Row
-from verify.judging.agreement import SUBJECT, Agreement, Pair, farthest
 from verify.judging.checks import Fact, Identity, Order
 from verify.judging.claims import Claim
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, farthest
 
 SHARP = "both sides solve the same beam: only the elements' size lies between them"
 COARSE, FINE = 2e-4, 5e-6

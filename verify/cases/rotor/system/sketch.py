@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from verify.cases.rotor.system.inputs import SystemInputs
-from verify.core.shown import Array, Shape, Sketch
+from verify.core.figures import Array, Shape, Sketch
 
 TALL = 6  # the largest radius is drawn as a part of the length, larger than to scale
 

@@ -5,10 +5,10 @@ from collections.abc import Iterable
 from verify.cases.sprag.clutch.claims import CHECKS
 from verify.cases.sprag.clutch.dynamic import DYNAMIC
 from verify.cases.sprag.clutch.fem import LEVELS, fem
+from verify.cases.sprag.clutch.figures import equations, figures, sketch
+from verify.cases.sprag.clutch.messages import SHORT, findings, summary, warnings
 from verify.cases.sprag.clutch.model import built, under
-from verify.cases.sprag.clutch.shown import equations, figures, sketch
 from verify.cases.sprag.clutch.values import analytic
-from verify.cases.sprag.clutch.words import SHORT, findings, summary, warnings
 from verify.cases.sprag.inputs import ASSUMED, IDENTIFIED, EngagementInputs
 from verify.core.case import Case, Output, Scan
 from verify.core.inputs import meta

@@ -15,13 +15,13 @@ from verify.cases.sprag.engagement.formulas import at_rest as static_turn
 from verify.cases.sprag.engagement.model import wedge
 from verify.cases.sprag.inputs import IDENTIFIED, EngagementInputs
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.core.results import Kind, Partner, Row, Status
-from verify.core.shown import Array
 from verify.judging import judge
-from verify.judging.agreement import Pair, PaperAgreement, suites
 from verify.judging.checks import Accepted, Identity
 from verify.judging.claims import Claim
-from verify.judging.printed import Adopted
+from verify.judging.published_checks import Adopted
+from verify.judging.tolerance_checks import Pair, PaperAgreement, suites
 
 SLICED = 0.02  # of a pressure by slices, and STRIPS of theirs: acceptance figures
 STRIPS = 0.003

@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 
 from analytic.contact import slices
 from verify.cases.sprag.inputs import SpragInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 AROUND = 0.6  # rad of spiral to either side of where it may touch
 AROUND_IT = np.array([-1.0, 0.0, 1.0])  # of the points' distance: where a parabola goes through

@@ -11,12 +11,12 @@ from analytic.sprag.balance import balance
 from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.steps import missing
-from verify.cases.sprag.clutch.dynamic_words import findings, overall
+from verify.cases.sprag.clutch.dynamic_messages import findings, overall
 from verify.cases.sprag.clutch.run_fem import Run, run_fem, slid
 from verify.cases.sprag.engagement import pressures
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Dynamic, Output, Values
-from verify.core.shown import Curve, Curves, Density, Figure
+from verify.core.figures import Curve, Curves, Density, Figure
 
 DEGREE = math.degrees(1.0)
 DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)

@@ -12,7 +12,7 @@ from verify.cases.sprag.clutch.values import analytic
 from verify.cases.sprag.clutch.variants import fast
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from analytic.contact.strips import Strips

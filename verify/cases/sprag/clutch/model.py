@@ -17,7 +17,7 @@ from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
 from verify.cases.sprag.engagement.model import clutch, gap, parts
 from verify.cases.sprag.inputs import SpragInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz is asked
 MANY, FEW_LOADS = 61, 21  # slices from which on fewer loads make up a contact's law

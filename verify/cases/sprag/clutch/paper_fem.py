@@ -12,7 +12,7 @@ from analytic.sprag.history import Engagement
 from verify.cases.sprag.clutch.model import mid
 from verify.cases.sprag.clutch.run_fem import Run, run_fem
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 TORQUES = (25.0, 40.0)
 BEST = {25.0: (2.1507, 0.6763, 0.0121e-3), 40.0: (2.80, 0.7, 0.0118e-3)}  # Eqs. 21, 22

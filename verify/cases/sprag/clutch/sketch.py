@@ -7,7 +7,7 @@ from scipy.optimize import brentq
 
 from analytic.sprag.geometry import LogSprag
 from verify.cases.sprag.inputs import SpragInputs
-from verify.core.shown import Array, Shape, Sketch
+from verify.core.figures import Array, Shape, Sketch
 
 ORIGIN = np.zeros(2)
 SIDE = 0.36  # rad of race to either side

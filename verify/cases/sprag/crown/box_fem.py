@@ -13,7 +13,7 @@ from verify.cases.sprag.crown.formulas import box, factorial, gaps, radius
 from verify.cases.sprag.engagement.model import parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Peaks
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 FEW, MANY = 3, 5  # levels of the factorial: by engagements, and the paper's
 SHARES = (0.4, 1.0, 1.2, 1.6)  # of T: 10, 25, 30 and 40 N m in the paper

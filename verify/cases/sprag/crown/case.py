@@ -3,14 +3,14 @@
 from verify.cases.sprag.clutch.case import too_large as too_large_at_rest
 from verify.cases.sprag.crown.claims import CHECKS
 from verify.cases.sprag.crown.fem import LEVELS, fem
+from verify.cases.sprag.crown.figures import equations, figures, sketch
 from verify.cases.sprag.crown.formulas import analytic
-from verify.cases.sprag.crown.shown import equations, figures, sketch
+from verify.cases.sprag.crown.messages import findings, summary, warnings
 from verify.cases.sprag.crown.table2 import table_2
-from verify.cases.sprag.crown.words import findings, summary, warnings
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Case, Context, Output, Scan
+from verify.core.figures import Table
 from verify.core.references import BY_STRIPS
-from verify.core.shown import Table
 
 
 def too_large(q: EngagementInputs) -> str:

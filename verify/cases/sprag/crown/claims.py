@@ -18,7 +18,8 @@ from verify.cases.sprag.clutch.claims import (
     OfPaper,
 )
 from verify.cases.sprag.clutch.drawn_fem import crowned
-from verify.cases.sprag.crown.figures import (
+from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
+from verify.cases.sprag.crown.measured_figures import (
     first_and_trough,
     grows_with_torque,
     highest_and_lowest,
@@ -28,14 +29,13 @@ from verify.cases.sprag.crown.figures import (
     not_lowest_at_30,
     order_at,
 )
-from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
 from verify.cases.sprag.crown.slices import hardly_by_slices
 from verify.cases.sprag.crown.table2 import TABLE_2
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import with_crown
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.core.results import Row
-from verify.core.shown import Array
 from verify.judging.checks import Accepted, Fact, Identity
 
 DRAWN = "drawn profile"

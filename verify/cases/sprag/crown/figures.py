@@ -1,158 +1,251 @@
-"""What Figs. 12 to 14 say of crowns, judged on this clutch: under which force, by how much."""
+"""What the report shows of crowns: profiles, pressures over force and torque, slices."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from verify.cases.contact.roller.inputs import DESIGNS
-from verify.cases.sprag.crown.formulas import label
-from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
-from verify.core.case import Context
-from verify.core.shown import Array
-from verify.judging.checks import Margin
+from verify.cases.sprag.clutch.drawn_fem import places
+from verify.cases.sprag.crown.formulas import even, label, pressed, unit, z_m_share
+from verify.cases.sprag.crown.measured_figures import AT, number, window
+from verify.cases.sprag.crown.paper_fem import EQ_21, FIG_12, FIG_14
+from verify.cases.sprag.crown.slices import by_number
+from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Context, Values
+from verify.core.figures import Array, Curve, Curves, Dots, Equation, Figure, Shape, Sketch
+from verify.core.tex import tex
 
-MPa = 1e6
-AT = {10: 0, 25: 1, 30: 2, 40: 3}  # number of the torque [N m] among those engaged
-STEP = 1e-3  # of a pressure: tables of the engagements, fits of N_max
-NEAR = 0.01
-LEVEL = 1.0  # of K_1 in the factorial
-
-
-def arrays(context: Context) -> Mapping[str, Array]:
-    return context.fem[-1].arrays
-
-
-def number(crown: tuple[float, float, float]) -> int:
-    return DESIGNS.index(crown)
+MPa, mm, um, kN = 1e6, 1e-3, 1e-6, 1e3
+EQ_22 = (2.80, 0.7, 11.8e-6)
+DEEPER = 0.3  # of the length that the sketch's crown drops by
 
 
-def ordered(found: Mapping[str, Array], by: str) -> Array:
-    """At each force, whether Fig. 12's best crown is the lowest and its worst the highest."""
-    p = found[f"swept, {by}"]
-    best, worst = map(number, FIG_12)
-    return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
+def equations(_q: EngagementInputs, v: Values) -> Sequence[Equation]:
+    if "A" not in v:
+        return ()
+    found = [
+        Equation(
+            tex=r"z(y) = -A\ln\left\{1 - \left(1 - e^{-z_m/A}\right) t^2\right\}, \quad "
+            r"A = \frac{2K_1Q}{\pi l E'}, \quad "
+            r"t = \max\left(0, \frac{|y| - l/2}{K_2 l/2} + 1\right)",
+            numbers=rf"A = {tex(v['A'] / um, 4)}\ \mathrm{{µm}}, \quad (1 - K_2)\,l = "
+            rf"{tex(v['straight'] / mm, 4)}\ \mathrm{{mm}}", place="Eq. 1, corrected",
+        ),
+        Equation(
+            tex=r"\bar z = K_2\left[z_m + 2A - 2A\,\frac{\operatorname{artanh}\sqrt c}{\sqrt c}"
+            r"\right], \quad c = 1 - e^{-z_m/A}",
+            numbers=rf"\bar z = {tex(v['mean'] / um, 4)}\ \mathrm{{µm}}, \quad "
+            rf"\frac{{z_m}}{{\bar z}}\frac{{\partial\bar z}}{{\partial z_m}} = "
+            rf"{tex(v['share'], 3)}",
+            place="mean of Eq. 1 over the length",
+        ),
+    ]  # fmt: skip
+    if "N_max" in v:
+        found.append(
+            Equation(
+                tex=r"p_{even} = \sqrt{\frac{N_{max} E'}{2\pi l R}}, \quad "
+                r"K_1 = \frac{N_{max}}{Q}",
+                numbers=rf"p_{{even}} = {tex(v['p even peak'] / MPa, 4)}\ \mathrm{{MPa}}, \quad "
+                rf"K_1 = {tex(v['K_1 suits'], 3)}",
+                place="Hertz's pressure of an even load, and the crown that Lundberg makes it with",
+            )
+        )  # fmt: skip
+    return found
 
 
-def window(found: Mapping[str, Array], by: str) -> str:
-    """Least and largest force of the sweep with that order, in words."""
-    N = found["swept"][ordered(found, by)] / 1e3
-    return f"from {N.min():.2f} to {N.max():.2f} kN by {by}" if N.size else f"nowhere by {by}"
+def sketch(q: EngagementInputs) -> Sketch | None:
+    """The sprag's outline along its axis, its drop drawn much larger than it is."""
+    if q.z_m == 0:
+        return None
+    y, z = places(q, 401), gap(q.model_copy(update={"slices": 401}))
+    drop = z * DEEPER * q.l / q.z_m
+    low = -1.6 * DEEPER * q.l
+    top = np.column_stack([y, -drop])
+    body = np.concatenate([top, [[q.l / 2, low], [-q.l / 2, low]]])
+    start, above = (1 - q.K_2) * q.l / 2, 0.08 * q.l
+    shapes = (
+        Shape(style="body", points=body / mm),
+        Shape(style="faint", points=np.array([[-q.l / 2, 0.0], [q.l / 2, 0.0]]) / mm),
+        Shape(style="dimension", points=np.array([[-start, above], [start, above]]) / mm,
+              label="(1 − K_2) l"),
+        Shape(style="dimension", points=np.array([[q.l / 2, 0.0], [q.l / 2, -z[-1] / q.z_m
+                                                  * DEEPER * q.l]]) / mm, label="z_m"),
+        Shape(style="dimension", points=np.array([[-q.l / 2, low * 1.1], [q.l / 2, low * 1.1]])
+              / mm, label="l"),
+    )  # fmt: skip
+    return Sketch(title="the sprag's profile along its axis, the drop drawn much larger",
+                  shapes=shapes)  # fmt: skip
 
 
-def first_peaks(found: Mapping[str, Array]) -> str:
-    """Torques whose first peaks have that order by slices, in words."""
-    N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
-    T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
-    return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
+def figures(context: Context) -> Sequence[Figure]:
+    q, v = context.inputs, context.analytic
+    found: list[Figure] = [shares(q)] if q.z_m else []
+    if "N" in v:
+        found.append(along(context))
+    if not context.fem:
+        return found
+    last = context.fem[-1].arrays
+    if "torques" in last:
+        found += [
+            by_force(context), by_torque(last), above(last), suits(context),
+            by_number(context), ratios(last),
+        ]  # fmt: skip
+    return found
 
 
-def highest_and_lowest(context: Context) -> tuple[float, float, str]:
-    """Under the static load the best crown is the lowest and the worst the highest, by a share.
-
-    By slices and by strips.
-    """
-    found, N = arrays(context), context.analytic["N"]
-    best, worst = map(number, FIG_12)
-    margins = []
-    for by in ("slices", "strips"):
-        p = np.array([np.interp(N, found["swept"], one) for one in found[f"swept, {by}"]])
-        others = np.delete(p, [best, worst])
-        margins.append(min(others.min() / p[best], p[worst] / others.max()) - 1)
-    forces = ", ".join(window(found, by) for by in ("slices", "strips"))
-    words = (
-        f"of {len(DESIGNS)} printed crowns, by {margins[0]:.1%} (slices) and {margins[1]:.1%} "
-        f"(strips) at {N:.0f} N; the order holds {forces}, so that any such force shows it: the "
-        f"static load at 25 N m, or a first peak {first_peaks(found)} (slices)"
-    )
-    return float(min(margins)), 0.0, words
-
-
-def in_other_order(context: Context) -> tuple[float, float, str]:
-    """How far the best crown of Fig. 12 is above the worst at the first peak under 25 N m."""
-    found = arrays(context)
-    best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
-    N = float(found["named N"][number(FIG_12[0]), AT[25]])
-    words = (
-        f"{best / MPa:.0f} MPa with {label(FIG_12[0])}, {worst / MPa:.0f} MPa with "
-        f"{label(FIG_12[1])} at {N:.0f} N"
-    )
-    return best / worst - 1, STEP, words
+def shares(q: EngagementInputs) -> Curves:
+    """How much of the mean drop z_m makes, over z_m in units of A."""
+    m = np.geomspace(0.05, 30.0, 121)
+    printed = np.array([(c[2] / (c[0] * unit(q)), z_m_share(c[0] * unit(q), c[2]))
+                        for c in DESIGNS])  # fmt: skip
+    own = q.z_m / (q.K_1 * unit(q))
+    return Curves(
+        title="How much of the mean drop is set by z_m, and how much by K_1", x_label="z_m/A",
+        y_label="% more mean drop by 1 % more z_m", y_bottom=0.0,
+        curves=(
+            Curve(name="Eq. 1", x=m, y=np.array([z_m_share(1.0, x) for x in m])),
+            Curve(name="crowns that the paper prints", x=printed[:, 0], y=printed[:, 1],
+                  style="dots", colour=2),
+            Curve(name="this crown", x=np.array([own]), style="dots", colour=4,
+                  y=np.array([z_m_share(1.0, own)])),
+        ),
+        note="A is the depth of Eq. 1's logarithm, in proportion to K_1. At 0.25 on the axis 1 % "
+        "more z_m deepens the crown by 0.25 % on average, 1 % more K_1 by the other 0.75 %. Where "
+        "z_m is many times A the profile reaches it at the very ends alone, and K_1 sets the mean.",
+    )  # fmt: skip
 
 
-def first_and_trough(context: Context) -> tuple[float, float, str]:
-    """With K_1 = 1 the ends bear more than mid-length at the peak, and less at the trough."""
-    peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
-    words = (
-        f"end {peak[0]:.0f} MPa, middle {peak[1]:.0f} MPa at the peak; "
-        f"{trough[0]:.0f} and {trough[1]:.0f} MPa at the trough"
-    )
-    return float(min(peak[0] / peak[1], trough[1] / trough[0])) - 1, STEP, words
+def along(context: Context) -> Curves:
+    """p(y) at rest and at the first peak."""
+    q, v = context.inputs, context.analytic
+    y = places(q, q.slices) / mm
+    curves = [
+        Curve(name=words, x=y, y=pressed(q, v[key]).peak_pressure / MPa, colour=2 * k)
+        for k, (key, words) in enumerate((("N", "at rest"), ("N_max", "at the first peak")))
+        if key in v
+    ]
+    if context.fem:
+        p = context.fem[-1].arrays["strips"]
+        curves.append(Curve(name="at the first peak, strips", x=places(q, p.size) / mm,
+                            y=p / MPa, style="dashes", colour=2))  # fmt: skip
+    curves += [
+        Curve(name=f"if even, {words}", x=y[[0, -1]], y=np.full(2, v[key] / MPa),
+              style="dashes", colour=2 * k + 1)
+        for k, (key, words) in enumerate(
+            (("p even rest", "at rest"), ("p even peak", "at the first peak"))
+        )
+        if key in v
+    ]  # fmt: skip
+    return Curves(
+        title="Pressure along the sprag, inner race", x_label="y [mm]", y_label="p [MPa]",
+        curves=tuple(curves), y_bottom=0.0,
+        y_top=1.5 * v.get("p even peak", v["p even rest"]) / MPa,
+        note=f"(K_1, K_2, z_m) = {label((q.K_1, q.K_2, q.z_m))}. Ends that carry have no highest "
+        "pressure: it grows with the number of parts.",
+    )  # fmt: skip
 
 
-def uneven(p: Array) -> float:
-    """Share of the load that would have to move for the line load, which goes as p², to be even."""
-    return float(np.abs(p**2 / (p**2).mean() - 1).mean() / 2)
+def by_force(context: Context) -> Curves:
+    """Fig. 12's two crowns over the force: which is the lower."""
+    q, found = context.inputs, context.fem[-1].arrays
+    N = found["swept"]
+    base = np.array([even(q, float(x)) for x in N])
+    curves = [
+        Curve(name=f"{label(crown)}, {by}", x=N / kN, y=found[f"swept, {by}"][number(crown)] / base,
+              colour=2 * k, style=style)
+        for k, crown in enumerate(FIG_12)
+        for by, style in (("slices", "line"), ("strips", "dashes"))
+    ]  # fmt: skip
+    highest = max(float(np.max(curve.y)) for curve in curves)
+    marks = (("upright: static load, 25 N m", context.analytic["N"]),
+             ("upright: first peak, 25 N m", context.analytic["N_max"]))  # fmt: skip
+    curves += [
+        Curve(name=name, x=np.full(2, at / kN), y=np.array([1.0, highest]), style="dashes",
+              colour=4 + k)
+        for k, (name, at) in enumerate(marks)
+    ]  # fmt: skip
+    return Curves(
+        title="Fig. 12's best and worst crown over the force", x_label="N [kN]",
+        y_label="p_max over an even load's", curves=tuple(curves), y_bottom=1.0,
+        note="Of all crowns that the paper prints they are the lowest and the highest "
+        f"{window(found, 'slices')}, where the static load is; at the first peak under 25 N m the "
+        "order is reversed. Strips are of a half-space, on which ends that carry bear more.",
+    )  # fmt: skip
 
 
-def more_even(context: Context) -> tuple[float, float, str]:
-    """How much less of the load would have to move with K_1 = 3 than with 1."""
-    shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
-    words = f"{shallow:.1%} of the load would have to move with K_1 = 1, {deep:.1%} with 3"
-    return 1 - deep / shallow, STEP, words
+def by_torque(found: Mapping[str, Array]) -> Curves:
+    """Fig. 14: the band of Eq. 19's crowns, and the two named."""
+    T = found["band T"]
+    curves = [
+        Curve(name="lowest of Eq. 19's factorial", x=T, y=found["band low"] / MPa, colour=1),
+        Curve(name="highest", x=T, y=found["band high"] / MPa, style="dashes", colour=1),
+    ]
+    for k, crown in enumerate(FIG_14):
+        n = number(crown)
+        curves.append(Curve(name=label(crown), x=T, y=found["band p"][n] / MPa, colour=2 * k + 2))
+        curves.append(Curve(name="", x=found["torques"], y=found["named p"][n] / MPa, style="dots",
+                            colour=2 * k + 2))  # fmt: skip
+    return Curves(
+        title="Largest pressure over the torque (Fig. 14)", x_label="T [N m]",
+        y_label="p_max [MPa]", curves=tuple(curves), y_bottom=0.0,
+        note="Dots: engagements; lines: contacts under forces between them.",
+    )  # fmt: skip
 
 
-def order_at(which: int) -> Margin:
-    """How far Fig. 14's crown number `which` is below the other at its torque."""
-    T = (10, 30)[which]
-
-    def margin(context: Context) -> tuple[float, float, str]:
-        p = arrays(context)["named p"][:, AT[T]]
-        own, other = (float(p[number(c)]) for c in (FIG_14[which], FIG_14[1 - which]))
-        words = f"{own / MPa:.0f} MPa, {label(FIG_14[1 - which])} {other / MPa:.0f} MPa"
-        return other / own - 1, STEP, words
-
-    return margin
-
-
-def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """How far Fig. 14's crown is above the lowest of the factorial at its torque, in words too."""
-    T, found = (10, 30)[which], arrays(context)
-    p = found["many p"][:, AT[T]]
-    own, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
-    lower = int((p < own).sum())
-    words = (
-        f"{own / MPa:.0f} MPa, {own / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, the "
-        f"lowest of {p.size} crowns, {lower} of which are lower"
-    )
-    return own / float(p[k]) - 1, words
+def above(found: Mapping[str, Array]) -> Curves:
+    """How far above the lowest crown at each torque the printed ones are."""
+    T, low = found["band T"], found["band low"]
+    names = (*FIG_14, EQ_21, EQ_22)
+    return Curves(
+        title="How far printed crowns are above the lowest", x_label="T [N m]",
+        y_label="p_max above the lowest of 125 [%]", y_bottom=-1.0,
+        curves=tuple(
+            Curve(name=label(c), x=T, y=100 * (found["band p"][number(c)] / low - 1), colour=k)
+            for k, c in enumerate(names)
+        ),
+        note="K_1 = 1 suits light torques, K_1 = 5 heavy ones beyond this range; at 30 N m it is "
+        f"{found['named p'][number(FIG_14[1]), AT[30]] / found['many p'][:, AT[30]].min() - 1:.1%} "
+        "above.",
+    )  # fmt: skip
 
 
-def lowest_at_10(context: Context) -> tuple[float, float, str]:
-    above, words = above_lowest(context, 0)
-    return NEAR - above, STEP, words
+def suits(context: Context) -> Curves:
+    """K_1 of the lowest crown over the torque, beside N_max/Q and what is printed."""
+    found, Q = context.fem[-1].arrays, context.analytic["Q"]
+    T = found["band T"]
+    return Curves(
+        title="K_1 of the lowest crown", x_label="T [N m]", y_label="K_1", y_bottom=0.0,
+        curves=(
+            Curve(name="lowest with K_2 = 0.7, z_m = 10 µm", x=T, y=found["band K_1"]),
+            Curve(name="N_max/Q", x=T, y=found["band N"] / Q, style="dashes", colour=4),
+            Curve(name="printed, Eqs. 21 and 22", x=np.array([25.0, 40.0]),
+                  y=np.array([EQ_21[0], EQ_22[0]]), style="dots", colour=2),
+            Curve(name="printed, Fig. 14", x=np.array([10.0, 30.0]),
+                  y=np.array([c[0] for c in FIG_14]), style="dots", colour=1),
+        ),
+        note="Lundberg's crown makes the load even that it is cut for: K_1 Q. Of the printed ones "
+        "5 at 30 N m is out of line with 2.15 at 25 and 2.80 at 40 N m.",
+    )  # fmt: skip
 
 
-def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
-    """How far above the lowest crown at 30 N m; and printed is a K_1 between them at 25 and 40."""
-    above, words = above_lowest(context, 1)
-    N = arrays(context)["many N"][:, AT[30]].mean() / context.analytic["Q"]
-    return above, STEP, f"{words}; N_max/Q = {N:.2f}"
-
-
-def lowest(context: Context) -> Array:
-    """The lowest crown of the factorial at each torque, (torques, 3)."""
-    found = arrays(context)
-    return np.asarray(found["box"][found["many p"].argmin(axis=0)])
-
-
-def grows_with_torque(context: Context) -> tuple[float, float, str]:
-    """K_1 of the lowest crown never falls and is larger by some levels at the largest torque."""
-    found, best = arrays(context), lowest(context)
-    ratio = found["many N"].mean(axis=0) / context.analytic["Q"]
-    words = "; ".join(
-        f"{T:g} N m: K_1 = {c[0]:g}, z_m = {c[2] * 1e6:g} µm, N_max/Q = {r:.2f}"
-        for T, c, r in zip(found["torques"], best, ratio, strict=True)
-    )
-    steps = np.diff(best[:, 0])
-    rise = float(best[-1, 0] - best[0, 0]) if steps.min() >= 0 else float(steps.min())
-    return rise, LEVEL, words
+def ratios(found: Mapping[str, Array]) -> Dots:
+    """p_max(40 N m)/p_max(25 N m): printed, and by what force, crowns and slices make of it."""
+    N_25, N_40 = found["counted N"]
+    flat = found["counted, 40"][0] / found["counted, slices"][0]
+    best = found["named p"][number(EQ_22), AT[40]] / found["named p"][number(EQ_21), AT[25]]
+    kept = found["named p"][number(EQ_21)]
+    items = [
+        ("printed, no crown: 4700/3500", 4700 / 3500, None, "paper"),
+        *((f"no crown, {n:.0f} slices", float(r), None, "formula")
+          for n, r in zip(found["counts"], flat, strict=True) if n in (11, 41, 161)),
+        ("even load: √(N_40/N_25)", float(np.sqrt(N_40 / N_25)), None, "formula"),
+        ("Eq. 22's crown over Eq. 21's", float(best), None, "formula"),
+        ("Eq. 21's crown at both", float(kept[AT[40]] / kept[AT[25]]), None, "formula"),
+        ("printed, best crowns: 3400/2980", 3400 / 2980, None, "paper"),
+    ]  # fmt: skip
+    return Dots(
+        title="From 25 to 40 N m", label="p_max at 40 N m over that at 25 N m", items=tuple(items),
+        note=f"The forces have the ratio {N_40 / N_25:.3f}. No crown can lower the ratio below an "
+        "even load's unless it is uneven at 25 N m; the printed optima are said to be even.",
+    )  # fmt: skip

@@ -15,7 +15,7 @@ from verify.cases.sprag.engagement.formulas import at_rest, sprags_inertia, swin
 from verify.cases.sprag.engagement.model import crowned_for, gap, parts, wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown, with_crown
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 LOW, HIGH = (1.0, 0.4, 5e-6), (5.0, 0.7, 25e-6)  # Eq. 19
 DEEP: tuple[Crown, ...] = (  # printed crowns whose ends are free under the first peak at 25 N m

@@ -10,7 +10,7 @@ from verify.cases.sprag.crown.formulas import box, factorial, radius
 from verify.cases.sprag.engagement.model import gap, parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import Crown, Peaks, peaks_fem, with_crown
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 FIG_12: tuple[Crown, Crown] = ((1, 0.7, 10e-6), (5, 0.7, 15e-6))  # called the best and the worst
 FIG_13: tuple[Crown, Crown] = ((1, 0.4, 10e-6), (3, 0.4, 10e-6))

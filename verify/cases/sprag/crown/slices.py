@@ -3,7 +3,7 @@
 import numpy as np
 
 from verify.core.case import Context
-from verify.core.shown import Curve, Curves
+from verify.core.figures import Curve, Curves
 
 MPa = 1e6
 NAMES = ("no crown", "Eq. 21's crown", "(5, 0.7, 15 µm)")

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from verify.cases.sprag.clutch.claims import FITTED, Beside, Measured, Noted, OfPaper
-from verify.cases.sprag.crown.figures import AT
+from verify.cases.sprag.crown.measured_figures import AT
 from verify.core.case import Context
+from verify.core.figures import Table
 from verify.core.results import Kind, Partner, Row
-from verify.core.shown import Table
 from verify.judging import judge
 from verify.judging.checks import Margin
-from verify.judging.printed import PrintedClaim
+from verify.judging.published_checks import PrintedClaim
 from verify.papers.digits import half_last_digit
 from verify.papers.ledger import published
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.cases.sprag.engagement import shown
+from verify.cases.sprag.engagement import figures as shown
 from verify.cases.sprag.engagement.claims import CHECKS
 from verify.cases.sprag.engagement.fem import LEVELS, fem
 from verify.cases.sprag.engagement.formulas import analytic

@@ -12,9 +12,9 @@ from verify.cases.sprag.engagement.formulas import stored, undamped
 from verify.cases.sprag.engagement.model import gap, parts, wedge
 from verify.core.case import Context
 from verify.core.results import Row
-from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, suites
 from verify.judging.checks import Accepted, Approximation, Exact, Fact, Identity
 from verify.judging.convergence import fit_order
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
 
 BY = "Runge-Kutta steps, compiled"
 LSODA, HALVING, CROWN, CENTROID, SLICES = 1e-3, 1e-4, 0.03, 1e-3, 2e-3  # accepted

@@ -20,7 +20,7 @@ from verify.cases.sprag.engagement.formulas import analytic, with_torque
 from verify.cases.sprag.engagement.model import Wedge, motion, wedge
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from analytic.sprag.events import Events

@@ -25,7 +25,7 @@ from analytic.sprag.motion import Speeds, Torque
 from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag.engagement.model import Wedge, crowned_for, motion, wedge
 from verify.cases.sprag.inputs import EngagementInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 MORE = 1.6  # torque of the second engagement: 40 N m for the paper's 25
 SAMPLES = 1201  # over the time followed

@@ -20,7 +20,7 @@ from analytic.sprag.parts import Parts
 from analytic.sprag.start import spring_equilibrium
 from analytic.sprag.table import INTERVALS, Table, tabulated
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 KEPT = 64  # clutches in memory
 STATES = 401  # on the way from no load to the end of the profile

@@ -10,7 +10,7 @@ from verify.cases.sprag.engagement.fem import drawn
 from verify.cases.sprag.engagement.model import gap, parts
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Context
-from verify.core.shown import Array, Curve, Curves, Density, Figure
+from verify.core.figures import Array, Curve, Curves, Density, Figure
 
 ms, MPa, mm = 1e-3, 1e6, 1e-3
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.cases.sprag.friction import shown
+from verify.cases.sprag.friction import figures as shown
 from verify.cases.sprag.friction.claims import CHECKS
 from verify.cases.sprag.friction.fem import LEVELS, fem, settled
 from verify.cases.sprag.friction.formulas import analytic

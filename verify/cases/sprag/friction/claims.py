@@ -10,8 +10,16 @@ from verify.cases.sprag.friction.fem import NARROW
 from verify.core.case import Context
 from verify.core.results import Row, Status
 from verify.judging import judge
-from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, demanded, farthest, suites
 from verify.judging.checks import Accepted, Approximation, Identity
+from verify.judging.tolerance_checks import (
+    SUBJECT,
+    Agreement,
+    Deviation,
+    Pair,
+    demanded,
+    farthest,
+    suites,
+)
 
 BOUNDARY, GUARDED = 0.02, 1e-3  # accepted
 HANGS = 0.1  # of the right force, and more, between torques that are hardly different

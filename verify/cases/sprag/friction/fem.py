@@ -23,7 +23,7 @@ from verify.cases.sprag.engagement.model import motion, wedge
 from verify.cases.sprag.friction.formulas import BELOW, analytic, asked, weak
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from analytic.sprag.history import Engagement

@@ -15,7 +15,7 @@ from functools import cached_property
 
 import numpy as np
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 NUGGET = 1e-10  # of the variance, on the diagonal of C
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from verify.cases.sprag.clutch import case as sprag_clutch
 from verify.cases.sprag.clutch.sketch import sketch
-from verify.cases.sprag.optimum import shown
+from verify.cases.sprag.optimum import figures as shown
 from verify.cases.sprag.optimum.claims import checks
 from verify.cases.sprag.optimum.fem import LEVELS, fem
 from verify.cases.sprag.optimum.formulas import analytic

@@ -12,7 +12,7 @@ from verify.cases.sprag.optimum.crown_claims import pressed
 from verify.cases.sprag.optimum.ends_fem import SLICED
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE, Told
 from verify.core.case import Context
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 NEAR = 0.01  # of the best crown's pressure: what is as good
 ON_BOUND = 1e-3  # of a range

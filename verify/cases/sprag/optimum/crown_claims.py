@@ -23,8 +23,8 @@ from verify.cases.sprag.engagement.model import gap
 from verify.cases.sprag.optimum.surrogate_claims import Told
 from verify.cases.sprag.peaks import with_crown
 from verify.core.case import Context, FemResult
+from verify.core.figures import Array
 from verify.core.results import Row, Status
-from verify.core.shown import Array
 from verify.judging import judge
 
 STRIPPED, CELLS = (41, 81, 161), (384, 512, 768)  # of a sprag's length

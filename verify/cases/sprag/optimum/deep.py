@@ -14,7 +14,7 @@ from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs, 
 from verify.cases.sprag.optimum.study_fem import answers, fit_fem, single_fem
 from verify.cases.sprag.peaks import peaks_fem
 from verify.core.case import Case, FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 DESIGNS, SEED = 200, 3
 ENGAGEMENTS = 400  # of DIRECT

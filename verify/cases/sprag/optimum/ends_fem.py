@@ -14,7 +14,7 @@ from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.study_fem import Answer, answers, infilled_fem
 from verify.cases.sprag.peaks import STRIPS, Peaks, one_fem, peaks_fem, with_crown
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 STRIPPED = (41, 81, 161)
 SLICED = (21, 41, 81, 161)

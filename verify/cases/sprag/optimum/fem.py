@@ -12,7 +12,7 @@ from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.study_fem import held, study_fem
 from verify.cases.sprag.peaks import peaks_fem, with_crown
 from verify.core.case import FemResult
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 STEPS = 241  # states of an engagement that are drawn
 LEVELS = STRIPPED  # strips along a sprag

@@ -19,7 +19,7 @@ from analytic.surrogate.genetic import genetic
 from analytic.surrogate.infill import Infilled, infill
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.peaks import Peaks, peaks_fem
-from verify.core.shown import Array
+from verify.core.figures import Array
 
 if TYPE_CHECKING:
     from analytic.surrogate.kriging import Kriging

@@ -8,11 +8,11 @@ import numpy as np
 from verify.cases.sprag.clutch.claims import Measured, OfPaper, measured
 from verify.cases.sprag.optimum.bordered import Bordered
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status
-from verify.core.shown import Array
 from verify.judging import judge
-from verify.judging.agreement import SUBJECT, Agreement, Deviation, Pair, suites
 from verify.judging.claims import Claim
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, suites
 
 MEAN, LARGEST, AGREE = 0.005, 0.03, 0.005  # accepted errors of a surrogate
 SEARCHES = 1e-3  # by which searches of one surrogate may differ

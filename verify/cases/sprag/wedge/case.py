@@ -1,7 +1,8 @@
 """A logarithmic sprag wedged between its races (Huang, Zhao, Liu, Eqs. 6, 7, 9, 10)."""
 
 from verify.cases.sprag.inputs import WedgeInputs
-from verify.cases.sprag.wedge import shown, words
+from verify.cases.sprag.wedge import figures as shown
+from verify.cases.sprag.wedge import messages as words
 from verify.cases.sprag.wedge.claims import CHECKS
 from verify.cases.sprag.wedge.fem import LEVELS, fem
 from verify.cases.sprag.wedge.model import analytic

@@ -10,9 +10,9 @@ from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.wedge.expected import SHARP, WIDEST, Expected, Interval, at_share, bending
 from verify.cases.sprag.wedge.model import STROKE, elastic, rigid_force
 from verify.core.case import Check, Context, Values
-from verify.judging.agreement import Agreement, Pair, suites
 from verify.judging.checks import Accepted, Approximation, Exact, Fact
 from verify.judging.judge import DEMAND
+from verify.judging.tolerance_checks import Agreement, Pair, suites
 
 BENDS = "the column bends, its ends roll on: by complex potentials to a quarter of all parts"
 YIELDS = "1e-3, (a/r)² and tan²ν/2, beside the elastic solutions of all parts"

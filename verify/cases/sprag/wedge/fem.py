@@ -9,7 +9,7 @@ from verify.cases.sprag.fem import Sector, State
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.wedge.sweep import Sweep, rigid_force
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 Array = NDArray[np.float64]
 

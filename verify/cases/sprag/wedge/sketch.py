@@ -7,7 +7,7 @@ import numpy as np
 from verify.cases.freewheel.star_sketch import arc, label, ray
 from verify.cases.sprag.inputs import WedgeInputs
 from verify.cases.sprag.wedge.model import sprag_column
-from verify.core.shown import Array, Shape, Sketch
+from verify.core.figures import Array, Shape, Sketch
 
 SIDE = 0.42  # of the drawing's height: room for labels on either side
 

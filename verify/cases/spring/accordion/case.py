@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from analytic.spring import energy, frame
+from verify.cases.spring import figures as spring_shown
 from verify.cases.spring import readings as spring_readings
-from verify.cases.spring import shown as spring_shown
 from verify.cases.spring.inputs import AccordionInputs, SpringInputs, strip_of
 from verify.core.case import Case, Context, FemResult, Output, Portion, Scan, Values
-from verify.core.shown import Field, Table
+from verify.core.figures import Field, Table
 from verify.judging.checks import Approximation, Identity, Order
-from verify.judging.printed import Contradiction, PrintedMeasurement, PrintedTheory
+from verify.judging.published_checks import Contradiction, PrintedMeasurement, PrintedTheory
 
 if TYPE_CHECKING:
     from fem.beam.section import FrameSolution, Section

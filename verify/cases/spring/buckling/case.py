@@ -11,15 +11,15 @@ import numpy as np
 
 from analytic.spring import column, frame, stability
 from analytic.spring.elastica import Elastica
-from verify.cases.spring.buckling import shown
+from verify.cases.spring.buckling import figures as shown
 from verify.cases.spring.buckling.fem import SWEPT, fem
 from verify.cases.spring.buckling.inputs import DRIFT, MANY, RATIO, TAILS, BucklingInputs
+from verify.cases.spring.figures import sketch
 from verify.cases.spring.inputs import strip_of
-from verify.cases.spring.shown import sketch
 from verify.core.case import Case, Context, Output, Scan, Values
 from verify.core.results import Row
-from verify.judging.agreement import Agreement, Pair, suites
 from verify.judging.checks import Accepted, Approximation, Identity, Limit
+from verify.judging.tolerance_checks import Agreement, Pair, suites
 
 MOST = 24  # segments of an elastica that a check has time for
 SEARCHED = np.linspace(0.05, 0.75, 15)  # of the free length, for critical points

@@ -18,7 +18,7 @@ from verify.cases.spring.buckling.inputs import (
 )
 from verify.cases.spring.large_fem import PLACES, Spring
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 SWEPT = 8  # the level of sweeps and the map
 COARSE = 4  # of springs of another shape

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from analytic.spring import frame
-from verify.cases.spring import shown as spring_shown
+from verify.cases.spring import figures as spring_shown
 from verify.cases.spring.accordion.case import OUTPUTS, ROUND_OFF, warnings
 from verify.cases.spring.accordion.case import analytic as accordion_values
 from verify.cases.spring.continuum.expected import added
 from verify.cases.spring.inputs import AccordionInputs, strip_of
 from verify.core.case import Case, FemResult, Scan, Values
-from verify.core.shown import Field
+from verify.core.figures import Field
 from verify.judging.checks import Approximation
 
 DEMAND = 1e-3

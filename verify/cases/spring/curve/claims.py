@@ -23,8 +23,8 @@ from verify.cases.spring.curve.runs import (
 )
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context
-from verify.judging.agreement import Deviation, suites
 from verify.judging.checks import Accepted, Identity, Limit, Margin
+from verify.judging.tolerance_checks import Deviation, suites
 
 mm = 1e-3
 PENETRATION = 1e-4  # of b: contact is settled to that

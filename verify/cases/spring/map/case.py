@@ -8,7 +8,8 @@ import numpy as np
 
 from analytic.spring import energy, frame
 from analytic.spring.elastica import Elastica
-from verify.cases.spring.map import shown
+from verify.cases.spring.figures import sketch
+from verify.cases.spring.map import figures as shown
 from verify.cases.spring.map.fem import MAPPED, deep_fem, fem
 from verify.cases.spring.map.inputs import (
     DEEP_ANGLES,
@@ -18,13 +19,12 @@ from verify.cases.spring.map.inputs import (
     MapInputs,
     points,
 )
-from verify.cases.spring.shown import sketch
 from verify.core.case import Case, Context, Output, Scan, Values
-from verify.core.shown import Figure
+from verify.core.figures import Figure
 from verify.jobs.deep_results import measured
-from verify.judging.agreement import Agreement, Pair, demanded, suites
 from verify.judging.checks import Accepted, Approximation, Identity
-from verify.judging.printed import Contradiction
+from verify.judging.published_checks import Contradiction
+from verify.judging.tolerance_checks import Agreement, Pair, demanded, suites
 from verify.papers.ledger import published
 
 MOST = 24  # segments of an elastica that a check has time for

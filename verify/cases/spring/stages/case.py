@@ -8,7 +8,7 @@ from analytic.spring import energy, frame
 from analytic.spring.stages import stages
 from analytic.spring.wide_leaf import width_factor
 from verify.cases.spring.accordion.case import too_large
-from verify.cases.spring.stages import shown as spring_stages_shown
+from verify.cases.spring.stages import figures as spring_stages_shown
 from verify.cases.spring.stages.fem import ENDS, Ends, fem
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.cases.spring.stages.readings import (
@@ -22,7 +22,7 @@ from verify.cases.spring.stages.readings import (
 )
 from verify.core.case import Case, Context, Output, Scan, Values
 from verify.judging.checks import Exact, Identity, Order
-from verify.judging.printed import PrintedMeasurement
+from verify.judging.published_checks import PrintedMeasurement
 
 QUANTITIES = (
     ("k1", "k_1", "N/mm", "stiffness k_1"),

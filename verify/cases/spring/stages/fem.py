@@ -12,7 +12,7 @@ from analytic.spring.loops import Normal, Tail
 from analytic.spring.stages import Head
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.beam.links import Link

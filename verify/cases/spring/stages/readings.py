@@ -16,8 +16,8 @@ from analytic.spring.loops import Tail
 from analytic.spring.stages import Head, Stages, stages
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.core.case import Context
+from verify.core.figures import Table
 from verify.core.results import Row
-from verify.core.shown import Table
 from verify.judging.checks import Accepted, Margin
 from verify.judging.judge import expanded
 from verify.papers.ledger import published

@@ -6,13 +6,14 @@ from analytic.spring import frame
 from analytic.spring.wide_leaf import TERMS, width_factor
 from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.readings import PaperReading
-from verify.cases.spring.width import claims, shown
+from verify.cases.spring.width import claims
+from verify.cases.spring.width import figures as shown
 from verify.cases.spring.width.fem import ENDS, LEVELS, RATIOS, WIDE, fem, widths_of_both
 from verify.cases.spring.width.inputs import WidthInputs
 from verify.core.case import Case, Context, Output, Scan, Values
-from verify.judging.agreement import BOTH_WAYS, Agreement, Pair, PaperAgreement, suites
 from verify.judging.checks import Approximation, Identity, Limit
-from verify.judging.printed import PrintedMeasurement
+from verify.judging.published_checks import PrintedMeasurement
+from verify.judging.tolerance_checks import BOTH_WAYS, Agreement, Pair, PaperAgreement, suites
 
 MOST = 30  # segments that shells are solved for
 FOIL = 3000  # thicknesses in a leaf's length, beyond which narrow shells are ill-conditioned

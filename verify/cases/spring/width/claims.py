@@ -13,12 +13,12 @@ from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.width.fem import ENDS
 from verify.cases.spring.width.inputs import WidthInputs
 from verify.core.case import Context
+from verify.core.figures import Array
 from verify.core.results import Row
-from verify.core.shown import Array
 from verify.judging import judge
-from verify.judging.agreement import Pair, farthest
 from verify.judging.checks import Limit, Margin
 from verify.judging.convergence import grid_convergence
+from verify.judging.tolerance_checks import Pair, farthest
 from verify.papers.ledger import published
 
 N_PER_MM = 1e3

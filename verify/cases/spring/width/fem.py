@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from analytic.spring.frame import Head, Tail
 from verify.cases.spring.width.inputs import WidthInputs
 from verify.core.case import FemResult
-from verify.core.shown import Field
+from verify.core.figures import Field
 
 if TYPE_CHECKING:
     from fem.plane.material import Elastic

@@ -12,7 +12,7 @@ from verify.cases.polyhedral.locking.case import LOCKING
 from verify.cases.polyhedral.locking.fem import LockedRing
 from verify.cases.sprag.wedge.case import WEDGE
 from verify.cases.sprag.wedge.sweep import starts_by_fem
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.touching import CONTACT, PENALTY, Touched, posed
 from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity

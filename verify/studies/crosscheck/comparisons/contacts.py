@@ -8,7 +8,7 @@ import numpy as np
 from verify.cases.contact.line.flat import FLAT, disc_fem
 from verify.cases.contact.line.pair import PAIR, pair_fem
 from verify.cases.contact.press_fit.case import PRESS_FIT, fem_fit, read
-from verify.cases.contact.press_fit.shown import WORDS
+from verify.cases.contact.press_fit.figures import WORDS
 from verify.cases.contact.slip.case import SLIP
 from verify.cases.contact.slip.driven import Rollers
 from verify.cases.contact.slip.fem import ZONE

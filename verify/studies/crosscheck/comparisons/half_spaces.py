@@ -16,7 +16,7 @@ from verify.cases.contact.roller.half_space import Pressed, pressed
 from verify.cases.contact.roller.profiles import gap
 from verify.cases.contact.roller.tilted import TILTED
 from verify.cases.contact.sphere.case import SPHERE
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.statement import TAMAAS, Cross, Numbers, Posed, Quantity
 

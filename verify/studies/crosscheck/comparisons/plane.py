@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.crosscheck.statement import Numbers, Posed
 
 if TYPE_CHECKING:

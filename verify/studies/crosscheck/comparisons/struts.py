@@ -7,7 +7,7 @@ import numpy as np
 
 from verify.cases.rotor.clutch.case import CLUTCH
 from verify.cases.rotor.clutch.struts_fem import pinned_by_fem
-from verify.core.shown import Array
+from verify.core.figures import Array
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.statement import CALCULIX, Cross, Posed, Quantity
 

@@ -1,0 +1,218 @@
+"""The command `search`: which reading gives a printed number."""
+
+import json
+import time
+from collections.abc import Iterable
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from verify.app.commands import load
+from verify.cases.registry import CASES, find
+from verify.core import units
+from verify.core.case import Case
+from verify.core.console import aligned, raised
+from verify.core.inputs import InputError, Inputs
+from verify.core.progress import Show, State, shown
+from verify.core.suggestions import nearest
+from verify.papers.digits import is_number
+from verify.papers.ledger import published
+from verify.studies.readings.generic import numbers, printed_rounding, readings, value_of
+from verify.studies.readings.problem import Problem
+from verify.studies.readings.registry import PROBLEMS, WITHOUT_FORMULA
+from verify.studies.readings.search import EVIDENCE, Outcome, Progress, search
+
+MOST = 3  # changes at once
+SHOWN = 12  # hits
+
+
+def run_search(
+    name: str,
+    *,
+    key: str,
+    printed: str,
+    unit: str,
+    file: Path | None,
+    changes: int,
+    rounded: bool,
+    as_json: bool,
+) -> int:
+    """Search and print what was found: 0 where a reading gives the number, 1 where none does."""
+    if not 0 <= changes <= MOST:
+        raise InputError(f"--changes is 1 to {MOST}, got {changes}")
+    known = {problem.reference: problem for problem in PROBLEMS}
+    if name in known and not (key or printed or file):
+        problem = known[name]
+        outcome, about = problem.search(changes), _about(problem)
+    else:
+        with shown(quiet=as_json) as show:
+            outcome, about = _generic(
+                name, key, printed, unit, file, most=changes or 2, rounded=rounded, show=show
+            )
+    print(json.dumps(_record(outcome, about), ensure_ascii=False) if as_json
+          else raised("\n".join(_lines(outcome, about))))  # fmt: skip
+    return 0 if outcome.met or outcome.hits else 1
+
+
+def _about(problem: Problem) -> dict[str, Any]:
+    return {"name": problem.reference, "case": problem.case, "what": problem.what,
+            "printed": problem.printed, "unit": problem.printed_unit, "place": problem.place,
+            "errata": list(problem.errata)}  # fmt: skip
+
+
+def _generic(
+    name: str,
+    key: str,
+    printed: str,
+    unit: str,
+    file: Path | None,
+    *,
+    most: int,
+    rounded: bool,
+    show: Show,
+) -> tuple[Outcome, dict[str, Any]]:
+    """Of a case's formula value, with the readings that its inputs offer by their kind."""
+    case, key, reference = _asked(name, key)
+    inputs = case.inputs() if file is None else _of_file(file, case)
+    values = case.analytic(inputs)
+    if key not in values:
+        raise InputError(f"--key {key}: {case.id} has {_keys(key, values)}")
+    if reference and not printed:
+        printed, unit = published(reference).printed, unit or published(reference).unit
+    if not is_number(printed):
+        raise InputError(f"--printed needs a number in its digits such as 12.30, got {printed!r}")
+    shown = next((o.unit for o in case.outputs if o.key == key), unit or "1")
+    unit = unit or shown
+    if units.dimensions(unit) != units.dimensions(shown):
+        raise InputError(f"--unit {unit}: {key} is in {shown}")
+    factor = units.factor(unit)
+    try:
+        outcome = search(
+            lambda q: value_of(case, inputs, q, key) / factor, numbers(inputs), printed,
+            readings(inputs), rounding=printed_rounding(inputs) if rounded else {}, most=most,
+            progress=_progress(show, case.id),
+        )  # fmt: skip
+    except ValueError as error:
+        raise InputError(f"--printed {printed}: {error}") from error
+    about = {"name": reference or f"{case.id}, {key}", "case": case.id, "what": key,
+             "printed": printed, "unit": unit, "place": "", "errata": []}  # fmt: skip
+    return outcome, about
+
+
+def _progress(show: Show, name: str) -> Progress:
+    """What a search tells while it works."""
+    start = time.monotonic()
+
+    def told(done: int, total: int) -> None:
+        left = (time.monotonic() - start) * (total - done) / max(done, 1)
+        show(State(done, total, (name,), left, "combinations"))
+
+    return told
+
+
+def _of_file(file: Path, case: Case) -> Inputs:
+    _, other, inputs, _ = load(file)
+    if other is not case:
+        raise InputError(f"{file}: is of {other.id}, asked for is {case.id}")
+    return inputs
+
+
+def _asked(name: str, key: str) -> tuple[Case, str, str]:
+    """The case, its key and the printed number that `name` means: CASE, CASE/row or paper:id."""
+    if ":" in name.partition("/")[0]:
+        return _claimed(name)
+    case_id, _, row = name.partition("/")
+    try:
+        case = find(case_id)
+    except ValueError as error:
+        raise InputError(
+            f"{error}; numbers with readings of their own are {_references(name)}"
+        ) from error
+    if not row:
+        if not key:
+            keys = _keys("", case.analytic(case.inputs()))
+            raise InputError(f"{case.id} needs --key, one of {keys}")
+        return case, key, ""
+    for check in case.checks:
+        if getattr(check, "name", "") == row and (found := getattr(check, "analytic", "")):
+            return case, found, getattr(check, "reference", "")
+    raise InputError(
+        f"{case.id} has no row {row!r} with a formula, see freewheel explain {case.id}"
+    )
+
+
+def _keys(key: str, values: Iterable[str]) -> str:
+    """All keys that a formula value of the case can be searched by, those like `key` first."""
+    every = list(values)
+    return nearest(key, every, most=len(every), between="; ")
+
+
+def _references(name: str) -> str:
+    return nearest(name, [p.reference for p in PROBLEMS])
+
+
+def _claimed(name: str) -> tuple[Case, str, str]:
+    """The row that sets a formula beside a printed number."""
+    try:
+        published(name)
+    except KeyError as error:
+        raise InputError(
+            f"there is no printed number {name}; numbers with readings of their own are "
+            f"{_references(name)}"
+        ) from error
+    for case in CASES:
+        for check in case.checks:
+            if getattr(check, "reference", "") == name and (key := getattr(check, "analytic", "")):
+                return case, key, name
+    why = WITHOUT_FORMULA.get(name, "no row sets a formula beside it")
+    raise InputError(f"{name}: nothing to search: {why}")
+
+
+def _record(outcome: Outcome, about: dict[str, Any]) -> dict[str, Any]:
+    plain = outcome.as_it_stands
+    return about | {
+        "as_it_stands": None if plain is None else plain.value, "met": outcome.met,
+        "tried": outcome.tried, "without_value": outcome.without_value,
+        "hits": [asdict(hit) for hit in outcome.hits], "chance": list(outcome.chance),
+        "is_evidence": outcome.is_evidence,
+    }  # fmt: skip
+
+
+def _lines(outcome: Outcome, about: dict[str, Any]) -> list[str]:
+    """What is searched, what the formula gives as it stands, the hits, and how far they go."""
+    unit = "" if about["unit"] == "1" else f" {about['unit']}"
+    plain = outcome.as_it_stands
+    gives = "has no value" if plain is None else f"gives {plain.value:.6g}{_off(plain.off)}{unit}"
+    found = [f"{about['name']}: {about['printed']}{unit}; {about['what']} {gives}"]
+    if about["place"]:
+        found[0] += f" ({about['place']})"
+    if outcome.met:
+        found.append("met as it stands, within the printed digits and the rounding of the inputs")
+    table = [("changes", "value", "reading")] + [
+        (str(hit.changes), f"{hit.value:.6g}{_off(hit.off)}", " and ".join(hit.readings))
+        for hit in outcome.hits[:SHOWN]
+    ]
+    if outcome.hits:
+        found += [f"  {line}" for line in aligned(table)]
+    if len(outcome.hits) > SHOWN:
+        found.append(f"  and {len(outcome.hits) - SHOWN} more")
+    lost = f", {outcome.without_value} without a value" if outcome.without_value else ""
+    found.append(f"{outcome.tried} combinations tried{lost}; {_weight(outcome)}")
+    if about["errata"]:
+        found.append(f"ledger: {', '.join(about['errata'])}")
+    return found
+
+
+def _off(off: float) -> str:
+    return f" ± {off:.2g}" if off else ""
+
+
+def _weight(outcome: Outcome) -> str:
+    """How much a hit says."""
+    if outcome.best is None:
+        return "no other reading is needed" if outcome.met else "none reproduces the number"
+    chance = f"expected by chance: {outcome.accidental:.2g} hits with as few changes"
+    if outcome.met:
+        return f"{chance}; no other reading is needed"
+    said = "calibrated, for it was chosen because it fits"
+    return f"{chance}; {said if outcome.is_evidence else f'not evidence (above {EVIDENCE:g})'}"

@@ -1,0 +1,117 @@
+"""What is noted before the first mutant: states, times and called functions, kept between runs."""
+
+import json
+import time
+from collections import deque
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from verify.audit.mutation.digest import digest
+from verify.audit.mutation.sandbox import Task, answers
+from verify.audit.mutation.tracing import called
+from verify.audit.mutation.workload import Load, States
+from verify.core.case import Case
+from verify.core.files import write_whole
+from verify.core.inputs import InputError
+from verify.core.progress import Show, State
+from verify.jobs import cache
+
+FOLDER = "mutants"
+JUDGING = 300.0  # s for a case to be judged with every call noted
+SOLVING = 400.0  # s for a case's coarsest level
+TESTING = 900.0  # s for a file of tests
+
+EXPECTED = 4.0  # s for a note, before any is made
+
+
+@dataclass(frozen=True)
+class Noted:
+    """Unchanged code at work: the functions that it calls, its seconds, and states of rows."""
+
+    seconds: float
+    functions: tuple[str, ...]
+    states: States
+
+
+@dataclass(frozen=True)
+class Notes:
+    """A file for each kind of note in the cache's folder."""
+
+    folder: Path
+    jobs: int
+    show: Show
+
+    def cases(self, loads: Sequence[Load]) -> dict[str, Noted]:
+        """What judging each case calls; by the cases' ids."""
+        code = digest("analytic", "verify")
+        work = {f"{load.case.id} {code}": partial(_judge, load) for load in loads}
+        found = self._noted("cases", "judging", work, JUDGING)
+        return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
+
+    def elements(self, cases: Sequence[Case]) -> dict[str, Noted]:
+        """What solving each case's coarsest level calls."""
+        work = {
+            f"{case.id} {cache.key(case, case.inputs(), case.levels[0])}": partial(_solve, case)
+            for case in cases
+        }
+        found = self._noted("elements", "solving", work, SOLVING, needed=False)
+        return {name.partition(" ")[0]: Noted(*one) for name, one in found.items()}
+
+    def tests(self, kind: str, files: Sequence[str]) -> dict[str, tuple[float, Sequence[str]]]:
+        """Seconds and called functions of all tests of the files."""
+        from verify.audit.mutation import suite  # pytest, which a user's environment may not have
+
+        tested = suite.TESTED[kind]
+        work = {f"{path} {digest(*tested, path)}": partial(suite.traced, path) for path in files}
+        found = self._noted(f"tests-{kind}", "testing", work, TESTING)
+        return {test: tuple(one) for tests in found.values() for test, one in tests.items()}
+
+    def _noted(
+        self, kind: str, doing: str, work: Mapping[str, Callable[[], Any]], limit: float,
+        *, needed: bool = True,
+    ) -> dict[str, Any]:  # fmt: skip
+        """What the file has, and what it lacks worked out; the file holds no more than `work`."""
+        path = self.folder / f"{kind}.json"
+        known = {name: one for name, one in _read(path).items() if name in work}
+        missing = [name for name in work if name not in known]
+        tasks = deque(Task(name, work[name], limit) for name in missing)
+        start = time.monotonic()
+        for n, answer in enumerate(answers(tasks, self.jobs), start=1):
+            name = str(answer.key)
+            if answer.failure and needed:
+                raise InputError(f"{doing} {name.partition(' ')[0]}: {answer.failure}")
+            known[name] = answer.value
+            _write(path, known)
+            left = (time.monotonic() - start) / n * (len(missing) - n)
+            done = (name.partition(" ")[0],)
+            self.show(State(n, len(missing), done, left, what=f"{doing} unchanged code"))
+        return {name: known[name] for name in work if known.get(name) is not None}
+
+
+def _read(path: Path) -> dict[str, Any]:
+    with suppress(OSError, ValueError):
+        return dict(json.loads(path.read_text("utf-8")))
+    return {}
+
+
+def _write(path: Path, known: Mapping[str, Any]) -> None:
+    text = json.dumps(known, ensure_ascii=False, separators=(",", ":"))
+    write_whole(path, lambda file: file.write(text.encode()))
+
+
+def _judge(load: Load) -> list[Any]:
+    start = time.process_time()
+    judged, functions = called(load.judged)
+    if judged.errors:
+        raise judged.errors[0]
+    return [time.process_time() - start, functions, judged.states]
+
+
+def _solve(case: Case) -> list[Any]:
+    start = time.process_time()
+    _, functions = called(lambda: case.reference(case.inputs(), case.levels[0]))
+    return [time.process_time() - start, functions, {}]

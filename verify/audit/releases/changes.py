@@ -1,0 +1,52 @@
+"""The run beside the newest release, and what of it the terminal prints."""
+
+from collections.abc import Sequence
+
+from verify.audit.releases.compare import drift
+from verify.audit.releases.reasons import read
+from verify.audit.releases.store import newest
+from verify.core.results import CaseResult, Change, Drift
+
+WITHOUT = "tolerance loosened without a reason"
+MOST = 12  # lines of what moved; the report has all
+
+
+def since(results: Sequence[CaseResult]) -> Drift | None:
+    """What moved since the newest release; None before the first.
+
+    InputError where a file of releases or of reasons cannot be read.
+    """
+    release = newest()
+    return None if release is None else drift(release, results, read())
+
+
+def lines(found: Drift) -> list[str]:
+    """One line where nothing moved; else what was loosened first, and a part of the rest."""
+    head = f"since {found.release}: {summary(found)}"
+    red = [f"{WITHOUT}: {line(c)}" for c in found.unexplained]
+    explained = [f"  {line(c)}" for c in found.changes if c.loosened and c.reason]
+    other = [f"  {line(c)}" for c in found.changes if not c.loosened]
+    if len(other) > MOST:
+        other = [*other[:MOST], f"  and {len(other) - MOST} more, see the report"]
+    unused = [f"  a reason that nothing asks for: {text}" for text in found.unused]
+    return [head, *red, *explained, *other, *unused]
+
+
+def summary(found: Drift) -> str:
+    """The counts in words: "1672 rows compared, nothing moved"."""
+    loosened = sum(c.loosened for c in found.changes)
+    counts = [
+        (len(found.changes) - loosened, "{} changed"),
+        (loosened, "{} loosened"),
+        (len(found.unexplained), "{} of them without a reason"),
+        (found.tightened, "{} tightened"),
+    ]
+    told = [words.format(n) for n, words in counts if n]
+    return ", ".join([f"{found.compared} rows compared", *(told or ["nothing moved"])])
+
+
+def line(change: Change) -> str:
+    """One change in words, with the reason where one is stated."""
+    size = f" ({change.size})" if change.size else ""
+    why = f"; {change.reason}" if change.reason else ""
+    return f"{change.row}: {change.aspect} {change.was} -> {change.now}{size}{why}"

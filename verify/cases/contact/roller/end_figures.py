@@ -1,0 +1,139 @@
+"""What the report shows of a roller's end face."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.contact.edge import edge_exponent
+from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller.end_fem import CROWNS, EDGE, EndInputs
+from verify.cases.contact.roller.end_formulas import on_half_space
+from verify.cases.contact.roller.inputs import STRETCH
+from verify.core.case import Context, Values
+from verify.core.figures import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
+from verify.core.tex import tex
+
+MPa, mm = shown.MPa, shown.mm
+BODIES = {"end": "end face", "control": "both bodies go on"}
+EDGE_DRAWN = 5e-3
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.fem:
+        return ()
+    return (*(line_loads(context, crown) for crown in CROWNS), edge(context))
+
+
+def line_loads(context: Context, crown: str) -> Figure:
+    """Line load along half the roller: with an end face, without, and on a half-space."""
+    q, arrays = context.inputs, context.fem[-1].arrays
+    on = on_half_space(q, crown)
+    half = on.y > 0
+    curves = [Curve(name="half-space", x=on.y[half] / mm, y=on.line_load[half] / 1e3,
+                    style="dashes", colour=4)]  # fmt: skip
+    for i, (name, words) in enumerate(BODIES.items()):
+        y, line = (arrays[f"{name} {crown} {key}"] for key in "yq")
+        curves.append(Curve(name=f"FE, {words}", x=y / mm, y=line / 1e3, colour=2 * i))
+    return Curves(
+        title=f"Line load towards the end, {crown}", x_label="y [mm]", y_label="q [N/mm]",
+        curves=tuple(curves), y_top=1.7 * q.F / q.L / 1e3,
+        note="Where both bodies go on, the half-space is nearly right; a free end face deflects "
+        "more, and the load goes to the middle.",
+    )  # fmt: skip
+
+
+def edge(context: Context) -> Figure:
+    """Pressure of a ring near its edge on a longer shaft, with Williams' slope."""
+    arrays = context.fem[-1].arrays
+    d, p = arrays["edge distance"], arrays["edge pressure"]
+    near = (d > EDGE / 20) & (d < 0.1)
+    x, y = np.log10(d[near]), np.log10(p[near] / p[np.argmin(np.abs(d - EDGE_DRAWN))])
+    at = np.array([x.min(), x.max()])
+    k, middle = edge_exponent(np.pi / 2), float(np.log10(EDGE_DRAWN))
+    return Curves(
+        title="How sharp the edge of an end face is", x_label="log10 distance/radius",
+        y_label="log10 p/p(0.005)",
+        curves=(
+            Curve(name="FE, ring on a longer shaft", x=x, y=y, style="dots"),
+            Curve(name=f"slope {k:.3f}", x=at, y=k * (at - middle), colour=2),
+            Curve(name="slope −0.5, half-space", x=at, y=-0.5 * (at - middle), style="dashes",
+                  colour=4),
+        ),
+        note="Axisymmetric: near its edge a ring is a right angle on a flat, as the section of a "
+        "roller along its axis is.",
+    )  # fmt: skip
+
+
+def sketch(q: EndInputs) -> Sketch:
+    """Section along the axes: the roller between two races."""
+    end, h = 1.6, min(q.overhang / q.L * 3.2, 1.6)
+    r, race = 0.55, 1.0
+    wide = end + h
+
+    def box(x0: float, y0: float, x1: float, y1: float) -> Array:
+        return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+
+    shapes = (
+        Shape(style="text", points=shown.line((-5.2, 0.0))),
+        Shape(style="text", points=shown.line((5.2, 0.0))),
+        Shape(style="body", points=box(-wide, -r - race, wide, -r)),
+        Shape(style="body", points=box(-wide, r, wide, r + race)),
+        Shape(style="body", points=box(-end, -r, end, r)),
+        Shape(style="modelled", points=box(0, -r - race, wide, -r)),
+        Shape(style="modelled", points=box(0, -r, end, r)),
+        Shape(style="axis", points=shown.line((-wide - 0.3, 0.0), (wide + 0.3, 0.0))),
+        Shape(style="axis", points=shown.line((0.0, -r - race - 0.2), (0.0, r + race + 0.2))),
+        Shape(
+            style="load",
+            points=shown.line((0.0, r + race + 0.7), (0.0, r + race + 0.1)),
+            label=f"F = {q.F:.4g} N",
+        ),
+        Shape(style="load", points=shown.line((0.0, -r - race - 0.7), (0.0, -r - race - 0.1))),
+        Shape(
+            style="dimension",
+            points=shown.line((end, -r - race - 0.6), (wide, -r - race - 0.6)),
+            label=f"h = {q.overhang / mm:.4g} mm",
+        ),
+        Shape(
+            style="leader",
+            points=shown.line((-wide - 0.8, 0.35), (-end + 0.1, 0.25)),
+            label=f"R_1 = {q.R_1 / mm:.4g} mm",
+        ),
+        Shape(
+            style="leader",
+            points=shown.line((-wide - 0.8, -1.2), (-wide + 0.1, -1.1)),
+            label=f"R_2 = {q.R_2 / mm:.4g} mm",
+        ),
+        Shape(style="leader", points=shown.line((wide + 0.6, 0.3), (end, 0.2)), label="end face"),
+    )
+    return Sketch(title=f"roller, {q.L / mm:.4g} mm long, between two equal races, halves",
+                  shapes=shapes)  # fmt: skip
+
+
+def equations(_: EndInputs, v: Values) -> Sequence[Equation]:
+    return (
+        Equation(tex=r"p \propto r^{\lambda - 1},\quad \lambda(90^\circ)",
+                 numbers=rf"= {tex(1 + v['edge'])}", place="Williams; Dundurs and Lee"),
+        Equation(tex=r"F_d = 2\int_{l/2-d}^{l/2} q\,dy",
+                 numbers=rf"= {tex(v['flat ends'])}\ \mathrm{{N}},\ "
+                 rf"{tex(v['crowned ends'])}\ \mathrm{{N}}",
+                 place="half-space: without and with the crown"),
+    )  # fmt: skip
+
+
+def pictures(_: EndInputs) -> Sequence[Picture]:
+    return (
+        Picture(field="patch", data="pressure", symbol="p", unit="MPa", factor=MPa,
+                caption="Pressure on the patch of the roller without crown, with its end faces; "
+                f"lengths across are drawn {STRETCH:.0f} times as long", displacement=""),
+    )  # fmt: skip
+
+
+def warnings(q: EndInputs, v: Values) -> Sequence[str]:
+    found = []
+    if v["crowned share"] > 1.2 * 2 * q.d / q.L or v["flat share"] > 1.2 * 2 * q.d / q.L:
+        found.append(
+            "a half-space puts more load on the ends than a roller's end face can carry: "
+            "its pressures near a loaded end are too high"
+        )
+    return found

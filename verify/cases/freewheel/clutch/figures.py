@@ -1,0 +1,240 @@
+"""What the report shows of one's own freewheel: where it holds, its course, its scatter."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.freewheel import criterion, state
+from analytic.freewheel.state import State
+from verify.cases.freewheel.clutch.fem import GRID, off
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import (
+    WORDS,
+    as_axial_load_grows,
+    as_torque_grows,
+    end,
+    largest_axial_load,
+    of_torque_alone,
+    under,
+)
+from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
+from verify.cases.freewheel.clutch.sketch import cup
+from verify.cases.freewheel.torque import figures as freewheel_torque_shown
+from verify.core.case import Context, Values
+from verify.core.figures import Array, Bars, Curve, Curves, Equation, Figure, Sketch, Zone, Zones
+from verify.core.tex import tex
+
+DEGREE = math.degrees(1.0)
+POINTS = 241
+WIDE, HIGH = 2.0, 2.2  # of T, F_ax: how far figures reach at least
+AT_END = 1e-6  # of the torque: how near the last one of a figure is to the last that has a state
+DRAWN = np.linspace(0.1, 99.9, 200)  # per cent of the clutches
+
+
+def sketch(q: ClutchInputs) -> Sketch:
+    return freewheel_torque_shown.sketch(q) if q.is_star else cup(q)
+
+
+def equations(q: ClutchInputs, v: Values) -> Sequence[Equation]:
+    R, r, X = tex(q.R * 1e3), tex(q.r * 1e3), tex(q.X * 1e3, 7)
+    star = q.is_star
+    found = [Equation(
+        tex=r"\cos 2\alpha_0 = \frac{X + r}{R - r}" if star
+        else r"\cos 2\alpha_0 = \frac{X - r}{R + r}",
+        numbers=rf"= \frac{{{X} {'+' if star else '-'} {r}}}{{{R} {'-' if star else '+'} {r}}} "
+        rf"\Rightarrow \alpha_0 = {tex(v['alpha_0'] * DEGREE, 5)}°",
+        place="Eq. 4, corrected" if star else "Eq. 4, for an outer cam",
+    )]  # fmt: skip
+    if "mu_req" not in v:
+        return found
+    tan = tex(math.tan(v["alpha"]), 5)
+    found.append(Equation(
+        tex=r"\mu_{req} = \tan\alpha\,\sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2}",
+        numbers=rf"= {tan}\sqrt{{1 + \left({tex(q.F_ax * q.R / q.T)}\right)^2}} = "
+        rf"{tex(v['mu_req'])}, \quad \frac{{\mu}}{{\mu_{{req}}}} = {tex(v['safety'])}",
+        place="Eqs. 8 to 10; F_ax on the whole clutch, μ_req has a symbol of its own",
+    ))  # fmt: skip
+    if v["F slip"] > 0:
+        found.append(Equation(
+            tex=r"F_{ax,lim} = \frac{T}{R}\sqrt{\left(\frac{\mu}{\tan\alpha}\right)^2 - 1}",
+            numbers=rf"= {tex(v['F slip'])}\ \mathrm{{N}}", place="Eq. 9, solved",
+        ))  # fmt: skip
+    return (*found, Equation(
+        tex=r"\varphi = \frac{1}{R}\int\frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
+        numbers=rf"= {tex(v['phi'] * DEGREE, 5)}°, \quad \frac{{s}}{{R}} + \frac{{s}}{{X}} = "
+        rf"{tex(v['phi printed'] * DEGREE, 5)}°",
+        place="Eq. 7, corrected, and as printed",
+    ))  # fmt: skip
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    q = context.inputs
+    if under(q) is None:
+        return ()
+    found: list[Figure] = [lights(q), angles(q), ways(q, context)]
+    if context.fem:
+        found.append(flats(q, context))
+    if (ensemble := scatter(q)) is not None:
+        found += [
+            cumulated("Clamping angle of the clutches made", "α_0 [°]",
+                      ensemble.drawn.alpha0 * DEGREE, float(q.cam.alpha0) * DEGREE),
+            cumulated("Friction of the clutches made", "μ/μ_req", ensemble.safety,
+                      context.analytic["safety"], limits=True),
+        ]  # fmt: skip
+    if any(s.share for s in slopes(q)):
+        found.append(sensitivity(q))
+    return found
+
+
+def reach(q: ClutchInputs) -> float:
+    """The largest torque [N m] of figures: to the limit after next, within what has a state."""
+    ahead = [limit.at for limit in as_torque_grows(q) if limit.at > q.T]
+    most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
+    return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * end(q))
+
+
+def lights(q: ClutchInputs) -> Zones:
+    T = np.linspace(0.0, reach(q), POINTS)
+    T[0] = 1e-6 * T[-1]
+    alpha = state.loaded(q.clutch, T).alpha
+    F = {
+        share: np.nan_to_num(criterion.largest_axial_load(
+            alpha=alpha, T=T, R=q.cam.race, mu=q.mu / share)) / 1e3
+        for share in (criterion.GREEN, criterion.RED)
+    }  # fmt: skip
+    top = max(HIGH * q.F_ax / 1e3, 1.15 * float(F[criterion.RED].max()), 1e-3)
+    curves = [
+        Curve(name=f"{limit.words}", x=np.full(2, limit.at), y=np.array([0.0, top]),
+              style="dashes", colour=k)
+        for k, limit in enumerate(as_torque_grows(q)[:3])
+        if limit.key != "slip" and limit.at <= T[-1]
+    ]  # fmt: skip
+    through = float(of_torque_alone(q).pop_through)
+    if through < (1 + AT_END) * T[-1]:
+        curves.append(Curve(name=f"the map ends: {WORDS['pop_through']}", x=np.full(2, T[-1]),
+                            y=np.array([0.0, top]), style="dashes", colour=3))  # fmt: skip
+    lifted = [x for x in as_axial_load_grows(q) if x.key != "slip" and x.at / 1e3 < 0.98 * top]
+    curves += [
+        Curve(name=f"{limit.words}, at this torque", x=T[[0, -1]],
+              y=np.full(2, limit.at / 1e3), style="dashes", colour=4)
+        for limit in lifted
+    ]  # fmt: skip
+    free = "torque alone slips" if float(np.tan(q.cam.alpha0)) > q.mu else ""
+    return Zones(
+        title="Where the clutch holds" + (f": {free}" if free else ""), x_label="T [N m]",
+        y_label="F_ax [kN]", x=T, y_top=top, zones=_zones(q, T, F, top),
+        curves=tuple(curves), point=(q.T, q.F_ax / 1e3, "this clutch"),
+        note="Green where μ ≥ μ_req, which is Coulomb's law, within pressure and tilt; yellow "
+        "where μ ≥ 0.8 μ_req: it slips by Coulomb's law, in the paper's tests at times.",
+    )  # fmt: skip
+
+
+def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tuple[Zone, ...]:
+    """Classes over the torque, by the worst limit: F [kN] are those of friction."""
+    within = float(of_torque_alone(q).corner) >= T
+    holds, slips = (np.where(within, F[share], 0.0) for share in (criterion.GREEN, criterion.RED))
+    borne = np.fmin(holds, largest_axial_load(q, T) / 1e3)
+    return (
+        Zone(name="green: holds", top=borne, tone="good"),
+        Zone(name="friction holds, overloaded", top=holds, tone="fair"),
+        Zone(name="yellow: slips by Coulomb", top=slips, tone="fair"),
+        Zone(name="red: slips", top=np.where(within, top, 0.0), tone="bad"),
+        Zone(name="red: past the corners", top=np.full(T.size, top), tone="bad"),
+    )
+
+
+def _states(q: ClutchInputs) -> tuple[Array, State]:
+    T = np.linspace(0.0, min(WIDE * q.T, (1 - 1e-9) * end(q)), POINTS)
+    T[0] = 1e-6 * T[-1]
+    return T, state.loaded(q.clutch, T)
+
+
+def angles(q: ClutchInputs) -> Curves:
+    T, now = _states(q)
+    tan = math.atan(q.mu) * DEGREE
+    asked = np.arctan(criterion.required_friction(alpha=now.alpha, T=T, F_ax=q.F_ax, R=q.cam.race))
+    return Curves(
+        title="Clamping angle and required friction", x_label="T [N m]", y_label="[°]",
+        curves=(
+            Curve(name="α", x=T, y=now.alpha * DEGREE),
+            Curve(name="arctan μ_req, with F_ax", x=T, y=asked * DEGREE, colour=2),
+            Curve(name="arctan μ", x=T[[0, -1]], y=np.full(2, tan), style="dashes", colour=1),
+            Curve(name="this clutch", x=np.array([q.T]), style="dots", colour=5,
+                  y=np.interp([q.T], T, now.alpha * DEGREE)),
+        ),
+        y_bottom=0.0, y_top=1.7 * max(tan, float(now.alpha.max()) * DEGREE),
+        note="It holds where the friction asked for lies below μ.",
+    )  # fmt: skip
+
+
+def flats(q: ClutchInputs, context: Context) -> Curves:
+    """Both angles over the distance of the flats, a few µm to either side."""
+    far = 2 * off(q)
+    X = np.linspace(-far, far, 41)
+    moved = [q.moved(dX) for dX in X]
+    low, own, high = context.fem[-1].arrays["moved"] * DEGREE
+    return Curves(
+        title="Sensitivity to X", x_label="X off by [µm]", y_label="α [°]",
+        curves=(
+            Curve(name="α under T", x=X * 1e6,
+                  y=np.array([float(state.loaded(c, q.T).alpha) for c in moved]) * DEGREE),
+            Curve(name="α_0", x=X * 1e6, style="dashes", colour=4,
+                  y=np.array([float(c.cam.alpha0) for c in moved]) * DEGREE),
+            Curve(name="FE under T", x=np.array([-off(q), 0.0, off(q)]) * 1e6, colour=1,
+                  y=np.array([low, own, high]), style="dots"),
+        ),
+        y_bottom=0.97 * float(moved[-1].cam.alpha0) * DEGREE,
+        note="Load makes up for a part of it: the angle under torque turns less than α_0.",
+    )  # fmt: skip
+
+
+def ways(q: ClutchInputs, context: Context) -> Curves:
+    T, now = _states(q)
+    measured = () if not context.fem else (
+        Curve(name="FE, ∫dU/T", x=GRID * q.T, y=context.fem[-1].arrays["profile, phi"] * DEGREE,
+              style="dots", colour=1),
+    )  # fmt: skip
+    return Curves(
+        title="Torsion", x_label="T [N m]", y_label="φ [°]",
+        curves=(
+            Curve(name="exact rolling (Eq. 7, corrected)", x=T, y=now.phi * DEGREE),
+            Curve(name="Eq. 7 as printed, s/R + s/X", x=T, y=now.phi_printed * DEGREE,
+                  style="dashes", colour=2),
+            Curve(name="2s/R", x=T, y=now.phi_small * DEGREE, style="dashes", colour=4),
+            *measured,
+        ),
+        note=f"At T the rollers have moved by s = {float(under(q).s) * 1e6:.4g} µm."  # type: ignore[union-attr]
+    )  # fmt: skip
+
+
+def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
+    """Per cent of the clutches below a value, with the one that is drawn and the classes."""
+    ends = np.percentile(x, DRAWN)
+    full = np.array([0.0, 100.0])
+    lines = [(drawn, "as drawn", 5)]
+    if limits:
+        lines += [(criterion.GREEN, "green from here on", 1), (criterion.RED, "red below", 2)]
+    return Curves(
+        title=title, x_label=label, y_label="below it [%]",
+        curves=(
+            Curve(name="clutches", x=ends, y=DRAWN),
+            *(Curve(name=name, x=np.full(2, at), y=full, style="dashes", colour=k)
+              for at, name, k in lines),
+        ),
+        note=f"{DRAWS:,} draws of the tolerances, always the same ones; all rollers of a clutch "
+        "alike.",
+    )  # fmt: skip
+
+
+def sensitivity(q: ClutchInputs) -> Bars:
+    by = slopes(q)
+    return Bars(
+        title="What makes the clamping angle scatter", label="share of the variance of α_0 [%]",
+        items=tuple(
+            (f"{s.name}, ±{getattr(q, f'{s.name}_tol') * 1e6:.3g} µm", 100 * s.share,
+             f"{100 * s.share:.0f} %, {s.slope * 1e-6 * DEGREE:+.3f}°/µm".replace("-", "−"))
+            for s in by
+        ),
+        note="To first order.",
+    )  # fmt: skip

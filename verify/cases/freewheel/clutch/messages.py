@@ -1,0 +1,137 @@
+"""What is told of a freewheel first: its class, what ends its work, what tolerances do."""
+
+import math
+from collections.abc import Sequence
+
+from verify.cases.freewheel.clutch.course import axial, tilted, torque, where_friction_holds
+from verify.cases.freewheel.clutch.inputs import ClutchInputs
+from verify.cases.freewheel.clutch.limits import Limit, allowed_shift, end, of_torque_alone, under
+from verify.cases.freewheel.clutch.model import light, past_corners
+from verify.cases.freewheel.clutch.numbers import newton, newton_metres, pascal, share
+from verify.cases.freewheel.clutch.recommendations import advice, sensitive
+from verify.cases.freewheel.clutch.scatter import DRAWS
+from verify.core.case import Values
+
+DEGREE = math.degrees(1.0)
+
+
+def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
+    found = [f"{light(q, v)}: {verdict(q, v)}", *advice(q, v)]
+    if under(q) is not None and v["mu_0"] <= q.mu:
+        found += torque(q, v)
+        if not past_corners(q, v):
+            found += axial(q, v) + tilted(q, v)
+    found += scattered(q, v) + sensitive(q, v)
+    if under(q) is not None and light(q, v) in ("red", "yellow"):
+        found.append("forces, pressures, way and torsion below are those it would have if it held")
+    return found
+
+
+def verdict(q: ClutchInputs, v: Values) -> str:
+    """Why the class is what it is, and what Coulomb says."""
+    if q.T < 0:
+        return "the torque turns against the locking direction: the clutch overruns, and the "\
+            "criterion does not apply"  # fmt: skip
+    if v["mu_0"] > q.mu:
+        ratio = "" if "safety" not in v else f" (μ/μ_req = {v['safety']:.3g})"
+        return f"tan α_0 = {v['mu_0']:.4g} exceeds μ = {q.mu:g}: the clutch releases itself, any "\
+            f"torque drives the rollers out of their wedges{ratio}"  # fmt: skip
+    if q.T == 0:
+        if q.F_ax == 0:
+            wedge = f"tan α_0 = {v['mu_0']:.4g} is within μ = {q.mu:g}, the rollers wedge"
+            return f"at rest; {wedge}; {where_friction_holds(q)}"
+        return f"without torque nothing presses the rollers: F_ax = {newton(q.F_ax)} meets no "\
+            "friction"  # fmt: skip
+    if "safety" not in v:
+        last = "pop_through" if math.isfinite(of_torque_alone(q).pop_through) else "hertz"
+        return f"no equilibrium at T = {newton_metres(q.T)}: {Limit(last, end(q)).words} at "\
+            f"{newton_metres(end(q))}"  # fmt: skip
+    needs = f"required friction coefficient {v['mu_req']:.4g}, available {q.mu:g}"
+    ratio = f"μ/μ_req = {v['safety']:.4g}"
+    if past_corners(q, v):
+        alone = "friction alone would hold" if v["safety"] >= 1 else "friction would slip, too"
+        at = f"T_c = {newton_metres(v['T corner'])}"
+        return f"the rollers are past the flats' corners ({at}); {alone}, {ratio}"
+    if light(q, v) == "overloaded":
+        return f"{ratio}: friction holds ({needs}), {beyond(q, v)}"
+    if v["safety"] >= 1:
+        return f"{ratio}: by Coulomb's law it holds ({needs})"
+    seen = "; yellow is what the paper grants by observation" if light(q, v) == "yellow" else ""
+    return f"{ratio}: by Coulomb's law it slips ({needs}){seen}"
+
+
+def beyond(q: ClutchInputs, v: Values) -> str:
+    """What of an overloaded clutch is beyond its limit."""
+    found = []
+    if q.p_lim is not None and v.get("p_end", math.inf) > q.p_lim:
+        even = max(v["p_i"], v["p_o"])
+        part = "inner" if v["p_i"] >= v["p_o"] else "outer"
+        bear = f"the {part} contacts bear {pascal(even)}" if even > q.p_lim else \
+            f"the rollers' ends bear {pascal(v['p_end'])}" if "p_end" in v else \
+            "one end of the rollers bears everything"  # fmt: skip
+        found.append(f"contacts are overloaded: {bear}, p_lim is {pascal(q.p_lim)}")
+    if v["e/L"] > allowed_shift(q):
+        found.append(f"the rollers tilt: e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}")
+    return " and ".join(found)
+
+
+def scattered(q: ClutchInputs, v: Values) -> list[str]:
+    if "P(slip)" not in v:
+        return []
+    given = [
+        f"±{t * 1e6:.3g} µm on {name}"
+        for name, t in (("X", q.X_tol), ("r", q.r_tol), ("R", q.R_tol)) if t > 0
+    ] + ([f"μ {q.mu:g} ± {q.s_mu:g}"] if q.s_mu > 0 else [])  # fmt: skip
+    shares = ", ".join(f"{share(v[f'share {c}'])} {c}" for c in ("green", "yellow", "red"))
+    through = "let the rollers through" if not q.is_star else "have contacts too wide to tell"
+    lost = [
+        f"{share(v[f'P({key})'])} {words}"
+        for key, words in (("no wedge", "have no wedge"), ("no state", through),
+                           ("corner", "have rollers past the flats' corners"))
+        if f"P({key})" in v
+    ]  # fmt: skip
+    spread = ""
+    if "alpha, 5 %" in v:
+        spread = (
+            f"; 90 % of those that wedge have α_0 from {v['alpha_0, 5 %'] * DEGREE:.3f}° to "
+            f"{v['alpha_0, 95 %'] * DEGREE:.3f}° and μ/μ_req from {v['safety, 5 %']:.3g} to "
+            f"{v['safety, 95 %']:.3g}"
+        )
+    told = ", ".join([*lost, f"{share(v['P(slip)'])} slip"])
+    return [
+        f"of {DRAWS:,} clutches of like rollers with {', '.join(given)}: {told} (by friction "
+        f"{shares}){spread}"
+    ]
+
+
+def warnings(q: ClutchInputs, v: Values) -> Sequence[str]:
+    found = reached(q) + kept(q)
+    if q.p_lim is not None and v.get("p_end", 0.0) > q.p_lim:
+        found.append(
+            f"{pascal(v['p_end'])} at the rollers' ends exceed p_lim = {pascal(q.p_lim)}: the "
+            "surfaces yield"
+        )
+    if v.get("e/L", 0.0) > allowed_shift(q):
+        found.append(f"e/L = {v['e/L']:.3g} is beyond {allowed_shift(q):.3g}: the rollers tilt")
+    return found
+
+
+def kept(q: ClutchInputs) -> list[str]:
+    """Parts whose modulus is another one, and whose Poisson's ratio is not said to be."""
+    return [
+        f"E_{part} is given without ν_{part}: ν = {q.nu:g} is used for it"
+        for part in "rio"
+        if getattr(q, f"E_{part}") not in (None, q.E) and getattr(q, f"nu_{part}") is None
+    ]
+
+
+def reached(q: ClutchInputs) -> list[str]:
+    """Whether tolerances use up what a wedge is made of."""
+    used, room = q.X_tol + 2 * q.r_tol + q.R_tol, q.room
+    if used < room:
+        return []
+    rule = "R - 2 r - X" if q.is_star else "R + 2 r - X"
+    return [
+        f"tolerances reach {rule} = {room * 1e6:.4g} µm: X_tol + 2 r_tol + R_tol = "
+        f"{used * 1e6:.4g} µm, parts within them may have no wedge"
+    ]

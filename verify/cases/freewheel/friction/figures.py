@@ -1,0 +1,265 @@
+"""What the report shows of a freewheel's friction: cone, onset of slip, what slips and how."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.freewheel import criterion
+from analytic.freewheel.state import loaded
+from verify.cases.freewheel.friction.formulas import lever, slipped
+from verify.cases.freewheel.friction.limit import HELD
+from verify.cases.freewheel.torque.model import clutch
+from verify.core.case import Context, Values
+from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Shape, Sketch, Table
+from verify.core.tex import tex
+
+mm, µm = 1e-3, 1e-6
+QUARTER = np.linspace(0.0, np.pi / 2, 91)
+STARTED = 0.999  # of T: the ring has begun to slide
+GRID = np.linspace(0.0, 1.6, 81)[1:]  # of T, over which the limit is drawn
+WIDE, CIRCLE = 2.2, 1.7  # over r: half of the walls drawn, radius of the cone's circle
+ABOVE = 2.2  # of F_ax,lim or F_ax, up to where it is
+
+
+def equations(q: Any, v: Values) -> Sequence[Equation]:
+    tan, T, R = tex(math.tan(v["alpha"])), tex(q.T), tex(q.R / mm)
+    sign, mu = (r"\le" if v["safety"] >= 1 else ">"), tex(q.mu)
+    limit = ""
+    if "F_lim" in v:
+        limit = (
+            rf"= \frac{{{T}\ \mathrm{{N\,m}}}}{{{R}\ \mathrm{{mm}}}}\sqrt{{({mu}/{tan})^2 - 1}}"
+            rf" = {tex(v['F_lim'])}\ \mathrm{{N}}"
+        )
+    return (
+        Equation(tex=r"\tan\alpha = \frac{F_t}{F_n} \le \mu",
+                 numbers=rf"= \frac{{{tex(v['F_t'])}}}{{{tex(v['N'])}}} = {tan}",
+                 place="Eqs. 1 and 2: a roller is a two-force body"),
+        Equation(tex=r"F_t = \frac{T}{z R}, \quad F_a = \frac{F_{ax}}{z}",
+                 numbers=rf"F_t = {tex(v['F_t'])}\ \mathrm{{N}},\quad "
+                 rf"F_a = {tex(v['F_a'])}\ \mathrm{{N}}",
+                 place="of one roller; T and F_ax of the whole clutch"),
+        Equation(tex=r"\mu_{req} = \frac{\sqrt{F_t^2 + F_a^2}}{F_n}",
+                 place="Eq. 8, with a symbol of its own for what is no tangent of α"),
+        Equation(
+            tex=r"\mu_{req} = \tan\alpha\,\sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2}",
+            numbers=rf"= {tan}\,\sqrt{{1 + {tex(lever(q))}^2}} = {tex(v['mu_req'])}", place="Eq. 9",
+        ),
+        Equation(tex=r"\mu_{req} \le \mu", numbers=rf"{tex(v['mu_req'])} {sign} {mu}",
+                 place="Eq. 10" if v["safety"] >= 1 else "Eq. 10 is not met: the clutch slips"),
+        Equation(tex=r"F_{ax,lim} = \frac{T}{R}\sqrt{\left(\frac{\mu}{\tan\alpha}\right)^2 - 1}",
+                 numbers=limit, place="Eq. 9 solved"),
+        Equation(tex=r"\frac{R\,\mathrm{d}\varphi}{\mathrm{d}u_z} = \frac{F_t}{F_a}",
+                 numbers=rf"= {tex(v['creep'])}" if "creep" in v else "",
+                 place="slip beyond the limit is along the resultant"),
+        Equation(tex=r"e = r\cos^2\alpha\,\frac{F_a}{F_n}, \quad \frac{p_1}{p} = 1 + \frac{6e}{L}",
+                 numbers=rf"e = {tex(v['e'] / µm, 4)}\ \mathrm{{µm}},\quad {tex(v['peak'], 5)}",
+                 place="tilt of the roller; no part of the criterion, nor of these elements"),
+    )  # fmt: skip
+
+
+def sketch(q: Any) -> Sketch:
+    """Roller between flat and ring, and the friction of one contact in its cone."""
+    state = loaded(clutch(q), q.T)
+    psi, tan = float(state.psi), math.tan(float(state.alpha))
+    ray, along = np.array([math.sin(psi), math.cos(psi)]), np.array([math.cos(psi), -math.sin(psi)])
+    up, right = np.array([0.0, 1.0]), np.array([1.0, 0.0])
+    turn = np.linspace(0.0, 2 * np.pi, 121)
+    circle = np.column_stack([np.cos(turn), np.sin(turn)])
+    cone = np.array([WIDE + CIRCLE + 1.2, 0.0])
+    used = min(tan * math.hypot(1.0, lever(q)) / q.mu, 1.4)
+    tip = cone + CIRCLE * used * np.array([1.0, lever(q)]) / math.hypot(1.0, lever(q))
+    shapes = (
+        Shape(style="body", points=circle),
+        Shape(style="clamp", points=np.array([[WIDE, -1.0], [-WIDE, -1.0]])),
+        Shape(style="clamp", points=ray + WIDE * np.array([-along, along])),
+        Shape(style="load", points=np.array([-2.2 * up, -up]), label="F_n"),
+        Shape(style="load", points=np.array([2.2 * ray, ray]), label="F_n"),
+        Shape(style="load", points=np.array([-0.7 * up - 1.7 * right, -0.7 * up]), label="F_t"),
+        Shape(style="load", points=np.array([0.7 * ray - 1.7 * along, 0.7 * ray]), label="F_t"),
+        Shape(style="text", points=np.zeros((1, 2)), label="F_a"),
+        Shape(style="faint", points=cone + CIRCLE * circle),
+        *(Shape(style="axis", points=cone + 1.2 * CIRCLE * np.array([-way, way]))
+          for way in (right, up)),
+        Shape(style="load", points=np.array([cone, tip])),
+        Shape(style="leader", points=np.array([cone + 1.45 * CIRCLE * (right + up) / 1.4142, tip]),
+              label="μ_req F_n"),
+        Shape(style="leader", points=np.array([cone + 1.4 * CIRCLE * (right - up) / 1.4142,
+                                               cone + CIRCLE * (right - up) / 1.4142]),
+              label="μ F_n"),
+        Shape(style="text", points=(cone + 1.4 * CIRCLE * right)[None], label="F_t"),
+        Shape(style="text", points=(cone + 1.4 * CIRCLE * up)[None], label="F_a"),
+    )  # fmt: skip
+    return Sketch(
+        title="what star and ring do to a roller under torque, its ring drawn straight; its axial "
+        "forces F_a, at the star and back at the ring, share the circle of friction μ F_n with F_t",
+        shapes=shapes,
+    )
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.converging:
+        return ()
+    last, q = context.fem[-1].arrays, context.inputs
+    found = [_cone(q, last), _limit(context), _path(q, last), _let_out(q, last), _shares(last)]
+    if len(last["angles"]):
+        found.append(_angles(last))
+    return tuple(found)
+
+
+def _cone(q: Any, last: Any) -> Curves:
+    angles, creep = last["angles"], last["creep"] / q.mu
+    slid = angles[angles[:, 3] > 0] if len(angles) else np.zeros((0, 7))
+    N, F_t, F_z = last["loaded"]
+    return Curves(
+        title="Friction of a contact in its cone", x_label="F_t/(μ F_n)", y_label="F_a/(μ F_n)",
+        curves=(
+            Curve(name="cone, Eq. 8 with =", x=np.cos(QUARTER), y=np.sin(QUARTER)),
+            Curve(name="FE, ring driven along the axis", x=creep[:, 2:4].mean(axis=1),
+                  y=np.abs(creep[:, 4:6]).mean(axis=1), style="dashes", colour=1),
+            Curve(name=f"FE, F_ax = {q.F_ax:g} N", x=(F_t / N / q.mu)[1:],
+                  y=np.abs(F_z / N / q.mu)[1:], style="dots", colour=1),
+            Curve(name="FE, slipping, clutches of other angles", x=slid[:, 3::2].ravel(),
+                  y=slid[:, 4::2].ravel(), style="dots", colour=2),
+        ),
+        note="F_t/F_n is tan α whatever F_a is: an axial load goes straight up to the cone.",
+    )  # fmt: skip
+
+
+def _limit(context: Context) -> Curves:
+    q, v = context.inputs, context.analytic
+    T = GRID * q.T
+    alpha = loaded(clutch(q), T).alpha
+    limits = {k: criterion.largest_axial_load(alpha=alpha, T=T, R=q.R, mu=q.mu / k)
+              for k in (criterion.GREEN, criterion.RED)}  # fmt: skip
+    fe = context.fem[-1].values
+    return Curves(
+        title="Axial load that a locked clutch bears", x_label="T [N m]", y_label="F_ax [N]",
+        curves=(
+            Curve(name="μ_req = μ: green below", x=T, y=limits[criterion.GREEN]),
+            Curve(name="μ/μ_req = 0.8: red above", x=T, y=limits[criterion.RED], style="dashes",
+                  colour=2),
+            Curve(name="FE, slips", x=np.array([q.T]), y=np.array([fe["F_lim"]]), style="dots"),
+            Curve(name="the load given", x=np.array([q.T]), y=np.array([q.F_ax]), style="dots",
+                  colour=1),
+        ),
+        y_top=ABOVE * max(v.get("F_lim", 0.0), q.F_ax),
+        note="The classes 0.8 and 1.0 are the paper's, of its tests; green's is Coulomb's law.",
+    )  # fmt: skip
+
+
+def _path(q: Any, last: Any) -> Curves:
+    creep, out = last["creep"], last["let out"]
+    tan = creep[0, 2:4].mean()
+    full = math.sqrt(q.mu**2 - tan**2)
+    turned = creep[-1, 1] + (out[-1, 0] - creep[-1, 0]) * tan / full
+    return Curves(
+        title="Beyond the limit: the ring driven along the axis", x_label="u_z [µm]",
+        y_label="F_a/F_n over its limit, T over T at rest",
+        curves=(
+            Curve(name="F_a/F_n, ring held", x=out[:, 0] / µm,
+                  y=np.abs(out[:, 4:6]).mean(axis=1) / full),
+            Curve(name="T, ring held", x=out[:, 0] / µm, y=out[:, 7], colour=1),
+            Curve(name="F_a/F_n, torque held", x=creep[::2, 0] / µm,
+                  y=np.abs(creep[::2, 4:6]).mean(axis=1) / full, style="dots"),
+            Curve(name="T, torque held", x=creep[1::2, 0] / µm, y=creep[1::2, 7], style="dots",
+                  colour=1),
+        ),
+        note="A drive that keeps the torque up turns the ring on: by "
+        f"{turned / µm:.3g} µm of its bore where it has slid {out[-1, 0] / µm:.3g} µm. "
+        "Held, the ring lets the rollers out. Marks of both, which stay at 1, alternate.",
+    )  # fmt: skip
+
+
+def _let_out(q: Any, last: Any) -> Curves:
+    u, T = slipped(q)
+    out = last["let out"]
+    start = np.interp(-STARTED, -out[:, 7], out[:, 0])  # before that the parts only deform
+    return Curves(
+        title="Torque that is left where the ring is held and slides along the axis",
+        x_label="axial slip [µm]", y_label="T/T(at rest)",
+        curves=(
+            Curve(name="Coulomb's law and the state at each F_n", x=u[::-1] / µm, y=T[::-1]),
+            Curve(name="FE", x=(out[:, 0] - start).clip(0) / µm, y=out[:, 7], style="dots"),
+        ),
+        note="Finite elements keep the angle of the start, which the formula lets fall.",
+    )  # fmt: skip
+
+
+def _shares(last: Any) -> Curves:
+    k, star, ring = last["shares"]
+    share = last["onset"][0] if math.isfinite(last["onset"][0]) else 1.0
+    return Curves(
+        title="Part of a contact that slips under torque alone", x_label="tan α/μ",
+        y_label="share of F_n on slipping nodes",
+        curves=(
+            Curve(name="FE, star", x=1 / k, y=star, style="dots"),
+            Curve(name="FE, ring", x=1 / k, y=ring, style="dots", colour=1),
+            Curve(name="all slips: the roller is let out", x=np.array([1.0, 1.0]) / share,
+                  y=np.array([0.0, 1.0]), style="dashes", colour=2),
+        ),
+        note="One node after the other, from the rim inwards, as the roller is put between the "
+        "races in one step; a torque that grows from nothing makes less slip.",
+    )  # fmt: skip
+
+
+def _angles(last: Any) -> Curves:
+    k, left, ratio = last["angles"].T[:3]
+    stays, unit = left > HELD, np.array([0.0, 1.0])
+    return Curves(
+        title="Clutches of other wedge angles under torque alone", x_label="tan α/μ",
+        y_label="F_t/(μ F_n)",
+        curves=(
+            Curve(name="F_t = F_n tan α", x=unit, y=unit),
+            Curve(name="FE, held", x=k[stays], y=ratio[stays], style="dots"),
+            Curve(name="FE, let out: nothing of F_n is left", x=k[~stays], y=ratio[~stays],
+                  style="dots", colour=2),
+        ),
+        note="X alone differs, at the same overlap of both contacts.",
+    )  # fmt: skip
+
+
+def tables(context: Context) -> Sequence[Table]:
+    """The clutch's states by finite elements, in words."""
+    if not context.converging:
+        return ()
+    last, q, v = context.fem[-1].arrays, context.inputs, context.fem[-1].values
+    k, star, ring = last["shares"]
+    rows = [
+        (f"torque alone, μ = {k[i]:g} tan α",
+         f"rests; {star[i]:.0%} of F_n on slipping nodes of the star, {ring[i]:.0%} of the ring")
+        for i in (k.size - 1, 0)
+    ]  # fmt: skip
+    if math.isfinite(last["onset"][0]):
+        rows.append((
+            f"torque alone, μ below {last['onset'][0]:.5f} tan α",
+            "slips: all of both contacts, the roller is let out of the wedge",
+        ))  # fmt: skip
+    holds = "rests" if v["F_lim"] >= q.F_ax else "slips along the axis"
+    rows.append(
+        (f"T, F_ax = {q.F_ax:g} N, μ = {q.mu:g}", f"{holds}; the limit is {v['F_lim']:.5g} N")
+    )
+    creep, out = last["creep"], last["let out"]
+    rows.append((
+        "ring driven along the axis, torque held",
+        f"slips; F_t, F_n and F_a stay, the ring creeps by {v['creep']:.3f} of what it slides",
+    ))  # fmt: skip
+    rows.append((
+        "ring driven along the axis and held about it",
+        f"slips; rollers are let out: {1 - out[-1, 7]:.0%} of the torque is lost after "
+        f"{out[-1, 0] / µm:.3g} µm" if len(out) > 1 else f"slips; {len(creep)} steps",
+    ))  # fmt: skip
+    return (Table(title="States by finite elements", header=("load", "state"), rows=tuple(rows)),)
+
+
+def pictures(_q: Any) -> Sequence[Picture]:
+    return (
+        Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=µm, displacement="",
+                caption="Displacement along the axis under torque and axial load: the ring is "
+                "pulled out, the rollers stay between, the star is clamped on its shaft"),
+        Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
+                decades=True,
+                displacement="", caption="Shear stress along the axis: "
+                "it enters through both contacts"),
+    )  # fmt: skip

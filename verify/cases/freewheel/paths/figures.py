@@ -1,0 +1,232 @@
+"""What the report shows of a freewheel on the rig's load paths."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.freewheel.course import Course
+from analytic.freewheel.criterion import RED
+from verify.cases.freewheel.paths.fem import LOUD, OTHERS, QUIET
+from verify.cases.freewheel.paths.formulas import courses
+from verify.core.case import Context, Values
+from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Table, Zone, Zones
+from verify.core.tex import tex
+
+Array = NDArray[np.float64]
+
+NAMES = {
+    1: "load case 1: steady torque, growing axial load",
+    2: "load case 2: steady torque, alternating axial load",
+    3: "load case 3: both alternate in phase",
+}
+HIGH = 1.15  # of the largest value, up to which is drawn
+NEAR = 0.9  # of tan(alpha_0), from where on the friction cone is drawn
+CUT = 4.0  # of mu, beyond which the required friction is not drawn
+DRAWN = 8  # steps of a path's times that a curve is drawn over: 30 points a cycle
+
+
+def equations(q: Any, v: Values) -> Sequence[Equation]:
+    R, T, F = tex(q.R * 1e3), tex(q.T), tex(q.F_ax)
+    found = [
+        Equation(
+            tex=r"\mu_{req}(t) = \tan\alpha(T)\sqrt{1 + \left(\frac{F_{ax}(t) R}{T(t)}\right)^2}",
+            numbers=rf"{tex(v['mu_t'], 4)}\sqrt{{1 + ({F}\cdot {R}\cdot 10^{{-3}}/{T})^2}} = "
+            rf"{tex(v['peak 1'], 4)}\ \text{{at the end of load case 1}}",
+            place="Eqs. 8, 9, along the paths of Sec. 6",
+        ),
+        Equation(
+            tex=r"F_{ax}(t) = F_{ax}\,\frac{t - t_T}{t_{end} - t_T}\,\sin 2\pi f (t - t_T)",
+            place="load case 2; load case 1 has no sine",
+        ),
+        Equation(
+            tex=r"f_0 = \frac{1}{2\pi}\sqrt{\frac{\mathrm{d}T/\mathrm{d}\varphi}{J}}, \quad "
+            r"J = \frac{\pi}{2}\rho L (R_a^4 - R^4), \quad \left(\frac{f}{f_0}\right)^2",
+            numbers=rf"f_0 = {tex(v['f_0'], 4)}\ \mathrm{{Hz}}, \quad "
+            rf"(f/f_0)^2 = {tex(v['sway'], 2)}",
+            place="inertia that is left out: the ring on the wedged rollers",
+        ),
+    ]
+    if "F_lim" in v:
+        found.insert(1, Equation(
+            tex=r"F_{ax,lim} = \frac{T}{R}\sqrt{\left(\frac{\mu}{\tan\alpha}\right)^2 - 1}",
+            numbers=rf"= {tex(v['F_lim'], 5)}\ \mathrm{{N}}", place="Eq. 9, solved",
+        ))  # fmt: skip
+    return found
+
+
+def tables(context: Context) -> Sequence[Table]:
+    """The three paths side by side."""
+    rows = []
+    for case, course in courses(context.inputs).items():
+        slip = course.slips_at
+        peak = short(course.peak) if np.isfinite(course.peak) else None
+        rows.append((
+            NAMES[case], peak, short(course.when), short(course.mu / course.peak), course.light,
+            short(slip) if np.isfinite(slip) else "holds",
+        ))  # fmt: skip
+    return (
+        Table(
+            title="The three load cases",
+            header=("path", "largest μ_req", "at t [s]", "μ/μ_req", "class", "slips at [s]"),
+            rows=tuple(rows),
+            note="Classes of Sec. 7: a rule adopted. By Coulomb it slips where μ/μ_req passes 1.",
+        ),
+    )  # fmt: skip
+
+
+def short(value: float) -> float:
+    """The number that six digits say."""
+    return float(f"{value:.6g}")
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    found: list[Figure] = [loads(context, case) for case in NAMES]
+    found += [classes(context, case) for case in NAMES]
+    if context.converging:
+        found += [plane(context), creeping(context), walked(context)]
+    return found
+
+
+def loads(context: Context, case: int) -> Curves:
+    course, q = courses(context.inputs)[case], context.inputs
+    return Curves(
+        title=f"Loads, {NAMES[case]}", x_label="t [s]", y_label="share of T, F_ax at the end",
+        y_bottom=None,
+        curves=(
+            Curve(name=f"T/({q.T_peak if case == 3 else q.T:.4g} N m)", x=course.t[::DRAWN],
+                  y=course.T[::DRAWN] / (q.T_peak if case == 3 else q.T)),
+            Curve(name=f"F_ax/({q.F_ax:.4g} N)", x=course.t[::DRAWN],
+                  y=course.F_ax[::DRAWN] / q.F_ax, colour=2),
+        ),
+    )  # fmt: skip
+
+
+def classes(context: Context, case: int) -> Zones:
+    """mu_req over time in the bands of the classes."""
+    course, q = courses(context.inputs)[case], context.inputs
+    finite = course.mu_req[np.isfinite(course.mu_req)]
+    top = HIGH * max(min(float(finite.max()), CUT * q.mu), q.mu / RED)
+    across = np.linspace(0, q.duration, 101)
+    flat = np.ones(across.size)
+    curves = [
+        Curve(name="μ_req" if first else "", x=t, y=np.minimum(y, 0.999 * top))
+        for first, t, y in _pieces(course)
+    ]
+    slip = course.slips_at
+    point = (slip, q.mu, f"slips at {slip:.3f} s") if np.isfinite(slip) else None
+    return Zones(
+        title=f"Required friction, {NAMES[case]}", x_label="t [s]", y_label="μ_req", y_top=top,
+        x=across,
+        zones=(
+            Zone(name="green: holds, μ ≥ μ_req", top=q.mu * flat, tone="good"),
+            Zone(name="yellow", top=q.mu / RED * flat, tone="fair"),
+            Zone(name="red", top=top * flat, tone="bad"),
+        ),
+        curves=tuple(curves), point=point,
+        note=f"μ = {q.mu:g}. The curve goes on as if the clutch still held. "
+        + ("Where it has a gap the clutch overruns." if np.isnan(course.mu_req).any() else ""),
+    )  # fmt: skip
+
+
+def _pieces(course: Course) -> list[tuple[bool, Array, Array]]:
+    """Times and mu_req between the gaps in which the clutch overruns."""
+    known = ~np.isnan(course.mu_req)
+    starts = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(int)))
+    return [
+        (k == 0, course.t[a:b:DRAWN], course.mu_req[a:b:DRAWN])
+        for k, (a, b) in enumerate(starts.reshape(-1, 2))
+        if b - a > DRAWN
+    ]
+
+
+def plane(context: Context) -> Curves:
+    """Ways of the three paths in the plane of (F_t, F_z)/N."""
+    q, last = context.inputs, context.fem[-1].arrays
+    widest = np.arccos(NEAR * np.tan(float(q.cam.alpha0)) / q.mu)
+    turn = np.linspace(-widest, widest, 181)
+    curves = [
+        Curve(name=f"friction cone, μ = {q.mu:g}", x=q.mu * np.cos(turn), y=q.mu * np.sin(turn),
+              style="dashes", colour=3),
+    ]  # fmt: skip
+    for case, colour, drawn in ((2, 2, "line"), (1, 0, "dashes"), (3, 1, "line")):
+        curves += _ways(courses(q)[case], q.R, f"load case {case}", colour, drawn)
+    for name, colour, told in (("growing", 2, "FE, extremes of 2"), ("ramp", 0, "FE, load case 1")):
+        table = last[name]
+        curves.append(Curve(
+            name=told, x=table[:, 1:3].mean(axis=1), y=table[:, 3], style="dots", colour=colour,
+        ))  # fmt: skip
+    return Curves(
+        title="Tangential and axial force over the normal force, up to slip", x_label="F_t/F_n",
+        y_label="F_a/F_n", curves=tuple(curves), y_bottom=-q.mu,
+        note="Under a steady torque F_t/F_n = tan α stays and the axial load leads to the cone "
+        "along a vertical line, load case 1 on the upper half of load case 2; in phase "
+        "F_t/F_n swings between tan α_0 and tan α(T).",
+    )  # fmt: skip
+
+
+def _ways(course: Course, R: float, name: str, colour: int, drawn: str) -> list[Curve]:
+    """One path up to slip, a curve for each time in which it is locked."""
+    found: list[Curve] = []
+    for _, t, mu_req in _pieces(course):
+        held = t <= course.slips_at
+        at = np.searchsorted(course.t, t[held])
+        if at.size < 2 or not np.all(np.isfinite(mu_req[held])):
+            continue
+        tan, loaded = np.tan(course.alpha[at]), course.T[at] > 0
+        found.append(Curve(
+            name="" if found else name, x=tan[loaded],
+            y=tan[loaded] * course.F_ax[at][loaded] * R / course.T[at][loaded], colour=colour,
+            style=drawn,
+        ))  # fmt: skip
+    return found
+
+
+def creeping(context: Context) -> Curves:
+    """How far the ring turns on in the cycles of a constant amplitude."""
+    own, others = context.fem[-1].arrays["cycles"], context.fem[-1].arrays["walks"]
+    found = [(QUIET, own[0]), (LOUD, own[1]), *zip(OTHERS, others, strict=True)]
+    colours = (1, 0, 2, 3)
+    curves = [
+        Curve(name=f"{share:g} of the limit" if style == "dots" else "",
+              x=np.arange(1.0, 1 + walk.size), y=walk * 1e9, style=style, colour=colours[k])
+        for k, (share, walk) in enumerate(sorted(found, key=lambda w: w[0]))
+        for style in ("dots", "line")
+    ]  # fmt: skip
+    return Curves(
+        title="The ring walks under an alternating axial load, finite elements",
+        x_label="cycle", y_label="R Δφ in one cycle [nm]", curves=tuple(curves),
+        x_names=tuple((k, f"{k:g}") for k in range(1, own.shape[1] + 1)),
+        note="Torque and N stay. Up to 0.6 of the limit the micro-slip settles; at 0.8 of it "
+        "no part of the contacts sticks all the time and the ring turns on in every cycle though "
+        "μ > μ_req all the time. Half a cycle in one step: in four steps it is a fifth less.",
+    )  # fmt: skip
+
+
+def walked(context: Context) -> Curves:
+    """How much of N lies on nodes that slip at the extremes."""
+    last = context.fem[-1].arrays
+    return Curves(
+        title="Micro-slip at the extremes before gross slip, finite elements",
+        x_label="|F_ax|/F_lim", y_label="share of F_n that slips",
+        curves=(
+            Curve(name="load case 1", x=last["ramp"][:, 0], y=last["ramp"][:, 7]),
+            Curve(name="extremes of load case 2", x=np.abs(last["growing"][:, 0]),
+                  y=last["growing"][:, 7], style="dots", colour=2),
+        ),
+        note="The torque alone takes most of the friction: little of the contacts sticks.",
+    )  # fmt: skip
+
+
+def pictures(q: Any) -> Sequence[Picture]:
+    x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
+    w = 1.35 * q.r
+    return (
+        Picture(field="sector", data="u_z", symbol="u_z", unit="µm", factor=1e-6,
+                caption="Axial displacement at the last extreme of load case 2", displacement=""),
+        Picture(field="sector", data="log_shear_z", symbol="τ_z", unit="MPa", factor=1.0,
+                decades=True,
+                caption="The axial load goes through both contacts of the roller",
+                displacement="", window=(x - w, y - w, x + w, y + w)),
+    )  # fmt: skip

@@ -1,0 +1,192 @@
+"""What the report shows of a clutch between two rotors: sketch, equations, stiffness curves."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.rotor import clutch_uniform as uniform
+from analytic.rotor.clutch_state import under_torque
+from verify.cases.freewheel.star_sketch import arc, label, ray
+from verify.cases.rotor.clutch.fem import OFFSETS, TORQUES
+from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.core.case import Context, Values
+from verify.core.figures import Curve, Curves, Equation, Figure, Shape, Sketch
+from verify.core.tex import tex
+
+mm, um = 1e-3, 1e-6
+THIN = 201  # slices, so that a curve shows no single one leave contact
+
+
+def sketch(q: ClutchInputs) -> Sketch:
+    """Both races to scale with a line for every sprag, inclined by nu at the inner race."""
+    h = q.R_i * math.sin(q.nu)
+    turn = q.nu - math.asin(h / q.R_e)
+    # seen against +z: angles count from x on, counter-clockwise
+    ends = [
+        np.vstack([q.R_i * ray(math.pi / 2 - psi), q.R_e * ray(math.pi / 2 - psi - turn)])
+        for psi in q.angles()
+    ]
+    first, R = ends[1], 1.35 * q.R_e
+    beyond = first[0] + (first[1] - first[0]) * (R - q.R_i) / (q.R_e - q.R_i)
+    out = first[0] / np.hypot(*first[0])
+    # names above and below: beside the races a narrow page has no room for them
+    named = (
+        ((-0.85, 1.5), q.R_e * ray(-0.6), label("R_e", q.R_e)),
+        ((0.1, 1.5), ends[q.Z // 4].mean(axis=0), f"ν = {math.degrees(q.nu):.4g}°"),
+        ((-0.7, -1.5), q.R_i * ray(-2.5), label("R_i", q.R_i)),
+        ((0.5, -1.5), 0.6 * q.R_i * ray(2.4), f"T = {q.T:.4g} N m"),
+    )
+    shapes = (
+        Shape(style="body", points=arc(1.25 * q.R_e, 0, 2 * math.pi)),
+        Shape(style="hole", points=arc(q.R_e, 0, 2 * math.pi)),
+        Shape(style="body", points=arc(q.R_i, 0, 2 * math.pi)),
+        *(Shape(style="line", points=end) for end in ends),
+        Shape(style="axis", points=np.array([[-1.1 * q.R_e, 0.0], [1.45 * q.R_e, 0.0]])),
+        Shape(style="axis", points=np.vstack([np.zeros(2), R * out])),
+        Shape(style="axis", points=np.vstack([first[0], beyond])),
+        Shape(style="text", points=np.array([[1.55 * q.R_e, 0.0]]), label="x"),
+        Shape(style="text", points=np.array([1.55 * q.R_e * out]), label="ψ_j"),
+        Shape(style="load", points=arc(0.6 * q.R_i, 2.4, 0.6)),
+        *(Shape(style="leader", points=np.vstack([q.R_e * np.array(start), tip]), label=said)
+          for start, tip, said in named),
+    )  # fmt: skip
+    return Sketch(
+        title=f"{q.Z} sprags between the races, to scale, as lines through both their contacts, "
+        f"{math.degrees(q.nu):.4g}° off the radius at the inner race",
+        shapes=shapes,
+    )
+
+
+def equations(q: ClutchInputs, v: Values) -> Sequence[Equation]:
+    N, k = tex(v["N"], 5), tex(v["k"] / 1e6, 5)
+    return (
+        Equation(tex=r"d_t = R_i \tan\nu",
+                 numbers=rf"= {tex(q.R_i / mm)}\cdot\tan {tex(math.degrees(q.nu))}^\circ = "
+                 rf"{tex(v['d_t'] / mm, 5)}\ \mathrm{{mm}}", place="Eq. 4"),
+        Equation(tex=r"N = \frac{T}{Z d_t}",
+                 numbers=rf"= \frac{{{tex(q.T * 1e3)}}}{{{q.Z}\cdot {tex(v['d_t'] / mm, 5)}}} = "
+                 rf"{N}\ \mathrm{{N}}", place="Eq. 9, torque"),
+        Equation(tex=r"\delta_0 = \left(\frac{N}{k_n}\right)^{1/n}",
+                 numbers=rf"= {tex(v['delta_0'] / um, 5)}\ \mathrm{{\mu m}}", place="Eq. 2"),
+        Equation(tex=r"k = n k_n \delta_0^{n-1} = \frac{n N}{\delta_0}",
+                 numbers=rf"= \frac{{10}}{{9}}\cdot\frac{{{N}}}{{{tex(v['delta_0'] / um, 5)}}} = "
+                 rf"{k}\ \mathrm{{N/\mu m}}", place="slope of Eq. 2"),
+        Equation(tex=r"K_{xx} = K_{yy} = \frac{Z k}{2}",
+                 numbers=rf"= {tex(v['K_xx'] / 1e6, 5)}\ \mathrm{{N/\mu m}}", place="Eq. 11"),
+        Equation(tex=r"K_{tilt} = \frac{Z k}{2}\cdot\frac{L_{we}^2}{12}"
+                 r"\left(1 - \frac{1}{n_s^2}\right)",
+                 numbers=rf"= {tex(v['K_tilt'], 5)}\ \mathrm{{N\,m/rad}}", place="Eqs. 5, 7, 11"),
+        Equation(tex=r"K_{zz} = Z k d_t^2",
+                 numbers=rf"= {tex(v['K_zz'], 5)}\ \mathrm{{N\,m/rad}}", place="Eq. 11"),
+        Equation(tex=r"K_{xz} = \frac{Z}{2} k (n - 1)\frac{\Delta x}{\delta_0} d_t",
+                 numbers=rf"= {tex(v['K_xz, first order'], 5)}\ \mathrm{{N}}",
+                 place="first order in an offset"),
+    )  # fmt: skip
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    return _over_torque(context), _over_offset(context), _over_crown(context), _over_gap(context)
+
+
+def _over_torque(context: Context) -> Curves:
+    q, v = context.inputs, context.analytic
+    T = np.geomspace(0.01, 2.0, 81) * q.T
+    k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
+    curves = [
+        Curve(name="K_xx and K_yy, as K_zz and K_tilt: its tenth root", x=T, y=k / v["k"]),
+        Curve(name="the torque taken here", x=np.array([q.T]), y=np.ones(1), style="dots"),
+    ]
+    if context.fem:
+        dots = np.array(TORQUES) * q.T
+        for number, key in enumerate(("K_xx", "K_zz"), start=1):
+            y = context.fem[-1].arrays[f"{key} over T"] / v[key]
+            curves.append(Curve(name=f"{key}, struts", x=dots, y=y, style="dots", colour=number))
+    return Curves(
+        title="Stiffness over torque", x_label="T [N m]", y_label="K(T)/K", curves=tuple(curves),
+        note="Without a torque the clutch has no stiffness; it rises fast and then hardly at all.",
+    )  # fmt: skip
+
+
+def _over_offset(context: Context) -> Curves:
+    q, v = context.inputs, context.analytic
+    clutch = q.clutch()
+    dx = np.linspace(0, 2 * max(q.e, 0.75 * v["delta_0"]), 61)
+    K = np.array([
+        clutch.stiffness(under_torque(clutch, T=q.T, offset=(one, 0, 0, 0)))[0, 4] for one in dx
+    ])  # fmt: skip
+    curves = [
+        Curve(name="Eq. 8 in full", x=dx / um, y=K),
+        Curve(name="first order in the offset", x=dx / um, y=v["K_xz, first order"] * dx / q.e,
+              style="dashes", colour=1),
+    ]  # fmt: skip
+    if context.fem:
+        y = context.fem[-1].arrays["K_xz over offset"]
+        x = np.array(OFFSETS) * q.e / um
+        curves.append(Curve(name="struts", x=x, y=y, style="dots", colour=2))
+    return Curves(
+        title="Coupling of bending and torsion over a static offset", x_label="Δx [µm]",
+        y_label="K_xz [N]", curves=tuple(curves),
+        note=f"Zero where the load is even. From the yield of {v['delta_0'] / um:.4g} µm on sprags "
+        "leave contact one after the other: K_xz steps up, as none of them pulls against the rest.",
+    )  # fmt: skip
+
+
+def _relative(K: Any, whole: Any) -> dict[str, Any]:
+    """Entries over those of the uniform clutch; coupling over sqrt(K_xx K_zz) of it."""
+    across = math.sqrt(whole[0, 0] * whole[4, 4])
+    return {
+        "K_xx": K[0, 0] / whole[0, 0], "K_yy": K[1, 1] / whole[1, 1],
+        "K_tilt": K[3, 3] / whole[3, 3], "K_zz": K[4, 4] / whole[4, 4],
+        "|K_xz|/√(K_xx K_zz)": abs(K[0, 4]) / across,
+    }  # fmt: skip
+
+
+def _entries(
+    q: ClutchInputs, changed: Sequence[ClutchInputs], *, n_s: int | None = None, **parts: bool
+) -> dict[str, Any]:
+    plain = q.clutch(n_s=n_s)
+    whole = plain.stiffness(under_torque(plain, T=q.T))
+    rows = []
+    for one in changed:
+        clutch = one.clutch(n_s=n_s, **parts)
+        rows.append(_relative(clutch.stiffness(under_torque(clutch, T=q.T)), whole))
+    return {name: np.array([row[name] for row in rows]) for name in rows[0]}
+
+
+def _over_crown(context: Context) -> Curves:
+    q, v = context.inputs, context.analytic
+    drop = np.linspace(0, max(2 * q.drop, v["delta_0"]), 31)
+    changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
+    found = _entries(q, changed, n_s=THIN, crowned=True)
+    curves = (
+        Curve(name="K_xx", x=drop / um, y=found["K_xx"]),
+        Curve(name="K_tilt", x=drop / um, y=found["K_tilt"], colour=1),
+        # dots, as the curve lies on that of K_xx
+        Curve(name="K_zz", x=drop[::3] / um, y=found["K_zz"][::3], style="dots", colour=2),
+    )
+    return Curves(
+        title="Stiffness over the crown", x_label="drop at the ends [µm]", y_label="K/K(no crown)",
+        curves=curves,
+        note="Under the same torque. A crown takes from the tilting stiffness first, as it takes "
+        "load from the ends.",
+    )  # fmt: skip
+
+
+def _over_gap(context: Context) -> Curves:
+    q = context.inputs
+    most = min(q.Z - 3, max(q.Z // 2, q.missing))
+    counts = np.arange(1, most + 1)
+    found = _entries(q, [q.model_copy(update={"missing": int(m)}) for m in counts], gap=True)
+    return Curves(
+        title="Stiffness without some neighbouring sprags", x_label="missing sprags",
+        y_label="K/K(all sprags)",
+        curves=tuple(
+            Curve(name=name, x=counts.astype(float), y=y, colour=number,
+                  # dots, as the curve lies on that of K_xx
+                  style="dots" if name == "K_tilt" else "line")
+            for number, (name, y) in enumerate(found.items())
+        ),
+        note="The gap lies on the x-axis, the inner race is held in the middle by its bearings.",
+    )  # fmt: skip

@@ -1,0 +1,193 @@
+"""What the paper says of its system beyond three critical speeds, asked of every member.
+
+Arrays are those of `responses_fem`; a fact gives one truth value a member, and is asked only of
+those in which all that it compares has a peak.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verify.cases.rotor.sprag.layout import OUTER
+from verify.core.figures import Array
+
+Members = NDArray[np.bool_]
+Arrays = Mapping[str, Array]
+ALIKE = 0.1  # of the mean: amplitudes that are "nearly equal"
+SMALL = 0.5  # of the median of the others: amplitudes that are "significantly lower"
+ORDERS = (1, 3, 5)
+SEC = "Sec. 2.2"
+OPPOSITE = ", opposite"  # of arrays with unbalance 2 half a turn from unbalance 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class Statement:
+    """A sentence of the paper, in which members it holds, and the printed values it repeats.
+
+    `compares` gives what it compares (m, ...): NaN where a response has no peak.
+    """
+
+    name: str
+    symbol: str
+    place: str
+    holds: Callable[[Arrays], Members]
+    compares: Callable[[Arrays], Array]
+    printed: tuple[str, ...] = ()
+
+    def asked(self, a: Arrays) -> Members:
+        """The members in which everything that is compared has a peak."""
+        of = self.compares(a)
+        return np.asarray(np.isfinite(of.reshape(len(of), -1)).all(axis=1))
+
+
+def opposite(a: Arrays) -> Arrays:
+    """The arrays with unbalance 2 half a turn from unbalance 1."""
+    turned = {key.removesuffix(OPPOSITE): v for key, v in a.items() if key.endswith(OPPOSITE)}
+    return {**a, **turned}
+
+
+def base(a: Arrays) -> Array:
+    """Peaks (m, 3, 22) with the lowest unbalance 2."""
+    return a["peaks"][:, 0]
+
+
+def outer_peaks(a: Arrays, *orders: int, last: int = OUTER) -> Array:
+    """Peaks (m, orders, nodes) of the outer rotor's nodes up to `last`."""
+    return base(a)[:, [ORDERS.index(k) for k in orders], :last]
+
+
+def outer(a: Arrays, node: int, *orders: int, last: int = OUTER) -> Members:
+    """Whether `node` has the highest peak of the outer rotor's nodes up to `last`."""
+    of = outer_peaks(a, *orders, last=last)
+    return np.asarray((of.argmax(axis=2) == node - 1).all(axis=1))
+
+
+def inner(a: Arrays, node: int) -> Members:
+    return np.asarray((base(a)[:, :, OUTER:].argmax(axis=2) == node - 1 - OUTER).all(axis=1))
+
+
+def first_highest(a: Arrays) -> Members:
+    """Whether nodes 13 to 19 have their highest peak at critical speed 1."""
+    of = base(a)[:, :, OUTER:19]
+    return np.asarray((of[:, :1] > of[:, 1:]).all(axis=(1, 2)))
+
+
+def more_on_4(a: Arrays) -> Members:
+    """Whether bearing 4 bears more than bearing 3 at every peak, for each unbalance 2."""
+    return np.asarray((a["loads"][..., 1] > a["loads"][..., 0]).all(axis=(1, 2)))
+
+
+def small(a: Arrays, node: int) -> Members:
+    """Whether the peaks of `node` are below half the median of the nodes without bearing."""
+    others = [i for i in range(OUTER) if i + 1 not in (2, 6)]
+    of = base(a)
+    return np.asarray((of[:, :, node - 1] < SMALL * np.median(of[:, :, others], axis=2)).all(1))
+
+
+def alike(a: Arrays, shaft: slice, peaks: slice) -> Members:
+    of = a["torsion"][:, peaks, shaft]
+    spread = (of.max(axis=2) - of.min(axis=2)) / of.mean(axis=2)
+    return np.asarray((spread < ALIKE).all(axis=1))
+
+
+def first_torsion(a: Arrays) -> Members:
+    of = np.stack([a["torsion"][:, :, s].mean(axis=2) for s in (OUTER_NODES, INNER_NODES)])
+    return np.asarray((of[:, :, 0] > of[:, :, 1:].max(axis=2)).all(axis=0))
+
+
+def grows(values: Array) -> Members:
+    """Whether values (m, U_2, ...) grow with unbalance 2 everywhere."""
+    return np.asarray((np.diff(values, axis=1) > 0).reshape(len(values), -1).all(axis=1))
+
+
+def rises(loads: Array) -> Members:
+    """Whether loads (m, U_2, 3, 2) rise from critical speed to critical speed."""
+    return np.asarray((np.diff(loads, axis=2) > 0).reshape(len(loads), -1).all(axis=1))
+
+
+def anomaly(a: Arrays) -> Members:
+    """Whether node 19's peak at critical speed 3 falls from the middle to the highest unbalance."""
+    peaks = a["peaks"][:, :, 1, 18]
+    return np.asarray(peaks[:, 1] > peaks[:, 2])
+
+
+def inverse_inertia(a: Arrays, order: int) -> Array:
+    """Torsion of node 4 over that of node 19, over -J_in/J_out, less 1 (m,)."""
+    turned: Any = a["turned"][:, :, ORDERS.index(order)]
+    wanted = -a["inertia"][:, 1] / a["inertia"][:, 0]
+    return np.asarray(np.abs(turned[:, 0] / turned[:, 1] / wanted - 1))
+
+
+def torsion(a: Arrays) -> Array:
+    """Torsion at the critical speeds, which needs no peak."""
+    return a["torsion"]
+
+
+def value(*ids: str) -> tuple[str, ...]:
+    return tuple(f"huang2022:{id_}" for id_ in ids)
+
+
+OUTER_NODES, INNER_NODES = slice(OUTER), slice(OUTER, None)
+ANOMALY = value("anomaly-unbalance-with-larger-peak", "anomaly-unbalance-with-smaller-peak")
+STATEMENTS = (
+    Statement(name="node 11 is the highest of nodes 1 to 11 at critical speed 1", symbol="x_11",
+              place=SEC, holds=lambda a: outer(a, 11, 1, last=11),
+              compares=lambda a: outer_peaks(a, 1, last=11),
+              printed=value("outer-highest-node-at-critical-1")),
+    Statement(name="node 11 is the highest of the outer rotor at critical speed 1, with its free "
+              "end", symbol="x_11", place=SEC, holds=lambda a: outer(a, 11, 1),
+              compares=lambda a: outer_peaks(a, 1)),
+    Statement(name="node 11 is the highest of nodes 1 to 11 at critical speeds 3 and 5",
+              symbol="x_11", place=SEC, holds=lambda a: outer(a, 11, 3, 5, last=11),
+              compares=lambda a: outer_peaks(a, 3, 5, last=11),
+              printed=value("outer-highest-node-at-critical-3-and-5")),
+    Statement(name="node 2 stays below half of the others at every peak", symbol="x_2", place=SEC,
+              holds=lambda a: small(a, 2),
+              compares=lambda a: outer_peaks(a, *ORDERS),
+              printed=value("outer-small-node-at-bearing-1")),
+    Statement(name="node 6 stays below half of the others at every peak", symbol="x_6", place=SEC,
+              holds=lambda a: small(a, 6),
+              compares=lambda a: outer_peaks(a, *ORDERS),
+              printed=value("outer-small-node-at-bearing-2")),
+    Statement(name="nodes 13 to 19 are highest at critical speed 1", symbol="x", place=SEC,
+              holds=first_highest,
+              compares=lambda a: base(a)[:, :, OUTER:19],
+              printed=value("inner-high-range-first-node", "inner-high-range-last-node")),
+    Statement(name="node 19 is the highest of the inner rotor at every peak", symbol="x_19",
+              place=SEC, holds=lambda a: inner(a, 19),
+              compares=lambda a: base(a)[:, :, OUTER:], printed=value("inner-highest-node")),
+    Statement(name="torsion is alike along the outer rotor at critical speed 1", symbol="θ_z",
+              place=SEC, holds=lambda a: alike(a, OUTER_NODES, slice(1)),
+              compares=torsion),
+    Statement(name="torsion is alike along the inner rotor at critical speed 1", symbol="θ_z",
+              place=SEC, holds=lambda a: alike(a, INNER_NODES, slice(1)),
+              compares=torsion),
+    Statement(name="torsion is alike along both rotors at critical speeds 3 and 5", symbol="θ_z",
+              place=SEC, holds=lambda a: alike(a, OUTER_NODES, slice(1, 3))
+              & alike(a, INNER_NODES, slice(1, 3)),
+              compares=torsion),
+    Statement(name="torsion is highest at critical speed 1", symbol="θ_z", place=SEC,
+              holds=first_torsion, compares=torsion),
+    Statement(name="peaks of node 4 grow with unbalance 2", symbol="x_4", place=SEC,
+              holds=lambda a: grows(a["peaks"][:, :, :, 3]),
+              compares=lambda a: a["peaks"][:, :, :, 3]),
+    Statement(name="peaks of node 19 at critical speeds 1 and 5 grow with unbalance 2",
+              symbol="x_19", place=SEC, holds=lambda a: grows(a["peaks"][:, :, ::2, 18]),
+              compares=lambda a: a["peaks"][:, :, ::2, 18]),
+    Statement(name="peak of node 19 at critical speed 3 falls from 3 to 5e-5 kg m",
+              symbol="x_19", place=SEC, holds=anomaly,
+              compares=lambda a: a["peaks"][:, 1:, 1, 18]),
+    Statement(name="loads of bearings 3 and 4 grow with unbalance 2", symbol="F", place=SEC,
+              holds=lambda a: grows(a["loads"]), compares=lambda a: a["loads"]),
+    Statement(name="loads of bearings 3 and 4 are higher at higher critical speeds", symbol="F",
+              place=SEC, holds=lambda a: rises(a["loads"]), compares=lambda a: a["loads"]),
+    Statement(name="bearing 4 bears more than bearing 3 at every peak", symbol="F_4", place=SEC,
+              holds=more_on_4, compares=lambda a: a["loads"]),
+    Statement(name="torsions of nodes 4 and 19 are as −J_in to J_out within 3 % at critical "
+              "speed 1", symbol="θ_z", place=SEC,
+              holds=lambda a: inverse_inertia(a, 1) < 0.03,
+              compares=lambda a: np.abs(a["turned"])),
+)  # fmt: skip

@@ -1,0 +1,211 @@
+"""Kinds of claims about the ensemble: shares, spreads, what is exact, fitted, contradicted."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+import numpy as np
+
+from verify.cases.rotor.sprag.assertions import Members, Statement, opposite
+from verify.cases.rotor.sprag.layout import PARAMETERS
+from verify.core import units
+from verify.core.case import Context
+from verify.core.figures import Array
+from verify.core.results import Kind, Partner, Row, Status
+from verify.judging import judge
+from verify.judging.claims import Claim
+from verify.papers.ledger import published
+
+Arrays = Mapping[str, Array]
+COARSE = 2e-4  # acceptance figure of one beam element in each of the paper's
+NO_SETS = "no set of parameters hits the three critical speeds"
+FITTED = f"{len(PARAMETERS)} unknowns fitted to three speeds"
+
+
+def arrays(context: Context) -> Arrays:
+    """Those of the paper's own mesh, with the ensemble."""
+    return context.fem[0].arrays
+
+
+def band(values: Array, factor: float = 1.0, digits: int = 3) -> str:
+    """Low (5 %), median and high (95 %) of members in words."""
+    low, middle, high = (float(v) / factor for v in np.percentile(values, (5, 50, 95)))
+    return f"{middle:.{digits}g} ({low:.{digits}g} to {high:.{digits}g})"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Share(Claim):
+    """In how many sets of parameters something holds: CALIBRATED, whatever the share."""
+
+    kind = Kind.FACT
+
+    holds: Callable[[Arrays], Members]
+    of: str = "sets"
+
+    def asked(self, a: Arrays) -> Members:
+        """Of which sets it is asked: all."""
+        return np.ones(self.holds(a).size, dtype=bool)
+
+    def words(self, a: Arrays) -> str:
+        held = self.holds(a)
+        return f"{int(held.sum())} of {held.size} {self.of}"
+
+    def rows(self, context: Context) -> list[Row]:
+        a = arrays(context)
+        held, asked = self.holds(a), self.asked(a)
+        if not held.size:
+            verdict = judge.Verdict(Status.FAIL, NO_SETS)
+        elif not asked.any():
+            verdict = judge.Verdict(Status.SKIP, "no set of parameters has the peaks it compares")
+        else:
+            said = f"holds in {self.words(a)}; {FITTED}"
+            verdict = judge.Verdict(Status.CALIBRATED, said)
+            share = Partner(by=f"share of {self.of}", value=float(held[asked].mean()))
+            return [self._row(context.case, Kind.FACT, verdict, partner=share)]
+        return [self._row(context.case, Kind.FACT, verdict)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Told(Share):
+    """A statement of the paper, asked where it has peaks, and with unbalances opposite.
+
+    What the paper prints in it are names of nodes, no values beside a share.
+    """
+
+    statement: Statement
+
+    def asked(self, a: Arrays) -> Members:
+        return self.statement.asked(a)
+
+    def words(self, a: Arrays) -> str:
+        other = held_of(self.statement, opposite(a))
+        return f"{held_of(self.statement, a)}; unbalances opposite: {other}"
+
+
+def held_of(statement: Statement, a: Arrays) -> str:
+    """In how many sets of parameters a statement holds, of those that it can be asked of."""
+    held, asked = statement.holds(a), statement.asked(a)
+    with_peak = "" if asked.all() else " with a peak"
+    return f"{int((held & asked).sum())} of {int(asked.sum())} sets{with_peak}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spread(Claim):
+    """The median over the members of what the paper does not print; its 5 to 95 % in words."""
+
+    kind = Kind.FACT
+
+    values: Callable[[Context], Array]
+    words: str = ""
+
+    def rows(self, context: Context) -> list[Row]:
+        values, f = self.values(context), units.factor(self.unit)
+        if not values.size:
+            verdict = judge.Verdict(Status.FAIL, NO_SETS)
+            return [self._row(context.case, Kind.FACT, verdict)]
+        said = f"5 to 95 % of sets: {band(values, f)} {self.unit}".removesuffix(" 1")
+        verdict = judge.Verdict(Status.CALIBRATED, f"{said}{self.words}; {FITTED}")
+        return [
+            self._row(
+                context.case, Kind.FACT, verdict,
+                partner=Partner(by="median of sets", value=float(np.median(values))),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rounded(Claim):
+    """What every member must have to round-off: the largest `residual` over `bound`."""
+
+    kind = Kind.EXACT
+
+    residual: Callable[[Context], float]
+    bound: float
+    bound_reason: str
+    scale_name: str
+
+    def rows(self, context: Context) -> list[Row]:
+        v = self.residual(context)
+        verdict = judge.exact(v, bound=self.bound, scale=1.0, demand=self.demand)
+        return [
+            self._row(
+                context.case, Kind.EXACT, verdict, fem=v, scale=1.0, scale_name=self.scale_name,
+                interval_source=self.bound_reason, published=self._printed(context),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class FittedTo(Claim):
+    """A critical speed of the central system, fitted to the printed one: CALIBRATED within 2e-4.
+
+    It was fitted on the paper's mesh; the formula is the exact model of the same system.
+    """
+
+    kind = Kind.APPROXIMATION
+    paper_only: ClassVar[bool] = True
+
+    analytic: str
+
+    @property
+    def needs_fem(self) -> bool:
+        return False
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        v, entry = context.analytic[self.analytic], published(self.printed[0])
+        r = entry.value * units.factor(entry.unit)
+        status = Status.CALIBRATED if abs(v / r - 1) <= COARSE else Status.FAIL
+        verdict = judge.Verdict(status, f"exact model {v / r - 1:+.1e}; {FITTED}", v - r)
+        return [
+            self._row(
+                context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),
+                partner=Partner(by=f"printed {entry.printed}", value=r),
+                published=self._printed(context),
+            )
+        ]  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noted(Claim):
+    """A printed statement that contradicts itself or linear dynamics: NOTE with its ledger entry.
+
+    `margin` says how surely, and in words; where it does not, the ledger is wrong: FAIL.
+    """
+
+    kind = Kind.FACT
+    paper_only: ClassVar[bool] = True
+
+    erratum: str
+    margin: Callable[[Context], tuple[float, str]]
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        margin, words = self.margin(context)
+        verdict = judge.fact(margin, 0.0)
+        if verdict.status is Status.PASS:
+            said = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=said)
+        else:
+            verdict = replace(verdict, reason=f"ledger {self.erratum} says otherwise: {words}")
+        return [self._row(context.case, Kind.FACT, verdict)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawn(Claim):
+    """Counts and numbers of nodes as printed: what the model has is what the figure shows."""
+
+    kind = Kind.FACT
+
+    margin: Callable[[], float]
+
+    @property
+    def needs_fem(self) -> bool:
+        return False
+
+    def rows(self, context: Context) -> list[Row]:
+        verdict = judge.fact(self.margin(), 0.0)
+        verdict = replace(verdict, reason=f"{verdict.reason}; {len(self.printed)} printed numbers")
+        return [self._row(context.case, Kind.FACT, verdict)]

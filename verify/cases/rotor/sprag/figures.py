@@ -1,0 +1,208 @@
+"""What the report shows of the system with sprag clutch: bands over members, never one of them."""
+
+from collections.abc import Sequence
+from math import pi
+from typing import Any
+
+import numpy as np
+
+from analytic.rotor.transfer_modes import natural_frequencies
+from verify.cases.rotor.sprag.check_types import Arrays, arrays
+from verify.cases.rotor.sprag.inputs import PRINTED, RPM
+from verify.cases.rotor.sprag.layout import (
+    BETWEEN,
+    CENTRAL,
+    CLUTCH,
+    DISCS,
+    GROUNDED,
+    HIGH,
+    LOW,
+    OUTER,
+    PARAMETERS,
+    layout,
+)
+from verify.cases.rotor.sprag.model import ORDERS, rotor
+from verify.cases.rotor.sprag.response_fem import SHOWN_NODES, SMALL_OFFSETS
+from verify.core.case import Context
+from verify.core.figures import (
+    Array,
+    Band,
+    Campbell,
+    Curve,
+    Curves,
+    Figure,
+    Mode,
+    Panel,
+    Parallel,
+    ParallelAxis,
+    Shapes,
+    Whirl,
+)
+
+um, mm = 1e-6, 1e-3
+PEERS = np.array([0, 10_000, 20_000, 30_000, 40_000]) * RPM
+FORWARD, BACKWARD = 1, -1
+TURN = np.exp(2j * pi * np.linspace(0, 1, 91))
+BANDS = "line: median of the sets of parameters, band: 5 to 95 %"
+CRITICAL = tuple((n / RPM, f"n_{k}") for k, n in zip(ORDERS, PRINTED, strict=True))
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.fem or not arrays(context)["members"].size:
+        return ()
+    a = arrays(context)
+    return (
+        campbell(a), shapes(context, a), *responses(a), *over_unbalance(context, a), loads(a),
+        torsion(context, a), *orbits(context, a), parallel(a),
+    )  # fmt: skip
+
+
+def campbell(a: Arrays) -> Campbell:
+    peers = natural_frequencies(rotor(), PEERS, count=6) / (2 * pi)
+    speeds = np.repeat(PEERS[:, None], 6, axis=1) / RPM
+    return Campbell(
+        title="Natural frequencies of the central system (Fig. 8)", x_label="n [r/min]",
+        y_label="f [Hz]", speeds=a["swept"] / RPM, frequencies=a["branches"],
+        whirl=tuple(int(w) for w in a["branches, whirl"]), excitations=(("1×", 1 / 60),),
+        critical=tuple((n / RPM, n / (2 * pi), f"n_{k}")
+                       for k, n in zip(ORDERS, PRINTED, strict=True)),
+        peers=(speeds.ravel(), peers.ravel()), peers_name="transfer matrices",
+        note="critical speeds 1, 3 and 5 are the forward ones, to which parameters were fitted",
+    )  # fmt: skip
+
+
+def shapes(context: Context, a: Arrays) -> Whirl:
+    s = layout(CENTRAL)
+    z = s.z[0]
+    modes = []
+    for order, k in zip(ORDERS, np.flatnonzero(a["shapes, whirl"] == FORWARD), strict=False):
+        both: Any = a["shapes"][k]
+        lines = tuple(
+            (z[own], both[own, 0], both[own, 1]) for own in (slice(OUTER), slice(OUTER, None))
+        )
+        modes.append(Mode(name=f"order {order}, forward", lines=lines))
+    return Whirl(
+        title=f"Modes 1, 3 and 5 of the central system at {context.inputs.speed / RPM:.5g} r/min "
+        "(Fig. 7)",
+        unit="m", modes=tuple(modes), outlines=tuple(_outline(k) for k in range(2)),
+        supports=tuple(float(z[n - 1]) for n in GROUNDED),
+        links=tuple(float(z[a_ - 1]) for a_, _ in (*BETWEEN, CLUTCH)),
+        names=("outer rotor", "inner rotor"),
+    )  # fmt: skip
+
+
+def _outline(k: int) -> tuple[Array, Array]:
+    """Places and radii along a rotor, a step as two points."""
+    s = layout(CENTRAL)
+    own = slice(OUTER - 1) if k == 0 else slice(OUTER - 1, None)
+    nodes = slice(OUTER) if k == 0 else slice(OUTER, None)
+    z = s.z[0, nodes]
+    return np.repeat(z, 2)[1:-1], np.repeat(s.d_o[0, own] / 2, 2)
+
+
+def responses(a: Arrays) -> tuple[Curves, ...]:
+    over = a["nodes over speed"][:, 0] / um  # band, nodes, speeds
+    found = []
+    for name, own in (("outer", range(3)), ("inner", range(3, 6))):
+        found.append(
+            _banded(
+                f"Unbalance response of the {name} rotor (Figs. 9 and 10)", "|x| [µm]", a,
+                [(f"node {SHOWN_NODES[i]}", over[:, i]) for i in own],
+            )
+        )  # fmt: skip
+    return tuple(found)
+
+
+def loads(a: Arrays) -> Curves:
+    over = a["bearings over speed"][:, 0]
+    named = [(f"bearing {k + 3}", over[:, k]) for k in range(2)]
+    return _banded("Loads of the bearings between the rotors (Fig. 12)", "F [N]", a, named)
+
+
+def _banded(title: str, y_label: str, a: Arrays, named: list[tuple[str, Array]]) -> Curves:
+    x = a["grid"] / RPM
+    return Curves(
+        title=title, x_label="n [r/min]", y_label=y_label, y_log=True, note=BANDS,
+        curves=tuple(Curve(name=n, x=x, y=v[1], colour=i) for i, (n, v) in enumerate(named)),
+        bands=tuple(
+            Band(name="", x=x, lower=v[0], upper=v[2], colour=i) for i, (_, v) in enumerate(named)
+        ),
+    )  # fmt: skip
+
+
+def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
+    """Medians of nodes 4 and 19 for the three unbalances (Fig. 11)."""
+    x = a["grid"] / RPM
+    return tuple(
+        Curves(
+            title=f"Response of node {SHOWN_NODES[i]} over unbalance 2 (Fig. 11)",
+            x_label="n [r/min]", y_label="|x| [µm]", y_log=True,
+            note="medians of the sets of parameters",
+            curves=tuple(
+                Curve(name=f"{U * 1e5:.3g}e-5 kg m", x=x, y=a["nodes over speed"][1, k, i] / um,
+                      colour=k)
+                for k, U in enumerate(context.inputs.unbalances_2)
+            ),
+        )
+        for i in (SHOWN_NODES.index(node) for node in DISCS)
+    )  # fmt: skip
+
+
+def torsion(context: Context, a: Arrays) -> Curves:
+    """Torsion of node 19 at the critical speeds over the offset, from its slope at small ones."""
+    offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
+    slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
+    low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)
+    return Curves(
+        title="Torsion of node 19 at the bending critical speeds",
+        x_label="offset of the clutch Δx/δ_0", y_label="|θ_z| [µrad]",
+        curves=tuple(
+            Curve(name=f"n_{k}", x=offsets, y=middle[i] * offsets, colour=i)
+            for i, k in enumerate(ORDERS)
+        ),
+        bands=tuple(
+            Band(name="", x=offsets, lower=low[i] * offsets, upper=high[i] * offsets, colour=i)
+            for i in range(len(ORDERS))
+        ),
+        y_log=True,
+        note=f"{BANDS}. Linear in the offset: without it there is none",
+    )  # fmt: skip
+
+
+def orbits(context: Context, a: Arrays) -> tuple[Shapes, ...]:
+    stiffer = (("isotropic", 1.0), ("anisotropic", 1 + context.inputs.anisotropy))
+    return tuple(
+        Shapes(
+            title=f"Orbits of node {node} at {context.inputs.rig_speed / RPM:.5g} r/min (Fig. 15)",
+            unit="µm",
+            panels=tuple(
+                _orbit(f"k_y = {times:.3g} k_x", a[f"orbit, {key}"][:, i]) for key, times in stiffer
+            ),
+            note="the set of median size, with the nine nearest in size behind it",
+        )
+        for i, node in enumerate(DISCS)
+    )
+
+
+def _orbit(name: str, members: Any) -> Panel:
+    """Orbits x, y (m, 2) of members."""
+    lines = [np.column_stack([(x * TURN).real, (y * TURN).real]) / um for x, y in members]
+    size = np.abs(members).max(axis=1)
+    middle = int(np.argsort(size)[size.size // 2])
+    near = np.argsort(np.abs(np.log(size / size[middle])))[1:10]
+    return Panel(name=name, lines=(lines[middle],), faint=tuple(lines[j] for j in near))
+
+
+def parallel(a: Arrays) -> Parallel:
+    factors = np.array([p.factor for p in PARAMETERS])
+    axes = tuple(
+        ParallelAxis(name=p.symbol, unit=p.unit, low=float(low), high=float(high), log=True)
+        for p, low, high in zip(PARAMETERS, LOW / factors, HIGH / factors, strict=True)
+    )
+    members = np.concatenate([a["members"], CENTRAL[None]]) / factors
+    return Parallel(
+        title="Sets of parameters that all have the three printed critical speeds", axes=axes,
+        members=members, highlighted=((len(members) - 1, "central system", 0),),
+        members_name="sets of parameters",
+        note="every line hits all three speeds: they fix none of the axes",
+    )  # fmt: skip

@@ -1,0 +1,137 @@
+"""What the report shows of a rotor: Campbell diagram, modes, response, convergence."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.rotor.transfer_response import unbalance_response
+from analytic.rotor.transfer_shapes import mode_lines
+from verify.cases.rotor.system.claims import frequency_keys
+from verify.cases.rotor.system.inputs import RPM, SystemInputs
+from verify.cases.rotor.system.messages import SENSE, criticals
+from verify.cases.rotor.system.model import CRITICALS, campbell, shown_to, study
+from verify.cases.rotor.system.sketch import outlines
+from verify.core.case import Context, Values
+from verify.core.figures import Campbell, Curve, Curves, Equation, Figure, Mode, Refinement, Whirl
+from verify.core.tex import tex
+
+Hz, mm, um = 2 * np.pi, 1e-3, 1e-6
+SPEEDS = 400  # of the response
+DRAWN = 4  # critical speeds in motion
+
+
+def equations(q: SystemInputs, v: Values) -> Sequence[Equation]:
+    first = rf"= {tex(v['frequency 1'], 5)}\ \mathrm{{Hz}}"
+    return (
+        Equation(
+            tex=r"\frac{d}{dz}\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix} = "
+            r"\begin{pmatrix} 0&1&\frac{1}{\kappa GA}&0\\ 0&0&0&\frac{1}{EI}\\ "
+            r"-\rho A\omega^2&0&0&0\\ 0&-\rho I(\omega^2-2\Omega\omega)&-1&0\end{pmatrix}"
+            r"\begin{pmatrix} r\\ \varphi\\ Q\\ M\end{pmatrix}",
+            place="turning Timoshenko shaft",
+        ),
+        Equation(
+            tex=r"\det D(\omega_1, \Omega) = 0,\quad \omega_1/2\pi",
+            numbers=rf"{first}\quad(\Omega = {tex(q.speed / RPM)}\ \mathrm{{r/min}})",
+            place="none missed: the negative eigenvalues of D count the roots below ω",
+        ),
+    )
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    q = context.inputs
+    found: list[Figure] = [_campbell(q)]
+    if criticals(q):
+        found.append(_modes(q))
+    if any(q.unbalanced()):  # on a shaft that turns
+        found.append(_response(q))
+    return (*found, *(_refinement(context) if context.converging else ()))
+
+
+def _campbell(q: SystemInputs) -> Campbell:
+    speeds, w, whirl = campbell(q)
+    top = 1.05 * float(w[np.isfinite(w)].max()) / Hz
+    lines = tuple(
+        (f"unbalance of {' and '.join(e.shafts)}", abs(e.ratio) * RPM / Hz)
+        for e in study(q).excited
+    )
+    ratio = {" and ".join(e.shafts): abs(e.ratio) for e in study(q).excited}
+    met = tuple(
+        (c.speed / RPM, c.speed * ratio[c.shafts] / Hz, f"{c.speed / RPM:.0f}")
+        for c in criticals(q)
+        if c.speed <= speeds[-1] and c.speed * ratio[c.shafts] / Hz <= top
+    )
+    return Campbell(
+        title="Natural frequencies over the speed", x_label="n [r/min]", y_label="f [Hz]",
+        speeds=speeds / RPM, frequencies=w / Hz, whirl=whirl, excitations=lines, critical=met,
+        range=(q.speed_from / RPM, q.speed_to / RPM), y_top=top,
+        note=f"By transfer matrices, damping left out. {_sense(q)}",
+    )  # fmt: skip
+
+
+def _sense(q: SystemInputs) -> str:
+    if q.rotor.isotropic:
+        return "Unbalance excites whirl where its line crosses a branch of the same sense."
+    return (
+        "On bearings unlike in x and y whirl is elliptical and unbalance meets every branch; "
+        f"the sense is that at {q.speed / RPM:.5g} r/min."
+    )
+
+
+def _modes(q: SystemInputs) -> Whirl:
+    ranked = sorted(
+        ((float(e.speeds[k]), k, e) for e in study(q).excited for k in range(len(e.speeds))),
+        key=lambda item: item[0],
+    )[:DRAWN]  # fmt: skip
+    modes = []
+    for speed, k, excited in ranked:
+        lines = mode_lines(excited.modes, k, points=5)
+        modes.append(
+            Mode(
+                name=f"{speed / RPM:.5g} r/min, {SENSE[int(excited.modes.whirl[k])]}",
+                lines=tuple(
+                    ((shaft.start + line.z) / mm, line.plus + line.minus,
+                     (line.plus - line.minus) / 1j)
+                    for shaft, line in zip(q.shafts, lines, strict=True)
+                ),
+            )
+        )  # fmt: skip
+    return Whirl(
+        title="Modes at the lowest critical speeds", unit="mm", modes=tuple(modes),
+        outlines=tuple((z / mm, r / mm) for z, r in outlines(q)),
+        supports=tuple(q.places[s.node - 1] / mm for s in q.supports),
+        links=tuple(q.places[s.node - 1] / mm for s in q.links),
+        names=tuple(shaft.name for shaft in q.shafts),
+    )  # fmt: skip
+
+
+def _response(q: SystemInputs) -> Curves:
+    speeds = np.linspace(0.02, 1.0, SPEEDS) * shown_to(q)
+    curves = []
+    for k, (ratio, group) in enumerate(q.unbalanced().items()):
+        if ratio:
+            names = " and ".join(s.name for s in q.shafts if s.ratio == ratio)
+            found = unbalance_response(q.rotor, speeds, group, excitation=ratio)
+            y = found.amplitude(q.probe - 1) / um
+            curves.append(Curve(name=f"unbalance of {names}", x=speeds / RPM, y=y, colour=k))
+    return Curves(
+        title=f"Amplitude of node {q.probe} over the speed", x_label="n [r/min]",
+        y_label="|r| [µm]", curves=tuple(curves), y_log=True,
+        note="Half the large axis of the orbit.",
+    )  # fmt: skip
+
+
+def _refinement(context: Context) -> Sequence[Figure]:
+    keys = [k for k in frequency_keys(context) if k.startswith("frequency")][:CRITICALS]
+    cells = np.array([1 / result.h for result in context.fem])
+    errors = tuple(
+        (f"{key}", np.array([abs(r.values[key] / context.analytic[key] - 1) for r in context.fem]))
+        for key in keys
+    )
+    return (
+        Refinement(
+            title="Beams against transfer matrices", x_label="elements a segment",
+            y_label="|error|", cells=cells, errors=errors, order=2,
+            note="Natural frequencies at the speed.",
+        ),
+    )  # fmt: skip

@@ -1,0 +1,136 @@
+"""What is told of an engagement; the verdict of a sprag clutch at rest and in it together."""
+
+import math
+from collections.abc import Sequence
+
+from analytic.sprag.steps import enough
+from verify.cases.freewheel.clutch.numbers import newton, pascal
+from verify.cases.sprag.clutch.limits import verdict
+from verify.cases.sprag.clutch.recommendations import why
+from verify.cases.sprag.clutch.run_fem import Run, run_fem
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Values
+
+WORSE = ("holds", "not followed", "overloaded", "disengages", "slips", "rolls over", "no state")
+AT_REST = {
+    "holds": "holds at rest",
+    "overloaded": "is overloaded at rest",
+    "slips": "slips at rest",
+    "rolls over": "rolls over at rest",
+    "no state": "no formula tells of a state at rest",
+}
+IN_TIME = {
+    "holds": "holds in the first peak",
+    "not followed": "the engagement is not followed to its peak",
+    "overloaded": "is overloaded in the first peak",
+    "disengages": "its contacts are apart in the end",
+    "slips": "slides on as the torque comes",
+    "rolls over": "rolls over in the first peak",
+    "no state": "the formulas end before the first peak",
+}
+WORDS = {
+    "locks": "the clutch locks",
+    "slips": "a contact slides on: the clutch does not lock",
+    "over the end": "the sprags roll over",
+    "disengages": "the contacts are apart at the end",
+    "not followed": "not followed to its peak",
+}
+WELL = 1e-3  # of the work: energies that miss more are told
+SPARE = 1.2  # of half a period: stiffness grows with the load
+DECAYS = 5.0  # time constants of a force that creeps
+
+
+def overall(q: EngagementInputs, v: Values) -> tuple[str, tuple[str, ...]]:
+    """The worse verdict, and the lines that say both."""
+    still, moving = verdict(q, v), in_time(q, v)
+    worst = max(still, moving, key=WORSE.index)
+    if still == moving and still in ("holds", "overloaded", "rolls over"):
+        head = f"{AT_REST[still]} and in the first peak"
+    else:
+        head = f"{AT_REST[still]}, {IN_TIME[moving]}"
+    if moving == "rolls over" and still in ("holds", "overloaded"):
+        head += "; longer, more or wider sprags, thicker races or a torque that rises more " \
+            "slowly keep it on its profile"  # fmt: skip
+    return worst, (head, f"at rest: {still}: {why(q, v)}")
+
+
+def in_time(q: EngagementInputs, v: Values) -> str:
+    """The engagement's verdict in the words of that at rest."""
+    run = run_fem(q)
+    found = run.engagement.verdict
+    if found == "over the end":
+        return "rolls over" if run.end_of_profile else "no state"
+    if found != "locks":
+        return found
+    return "overloaded" if max(v["p_i max"], v["p_o max"]) > (q.p_lim or math.inf) else "holds"
+
+
+def unfollowed(q: EngagementInputs, v: Values) -> str:
+    """How long an engagement must be followed."""
+    if "T/theta" not in v:
+        return f"t_e = {q.t_end * 1e3:.3g} ms is too short"
+    return f"t_e = {q.t_end * 1e3:.3g} ms is too short, take t_end of at least " \
+        f"{least_time(q, v) * 1e3:.4g} ms"  # fmt: skip
+
+
+def least_time(q: EngagementInputs, v: Values) -> float:
+    """Time [s] up to the first peak at most, rounded up to two digits.
+
+    The torque's rise, the way back of a race that overruns, half a period of the inner race on the
+    clutch and the support one behind the other, and what damping delays.
+    """
+    k = 1 / (1 / v["T/theta"] + 1 / q.k_out)
+    back = q.I_bi * max(0.0, -q.w_i) / q.T
+    t = q.t_ramp + back + SPARE * math.pi * math.sqrt(q.I_bi / k) + DECAYS * q.C_rl / k
+    unit = 10.0 ** (math.floor(math.log10(t)) - 1)
+    return math.ceil(t / unit) * unit
+
+
+def told(found: Run) -> str:
+    """The verdict; where the formulas end and not the profile, that."""
+    e = found.engagement
+    if e.over and not found.end_of_profile:
+        return "the contacts become too wide for the formulas"
+    return WORDS[e.verdict]
+
+
+def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
+    found = run_fem(q)
+    e = found.engagement
+    lines = peaks(q, v, found) if e.followed else [
+        f"in time: {told(found)}: {unfollowed(q, v)}; "
+        + ("the inner race still overruns" if e.overruns else
+           f"the normal force still rises and is {newton(v['N_max'])} at {e.t[-1] * 1e3:.3g} ms")
+    ]  # fmt: skip
+    if v["t_slip"] > 0:
+        lines.append(
+            f"contacts slide for {v['t_slip'] * 1e3:.3g} ms, the inner ones {way(v['slid_i'])} and "
+            f"the outer ones {way(v['slid_o'])}: {v['friction']:.3g} J go into friction"
+        )
+    if v["missing"] > WELL:
+        lines.append(
+            f"careful: energies miss {v['missing']:.2%} of the work put in, Δt = {q.dt:g} s is "
+            f"long; take {enough(e.table, e.motion, q.dt):g} s"
+        )
+    return lines
+
+
+def peaks(q: EngagementInputs, v: Values, found: Run) -> list[str]:
+    """Verdict, force and pressures of an engagement that was followed."""
+    e = found.engagement
+    factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
+    when, reaches = (f" at {e.t[-1] * 1e3:.3g} ms", "has reached") if e.over else ("", "reaches")
+    lines = [
+        f"in time: {told(found)}{when}; the normal force {reaches} {newton(v['N_max'])} at "
+        f"{v['t_max'] * 1e3:.3g} ms{factor}",
+        f"then the inner contacts bear {pascal(v['p_i max'])}, the outer ones "
+        f"{pascal(v['p_o max'])}",
+    ]
+    if q.p_lim is not None and max(v["p_i max"], v["p_o max"]) > q.p_lim:
+        lines.append(f"that exceeds p_lim = {pascal(q.p_lim)}")
+    return lines
+
+
+def way(s: float) -> str:
+    """A way [m] in words."""
+    return f"{s * 1e6:.3g} µm" if s < 1e-3 else f"{s * 1e3:.3g} mm" if s < 1 else f"{s:.3g} m"

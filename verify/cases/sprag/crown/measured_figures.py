@@ -1,0 +1,158 @@
+"""What Figs. 12 to 14 say of crowns, judged on this clutch: under which force, by how much."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from verify.cases.contact.roller.inputs import DESIGNS
+from verify.cases.sprag.crown.formulas import label
+from verify.cases.sprag.crown.paper_fem import FIG_12, FIG_14
+from verify.core.case import Context
+from verify.core.figures import Array
+from verify.judging.checks import Margin
+
+MPa = 1e6
+AT = {10: 0, 25: 1, 30: 2, 40: 3}  # number of the torque [N m] among those engaged
+STEP = 1e-3  # of a pressure: tables of the engagements, fits of N_max
+NEAR = 0.01
+LEVEL = 1.0  # of K_1 in the factorial
+
+
+def arrays(context: Context) -> Mapping[str, Array]:
+    return context.fem[-1].arrays
+
+
+def number(crown: tuple[float, float, float]) -> int:
+    return DESIGNS.index(crown)
+
+
+def ordered(found: Mapping[str, Array], by: str) -> Array:
+    """At each force, whether Fig. 12's best crown is the lowest and its worst the highest."""
+    p = found[f"swept, {by}"]
+    best, worst = map(number, FIG_12)
+    return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
+
+
+def window(found: Mapping[str, Array], by: str) -> str:
+    """Least and largest force of the sweep with that order, in words."""
+    N = found["swept"][ordered(found, by)] / 1e3
+    return f"from {N.min():.2f} to {N.max():.2f} kN by {by}" if N.size else f"nowhere by {by}"
+
+
+def first_peaks(found: Mapping[str, Array]) -> str:
+    """Torques whose first peaks have that order by slices, in words."""
+    N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
+    T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
+    return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
+
+
+def highest_and_lowest(context: Context) -> tuple[float, float, str]:
+    """Under the static load the best crown is the lowest and the worst the highest, by a share.
+
+    By slices and by strips.
+    """
+    found, N = arrays(context), context.analytic["N"]
+    best, worst = map(number, FIG_12)
+    margins = []
+    for by in ("slices", "strips"):
+        p = np.array([np.interp(N, found["swept"], one) for one in found[f"swept, {by}"]])
+        others = np.delete(p, [best, worst])
+        margins.append(min(others.min() / p[best], p[worst] / others.max()) - 1)
+    forces = ", ".join(window(found, by) for by in ("slices", "strips"))
+    words = (
+        f"of {len(DESIGNS)} printed crowns, by {margins[0]:.1%} (slices) and {margins[1]:.1%} "
+        f"(strips) at {N:.0f} N; the order holds {forces}, so that any such force shows it: the "
+        f"static load at 25 N m, or a first peak {first_peaks(found)} (slices)"
+    )
+    return float(min(margins)), 0.0, words
+
+
+def in_other_order(context: Context) -> tuple[float, float, str]:
+    """How far the best crown of Fig. 12 is above the worst at the first peak under 25 N m."""
+    found = arrays(context)
+    best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
+    N = float(found["named N"][number(FIG_12[0]), AT[25]])
+    words = (
+        f"{best / MPa:.0f} MPa with {label(FIG_12[0])}, {worst / MPa:.0f} MPa with "
+        f"{label(FIG_12[1])} at {N:.0f} N"
+    )
+    return best / worst - 1, STEP, words
+
+
+def first_and_trough(context: Context) -> tuple[float, float, str]:
+    """With K_1 = 1 the ends bear more than mid-length at the peak, and less at the trough."""
+    peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
+    words = (
+        f"end {peak[0]:.0f} MPa, middle {peak[1]:.0f} MPa at the peak; "
+        f"{trough[0]:.0f} and {trough[1]:.0f} MPa at the trough"
+    )
+    return float(min(peak[0] / peak[1], trough[1] / trough[0])) - 1, STEP, words
+
+
+def uneven(p: Array) -> float:
+    """Share of the load that would have to move for the line load, which goes as p², to be even."""
+    return float(np.abs(p**2 / (p**2).mean() - 1).mean() / 2)
+
+
+def more_even(context: Context) -> tuple[float, float, str]:
+    """How much less of the load would have to move with K_1 = 3 than with 1."""
+    shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
+    words = f"{shallow:.1%} of the load would have to move with K_1 = 1, {deep:.1%} with 3"
+    return 1 - deep / shallow, STEP, words
+
+
+def order_at(which: int) -> Margin:
+    """How far Fig. 14's crown number `which` is below the other at its torque."""
+    T = (10, 30)[which]
+
+    def margin(context: Context) -> tuple[float, float, str]:
+        p = arrays(context)["named p"][:, AT[T]]
+        own, other = (float(p[number(c)]) for c in (FIG_14[which], FIG_14[1 - which]))
+        words = f"{own / MPa:.0f} MPa, {label(FIG_14[1 - which])} {other / MPa:.0f} MPa"
+        return other / own - 1, STEP, words
+
+    return margin
+
+
+def above_lowest(context: Context, which: int) -> tuple[float, str]:
+    """How far Fig. 14's crown is above the lowest of the factorial at its torque, in words too."""
+    T, found = (10, 30)[which], arrays(context)
+    p = found["many p"][:, AT[T]]
+    own, k = float(found["named p"][number(FIG_14[which]), AT[T]]), int(p.argmin())
+    lower = int((p < own).sum())
+    words = (
+        f"{own / MPa:.0f} MPa, {own / p[k] - 1:.1%} above {label(tuple(found['box'][k]))}, the "
+        f"lowest of {p.size} crowns, {lower} of which are lower"
+    )
+    return own / float(p[k]) - 1, words
+
+
+def lowest_at_10(context: Context) -> tuple[float, float, str]:
+    above, words = above_lowest(context, 0)
+    return NEAR - above, STEP, words
+
+
+def not_lowest_at_30(context: Context) -> tuple[float, float, str]:
+    """How far above the lowest crown at 30 N m; and printed is a K_1 between them at 25 and 40."""
+    above, words = above_lowest(context, 1)
+    N = arrays(context)["many N"][:, AT[30]].mean() / context.analytic["Q"]
+    return above, STEP, f"{words}; N_max/Q = {N:.2f}"
+
+
+def lowest(context: Context) -> Array:
+    """The lowest crown of the factorial at each torque, (torques, 3)."""
+    found = arrays(context)
+    return np.asarray(found["box"][found["many p"].argmin(axis=0)])
+
+
+def grows_with_torque(context: Context) -> tuple[float, float, str]:
+    """K_1 of the lowest crown never falls and is larger by some levels at the largest torque."""
+    found, best = arrays(context), lowest(context)
+    ratio = found["many N"].mean(axis=0) / context.analytic["Q"]
+    words = "; ".join(
+        f"{T:g} N m: K_1 = {c[0]:g}, z_m = {c[2] * 1e6:g} µm, N_max/Q = {r:.2f}"
+        for T, c, r in zip(found["torques"], best, ratio, strict=True)
+    )
+    steps = np.diff(best[:, 0])
+    rise = float(best[-1, 0] - best[0, 0]) if steps.min() >= 0 else float(steps.min())
+    return rise, LEVEL, words

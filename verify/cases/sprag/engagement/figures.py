@@ -1,0 +1,207 @@
+"""What the report shows of an engagement: forces over time, energies, pressures, convergence."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.cases.contact.roller.inputs import DESIGNS
+from verify.cases.sprag.engagement.fem import ORDER
+from verify.cases.sprag.engagement.formulas import swing
+from verify.cases.sprag.engagement.pressures import pressures
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Context, Values
+from verify.core.figures import (
+    Array,
+    Bars,
+    Curve,
+    Curves,
+    Equation,
+    Figure,
+    Refinement,
+    Shape,
+    Sketch,
+)
+from verify.core.tex import tex
+
+ms, kN, mm = 1e-3, 1e3, 1e-3
+FEW = 45  # dots of a curve
+SAID = {
+    "elastic": "contacts, races and sprags", "kinetic": "in motion", "damping": "damped",
+    "support": "support", "friction": "friction",
+}  # fmt: skip
+
+
+def equations(q: EngagementInputs, v: Values) -> Sequence[Equation]:
+    found = [
+        Equation(tex=r"I_{bi}\ddot\theta_i = T - n_s OA\,T_i - C_{rl}(\dot\theta_i - \dot\theta_e)",
+                 place="Eq. 16, its lever arms corrected"),
+        Equation(tex=r"I_{be}\ddot\theta_e = n_s OB\,T_e - k_{out}\theta_e "
+                 r"- C_{rl}(\dot\theta_e - \dot\theta_i)", place="Eq. 16, with the support"),
+        Equation(tex=r"m_g OC_g\ddot\varphi = -N\sin(\beta+\gamma) + T_i\cos(\beta+\gamma) "
+                 r"+ N\sin\gamma - T_e\cos\gamma", place="Eq. 14"),
+        Equation(tex=r"I_g(\ddot\alpha - \ddot\varphi) = b_i T_i + b_e T_e - (h_i - h_e) N "
+                 r"+ K_r(\alpha_{max} - \alpha)", place="Eq. 14, the springs' sign corrected"),
+    ]  # fmt: skip
+    if "N_undamped" in v:
+        found += [
+            Equation(tex=r"T\,\theta_1 = \int_0^{\theta_1} T(\theta)\,\mathrm{d}\theta",
+                     numbers=rf"N_1 = {tex(v['N_undamped'])}\ \mathrm{{N}}",
+                     place="first peak without damping, outer race held"),
+            Equation(tex=r"f = \frac{1}{2\pi}\sqrt{\frac{\mathrm{d}T/\mathrm{d}\theta}{I_{bi}}}",
+                     numbers=rf"= \frac{{1}}{{2\pi}}\sqrt{{\frac{{{tex(v['k'])}}}"
+                     rf"{{{tex(q.I_bi)}}}}} = {tex(v['f'])}\ \mathrm{{Hz}}",
+                     place="about rest, the sprags' inertia added"),
+        ]  # fmt: skip
+    return found
+
+
+def sketch(_q: EngagementInputs) -> Sketch:
+    """Two races, the sprags as a spring and a damper between them, the support."""
+    turn = np.linspace(0, 2 * math.pi, 61)
+
+    def disc(x: float) -> Array:
+        return np.column_stack([x + 0.22 * np.cos(turn), 1.0 * np.sin(turn)])
+
+    def zigzag(x: float, to: float, y: float) -> Array:
+        at = np.linspace(x, to, 11)
+        up = np.array([0, 0, 0.14, -0.14, 0.14, -0.14, 0.14, -0.14, 0.14, 0, 0])
+        return np.column_stack([at, y + up])
+
+    def box(x: float, to: float, y: float) -> tuple[Array, Array]:
+        m = (x + to) / 2
+        cup = np.array([[m + 0.3, y + 0.16], [m - 0.2, y + 0.16], [m - 0.2, y - 0.16],
+                        [m + 0.3, y - 0.16]])  # fmt: skip
+        return cup, np.array([[m + 0.1, y - 0.13], [m + 0.1, y + 0.13]])
+
+    cup, piston = box(0.22, 2.78, -0.45)
+    shapes = (
+        Shape(style="body", points=disc(0)), Shape(style="body", points=disc(3)),
+        Shape(style="line", points=zigzag(0.22, 2.78, 0.45)),
+        Shape(style="line", points=np.array([[0.22, -0.45], [1.3, -0.45]])),
+        Shape(style="line", points=cup), Shape(style="line", points=piston),
+        Shape(style="line", points=np.array([[1.6, -0.45], [2.78, -0.45]])),
+        Shape(style="line", points=zigzag(3.22, 5.0, 0.0)),
+        Shape(style="clamp", points=np.array([[5.0, 0.8], [5.0, -0.8]])),
+        Shape(style="load", points=np.array([[-1.6, 0.0], [-0.25, 0.0]]), label="T"),
+        Shape(style="text", points=np.array([[0.0, 1.25]]), label="I_bi, θ_i"),
+        Shape(style="text", points=np.array([[3.0, 1.25]]), label="I_be, θ_e"),
+        Shape(style="text", points=np.array([[1.5, 0.85]]), label="n_s sprags: N(α)"),
+        Shape(style="text", points=np.array([[1.5, -0.85]]), label="C_rl"),
+        Shape(style="text", points=np.array([[4.1, 0.4]]), label="k_out"),
+    )  # fmt: skip
+    return Sketch(
+        title="what swings: both races, between them the sprags, whose force grows with the turn, "
+        "and the support of the outer race",
+        shapes=shapes,
+    )
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.converging:
+        return ()
+    found: list[Figure] = [forces(context), apart(context), energies(context), turns(context)]
+    found += pressures(context)
+    if context.is_paper:
+        found += [refined(context), crowns(context)]
+    return found
+
+
+def forces(context: Context) -> Figure:
+    """Fig. 8: N(t) of all models."""
+    q, last = context.inputs, context.fem[-1].arrays
+    every = max(len(last["LSODA t"]) // FEW, 1)
+    races = swing(q)
+    return Curves(
+        title="Normal force of a sprag (Fig. 8)", x_label="t [ms]", y_label="N [kN]",
+        curves=(
+            Curve(name="Runge-Kutta steps, Eqs. 11-16", x=last["t"] / ms, y=last["N"] / kN),
+            Curve(name="LSODA, contacts that always roll", x=last["LSODA t"][::every] / ms,
+                  y=last["LSODA N"][::every] / kN, style="dots"),
+            Curve(name="at rest, of a strut with springs",
+                  x=races.t / ms, y=np.full_like(races.t, context.analytic["N"] / kN),
+                  style="dashes", colour=2),
+            Curve(name="without damping, outer race held", x=last["undamped t"] / ms,
+                  y=last["undamped N"] / kN, style="dashes", colour=3),
+            Curve(name="rigid races (Liu)", x=last["rigid t"] / ms, y=last["rigid N"] / kN,
+                  style="dashes", colour=1),
+        ),
+        note="What the paper draws from LS/DYNA was not to be had.",
+    )  # fmt: skip
+
+
+def apart(context: Context) -> Figure:
+    """What the models differ by over the engagement."""
+    q, last = context.inputs, context.fem[-1]
+    top, races = last.values["N_max"], swing(q)
+    t = last.arrays["t"]
+    spring = np.interp(t, races.t, races.N) - last.arrays["N"]
+    lsoda = last.arrays["LSODA beside"] - last.arrays["LSODA N"]
+    floor = 1e-10
+
+    def share(d: Array) -> Array:
+        return np.asarray(np.log10(np.maximum(np.abs(d) / top, floor)))
+
+    return Curves(
+        title="What the steps differ by", x_label="t [ms]", y_label="lg(|ΔN|/N_max)",
+        curves=(
+            Curve(name="from LSODA with events", x=last.arrays["LSODA t"] / ms, y=share(lsoda)),
+            Curve(name="from two races on a spring", x=t / ms, y=share(spring), colour=1),
+        ),
+        y_bottom=-10.0, y_top=0.0,
+        note="Two races on a spring have N_e/N_i of a strut and sprags without mass.",
+    )  # fmt: skip
+
+
+def energies(context: Context) -> Figure:
+    """What became of the work put in, one on the other."""
+    last = context.fem[-1].arrays
+    t, below, curves = last["t"] / ms, np.zeros_like(last["t"]), []
+    for colour, (key, words) in enumerate(SAID.items()):
+        below = below + last[key]
+        curves.append(Curve(name=f"+ {words}" if colour else words, x=t, y=below, colour=colour))
+    put_in = last["torque"] + last["blades"]
+    every = max(len(t) // FEW, 1)
+    curves.append(Curve(name="put in by torque and springs", x=t[::every], y=put_in[::every],
+                        style="dots", colour=5))  # fmt: skip
+    return Curves(
+        title="Energies, one on the other", x_label="t [ms]", y_label="E [J]",
+        curves=tuple(curves), note="The crosses lie on the uppermost line: nothing is missing.",
+    )  # fmt: skip
+
+
+def turns(context: Context) -> Figure:
+    last = context.fem[-1].arrays
+    t = last["t"] / ms
+    return Curves(
+        title="Turns of races and sprags", x_label="t [ms]", y_label="angle [deg]",
+        curves=tuple(
+            Curve(name=words, x=t, y=np.degrees(last[key]), colour=colour)
+            for colour, (key, words) in enumerate((
+                ("theta_i", "θ_i, inner race"), ("theta_e", "θ_e, outer race"),
+                ("alpha", "α, sprags"),
+            ))
+        ),
+    )  # fmt: skip
+
+
+def refined(context: Context) -> Figure:
+    return Refinement(
+        title="Error of N(t) over the time step", x_label="steps in 10 µs",
+        y_label="largest |ΔN|/N_max", cells=1 / np.array(ORDER),
+        errors=(("N(t)", context.fem[-1].arrays["order"]),), order=4,
+        note="Against steps of 1/16.",
+    )  # fmt: skip
+
+
+def crowns(context: Context) -> Figure:
+    none, *found = context.fem[-1].arrays["crowns"]
+    return Bars(
+        title="What a crown changes in the largest force", label="N_max over that without crown "
+        "− 1 [%]",
+        items=tuple(
+            (f"({K_1:.3g}, {K_2:.3g}, {z_m / mm:.3g} mm)", 100 * (N / none - 1), f"{N:.0f} N")
+            for (K_1, K_2, z_m), N in zip(DESIGNS, found, strict=True)
+        ),
+        note=f"(K_1, K_2, z_m); without a crown {none:.0f} N.",
+    )  # fmt: skip

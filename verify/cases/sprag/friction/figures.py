@@ -1,0 +1,216 @@
+"""What the report shows of friction: what locks, what the guard stops, the law of Eq. 13."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.sprag.friction import coefficient
+from verify.cases.sprag.engagement.model import wedge
+from verify.cases.sprag.friction.fem import BANDS, NARROW, STEPS
+from verify.cases.sprag.friction.formulas import sliding
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.core.case import Context, Values
+from verify.core.figures import (
+    Array,
+    Curve,
+    Curves,
+    Equation,
+    Figure,
+    Map,
+    Shape,
+    Sketch,
+    Zone,
+    Zones,
+)
+from verify.core.tex import tex
+
+ms, kN = 1e-3, 1e3
+FASTEST = 5.0  # over gamma_b, the sliding speeds of the law
+EARLY = 40  # steps after the start in which a contact comes to rest, or does not
+FINE = 141  # torques in the map
+HIGH = 0.3  # friction up to which the map goes
+
+
+def equations(q: EngagementInputs, v: Values) -> Sequence[Equation]:
+    found = [
+        Equation(tex=r"T = \begin{cases} T_{stick} & |v| < D_V,\ |T_{stick}| \le \mu_s N \\ "
+                 r"\mu_s N\,\mathrm{sgn}\,T_{stick} & |v| < D_V,\ |T_{stick}| > \mu_s N \\ "
+                 r"\mu_d N\,\mathrm{sgn}\,v & |v| \ge D_V \end{cases}", place="Eq. 12"),
+        Equation(tex=r"\mu_d = \mu_c + (\mu_s - \mu_c) e^{-\gamma_b |v|}",
+                 numbers=rf"= {tex(q.mu_c)} + {tex(q.mu_s - q.mu_c)}\,"
+                 rf"e^{{-{tex(q.gamma_b)}\,|v|}}", place="Eq. 13"),
+    ]  # fmt: skip
+    if "mu_b" in v:
+        found.append(
+            Equation(tex=r"\mu_b = \frac{T}{n_s\,OA\,N} \approx \tan\nu",
+                     numbers=rf"= {tex(v['mu_b'])}, \quad \tan\nu = {tex(v['tan'])}",
+                     place="from there on it locks; springs bear the difference")
+        )  # fmt: skip
+    if "N slides" in v:
+        found.append(
+            Equation(tex=r"N = \frac{K_r(\alpha_{max} - \alpha)}{h - b_i\mu - b_e\frac{(OA + b_i)"
+                     r"\mu - h}{OB - b_e}}, \quad h = h_i - h_e",
+                     numbers=rf"= {tex(v['N slides'])}\ \mathrm{{N}}",
+                     place="sprags that slide on the inner race, μ = 0.9 tan ν_0")
+        )  # fmt: skip
+    return found
+
+
+def sketch(q: EngagementInputs) -> Sketch:
+    """A sprag between its races, drawn straight, with its forces and sliding speeds."""
+    turn = np.linspace(0, 2 * math.pi, 91)
+    lean = 0.35
+    body = np.column_stack([0.42 * np.cos(turn), 1.0 * np.sin(turn)]) @ np.array(
+        [[math.cos(lean), math.sin(lean)], [-math.sin(lean), math.cos(lean)]]
+    )
+    top, low = float(body[:, 1].max()), float(body[:, 1].min())
+    above, below = body[np.argmax(body[:, 1])], body[np.argmin(body[:, 1])]
+    up, right = np.array([0.0, 1.0]), np.array([1.0, 0.0])
+
+    def race(y: float, way: float) -> Array:
+        return np.array([[-2, y], [2, y], [2, y + 0.5 * way], [-2, y + 0.5 * way]])
+
+    shapes = (
+        Shape(style="body", points=race(top, 1)), Shape(style="body", points=race(low, -1)),
+        Shape(style="modelled", points=body),
+        Shape(style="axis", points=np.vstack([above, below])),
+        Shape(style="load", points=np.array([above + 0.9 * up, above]), label="N"),
+        Shape(style="load", points=np.array([below - 0.9 * up, below]), label="N"),
+        Shape(style="load", points=np.array([above + 0.12 * up - 1.1 * right,
+                                             above + 0.12 * up - 0.1 * right]), label="T_e"),
+        Shape(style="load", points=np.array([below - 0.12 * up + 1.1 * right,
+                                             below - 0.12 * up + 0.1 * right]), label="T_i"),
+        Shape(style="text", points=np.array([[-1.3, low - 0.8]]), label="inner race, driven ←"),
+        Shape(style="text", points=np.array([[1.3, top + 0.8]]), label="outer race, held"),
+    )  # fmt: skip
+    return Sketch(
+        title="forces on a sprag between the races, drawn straight: N along the radius, friction "
+        "T_i and T_e up to μN; AB, dash-dotted, leans by ν, "
+        f"{math.degrees(q.nu_0):.3g}°, drawn larger, and is the line of the resultant",
+        shapes=shapes,
+    )
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    found: list[Figure] = [law(context.inputs), slides(context)]
+    if not context.converging:
+        return found
+    found += [zones(context), wrong(context), speeds(context)]
+    guard = context.fem[-1].arrays["guard"]
+    return [*found, *(guarded(context, factor) for factor in np.unique(guard[:, 0]))]
+
+
+def law(q: EngagementInputs) -> Figure:
+    """Eq. 13, and what the wedge asks for."""
+    v = np.linspace(0, FASTEST / q.gamma_b, 201)
+    tan = math.tan(q.nu_0)
+    return Curves(
+        title="Friction over the sliding speed (Eq. 13)", x_label="v [m/s]", y_label="μ",
+        curves=(
+            Curve(name="μ_d", x=v, y=coefficient(v, mu_c=q.mu_c, mu_s=q.mu_s, gamma_b=q.gamma_b)),
+            Curve(name="tan ν_0, what the wedge asks for", x=v, y=np.full_like(v, tan),
+                  style="dashes", colour=1),
+        ),
+        note="Above what the wedge asks for sprags that slide are caught, below they slide on.",
+    )  # fmt: skip
+
+
+def slides(context: Context) -> Figure:
+    """N of sprags that slide, over friction; driven and overrunning."""
+    q, w, v = context.inputs, wedge(context.inputs), context.analytic
+    curves: list[Curve] = []
+    for words, share in (
+        ("driven", np.linspace(0.02, 0.97, 96)), ("overrunning", np.linspace(-3, -0.02, 96)),
+    ):  # fmt: skip
+        N = np.array([sliding(w, float(s * v["tan_0"])).N for s in share])
+        held = np.isfinite(N)
+        curves.append(
+            Curve(name=f"closed form, {words}", x=share[held], y=N[held], colour=len(curves))
+        )
+    if context.fem:
+        last = context.fem[-1].values
+        curves.append(
+            Curve(name="Runge-Kutta steps", style="dots", colour=2,
+                  x=np.array([0.9, -q.mu_s / v["tan_0"]]),
+                  y=np.array([last["N slides"], last["N overruns"]]))
+        )  # fmt: skip
+    return Curves(
+        title="Normal force of sprags that slide", x_label="μ/tan ν_0, negative where the race "
+        "overruns", y_label="N [N]", curves=tuple(curves), y_top=float(2 * v["N slides"]),
+        note="The springs alone press; friction multiplies that by 1/(1 − μ/tan ν), or divides it. "
+        "Between the curves neither contact holds.",
+    )  # fmt: skip
+
+
+def zones(context: Context) -> Figure:
+    """What locks over torque and friction, with weak springs."""
+    coarse = context.fem[-1].arrays["map"].T
+    T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
+    firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
+    tan = context.analytic["tan"]
+    return Zones(
+        title="Stick and slip with weak springs", x_label="T [N m]", y_label="μ/tan ν",
+        x=T, y_top=HIGH / tan,
+        zones=(
+            Zone(name="slips for ever", top=weak / tan, tone="bad"),
+            Zone(name="slips first, then locks", top=np.minimum(most, HIGH) / tan, tone="fair"),
+            Zone(name="locks without slip", top=np.full_like(T, HIGH / tan), tone="good"),
+        ),
+        curves=(
+            Curve(name="locks from here on, springs of the inputs", x=T, y=firm / tan,
+                  style="dashes"),
+        ),
+        note="Springs a 25th as stiff, one coefficient of friction, torque as a step; tan ν under "
+        "T. The step throws the race forward before the springs' force has made N. With the "
+        "springs of the inputs there is hardly a zone between.",
+    )  # fmt: skip
+
+
+def wrong(context: Context) -> Figure:
+    """N(t) where the guard is off, and where it is on."""
+    last = context.fem[-1].arrays
+    return Curves(
+        title="A band too narrow for the step, unguarded", x_label="t [ms]", y_label="N [kN]",
+        curves=(
+            Curve(name="band chosen, as by LSODA", x=last["t"] / ms, y=last["right N"] / kN),
+            Curve(name=f"D_V = {NARROW:g} m/s, guard off", x=last["wrong t"] / ms,
+                  y=last["wrong N"] / kN, colour=1),
+        ),
+        note="1.6 T, weak springs. Nothing in the curve without guard tells that it is wrong; a "
+        "machine whose arithmetic rounds otherwise may give quite another one.",
+    )  # fmt: skip
+
+
+def speeds(context: Context) -> Figure:
+    """Sliding speeds of both at the start, with the band."""
+    last = context.fem[-1].arrays
+    t = last["fine t"][:EARLY] / ms
+    return Curves(
+        title="Why: sliding speed at the start", x_label="t [ms]", y_label="v_i [m/s]",
+        curves=(
+            Curve(name="band chosen", x=t, y=last["right v"][:EARLY]),
+            Curve(name=f"D_V = {NARROW:g} m/s", x=t, y=last["wrong v"][:EARLY], style="dots",
+                  colour=1),
+            Curve(name="the narrow band", x=t, y=np.full_like(t, NARROW), style="dashes", colour=2),
+            Curve(name="", x=t, y=np.full_like(t, -NARROW), style="dashes", colour=2),
+        ),
+        y_bottom=float(min(last["wrong v"][:EARLY].min(), 0.0)),
+        note="A step changes v_i by several times the band: it is passed again and again, and "
+        "friction has either sign by turns.",
+    )  # fmt: skip
+
+
+def guarded(context: Context, factor: float) -> Figure:
+    """Error without the guard over bands and steps, with what it refuses."""
+    guard, q = context.fem[-1].arrays["guard"], context.inputs
+    chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
+    return Map(
+        title=f"Error of N_max without the guard, {factor * q.T:.3g} N m, weak springs",
+        x_label="D_V [m/s]", y_label="time step [µs]",
+        columns=tuple(f"{D_V:g}" for D_V in BANDS),
+        rows=tuple(f"{step * q.dt * 1e6:g}" for step in STEPS),
+        error=chosen[:, :, 4], limits=(0.01, 0.1, 0.5), checked=chosen[:, :, 3] == 1,
+        checked_name="refused by the guard",
+        note="In per cent, against a fifth of the step and a band chosen for it.",
+    )  # fmt: skip

@@ -1,0 +1,140 @@
+"""Figures of the contact at the largest force: along the sprag, over its parts, over time."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.contact import crown
+from analytic.sprag.pressure import along
+from verify.cases.sprag.clutch.claims import measured
+from verify.cases.sprag.clutch.drawn_fem import places
+from verify.cases.sprag.clutch.model import built
+from verify.cases.sprag.engagement.model import crowned_for, gap
+from verify.cases.sprag.engagement.pressures import over_time
+from verify.cases.sprag.optimum.crown_claims import CELLS, STRIPPED, series
+from verify.cases.sprag.optimum.ends_fem import SLICED
+from verify.cases.sprag.optimum.inputs import OptimumInputs
+from verify.cases.sprag.peaks import with_crown
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Figure
+
+MPa, mm, um = 1e6, 1e-3, 1e-6
+BELOW, ABOVE = 0.6, 1.4  # times the slices' largest pressure: what figures show
+
+
+def names(context: Context) -> dict[str, str]:
+    """The crowns whose contacts are known, in words."""
+    hand = "printed crown" if context.is_paper else "crown at hand"
+    found = {"best": "best crown by slices", "at hand": hand, "free": "best crown with free ends"}
+    return {key: name for key, name in found.items() if f"{key}: R" in measured(context)}
+
+
+def contact(context: Context) -> Sequence[Figure]:
+    """Pressure along the sprag by all three methods, crown by crown."""
+    found, q = measured(context), context.inputs
+    figures = []
+    for key, name in names(context).items():
+        p = found[f"{key}: pressures"][0] / MPa
+        K_1, K_2, z_m = found[f"{key}: crown"]
+        n, cells = STRIPPED[-1], CELLS[-1]
+        figures.append(Curves(
+            title=f"Pressure along the sprag, {name}", x_label="y from mid-length [mm]",
+            y_label="p [MPa]",
+            curves=(
+                Curve(name=f"{cells} cells of a half-space", x=outer(q, cells) / mm,
+                      y=half(found[f"{key}: cells {cells}"]) / MPa, colour=2),
+                Curve(name=f"{n} strips", x=outer(q, n) / mm, style="dashes", colour=4,
+                      y=half(found[f"{key}: strips {n}"]) / MPa),
+                Curve(name=f"{q.slices} slices", x=outer(q, q.slices) / mm, y=half(p), style="dots",
+                      colour=0),
+            ), y_bottom=BELOW * float(p.max()), y_top=ABOVE * float(p.max()),
+            note=f"(K_1, K_2, z_m) = ({K_1:.3g}, {K_2:.3g}, {z_m / um:.3g} µm), N_max = "
+            f"{found[f'{key}: N_max'][0]:.0f} N."
+            + cut(ABOVE * float(p.max()), *(float(found[f"{key}: {part}"].max()) / MPa
+                                            for part in (f"cells {cells}", f"strips {n}"))),
+        ))  # fmt: skip
+    return figures
+
+
+def cut(top: float, *highest: float) -> str:
+    """What a figure that ends at a pressure [MPa] says of those above it."""
+    above = max(highest)
+    return f" Cut off at the top: up to {above:.0f} MPa." if above > top else ""
+
+
+def half(values: Array) -> Array:
+    """Those from mid-length to one end."""
+    return np.asarray(values[len(values) // 2 :])
+
+
+def outer(q: OptimumInputs, n: int) -> Array:
+    """Middles [m] of the parts there."""
+    return half(places(q, n))
+
+
+def at_counts(context: Context) -> Curves:
+    """Largest pressure over the number of slices, strips and cells."""
+    curves = []
+    for k, (key, name) in enumerate(names(context).items()):
+        for by, style, counts, p in (
+            ("slices", "line", SLICED, measured(context)[f"{key}: sliced"]),
+            ("strips", "dashes", STRIPPED, np.array(series(context, key, "strips", "peak"))),
+            ("cells", "dots", CELLS, np.array(series(context, key, "cells", "peak"))),
+        ):
+            curves.append(Curve(name=f"{name}, {by}", x=np.log2(counts), y=p / MPa, style=style,
+                                colour=2 * k))  # fmt: skip
+    low = min(float(c.y.min()) for c in curves)
+    return Curves(
+        title="Largest pressure over the number of parts", x_label="parts along the sprag",
+        y_label="p_max [MPa]", curves=tuple(curves),
+        y_bottom=0.97 * low, y_top=ABOVE * low,
+        x_names=tuple((float(np.log2(n)), str(n)) for n in (*SLICED, *CELLS)),
+        note="Free ends settle; ends that carry do not."
+        + cut(ABOVE * low, *(float(c.y.max()) for c in curves)),
+    )  # fmt: skip
+
+
+def apart(context: Context) -> Curves:
+    """The crowns' drops from mid-length to the end of the sprag."""
+    q = context.inputs
+    y = np.linspace(0, q.l / 2, 121)
+    curves = []
+    for k, (key, name) in enumerate(names(context).items()):
+        K_1, K_2, z_m = measured(context)[f"{key}: crown"]
+        drop = crown.logarithmic(
+            y, K_1=K_1, K_2=K_2, z_m=z_m, load=crowned_for(q), length=q.l,
+            E_star=float(built(q).parts.E_star),
+        )  # fmt: skip
+        curves.append(Curve(name=name, x=y / mm, y=drop / um, colour=2 * k))
+    return Curves(
+        title="The crowns", x_label="y from mid-length [mm]", y_label="drop [µm]",
+        curves=tuple(curves), y_bottom=0.0,
+        note="What each takes off the sprag: none in the straight middle, the share 1 − K_2 of the "
+        "length, then ever more, z_m at the end.",
+    )  # fmt: skip
+
+
+def before_and_after(context: Context) -> Sequence[Figure]:
+    """p(y, t) without a crown and with the best one (Figs. 16, 18)."""
+    found, q = measured(context), context.inputs
+    printed = f" (Fig. {18 if q.T_less else 16}{{}})" if context.is_paper else ""
+    designs = {"before": None, "after": found["best"]}
+    planes: dict[str, Array] = {}
+    for name, design in designs.items():
+        mine = with_crown(q, design)
+        planes[name] = along(
+            found[f"{name} N"], gap(mine), length=q.l, R=float(found["best: R"]),
+            E_star=float(built(q).parts.E_star),
+        )  # fmt: skip
+    top = max(float(p.max()) for p in planes.values())
+    peaks = {"before": found["none: pressures"][0], "after": found["best: pressures"][0]}
+    return tuple(
+        over_time(
+            found[f"{name} t"], p, q, top,
+            title=("Without a crown" if name == "before" else "With the best crown by slices")
+            + printed.format(part),
+            note=f"{q.slices} slices; {peaks[name].max() / MPa:.0f} MPa at most. Both "
+            "figures have one range of colours.",
+        )
+        for part, (name, p) in zip("ab", planes.items(), strict=True)
+    )  # fmt: skip

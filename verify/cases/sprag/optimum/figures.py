@@ -1,0 +1,107 @@
+"""What the report shows of the best crown: equations, tables, which figures."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.cases.sprag.clutch.claims import measured
+from verify.cases.sprag.optimum.contact_figures import apart, at_counts, before_and_after, contact
+from verify.cases.sprag.optimum.inputs import OptimumInputs
+from verify.cases.sprag.optimum.maps_figures import lines, maps, valley
+from verify.cases.sprag.optimum.surrogate_figures import bars, designs, errors, longer, searches
+from verify.core.case import Context, Values
+from verify.core.figures import Equation, Figure, Table
+from verify.core.tex import tex
+
+MPa, um = 1e6, 1e-6
+
+
+def equations(q: OptimumInputs, v: Values) -> Sequence[Equation]:
+    return (
+        Equation(
+            tex=r"\min_{\mathbf{X}} \max_{t,\,y} p(y, t), \quad \mathbf{X} = (K_1, K_2, z_m)",
+            place="Eqs. 17, 18",
+        ),
+        Equation(
+            tex=rf"{tex(q.K_1_low)} \leq K_1 \leq {tex(q.K_1_high)}, \quad "
+            rf"{tex(q.K_2_low)} \leq K_2 \leq {tex(q.K_2_high)}, \quad "
+            rf"{tex(q.z_m_low / um)} \leq z_m \leq {tex(q.z_m_high / um)}\ \mathrm{{µm}}",
+            place="Eq. 19",
+        ),
+        Equation(
+            tex=r"Y(\mathbf{x}) = \mathbf{f}(\mathbf{x})^\mathsf{T}\mathbf{b} + G(\mathbf{x}), "
+            r"\quad \mathrm{Pre}_{\max} \approx \sqrt{\max(Y_{end}, Y_{rest})}",
+            place="Eq. 20, of squares of pressures, the end slice and the rest apart",
+        ),
+        Equation(
+            tex=r"A = \frac{2 K_1 Q}{\pi l E'} = \frac{K_1 Q}{\pi l E^*}",
+            numbers=rf"= {tex(v['A'] / um, 4)}\ \mathrm{{µm}}, \quad K_1 Q = "
+            rf"{tex(v['K_1 Q'], 5)}\ \mathrm{{N}}",
+            place="Eq. 1, the crown at hand",
+        ),
+    )
+
+
+def tables(context: Context) -> Sequence[Table]:
+    if not context.converging:
+        return ()
+    return (crowns(context), extra(context), *longer(context))
+
+
+def crowns(context: Context) -> Table:
+    """All crowns by all methods, under their own largest force."""
+    found = measured(context)
+    names = {"at hand": "printed" if context.is_paper else "at hand", "best": "best by slices",
+             "free": "best with free ends"}  # fmt: skip
+    rows: list[tuple[str | float | None, ...]] = []
+    for key, name in names.items():
+        if f"{key}: crown" not in found:
+            continue
+        K_1, K_2, z_m = (float(x) for x in found[f"{key}: crown"])
+        by = [float(found[f"{key}: {part}"].max()) / MPa for part in
+              ("pressures", "strips 81", "strips 161", "cells 384", "cells 768")]  # fmt: skip
+        by[0] = float(found[f"{key}: pressures"][0].max()) / MPa
+        N = float(found[f"{key}: N_max"][0])
+        rows.append((name, *(round(x, 4) for x in (K_1, K_2)), round(z_m / um, 2), round(N),
+                     *(round(p) for p in by)))  # fmt: skip
+    best = found["direct"][int(np.argmin(found["direct"][:, 3]))]
+    return Table(
+        title="Crowns and what they bear at most",
+        header=("crown", "K_1", "K_2", "z_m [µm]", "N_max [N]",
+                f"{context.inputs.slices} slices [MPa]", "81 strips", "161 strips",
+                "half-space, 384 cells", "768 cells"),
+        rows=tuple(rows),
+        note="Where the pressure keeps growing with the strips or cells, the sprag's ends carry: "
+        "on a half-space their pressure has no limit. A search without surrogate ends at K_1 = "
+        f"{best[0]:.4f}, K_2 = {best[1]:.4f}, z_m = {best[2] / um:.2f} µm with "
+        f"{best[3] / MPa:.0f} MPa by slices.",
+    )  # fmt: skip
+
+
+def extra(context: Context) -> Table:
+    """The extra designs, as Table 2 has them."""
+    found = measured(context)
+    true, one, two = found["extra largest"][:, 0], found["extra single"], found["extra two"]
+    rows = tuple(
+        (round(float(x[0]), 3), round(float(x[1]), 3), round(float(x[2]) / um, 2),
+         round(float(t) / MPa, 1), round(float(a) / MPa, 1), round(100 * abs(float(t / a - 1)), 2),
+         round(float(b) / MPa, 1), round(100 * abs(float(t / b - 1)), 2))
+        for x, t, a, b in zip(found["extra"], true, one, two, strict=True)
+    )  # fmt: skip
+    return Table(
+        title="Surrogates at extra designs, as Table 2 has them",
+        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "one kriging", "error [%]",
+                "end and rest apart", "error [%]"),
+        rows=rows,
+        note="Errors over the predicted value, as in Table 2, whose designs are not printed.",
+    )  # fmt: skip
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.converging:
+        return ()
+    return (
+        *designs(context), *errors(context), bars(context), searches(context),
+        *maps(context), lines(context), valley(context),
+        *contact(context), at_counts(context), apart(context), *before_and_after(context),
+    )  # fmt: skip

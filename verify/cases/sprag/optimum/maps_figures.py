@@ -1,0 +1,85 @@
+"""Figures of the largest pressure over the crown's parameters (Figs. 15, 17), and its valley."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.cases.sprag.clutch.claims import measured
+from verify.cases.sprag.optimum.claims import FLAT
+from verify.cases.sprag.optimum.study_fem import held
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Density, Figure
+
+MPa, um, PERCENT = 1e6, 1e-6, 100
+ABOVE = 4.0  # % of the lowest pressure that the valley's figure shows
+
+
+def figure(context: Context) -> str:
+    """Which of the paper's figures the maps are."""
+    if not context.is_paper:
+        return ""
+    return " (Fig. 17{})" if context.inputs.T_less else " (Fig. 15{})"
+
+
+def maps(context: Context) -> Sequence[Figure]:
+    """The surrogate over K_1 and K_2, and over K_1 and z_m."""
+    found, q = measured(context), context.inputs
+    both = {"K_2": found["map K_1, K_2"], "z_m": found["map K_1, z_m"]}
+    top = (min(float(z.min()) for z in both.values()) / MPa,
+           max(float(z.max()) for z in both.values()) / MPa)  # fmt: skip
+    notes = {"K_2": f"z_m = {held(q, 2) / um:g} µm.", "z_m": f"K_2 = {held(q, 1):g}."}
+    return tuple(
+        Density(
+            title="Largest pressure of the engagement" + figure(context).format(part),
+            x_label="K_1", y_label="K_2" if key == "K_2" else "z_m [µm]", z_label="Pre_max [MPa]",
+            x=found["K_1"], y=found[key] / (um if key == "z_m" else 1.0), z=z.T / MPa, range=top,
+            note=f"{notes[key]} By the surrogate; both maps have one range of colours.",
+        )
+        for part, (key, z) in zip("ab", both.items(), strict=True)
+    )  # fmt: skip
+
+
+def lines(context: Context) -> Curves:
+    """Along K_1 at several z_m: the surrogate and true engagements."""
+    found, q = measured(context), context.inputs
+    true, K_1 = found["true K_1, z_m"][0], np.linspace(q.K_1_low, q.K_1_high, q.levels)
+    z_m = np.linspace(q.z_m_low, q.z_m_high, q.levels)
+    curves = []
+    for k, drop in enumerate(z_m[:6]):
+        near = int(np.argmin(np.abs(found["z_m"] - drop)))
+        curves += [
+            Curve(name=f"z_m = {drop / um:g} µm", x=found["K_1"],
+                  y=found["map K_1, z_m"][:, near] / MPa, colour=k),
+            Curve(name="", x=K_1, y=true[:, k] / MPa, style="dots", colour=k),
+        ]  # fmt: skip
+    return Curves(
+        title=f"Along K_1 at K_2 = {held(q, 1):g}", x_label="K_1", y_label="Pre_max [MPa]",
+        curves=tuple(curves), y_bottom=0.98 * float(true.min()) / MPa,
+        note="Lines by the surrogate, which has not seen this K_2; marks are engagements.",
+    )  # fmt: skip
+
+
+def valley(context: Context) -> Curves:
+    """How little K_1 matters near the best, all else best for it; where N_max/Q and prints lie."""
+    found, q = measured(context), context.inputs
+    over = found["whole"].min(axis=(1, 2))
+    curves = [Curve(name=f"{q.T:g} N m", x=found["K_1"], y=PERCENT * (over / over.min() - 1))]
+    if "less over K_1" in found:
+        less = found["less over K_1"]
+        curves.append(Curve(name=f"{q.T_less:g} N m", x=found["K_1"],
+                            y=PERCENT * (less / less.min() - 1), colour=2))  # fmt: skip
+    p = float(found["at hand: pressures"][0].max())
+    best = float(found["best true"][0])
+    wide = np.array([found["K_1"][0], found["K_1"][-1]])
+    curves += [
+        Curve(name="N_max/Q", x=found["Lundberg"][:1], style="dots", colour=3,
+              y=np.array([PERCENT * (found["Lundberg"][3] / best - 1)])),
+        Curve(name="printed" if context.is_paper else "at hand", x=np.array([q.K_1]),
+              y=np.array([PERCENT * (p / best - 1)]), style="dots", colour=5),
+        Curve(name=f"{FLAT:.1%}", x=wide, y=np.full(2, PERCENT * FLAT), style="dashes", colour=4),
+    ]  # fmt: skip
+    return Curves(
+        title="How flat the optimum is", x_label="K_1",
+        y_label="above the lowest [%]", curves=tuple(curves), y_bottom=-0.2, y_top=ABOVE,
+        note="K_2 and z_m are the best for each K_1, by the surrogate.",
+    )  # fmt: skip

@@ -1,0 +1,193 @@
+"""Figures and tables of the surrogate: its designs, its errors, the searches on it."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.cases.sprag.clutch.claims import measured
+from verify.cases.sprag.optimum.deep import DEEP_25, DEEP_40, DESIGNS, ENGAGEMENTS, SEEDS
+from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.optimum.surrogate_claims import missed
+from verify.core.case import Context
+from verify.core.figures import Array, Bars, Curve, Curves, Figure, Panel, Shapes, Table
+from verify.jobs.deep_results import Measured
+from verify.jobs.deep_results import measured as kept
+from verify.papers.ledger import published
+
+MPa, PERCENT = 1e6, 100
+ASIDE = np.array([0.42, 0.30])  # of the third axis in an oblique view
+TABLE_2 = 10  # rows
+
+
+def deeper(context: Context) -> Measured | None:
+    """What was measured beyond a run, of the paper's clutch."""
+    if not context.is_paper:
+        return None
+    return kept(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)
+
+
+def oblique(u: Array) -> Array:
+    """Points (n, 3) of the unit cube in the plane, (n, 2): K_1 across, z_m up, K_2 aslant."""
+    return np.asarray(u[:, [0, 2]] + u[:, [1]] * ASIDE)
+
+
+def designs(context: Context) -> Sequence[Figure]:
+    """Fig. 10."""
+    found, box = measured(context), context.inputs.box
+    corners = np.array([[a, b, c] for a in (0, 1) for b in (0, 1) for c in (0, 1)], dtype=float)
+    edges = tuple(
+        oblique(np.array([p, r])) for p in corners for r in corners
+        if np.abs(p - r).sum() == 1 and p.sum() < r.sum()
+    )  # fmt: skip
+    return (
+        Shapes(
+            title="Designs (Fig. 10)", unit="of each range",
+            panels=tuple(
+                Panel(name=name, lines=edges, dots=oblique(box.to_unit(found[key])))
+                for name, key in ((f"{len(found['X'])} of the factorial", "X"),
+                                  (f"{len(found['extra'])} at random", "extra"))
+            ),
+            dots_name="design",
+            note="K_1 goes to the right, z_m up, K_2 aslant to the back.",
+        ),
+    )  # fmt: skip
+
+
+def errors(context: Context) -> Sequence[Figure]:
+    """Errors over the true pressure: extra designs, the deep ones where measured, Table 2's."""
+    found, deep = measured(context), deeper(context)
+    true = found["extra largest"][:, 0] / MPa
+    more = deep.parts[0].arrays if deep else None
+    curves = []
+    for colour, (key, name) in enumerate(
+        (("single", "one kriging"), ("two", "end and rest apart"))
+    ):
+        x, y = true, PERCENT * missed(found, key)
+        if more is not None:
+            x, y = np.r_[x, more["true"] / MPa], np.r_[y, PERCENT * more[key]]
+        curves.append(Curve(name=name, x=x, y=y, style="dots", colour=2 * colour))
+    if context.is_paper and isinstance(context.inputs, Optimum25Inputs):
+        actual, predicted = (
+            np.array([published(f"huang2018:table2-row{k + 1}-{which}").value
+                      for k in range(TABLE_2)])
+            for which in ("actual", "predicted")
+        )  # fmt: skip
+        curves.append(Curve(name="Table 2", x=actual, y=PERCENT * (predicted / actual - 1),
+                            style="dots", colour=4))  # fmt: skip
+    count = len(curves[0].x)
+    note = f"{len(true)} designs that no surrogate had seen" + (
+        f", and {DESIGNS} more, measured on {deep.date}." if deep else
+        f"; {DESIGNS} more are not measured for this code (freewheel deep)." if context.is_paper
+        else "."
+    )  # fmt: skip
+    return (
+        Curves(title="What the surrogates miss", x_label="Pre_max [MPa]",
+               y_label="predicted/true − 1 [%]", curves=tuple(curves),
+               y_bottom=min(-0.1, *(float(c.y.min()) for c in curves)) if count else None,
+               note=note),
+    )  # fmt: skip
+
+
+def bars(context: Context) -> Bars:
+    """How large the errors are, and how large each way to estimate them says they are."""
+    found = measured(context)
+    items = []
+    for key, name in (("single", "one kriging"), ("two", "end and rest apart")):
+        for words, error in (
+            ("fresh designs", missed(found, key)), ("a level left out", found[f"level out {key}"]),
+            ("a design left out", found[f"left out {key}"]),
+        ):  # fmt: skip
+            size = PERCENT * np.abs(error)
+            items.append((f"{name}: {words}", float(size.mean()),
+                          f"{size.mean():.2g} %, {size.max():.2g} % at most"))  # fmt: skip
+    return Bars(
+        title="Errors of kriging and what tells of them",
+        label="mean |error| [%]",
+        items=tuple(items),
+        note="A design left out has neighbours on the same level, which know the kink that fresh "
+        "designs meet.",
+    )
+
+
+def searches(context: Context) -> Curves:
+    """Lowest pressure over the points asked: on the surrogate, and on engagements alone."""
+    found = measured(context)
+    curves = []
+    for colour, (key, name) in enumerate(
+        (
+            ("GA", "genetic algorithm, on the surrogate"),
+            ("DE", "differential evolution, on the surrogate"),
+        )
+    ):
+        history = found[f"{key} history"]
+        asked = np.linspace(0, float(found[f"{key} evaluations"][0]), len(history) + 1)[1:]
+        curves.append(Curve(name=name, x=np.log10(asked), y=history / MPa, colour=2 * colour))
+    tried = np.minimum.accumulate(found["direct"][:, 3]) / MPa
+    curves.append(
+        Curve(
+            name="simplex, on engagements, from the crown at hand",
+            x=np.log10(np.arange(1, len(tried) + 1)),
+            y=tried,
+            colour=4,
+        )
+    )
+    rounds = found["infill"]
+    at = np.log10(len(found["X"]) + np.arange(1, len(rounds) + 1))
+    curves += [
+        Curve(
+            name="surrogate's best crowns, true", x=at, y=rounds[:, 4] / MPa, style="dots", colour=5
+        ),
+        Curve(
+            name="surrogate's best crowns, predicted",
+            x=at,
+            y=rounds[:, 3] / MPa,
+            style="dots",
+            colour=1,
+        ),
+    ]
+    low = min(float(c.y.min()) for c in curves)
+    return Curves(
+        title="Searches for the best crown", x_label="points asked", y_label="Pre_max [MPa]",
+        curves=tuple(curves), y_bottom=0.998 * low, y_top=1.015 * low,
+        x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
+        note="The surrogate's best crowns come after the factorial's engagements.",
+    )  # fmt: skip
+
+
+def longer(context: Context) -> Sequence[Table]:
+    """What was measured beyond a run."""
+    if not context.is_paper:
+        return ()
+    deep = deeper(context)
+    if deep is None:
+        missing = (("not measured for this code",),)
+        return (Table(title="Longer searches and more designs", header=("",), rows=missing,
+                      note="freewheel deep measures them."),)  # fmt: skip
+    whole, direct, seeds = (part.arrays for part in deep.parts)
+    best = float(measured(context)["best true"][0])
+    low = direct["direct"][:, 3]
+    first = int(np.argmax(low <= best * 1.001)) + 1 if low.min() <= best * 1.001 else None
+
+    def size(key: str) -> str:
+        e = PERCENT * np.abs(whole[key])
+        return f"{e.mean():.2f} % in the mean, {e.max():.2f} % at most"
+
+    slower = first is None or first > len(measured(context)["X"])
+    said = (
+        "" if slower else
+        f" The factorial alone asks for {len(measured(context)['X'])} engagements: for the best "
+        "crown kriging saves none here; it gives the maps."
+    )  # fmt: skip
+    rows = (
+        (f"one kriging at {DESIGNS} designs", size("single")),
+        (f"end and rest apart at {DESIGNS} designs", size("two")),
+        (f"DIRECT on engagements, {ENGAGEMENTS} allowed",
+         f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} beside the best crown"),
+        ("engagements until within 0.1 % of it", str(first or "never")),
+        (f"genetic algorithm, {SEEDS} seeds",
+         f"{seeds['GA'].min() / MPa:.2f} to {seeds['GA'].max() / MPa:.2f} MPa"),
+        (f"differential evolution, {SEEDS} seeds",
+         f"{seeds['DE'].min() / MPa:.2f} to {seeds['DE'].max() / MPa:.2f} MPa"),
+    )  # fmt: skip
+    return (Table(title="Longer searches and more designs", header=("what", "found"), rows=rows,
+                  note=f"Measured on {deep.date}.{said}"),)  # fmt: skip

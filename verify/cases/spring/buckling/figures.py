@@ -1,0 +1,175 @@
+"""Figures and tables of lateral buckling."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.spring import column
+from verify.cases.spring.buckling.inputs import MAP_L1, MAP_N, RATIO, SAME_RATIO, TAILS
+from verify.cases.spring.inputs import strip_of
+from verify.core.case import Context, Values
+from verify.core.figures import Array, Curve, Curves, Equation, Figure, Map, Panel, Shapes, Table
+from verify.core.tex import tex
+
+mm = 1e-3
+
+
+def equations(q: Any, v: Values) -> Sequence[Equation]:
+    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **strip_of(q))
+    p = float(unit.pitch)
+    B, C = p / float(unit.turn), p / float(unit.axial)
+    S = p / float(unit.lateral - p**2 * unit.turn / 12)
+    found = [
+        Equation(tex=r"B = \frac{p}{a_B}, \quad C = \frac{p}{a_C}, \quad "
+                 r"S = \frac{p}{a_S - p^2 a_B/12}",
+                 numbers=rf"= {tex(B / mm**2)}\ \mathrm{{N\,mm^2}},\ {tex(C)}\ \mathrm{{N}},\ "
+                 rf"{tex(S)}\ \mathrm{{N}}", place="one middle unit"),
+        Equation(tex=r"\frac{C L_0^2}{B}\,\xi \left[1 - \left(1 - \frac{C}{S}\right) \xi\right] = "
+                 r"\left(\frac{\pi}{2}\right)^2, \quad \frac{C L_0^2}{B}",
+                 numbers=rf"= {tex(C * q.length**2 / B)}", place="Haringx, head free"),
+    ]  # fmt: skip
+    if U := v.get("Haringx U, free"):
+        found.append(
+            Equation(tex=r"U_{cr} = \xi L_0, \quad F_{cr} = C \xi",
+                     numbers=rf"= {tex(U / mm)}\ \mathrm{{mm}},\ "
+                     rf"{tex(v['Haringx F, free'])}\ \mathrm{{N}}")
+        )  # fmt: skip
+    return found
+
+
+def swept(context: Context, name: str) -> Array | None:
+    return next((r.arrays[name] for r in context.fem if name in r.arrays), None)
+
+
+def tables(context: Context) -> Sequence[Table]:
+    q, by_b, ratio = context.inputs, swept(context, "by b"), swept(context, "same ratio")
+    if by_b is None or ratio is None:
+        return ()
+    z = q.length / by_b[:, 0]
+    same_line = [
+        (q.n, round(b / mm, 4), round(float(s), 1), round(U / q.length * 100, 3), round(F, 4))
+        for (b, U, F), s in zip(by_b, z, strict=True)
+    ]
+    same_ratio = [
+        (n, round(q.length_of(n, q.L1) / RATIO / mm, 4), RATIO,
+         None if math.isnan(xi) else round(float(xi) * 100, 3), None)
+        for n, xi in zip(SAME_RATIO, ratio, strict=True)
+    ]  # fmt: skip
+    return (
+        Table(
+            title="What L_0/b says about giving way sideways",
+            header=("n", "b [mm]", "L_0/b", "U_cr/L_0 [%]", "F_cr [N]"),
+            rows=(*same_line, *same_ratio),
+            note="Above: one centre line, the thickness varied: L_0/b follows it, U_cr does not. "
+            "Below: springs that Eq. 13 puts on its limit. Finite elements, tail held at its arc.",
+        ),
+    )
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.fem:
+        return (_slender(context, None),)
+    found = np.asarray(swept(context, "map"))
+    return (
+        _slender(context, found), _error(context, found), _drift(context), _guide(context),
+        _shapes(context),
+    )  # fmt: skip
+
+
+def _slender(context: Context, found: Array | None) -> Curves:
+    """U_cr/L_0 over L_0/L_1: Haringx's column, and finite elements by the number of segments."""
+    q = context.inputs
+    n = np.arange(4, 61)
+    x = np.array([q.length_of(int(k), q.L1) for k in n]) / q.L1
+    curves = []
+    heads: tuple[tuple[column.Head, str], ...] = (
+        ("free", "head free"), ("hinged", "head hinged"), ("guided", "head guided"),
+    )  # fmt: skip
+    for k, (head, name) in enumerate(heads):
+        shape = q.path | {"n": n}
+        xi = column.critical_shortening(head, **shape, b=q.b, nu=q.nu)
+        on = np.isfinite(xi) & (x < 12)
+        curves.append(Curve(name=f"Haringx, {name}", x=x[on], y=100 * xi[on], colour=k))
+    if found is not None:
+        at = np.array([
+            [q.length_of(m, ratio * q.L1) / (ratio * q.L1) for m in MAP_N] for ratio in MAP_L1
+        ])  # fmt: skip
+        on = np.isfinite(found) & (at < 12)
+        curves.append(
+            Curve(name="FE, head free, leaves of half to double length", x=at[on],
+                  y=100 * found[on], style="dots", colour=0)
+        )  # fmt: skip
+    return Curves(
+        title="Slenderness at which springs buckle", x_label="L_0/L_1", y_label="U_cr/L_0 [%]",
+        curves=tuple(curves), y_bottom=0.0, y_top=60.0,
+        note="Left of where a line ends the spring never buckles. All thicknesses fall together.",
+    )  # fmt: skip
+
+
+def _error(context: Context, found: Array) -> Map:
+    q = context.inputs
+    n = np.array(MAP_N)
+    xi = np.array([
+        column.critical_shortening("free", **q.path | {"n": n, "L1": k * q.L1}, b=q.b, nu=q.nu)
+        for k in MAP_L1
+    ])  # fmt: skip
+    return Map(
+        title="Haringx's column over segments and leaves", x_label="segments n",
+        y_label="leaf L_1 [mm]", columns=tuple(map(str, MAP_N)),
+        rows=tuple(f"{k * q.L1 / mm:.3g}" for k in MAP_L1), error=xi / found - 1,
+        checked=np.isfinite(found), without="never buckles",
+        note="Error of U_cr in per cent, head free, tail held at its arc: the ends are no units.",
+    )  # fmt: skip
+
+
+def _drift(context: Context) -> Curves:
+    """Sideways movement of a free head over the force, and where Haringx has the column buckle."""
+    curves = []
+    for k, tail in enumerate(TAILS):
+        F, _, y, _ = np.asarray(swept(context, f"free, {tail}")).T
+        curves.append(Curve(name=f"tail held at {tail}", x=np.abs(y) / mm, y=F, colour=k))
+        limit = context.analytic[f"F_cr, {tail}"]
+        curves.append(
+            Curve(name=f"let go, {tail}", x=np.array([0, np.abs(y).max() / mm]),
+                  y=np.full(2, limit), style="dashes", colour=k)
+        )  # fmt: skip
+    return Curves(
+        title="A free head drifts", x_label="sideways movement [mm]", y_label="F [N]",
+        curves=tuple(curves), y_bottom=0.0,
+        note="Force of a dead load at O along x. No limit point and no bifurcation: the drift "
+        "grows without one where the guided head, let go, would buckle (dashes).",
+    )  # fmt: skip
+
+
+def _guide(context: Context) -> Curves:
+    """What a guide feels: lateral stiffness over the displacement."""
+    curves = []
+    for k, tail in enumerate(TAILS):
+        U, _, k_y, _ = np.asarray(swept(context, f"guided, {tail}")).T
+        curves.append(Curve(name=f"tail held at {tail}", x=U / mm, y=k_y * mm, colour=k))
+    return Curves(
+        title="Lateral stiffness of the guided head", x_label="U [mm]", y_label="k_y [N/mm]",
+        curves=tuple(curves), y_bottom=min(float(c.y.min()) for c in curves),
+        note="Below zero the spring pushes its roller off the line, and only a guide holds it.",
+    )  # fmt: skip
+
+
+def _shapes(context: Context) -> Shapes:
+    """The spring as made, buckled with a guided head, and its shape with a free head."""
+    q = context.inputs
+    panels = []
+    for tail in TAILS:
+        let_go, free = (np.asarray(swept(context, f"{name}, {tail}")) / mm
+                        for name in ("let go", "free shape"))  # fmt: skip
+        straight = tuple(let_go)
+        panels += [
+            Panel(name=f"buckled, tail at {tail}", lines=straight),
+            Panel(name=f"free head, 10 % pressed, tail at {tail}", lines=tuple(free),
+                  faint=straight),
+        ]  # fmt: skip
+    return Shapes(
+        title="Guided, and let go from the first moment", unit="mm", panels=tuple(panels),
+        thickness=q.b / mm, note="True to scale. Faint: guided head, where it would buckle.",
+    )  # fmt: skip

@@ -1,0 +1,268 @@
+"""What the report shows of the whole curve: force over displacement, states, readings, points."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.spring.stages import Stages, stages
+from verify.cases.spring.curve.claims import (
+    Lines,
+    array,
+    deviations,
+    ends_early,
+    lines,
+    printed_force,
+    read,
+)
+from verify.cases.spring.curve.fem import Array
+from verify.cases.spring.curve.inputs import CurveInputs
+from verify.cases.spring.curve.runs import FINE, LEVELS, TOUCH
+from verify.cases.spring.inputs import strip_of
+from verify.cases.spring.stages.readings import eq10
+from verify.core.case import Context, Values
+from verify.core.figures import Curve, Curves, Equation, Figure, Panel, Shapes, Table
+from verify.core.tex import tex
+from verify.papers.ledger import published
+
+mm, N_PER_MM = 1e-3, 1e3
+TABLE_N = 18.0  # N, the end load of the paper's finite elements
+
+
+def linear(q: CurveInputs) -> Stages:
+    """The closed form's two straight lines."""
+    ends: dict[str, Any] = {"head": q.head, "tail": q.tail, "width_factor": q.width_factor}
+    return stages(**q.path, **strip_of(q), **ends, theory="shear")
+
+
+def equations(q: CurveInputs, v: Values) -> Sequence[Equation]:
+    return (
+        Equation(
+            tex=r"\varepsilon = t\cdot r' - 1, \quad \gamma = n\cdot r', \quad \kappa = \varphi'",
+            numbers=rf"\Rightarrow\ k_1(0) = {tex(v['k1'] / N_PER_MM)}\ \mathrm{{N/mm}}",
+            place="geometrically exact beam",
+        ),
+        Equation(
+            tex=r"E I = f\,\frac{E h b^3}{12}",
+            numbers=rf"= {tex(q.width_factor * q.E * q.h * q.b**3 / 12 / mm**2)}"
+            r"\ \mathrm{N\,mm^2}",
+            place="strip",
+        ),
+        Equation(
+            tex=r"F = \begin{cases} 0.613\,U + 0.0055 \\ 0.749\,U - 1.62 \end{cases}",
+            numbers=rf"\Rightarrow\ U = {tex(eq10().U / mm)}\ \mathrm{{mm}},"
+            rf"\ F = {tex(eq10().F)}\ \mathrm{{N}}",
+            place="Eq. 10",
+        ),
+    )  # fmt: skip
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if len(context.fem) < len(LEVELS):  # not run, or a curve broke off
+        return ()
+    found: list[Figure] = [_curve(context), _whole(context), _slope(context), _states(context)]
+    return (*found, _readings(context)) if context.is_paper else tuple(found)
+
+
+def _own(context: Context) -> tuple[Array, Array]:
+    U, F = (array(context, f"curve {FINE} {key}") for key in ("U", "F"))
+    return np.append(0.0, U), np.append(0.0, F)
+
+
+def _curve(context: Context) -> Curves:
+    """Up to the stroke, less 0.6 times the first slope's line would hide: the lines themselves."""
+    q: CurveInputs = context.inputs
+    U, F = _own(context)
+    within = q.stroke * (1 + 1e-9) >= U
+    at = np.linspace(0, q.stroke, 200)
+    curves = [
+        Curve(name="beams that touch", x=U[within] / mm, y=F[within], colour=1),
+        Curve(name="closed form (linear)", x=at / mm, y=linear(q).force(at), style="dashes"),
+    ]
+    if context.is_paper:
+        k1, k2 = (published(f"wang2023:{k}-test").value for k in ("k1", "k2"))
+        test = np.where(at < eq10().U, k1 * at / mm, k1 * eq10().U / mm + k2 * (at - eq10().U) / mm)
+        curves += [
+            Curve(name="Eq. 10", x=at[::8] / mm, y=printed_force(at[::8]), style="dots", colour=3),
+            Curve(name="slopes of the tests", x=at / mm, y=test, style="dashes", colour=4),
+        ]
+    kink = (
+        "The kink is where the leaves of head and tail touch their neighbours (A)."
+        if np.isfinite(lines(context).U_A) else "No leaves touch up to here."
+    )  # fmt: skip
+    tests = " The paper prints slopes of its tests, no constants: they start at zero here."
+    return Curves(
+        title="Force over displacement until loops meet", x_label="U [mm]", y_label="F [N]",
+        curves=tuple(curves),
+        note=kink + tests * context.is_paper,
+    )  # fmt: skip
+
+
+def _whole(context: Context) -> Curves:
+    U, F = _own(context)
+    return Curves(
+        title="The whole curve", x_label="U [mm]", y_label="F [N]",
+        curves=(Curve(name="beams that touch", x=U / mm, y=F, colour=1),),
+        note="Stages OA, AB and BE: free, leaves in touch, loops in touch. It ends where "
+        + ("no equilibrium was found: its end is none of the spring's." if ends_early(context) else
+           "the force has doubled after the stroke, or after a quarter of the stroke more."),
+    )  # fmt: skip
+
+
+def _slope(context: Context) -> Curves:
+    U, F = _own(context)
+    q: CurveInputs = context.inputs
+    k, middle = np.diff(F) / np.diff(U) / N_PER_MM, (U[1:] + U[:-1]) / 2
+    form = linear(q)
+    kink = min(float(form.U_A), q.stroke)
+    at = np.array([0, kink, kink, q.stroke])
+    level = np.array([form.k1, form.k1, form.k2, form.k2], float) / N_PER_MM
+    curves = [
+        Curve(name="beams that touch", x=middle / mm, y=k, colour=1),
+        Curve(name="closed form (linear)", x=at / mm, y=level, style="dashes"),
+    ]
+    if context.is_paper:
+        steps = np.array([0, eq10().U, eq10().U, q.stroke]) / mm
+        printed = np.array([eq10().k1, eq10().k1, eq10().k2, eq10().k2]) / N_PER_MM
+        curves.append(Curve(name="Eq. 10", x=steps, y=printed, style="dashes", colour=3))
+    return Curves(
+        title="Stiffness over displacement", x_label="U [mm]", y_label="dF/dU [N/mm]",
+        curves=tuple(curves), y_bottom=0.9 * float(k.min()), y_top=1.6 * float(k[0]),
+        note="The free stage softens, then stiffens, as the leaves turn; linear theory has two "
+        "levels." if np.isfinite(lines(context).U_A) else "No leaves touch up to here.",
+    )  # fmt: skip
+
+
+def points(context: Context) -> dict[str, int]:
+    """States by name: O (-1), A where leaves begin to press, B where half of the pairs do, E."""
+    press, F = (array(context, f"curve {FINE} {key}") for key in ("press", "F"))
+    found = {"O": -1}
+    touching = press.sum(axis=1) > TOUCH * F
+    half = (press > TOUCH * F[:, None]).sum(axis=1) >= press.shape[1] / 2
+    if touching.any():
+        found["A"] = int(np.argmax(touching))
+    if half.any():
+        found["B"] = int(np.argmax(half))
+    return found | {"E": len(F) - 1}
+
+
+def _states(context: Context) -> Shapes:
+    shapes, touches, U = (
+        array(context, f"curve {FINE} {key}") for key in ("shapes", "touches", "U")
+    )
+    rest = array(context, "rest")
+    panels = []
+    for name, k in points(context).items():
+        line = (rest if k < 0 else shapes[k]) / mm
+        own = touches[touches[:, 0] == k, 1:] / mm
+        words = f"{name}: {0 if k < 0 else U[k] / mm:.3g} mm"
+        panels.append(Panel(name=words, lines=(line,), dots=own))
+    return Shapes(
+        title="Deformed shapes", unit="mm", panels=tuple(panels),
+        thickness=context.inputs.b / mm, dots_name="in touch",
+        note="Centre lines as thick as the strip. B: half of the neighbouring leaves press.",
+    )  # fmt: skip
+
+
+def _readings(context: Context) -> Curves:
+    """How far each reading is from Eq. 10 over the displacement, with the strip's factor."""
+    curves = []
+    for k, (name, found) in enumerate(_stable(context)):
+        U, F = found
+        curves.append(
+            Curve(name=name, x=U / mm, y=100 * (F / printed_force(U) - 1), colour=k % 6,
+                  style="line" if k < 6 else "dashes")
+        )  # fmt: skip
+    return Curves(
+        title="Readings of the paper's spring beside Eq. 10", x_label="U [mm]",
+        y_label="F over Eq. 10, less one [%]", curves=tuple(curves),
+        note="Tail, head, radius of the arcs' centre line, each with the width factor f. Heads "
+        "that are free buckle sideways at 1.5 mm and are not drawn.",
+    )  # fmt: skip
+
+
+def _stable(context: Context) -> list[tuple[str, Array]]:
+    f = context.inputs.width_factor
+    return [(name, curve) for name, factor, _, curve in read(context)
+            if factor == f and "free" not in name]  # fmt: skip
+
+
+def tables(context: Context) -> Sequence[Table]:
+    if len(context.fem) < len(LEVELS):  # not run, or a curve broke off
+        return ()
+    if not context.is_paper:
+        return (_points(context),)
+    return (_points(context), _forces(context), _combinations(context))
+
+
+def _points(context: Context) -> Table:
+    U, F = (array(context, f"curve {FINE} {key}") for key in ("U", "F"))
+    found, form = lines(context), linear(context.inputs)
+    most = float(abs(array(context, f"curve {FINE} side") / F).max())
+    rows: list[tuple[str, float, float, str]] = []
+    words = {"B": "half of the neighbouring leaves press", "E": "end of the curve"}
+    if np.isfinite(found.U_A):
+        rows.append(("A", found.U_A / mm, found.F_A, "leaves of head and tail begin to press"))
+    rows += [(name, U[k] / mm, F[k], words[name]) for name, k in points(context).items()
+             if name in words]  # fmt: skip
+    if context.is_paper:
+        there = float(np.interp(TABLE_N, F, U))
+        rows.append((f"{TABLE_N:g} N", there / mm, TABLE_N, "end load of the paper's model"))
+    if np.isfinite(form.U_A):
+        rows.append(("A, linear", float(form.U_A) / mm, float(form.F_A), "closed form"))
+    return Table(
+        title="Points of the curve", header=("point", "U [mm]", "F [N]", "what happens"),
+        rows=tuple((name, round(u, 3), round(f, 3), what) for name, u, f, what in rows),
+        note="C and D of the paper, between which the tail slides on its base, do not occur: the "
+        f"tail is clamped; the side force on its clamp is {most:.2g} of F at most.",
+    )  # fmt: skip
+
+
+def _forces(context: Context) -> Table:
+    U, off = deviations(context, FINE)
+    q: CurveInputs = context.inputs
+    F, theory = (1 + off) * printed_force(U), published("wang2023:k1-theory").value * U / mm
+    form = linear(q).force(U)
+    rows = tuple(
+        (round(u / mm), round(f, 4), round(p, 4), _percent(f / p - 1), _percent(t / f - 1),
+         _percent(c / f - 1))
+        for u, f, p, t, c in zip(U, F, printed_force(U), theory, form, strict=True)
+    )  # fmt: skip
+    return Table(
+        title="F(U) beside Eq. 10", rows=rows,
+        header=("U [mm]", "F, beams [N]", "Eq. 10 [N]", "beams over Eq. 10",
+                "0.601 U over beams", "closed form over beams"),
+        note="The reading was chosen by k_1 alone; everything else here is what it predicts.",
+    )  # fmt: skip
+
+
+def _combinations(context: Context) -> Table:
+    """All readings with their strips."""
+    test = {k: published(f"wang2023:{k}-test").value * N_PER_MM for k in ("k1", "k2")}
+    rows = []
+    for name, factor, found, curve in read(context):
+        if "free" in name:  # it has given way
+            rows.append((name, round(factor, 4), None, None, None, None, None, None, None))
+            continue
+        rows.append((name, round(factor, 4), *_beside(found, curve, test)))
+    return Table(
+        title="Readings of the paper's spring at large displacement", rows=tuple(rows),
+        header=("tail, head, arcs", "f", "k_1 [N/mm]", "of Eq. 10", "k_2 [N/mm]", "of Eq. 10",
+                "lines cross, of Eq. 10", "F at 17 mm", "k_1, k_2 of the tests"),
+        note="k_1 and k_2 by least squares before and after the leaves touch, as Eq. 10 was "
+        "made. Free heads buckle sideways at about 1.5 mm and 0.9 N: they have no such lines.",
+    )  # fmt: skip
+
+
+def _beside(found: Lines, curve: Array, test: dict[str, float]) -> tuple[Any, ...]:
+    last = curve[1, -1] / printed_force(curve[0, -1:])[0] - 1
+    return (
+        round(found.k1 / N_PER_MM, 4), _percent(found.k1 / eq10().k1 - 1),
+        round(found.k2 / N_PER_MM, 4), _percent(found.k2 / eq10().k2 - 1),
+        _percent(found.U / eq10().U - 1), _percent(last),
+        f"{_percent(found.k1 / test['k1'] - 1)}, {_percent(found.k2 / test['k2'] - 1)}",
+    )  # fmt: skip
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:+.1f} %"

@@ -1,0 +1,111 @@
+"""Maps of the error of Eqs. 1-9, and what the roller's way does."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from verify.cases.spring.map.inputs import (
+    ANGLES,
+    DEEP_ANGLES,
+    DEEP_LEAVES,
+    DEEP_SEGMENTS,
+    DEEP_SLENDER,
+    LEAVES,
+    SEGMENTS,
+    SHARES,
+    SLENDER,
+)
+from verify.core.case import Context, Values
+from verify.core.figures import Array, Curve, Curves, Equation, Map, Table
+from verify.core.tex import tex
+
+mm = 1e-3
+WHAT = (
+    ("at small displacement", "head free in both"),
+    *((f"at {share:.0%} of the length", "head guided, no contact") for share in SHARES),
+)
+
+
+def equations(q: Any, v: Values) -> Sequence[Equation]:
+    share = SHARES[0]
+    return (
+        Equation(tex=r"k_1", numbers=rf"= {tex(v['k1'] / 1e3)}\ \mathrm{{N/mm}}", place="Eq. 9"),
+        Equation(
+            tex=rf"k_1 \cdot {share:g}\,L_0",
+            numbers=rf"= {tex(v['k1'] / 1e3)} \cdot {tex(share * q.length / mm)} = "
+            rf"{tex(v[f'k1 U, {share:g}'])}\ \mathrm{{N}}",
+        ),
+    )
+
+
+def maps(name: str, m: Array, date: str) -> list[Map]:
+    """One map for each of small displacement and the shares of the length.
+
+    `date` is when the finer cells were measured, empty for those of the run.
+    """
+    deep, unstable = bool(date), f"guided spring unstable before {SHARES[-1]:.0%} of its length"
+    columns: Sequence[float]
+    rows: Sequence[float]
+    if name == "slender":
+        labels = "L_0/b", "segments n"
+        columns, rows = (DEEP_SLENDER, DEEP_SEGMENTS) if deep else (SLENDER, SEGMENTS)
+        without, of = f"b ≥ r, or {unstable}", "n and L_0/b"
+    else:
+        labels = "L_1/r", "α [deg]"
+        columns, rows = (DEEP_LEAVES, DEEP_ANGLES) if deep else (LEAVES, ANGLES)
+        without, of = unstable, "α and L_1/r"
+    return [
+        Map(
+            title=f"Eqs. 1-9 over {of}, {when}", x_label=labels[0], y_label=labels[1],
+            columns=tuple(f"{c:g}" for c in columns), rows=tuple(f"{row:g}" for row in rows),
+            error=m[..., k], checked=np.isfinite(m[..., k]), without=without,
+            note=f"Error of the force in per cent; {how}."
+            + (f" Measured by freewheel deep on {date}." if deep else ""),
+        )
+        for k, (when, how) in enumerate(WHAT)
+    ]  # fmt: skip
+
+
+def radius(over: list[tuple[Array, Array]]) -> Curves:
+    """All cells of both maps at small displacement over b/R."""
+    curves = [
+        Curve(name=name, x=x[np.isfinite(m)], y=100 * m[np.isfinite(m)], style="dots", colour=k)
+        for k, (name, (x, m)) in enumerate(
+            zip(("over n and L_0/b", "over α and L_1/r"), over, strict=True)
+        )
+    ]
+    return Curves(
+        title="What the error at small displacement follows", x_label="b/R",
+        y_label="error of k_1 [%]", curves=tuple(curves), y_bottom=0.0,
+        note="The inner radius in place of the centre line's: no other number of the spring "
+        "matters as much.",
+    )  # fmt: skip
+
+
+def tables(context: Context) -> Sequence[Table]:
+    q, v = context.inputs, context.analytic
+    if "F_x, aside" not in v:
+        return ()
+    slope = math.degrees(math.atan2(q.y_r, q.x_r))
+    longer = math.hypot(q.x_r, q.y_r) / q.x_r - 1
+    rows = [
+        ("slanted way over its straight part", f"{longer:+.2%}"),
+        ("direction of the way against the spring's axis", f"{slope:.2f}°"),
+        ("turn of the chamber's wall along the way", f"{math.degrees(q.kappa * q.x_r):.2f}°"),
+        ("bow of the wall over the way", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
+        ("force at the end of a straight way, Eq. 9", f"{v['k1'] * q.x_r:.4g} N"),
+        ("the same, guided elastica", f"{v['F_x, straight']:.4g} N"),
+        ("at the end of the slanted way, along", f"{v['F_x, aside']:.4g} N"),
+        ("and across", f"{v['F_y, aside']:.4g} N"),
+    ]
+    return (
+        Table(
+            title="The roller's way, taken for straight",
+            header=("what", "value"),
+            rows=tuple(rows),
+            note="The head is guided without a turn from the unloaded spring on. What the spring "
+            "exerts across is beside its own lateral force on a straight way.",
+        ),
+    )

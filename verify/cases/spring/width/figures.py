@@ -1,0 +1,176 @@
+"""What the report shows of the strip's width: formulas, the factor over the width, shapes."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from verify.cases.spring.stages import figures as spring_stages_shown
+from verify.cases.spring.stages.inputs import StagesInputs
+from verify.cases.spring.width.claims import (
+    N_PER_MM,
+    leaf_factor,
+    limits,
+    readings,
+    sweep,
+    sweep_uncertainty,
+)
+from verify.cases.spring.width.fem import RATIOS, widths_of_both
+from verify.cases.spring.width.inputs import WidthInputs
+from verify.core.case import Context, Values
+from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Profile, Sketch, Table
+from verify.core.tex import tex
+from verify.papers.ledger import published
+
+mm, MPa = 1e-3, 1e6
+
+
+def sketch(q: WidthInputs) -> Sketch:
+    """The spring with its whole end leaves, held as the inputs say."""
+    return spring_stages_shown.sketch(StagesInputs(**q.model_dump()))
+
+
+def equations(q: WidthInputs, v: Values) -> Sequence[Equation]:
+    return (
+        Equation(
+            tex=r"f = \frac{k}{k_{E I}}, \quad 1 \le f \le \frac{1}{1-\nu^2}",
+            numbers=rf"= \frac{{1}}{{1 - {tex(q.nu, 3)}^2}} = {tex(q.widest, 5)}",
+        ),
+        Equation(
+            tex=r"l = \frac{L_1 + 2 R\cos\alpha}{\sin\alpha}",
+            numbers=rf"= {tex(q.leaf / mm, 5)}\ \mathrm{{mm}}, \quad "
+            rf"\frac{{h}}{{l}} = {tex(q.h / q.leaf, 4)}",
+        ),
+        Equation(
+            tex=r"f_\text{leaf} = \frac{1}{3 (1-\nu^2)} \min_w \int\int w_{\xi\xi}^2 "
+            r"+ s^4 w_{\eta\eta}^2 + 2\nu s^2 w_{\xi\xi} w_{\eta\eta} "
+            r"+ 2(1-\nu) s^2 w_{\xi\eta}^2\, d\xi\,d\eta, \quad s = \frac{l}{h}",
+            numbers=rf"= {tex(v['f'], 6)}",
+        ),
+        Equation(
+            tex=r"k_1 = f\, k_{E I}",
+            numbers=rf"= {tex(v['f'], 5)} \cdot {tex(v['k narrow'] / N_PER_MM, 5)} = "
+            rf"{tex(v['k'] / N_PER_MM, 4)}\ \mathrm{{N/mm}}",
+        ),
+    )
+
+
+def tables(context: Context) -> Sequence[Table]:
+    if not context.fem:
+        return ()
+    return (_readings(context), _widths(context))
+
+
+def _readings(context: Context) -> Table:
+    """Stiffness by the shell for every way to hold the ends, beside what the paper prints."""
+    header: tuple[str, ...] = ("tail held at", "head", "k_1 of E I [N/mm]", "f, shell",
+                               "k_1, shell [N/mm]")  # fmt: skip
+    if context.is_paper:
+        header += ("beside the paper's shell model, 0.613", "beside its test, 0.610")
+    rows = []
+    for (tail, head), (f, k) in readings(context).items():
+        row: tuple[Any, ...] = (tail, head, round(k / f / N_PER_MM, 4), round(f, 4),
+                                round(k / N_PER_MM, 4))  # fmt: skip
+        if context.is_paper:
+            row += tuple(
+                f"{100 * (k / N_PER_MM / published(f'wang2023:k1-{what}').value - 1):+.1f} %"
+                for what in ("fea", "test")
+            )
+        rows.append(row)
+    note = (
+        "Arcs of the radius r + b/2. The paper says neither how the tail is clamped nor what "
+        "holds the head: the ends that meet its shell model are a reading chosen by it."
+    )
+    return Table(
+        title="Stiffness of the shell by how the ends are held", header=header, rows=tuple(rows),
+        note=note if context.is_paper else "Arcs of the radius r + b/2.",
+    )  # fmt: skip
+
+
+def _widths(context: Context) -> Table:
+    q = context.inputs
+    h, f = sweep(context).T
+    leaf = leaf_factor(q, h)
+    return Table(
+        title="The factor over the width, shell of the whole spring and plate of one leaf",
+        header=("h [mm]", "h/b", "h/l", "spring, shell", "leaf, plate", "leaf over spring"),
+        rows=tuple(
+            (float(f"{w / mm:.4g}"), float(f"{w / q.b:.4g}"), float(f"{w / q.leaf:.3g}"),
+             round(float(a), 5), round(float(b), 5), f"{100 * (b / a - 1):+.3f} %")
+            for w, a, b in zip(h, f, leaf, strict=True)
+        ),
+        note="Narrower than thick the strip is no plate; where its width is less than a leaf's "
+        "length the arcs, whose anticlastic bending is suppressed, stiffen it more than leaves do.",
+    )  # fmt: skip
+
+
+def figures(context: Context) -> Sequence[Figure]:
+    if not context.converging:
+        return ()
+    return _over_width(context), _elements(context), _lifted(context)
+
+
+def _over_width(context: Context) -> Profile:
+    q = context.inputs
+    h, f = sweep(context).T
+    at = np.geomspace(h[0], h[-1], 40)
+    return Profile(
+        title="Stiffness over that of a narrow strip: the whole spring beside one leaf",
+        x_label="log10 of h/b", y_label="f", x=np.log10(at / q.b), y=leaf_factor(q, at),
+        x_fem=np.log10(h / q.b), y_fem=f, y_ref=leaf_factor(q, h),
+        u=np.full(len(h), sweep_uncertainty(context)), scale=1.0, scale_name="a narrow strip",
+        neglects=True,
+        note="Line: a leaf as a plate between straight lines; dots: the spring as a shell.",
+    )  # fmt: skip
+
+
+def _elements(context: Context) -> Curves:
+    """The loop's share of plane strain by shells and solids, between both limits."""
+    q = context.inputs
+    h, f = sweep(context).T
+    low, high = limits(context)
+    ends = np.log10(h[[0, -1]] / q.b)
+    both = dict.fromkeys(widths_of_both(q), context.fem[-1].values)
+    x = np.log10([w / q.b for w in widths_of_both(q).values()])
+    loops = [
+        Curve(name=f"loop, {what}", x=x, style="dots", colour=colour,
+              y=np.array([high * v[f"{name}, {kind}"] for name, v in both.items()]))
+        for kind, what, colour in (("shell", "shell", 2), ("solid", "27-node solids", 3))
+    ]  # fmt: skip
+    return Curves(
+        title="Between plane stress and plane strain: spring and loop by shells, loop by solids",
+        x_label="h/b", y_label="f", y_bottom=low - 0.05 * (high - low),
+        curves=(
+            Curve(name="plane stress", x=ends, y=np.full(2, low), style="dashes", colour=4),
+            Curve(name="plane strain", x=ends, y=np.full(2, high), style="dashes", colour=5),
+            Curve(name="spring, shell", x=np.log10(h / q.b), y=f, colour=1),
+            Curve(name="leaf, plate", x=np.log10(h / q.b), y=leaf_factor(q, h), colour=0),
+            *loops,
+        ),
+        x_names=tuple(
+            (float(k), f"{10.0**k:g}") for k in range(int(np.ceil(ends[0])), int(ends[1]) + 1)
+        ),
+        note="Loop: half a leaf, two quarter arcs, half a leaf; its stiffness over its own in "
+        "plane strain, times that limit.",
+    )  # fmt: skip
+
+
+def _lifted(context: Context) -> Curves:
+    curves = []
+    for colour, ratio in enumerate(RATIOS):
+        y, lifted = context.fem[-1].arrays[f"lifted {ratio:g}"].T
+        curves.append(Curve(name=f"h/l = {ratio:g}", x=y, y=100 * lifted, colour=colour))
+    return Curves(
+        title="How a thin leaf curves across: its edge above its middle",
+        x_label="place along the leaf, over l", y_label="% of the head's movement",
+        curves=tuple(curves), y_bottom=float(min(c.y.min() for c in curves)) * 1.05,
+        note="The ends are straight lines; wide leaves only curl within a length l of their edges.",
+    )  # fmt: skip
+
+
+def pictures(_: WidthInputs) -> Sequence[Picture]:
+    return (
+        Picture(field="loop", data="across", symbol="σ_z", unit="MPa", factor=MPa,
+                caption="Bending stress across a loop, half its width, edge in front: ν times "
+                "that along it but for the free edge, under 2 N on the whole width"),
+    )  # fmt: skip

@@ -1,0 +1,159 @@
+"""Where tasks are solved: this process, processes of this machine, or a dask cluster.
+
+An engine is an executor of concurrent.futures and what must be known of it besides. `answers`
+drives any of them: a few tasks ahead, what died done once more, the caller woken in between.
+"""
+
+import os
+import re
+import time
+import traceback
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+from verify.core.inputs import InputError
+from verify.jobs.engine import Engine, GoneError
+from verify.jobs.guard import named
+from verify.jobs.processes import Processes, RemoteTraceback
+
+TICK = 0.25  # s between two looks of the caller at a run in which nothing happens
+MOST_JOBS = 256
+ENGINES = ("local", "dask")
+ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
+
+
+@dataclass(frozen=True)
+class Lost:
+    """No answer: the process died on the task twice, or the task raised, with its traceback."""
+
+    reason: str
+    trace: str = ""
+
+
+class Here(Executor):
+    """Solves at once, in this process."""
+
+    def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """The future of a result that is there already."""
+        future: Future[Any] = Future()
+        try:
+            future.set_result(function(*args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
+@dataclass(frozen=True)
+class Where:
+    """An engine by its name, with `jobs` processes (0: one a core); InputError for wrong ones."""
+
+    jobs: int = 0
+    engine: str = "local"
+    scheduler: str = ""
+
+    def __post_init__(self) -> None:
+        if self.engine not in ENGINES:
+            raise InputError(f"--engine is one of {', '.join(ENGINES)}, got {self.engine!r}")
+        if not 0 <= self.jobs <= MOST_JOBS:
+            raise InputError(f"--jobs is 0 (one a core) to {MOST_JOBS}, got {self.jobs}")
+        if self.scheduler and self.engine != "dask":
+            raise InputError("--scheduler belongs to --engine dask")
+        if self.scheduler and not ADDRESS.fullmatch(self.scheduler):
+            raise InputError(
+                f"--scheduler is an address such as tcp://host:8786, got {self.scheduler!r}"
+            )
+
+    def entered(self) -> AbstractContextManager[Engine]:
+        """The engine, to be entered where something is solved; GoneError if it isn't there."""
+        processes = self.jobs or os.cpu_count() or 1
+        if self.engine == "local":
+            return local(processes)
+        from verify.jobs.dask import dask  # slow to import
+
+        return dask(processes, self.scheduler)
+
+
+@contextmanager
+def local(processes: int) -> Iterator[Engine]:
+    """Processes of this machine; 0 is this process itself."""
+    if processes == 0:
+        yield Engine(Here(), lambda: 1)
+        return
+    executor = Processes(processes)
+    try:
+        yield Engine(executor, lambda: processes, gone=executor.gone, renew=executor.renew)
+    finally:
+        executor.shutdown()
+
+
+Split = Callable[[Any], Sequence[Any]]
+
+
+@dataclass
+class Drive:
+    """Solves tasks by `function` on an engine.
+
+    `running` holds each task under way and its start [s, of `time.monotonic`]. `split` says as
+    what a task whose process died is done again.
+    """
+
+    engine: Engine
+    function: Callable[[Any], Any]
+    split: Split = lambda task: (task,)
+    running: dict[int, tuple[Any, float]] = field(default_factory=dict)
+
+    def answers(self, tasks: Iterable[Any]) -> Iterator[tuple[Any, Any] | None]:
+        """Each task with its answer as they come, and None every TICK seconds.
+
+        A task is taken from `tasks` when its turn comes. One whose process dies is split and done
+        again at the end, each part alone in a fresh process; Lost is its answer if that dies too.
+        GoneError where the engine answers no more.
+        """
+        died = yield from self._round(iter(tasks), self.engine.ahead)
+        again = deque(part for task, _ in died for part in self.split(task))
+        while again:
+            self.engine.renew()
+            task = again.popleft()
+            for dead, reason in (yield from self._round(iter((task,)), 0)):
+                yield dead, Lost(reason)
+
+    def _round(self, tasks: Iterator[Any], ahead: int) -> Any:
+        under_way: dict[Future[Any], tuple[int, Any]] = {}
+        died: list[tuple[Any, str]] = []
+        number, more = 0, True
+        while more or under_way:
+            while more and len(under_way) < self.engine.workers() * (1 + ahead):
+                task = next(tasks, None)
+                if task is None:
+                    more = False
+                    break
+                self.running[number] = task, time.monotonic()
+                under_way[self.engine.executor.submit(self.function, task)] = number, task
+                number += 1
+            done, _ = wait(under_way, TICK, FIRST_COMPLETED)
+            if not done and (why := self.engine.gone()):
+                raise GoneError(why)
+            for future in done:
+                n, task = under_way.pop(future)
+                del self.running[n]
+                error = future.exception() if not future.cancelled() else None
+                if future.cancelled() or isinstance(error, self.engine.deadly):
+                    if why := self.engine.gone():
+                        raise GoneError(why)
+                    died.append((task, str(error) if error else "the task was cancelled"))
+                elif error is not None:
+                    yield task, _raised(error)
+                else:
+                    yield task, future.result()
+            yield None
+        return died
+
+
+def _raised(error: BaseException) -> Lost:
+    cause = error.__cause__
+    there = str(cause) if isinstance(cause, RemoteTraceback) else ""
+    return Lost(named(error), there or "".join(traceback.format_exception(error)))

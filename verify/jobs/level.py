@@ -1,0 +1,117 @@
+"""One case: its levels solved or taken from the cache, then everything judged.
+
+Whatever goes wrong inside a case is a red row of that case, with a traceback beside the report.
+"""
+
+import time
+import traceback
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from verify.core.case import Case, Check, Context, FemResult, Values
+from verify.core.inputs import Inputs
+from verify.core.results import CaseResult, Row
+from verify.jobs import cache
+from verify.jobs.guard import Guard, named, unsolved
+from verify.papers.case_report import described
+
+
+@dataclass(frozen=True)
+class Job:
+    """A case with the inputs to run it on; `use_fem` False judges the formulas alone.
+
+    `values` are those of the formulas where they are known already; without `drawn` no figure is
+    made.
+    """
+
+    case: Case
+    inputs: Inputs
+    use_fem: bool = True
+    skip: str = ""
+    values: Values | None = None
+    drawn: bool = True
+
+    @property
+    def is_paper(self) -> bool:
+        """Whether the inputs are the defaults, of which the printed numbers speak."""
+        return self.inputs == type(self.inputs)()
+
+
+@dataclass(frozen=True)
+class Solved:
+    """One level: its result, or in one line why there is none, with the traceback if any.
+
+    `unstored` says why the cache could not take the result.
+    """
+
+    result: FemResult | None
+    failure: str
+    seconds: float
+    cached: bool
+    trace: str = ""
+    unstored: str = ""
+
+
+def judge_case(job: Job, levels: Sequence[Solved]) -> CaseResult:
+    """All rows, tables and pictures of one job from its solved levels, coarse to fine."""
+    guard = Guard(job.case)
+    values = guard.values(job.inputs) if job.values is None else job.values
+    no_formulas = "".join(row.reason for row in guard.rows)
+    results = [s.result for s in levels if s.result is not None]
+    context = Context(job.case.id, job.inputs, values, results, job.is_paper)
+    failure = next((s.failure for s in levels if s.failure), "")
+    rows: list[Row] = []
+    for check in job.case.checks:
+        if check.paper_only and not job.is_paper:
+            continue
+        reason = no_formulas or (failure if check.needs_fem else "")
+        judge = partial(_judged, check, context, job)
+        rows += guard.red(check, reason) if reason else guard.judged(check, judge)
+    if failure and not any(check.needs_fem for check in job.case.checks):
+        rows.append(guard.row("finite elements", failure))
+    case = guard.silent() if no_formulas else guard.guarded()
+    shown = described(case if job.drawn else replace(case, figures=lambda _: ()), context)
+    traces = (*(s.trace for s in levels if s.trace), *guard.traces)
+    return CaseResult(
+        **shown, rows=(*rows, *guard.rows), seconds=sum(s.seconds for s in levels),
+        cached=all(s.cached for s in levels), command=f"freewheel verify {job.case.id}",
+        errors=traces,
+    )  # fmt: skip
+
+
+def _judged(check: Check, context: Context, job: Job) -> list[Row]:
+    if check.needs_fem and job.skip:
+        return check.skipped(context.case, job.skip)
+    if check.needs_fem and not job.use_fem:
+        return []
+    return [replace(row, method=job.case.method.alone) for row in check.rows(context)]
+
+
+def solve_level(case: Case, inputs: Inputs, level: int, folder: Path | None) -> Solved:
+    """One level, from the cache or computed and stored; an error becomes a failure."""
+    start = time.perf_counter()
+    if folder is not None and (found := cache.load(folder, case, inputs, level)) is not None:
+        return Solved(found, "", time.perf_counter() - start, cached=True)
+    try:
+        result = case.reference(inputs, level)
+    except Exception as error:  # gmsh raises Exception itself
+        seconds = time.perf_counter() - start
+        if unsolved(error):
+            failure = f"not converged: level {level}: {' '.join(str(error).split())}"
+            return Solved(None, failure, seconds, cached=False)
+        failure, trace = f"level {level}: {named(error)}", traceback.format_exc()
+        return Solved(None, failure, seconds, cached=False, trace=trace)
+    seconds = time.perf_counter() - start
+    unstored = "" if folder is None else keep_level(folder, case, inputs, level, result)
+    return Solved(result, "", seconds, cached=False, unstored=unstored)
+
+
+def keep_level(folder: Path, case: Case, inputs: Inputs, level: int, result: FemResult) -> str:
+    """Put a result into the cache: "" or in a word why it could not be stored."""
+    try:
+        cache.store(folder, case, inputs, level, result)
+    except OSError as error:
+        return error.strerror or str(error)
+    return ""

@@ -1,0 +1,84 @@
+"""Run jobs for a command: cache, processes, progress, and a clean end when stopped."""
+
+import sys
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from verify.core.files import remove_abandoned
+from verify.core.progress import State, shown
+from verify.core.results import CaseResult
+from verify.jobs import cache
+from verify.jobs.engine import GoneError
+from verify.jobs.executor import Where
+from verify.jobs.level import Job
+from verify.jobs.processes import refuse_reimport
+from verify.jobs.scheduler import run
+
+
+def solve(
+    work: list[Job], where: Where, use_cache: bool, *, quiet: bool = False
+) -> list[CaseResult]:
+    """Run the jobs where it is said, with the cache and progress on stderr.
+
+    KeyboardInterrupt says how much of the work is kept, GoneError why there is no more of it.
+    """
+    refuse_reimport()
+    folder = _writable_cache(work) if use_cache and any(job.use_fem for job in work) else None
+    done = Done(stored=folder is not None)
+    try:
+        with shown(quiet=quiet) as show:
+            return run(
+                work, engine=where.entered(), cache_folder=folder,
+                show=lambda state: show(done.follow(state)), warn=done.warned,
+            )  # fmt: skip
+    except KeyboardInterrupt:
+        raise KeyboardInterrupt(f"interrupted; {done}") from None
+    except GoneError as error:
+        raise GoneError(f"{error}; {done}") from error
+
+
+@dataclass
+class Done:
+    """What an interrupted run leaves, in words."""
+
+    stored: bool
+    state: State | None = None
+
+    def follow(self, state: State) -> State:
+        self.state = state
+        return state
+
+    def warned(self, message: str) -> None:
+        """Say that nothing is stored from here on."""
+        self.stored = False
+        _say(message)
+
+    def __str__(self) -> str:
+        if self.state is None:
+            return "no level was under way"
+        done = f"{self.state.done} of {self.state.total} levels are"
+        return f"{done} kept for the next run" if self.stored else f"{done} solved, and not stored"
+
+
+def _writable_cache(work: Sequence[Job]) -> Path | None:
+    """The cache folder, swept; None, with a word about it, where nothing can be stored."""
+    folder = cache.default_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        _say(f"no cache in {folder} ({error.strerror}): going on")
+        return None
+    for place in {folder, cache.picture_folder(), *(folder / job.case.id for job in work)}:
+        remove_abandoned(place)
+    with suppress(OSError):  # another run may be trimming too
+        cache.trim(folder)
+    return folder
+
+
+def _say(message: str) -> None:
+    print(f"freewheel: {message}", file=sys.stderr, flush=True)

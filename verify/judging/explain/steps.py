@@ -1,0 +1,69 @@
+"""How a row was judged, number by number: recomputed from what it keeps, by the same judging."""
+
+from collections.abc import Callable, Mapping
+
+from verify.core.references import reference_name
+from verify.core.results import Kind, Published, Row, Status
+from verify.judging import judge
+from verify.judging.explain import pairs, single
+from verify.judging.explain.lines import Derivation, Step, long
+
+PAIRED: Mapping[Kind, Callable[[Row], Derivation]] = {  # with finite-element levels
+    Kind.IDENTITY: pairs.identity,
+    Kind.APPROXIMATION: pairs.approximation,
+    Kind.FACT: single.convergence,
+}
+SINGLE: Mapping[Kind, Callable[[Row], Derivation]] = {
+    Kind.IDENTITY: pairs.printed_theory,
+    Kind.APPROXIMATION: pairs.shown,
+    Kind.FACT: single.fact,
+    Kind.TREND: single.trend,
+    Kind.ASYMPTOTIC: single.limit,
+    Kind.EXACT: single.exact,
+}
+
+STATED: Mapping[Kind, Callable[[Row], Derivation]] = {  # within a figure that a source states
+    Kind.IDENTITY: pairs.deviation,
+    Kind.APPROXIMATION: pairs.agreement,
+}
+
+
+def steps(row: Row) -> tuple[Step, ...]:
+    """What was compared, with which uncertainty, and what follows: pairs of label and text."""
+    return derive(row).steps
+
+
+def derive(row: Row) -> Derivation:
+    """Judge the row again from the numbers that it keeps, and say how.
+
+    A row that was not run, or whose finite elements failed, keeps its verdict and says only that.
+    """
+    if row.grid is not None:
+        found = PAIRED[row.kind](row)
+    elif row.status is Status.SKIP or not _has_numbers(row):
+        found = Derivation((), judge.Verdict(row.status, row.reason))
+    elif row.interval_source and row.kind in STATED:
+        found = STATED[row.kind](row)
+    else:
+        found = SINGLE[row.kind](row)
+    verdict = f"{row.status.value}: {row.reason}" if row.reason else row.status.value
+    last = (*(_printed(row, entry) for entry in row.published), ("verdict", verdict))
+    return Derivation((*found.steps, *last), found.verdict, found.u_num)
+
+
+def _has_numbers(row: Row) -> bool:
+    if row.kind in (Kind.TREND, Kind.ASYMPTOTIC):
+        return bool(row.levels)
+    return row.difference is not None
+
+
+def _printed(row: Row, entry: Published) -> Step:
+    """A published value with what formula and finite elements give of it."""
+    computed = row.grid is not None or row.fem is not None  # a partner may be the print itself
+    ours = (("formula", row.analytic), (reference_name(row), row.reference if computed else None))
+    ratios = [f"{who} {v / entry.value:.5f} of it" for who, v in ours if v and entry.value]
+    unit = "" if entry.unit == "1" else f" {entry.unit}"
+    text = f"{entry.printed}{unit} ({entry.kind}, {entry.document}, {entry.place})"
+    if entry.unit != row.unit:
+        text += f" = {long(entry.value)} {row.unit}"
+    return ("printed", "; ".join((text, *ratios)))

@@ -1,0 +1,49 @@
+"""What a report shows of a case beside its rows: inputs, formulas, figures, sketch."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from verify.core import units
+from verify.core.case import Case, Context, Output, Values
+from verify.core.figures import FormulaValue, InputValue
+from verify.core.inputs import Inputs, meta
+from verify.papers.ledger import published
+
+
+def described(case: Case, context: Context) -> dict[str, Any]:
+    """The fields of `CaseResult` that come from the case and its formulas."""
+    q, values = context.inputs, context.analytic
+    return {
+        "id": case.id, "title": case.title, "paper": case.paper, "place": case.place,
+        "lead": case.lead, "assumptions": case.assumptions, "readings": case.readings,
+        "inputs": _inputs(q, is_paper=context.is_paper),
+        "values": shown_values(case.outputs, values),
+        "equations": tuple(case.equations(q, values)), "warnings": tuple(case.warnings(q, values)),
+        "findings": tuple(case.findings(q, values)),
+        "tables": tuple(case.tables(context)), "sketch": case.sketch(q),
+        "figures": tuple(case.figures(context)), "pictures": tuple(case.pictures(q)),
+        "fields": context.fem[-1].fields if context.fem else (),
+    }  # fmt: skip
+
+
+def shown_values(outputs: Sequence[Output], values: Values) -> tuple[FormulaValue, ...]:
+    """The outputs that these inputs have, in display units."""
+    return tuple(
+        FormulaValue(
+            symbol=out.symbol, what=out.what, value=values[out.key] / units.factor(out.unit),
+            unit=out.unit, judged=out.judged,
+        )
+        for out in outputs if out.key in values
+    )  # fmt: skip
+
+
+def _inputs(q: Inputs, *, is_paper: bool) -> tuple[InputValue, ...]:
+    """Every input, on the paper's numbers with the place that prints it."""
+    if not is_paper:
+        return q.display()
+    claims = {name: meta(field)["claims"] for name, field in type(q).model_fields.items()}
+    return tuple(
+        replace(shown, source=published(claims[shown.name]).place if claims.get(shown.name) else "")
+        for shown in q.display()
+    )

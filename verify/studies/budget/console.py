@@ -1,0 +1,99 @@
+"""The budgets of a run: what was measured of each case, beside the tolerances of its rows."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from verify.core.case import Case
+from verify.core.results import (
+    BudgetJoint,
+    BudgetPart,
+    CaseBudget,
+    CaseResult,
+    Kind,
+    Row,
+    RowBudget,
+)
+from verify.judging.judge import expanded
+from verify.studies.budget import balance
+from verify.studies.budget.found import RowBudget as Found
+from verify.studies.budget.measuring import plan_of
+from verify.studies.budget.messages import in_words
+from verify.studies.budget.plan import Plan
+from verify.studies.budget.store import measured
+
+LARGE, LEFT = 1e-3, 0.25  # a difference that is to be taken apart, and the share that may be left
+STALE = "not measured for this code: freewheel deep budget:{} does it"
+
+
+def told(
+    results: Sequence[CaseResult], cases: Sequence[Case], folder: Path | None = None
+) -> tuple[CaseBudget, ...]:
+    """What is known of each case with rows that have a budget, in their order."""
+    known = {case.id for case in cases}
+    plans = {result.id: plan_of(result.id) for result in results if result.id in known}
+    return tuple(
+        of_case(plans[result.id], result, folder)
+        for result in results if result.id in plans and plans[result.id].rows
+    )  # fmt: skip
+
+
+def of_case(plan: Plan, result: CaseResult, folder: Path | None = None) -> CaseBudget:
+    """The budgets of one case, from the file that `folder` has of it."""
+    found = measured(plan, folder)
+    if found is None:
+        return CaseBudget(
+            case=plan.case.id, title=plan.case.title, missing=STALE.format(plan.case.id)
+        )
+    found = replace(found, rows=in_words(plan.case.id, found.rows))
+    rows = {row.quantity: row for row in result.rows}
+    drawn = headline(plan, found.rows)
+    return CaseBudget(
+        case=plan.case.id, title=plan.case.title, date=found.date, seconds=found.seconds,
+        rows=tuple(
+            _row(one, rows, plan.says.reason(one.pair.name), headline=one.pair.name == drawn)
+            for one in found.rows
+        ),
+    )  # fmt: skip
+
+
+def headline(plan: Plan, rows: Sequence[Found]) -> str:
+    """The row that is drawn: the one named, else the first approximation, else none."""
+    if plan.says.headline:
+        return plan.says.headline
+    first = (one for one in rows if one.pair.kind is Kind.APPROXIMATION)
+    return next((one.pair.name for one in first), "")
+
+
+def apart(known: balance.Balance) -> bool:
+    """Whether nothing large is left: nothing beyond LEFT of the total and its own uncertainty."""
+    left = abs(known.remainder)
+    return abs(known.total) <= LARGE or left <= max(
+        LEFT * abs(known.total), balance.COVERAGE * known.u
+    )
+
+
+def _row(one: Found, rows: Mapping[str, Row], why: str, *, headline: bool) -> RowBudget:
+    row, known = rows.get(one.pair.name), one.balance
+    U = None if row is None or not row.scale else float(expanded(row.u_num or 0.0) / row.scale)
+    allowed = row.tolerance / row.scale if row and row.scale and row.tolerance else U or 0.0
+    explained = max(allowed, balance.COVERAGE * known.u)
+    return RowBudget(
+        quantity=one.pair.name, symbol=one.pair.symbol, kind=one.pair.kind, total=known.total, U=U,
+        parts=tuple(_part(part) for part in known.parts),
+        joints=tuple(
+            BudgetJoint(causes=joint.names, value=joint.value, note=joint.note)
+            for joint in one.joints
+        ),
+        remainder=known.remainder, u=known.u, headline=headline,
+        apart=apart(known), why="" if apart(known) else why,
+        within=bool(abs(known.remainder) <= explained) if one.pair.kind is Kind.IDENTITY else None,
+    )  # fmt: skip
+
+
+def _part(part: balance.Part) -> BudgetPart:
+    cause, _, what = part.name.partition(": ")
+    return BudgetPart(
+        cause=cause, what=what, contribution=part.contribution, u=part.u, shared=part.shared,
+        note=part.note,
+    )  # fmt: skip

@@ -1,0 +1,212 @@
+"""What `freewheel design` prints: counts and reasons, the front, the chosen spring."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.core import units
+from verify.core.console import aligned
+from verify.core.unit_systems import System, cells_in, ratio, text_in, unit_in
+from verify.studies.design.fem import Verified
+from verify.studies.design.limits import Limit
+from verify.studies.design.nearest import Relaxation
+from verify.studies.design.outcome import Outcome
+from verify.studies.design.records import COLUMNS, columns, violations
+from verify.studies.design.search import Search
+
+WIDE = 1.005  # width factor from which a strip is told to be wide
+FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha", "α", 2),
+         ("L0", "L_0", 3), ("U_w", "U_w", 3), ("k1", "k_1", 5), ("U_A", "U_A", 3),
+         ("stress", "σ", 1))  # fmt: skip
+
+
+def print_outcome(outcome: Outcome, system: System = "mm") -> None:
+    """The search in counts, why candidates fall out, and the front or what it would take."""
+    s = outcome.search
+    feasible = int(s.judged.feasible.sum())
+    print(f"{s.task.name}: {len(s.springs):,} candidates, {feasible:,} feasible")
+    for line in aligned(
+        cells_in([("limit", "", "", "violated by"), *map(_reason, *_reasons(s))], system)
+    ):
+        print(f"  {line}")
+    if outcome.chosen is None:
+        print_nothing(s, system)
+        return
+    more = len(s.front) > len(s.members)
+    print(
+        f"front: {len(s.front)} springs that none beats in stress, L_0, room to A and stiffness"
+        + (f", {len(s.members)} spread over it" if more else "")
+    )
+    for line in aligned(front_table(outcome, system)):
+        print(f"  {line}")
+    print_chosen(outcome, system)
+    for warning in warnings(outcome):
+        print(text_in(f"warning: {warning}", system))
+
+
+def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]]:
+    """The members of the front as cells, heads of names and units first."""
+    s, values = outcome.search, columns(outcome.search)
+    unit_of = dict(COLUMNS) | {"n": ""}
+    shown = {name: unit_in(unit_of[name], system) for name, _, _ in FRONT}
+    scale = {name: ratio(unit_of[name], shown[name]) if shown[name] else 1.0 for name in shown}
+    fem = bool(outcome.verified)
+    lines = [
+        (
+            "",
+            *(symbol for _, symbol, _ in FRONT),
+            *(("k_1 FE", "less FE", "Δ FE", "e_r FE", "") if fem else ()),
+        ),
+        (
+            "",
+            *shown.values(),
+            *((unit_in("N/mm", system), "", unit_in("mm", system), "", "") if fem else ()),
+        ),
+    ]
+    for rank, i in enumerate(s.members):
+        cells = [f"{rank + 1}{'*' if rank == outcome.chosen else ''}"]
+        cells += [
+            _decimal(values[name][i] * scale[name], digits, scale[name])
+            for name, _, digits in FRONT
+        ]
+        lines.append((*cells, *(by_fem(outcome.verified[rank], system) if fem else ())))
+    return lines
+
+
+def _decimal(value: float, digits: int, scale: float) -> str:
+    """A converted number, with about as many significant digits as it had before."""
+    return f"{value:.{max(0, digits - round(math.log10(scale)))}f}"
+
+
+def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
+    """Results of finite elements for a member, the verdict last."""
+    stiffness, length = (ratio(unit, unit_in(unit, system)) for unit in ("N/mm", "mm"))
+    return (
+        _decimal(v.k1 / 1e3 * stiffness, 5, stiffness), f"{100 * v.deviation:+.3f} %",
+        _decimal(v.delta * 1e3 * length, 3, length), f"{100 * v.e_r:+.2f} %",
+        text_in(verdict(v), system),
+    )  # fmt: skip
+
+
+def verdict(v: Verified) -> str:
+    """In words; a formula that is off comes first."""
+    if not v.agrees:
+        return f"formula beyond ±{100 * v.limit:.2g} %"
+    if v.curve.touches <= v.U_w:
+        return f"leaves touch by {v.curve.touches * 1e3:.3g} mm"
+    if v.too_high:
+        return f"{v.curve.height * 1e3:.4g} mm high"
+    if v.unsolved:
+        return f"no equilibrium found beyond {v.curve.U[-1] * 1e3:.3g} mm"
+    if v.overstressed:
+        return f"{v.stress / 1e6:.4g} MPa"
+    return "kept" if v.fits else f"beyond ±{100 * v.e_max:.2g} %"
+
+
+def warnings(outcome: Outcome) -> list[str]:
+    """What the chosen spring has to be warned of."""
+    s, i = outcome.search, outcome.candidate
+    q, f = s.task.demands, s.formulas
+    found = []
+    if q.width_factor is None and f.f[i] > WIDE:
+        found.append(
+            f"the strip's width stiffens it by {f.f[i] - 1:.1%}, as a leaf that is a plate: arcs "
+            "add to that, and 1/(1 - ν²) is the most (case spring-width measures it)"
+        )
+    if abs(f.k1_eqs_1_9[i] / f.k1[i] - 1) > q.e_max:
+        found.append(
+            f"Eqs. 1-9 as printed give k_1 = {f.k1_eqs_1_9[i] / 1e3:.4g} N/mm, "
+            f"{f.k1_eqs_1_9[i] / f.k1[i] - 1:+.1%}: inner radius, head free, tail held at its arc"
+        )
+    if outcome.verified and (said := verdict(v := outcome.verified[outcome.chosen or 0])) != "kept":
+        what = "do not verify" if v.unsolved else "reject"
+        found.append(f"finite elements {what} the chosen spring: {said}")
+    if outcome.verified and not any(v.agrees and v.fits for v in outcome.verified):
+        found.append("finite elements keep no member of the front")
+    return found
+
+
+def print_chosen(outcome: Outcome, system: System) -> None:
+    """Every limit beside the chosen spring's value."""
+    s, i = outcome.search, outcome.candidate
+    print(text_in(f"chosen: member {s.members.tolist().index(i) + 1}, {geometry(s, i)}", system))
+    for line in aligned(cells_in([_kept(limit, i) for limit in s.judged.limits], system)):
+        print(f"  {line}")
+
+
+def print_nothing(s: Search, system: System) -> None:
+    """Which candidate comes nearest, and what would have to give way."""
+    if not s.nearest:
+        print("nothing is feasible: no candidate is a spring, which needs b < r and 2 r < L1")
+        return
+    i = s.nearest[0].candidate
+    nearest = f"nothing is feasible; the nearest is {geometry(s, i)}, which violates"
+    print(text_in(nearest, system))
+    for line in aligned(cells_in([_relaxed(r) for r in s.nearest], system)):
+        print(f"  {line}")
+    if s.relaxations:
+        print("one of these alone would admit a spring")
+        alone = [(*_relaxed(r), geometry(s, r.candidate)) for r in s.relaxations]
+        for line in aligned(cells_in(alone, system)):
+            print(f"  {line}")
+
+
+def geometry(s: Search, i: int) -> str:
+    """A candidate in a few words."""
+    g = s.springs
+    alpha = g.alpha[i] / units.factor("deg")
+    return (
+        f"n = {g.n[i]}, b = {g.b[i] * 1e3:.4g} mm, L1 = {g.L1[i] * 1e3:.5g} mm, "
+        f"r = {g.r[i] * 1e3:.4g} mm, alpha = {alpha:.4g} deg"
+    )
+
+
+def in_unit(limit: Limit, value: float) -> str:
+    """A value of a limit's input [SI] in its unit."""
+    if np.isinf(value):
+        return "∞"
+    number = f"{value / units.factor(limit.unit):.4g}"
+    return number if limit.unit == "1" else f"{number} {limit.unit}"
+
+
+def _reasons(s: Search) -> tuple[Sequence[Limit], Sequence[int]]:
+    counts = violations(s)
+    return s.judged.limits, [counts[limit.key] for limit in s.judged.limits]
+
+
+def _reason(limit: Limit, count: int) -> tuple[str, ...]:
+    bound = in_unit(limit, limit.bound - limit.offset)
+    return limit.symbol, f"{limit.sign} {bound}", limit.source, f"{count:,}"
+
+
+def _kept(limit: Limit, i: int) -> tuple[str, ...]:
+    value = in_unit(limit, float(limit.value[i]) - limit.offset)
+    bound = in_unit(limit, limit.bound - limit.offset)
+    return limit.what, limit.symbol, value, f"{limit.sign} {bound}", f"{spare(limit, i)} to spare"
+
+
+def spare(limit: Limit, i: int) -> str:
+    """How far candidate `i` is inside the limit, a share of the bound."""
+    room = -float(limit.excess[i])
+    return "∞" if np.isinf(room) else f"{100 * room:.3g} %"
+
+
+def _relaxed(r: Relaxation) -> tuple[str, ...]:
+    limit = r.limit
+    return (
+        limit.what, f"{limit.symbol} {limit.sign} {in_unit(limit, r.given)} ({limit.source})",
+        f"relax {limit.key} from {in_unit(limit, r.given)} to {rounded(r)}"
+        if r.possible else f"needs {rounded(r)}, which {limit.key} cannot be set to",
+        f"{100 * r.excess:.3g} % beyond",
+    )  # fmt: skip
+
+
+def rounded(r: Relaxation) -> str:
+    """The bound that is needed, in its unit, rounded to the side that admits the candidate."""
+    value = r.needed / units.factor(r.limit.unit)
+    step = 10.0 ** (np.floor(np.log10(abs(value))) - 3) if value else 1.0
+    steps = np.round(value / step, 9)  # whole but for round-off, which limits allow, is whole
+    whole = np.floor(steps) if r.limit.least else np.ceil(steps)
+    number = f"{whole * step:.4g}"
+    return number if r.limit.unit == "1" else f"{number} {r.limit.unit}"

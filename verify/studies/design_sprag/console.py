@@ -1,0 +1,302 @@
+"""What `freewheel design` prints of a crown: the best one, torque by torque, and its checks."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.core.console import aligned
+from verify.core.figures import Array
+from verify.core.unit_systems import System, cells_in, text_in
+from verify.studies.design_sprag.inputs import Task
+from verify.studies.design_sprag.known import Known
+from verify.studies.design_sprag.outcome import FLAT, SHALLOWER, Outcome
+from verify.studies.design_sprag.search import AGREE
+from verify.studies.design_sprag.verified import CELLS, LIMIT, Check
+
+MPa, um = 1e6, 1e-6
+SYMBOLS = ("K_1", "K_2", "z_m")
+FORMS = ("{:.4g}", "{:.4g}", "{:.4g} µm")
+UNITS = (1.0, 1.0, um)
+ROUNDING = 1e-9  # by which a crown on a bound may be beyond it
+
+
+def print_outcome(outcome: Outcome, system: System = "mm") -> None:
+    """The best crown, its pressures by torque, how flat, how sure, and a half-space's verdict."""
+    task = outcome.task
+    print(f"{task.name}: {len(outcome.search.model.known):,} crowns engaged under {torques(task)}")
+    best = f"best crown: {named(outcome.crown)}, for Q = {outcome.search.model.Q:.5g} N"
+    print(text_in(best, system))
+    for line in aligned(cells_in([("", *HEAD_CROWN), *crown_table(outcome)], system)):
+        print(f"  {line}")
+    print("largest pressures as the clutch engages [MPa]")
+    for line in aligned([*torque_heads(outcome), *torque_table(outcome)]):
+        print(f"  {line}")
+    for line in remarks(outcome):
+        print(text_in(line, system))
+    if outcome.checks:
+        print("half-space, under the same forces [MPa]")
+        for line in aligned([check_heads(outcome), *map(check_line, outcome.checks)]):
+            print(f"  {line}")
+    print(text_in(verdict(outcome), system))
+    for warning in warnings(outcome):
+        print(text_in(f"warning: {warning}", system))
+
+
+def named(crown: Array) -> str:
+    """A crown in a few words."""
+    return ", ".join(
+        f"{symbol} = {form.format(x / unit)}"
+        for symbol, form, unit, x in zip(SYMBOLS, FORMS, UNITS, crown, strict=True)
+    )
+
+
+def torques(task: Task) -> str:
+    """The torques in words."""
+    if len(task.torques) == 1:
+        return f"{task.torques[0]:g} N m"
+    return ", ".join(f"{T:g}" for T in task.torques[:-1]) + f" and {task.torques[-1]:g} N m"
+
+
+HEAD_CROWN = ("now", "best", "range", f"within {100 * FLAT:g} %: alone", "with others")
+
+
+def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
+    """Each parameter now, at its best, its range, and how far it may be off."""
+    task, q = outcome.task, outcome.task.clutch
+    now = (q.K_1, q.K_2, q.z_m)
+    return [
+        (
+            SYMBOLS[j],
+            shown(j, now[j]) if q.z_m else "none",
+            shown(j, outcome.crown[j]),
+            span(j, np.array([task.low[j], task.high[j]])),
+            span(j, outward(outcome.alone[j])),
+            span(j, outward(outcome.together[j])),
+        )
+        for j in range(3)
+    ]
+
+
+def shown(j: int, value: float) -> str:
+    """A value of parameter number j."""
+    return FORMS[j].format(value / UNITS[j])
+
+
+def span(j: int, ends: Array) -> str:
+    """Two values of parameter number j."""
+    low, high = (f"{x / UNITS[j]:.3g}" for x in ends)
+    return f"{low} to {high}" + (" µm" if j == 2 else "")
+
+
+def outward(ends: Array) -> Array:
+    """Two positive values in three digits, which keep between them what was."""
+    step = 10.0 ** (np.floor(np.log10(ends)) - 2)
+    low, high = np.round(ends / step, 6)  # what is whole but for its last digit is whole
+    return np.array([np.floor(low), np.ceil(high)]) * step
+
+
+def torque_heads(outcome: Outcome) -> list[tuple[str, ...]]:
+    """Two lines of heads."""
+    tolerance = not outcome.search.single
+    return [
+        ("T", "N_max", "N_max/Q", "now", "no crown", "best there", "at", "", "", "chosen",
+         *(("within its",) if tolerance else ()), "excess"),
+        ("N m", "N", "", "", "", "in tolerance" if tolerance else "", "K_1", "K_2", "z_m", "",
+         *(("tolerance",) if tolerance else ()), ""),
+    ]  # fmt: skip
+
+
+def torque_table(outcome: Outcome) -> list[tuple[str, ...]]:
+    """Largest pressures now, without a crown, of the best crown of the torque, and chosen."""
+    lines = []
+    tolerance = not outcome.search.single
+    for k, T in enumerate(outcome.task.torques):
+        N = float(outcome.chosen.N_max[0, k])
+        crown = outcome.best_crowns[k]
+        lines.append((
+            f"{T:g}", f"{N:.0f}", f"{N / outcome.search.model.Q:.3g}",
+            pressure(outcome, outcome.now, k, ends=outcome.now_carries[k]),
+            pressure(outcome, outcome.without, k, ends=True),
+            f"{outcome.best[k] / MPa:.0f}", *(shown(j, crown[j]) for j in range(3)),
+            f"{outcome.pressures[k] / MPa:.0f}",
+            *((band(outcome, k),) if tolerance else ()), percent(float(outcome.excess[k])),
+        ))  # fmt: skip
+    return lines
+
+
+def percent(share: float) -> str:
+    """A difference in per cent, of which less than a hundredth is nobody's."""
+    return f"{100 * share:+.2g} %" if abs(share) >= 1e-4 else "< 0.01 %"
+
+
+def band(outcome: Outcome, k: int) -> str:
+    """Least and largest of the pressures within the tolerance, ends counted once."""
+    p = outcome.largest(outcome.chosen)[:, k]
+    return f"{p.min() / MPa:.0f} to {p.max() / MPa:.0f}"
+
+
+def pressure(outcome: Outcome, known: Known, k: int, *, ends: bool) -> str:
+    """A largest pressure; where the ends carry, by how many slices or strips."""
+    said = f"{outcome.largest(known)[0, k] / MPa:.0f}"
+    return f"{said} (ends carry, {so_many(outcome, k)})" if ends else said
+
+
+def so_many(outcome: Outcome, k: int) -> str:
+    """How many slices or strips a pressure under torque number k is by."""
+    contacts = outcome.task.wishes.contacts
+    return f"{outcome.now.along(contacts, k).shape[1]} {contacts}"
+
+
+def remarks(outcome: Outcome) -> list[str]:
+    """What is said below the table of torques."""
+    return [
+        *compared(outcome), surely(outcome), *at_bounds(outcome), *on_edge(outcome),
+        *paper_s_way(outcome),
+    ]  # fmt: skip
+
+
+def at_bounds(outcome: Outcome) -> list[str]:
+    """Bounds that the best crown is at and that cost nothing."""
+    return [
+        f"a wider range of {SYMBOLS[b.parameter]}, which is at its edge, gains nothing: "
+        f"{shown(b.parameter, b.beyond)} alone was tried"
+        for b in outcome.bounds
+        if not b.costs
+    ]
+
+
+def on_edge(outcome: Outcome) -> list[str]:
+    """Advice where a crown without tolerance is at the edge of its ends."""
+    if not (outcome.search.single and outcome.on_edge):
+        return []
+    return [f"give t_z, t_y: with z_m {100 * (1 - SHALLOWER):.0f} % less its ends carry"]
+
+
+def compared(outcome: Outcome) -> list[str]:
+    """Which pressures of the table may be compared, where there is a tolerance."""
+    if outcome.search.single:
+        return []
+    return [
+        "now, no crown and chosen are of the crown as it is drawn, best there and excess of the "
+        "worst within the tolerance: now compares with chosen, not with best there"
+    ]
+
+
+def surely(outcome: Outcome) -> str:
+    """How good kriging is, and how far it was from the true model at the end."""
+    near, whole = outcome.search.judged[-1]
+    return (
+        f"kriging: at the best crown {percent(outcome.predicted / outcome.true - 1)} off the "
+        f"true model ({100 * AGREE:g} % asked for), {outcome.rounds} rounds; on {near.count} fresh "
+        f"random crowns near the best {100 * near.mean:.2f} % in the mean and "
+        f"{100 * near.largest:.2f} % at most (all {whole.count}: {100 * whole.mean:.2f} %, "
+        f"{100 * whole.largest:.2f} %)"
+    )
+
+
+def paper_s_way(outcome: Outcome) -> list[str]:
+    """What slices would have chosen at the largest torque of the known crowns in the ranges."""
+    task, known = outcome.task, outcome.search.model.known
+    if task.wishes.contacts == "slices":
+        return []
+    k = len(task.torques) - 1
+    low, high = np.array(task.low) * (1 - ROUNDING), np.array(task.high) * (1 + ROUNDING)
+    inside = np.all((known.crowns >= low) & (known.crowns <= high), axis=1)
+    i = int(np.where(inside, known.slices[:, k].max(axis=1), np.inf).argmin())
+    along = known.strips[k][i]
+    by_slices, by_strips = known.slices[i, k].max(), along.max()
+    T = task.torques[k]
+    if by_strips < 1.005 * outcome.pressures[k]:
+        return []
+    at_ends = ", at its ends" if int(along.argmax()) in (0, len(along) - 1) else ""
+    return [
+        f"the paper's way, by slices, would{' at the largest torque' if k else ''} have gone to "
+        f"{named(known.crowns[i])}: "
+        f"{by_slices / MPa:.0f} MPa at {T:g} N m by {known.slices.shape[2]} slices, but "
+        f"{by_strips / MPa:.0f} MPa by {known.strips[k].shape[1]} strips{at_ends}"
+    ]
+
+
+def check_heads(outcome: Outcome) -> tuple[str, ...]:
+    """Heads of the half-space's table."""
+    n = outcome.task.clutch.slices
+    cells = " by ".join(map(str, CELLS[1]))
+    return ("T", "crown", f"{n} slices", f"{2 * n} slices", "strips", f"{cells} cells",
+            "coarser cells", "strips less", "slices less", "at mid-length", "ends")  # fmt: skip
+
+
+def check_line(c: Check) -> tuple[str, ...]:
+    """One check; differences are to the half-space."""
+    return (
+        f"{c.T:g} N m", c.which, f"{c.slices.max() / MPa:.1f}", f"{c.twice / MPa:.1f}",
+        f"{c.strips.max() / MPa:.1f} ({len(c.strips)})", f"{c.peak / MPa:.1f}",
+        f"{c.coarse / MPa:.1f}", f"{100 * c.off(float(c.strips.max())):+.2f} %",
+        f"{100 * c.off(float(c.slices.max())):+.2f} %", f"{100 * c.mid_off:+.2f} %",
+        "free" if c.end == 0 else f"carry {c.end / MPa:.0f}",
+    )  # fmt: skip
+
+
+def verdict(outcome: Outcome) -> str:
+    """PASS or FAIL of the contacts that the crown was chosen by, against the half-space."""
+    contacts = outcome.task.wishes.contacts
+    if not outcome.checks:
+        return "not checked by a half-space"
+    worst = max(outcome.checks, key=lambda c: abs(c.off(c.judged)))
+    said = "PASS" if outcome.verified else "FAIL"
+    loaded = ", ".join(f"{c.T:g} N m, {c.which}" for c in outcome.checks if c.end > 0)
+    ends = f"; its ends carry ({loaded}), where no pressure is the largest" if loaded else ""
+    return (
+        f"{said} {contacts} within {100 * LIMIT:g} % of the half-space, ends free: at most "
+        f"{100 * worst.off(worst.judged):+.2g} %, {worst.T:g} N m, the {worst.which} crown{ends}"
+    )
+
+
+def warnings(outcome: Outcome) -> Sequence[str]:
+    """What the chosen crown has to be warned of."""
+    return [*_limits(outcome), *_ends(outcome), *_bounds(outcome), *_flat(outcome)]
+
+
+def _limits(outcome: Outcome) -> list[str]:
+    limit = outcome.task.wishes.p_lim
+    if not outcome.exceeded or limit is None:
+        return []
+    at = ", ".join(f"{T:g}" for T in outcome.exceeded)
+    return [f"p_lim = {limit / MPa:.5g} MPa is exceeded at {at} N m, with the best crown too"]
+
+
+def _ends(outcome: Outcome) -> list[str]:
+    loaded = [c for c in outcome.checks if c.end > 0 and c.which == "wanted"]
+    if not loaded:
+        return []
+    at = ", ".join(f"{c.T:g}" for c in loaded)
+    free = outcome.free_from
+    mend = (
+        f"z_m of {free / um:.3g} µm would unload them, K_1 and K_2 kept"
+        if free
+        else "no larger z_m alone unloads them: take a larger K_1"
+    )
+    return [
+        f"the ends carry at {at} N m: there the pressure has no limit, whatever slices or strips "
+        f"say; {mend}"
+    ]
+
+
+def _bounds(outcome: Outcome) -> list[str]:
+    return [
+        f"{SYMBOLS[b.parameter]} is at the edge of its range: {shown(b.parameter, b.beyond)} "
+        f"alone would gain {100 * b.gain:.2g} %"
+        for b in outcome.bounds
+        if b.costs
+    ]
+
+
+def _flat(outcome: Outcome) -> list[str]:
+    """Where every crown of the ranges is as good."""
+    task = outcome.task
+    if all(
+        high - low >= 0.98 * (task.high[j] - task.low[j])
+        for j, (low, high) in enumerate(outcome.alone)
+    ):
+        return [f"every parameter alone may go through its whole range for {100 * FLAT:g} %: any "
+                "crown of these ranges does"]  # fmt: skip
+    return []

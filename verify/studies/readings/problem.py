@@ -1,0 +1,61 @@
+"""A number whose meaning is searched: its formula, its inputs, and the readings it offers."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from verify.papers.ledger import erratum, published
+from verify.studies.readings.search import Formula, Inputs, Outcome, Reading, search, together
+
+
+@dataclass(frozen=True, kw_only=True)
+class Problem:
+    """A number of a paper that its formula, as first read, does not give.
+
+    `reference` names the printed value or the erratum ("paper:id"). For an erratum of a formula
+    `derived` is what a balance or the geometry gives, to the digits that are sure, in `unit`: it is
+    the printed formula then that is read anew. `errata` name the readings in the ledger. Inputs
+    that a paper chose are exact, those that it computed or measured are rounded by `rounding`.
+    With `parts` all of their numbers are to be met by the same readings.
+    """
+
+    reference: str
+    case: str
+    formula: Formula
+    inputs: Callable[[], Inputs]
+    readings: Callable[[], tuple[Reading, ...]]
+    what: str
+    derived: str = ""
+    unit: str = ""
+    rounding: Mapping[str, float] = field(default_factory=dict)
+    errata: tuple[str, ...] = ()
+    most: int = 2
+    parts: "tuple[Problem, ...]" = ()
+
+    @property
+    def printed(self) -> str:
+        """The number in its digits, or the numbers."""
+        if self.parts:
+            return ", ".join(part.printed for part in self.parts)
+        return self.derived or published(self.reference).printed
+
+    @property
+    def place(self) -> str:
+        """Where it stands in the paper."""
+        if self.derived or self.parts:
+            return erratum(self.reference).place
+        return published(self.reference).place
+
+    @property
+    def printed_unit(self) -> str:
+        if self.parts:
+            return self.parts[0].printed_unit
+        return self.unit if self.derived else published(self.reference).unit
+
+    def search(self, most: int = 0) -> Outcome:
+        """All combinations of at most `most` readings, as many as the problem asks where 0."""
+        if self.parts:
+            return together([part.search(most or self.most) for part in self.parts])
+        return search(
+            self.formula, self.inputs(), self.printed, self.readings(), rounding=self.rounding,
+            most=most or self.most, digits=not self.derived,
+        )  # fmt: skip

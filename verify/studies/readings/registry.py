@@ -1,0 +1,25 @@
+"""Every number whose meaning is searched, and those that nothing can be searched for."""
+
+from verify.studies.readings.of_freewheels import PROBLEMS as FREEWHEELS
+from verify.studies.readings.of_sprags import PROBLEMS as SPRAGS
+from verify.studies.readings.of_springs import PROBLEMS as SPRINGS
+from verify.studies.readings.problem import Problem
+
+PROBLEMS: tuple[Problem, ...] = (*SPRAGS, *FREEWHEELS, *SPRINGS)
+
+# not met, and no formula of the paper gives them
+WITHOUT_FORMULA = {
+    "huang2018:table1-i-1": "an inertia in no equation",
+    "huang2018:table1-c-f": "a torque in no equation",
+    "huang2018:stress-25nm-unmodified": "the end pressure of an uncrowned roller has no limit: it "
+    "goes with the number of slices, which is fitted",
+    "nagler2021:friction-ratio-red-yellow": "a rule from tests",
+    "nagler2021:friction-ratio-yellow-green": "a rule from tests",
+    "nagler2021:rig-torsion-angle": "a range of the rig",
+    "nagler2021:rig-axial-displacement": "a range of the rig",
+    "nagler2021:test-runs-per-clutch": "a number of tests",
+    "wang2023:yield-strength": "a property of a material that is not named",
+    "wang2023:rule-length-thickness-max": "a rule, which the paper's own spring breaks",
+    "wang2023:rule-displacement-ratio-max": "a rule, which the paper's own tests break",
+    "huang2022:unbalance-1-node": "a number of a node, contradicted by the text",
+}

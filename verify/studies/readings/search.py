@@ -1,0 +1,307 @@
+"""The readings of inputs and result that reproduce a printed number, and how many would by chance.
+
+A printed number that the formula does not give may mean something else: a diameter for a radius,
+one side for both, plane strain for plane stress. Every combination of a few readings is tried. It
+reproduces the number where it is within half the last printed digit plus what the rounding of the
+inputs leaves open. The more readings are tried, the more of them fit by accident: how many would
+fit a number that has nothing to do with the formula is told beside what was found. Readings crowd
+about the first one, and so do printed numbers that are wrong for another reason: what would fit is
+counted for such near numbers and for any within a factor of 2, and the larger count holds.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from typing import Any
+
+from verify.papers.digits import half_last_digit, number
+from verify.studies.readings.misprints import is_misprint, misprints
+
+Inputs = Mapping[str, Any]
+Formula = Callable[[Inputs], float]
+Progress = Callable[[int, int], None]
+
+EVIDENCE = 0.05  # accidental hits, of which more say nothing
+SPANS = (2.0, 1.15)  # factors of the printed number within which an unrelated one is anywhere
+SAME = 1e-9  # relative: two combinations that are one
+DIGIT = "one digit misprinted"
+LEAST_DIGITS = 99.5  # units of the last printed place
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reading:
+    """One change by name, of the inputs or of the result; those `of` one thing exclude each other.
+
+    `rounding` is how far off inputs may be under this reading.
+    """
+
+    name: str
+    of: str
+    inputs: Callable[[Inputs], Inputs] | None = None
+    result: Callable[[float, Inputs], float] | None = None
+    rounding: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tried:
+    """A combination of readings with what it gives, and `off`, how far rounded inputs move it."""
+
+    readings: tuple[str, ...]
+    value: float
+    off: float
+
+    @property
+    def changes(self) -> int:
+        return len(self.readings)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Outcome:
+    """What a search found. `as_it_stands` is None where the formula has no value.
+
+    `hits` have the fewest changes first, of those what leaves least open; `chance[k]` is how many
+    combinations of at most k changes would meet a number that is anywhere within a factor of 2 of
+    the printed one, or of 1.15 where more would. `found` is all that has a value.
+    """
+
+    printed: str
+    value: float
+    half_digit: float
+    as_it_stands: Tried | None
+    met: bool
+    tried: int
+    without_value: int
+    hits: tuple[Tried, ...]
+    chance: tuple[float, ...]
+    found: tuple[Tried, ...] = ()
+
+    @property
+    def best(self) -> Tried | None:
+        """The hit with the fewest changes."""
+        return self.hits[0] if self.hits else None
+
+    @property
+    def accidental(self) -> float:
+        """Chance hits among all combinations with no more changes than the best, or of all."""
+        return self.chance[self.best.changes if self.best else -1]
+
+    @property
+    def is_evidence(self) -> bool:
+        return self.best is not None and self.accidental <= EVIDENCE
+
+
+def search(
+    formula: Formula,
+    inputs: Inputs,
+    printed: str,
+    readings: Sequence[Reading],
+    *,
+    rounding: Mapping[str, float] | None = None,
+    most: int = 2,
+    digits: bool = True,
+    progress: Progress = lambda _done, _total: None,
+) -> Outcome:
+    """Try all combinations of at most `most` readings against the printed number.
+
+    `formula` gives the number in its printed unit from `inputs`; `rounding` says how far off single
+    inputs may be, half their last printed digit. With `digits` one misprinted digit of what the
+    formula gives as it stands counts as a reading too, where three or more are printed: of fewer
+    any number is a misprint. `progress` is told how many combinations of all are done. ValueError
+    where the printed text is no number, or zero.
+    """
+    value, half = number(printed), half_last_digit(printed)
+    digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
+    if value == 0:
+        raise ValueError("a printed zero is met by no reading: a number other than zero is needed")
+    sums, every = _Evaluated(formula), _combined(readings, most)
+    found: list[Tried] = []
+    for done, chosen in enumerate(every):
+        progress(done, len(every))
+        if (combination := sums.tried(inputs, chosen, rounding or {})) is not None:
+            found.append(combination)
+    lost = len(every) - len(found)
+    return _outcome(printed, value, half, found, len(every), lost, most, digits=digits)
+
+
+def _combined(readings: Sequence[Reading], most: int) -> list[tuple[Reading, ...]]:
+    """All combinations of readings of different things, the fewest changes first."""
+    return [
+        chosen
+        for changes in range(most + 1)
+        for chosen in combinations(readings, changes)
+        if len({one.of for one in chosen}) == changes
+    ]
+
+
+def _outcome(
+    printed: str,
+    value: float,
+    half: float,
+    found: Sequence[Tried],
+    tried: int,
+    lost: int,
+    most: int,
+    *,
+    digits: bool,
+) -> Outcome:
+    plain = next((t for t in found if not t.readings), None)
+    met = plain is not None and _meets(plain, value, half)
+    hits = [t for t in found if t.readings and _meets(t, value, half)]
+    if digits and plain and is_misprint(plain.value, printed):
+        hits.append(Tried(readings=(DIGIT,), value=plain.value, off=plain.off))
+    hits = _needed(hits, value)
+    return Outcome(
+        printed=printed, value=value, half_digit=half, as_it_stands=plain, met=met, tried=tried,
+        without_value=lost, hits=tuple(hits),
+        chance=_larger(
+            [_chances(found, printed, half, most, span, digits=digits) for span in SPANS]
+        ),
+        found=tuple(found),
+    )  # fmt: skip
+
+
+def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
+    """Hits in their rank, without those that add to an earlier one what changes nothing."""
+    kept: list[Tried] = []
+    for hit in sorted(hits, key=lambda t: (t.changes, t.off, abs(t.value - value))):
+        if not any(
+            set(other.readings) < set(hit.readings)
+            and math.isclose(other.value, hit.value, rel_tol=SAME)
+            for other in kept
+        ):
+            kept.append(hit)
+    return kept
+
+
+def together(outcomes: Sequence[Outcome]) -> Outcome:
+    """One search from those for several numbers: what reproduces all of them at once.
+
+    The outcomes are of the same readings on other inputs. Numbers are shown of the first one.
+    """
+    first = outcomes[0]
+    by_readings = [{t.readings: t for t in one.found} for one in outcomes]
+    shared = [t for t in first.found if all(t.readings in known for known in by_readings)]
+    hits = []
+    for t in shared:
+        each = [known[t.readings] for known in by_readings]
+        pairs = list(zip(each, outcomes, strict=True))
+        if t.readings and all(_meets(x, one.value, one.half_digit) for x, one in pairs):
+            hits.append(t)
+    hits = _needed(hits, first.value)
+    most = len(first.chance) - 1
+    return replace(
+        first, met=all(one.met for one in outcomes), hits=tuple(hits),
+        chance=_larger([_chances_together(shared, outcomes, most, span) for span in SPANS]),
+    )  # fmt: skip
+
+
+def _chances_together(
+    shared: Sequence[Tried], outcomes: Sequence[Outcome], most: int, span: float
+) -> list[float]:
+    """Expected accidental hits of all numbers at once, for combinations of 0, 1, ... changes."""
+    by_readings = [{t.readings: t for t in one.found} for one in outcomes]
+    sums = [0.0] * (most + 1)
+    for t in shared:
+        if t.readings:
+            each = [known[t.readings] for known in by_readings]
+            sums[t.changes] += math.prod(
+                window(x.value, one.half_digit + x.off, one.value, span)
+                for x, one in zip(each, outcomes, strict=True)
+            )
+    return sums
+
+
+def _meets(tried: Tried, value: float, half: float) -> bool:
+    """Within the printed digits and the rounding of the inputs."""
+    return abs(tried.value - value) <= (half + tried.off) * (1 + SAME)
+
+
+def _chances(
+    found: Sequence[Tried], printed: str, half: float, most: int, span: float, *, digits: bool
+) -> list[float]:
+    """Expected accidental hits among combinations of 0, 1, ... changes, each value once."""
+    value, sums, counted = number(printed), [0.0] * (most + 1), dict[float, float]()
+    for t in sorted(found, key=lambda t: t.changes):
+        wide = window(t.value, half + t.off, value, span)
+        same = next((x for x in counted if math.isclose(x, t.value, rel_tol=SAME)), t.value)
+        if t.readings:
+            sums[t.changes] += max(wide - counted.get(same, 0.0), 0.0)
+        elif digits and most:
+            sums[1] += sum(window(x, half, value, span) for x in misprints(t.value, printed))
+        counted[same] = max(wide, counted.get(same, 0.0))
+    return sums
+
+
+def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
+    """Of accidental hits by their changes the sums of at most 0, 1, ..., the largest of all."""
+    return tuple(max(sum(sums[: k + 1]) for sums in by_span) for k in range(len(by_span[0])))
+
+
+def window(value: float, half: float, printed: float, span: float) -> float:
+    """The probability that a number is within `half` of `value`.
+
+    It is anywhere within a factor `span` of `printed`, spread evenly in its logarithm, and has
+    the sign of the printed one.
+
+    >>> round(window(100.0, 1.0, 100.0, 2.0), 4)
+    0.0144
+    >>> round(window(100.0, 1.0, 100.0, 1.15), 4)
+    0.0716
+    """
+    middle, least, largest = abs(printed), abs(printed) / span, abs(printed) * span
+    x = value * math.copysign(1.0, printed)
+    low, high = max(x - half, least), min(x + half, largest)
+    return math.log(high / low) / math.log(largest / least) if high > low and middle else 0.0
+
+
+class _Evaluated:
+    """The formula, evaluated once for each set of inputs."""
+
+    def __init__(self, formula: Formula) -> None:
+        self.formula = formula
+        self.known: dict[tuple[tuple[str, Any], ...], float | None] = {}
+
+    def tried(
+        self, inputs: Inputs, chosen: Sequence[Reading], rounding: Mapping[str, float]
+    ) -> Tried | None:
+        """What a combination gives, None where it has no finite value."""
+        half = dict(rounding)
+        for reading in chosen:
+            half |= reading.rounding
+        middle = self._value(inputs, chosen)
+        if middle is None:
+            return None
+        off = 0.0
+        for name, step in half.items():
+            ends = [self._value({**inputs, name: inputs[name] + s}, chosen) for s in (-step, step)]
+            off += max(abs(end - middle) for end in (middle, *ends) if end is not None)
+        return Tried(readings=tuple(r.name for r in chosen), value=middle, off=off)
+
+    def _value(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
+        """The finite result with all readings, None where there is none."""
+        try:
+            value = self._read(inputs, chosen)
+        except (ValueError, ArithmeticError, TypeError):  # a root of less than zero, a division
+            return None
+        return value if value is not None and math.isfinite(value) else None
+
+    def _read(self, inputs: Inputs, chosen: Sequence[Reading]) -> float | None:
+        """Readings of inputs come first, each on what came before, then those of the result."""
+        for reading in chosen:
+            if reading.inputs:
+                inputs = {**inputs, **reading.inputs(inputs)}
+        key = tuple(sorted(inputs.items()))
+        if key not in self.known:
+            self.known[key] = self._once(inputs)
+        value = self.known[key]
+        for reading in chosen:
+            if reading.result and value is not None:
+                value = reading.result(value, inputs)
+        return value
+
+    def _once(self, inputs: Inputs) -> float | None:
+        try:
+            return float(self.formula(inputs))
+        except (ValueError, ArithmeticError, TypeError):
+            return None

@@ -1,0 +1,175 @@
+"""What `freewheel sweep` prints: what was solved, how wrong each formula is, and where or why."""
+
+import math
+import re
+import textwrap
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from verify.core import units
+from verify.core.console import aligned, raised
+from verify.studies.sweep.axes import Axis, Tolerance
+from verify.studies.sweep.console_table import MOST_ROWS, WIDE, counted, table, worst
+from verify.studies.sweep.indices import LOOSE, NOISY, Scatter, indices
+from verify.studies.sweep.messages import (
+    bare,
+    box_in_words,
+    break_in_words,
+    ends,
+    place,
+    ranked,
+    valued,
+)
+from verify.studies.sweep.outcome import Course, Outcome
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import regions
+from verify.studies.sweep.tables import SOLVED, largest, quantities, reasons, statuses
+
+LINES = 30  # from which on no further row is told in full
+MOST_REASONS = 3
+MOST_INPUTS = 6
+MOST_DIGITS = 6  # after the point
+_NUMBER = re.compile(r"\d[\d.,]*(?:e[-+]?\d+)?")
+INDICES = (
+    "S1 is the share of the variance that an input causes alone, ST with its interactions, in "
+    "brackets the intervals of 95 %; ± is the standard deviation there"
+)
+
+
+def print_outcome(found: Outcome) -> None:
+    """Points and what became of them, the rows that are furthest off, regions or indices."""
+    for line in told(found):
+        print(line)
+
+
+def told(found: Outcome) -> list[str]:
+    """The lines of `print_outcome`, no wider than WIDE; rows in full until there are LINES."""
+    lines_of_table, placed = table(found)
+    plan, detailed = found.solved.plan, 0
+    first = (*_points(found), *_own_values(plan), *lines_of_table)
+    lines = [part for line in first for part in _wrapped(line)]
+    explained = [part for line in _explained(found) for part in _wrapped(line)]
+    for course in worst(found):
+        at = "" if placed else _furthest(plan, course)
+        of = _of_sample(plan, course, at) if plan.base else _of_grid(plan, course, at)
+        more = [part for line in of for part in _wrapped(line)]
+        if detailed and len(lines) + len(more) + len(explained) >= LINES:
+            break
+        lines += more
+        detailed += 1
+    lines += explained
+    if left := len(found.courses) - detailed:
+        where = "sensitivity.csv" if plan.base else "validity.csv"
+        lines.append(f"({counted(left, 'more row')} in {where})")
+    return lines
+
+
+def _own_values(plan: Plan) -> Iterator[str]:
+    """The axes that leave out what the file itself has."""
+    for one in plan.axes:
+        low, high = one.values[0], one.values[-1]
+        room = 1e-9 * (high - low)
+        if one.nominal is not None and not low - room <= one.nominal <= high + room:
+            own = f"{one.symbol} {valued(one, one.nominal)}"
+            yield f"the file's own {own} lies outside of {ends(one, low, high)}"
+
+
+def _explained(found: Outcome) -> Iterator[str]:
+    """What indices are, and whether the sample is too small for them; nothing of a grid."""
+    plan = found.solved.plan
+    if not plan.base:
+        return
+    shown = [indices(plan, course) for course in worst(found)[:MOST_ROWS]]
+    scatters = [s for one in shown for s in (one.fe, one.error)]
+    if any(s.indices for s in scatters):
+        yield INDICES
+    if (widest := max(s.widest for s in scatters)) > LOOSE:
+        yield (
+            f"the sample is small: intervals are up to ±{widest / 2:.2f} wide; "
+            f"sobol:{4 * plan.base} would halve them"
+        )
+
+
+def _points(found: Outcome) -> Iterator[str]:
+    counts = Counter(statuses(found))
+    whole = len(found.solved.plan.points)
+    others = [f"{n:,} {name}" for name, n in counts.most_common() if name != SOLVED]
+    yield f"{counts[SOLVED]:,} of {whole:,} points solved" + "".join(f", {o}" for o in others)
+    alike: dict[str, list[str]] = {}
+    for reason in filter(None, reasons(found)):
+        alike.setdefault(_NUMBER.sub("#", reason), []).append(bare(reason))
+    why = sorted(alike.values(), key=len, reverse=True)
+    for some in why[:MOST_REASONS]:
+        such = "such as: " if len(set(some)) > 1 else ""
+        yield f"  {counted(len(some), 'point')}: {such}{some[0]}"
+    if len(why) > MOST_REASONS:
+        yield f"  and {counted(len(why) - MOST_REASONS, 'more reason')} in points.csv"
+
+
+def _furthest(plan: Plan, course: Course) -> str:
+    n = largest(course)
+    varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
+    return "" if n is None else f", furthest off at {place(varied, plan.points[n])}"
+
+
+def _of_grid(plan: Plan, course: Course, at: str) -> Iterator[str]:
+    """The regions in words, limits alike together."""
+    yield f"{course.pair.name}{at}"
+    alike: dict[tuple[str, str], list[str]] = {}
+    for one in regions(plan, course):
+        words = box_in_words(plan, one), break_in_words(plan, one)
+        alike.setdefault(words, []).append(f"{100 * one.limit:g}")
+    for (box, breaks), limits in alike.items():
+        yield f"  within {_listed(limits)} %: {box}"
+        if breaks:
+            yield f"    {breaks}"
+
+
+def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
+    """Finite elements and the error, how they scatter and through what."""
+    one = indices(plan, course)
+    lost = f" ({counted(one.dropped, 'row')} of the sample left out: not solved)"
+    yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
+    for what, scatter, unit in quantities(one)[1:]:
+        if scatter.n:
+            of = " of the solved points" * (scatter.n < 2 * plan.base)
+            yield f"  {what}{of} {_moments(scatter, unit)}"
+        if scatter.why:
+            yield f"    no indices: {scatter.why}"
+        else:
+            yield from (f"    {line}" for line in aligned(ranked(scatter)[:MOST_INPUTS]))
+            if (more := len(scatter.indices) - MOST_INPUTS) > 0:
+                yield f"    ({more} more in sensitivity.csv)"
+        if not scatter.why and scatter.noise > NOISY:
+            yield (
+                f"    doubtful: {100 * scatter.noise:.0f} % of the variance may be the finite "
+                "elements' own uncertainty"
+            )
+
+
+def _moments(scatter: Scatter, unit: str) -> str:
+    """Mean and standard deviation to two digits of the latter, and quantiles."""
+    size = units.factor(unit)
+    mean, sd, low, median, high = (
+        v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)
+    )
+    digits = 1 - math.floor(math.log10(sd)) if sd > 0 else 99
+    shown = f".{max(digits, 0)}f" if digits <= MOST_DIGITS else ".5g"
+    told_unit = "" if unit == "1" else f" {unit}"
+    return (
+        f"{mean:{shown}} ± {sd:.2g}{told_unit}; 2.5 % {low:{shown}}, 50 % {median:{shown}}, "
+        f"97.5 % {high:{shown}}"
+    )
+
+
+def _listed(words: Sequence[str]) -> str:
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
+
+
+def _wrapped(line: str) -> list[str]:
+    """At most WIDE characters, what goes on set in further than its beginning."""
+    line = raised(line)
+    if len(line) <= WIDE:
+        return [line]
+    inset = " " * (len(line) - len(line.lstrip()) + 4)
+    return textwrap.wrap(line, WIDE, subsequent_indent=inset, break_on_hyphens=False)

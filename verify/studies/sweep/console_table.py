@@ -1,0 +1,112 @@
+"""The table that `freewheel sweep` prints: the rows that are furthest off, a line each."""
+
+import math
+from collections import Counter
+from collections.abc import Mapping, Sequence, Set
+from itertools import groupby
+
+from verify.core.console import aligned
+from verify.studies.sweep.axes import Axis, Tolerance
+from verify.studies.sweep.indices import Within, indices
+from verify.studies.sweep.messages import error_with_bar
+from verify.studies.sweep.outcome import Course, Outcome
+from verify.studies.sweep.plan import Plan
+from verify.studies.sweep.region import Region, regions
+from verify.studies.sweep.tables import largest
+
+WIDE = 80
+NAME = 28  # characters of a row's name that there is always room for
+MOST_ROWS = 10  # the worst ones
+
+
+def table(found: Outcome) -> tuple[list[str], bool]:
+    """A line a row: largest error, shares inside the limits, and where if there is room for it."""
+    shown, plan = worst(found)[:MOST_ROWS], found.solved.plan
+    inside = [_inside(plan, course) for course in shown]
+    varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
+    where = ", ".join(f"{o.symbol}{f'/{o.unit}' if o.unit != '1' else ''}" for o in varied)
+    limits = [f"≤{100 * limit:g} %" for limit, _ in inside[0]]
+    lines = [("", "largest error", *limits, f"at {where}")]
+    for course, shares in zip(shown, inside, strict=True):
+        n = largest(course)
+        error = "none" if n is None else error_with_bar(course, n)
+        values = () if n is None else zip(varied, plan.points[n], strict=True)
+        cells = (_percent(share) for _, share in shares)
+        at = ", ".join(f"{one.shown(v):.4g}" for one, v in values)
+        lines.append(("", error, *cells, at))
+    names = [course.pair.name for course in shown]
+    # names that can be told apart go before the place, which is with the row then
+    short = shortened(names, max(NAME, _room(lines)))
+    placed = _room(lines) >= max(map(len, short)) and len({*short}) == len({*names})
+    if not placed:
+        lines = [line[:-1] for line in lines]
+        short = shortened(names, max(NAME, _room(lines)))
+    heads = ("", *short)
+    told_of = aligned([(head, *line[1:]) for head, line in zip(heads, lines, strict=True)])
+    if more := worst(found)[len(shown) :]:
+        errors = [largest(course) is not None for course in more]
+        what = "smaller errors" + " or none" * (not all(errors)) if any(errors) else "no error"
+        told_of.append(f"({counted(len(more), 'more row')} with {what} in points.csv)")
+    return told_of, placed
+
+
+def _room(lines: Sequence[tuple[str, ...]]) -> int:
+    """Characters of a line that the columns but the first leave."""
+    return WIDE - max(map(len, aligned([("", *line[1:]) for line in lines])))
+
+
+def shortened(names: Sequence[str], room: int) -> list[str]:
+    """Names of at most `room` characters: longer ones lose words, those first that most have."""
+    common = Counter(word for name in names for word in set(name.split()))
+    return [name if len(name) <= room else _cut(name, common, room) for name in names]
+
+
+def _cut(name: str, common: Mapping[str, int], room: int) -> str:
+    """The name without words that most others have too, those in its middle first."""
+    words = name.split()
+    middle = (len(words) - 1) / 2
+    order = sorted(range(len(words)), key=lambda k: (-common[words[k]], abs(k - middle)))
+    kept = set(range(len(words)))
+    for k in order:
+        if len(_gapped(words, kept)) <= room:
+            break
+        kept.remove(k)
+    for k in reversed(order):  # a gap is as long as a short word
+        if len(_gapped(words, kept | {k})) <= room:
+            kept.add(k)
+    return _gapped(words, kept) if kept else f"{name[: room - 1]}…"
+
+
+def _gapped(words: Sequence[str], kept: Set[int]) -> str:
+    """The words that are kept, "…" where some are not."""
+    shown = (word if k in kept else "…" for k, word in enumerate(words))
+    return " ".join(word for word, _ in groupby(shown))
+
+
+def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
+    """Shares of the solved points inside each limit, NaN where none is."""
+    of: Sequence[Within | Region]
+    of = indices(plan, course).within if plan.base else regions(plan, course)
+    return [
+        (one.limit, one.inside / solved if solved else math.nan)
+        for one in of for solved in [one.inside + one.outside + one.undecided]
+    ]  # fmt: skip
+
+
+def worst(found: Outcome) -> list[Course]:
+    """The courses, the one with the largest error first, those without any last."""
+    sizes = {id(c): -1.0 if (n := largest(c)) is None else abs(float(c.error[n]))
+             for c in found.courses}  # fmt: skip
+    return sorted(found.courses, key=lambda c: -sizes[id(c)])
+
+
+def _percent(share: float) -> str:
+    """Whole percent, 100 only for all, nothing where none is known."""
+    if math.isnan(share):
+        return ""
+    return f"{min(100 * share, 99) if share < 1 else 100:.0f} %"
+
+
+def counted(number: int, what: str) -> str:
+    """A number of things: "1 point", "2,000 points"."""
+    return f"{number:,} {what}{'s' if number > 1 else ''}"
