@@ -21,11 +21,13 @@ tan_phi = 0.05
 
 def points(folder):
     """Points that the cache in `folder` holds, 0 where there is none."""
-    path = folder / "cache" / "sweeps" / "polyhedral-ring.sqlite"
+    path = folder / "cache" / "store.sqlite"
     if not path.exists():
         return 0
     with closing(sqlite3.connect(path, timeout=10)) as database:
         try:
-            return database.execute("SELECT COUNT(*) FROM points").fetchone()[0]
+            return database.execute(
+                "SELECT COUNT(*) FROM entries WHERE kind = 'sweep reference'"
+            ).fetchone()[0]
         except sqlite3.OperationalError:  # no table yet
             return 0

@@ -15,9 +15,10 @@ from verify.core.case import Portion
 from verify.core.inputs import InputError
 from verify.jobs import cache
 from verify.jobs.executor import Where
+from verify.jobs.store import Store
 from verify.studies.sweep.point import Solution
 from verify.studies.sweep.run import Solved, Timing
-from verify.studies.sweep.store import Store
+from verify.studies.sweep.store import Points
 
 REFUSED = "refused: more than the mesh can have"
 PART = Portion(name="", fem=lambda *_: None, levels=(1, 2, 4), keys=())
@@ -133,25 +134,25 @@ def test_a_grid_is_planned_without_scipys_statistics():
 # Where points are kept
 
 
-def kept(path):
-    return Store(path, PART, ("a", "b"), "numpy 1")
+def kept(folder):
+    return Points(Store(folder), "ring", PART, ("a", "b"), "numpy 1")
 
 
 def test_a_database_that_is_none_is_told_with_what_to_do(tmp_path):
-    file = tmp_path / "ring.sqlite"
+    file = tmp_path / "store.sqlite"
     file.write_bytes(b"no database" * 100)
-    with pytest.raises(OSError, match=r"ring\.sqlite: .*; move it away to start anew$"):
-        kept(file)
+    with pytest.raises(OSError, match=r"store\.sqlite: .*; remove it to begin again$"):
+        kept(tmp_path)
 
 
 def test_a_locked_database_is_not_to_be_moved(tmp_path, monkeypatch):
-    file = tmp_path / "ring.sqlite"
-    kept(file)
-    monkeypatch.setattr("verify.studies.sweep.store.PATIENCE", 0.01)
+    file = tmp_path / "store.sqlite"
+    kept(tmp_path).keep({"b": Solution({"x": 1.0}, (), {}, {})})
+    monkeypatch.setattr("verify.jobs.store.PATIENCE", 0.01)
     other = sqlite3.connect(file, isolation_level=None)
     other.execute("BEGIN EXCLUSIVE")
-    with pytest.raises(OSError, match=r"locked: solved points cannot be kept there$"):
-        kept(file).store({"a": Solution({}, (), {}, {})})
+    with pytest.raises(OSError, match=r"locked: results cannot be stored there$"):
+        kept(tmp_path).keep({"a": Solution({"x": 1.0}, (), {}, {})})
     other.close()
 
 
@@ -159,7 +160,7 @@ def test_a_cache_that_is_a_file_is_named(tmp_path, monkeypatch):
     file = tmp_path / "cache"
     file.write_text("")
     monkeypatch.setattr(cache, "default_folder", lambda: file)
-    said = r"cache: is a file, expected a folder: solved points cannot be kept there$"
+    said = r"cache: is a file, expected a folder: results cannot be stored there$"
     for place in (file, file / "deep"):
         with pytest.raises(OSError, match=said):
-            kept(place / "sweeps" / "ring.sqlite")
+            kept(place / "sweeps")

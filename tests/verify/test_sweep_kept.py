@@ -10,10 +10,11 @@ from verify.cases import registry
 from verify.core import source_code
 from verify.core.case import FemResult, Portion
 from verify.jobs.executor import Lost
+from verify.jobs.store import Store
 from verify.studies.sweep import point, run
 from verify.studies.sweep.pairs import whole
 from verify.studies.sweep.point import OtherCodeError, Solution, Task, code_of, solve_point
-from verify.studies.sweep.store import Store, joined, lacking
+from verify.studies.sweep.store import Points, joined, lacking
 
 PART = Portion(name="part", fem=sweep_made.fem, levels=(1, 2, 4), keys=("k",))
 SOLVED = Solution({"k": 1.0}, (1.0, 0.5, 0.25), {"k": (1.0, 2.0, 3.0)}, {"k": 0.1}, seconds=2.0)
@@ -28,7 +29,7 @@ def known(monkeypatch):
 
 
 def store(folder, part=PART, code=("formulas", "fe"), versions="numpy 2"):
-    return Store(folder / "one.sqlite", part, code, versions)
+    return Points(Store(folder), "one", part, code, versions)
 
 
 def task(**changed):
@@ -58,8 +59,9 @@ def test_a_point_of_another_portion_or_other_levels_is_another(tmp_path, part):
 def test_each_side_is_read_while_the_code_and_the_libraries_stand(
     tmp_path, code, versions, formulas, fe
 ):
-    store(tmp_path).store({"key": SOLVED})
-    got = store(tmp_path, code=code, versions=versions).load(["key"])["key"]
+    store(tmp_path).keep({"key": SOLVED})
+    found = store(tmp_path, code=code, versions=versions).load(["key"])
+    got = found.get("key", Solution({}, (), {}, {}))
     assert (bool(got.formulas), bool(got.fe), bool(got.h), bool(got.u_it)) == (formulas, fe, fe, fe)
     assert lacking(got) == (not formulas, not fe)
 

@@ -135,10 +135,9 @@ def test_workers_of_other_code_end_the_sweep_with_what_is_kept(tmp_path, called,
 
 
 def test_what_is_no_database_is_told_and_left_as_it_is(tmp_path, called):
-    file = tmp_path / "sweeps" / f"{CASE.id}.sqlite"
-    file.parent.mkdir()
+    file = tmp_path / "store.sqlite"
     file.write_bytes(b"no database" * 100)
-    with pytest.raises(OSError, match=r"made-up-plate\.sqlite: .* cannot be kept there"):
+    with pytest.raises(OSError, match=r"store\.sqlite: .* cannot be stored there"):
         solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
     assert file.read_bytes() == b"no database" * 100
 
@@ -146,8 +145,10 @@ def test_what_is_no_database_is_told_and_left_as_it_is(tmp_path, called):
 def test_a_point_that_cannot_be_read_is_solved_anew(tmp_path, called):
     plan = planned("a=2mm,4mm")
     first = solve(plan, Here(), folder=tmp_path)
-    with sqlite3.connect(tmp_path / "sweeps" / f"{CASE.id}.sqlite") as database:
-        database.execute("UPDATE points SET solution = '{' WHERE rowid = 1")
+    with sqlite3.connect(tmp_path / "store.sqlite") as database:
+        database.execute(
+            "UPDATE entries SET content = '{' WHERE rowid = (SELECT MIN(rowid) FROM entries)"
+        )
     second = solve(plan, Here(), folder=tmp_path)
     assert second.timing.points == 1
     assert [one.fe for one in second.solutions] == [one.fe for one in first.solutions]

@@ -222,6 +222,22 @@ def doctor(*, json: bool = False) -> int:
 
 
 @app.command
+def store(*, json: bool = False, clear: str = "") -> int:
+    """List the stored results by kind and subject, with their sizes and ages.
+
+    Parameters
+    ----------
+    json
+        Print JSON instead of text.
+    clear
+        Remove the results of a kind, or of KIND:SUBJECT, first.
+    """
+    from verify.app.store import run_store
+
+    return run_store(as_json=json, clear=clear)
+
+
+@app.command
 def completion(shell: Literal["bash", "zsh", "fish"], /) -> int:
     """Print the completion script of a shell; `--install-completion` sets it up."""
     print(app.generate_completion(shell=shell))

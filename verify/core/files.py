@@ -25,6 +25,16 @@ def write_whole(path: Path, write: Callable[[IO[bytes]], object]) -> None:
         temporary.replace(path)
 
 
+def made_folder(folder: Path) -> None:
+    """The folder exists; OSError that names a file that is in its place."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        file = next((p for p in (folder, *folder.parents) if p.exists() and not p.is_dir()), None)
+        why = f"{file}: is a file, expected a folder" if file else f"{folder}: {error.strerror}"
+        raise OSError(f"{why}: results cannot be stored there") from error
+
+
 def remove_abandoned(folder: Path) -> None:
     """Remove temporary files in `folder` whose writers are dead, leaving those of live ones."""
     for path in folder.glob(f"{PREFIX}*"):

@@ -16,6 +16,7 @@ from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.processes import refuse_reimport
 from verify.jobs.scheduler import run
+from verify.jobs.store import Store
 
 
 def solve(
@@ -77,6 +78,7 @@ def _writable_cache(work: Sequence[Job]) -> Path | None:
         remove_abandoned(place)
     with suppress(OSError):  # another run may be trimming too
         cache.trim(folder)
+        Store(folder).trim()
     return folder
 
 

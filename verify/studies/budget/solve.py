@@ -14,16 +14,16 @@ import numpy as np
 
 from verify.core import source_code
 from verify.core.case import FemResult
-from verify.core.files import write_whole
 from verify.jobs import cache
 from verify.jobs.guard import named, unsolved
 from verify.jobs.level import keep_level
+from verify.jobs.store import Store
 from verify.studies.budget import plan as plans
 from verify.studies.budget.changes import changed
 from verify.studies.budget.generic import LOOSER, TIGHTER, tolerances
 from verify.studies.budget.plan import Plan, Step
 
-FOLDER = "budget"  # in the cache
+KIND = "budget"  # of stored solutions
 FORMAT = 1
 
 
@@ -41,9 +41,9 @@ class Solution:
 
 def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
     """The solution of a step: from the cache, or computed and kept, whatever goes wrong in it."""
-    path = None if folder is None else folder / FOLDER / plan.case.id / f"{key(plan, step)}.json"
-    if path is not None and (found := _kept(path)) is not None:
-        return found
+    store = None if folder is None else Store(folder)
+    if store is not None and (stored := _stored(store, key(plan, step))) is not None:
+        return stored
     start = time.perf_counter()
     try:
         with np.errstate(all="ignore"):
@@ -57,9 +57,9 @@ def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
     except Exception as error:  # gmsh raises Exception itself
         said = str(error) if unsolved(error) else named(error)
         found = Solution({}, {}, {}, math.nan, time.perf_counter() - start, " ".join(said.split()))
-    if path is not None and not found.problem:
-        text = json.dumps(asdict(found))
-        write_whole(path, lambda file: file.write(text.encode()))
+    if store is not None and not found.problem:
+        content = json.dumps(asdict(found)).encode()
+        store.store(KIND, plan.case.id, {key(plan, step): content})
     return found
 
 
@@ -110,8 +110,9 @@ def code_of(plan: Plan, name: str) -> str:
     return f"{', '.join(map(str, rerun.changes))} {own}"
 
 
-def _kept(path: Path) -> Solution | None:
+def _stored(store: Store, name: str) -> Solution | None:
+    content = store.one(KIND, name)
     try:
-        return Solution(**json.loads(path.read_text("utf-8")))
-    except (OSError, ValueError, TypeError):
+        return None if content is None else Solution(**json.loads(content))
+    except (ValueError, TypeError):
         return None

@@ -4,12 +4,10 @@ Forces are those of the clutch's slices, which hardly know the crown's ends: pre
 are found by slices and by strips on a half-space.
 """
 
-import io
 import json
-import os
 import time
-import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
@@ -23,11 +21,12 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
 from verify.core import source_code
 from verify.core.figures import Array
-from verify.core.files import write_whole
 from verify.jobs import cache
 from verify.jobs.executor import Drive, Lost, local
+from verify.jobs.store import Store, packed, unpacked
 from verify.studies.design_sprag.known import Known
 
+KIND, CASE = "engagement", "design-sprag"  # of stored chunks
 PER_HALF_WIDTH = 3  # strips: where ends carry more of them matter, where they don't these do
 FEWEST, MOST = 41, 401
 TOLERANCE = 1e-8  # of the strips
@@ -45,7 +44,7 @@ class Model:
         tell: Tell, folder: Path | None = None,
     ) -> None:  # fmt: skip
         self.q, self.torques, self.jobs, self.tell = q, torques, jobs, tell
-        self.folder = folder or cache.default_folder() / "design-sprag"
+        self.store = Store(folder or cache.default_folder())
         self.engaged: set[Crown] = set()
         self.one: Built = built(with_crown(q, middle))
         self.Q = float(with_crown(q, None).Q or 0)
@@ -107,7 +106,7 @@ class Model:
             for k in range(0, len(crowns), CHUNK)
         ]
         whole: list[Task] = [(self.q, self.torques, task, "slices") for task in tasks]
-        found = {task[2]: one for task in whole if (one := load(self.folder, task))}
+        found = {task[2]: one for task in whole if (one := load(self.store, task))}
         missing = {task[2]: task for task in whole if task[2] not in found}
         alone, kept = self.jobs == 1 or len(missing) < 2, len(found)
         start = time.monotonic()
@@ -126,7 +125,7 @@ class Model:
                     if isinstance(answer, str):
                         raise NoLockError(answer)
                     found[task[2]] = answer
-                    store(self.folder, task, answer)
+                    keep(self.store, task, answer)
         except KeyboardInterrupt as stop:
             done = self.engaged.union(*found)
             raise KeyboardInterrupt(
@@ -146,22 +145,20 @@ def key(task: Task) -> str:
     return sha256("\0".join(parts).encode()).hexdigest()[:32]
 
 
-def load(folder: Path, task: Task) -> list[One] | None:
-    """What is kept of a chunk; None where there is nothing, or nothing that can be read."""
-    path = folder / f"{key(task)}.npz"
-    try:
-        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
-            N, p = data["N"], data["p"]
-        os.utime(path)
-    except (*cache.UNREADABLE, zipfile.BadZipFile):
+def load(store: Store, task: Task) -> list[One] | None:
+    """The stored answers of a chunk; None where there are none, or none that can be read."""
+    content = store.one(KIND, key(task))
+    if content is None:
         return None
-    return list(zip(N, p, strict=True))
-
-
-def store(folder: Path, task: Task, answer: list[One]) -> None:
-    """Keep a chunk; a place that cannot be written keeps nothing."""
-    N, p = (np.array(part) for part in zip(*answer, strict=True))
     try:
-        write_whole(folder / f"{key(task)}.npz", lambda file: np.savez(file, N=N, p=p))
-    except OSError:
-        return
+        arrays = unpacked(content)
+        return list(zip(arrays["N"], arrays["p"], strict=True))
+    except cache.UNREADABLE:
+        return None
+
+
+def keep(store: Store, task: Task, answer: list[One]) -> None:
+    """Store a chunk; a place that cannot be written stores nothing."""
+    N, p = (np.array(part) for part in zip(*answer, strict=True))
+    with suppress(OSError):
+        store.store(KIND, CASE, {key(task): packed({"N": N, "p": p})})

@@ -14,16 +14,16 @@ from verify.core.progress import Show, State
 from verify.jobs import cache
 from verify.jobs.engine import Engine, GoneError
 from verify.jobs.executor import Drive, Lost, Where
+from verify.jobs.store import Store
 from verify.studies.sweep.axes import changed
 from verify.studies.sweep.pairs import portion
 from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.point import Solution, Task, code_of, solve_batch
-from verify.studies.sweep.store import Store, joined, lacking
+from verify.studies.sweep.store import Points, joined, lacking
 
 BATCH = 1.0  # s that a batch takes: what handing it over costs is a few ms, what a kill loses this
 ANSWERED = 50  # batches a second that a scheduler and this process keep up with easily
 MOST = 256  # points of a batch
-FOLDER = "sweeps"  # in the cache
 
 
 @dataclass(frozen=True)
@@ -74,11 +74,9 @@ def solve(
     started, GoneError where the engine answers no more, KeyboardInterrupt: both say what is kept.
     """
     part = portion(plan.case, plan.chosen)
-    store = Store(
-        (folder or cache.default_folder()) / FOLDER / f"{plan.case.id}.sqlite", part,
-        code_of(plan.case, part), versions(part),
-    )  # fmt: skip
-    points = _Points(plan, part, store, again=again)
+    store = Store(folder or cache.default_folder())
+    stored = Points(store, plan.case.id, part, code_of(plan.case, part), versions(part))
+    points = _Points(plan, part, stored, again=again)
     todo = points.missing()
     # points of the same inputs are one; refused ones have none
     timing = Timing(0, 0.0, 0.0, 0, len(points.inputs) - len(todo))
@@ -114,8 +112,8 @@ class _Points:
     Points with the same inputs are one.
     """
 
-    def __init__(self, plan: Plan, part: Portion, store: Store, *, again: bool) -> None:
-        self.plan, self.part, self.store = plan, part, store
+    def __init__(self, plan: Plan, part: Portion, stored: Points, *, again: bool) -> None:
+        self.plan, self.part, self.stored = plan, part, stored
         self.keys: list[str] = []
         self.refused: dict[int, str] = {}
         self.inputs: dict[str, Inputs] = {}
@@ -131,10 +129,10 @@ class _Points:
                 self.refused[n] = reason.partition("; check ")[0]
                 self.keys.append("")
                 continue
-            self.keys.append(store.key(one))
+            self.keys.append(stored.key(one))
             self.inputs[self.keys[-1]] = one
         self.names = list(self.inputs)
-        self.known = store.load(list(self.inputs))
+        self.known = stored.load(list(self.inputs))
         if again:
             self.known = {k: _without_problems(one) for k, one in self.known.items()}
 
@@ -155,7 +153,7 @@ class _Points:
             keys[task.number]: joined(self.known.get(keys[task.number]), answer)
             for task, answer in zip(tasks, answers, strict=True)
         }
-        self.store.store(found)
+        self.stored.keep(found)
         self.known |= found
 
     def solutions(self) -> tuple[Solution, ...]:

@@ -1,0 +1,158 @@
+"""The store of results: whole entries, several processes, damaged and full files, its command."""
+
+import json
+import multiprocessing
+import sqlite3
+import time
+
+import numpy as np
+import pytest
+
+from verify.app.cli import run
+from verify.jobs.store import FILE, Store, packed, unpacked
+
+
+@pytest.fixture
+def store(tmp_path):
+    return Store(tmp_path)
+
+
+def test_what_is_stored_is_read_by_kind_and_key(store):
+    store.store("sweep", "ring", {"a": b"1", "b": b"2"})
+    store.store("budget", "ring", {"a": b"3"})
+    assert store.load("sweep", ["a", "b", "c"]) == {"a": b"1", "b": b"2"}
+    assert store.one("budget", "a") == b"3"
+    assert store.one("budget", "b") is None
+
+
+def test_more_keys_than_one_question_takes_are_found(store):
+    entries = {f"{n}": b"x" for n in range(1201)}
+    store.store("sweep", "ring", entries)
+    assert store.load("sweep", list(entries)) == entries
+
+
+def test_an_entry_is_replaced_and_never_twice(store):
+    store.store("sweep", "ring", {"a": b"1"})
+    store.store("sweep", "ring", {"a": b"2"})
+    assert store.one("sweep", "a") == b"2"
+    (group,) = store.groups()
+    assert (group.entries, group.size) == (1, 1)
+
+
+def test_nothing_is_made_by_reading(store, tmp_path):
+    assert store.load("sweep", ["a"]) == {}
+    assert store.groups() == []
+    assert store.clear() == 0
+    assert not list(tmp_path.iterdir())
+
+
+def test_groups_and_what_clear_removes(store):
+    store.store("sweep", "ring", {"a": b"11"})
+    store.store("sweep", "spring", {"b": b"1"})
+    store.store("budget", "ring", {"c": b"1"})
+    assert [(g.kind, g.subject, g.entries, g.size) for g in store.groups()] == [
+        ("budget", "ring", 1, 1), ("sweep", "ring", 1, 2), ("sweep", "spring", 1, 1),
+    ]  # fmt: skip
+    assert store.clear("sweep", "ring") == 1
+    assert store.clear("sweep") == 1
+    assert store.clear() == 1
+    assert store.groups() == []
+
+
+def test_the_oldest_goes_first_where_room_is_made(store):
+    for n in range(10):
+        store.store("sweep", "ring", {f"{n}": bytes(10)})
+        time.sleep(0.002)
+    store.trim(largest=100)
+    assert store.groups()[0].entries == 10
+    store.trim(largest=99)
+    assert sorted(store.load("sweep", [f"{n}" for n in range(10)])) == [
+        "3",
+        "4",
+        "5",
+        "6",
+        "7",
+        "8",
+        "9",
+    ]
+
+
+def test_a_damaged_file_is_named_and_reads_as_empty_where_that_serves(store):
+    store.path.write_bytes(b"no database" * 100)
+    assert store.one("sweep", "a") is None
+    for action in (store.groups, lambda: store.load("sweep", ["a"])):
+        with pytest.raises(OSError, match=rf"{FILE}: .*; remove it to begin again$"):
+            action()
+
+
+def test_a_file_in_the_place_of_the_folder_is_named(tmp_path):
+    (tmp_path / "cache").write_text("")
+    with pytest.raises(OSError, match=r"cache: is a file, expected a folder"):
+        Store(tmp_path / "cache").store("sweep", "ring", {"a": b""})
+
+
+def test_a_locked_file_is_waited_for_and_then_named(store, monkeypatch):
+    store.store("sweep", "ring", {"a": b"1"})
+    monkeypatch.setattr("verify.jobs.store.PATIENCE", 0.01)
+    other = sqlite3.connect(store.path, isolation_level=None)
+    other.execute("BEGIN EXCLUSIVE")
+    with pytest.raises(OSError, match=r"locked: results cannot be stored there$"):
+        store.store("sweep", "ring", {"b": b"1"})
+    other.close()
+
+
+def write_many(folder, name):
+    for n in range(40):
+        Store(folder).store(name, "ring", {f"{n}": bytes(100)})
+
+
+def test_processes_at_once_lose_nothing(tmp_path):
+    context = multiprocessing.get_context("fork")
+    writers = [context.Process(target=write_many, args=(tmp_path, f"kind {k}")) for k in range(3)]
+    for one in writers:
+        one.start()
+    for one in writers:
+        one.join()
+    assert [g.entries for g in Store(tmp_path).groups()] == [40, 40, 40]
+
+
+def test_a_process_that_is_killed_loses_at_most_its_last_entry(tmp_path):
+    context = multiprocessing.get_context("fork")
+    for pause in (0.05, 0.1, 0.2):
+        writer = context.Process(target=write_many, args=(tmp_path, f"after {pause}"))
+        writer.start()
+        time.sleep(pause)
+        writer.kill()
+        writer.join()
+    Store(tmp_path).store("after all", "ring", {"a": b"1"})
+    for group in Store(tmp_path).groups():
+        keys = [f"{n}" for n in range(group.entries)]
+        if group.kind != "after all":
+            found = Store(tmp_path).load(group.kind, keys)
+            assert list(found.values()) == [bytes(100)] * group.entries
+
+
+def test_arrays_survive():
+    arrays = {"N": np.arange(3.0), "p": np.ones((2, 2))}
+    again = unpacked(packed(arrays))
+    assert all(np.array_equal(arrays[name], again[name]) for name in arrays)
+
+
+def test_the_command_lists_and_clears(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
+    Store(tmp_path).store("budget", "ring-lame", {"a": bytes(2_000_000)})
+    (tmp_path / "ring-lame").mkdir()
+    (tmp_path / "ring-lame" / "a.npz").write_bytes(bytes(1_000_000))
+    assert run(["store"]) == 0
+    out = capsys.readouterr().out
+    assert "2 results, 3.0 MB" in out
+    assert run(["store", "--json"]) == 0
+    groups = json.loads(capsys.readouterr().out)["groups"]
+    assert {(g["kind"], g["subject"], g["size"]) for g in groups} == {
+        ("level", "ring-lame", 1_000_000), ("budget", "ring-lame", 2_000_000),
+    }  # fmt: skip
+    assert run(["store", "--clear", "budgets"]) == 2
+    assert "kinds: budget, level" in capsys.readouterr().err
+    assert run(["store", "--clear", "budget:ring-lame"]) == 0
+    assert run(["store", "--clear", "level"]) == 0
+    assert "0 results" in capsys.readouterr().out
