@@ -31,7 +31,7 @@ def test_negative_numbers_remain_numbers(report):
 
 
 def test_the_reference_of_a_case_without_finite_elements_is_named(report):
-    row = replace(report.rows[0], case="contact-roller", kind=Kind.EXACT)
+    row = replace(report.rows[0], method="half-space", kind=Kind.EXACT)
     (cells,) = read(rows_csv([row]))
     assert cells["by"] == "half-space"
 

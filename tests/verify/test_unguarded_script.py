@@ -35,7 +35,7 @@ def test_without_the_guard_the_script_ends_with_one_error_that_names_it(tmp_path
     assert not list((tmp_path / "out").iterdir())  # no process wrote a report
     lines = done.stderr.strip().splitlines()
     last = lines[-1]
-    assert last.startswith("verify.jobs.executor.GoneError: ")
+    assert last.startswith("verify.jobs.engine.GoneError: ")
     assert 'put the calls of the script under `if __name__ == "__main__":`' in last
     assert "does not converge" not in done.stderr
 
