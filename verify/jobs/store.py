@@ -57,7 +57,10 @@ class Store:
             for k in range(0, len(keys), AT_ONCE):
                 some = keys[k : k + AT_ONCE]
                 marks = ",".join("?" * len(some))
-                question = f"SELECT key, content FROM entries WHERE kind = ? AND key IN ({marks})"  # noqa: S608 - question marks
+                question = (
+                    "SELECT key, CAST(content AS BLOB) FROM entries "
+                    f"WHERE kind = ? AND key IN ({marks})"  # noqa: S608 - question marks
+                )
                 found |= {key: bytes(c) for key, c in database.execute(question, (kind, *some))}
         return found
 
