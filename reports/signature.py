@@ -90,7 +90,7 @@ def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
 
     Names stand level below their groups where all fit, else upright.
 
-    A dot is how far apart the two sides are, a tick the smallest error that the row surely shows.
+    A dot is how far apart the two sides are, a tick its detection limit.
     """
     shown = [(case, drawn) for case in cases if (drawn := [r for r in case.rows if _drawn(r)])]
     total = sum(len(rows) for _, rows in shown) or 1
@@ -114,7 +114,7 @@ def overview(cases: Sequence[CaseResult], anchors: Mapping[str, str]) -> Markup:
               for i, row in enumerate(rows)),
         ]  # fmt: skip
         x += wide + gap
-    words = "relative difference of every row, and the smallest error that it surely shows"
+    words = "relative difference of every row, and its detection limit"
     below = 10 + max(lengths) if upright else 32
     return svg.drawing(WIDE, bottom + below, parts, words, "overview")
 
