@@ -5,14 +5,16 @@
     python -m tools.same_rows BEFORE AFTER --renamed names.toml
 
 Rows, their order, statuses, kinds and texts must be equal, and numbers bit for bit. With
---other-machine a number of a row may differ by the numerical error of that row. A file of names
-has tables [[renamed]] with `was`, `now` and a `reason`; they apply to the texts of BEFORE.
-Exit status: 0 equal, 1 different, 2 a file cannot be read.
+--other-machine a number of a row may differ by the numerical error of that row, an estimate of an
+error by a factor of two, and numbers in texts are passed over. A file of names has tables
+[[renamed]] with `was`, `now` and a `reason`; they apply to the texts of BEFORE. Exit status:
+0 equal, 1 different, 2 a file cannot be read.
 """
 
 import argparse
 import json
 import math
+import re
 import sys
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,8 +24,15 @@ from typing import Any
 
 IDENTIFIERS = ("id", "key", "name")  # fields that identify a record of a list
 OF_THE_RUN = frozenset(("provenance", "seconds", "made", "date"))  # differ from run to run
-ERRORS = ("u_num", "u_ref", "u_it")  # of a row: numerical error of both sides
-ROUND_OFF = 1e-9  # relative, of a number without an error of its own
+ERRORS = ("u_num", "u_ref", "u_it", "tolerance")  # of a row: numerical error of both sides
+ESTIMATES = frozenset((
+    "u_num", "u_ref", "u_it", "u_input", "tolerance", "detects", "gci", "levels_u", "order", "used",
+    "allowed",
+))  # fmt: skip
+DERIVED = frozenset(("difference",))  # of values that are compared themselves
+FACTOR = 2.0  # by which an estimate of an error may differ on another machine
+UNSTATED = 1e-3  # relative, of a number without an error of its own: an observed order, a margin
+NUMBER = re.compile(r"[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")  # in a text
 MOST_PRINTED = 40
 
 
@@ -45,6 +54,7 @@ class Comparison:
 
     exact: bool = True
     allowed: float = 0.0
+    is_estimate: bool = False
 
     def differences(self, was: Any, now: Any, where: str = "") -> Iterator[Difference]:
         """What differs between two values of JSON."""
@@ -55,18 +65,22 @@ class Comparison:
         elif _are_numbers(was, now):
             if not self._is_equal_number(was, now):
                 yield Difference(where, repr(was), repr(now))
-        elif was != now or type(was) is not type(now):
+        elif type(was) is not type(now) or self._text(was) != self._text(now):
             yield Difference(where, repr(was), repr(now))
+
+    def _text(self, value: Any) -> Any:
+        return value if self.exact or not isinstance(value, str) else NUMBER.sub("#", value)
 
     def _records(
         self, was: Mapping[str, Any], now: Mapping[str, Any], where: str
     ) -> Iterator[Difference]:
-        inner = Comparison(self.exact, max(self.allowed, _error(was)))
+        allowed = max(self.allowed, _error(was))
         keys = [key for key in was if key not in OF_THE_RUN]
         found = [key for key in now if key not in OF_THE_RUN]
         yield from _names(keys, found, where)
         for key in keys:
-            if key in now:
+            if key in now and (self.exact or key not in DERIVED):
+                inner = Comparison(self.exact, allowed, self.is_estimate or key in ESTIMATES)
                 yield from inner.differences(was[key], now[key], f"{where}/{key}")
 
     def _lists(self, was: Sequence[Any], now: Sequence[Any], where: str) -> Iterator[Difference]:
@@ -86,9 +100,12 @@ class Comparison:
     def _is_equal_number(self, was: float, now: float) -> bool:
         if was == now or (math.isnan(was) and math.isnan(now)):
             return True
-        return not self.exact and abs(was - now) <= max(
-            self.allowed, ROUND_OFF * max(abs(was), abs(now))
-        )
+        if self.exact:
+            return False
+        small, large = sorted((abs(was), abs(now)))
+        if self.is_estimate and small > 0 and large <= FACTOR * small:
+            return True
+        return abs(was - now) <= (self.allowed or UNSTATED * large)
 
 
 def _are_numbers(*values: Any) -> bool:

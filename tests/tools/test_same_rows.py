@@ -57,6 +57,21 @@ def test_another_machine_may_differ_by_the_error_of_the_row():
     assert differences(lambda o: o["rows"][0].update(status="FAIL"), exact=False)
 
 
+def test_another_machine_may_estimate_errors_otherwise_within_a_factor_of_two():
+    assert differences(lambda o: o["rows"][0].update(u_num=1.9e-3), exact=False) == []
+    assert differences(lambda o: o["rows"][0].update(u_num=2.1e-3), exact=False)
+    assert differences(lambda o: o["rows"][0].update(u_num=1.1e-3))
+
+
+def test_numbers_of_texts_are_passed_over_on_another_machine_and_words_are_not():
+    was, now = ([{"id": "a", "reason": f"differ by {x}, {w}"}] for x, w in
+                (("2.2e-14", "held"), ("5.0e-14", "held")))  # fmt: skip
+    assert not list(Comparison(exact=False).differences(was, now))
+    assert list(Comparison().differences(was, now))
+    other = [{"id": "a", "reason": "differ by 5.0e-14, lost"}]
+    assert list(Comparison(exact=False).differences(was, other))
+
+
 def test_not_a_number_equals_itself():
     row = [{"id": "a", "fem": float("nan")}]
     assert not list(Comparison().differences(row, copy.deepcopy(row)))
