@@ -4,10 +4,10 @@ import math
 from typing import Any
 
 from analytic.contact import hertz_line
-from verify.answers.answer import Answer, Quantity
+from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
-from verify.answers.torque import permissible
+from verify.answers.torque import criteria_under, permissible
 from verify.cases.freewheel.clutch.limits import allowed_shift, as_torque_grows
 from verify.cases.freewheel.clutch.messages import verdict
 from verify.cases.freewheel.clutch.model import analytic, past_corners
@@ -88,13 +88,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 def _permissible(q: Any) -> Quantity | None:
     """The largest torque at this axial load, parts without tolerances."""
     exact = q.model_copy(update={"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0})
-
-    def under(T: float) -> Answer:
-        other = exact.model_copy(update={"T": T})
-        part = Assessment(with_design=False)
-        clutch(other, analytic(other), part)
-        return part.answer()
-
+    under = criteria_under(exact, analytic, clutch)
     return permissible(as_torque_grows(q), q.T, " at this axial load", under)
 
 

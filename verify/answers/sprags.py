@@ -3,10 +3,10 @@
 import math
 from typing import Any
 
-from verify.answers.answer import Answer, Quantity
+from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
-from verify.answers.torque import permissible
+from verify.answers.torque import criteria_under, permissible
 from verify.cases.sprag.clutch.limits import as_torque_grows, verdict
 from verify.cases.sprag.clutch.recommendations import why
 from verify.cases.sprag.clutch.values import analytic
@@ -68,13 +68,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 def _permissible(q: Any) -> Quantity | None:
     """The largest torque that rises slowly; the crown is that of the part under its own torque."""
     part_as_made = q.model_copy(update={"Q": crowned_for(q)})
-
-    def under(T: float) -> Answer:
-        other = part_as_made.model_copy(update={"T": T})
-        part = Assessment(with_design=False)
-        clutch(other, analytic(other), part)
-        return part.answer()
-
+    under = criteria_under(part_as_made, analytic, clutch)
     return permissible(as_torque_grows(q), q.T, ", quasi-static", under)
 
 

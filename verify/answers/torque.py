@@ -2,11 +2,13 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from scipy.optimize import brentq
 
 from verify.answers.answer import Answer, Quantity
+from verify.answers.assessment import Assessment
+from verify.core.case import Values
 
 TORQUE_TOLERANCE = 1e-5  # relative
 SEARCHED = (0.95, 0.9, 0.8, 0.7, 0.5, 0.3, 0.1, 0.03)  # shares of a limit
@@ -28,6 +30,20 @@ class Reached:
 
     at: float
     words: str
+
+
+def criteria_under(
+    q: Any, analytic: Callable[[Any], Values], assess: Callable[[Any, Values, Assessment], None]
+) -> Callable[[float], Answer]:
+    """The criteria of the part `q` as a function of its torque [N m]."""
+
+    def under(T: float) -> Answer:
+        other = q.model_copy(update={"T": T})
+        part = Assessment(with_design=False)
+        assess(other, analytic(other), part)
+        return part.answer()
+
+    return under
 
 
 def permissible(
