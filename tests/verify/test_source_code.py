@@ -73,6 +73,7 @@ def solved(x):
     """Solved."""
     if x < 0:
         raise ValueError("needs x > 0, got" f" {x}")
+    assert x == x, "x is a number"
     return 10.0 * deep(x)
 ''',
     "made_deep": '''
@@ -168,6 +169,7 @@ CASE_MODULE, SOLVER = "made_up_case", "made_up"
         pytest.param("made_apart", "12.0", "12.5", id="a solver that it does not reach"),
         pytest.param(SOLVER, '"needs x > 0, got"', '"x must be positive, got"', id="a message"),
         pytest.param(SOLVER, 'f" {x}"', 'f" {x} mm"', id="a formatted message"),
+        pytest.param(SOLVER, '"x is a number"', '"x is finite"', id="a message of an assert"),
         pytest.param(SOLVER, "from fem.made_deep import deep", "from fem.made_moved import deep",
                      id="a module that was moved"),
         pytest.param(CASE_MODULE, "# and more", "# and less", id="another comment"),
@@ -196,6 +198,7 @@ def test_what_changes_no_result_changes_no_key(module, old, new, source):
         pytest.param(SOLVER, "import deep", "import other as deep", id="another function"),
         pytest.param(SOLVER, "made_deep", "made_apart", id="another module with that name"),
         pytest.param(SOLVER, "raise ValueError", "raise KeyError", id="another exception"),
+        pytest.param(SOLVER, "assert x == x", "assert x >= x", id="another assert"),
         pytest.param("made_up_inputs", '"1 mm"', '"2 mm"', id="default of an input"),
     ],
 )
