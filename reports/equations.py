@@ -1,6 +1,5 @@
-"""Equations as SVG: drawn once, kept for the next run, their glyphs shared over a page."""
+"""Equations as SVG: drawn once, stored for the next run, their glyphs shared over a page."""
 
-import json
 import re
 from contextlib import suppress
 from importlib.metadata import version
@@ -8,27 +7,28 @@ from pathlib import Path
 
 from markupsafe import Markup, escape
 
-from verify.core.files import write_whole
+from verify.core.store import Store
 
 # a glyph with its outlines, or an empty one (a space), which closes itself
 _SYMBOL = re.compile(r'<symbol id="([^"]+)" viewBox="([^"]+)"(?:\s*/>|>(.*?)</symbol>)', re.DOTALL)
 _USE = re.compile(
     r'<use href="#([^"]+)" x="([^"]+)" y="([^"]+)" width="[^"]+" height="([^"]+)"[^>]*/>'
 )
+KIND = "equation"  # of entries of the store
 UNSEEN = 0.005  # pixels
 _COLOUR = ' fill="currentColor"'
 
 
 class Glyphs:
-    """Equations of one page; `cache` is a folder that keeps what ziamath drew."""
+    """Equations of one page; `cache` is the folder of the store that has what ziamath drew."""
 
     def __init__(self, cache: Path | None = None) -> None:
         self._names: dict[tuple[str, str], str] = {}
-        self._kept = _Kept(cache)
+        self._stored = _Stored(cache)
 
     def maths(self, tex: str, size: int = 15) -> Markup:
         """TeX as inline SVG in the colour of the text; read aloud as its source."""
-        drawn = self._kept.drawn(tex, size)
+        drawn = self._stored.drawn(tex, size)
         glyphs = {name: (box, outline) for name, box, outline in _SYMBOL.findall(drawn)}
         drawn = _USE.sub(lambda use: self._placed(use, *glyphs[use[1]]), _SYMBOL.sub("", drawn))
         box = re.search(r'viewBox="([^"]+)"', drawn)
@@ -55,7 +55,7 @@ class Glyphs:
 
     def symbols(self) -> str:
         """The shared glyphs, for one hidden SVG; keeps what is new."""
-        self._kept.store()
+        self._stored.store()
         paths = (
             f'<g id="{name}" transform="scale({k})">{_tight(outline)}</g>'
             for (outline, k), name in self._names.items()
@@ -73,31 +73,31 @@ def _tight(outline: str) -> str:
     return re.sub(r' d="([^"]*)"', data, outline)
 
 
-class _Kept:
+class _Stored:
     """What ziamath drew, by its TeX: drawing takes tens of milliseconds each."""
 
     def __init__(self, folder: Path | None) -> None:
-        self._path = folder / f"equations-{version('ziamath')}.json" if folder else None
+        self._store = Store(folder) if folder else None
+        self._subject = f"ziamath {version('ziamath')}"
         self._all: dict[str, str] = {}
-        self._new = False
-        with suppress(OSError, ValueError, AttributeError):  # absent or torn: drawn again
-            if self._path:
-                stored = json.loads(self._path.read_text("utf-8"))
-                self._all = {k: v for k, v in stored.items() if isinstance(v, str)}
+        self._new: dict[str, bytes] = {}
+        with suppress(OSError, ValueError):  # what cannot be read is drawn again
+            if self._store:
+                stored = self._store.all(KIND, self._subject)
+                self._all = {name: content.decode() for name, content in stored.items()}
 
     def drawn(self, tex: str, size: int) -> str:
-        name = f"{size} {tex}"
+        name = f"{self._subject} {size} {tex}"
         if name not in self._all:
             import ziamath  # its font takes a fifth of a second to load
 
             self._all[name] = ziamath.Latex(tex, size=size, color="currentColor").svg()
-            self._new = True
+            self._new[name] = self._all[name].encode()
         return self._all[name]
 
     def store(self) -> None:
-        """Replace the file; a full disk costs the time to draw again, no equation."""
-        if not (self._path and self._new):
-            return
-        with suppress(OSError):
-            kept = json.dumps(self._all, ensure_ascii=False).encode()
-            write_whole(self._path, lambda file: file.write(kept))
+        """Add what is new; a full disk costs the time to draw again, no equation."""
+        if self._store and self._new:
+            with suppress(OSError):
+                self._store.store(KIND, self._subject, self._new)
+                self._new = {}

@@ -1,7 +1,6 @@
 """Drawn pictures kept by what they were drawn from."""
 
 import hashlib
-import io
 import json
 import os
 import struct
@@ -17,12 +16,13 @@ from typing import Any
 import numpy as np
 
 from verify.core.figures import Array, Field, Picture
-from verify.core.files import write_whole
+from verify.core.store import Store, packed, unpacked
 
 CODE = (
     "bitmaps", "bodies", "outlines", "picture_cache", "pictures", "polygons", "ramps", "raster",
     "render", "scene",
 )  # fmt: skip
+KIND, SUBJECT = "picture", "report"  # of entries of the store
 LIBRARIES = ("numpy", "matplotlib", "pillow", "pyvista", "vtk")
 # what OpenGL is made of on Linux: after an installation pyvista is tried anew
 OPENGL = ("lib/*", "lib64", "local/lib")
@@ -95,26 +95,29 @@ def key(field: Field, picture: Picture) -> str:
 
 def load(folder: Path, name: str) -> Drawn | None:
     """The stored picture; None where there is none, it can't be read or OpenGL may work now."""
+    content = Store(folder).one(KIND, name)
+    if content is None:
+        return None
     try:
-        with np.load(io.BytesIO((folder / f"{name}.npz").read_bytes()), allow_pickle=False) as data:
-            head = json.loads(str(data["head"]))
-            current = head.pop("opengl") == _opengl() or not head["why"]
-            outline = tuple(data[f"outline {i}"] for i in range(head.pop("lines")))
-            head |= {name: tuple(head[name]) for name in ("rectangle", "ramp")}
-            drawn = Drawn(image=data["image"].tobytes(), outline=outline, **head)
+        data = unpacked(content)
+        head = json.loads(str(data["head"]))
+        current = head.pop("opengl") == _opengl() or not head["why"]
+        outline = tuple(data[f"outline {i}"] for i in range(head.pop("lines")))
+        head |= {name: tuple(head[name]) for name in ("rectangle", "ramp")}
+        drawn = Drawn(image=data["image"].tobytes(), outline=outline, **head)
     except UNREADABLE:
         return None
     return drawn if current else None
 
 
 def store(folder: Path, name: str, drawn: Drawn) -> None:
-    """Write the picture so that no reader ever sees half a file."""
+    """Write the picture; OSError where the store takes none."""
     head = {**vars(drawn), "lines": len(drawn.outline), "opengl": _opengl()}
     del head["image"], head["outline"]
     arrays: dict[str, Any] = {f"outline {i}": line for i, line in enumerate(drawn.outline)}
     image = np.frombuffer(drawn.image, dtype=np.uint8)
     arrays |= {"head": np.array(json.dumps(head)), "image": image}
-    write_whole(folder / f"{name}.npz", lambda file: np.savez(file, **arrays))
+    Store(folder).store(KIND, SUBJECT, {name: packed(arrays)})
 
 
 @cache

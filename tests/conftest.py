@@ -1,17 +1,19 @@
 """Run cases through the shared cache; every process computes what it misses once."""
 
-import json
 import signal
 from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
+from reports import equations
 from verify.core.case import Case
 from verify.core.inputs import Inputs
 from verify.core.results import CaseResult, Row, Status
-from verify.jobs.cache import default_folder, picture_folder
+from verify.core.store import Store
+from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
 
 # A shell starts background jobs deaf to Ctrl-C, and the programs under test would inherit that.
@@ -66,12 +68,10 @@ def with_equations() -> Callable[[Path], Path]:
     """
 
     def laid(folder: Path) -> Path:
-        pictures = folder / "pictures"
-        pictures.mkdir(parents=True)
-        for path in picture_folder().glob("equations-*.json"):
-            drawn = json.loads(path.read_text("utf-8"))
-            some = {tex: svg for i, (tex, svg) in enumerate(drawn.items()) if i % 20}
-            (pictures / path.name).write_text(json.dumps(some), "utf-8")
+        subject = f"ziamath {version('ziamath')}"
+        drawn = Store(default_folder()).all(equations.KIND, subject)
+        some = {tex: svg for i, (tex, svg) in enumerate(drawn.items()) if i % 20}
+        Store(folder).store(equations.KIND, subject, some)
         return folder
 
     return laid

@@ -11,7 +11,7 @@ from verify.app.commands import make_report
 from verify.cases.registry import CASES
 from verify.core.figures import Band, Campbell, Curve, Curves, Mode, Parallel, ParallelAxis, Whirl
 from verify.core.results import Kind, Partner, Published, Report, Row, Status
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 
 HOSTILE = "<script>alert(\"1\")</script> & 'x' \x07"
 NAME = " ".join(["word"] * 18)  # 90 letters
@@ -45,7 +45,7 @@ def hostile(report) -> Report:
 def written(report, tmp_path_factory) -> Path:
     """The folder of the whole report, written once for tests that only read it."""
     folder = tmp_path_factory.mktemp("written")
-    write(report, folder, cache=picture_folder())
+    write(report, folder, cache=default_folder())
     return folder
 
 

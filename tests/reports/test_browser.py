@@ -12,7 +12,7 @@ from reports.html import page
 from tests.reports.browser import DARK, NEEDS_CHROMIUM, browse, looked_at
 from tests.reports.conftest import NAME
 from tests.reports.paths import walked
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 
 pytestmark = NEEDS_CHROMIUM
 DECADES = 7  # of the overview's scale
@@ -22,9 +22,9 @@ DECADES = 7  # of the overview's scale
 def folder(tmp_path_factory, report, hostile) -> Path:
     """The page, the hostile one, and the host that looks at them in frames."""
     place = tmp_path_factory.mktemp("browser")
-    drawn = frames(report.cases, picture_folder())
-    (place / "report.html").write_text(page(report, drawn, picture_folder()), "utf-8")
-    (place / "hostile.html").write_text(page(hostile, drawn, picture_folder()), "utf-8")
+    drawn = frames(report.cases, default_folder())
+    (place / "report.html").write_text(page(report, drawn, default_folder()), "utf-8")
+    (place / "hostile.html").write_text(page(hostile, drawn, default_folder()), "utf-8")
     return place
 
 
@@ -47,7 +47,7 @@ def test_the_rows_of_all_cases_fit_a_wide_page(folder):
 @pytest.fixture(scope="module")
 def wordy_folder(tmp_path_factory, wordy) -> Path:
     place = tmp_path_factory.mktemp("wordy")
-    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}, picture_folder()), "utf-8")
+    (place / "wordy.html").write_text(page(replace(wordy, name=""), {}, default_folder()), "utf-8")
     return place
 
 
@@ -118,7 +118,7 @@ def test_no_label_of_the_overview_lies_on_another(folder, report):
 def test_nor_in_a_report_of_few_cases(folder, report, name):
     cases = tuple(replace(case, name=name) for case in report.cases[:3])
     few = replace(report, name=name, cases=cases, tables=(), validity=(), budgets=())
-    (folder / "few.html").write_text(page(few, {}, picture_folder()), "utf-8")
+    (folder / "few.html").write_text(page(few, {}, default_folder()), "utf-8")
     seen = looked_at(folder, "few", 1280)
     assert seen["labels"] == len(cases) + DECADES
     assert seen["overprinted"] == seen["outside"] == []
@@ -127,7 +127,7 @@ def test_nor_in_a_report_of_few_cases(folder, report, name):
 @pytest.fixture(scope="module")
 def turning_folder(tmp_path_factory, turning) -> Path:
     place = tmp_path_factory.mktemp("turning")
-    (place / "turning.html").write_text(page(turning, {}, picture_folder()), "utf-8")
+    (place / "turning.html").write_text(page(turning, {}, default_folder()), "utf-8")
     return place
 
 

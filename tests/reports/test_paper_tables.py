@@ -14,7 +14,7 @@ from reports.html import page
 from reports.pdf_data import document
 from tests.verify.test_published_tables import PRINTED
 from verify.core import units
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 from verify.papers.ledger import papers, published
 from verify.papers.tables import referred
 
@@ -60,7 +60,7 @@ def cells(row: str) -> list[str]:
 @pytest.fixture(scope="module")
 def rendered(report) -> dict[tuple[str, str], tuple[list[str], list[Block]]]:
     """Header and blocks of each table on the page."""
-    text = page(report, {}, picture_folder())
+    text = page(report, {}, default_folder())
     text = text[text.index('<section id="tables">') : text.index('<section id="errata">')]
     found = {}
     for name, table in re.findall(

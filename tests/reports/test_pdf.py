@@ -22,7 +22,7 @@ from reports.standalone import HERE
 from reports.write import PAPER, write
 from verify.core.figures import Table
 from verify.core.results import Status
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 
 NASTY = '#panic("x") <script> $x$ @y *b* _i_ // \\ [z] `r` "q"'
 
@@ -162,7 +162,7 @@ def test_a_fault_of_typst_is_one_line_and_the_rest_is_written(own, tmp_path, mon
 
     (tmp_path / PAPER).write_bytes(b"of an earlier run")
     monkeypatch.setattr(typst, "compile", broken)
-    written = write(own, tmp_path, cache=picture_folder())
+    written = write(own, tmp_path, cache=default_folder())
     assert [r for r in written.remarks if r.startswith("report.pdf is not written: ")]
     assert not any("\n" in remark for remark in written.remarks)
     assert written.page.is_file()

@@ -10,7 +10,7 @@ import pytest
 
 from reports.html import page
 from reports.pdf import pdf
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 
 pytestmark = pytest.mark.skipif(not shutil.which("pdftotext"), reason="needs poppler-utils")
 
@@ -76,7 +76,7 @@ def test_no_word_stands_beyond_the_margin(printed):
 def test_a_run_of_some_cases_says_what_it_cannot_tell(wordy, tmp_path, without):
     whole = replace(wordy, name="", provenance={**wordy.provenance, "left_out": without})
     said = "This run holds 1 of 8 cases"
-    assert (said in page(whole, {}, picture_folder())) == bool(without)
+    assert (said in page(whole, {}, default_folder())) == bool(without)
     assert (said in " ".join(w.text for w in words(whole, tmp_path))) == bool(without)
 
 

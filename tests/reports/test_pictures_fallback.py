@@ -11,6 +11,7 @@ from reports import picture_cache, pictures
 from reports.bitmaps import FINER, flaw, webp
 from reports.pictures import draw
 from verify.core.figures import Field, Picture
+from verify.core.store import Store
 
 WORDS = Picture(field="", data="s", symbol="σ", unit="MPa", factor=1e6, caption="")
 
@@ -105,10 +106,14 @@ def test_what_one_process_drew_before_it_died_is_kept(stub, monkeypatch):
     assert "signal 11" in second.why
 
 
+def stored(folder):
+    return Store(folder).all(picture_cache.KIND, picture_cache.SUBJECT)
+
+
 def test_what_the_cache_holds_is_not_drawn_again(tmp_path, monkeypatch, no_pyvista):
     requests = [(sheet(), WORDS), (sheet(), replace(WORDS, mirror=("y",))), (sheet(), WORDS)]
     first = draw(requests, tmp_path)
-    assert len(list(tmp_path.iterdir())) == 2
+    assert len(stored(tmp_path)) == 2
     monkeypatch.setattr(pictures, "compose", None)
     monkeypatch.setattr(pictures, "_by_pyvista", None)
     for old, new in zip(first, draw(requests, tmp_path), strict=True):
@@ -119,13 +124,13 @@ def test_what_the_cache_holds_is_not_drawn_again(tmp_path, monkeypatch, no_pyvis
 @pytest.mark.parametrize("damage", [b"", b"PK\x03\x04", None])
 def test_a_damaged_picture_is_drawn_again(tmp_path, damage, no_pyvista):
     [first] = draw([(sheet(), WORDS)], tmp_path)
-    [path] = tmp_path.iterdir()
-    whole = path.read_bytes()
+    [(key, whole)] = stored(tmp_path).items()
     flipped = whole[:400] + bytes([whole[400] ^ 255]) + whole[401:]
-    path.write_bytes(flipped if damage is None else damage)
+    torn = {key: flipped if damage is None else damage}
+    Store(tmp_path).store(picture_cache.KIND, picture_cache.SUBJECT, torn)
     [again] = draw([(sheet(), WORDS)], tmp_path)
     assert again.image == first.image
-    assert path.read_bytes() == whole
+    assert stored(tmp_path) == {key: whole}
 
 
 def test_anything_that_changes_the_look_changes_the_key():

@@ -10,7 +10,7 @@ import pytest
 
 from reports.records import report_record
 from reports.write import write
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 
 
 def test_results_obey_the_schema(report, written):
@@ -52,6 +52,6 @@ def test_an_interrupted_write_leaves_the_old_file(report, tmp_path, monkeypatch)
     (tmp_path / "report.html").write_bytes(before)
     monkeypatch.setattr(module.Path, "replace", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
     with pytest.raises(KeyboardInterrupt):
-        write(report, tmp_path, cache=picture_folder())
+        write(report, tmp_path, cache=default_folder())
     assert (tmp_path / "report.html").read_bytes() == before
     assert not list(tmp_path.glob(".part-*"))

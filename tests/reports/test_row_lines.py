@@ -14,7 +14,7 @@ from reports.records import report_record
 from reports.row_lines import failed_first, groups_failed_first, lines
 from reports.rows import rows_csv
 from verify.core.results import Kind, Row, Status
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 
 
 def row(quantity: str, status: Status = Status.PASS, case: str = "c") -> Row:
@@ -66,7 +66,7 @@ def planted(report):
 
 @pytest.fixture(scope="module")
 def text(planted):
-    return page(planted, {}, picture_folder())
+    return page(planted, {}, default_folder())
 
 
 def test_on_the_page_the_table_of_all_rows_begins_with_the_failed_one(planted, text):

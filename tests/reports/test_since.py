@@ -10,13 +10,13 @@ from reports.pdf import pdf
 from reports.records import report_record
 from verify.cases.registry import CASES
 from verify.core.results import Change, Drift, ReadingsTried
-from verify.jobs.cache import picture_folder
+from verify.jobs.cache import default_folder
 from verify.studies.readings.tried import searches
 
 
 def page(report, frames):
     """The page, with the equations that earlier runs drew."""
-    return with_equations_drawn(report, frames, picture_folder())
+    return with_equations_drawn(report, frames, default_folder())
 
 
 STILL = Drift(release="0.1.0", date="2026-01-01", commit="abc", compared=89, tightened=0)

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from verify.core.inputs import InputError
+from verify.core.store import Store
 from verify.jobs.engine import Engine, GoneError
 from verify.jobs.executor import Drive, Here, Lost, Where, local
 from verify.jobs.processes import WorkerDiedError
@@ -101,5 +102,5 @@ def test_a_dask_cluster_judges_as_processes_do(tmp_path):
         )  # fmt: skip
         assert (done.returncode, "Traceback" in done.stderr) == (0, False)
         rows.append(json.loads((tmp_path / engine / "results.json").read_text())["rows"])
-        assert len(list((tmp_path / f"cache-{engine}" / "ring-lame").glob("*.npz"))) == 4
+        assert len(Store(tmp_path / f"cache-{engine}").all("level", "ring-lame")) == 4
     assert rows[0] == rows[1]

@@ -1,11 +1,11 @@
-"""Files that are whole or not there, and temporary ones that only the living keep."""
+"""Files that are whole or not there."""
 
 import subprocess
 import sys
 
 import pytest
 
-from verify.core.files import PREFIX, remove_abandoned, write_whole
+from verify.core.files import PREFIX, write_whole
 
 WRITING = """
 import os, sys, time
@@ -35,8 +35,7 @@ def parts(folder):
     return [p.name for p in folder.iterdir() if p.name.startswith(PREFIX)]
 
 
-def test_a_file_being_written_is_not_there_and_not_abandoned(writer, tmp_path):
-    remove_abandoned(tmp_path)
+def test_a_file_being_written_is_not_there(writer, tmp_path):
     assert len(parts(tmp_path)) == 1
     assert not (tmp_path / "entry").exists()
     writer.communicate("go on\n")
@@ -45,47 +44,19 @@ def test_a_file_being_written_is_not_there_and_not_abandoned(writer, tmp_path):
     assert parts(tmp_path) == []
 
 
-def test_what_a_killed_writer_left_is_removed(writer, tmp_path):
+def test_a_killed_writer_leaves_the_earlier_file(writer, tmp_path):
+    (tmp_path / "entry").write_bytes(b"earlier")
     writer.kill()
     writer.wait()
-    assert len(parts(tmp_path)) == 1
-    remove_abandoned(tmp_path)
+    assert (tmp_path / "entry").read_bytes() == b"earlier"
+
+
+@pytest.mark.parametrize("error", [OSError, KeyboardInterrupt])
+def test_a_writer_that_fails_leaves_nothing(error, tmp_path):
+    def fail(file):
+        file.write(b"half")
+        raise error
+
+    with pytest.raises(error):
+        write_whole(tmp_path / "entry", fail)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_file_removed_before_it_was_locked_is_written_again(tmp_path, monkeypatch):
-    """Another run sweeps between the making and the locking of a temporary file."""
-    import fcntl
-
-    right, swept = fcntl.flock, []
-
-    def late(handle, how):
-        if not swept:
-            swept.extend(p.unlink() for p in tmp_path.glob(f"{PREFIX}*"))
-        right(handle, how)
-
-    monkeypatch.setattr(fcntl, "flock", late)
-    write_whole(tmp_path / "entry", lambda file: file.write(b"whole"))
-    assert swept
-    assert {p.name: p.read_bytes() for p in tmp_path.iterdir()} == {"entry": b"whole"}
-
-
-def test_a_file_system_without_locks_loses_nothing(tmp_path, monkeypatch):
-    import fcntl
-
-    def no_locks(_handle, _how):
-        raise OSError(37, "No locks available")
-
-    monkeypatch.setattr(fcntl, "flock", no_locks)
-    write_whole(tmp_path / "entry", lambda file: file.write(b"whole"))
-    (tmp_path / f"{PREFIX}x").touch()
-    remove_abandoned(tmp_path)  # perhaps of a live run: nobody can know
-    assert sorted(p.name for p in tmp_path.iterdir()) == [f"{PREFIX}x", "entry"]
-
-
-def test_other_files_are_none_of_its_business(tmp_path):
-    (tmp_path / "part-time.npz").touch()
-    (tmp_path / f"{PREFIX}folder").mkdir()
-    remove_abandoned(tmp_path)
-    remove_abandoned(tmp_path / "nowhere")
-    assert len(list(tmp_path.iterdir())) == 2

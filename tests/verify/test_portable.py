@@ -12,7 +12,7 @@ from verify.audit.portable import command, effective, reasons, runner
 from verify.audit.portable.compare import Kind
 from verify.audit.portable.moving import Record
 from verify.audit.portable.perturbation import SIZE, Outcome, perturb_defaults, perturbed
-from verify.audit.portable.store import CaseRecord, Results, save
+from verify.audit.portable.store import CaseRecord, Place
 from verify.audit.portable.variants import (
     BASELINE,
     CORE_TYPE,
@@ -23,6 +23,7 @@ from verify.audit.portable.variants import (
 )
 from verify.cases.registry import CASES, find
 from verify.core.inputs import EntryError, Inputs, count, quantity, table, word
+from verify.core.store import Store
 from verify.jobs.level import Job
 
 FLAGS = frozenset({"pni", "sse4_2", "avx", "avx2"})
@@ -198,9 +199,9 @@ def summary_of(tmp_path, row, stated=()):
     emulated = Machines(variants, {BASELINE: {}, "there": {}}, {})
     work = []
     for name, one in ((BASELINE, ROW), ("there", row)):
-        cases = {"ring": CaseRecord(rows=(one,), seconds=1.0)}
-        save(tmp_path / name, Results("key", cases))
-        work.append(runner.Work(name=name, folder=tmp_path / name, key="key", environment={},
+        place = Place(Store(tmp_path), name, "key")
+        place.keep("ring", CaseRecord(rows=(one,), seconds=1.0))
+        work.append(runner.Work(place=place, folder=tmp_path / name, environment={},
                                 cases=("ring",)))  # fmt: skip
     return command.summarized(work, emulated, {}, stated, is_full=True)
 
@@ -244,8 +245,8 @@ def test_another_tolerance_is_told_as_such(tmp_path):
 
 
 def test_a_process_that_ends_badly_is_named_with_its_last_line(tmp_path):
-    work = runner.Work(name="v", folder=tmp_path, key="key", environment={**os.environ},
-                       cases=("nocase",))  # fmt: skip
+    work = runner.Work(place=Place(Store(tmp_path), "v", "key"), folder=tmp_path,
+                       environment={**os.environ}, cases=("nocase",))  # fmt: skip
     (how,) = runner.run_all([work], 1, lambda _state: None).values()
     assert how.startswith("exit status 1: ValueError: unknown case 'nocase'")
     assert str(tmp_path / runner.LOG) in how
@@ -277,8 +278,9 @@ def test_a_sample_of_rows_has_the_same_verdicts_on_other_machines(tmp_path, monk
     assert not first, text
     assert not data["failures"], text
     assert {m["cases"] for m in data["machines"]} == {len(SAMPLE)}
-    assert (tmp_path / "cache-machines" / "perturbed-1" / "ring-lame").is_dir()
+    own = Store(tmp_path / "cache-machines" / "perturbed-1").groups()
+    assert ("level", "ring-lame") in {(group.kind, group.subject) for group in own}
     assert status == (0 if data["portable"] else 1)
-    stamp = (tmp_path / "perturbed-1" / "rows.json").stat().st_mtime_ns
+    stored = Store(tmp_path / "cache").groups()
     assert run([*arguments, "--out", str(tmp_path)]) == status
-    assert (tmp_path / "perturbed-1" / "rows.json").stat().st_mtime_ns == stamp
+    assert Store(tmp_path / "cache").groups() == stored

@@ -8,10 +8,11 @@ import pytest
 from verify.audit.portable import reasons
 from verify.audit.portable.compare import Kind, differences, moves
 from verify.audit.portable.moving import Record, move, record
-from verify.audit.portable.store import CaseRecord, Results, load, save
+from verify.audit.portable.store import KIND, MACHINE, ROW_TESTS, CaseRecord, Place, Results
 from verify.core.inputs import InputError
 from verify.core.results import Kind as RowKind
 from verify.core.results import Partner, Row, Status
+from verify.core.store import Store
 
 ROW = Record(
     id="ring/bore", kind="identity", status="PASS", values={"formula": 2.0, "reference": 2.001},
@@ -237,14 +238,17 @@ def test_the_project_s_own_reasons_are_readable():
 def test_results_are_stored_whole_and_count_for_their_key_only(tmp_path):
     odd = replace(ROW, difference=math.nan, tolerance=None, reason="µ ≥ tan α")
     case = CaseRecord(rows=(ROW, odd), seconds=1.5, fixed=("ratio",))
-    results = Results("key", {"ring": case}, {"numba": "host"}, ["a"])
-    save(tmp_path, results)
-    again = load(tmp_path, "key")
+    place = Place(Store(tmp_path), "there", "key")
+    place.keep("ring", case)
+    place.keep(MACHINE, {"numba": "host"})
+    place.keep(ROW_TESTS, ["a"])
+    again = place.results()
     assert again.cases["ring"].rows[0] == ROW
     assert differences(case.rows[1:], again.cases["ring"].rows[1:], "x", perturbed=False) == []
     assert (again.cases["ring"].fixed, again.effective, again.row_tests) == (
         ("ratio",), {"numba": "host"}, ["a"],
     )  # fmt: skip
-    assert load(tmp_path, "another").cases == {}
-    (tmp_path / "rows.json").write_text('{"key": "key", "cases": {"ring": 3}}', "utf-8")
-    assert load(tmp_path, "key").cases == {}
+    for other in (replace(place, key="another"), replace(place, variant="elsewhere")):
+        assert other.results() == Results()
+    place.store.store(KIND, "there", {"there key ring": b"3", "there key torn": b"{"})
+    assert place.results().cases == {}

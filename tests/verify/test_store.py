@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from verify.app.cli import run
-from verify.jobs.store import FILE, Store, packed, unpacked
+from verify.core.store import FILE, TABLES, Store, packed, unpacked
 
 
 @pytest.fixture
@@ -59,22 +59,65 @@ def test_groups_and_what_clear_removes(store):
     assert store.groups() == []
 
 
-def test_the_oldest_goes_first_where_room_is_made(store):
+def test_what_was_used_least_recently_goes_first_where_room_is_made(store, monkeypatch):
     for n in range(10):
         store.store("sweep", "ring", {f"{n}": bytes(10)})
         time.sleep(0.002)
     store.trim(largest=100)
     assert store.groups()[0].entries == 10
+    monkeypatch.setattr("verify.core.store.RECENT", 0.0)  # each reading is noted
+    assert store.one("sweep", "0")
     store.trim(largest=99)
-    assert sorted(store.load("sweep", [f"{n}" for n in range(10)])) == [
-        "3",
-        "4",
-        "5",
-        "6",
-        "7",
-        "8",
-        "9",
-    ]
+    left = store.load("sweep", [f"{n}" for n in range(10)])
+    assert sorted(left) == ["0", "4", "5", "6", "7", "8", "9"]
+
+
+def test_a_reading_is_noted_once_a_day(store):
+    store.store("sweep", "ring", {"a": b"1", "b": b"1"})
+    assert readings(store) == {}
+    with sqlite3.connect(store.path) as database:
+        database.execute("UPDATE entries SET made = made - 2 * 86400")
+    assert store.one("sweep", "a")
+    first = readings(store)
+    assert list(first) == ["a"]
+    assert store.one("sweep", "a")
+    assert readings(store) == first
+    store.clear("sweep")
+    assert readings(store) == {}
+
+
+def readings(store):
+    with sqlite3.connect(store.path) as database:
+        return dict(database.execute("SELECT key, used FROM readings").fetchall())
+
+
+def test_a_note_of_a_reading_waits_for_nobody(store):
+    store.store("sweep", "ring", {"a": b"1"})
+    other = sqlite3.connect(store.path, isolation_level=None)
+    other.execute("UPDATE entries SET made = 0")
+    other.execute("BEGIN IMMEDIATE")  # another process writes
+    start = time.monotonic()
+    assert store.one("sweep", "a") == b"1"
+    assert time.monotonic() - start < 1
+    other.close()
+
+
+def test_a_store_of_a_later_format_is_refused_and_stays(store):
+    store.store("sweep", "ring", {"a": b"1"})
+    with sqlite3.connect(store.path) as database:
+        database.execute("PRAGMA user_version = 9")
+    with pytest.raises(OSError, match=r"later version \(format 9, this one reads 1\)"):
+        store.store("sweep", "ring", {"b": b"1"})
+    with sqlite3.connect(store.path) as database:
+        assert database.execute("SELECT key FROM entries").fetchall() == [("a",)]
+
+
+def test_a_store_without_a_format_is_that_of_the_version_before(store):
+    with sqlite3.connect(store.path) as database:
+        database.execute(TABLES[0])
+        database.execute("INSERT INTO entries VALUES ('sweep', 'a', 'ring', 0, x'31')")
+    assert store.one("sweep", "a") == b"1"
+    assert list(readings(store)) == ["a"]
 
 
 def test_a_damaged_file_is_named_and_reads_as_empty_where_that_serves(store):
@@ -93,7 +136,7 @@ def test_a_file_in_the_place_of_the_folder_is_named(tmp_path):
 
 def test_a_locked_file_is_waited_for_and_then_named(store, monkeypatch):
     store.store("sweep", "ring", {"a": b"1"})
-    monkeypatch.setattr("verify.jobs.store.PATIENCE", 0.01)
+    monkeypatch.setattr("verify.core.store.PATIENCE", 0.01)
     other = sqlite3.connect(store.path, isolation_level=None)
     other.execute("BEGIN EXCLUSIVE")
     with pytest.raises(OSError, match=r"locked: results cannot be stored there$"):
@@ -108,12 +151,12 @@ def write_many(folder, name):
 
 def test_processes_at_once_lose_nothing(tmp_path):
     context = multiprocessing.get_context("fork")
-    writers = [context.Process(target=write_many, args=(tmp_path, f"kind {k}")) for k in range(3)]
+    writers = [context.Process(target=write_many, args=(tmp_path, f"kind {k}")) for k in range(8)]
     for one in writers:
         one.start()
     for one in writers:
         one.join()
-    assert [g.entries for g in Store(tmp_path).groups()] == [40, 40, 40]
+    assert [g.entries for g in Store(tmp_path).groups()] == 8 * [40]
 
 
 def test_a_process_that_is_killed_loses_at_most_its_last_entry(tmp_path):
@@ -141,8 +184,7 @@ def test_arrays_survive():
 def test_the_command_lists_and_clears(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
     Store(tmp_path).store("budget", "ring-lame", {"a": bytes(2_000_000)})
-    (tmp_path / "ring-lame").mkdir()
-    (tmp_path / "ring-lame" / "a.npz").write_bytes(bytes(1_000_000))
+    Store(tmp_path).store("level", "ring-lame", {"b": bytes(1_000_000)})
     assert run(["store"]) == 0
     out = capsys.readouterr().out
     assert "2 results, 3.0 MB" in out

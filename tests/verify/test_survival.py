@@ -7,15 +7,18 @@ import os
 import random
 import re
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
 import xml.etree.ElementTree as ET
 import zipfile
+from contextlib import closing
 from pathlib import Path
 
-import numpy as np
 import pytest
+
+from verify.core.store import FILE, Store, unpacked
 
 pytestmark = pytest.mark.xdist_group("survival")  # they share the undisturbed run
 KILLS = 20
@@ -47,12 +50,23 @@ class Place:
         return process.returncode, out, err
 
     def stored(self):
-        """Stored levels with what tells one writing of a file from another."""
-        return {p: (p.stat().st_ino, p.stat().st_mtime_ns) for p in self.cache.rglob("*.npz")
-                if not p.name.startswith(".part-") and p.parent.name != "pictures"}  # fmt: skip
+        """Stored levels with the time of their writing."""
+        if not (file := self.cache / FILE).is_file():
+            return {}
+        with closing(sqlite3.connect(file)) as database:
+            question = "SELECT key, made FROM entries WHERE kind = 'level'"
+            return dict(database.execute(question).fetchall())
 
     def left_over(self):
-        return [p for folder in (self.out, self.cache) for p in folder.rglob(".part-*")]
+        return list(self.out.rglob(".part-*"))
+
+    def contents(self):
+        """Kind and content of every entry, of a store that SQLite finds in order."""
+        if not (file := self.cache / FILE).is_file():
+            return []
+        with closing(sqlite3.connect(file)) as database:
+            assert database.execute("PRAGMA integrity_check").fetchall() == [("ok",)]
+            return database.execute("SELECT kind, content FROM entries").fetchall()
 
     def results(self):
         """results.json without what differs between any two runs."""
@@ -63,11 +77,9 @@ class Place:
 
     def assert_whole(self):
         """Every file that a run leaves can be read to its end, and there are no others."""
-        for path in {*self.stored(), *self.cache.glob("pictures/[!.]*.npz")}:
-            with np.load(path) as data:
-                assert [data[name] for name in data.files]
-        for path in (*self.cache.glob("*.json"), *self.cache.glob("pictures/*.json")):
-            assert json.loads(path.read_text())
+        for kind, content in self.contents():
+            if kind in ("level", "picture"):
+                assert unpacked(content)
         for path in self.out.glob("*"):
             if path.name.startswith(".part-") or path.name == ".lock":
                 continue
@@ -215,23 +227,37 @@ def test_two_runs_at_once_with_one_cache_and_one_folder_agree(place, undisturbed
 
 
 def test_torn_entries_are_solved_again_and_what_the_dead_left_goes(place, undisturbed):
-    for path in undisturbed[0].stored():
-        copy = place.cache / path.relative_to(undisturbed[0].cache)
-        copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_bytes(path.read_bytes())
-    torn, empty = sorted(place.stored(), key=lambda path: path.stat().st_size)[:2]
-    torn.write_bytes(torn.read_bytes()[:-10])
-    empty.write_bytes(b"")
-    (torn.parent / ".part-dead").write_bytes(b"half")
+    entries = Store(undisturbed[0].cache).all("level", "ring-lame")
+    whole, torn, empty = sorted(entries, key=lambda key: -len(entries[key]))[-3:]
+    entries |= {torn: entries[torn][:-10], empty: b""}
+    Store(place.cache).store("level", "ring-lame", entries)
     (place.out / ".part-dead").mkdir(parents=True)
     (place.out / ".part-dead" / "rows.csv").write_bytes(b"half")
     before = place.stored()
     status, _, err = place.run()
     assert status == 0, err
-    changed = {path for path, state in place.stored().items() if before[path] != state}
-    assert changed == {torn, empty}
+    now = place.stored()
+    assert {key for key in now if before[key] != now[key]} == {torn, empty}
+    assert whole in now
     assert place.left_over() == []
     place.assert_whole()
+    assert place.results() == undisturbed[0].results()
+
+
+def test_files_of_an_earlier_version_are_moved_into_the_store(place, undisturbed):
+    """They were files named by the same keys; nothing is solved again, and one line says so."""
+    entries = Store(undisturbed[0].cache).all("level", "ring-lame")
+    folder = place.cache / "ring-lame"
+    folder.mkdir(parents=True)
+    for key, content in entries.items():
+        (folder / f"{key}.npz").write_bytes(content)
+    (folder / ".part-dead").write_bytes(b"half")
+    status, _, err = place.run()
+    assert status == 0, err
+    file = place.cache / FILE
+    assert f"freewheel: {RING_LEVELS} results of an earlier version were moved into {file}" in err
+    assert Store(place.cache).all("level", "ring-lame") == entries
+    assert not folder.exists()
     assert place.results() == undisturbed[0].results()
 
 

@@ -9,8 +9,8 @@ from tests.verify.sweep_made import CASE, Plate
 from verify.cases import registry
 from verify.core import source_code
 from verify.core.case import FemResult, Portion
+from verify.core.store import Store
 from verify.jobs.executor import Lost
-from verify.jobs.store import Store
 from verify.studies.sweep import point, run
 from verify.studies.sweep.pairs import whole
 from verify.studies.sweep.point import OtherCodeError, Solution, Task, code_of, solve_point

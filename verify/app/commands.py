@@ -89,7 +89,7 @@ def write_report(report: Report, out: Path, use_cache: bool) -> Path:
     """Write the report into `out` and say what had to be done in another way; the page."""
     from reports.write import write  # only the command line knows reports
 
-    drawn = cache.picture_folder() if use_cache else None
+    drawn = cache.default_folder() if use_cache else None
     hint = environment.remedy_for_pictures().removeprefix("; ")
     written = write(report, out, cache=drawn, hint=hint)
     for remark in written.remarks:

@@ -1,10 +1,5 @@
-"""Files that are whole or not there, whoever is killed when.
+"""Files that are whole or not there, whoever is killed when."""
 
-A file is written under a temporary name, on which the writer holds a lock that ends with its
-process, however that ends; a temporary file without one is abandoned.
-"""
-
-import fcntl
 import os
 import tempfile
 from collections.abc import Callable, Iterator
@@ -35,27 +30,13 @@ def made_folder(folder: Path) -> None:
         raise OSError(f"{why}: results cannot be stored there") from error
 
 
-def remove_abandoned(folder: Path) -> None:
-    """Remove temporary files in `folder` whose writers are dead, leaving those of live ones."""
-    for path in folder.glob(f"{PREFIX}*"):
-        with suppress(OSError), path.open("rb") as file:  # gone, another's, or being written
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            path.unlink()
-
-
 @contextmanager
 def _temporary(folder: Path) -> Iterator[tuple[IO[bytes], Path]]:
-    while True:
-        handle, name = tempfile.mkstemp(dir=folder, prefix=PREFIX)
-        path, file = Path(name), os.fdopen(handle, "wb")
-        try:
-            with suppress(OSError):  # a file system without locks: nobody removes its files
-                fcntl.flock(handle, fcntl.LOCK_EX)
-            if os.fstat(handle).st_nlink == 0:  # removed by another run before it was locked
-                continue
-            yield file, path
-            return
-        finally:
-            path.unlink(missing_ok=True)
-            with suppress(OSError):  # what is left in the buffer of a file that is given up
-                file.close()
+    handle, name = tempfile.mkstemp(dir=folder, prefix=PREFIX)
+    path, file = Path(name), os.fdopen(handle, "wb")
+    try:
+        yield file, path
+    finally:
+        path.unlink(missing_ok=True)
+        with suppress(OSError):  # what is left in the buffer of a file that is given up
+            file.close()

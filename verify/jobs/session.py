@@ -2,21 +2,19 @@
 
 import sys
 import tempfile
-from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from verify.core.files import remove_abandoned
 from verify.core.progress import State, shown
 from verify.core.results import CaseResult
+from verify.core.store import Store
 from verify.jobs import cache
+from verify.jobs.earlier_files import adopt
 from verify.jobs.engine import GoneError
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.processes import refuse_reimport
 from verify.jobs.scheduler import run
-from verify.jobs.store import Store
 
 
 def solve(
@@ -27,7 +25,7 @@ def solve(
     KeyboardInterrupt says how much of the work is kept, GoneError why there is no more of it.
     """
     refuse_reimport()
-    folder = _writable_cache(work) if use_cache and any(job.use_fem for job in work) else None
+    folder = _writable_cache() if use_cache and any(job.use_fem for job in work) else None
     done = Done(stored=folder is not None)
     try:
         with shown(quiet=quiet) as show:
@@ -64,8 +62,8 @@ class Done:
         return f"{done} kept for the next run" if self.stored else f"{done} solved, and not stored"
 
 
-def _writable_cache(work: Sequence[Job]) -> Path | None:
-    """The cache folder, swept; None, with a word about it, where nothing can be stored."""
+def _writable_cache() -> Path | None:
+    """The folder of the store; None, with a message, where nothing can be stored."""
     folder = cache.default_folder()
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -74,11 +72,13 @@ def _writable_cache(work: Sequence[Job]) -> Path | None:
     except OSError as error:
         _say(f"no cache in {folder} ({error.strerror}): going on")
         return None
-    for place in {folder, cache.picture_folder(), *(folder / job.case.id for job in work)}:
-        remove_abandoned(place)
-    with suppress(OSError):  # another run may be trimming too
-        cache.trim(folder)
+    try:
+        if moved := adopt(folder):
+            _say(f"{moved} results of an earlier version were moved into {Store(folder).path}")
         Store(folder).trim()
+    except OSError as error:
+        _say(f"{error}: going on without")
+        return None
     return folder
 
 

@@ -4,20 +4,20 @@ A level is named by its case and number; durations are wall-clock seconds of one
 """
 
 import heapq
-import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from statistics import median
 
-from verify.core.files import write_whole
+from verify.core.store import Store
 
 Level = tuple[str, int]
 
 COST_EXPONENT = 2.0  # plane meshes: cells grow with the square of the level
 FINEST_SECONDS = 5.0  # of a case's finest level where nothing was ever measured
 OVERRUN = 0.5  # a level beyond its expectation takes another half of what it took
-FILE = "durations.json"
+KIND = "duration"  # of entries
 
 
 def expected_seconds(levels: Iterable[Level], known: Mapping[Level, float]) -> dict[Level, float]:
@@ -67,23 +67,20 @@ def remaining_seconds(
 
 
 def load(folder: Path) -> dict[Level, float]:
-    """Durations kept in `folder`; entries that make no sense, or a torn file, are ignored."""
-    try:
-        stored = json.loads((folder / FILE).read_text("utf-8"))
-    except (OSError, ValueError, RecursionError):
-        return {}
+    """Durations that are stored in `folder`; entries that make no sense are ignored."""
     found = {}
-    for name, seconds in stored.items() if isinstance(stored, dict) else ():
-        case, _, level = name.rpartition(" ")
-        sensible = isinstance(seconds, int | float) and 0 < seconds < math.inf
-        if case and level.isdecimal() and sensible:
-            found[case, int(level)] = float(seconds)
+    with suppress(OSError):
+        for name, content in Store(folder).all(KIND, KIND).items():
+            case, _, level = name.rpartition(" ")
+            with suppress(ValueError):
+                seconds = float(content)
+                if case and level.isdecimal() and 0 < seconds < math.inf:
+                    found[case, int(level)] = seconds
     return found
 
 
 def store(folder: Path, measured: Mapping[Level, float]) -> None:
-    """Add `measured` to what `folder` keeps; OSError where there is no room."""
-    kept = load(folder) | dict(measured)
-    record = {f"{case} {level}": round(seconds, 4) for (case, level), seconds in kept.items()}
-    data = json.dumps(dict(sorted(record.items())), indent=0).encode()
-    write_whole(folder / FILE, lambda file: file.write(data))
+    """Add `measured` to what is stored; OSError where the store takes none."""
+    entries = {f"{case} {level}": f"{seconds:.4f}".encode()
+               for (case, level), seconds in measured.items()}  # fmt: skip
+    Store(folder).store(KIND, KIND, entries)

@@ -9,12 +9,13 @@ from verify.audit.portable import reasons
 from verify.audit.portable.compare import Difference, differences, moves
 from verify.audit.portable.effective import effective, probe, processor_flags
 from verify.audit.portable.runner import Work, run_all
-from verify.audit.portable.store import Results, key_of
+from verify.audit.portable.store import KIND, Place, Results, key_of
 from verify.audit.portable.summary import Machine, Summary, largest, lines, write
 from verify.audit.portable.variants import BASELINE, Machines, Variant, candidates, machines
 from verify.cases.registry import CASES, find
 from verify.core.inputs import InputError
 from verify.core.progress import shown
+from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.executor import Where
 
@@ -45,7 +46,7 @@ def run_portable(
     work = [_work(one, emulated, cases, folder, row_tests=row_tests) for one in emulated.variants]
     if again:
         for one in work:
-            shutil.rmtree(one.folder, ignore_errors=True)
+            one.place.store.clear(KIND, one.name)
             shutil.rmtree(one.environment["FREEWHEEL_CACHE"], ignore_errors=True)
     try:
         with shown(quiet=False) as show:
@@ -106,10 +107,10 @@ def _work(
     place = cache.default_folder()
     environment = variant.applied(os.environ)
     environment["FREEWHEEL_CACHE"] = str(place.with_name(f"{place.name}-machines") / variant.name)
+    key = key_of(emulated.effective[variant.name], variant.seed)
     return Work(
-        name=variant.name, folder=folder / variant.name, environment=environment, cases=cases,
-        key=key_of(emulated.effective[variant.name], variant.seed), seed=variant.seed,
-        row_tests=row_tests,
+        place=Place(Store(place), variant.name, key), folder=folder / variant.name,
+        environment=environment, cases=cases, seed=variant.seed, row_tests=row_tests,
     )  # fmt: skip
 
 

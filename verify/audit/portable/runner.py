@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from verify.audit.portable.store import FILE, Results, load
+from verify.audit.portable.store import Place, Results
 from verify.core.progress import Show, State
 
 LOG = "log.txt"
@@ -17,18 +17,23 @@ GUESS = 15.0  # s that a case takes on one processor, before any is known
 
 @dataclass(frozen=True, kw_only=True)
 class Work:
-    """What one process does: the cases of a variant, in its environment, into its folder."""
+    """What one process does: the cases of a variant, in its environment, with its log's folder."""
 
-    name: str
+    place: Place
     folder: Path
-    key: str
     environment: Mapping[str, str]
     cases: tuple[str, ...]
     seed: int | None = None
     row_tests: bool = False
 
+    @property
+    def name(self) -> str:
+        """The variant's."""
+        return self.place.variant
+
     def results(self) -> Results:
-        return load(self.folder, self.key)
+        """What is stored."""
+        return self.place.results()
 
     def is_done(self) -> bool:
         """Whether all is there, for the present code."""
@@ -72,27 +77,16 @@ class Progress:
         self.processes = processes
         self.done = {one.name: self._seconds(one) for one in work}
         self.total = sum(len(one.cases) for one in work)
-        self.stamps: dict[str, float] = {}
 
     def state(self, running: Sequence[Work]) -> State:
         for one in running:
-            self._look(one)
+            self.done[one.name] = self._seconds(one)
         done = sum(map(len, self.done.values()))
         known = [seconds for cases in self.done.values() for seconds in cases.values()]
         each = sum(known) / len(known) if known else GUESS
         names = tuple(one.name for one in running)
         remaining = each * (self.total - done) / self.processes
         return State(done, self.total, names, remaining, what="cases on emulated machines")
-
-    def _look(self, one: Work) -> None:
-        """Read the results of a running variant again where they have changed."""
-        try:
-            stamp = (one.folder / FILE).stat().st_mtime
-        except OSError:
-            return
-        if stamp != self.stamps.get(one.name):
-            self.stamps[one.name] = stamp
-            self.done[one.name] = self._seconds(one)
 
     @staticmethod
     def _seconds(one: Work) -> dict[str, float]:
@@ -102,7 +96,8 @@ class Progress:
 
 def _start(one: Work) -> subprocess.Popen[bytes]:
     one.folder.mkdir(parents=True, exist_ok=True)
-    command = [sys.executable, "-m", "verify.audit.portable.worker", str(one.folder), one.key]
+    command = [sys.executable, "-m", "verify.audit.portable.worker"]
+    command += [str(one.place.store.path.parent), one.place.variant, one.place.key]
     command += ["--seed", str(one.seed)] if one.seed is not None else []
     command += ["--row-tests"] if one.row_tests else []
     with (one.folder / LOG).open("wb") as log:

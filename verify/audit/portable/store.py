@@ -1,21 +1,22 @@
-"""Results of the variants on disk, which count while the code and the machine stand."""
+"""Results of the variants in the store, which count while the code and the machine stand."""
 
 import hashlib
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, fields
 from functools import lru_cache
 from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 from verify.audit.mutation.digest import digest
 from verify.audit.mutation.tracing import ROOT
 from verify.audit.portable.moving import Record
-from verify.core.files import write_whole
+from verify.core.store import Store
 from verify.jobs import cache
 
-FILE = "rows.json"
+KIND = "portable"  # of entries: their subject is the variant
+MACHINE, ROW_TESTS = "(machine)", "(row tests)"  # of no case
 SOURCES = ("analytic", "fem", "meshes", "verify")
 DATA = ("verify/papers", "verify/measured")
 LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
@@ -40,10 +41,36 @@ class CaseRecord:
 class Results:
     """What one variant has found: its cases, and the row tests that failed, None if not run."""
 
-    key: str
     cases: dict[str, CaseRecord] = field(default_factory=dict)
     effective: Mapping[str, Any] = field(default_factory=dict)
     row_tests: list[str] | None = None
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the results of a variant are stored: by the key of its code and machine."""
+
+    store: Store
+    variant: str
+    key: str
+
+    def results(self) -> Results:
+        """What is stored for this key; OSError where the store cannot be read."""
+        found: dict[str, Any] = {}
+        for name, content in self.store.all(KIND, self.variant).items():
+            part = name.removeprefix(f"{self.variant} {self.key} ")
+            with suppress(ValueError, LookupError, TypeError, AttributeError):  # of an older form
+                if part != name:
+                    data = json.loads(content)
+                    found[part] = data if part in (MACHINE, ROW_TESTS) else _case(data)
+        machine, row_tests = found.pop(MACHINE, {}), found.pop(ROW_TESTS, None)
+        return Results(found, machine, row_tests)
+
+    def keep(self, part: str, data: Any) -> None:
+        """Store one part: the record of a case by its id, MACHINE or ROW_TESTS; OSError."""
+        plain = asdict(data) if isinstance(data, CaseRecord) else data
+        content = json.dumps(plain, ensure_ascii=False).encode()
+        self.store.store(KIND, self.variant, {f"{self.variant} {self.key} {part}": content})
 
 
 def key_of(effective: Mapping[str, Any], seed: int | None) -> str:
@@ -57,25 +84,6 @@ def key_of(effective: Mapping[str, Any], seed: int | None) -> str:
 def _code() -> str:
     files = (path for folder in DATA for path in sorted((ROOT / folder).iterdir()))
     return digest(*SOURCES, *(str(path.relative_to(ROOT)) for path in files if path.is_file()))
-
-
-def load(folder: Path, key: str) -> Results:
-    """The results in a folder, without any case where there are none for this key."""
-    try:
-        data = json.loads((folder / FILE).read_text("utf-8"))
-        if data["key"] == key:
-            cases = {name: _case(one) for name, one in data["cases"].items()}
-            return Results(key, cases, data["effective"], data["row_tests"])
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
-        pass  # absent, of a run that was killed, or of an older form
-    return Results(key)
-
-
-def save(folder: Path, results: Results) -> None:
-    """Write the results so that no reader sees half of them; OSError where there is no room."""
-    text = json.dumps(asdict(results), ensure_ascii=False, separators=(",", ":"))
-    text = text.replace('},{"id"', '},\n{"id"') + "\n"
-    write_whole(folder / FILE, lambda file: file.write(text.encode("utf-8")))
 
 
 def _case(data: Mapping[str, Any]) -> CaseRecord:

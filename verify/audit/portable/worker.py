@@ -1,7 +1,8 @@
 """One emulated machine: solves and judges cases and writes their rows, case by case.
 
-`python -m verify.audit.portable.worker FOLDER KEY [--seed N] [--row-tests] CASE...` runs in the
-environment of its variant. It ends when its standard input closes: with the process that began it.
+`python -m verify.audit.portable.worker FOLDER VARIANT KEY [--seed N] [--row-tests] CASE...` runs in
+the environment of its variant and writes to the store in FOLDER. It ends when its standard input
+closes: with the process that began it.
 """
 
 import argparse
@@ -17,10 +18,10 @@ from verify.audit.mutation.tracing import ROOT
 from verify.audit.portable.effective import effective
 from verify.audit.portable.moving import record
 from verify.audit.portable.perturbation import Outcome, perturb_defaults
-from verify.audit.portable.store import CaseRecord, Results, load, save
+from verify.audit.portable.store import MACHINE, ROW_TESTS, CaseRecord, Place
 from verify.cases.registry import CASES, find
 from verify.core.case import Case
-from verify.core.files import remove_abandoned
+from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.level import Job
 from verify.jobs.scheduler import run
@@ -28,27 +29,25 @@ from verify.jobs.scheduler import run
 TESTS = ROOT / "tests" / "verify" / "test_rows.py"
 
 
-def solve_cases(folder: Path, key: str, cases: Sequence[Case], seed: int | None) -> Results:
-    """The results with every case, of which those that were stored are not run again."""
-    results = load(folder, key)
-    results.effective = effective()
+def solve_cases(place: Place, cases: Sequence[Case], seed: int | None) -> None:
+    """Store the record of each case that has none."""
+    stored = place.results()
+    if not stored.effective:
+        place.keep(MACHINE, effective())
     outcomes = perturb_defaults([case.inputs for case in CASES], seed) if seed is not None else {}
     for number, case in enumerate(cases, start=1):
-        if case.id in results.cases:
+        if case.id in stored.cases:
             continue
         found = rows_of(case, outcomes.get(case.inputs, Outcome()))
-        results.cases[case.id] = found
-        save(folder, results)
+        place.keep(case.id, found)
         print(f"{number} of {len(cases)}: {case.id}, {found.seconds:.1f} s", flush=True)
-    return results
 
 
 def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
     """One case solved with its default inputs, in this process and with its cache."""
     start = time.perf_counter()
-    folder = cache.default_folder()
-    remove_abandoned(folder / case.id)
-    (result,) = run([Job(case, case.inputs(), drawn=False)], cache_folder=folder)
+    job = Job(case, case.inputs(), drawn=False)
+    (result,) = run([job], cache_folder=cache.default_folder())
     return CaseRecord(
         rows=tuple(record(row) for row in result.rows),
         seconds=round(time.perf_counter() - start, 2),
@@ -79,16 +78,17 @@ def main(arguments: Sequence[str]) -> int:
     """Run the command line; 0 whatever the rows say."""
     parser = argparse.ArgumentParser(prog="verify.audit.portable.worker")
     parser.add_argument("folder", type=Path)
+    parser.add_argument("variant")
     parser.add_argument("key")
     parser.add_argument("cases", nargs="+")
     parser.add_argument("--seed", type=int)
     parser.add_argument("--row-tests", action="store_true")
     given = parser.parse_args(arguments)
     cases = [find(name) for name in given.cases]
-    results = solve_cases(given.folder, given.key, cases, given.seed)
+    place = Place(Store(given.folder), given.variant, given.key)
+    solve_cases(place, cases, given.seed)
     if given.row_tests:
-        results.row_tests = row_tests(cases)
-        save(given.folder, results)
+        place.keep(ROW_TESTS, row_tests(cases))
     return 0
 
 

@@ -14,10 +14,10 @@ import numpy as np
 
 from verify.core import source_code
 from verify.core.case import FemResult
+from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.guard import named, unsolved
 from verify.jobs.level import keep_level
-from verify.jobs.store import Store
 from verify.studies.budget import plan as plans
 from verify.studies.budget.changes import changed
 from verify.studies.budget.generic import LOOSER, TIGHTER, tolerances

@@ -21,9 +21,9 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
 from verify.core import source_code
 from verify.core.figures import Array
+from verify.core.store import Store, packed, unpacked
 from verify.jobs import cache
 from verify.jobs.executor import Drive, Lost, local
-from verify.jobs.store import Store, packed, unpacked
 from verify.studies.design_sprag.known import Known
 
 KIND, CASE = "engagement", "design-sprag"  # of stored chunks

@@ -11,10 +11,10 @@ from verify.core.case import Portion
 from verify.core.environment import require_gmsh
 from verify.core.inputs import InputError, Inputs
 from verify.core.progress import Show, State
+from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.engine import Engine, GoneError
 from verify.jobs.executor import Drive, Lost, Where
-from verify.jobs.store import Store
 from verify.studies.sweep.axes import changed
 from verify.studies.sweep.pairs import portion
 from verify.studies.sweep.plan import Plan

@@ -12,7 +12,7 @@ from typing import Any
 from verify.core.case import Portion
 from verify.core.files import made_folder
 from verify.core.inputs import Inputs
-from verify.jobs.store import Store
+from verify.core.store import Store
 from verify.studies.sweep.point import Solution
 
 FORMAT = 2

@@ -3,13 +3,16 @@
 A key covers everything that a result depends on: an entry is never wrong, only unused. Every commit
 is whole, so that a process that is killed loses at most the entry that it was writing, and
 processes that run at the same time do not disturb each other.
+
+The file has two tables: `entries`, and when each was read last in `readings`. `PRAGMA user_version`
+is the number of its format; a file of a later format is refused.
 """
 
 import io
 import sqlite3
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,11 +27,29 @@ PATIENCE = 30.0  # s for another process to finish its writing
 AT_ONCE = 500  # keys in one question
 LARGEST = 2e9  # bytes
 ROOM = 0.2  # of it, made free at once
-TABLE = (
+RECENT = 86400.0  # s in which a second reading is not noted: a note is a writing
+FORMAT = 1
+TABLES = (
     "CREATE TABLE IF NOT EXISTS entries (kind TEXT NOT NULL, key TEXT NOT NULL, subject TEXT NOT "
-    "NULL, made REAL NOT NULL, content BLOB NOT NULL, PRIMARY KEY (kind, key))"
+    "NULL, made REAL NOT NULL, content BLOB NOT NULL, PRIMARY KEY (kind, key))",
+    # apart from the contents: SQLite writes a whole row, however large, to change a number of it
+    "CREATE TABLE IF NOT EXISTS readings (kind TEXT NOT NULL, key TEXT NOT NULL, used REAL NOT "
+    "NULL, PRIMARY KEY (kind, key))",
+    f"PRAGMA user_version = {FORMAT}",
 )
-QUESTION = "SELECT key, CAST(content AS BLOB) FROM entries WHERE kind = ? AND key IN (KEYS)"
+READ = (
+    "SELECT key, CAST(content AS BLOB), MAX(made, COALESCE(used, 0)) "
+    "FROM entries LEFT JOIN readings USING (kind, key) WHERE kind = ?"
+)
+TRIM = (
+    "DELETE FROM entries WHERE rowid IN (SELECT id FROM (SELECT entries.rowid AS id, "
+    "SUM(LENGTH(content)) OVER (ORDER BY MAX(made, COALESCE(used, 0)) DESC, entries.rowid) AS upto "
+    "FROM entries LEFT JOIN readings USING (kind, key)) WHERE upto > ?)"
+)
+FORGET = (
+    "DELETE FROM readings WHERE NOT EXISTS (SELECT 1 FROM entries WHERE "
+    "entries.kind = readings.kind AND entries.key = readings.key)"
+)
 
 
 @dataclass(frozen=True)
@@ -51,15 +72,13 @@ class Store:
 
     def load(self, kind: str, keys: Sequence[str]) -> dict[str, bytes]:
         """The content of those keys that have an entry; OSError where the file cannot be read."""
-        found: dict[str, bytes] = {}
-        if not self.path.is_file():
-            return found
-        with self._open() as database:
-            for k in range(0, len(keys), AT_ONCE):
-                some = keys[k : k + AT_ONCE]
-                question = QUESTION.replace("KEYS", ",".join("?" * len(some)))
-                found |= {key: bytes(c) for key, c in database.execute(question, (kind, *some))}
-        return found
+        parts = [keys[k : k + AT_ONCE] for k in range(0, len(keys), AT_ONCE)]
+        named = [(f"AND key IN ({','.join('?' * len(part))})", part) for part in parts]
+        return self._read(kind, named)
+
+    def all(self, kind: str, subject: str) -> dict[str, bytes]:
+        """The content of every entry of a kind and subject by key; OSError as `load`."""
+        return self._read(kind, [("AND subject = ?", [subject])])
 
     def one(self, kind: str, key: str) -> bytes | None:
         """The content of one key; None where there is none or the file cannot be read."""
@@ -95,34 +114,57 @@ class Store:
                 "DELETE FROM entries WHERE (? = '' OR kind = ?) AND (? = '' OR subject = ?)",
                 (kind, kind, subject, subject),
             ).rowcount
+            database.execute(FORGET)
         with self._open(transaction=False) as database:
             database.execute("VACUUM")
         return removed
 
     def trim(self, largest: float = LARGEST) -> None:
-        """Remove what was made first until contents are well below `largest` bytes."""
+        """Remove what was used least recently until contents are well below `largest` bytes."""
         if sum(group.size for group in self.groups()) <= largest:
             return
         with self._open() as database:
-            database.execute(
-                "DELETE FROM entries WHERE rowid IN (SELECT rowid FROM (SELECT rowid, "
-                "SUM(LENGTH(content)) OVER (ORDER BY made DESC, rowid) AS upto FROM entries) "
-                "WHERE upto > ?)",
-                ((1 - ROOM) * largest,),
-            )
+            database.execute(TRIM, ((1 - ROOM) * largest,))
+            database.execute(FORGET)
+
+    def _read(self, kind: str, conditions: Sequence[tuple[str, Sequence[str]]]) -> dict[str, bytes]:
+        if not self.path.is_file():
+            return {}
+        found: dict[str, bytes] = {}
+        before = time.time() - RECENT
+        stale: list[str] = []
+        with self._open() as database:
+            for condition, values in conditions:
+                lines = database.execute(f"{READ} {condition}", (kind, *values))
+                for key, content, used in lines:
+                    found[key] = bytes(content)
+                    if used < before:
+                        stale.append(key)
+        if stale:
+            self._note(kind, stale)
+        return found
+
+    def _note(self, kind: str, keys: Sequence[str]) -> None:
+        """Remember that entries were read now, so that `trim` removes others first."""
+        lines = [(kind, key, time.time()) for key in keys]
+        # a note is no reason to fail, or to wait for another process that writes
+        with suppress(OSError), self._open(patience=0.0) as database:
+            database.executemany("INSERT OR REPLACE INTO readings VALUES (?, ?, ?)", lines)
 
     @contextmanager
-    def _open(self, *, transaction: bool = True) -> Iterator[sqlite3.Connection]:
+    def _open(
+        self, *, transaction: bool = True, patience: float = PATIENCE
+    ) -> Iterator[sqlite3.Connection]:
         level: Any = "" if transaction else None
         try:
-            database = sqlite3.connect(self.path, timeout=PATIENCE, isolation_level=level)
+            database = sqlite3.connect(self.path, timeout=patience, isolation_level=level)
         except sqlite3.Error as error:
             raise OSError(f"{self.path}: {error}: results cannot be stored there") from error
         try:
             database.execute("PRAGMA journal_mode = WAL")
             # a process that is killed loses nothing; a power failure may lose the last commits
             database.execute("PRAGMA synchronous = NORMAL")
-            database.execute(TABLE)
+            self._prepare(database)
             with database:
                 yield database
         except sqlite3.Error as error:
@@ -132,6 +174,18 @@ class Store:
             raise OSError(f"{self.path}: {error}: results cannot be stored there{hint}") from error
         finally:
             database.close()
+
+    def _prepare(self, database: sqlite3.Connection) -> None:
+        """Make the tables of a new file; OSError for a file of a later format."""
+        found = int(database.execute("PRAGMA user_version").fetchone()[0])
+        if found > FORMAT:
+            raise OSError(
+                f"{self.path}: written by a later version (format {found}, this one reads "
+                f"{FORMAT}): results cannot be stored there; FREEWHEEL_CACHE names another folder"
+            )
+        if found < FORMAT:
+            for step in TABLES:
+                database.execute(step)
 
 
 def packed(arrays: Mapping[str, NDArray[Any]]) -> bytes:
