@@ -226,7 +226,7 @@ def test_an_interrupted_measurement_says_how_much_is_kept(measured_here, monkeyp
         raise KeyboardInterrupt
 
     monkeypatch.setattr(measuring, "solve_step", stopped)
-    with pytest.raises(KeyboardInterrupt, match=r"interrupted; 0 of 12 reruns are kept"):
+    with pytest.raises(KeyboardInterrupt, match=r"interrupted; 0 of 12 reruns are stored"):
         measured_here()
 
 

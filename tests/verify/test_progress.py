@@ -13,7 +13,7 @@ BUSY = State(12, 48, ("spring-continuum level 8",), 14.2)
 
 
 def test_a_line_says_what_is_solved_and_how_long_it_takes():
-    assert line(BUSY) == "finite elements 12 of 48, spring-continuum level 8, about 14 s left"
+    assert line(BUSY) == "refinement levels 12 of 48, spring-continuum level 8, about 14 s left"
 
 
 def test_a_line_names_two_levels_at_most():

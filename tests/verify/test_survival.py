@@ -203,7 +203,7 @@ def test_a_stopped_run_ends_at_once_with_one_line(stop, jobs, place):
     _, err = process.communicate(timeout=20)
     assert time.monotonic() - start < 2  # the level under way takes longer
     assert process.returncode == 130
-    assert re.fullmatch(r"(finite elements .*\n)*freewheel: interrupted; .*\n", err)
+    assert re.fullmatch(r"(refinement levels .*\n)*freewheel: interrupted; .*\n", err)
     assert all_gone(process.pid)
     assert place.left_over() == []
 

@@ -1,7 +1,6 @@
 """What a sweep solves and what it finds solved, batch by batch."""
 
 import sqlite3
-from collections import deque
 from dataclasses import replace
 
 import pytest
@@ -114,7 +113,7 @@ def test_an_engine_that_never_comes_leaves_all_points_to_do(tmp_path, called):
         def entered(self):
             raise GoneError("nothing answers")
 
-    with pytest.raises(GoneError, match="nothing answers; 0 of 2 points are kept"):
+    with pytest.raises(GoneError, match="nothing answers; 0 of 2 points are stored"):
         solve(planned("a=2mm,4mm"), Nowhere(), folder=tmp_path)
 
 
@@ -129,7 +128,7 @@ def test_points_of_the_same_inputs_are_solved_once(tmp_path, called):
 def test_workers_of_other_code_end_the_sweep_with_what_is_kept(tmp_path, called, monkeypatch):
     monkeypatch.setattr(point, "code_of", lambda _case, _part: ("older", "fe"))
     with pytest.raises(GoneError, match=r"cannot solve points here: .*code of made-up-plate is not "
-                                        r"that of the sweep; 0 of 2 points are kept"):  # fmt: skip
+                                        r"that of the sweep; 0 of 2 points are stored"):  # fmt: skip
         solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
     assert called["fe"] == 0
 
@@ -167,9 +166,9 @@ def test_a_point_that_cannot_be_read_is_solved_anew(tmp_path, called):
     ],
 )  # fmt: skip
 def test_batches_take_a_second_or_what_many_workers_need(done, waiting, workers, pace, size):
-    one = run._Run(None, lambda _state: None, known=0, done=done, pace=pace)
-    one.waiting = deque(range(waiting))
-    assert one._size(workers) == size
+    one = run._Batches(None, lambda _state: None, known=0, todo=range(waiting))
+    one.busy, one.pace, one.workers = done * pace, pace, workers
+    assert one._size() == size
 
 
 def test_the_share_of_the_time_in_which_nothing_is_solved():

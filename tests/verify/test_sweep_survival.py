@@ -97,7 +97,8 @@ def test_ctrl_c_says_what_is_kept_and_the_same_command_goes_on(undisturbed, tmp_
     assert status == 130
     kept = points(tmp_path)
     assert said.splitlines()[-1] == (
-        f"freewheel: interrupted; {kept} of {POINTS} points are kept: the same command goes on"
+        f"freewheel: interrupted; {kept} of {POINTS} points are stored: the same command "
+        "continues with the others"
     )
     assert ended(client(tmp_path, "--jobs", "2"))[0] == 0
     assert table(tmp_path) == undisturbed
@@ -153,8 +154,8 @@ def test_a_killed_scheduler_is_told_and_another_one_goes_on_with_the_same_number
     kept = points(tmp_path)
     assert status == 2
     assert said.splitlines()[-1] == (
-        f"freewheel: the scheduler at {address} is gone; {kept} of {POINTS} points are kept: the "
-        "same command goes on"
+        f"freewheel: the scheduler at {address} is gone; {kept} of {POINTS} points are stored: "
+        "the same command continues with the others"
     )
     assert "Traceback" not in said
     assert kept < POINTS

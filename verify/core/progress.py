@@ -21,7 +21,7 @@ class State:
     total: int
     running: tuple[str, ...]
     remaining: float
-    what: str = "finite elements"
+    what: str = "refinement levels"
 
 
 Show = Callable[[State], None]

@@ -1,12 +1,18 @@
 """What an engine is: an executor of concurrent.futures, and what must be known of it besides."""
 
-from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor
+from collections.abc import Callable, Collection
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass
+from typing import Any
 
 
 class GoneError(OSError):
     """The engine answers no more; what was answered before is kept."""
+
+
+def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
+    """Those that are done once one is, or after some seconds."""
+    return wait(futures, seconds, FIRST_COMPLETED).done
 
 
 @dataclass(frozen=True)
@@ -15,6 +21,7 @@ class Engine:
 
     `gone` says why it will never answer again, "" while it may. `renew` ends idle processes, so
     that a task that killed one finds a fresh one. `ahead` tasks wait there for each that is solved.
+    `wait` returns the futures that are done: an executor without threads works in it.
     """
 
     executor: Executor
@@ -23,4 +30,5 @@ class Engine:
     gone: Callable[[], str] = lambda: ""
     renew: Callable[[], None] = lambda: None
     ahead: int = 0
+    wait: Callable[[Collection[Future[Any]], float], Collection[Future[Any]]] = first_done
     remote: bool = False  # tasks may run on machines that don't see this one's files

@@ -1,7 +1,7 @@
 """Where tasks are solved: this process, processes of this machine, or a dask cluster.
 
-An engine is an executor of concurrent.futures and what must be known of it besides. `answers`
-drives any of them: a few tasks ahead, what died done once more, the caller woken in between.
+An engine is an executor of concurrent.futures and what must be known of it besides. `Drive` runs
+tasks on any of them: a few tasks ahead, what died done once more, the caller woken in between.
 """
 
 import os
@@ -10,7 +10,7 @@ import time
 import traceback
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import Executor, Future
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from typing import Any
@@ -98,18 +98,20 @@ class Drive:
     """Solves tasks by `function` on an engine.
 
     `running` holds each task under way and its start [s, of `time.monotonic`]. `split` says as
-    what a task whose process died is done again.
+    what a task whose process died is done again; `begun` is called before a task is handed over.
     """
 
     engine: Engine
     function: Callable[[Any], Any]
     split: Split = lambda task: (task,)
+    begun: Callable[[], None] = lambda: None
     running: dict[int, tuple[Any, float]] = field(default_factory=dict)
 
     def answers(self, tasks: Iterable[Any]) -> Iterator[tuple[Any, Any] | None]:
         """Each task with its answer as they come, and None every TICK seconds.
 
-        A task is taken from `tasks` when its turn comes. One whose process dies is split and done
+        A task is taken from `tasks` when its turn comes, and `tasks` is asked again after every
+        answer, as long as one is to come. One whose process dies is split and done
         again at the end, each part alone in a fresh process; Lost is its answer if that dies too.
         GoneError where the engine answers no more.
         """
@@ -124,17 +126,18 @@ class Drive:
     def _round(self, tasks: Iterator[Any], ahead: int) -> Any:
         under_way: dict[Future[Any], tuple[int, Any]] = {}
         died: list[tuple[Any, str]] = []
-        number, more = 0, True
-        while more or under_way:
-            while more and len(under_way) < self.engine.workers() * (1 + ahead):
-                task = next(tasks, None)
-                if task is None:
-                    more = False
+        number = 0
+        while True:
+            while len(under_way) < self.engine.workers() * (1 + ahead):
+                if (task := next(tasks, None)) is None:
                     break
                 self.running[number] = task, time.monotonic()
+                self.begun()
                 under_way[self.engine.executor.submit(self.function, task)] = number, task
                 number += 1
-            done, _ = wait(under_way, TICK, FIRST_COMPLETED)
+            if not under_way:
+                return died
+            done = self.engine.wait(under_way, TICK)
             if not done and (why := self.engine.gone()):
                 raise GoneError(why)
             for future in done:
@@ -150,7 +153,6 @@ class Drive:
                 else:
                     yield task, future.result()
             yield None
-        return died
 
 
 def _raised(error: BaseException) -> Lost:

@@ -113,5 +113,5 @@ def keep_level(folder: Path, case: Case, inputs: Inputs, level: int, result: Fem
     try:
         cache.store(folder, case, inputs, level, result)
     except OSError as error:
-        return error.strerror or str(error)
+        return str(error)
     return ""

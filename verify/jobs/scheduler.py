@@ -2,7 +2,7 @@
 
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,12 +11,13 @@ from typing import Any
 from verify.core.case import Case
 from verify.core.environment import require_gmsh
 from verify.core.inputs import Inputs
-from verify.core.progress import Show, State
+from verify.core.progress import Show
 from verify.core.results import CaseResult
 from verify.jobs import cache
 from verify.jobs import timing as durations
+from verify.jobs.dispatch import Dispatch
 from verify.jobs.engine import Engine
-from verify.jobs.executor import Drive, Lost, local
+from verify.jobs.executor import Lost, local
 from verify.jobs.level import Job, Solved, judge_case, keep_level, solve_level
 
 
@@ -71,9 +72,9 @@ def run(
     ]
     if tasks:
         require_gmsh()  # a machine without its libraries is no red row
-        with engine or local(0) as entered:
-            remaining = Round(tasks, engine=entered, done=len(solved), show=show, warn=warn)
-            solved |= {missing[n]: answer for n, answer in remaining.solve()}
+        levels = _Levels(tasks, known=len(solved), show=show, warn=warn)
+        levels.solve(engine or local(0))
+        solved |= {missing[n]: answer for n, answer in levels.solved.items()}
     return [
         judge_case(job, [solved[i, level] for level in job.case.levels if (i, level) in solved])
         for i, job in enumerate(jobs)
@@ -90,74 +91,68 @@ def _stored(job: Job, level: int, folder: Path | None) -> Solved | None:
     return Solved(found, "", time.perf_counter() - start, cached=True)
 
 
-class Round:
-    """Solves tasks, longest first, and learns from each how long the others will take."""
+class _Levels:
+    """Tasks, solved longest first; each tells how long the others will take."""
 
     def __init__(
-        self, tasks: Sequence[Task], *, engine: Engine, done: int, show: Show,
-        warn: Callable[[str], None],
-    ) -> None:  # fmt: skip
-        self.tasks, self.show, self.warn = tasks, show, warn
-        self.done, self.total = done, done + len(tasks)
-        self.folder = tasks[0].folder if tasks else None
+        self, tasks: Sequence[Task], *, known: int, show: Show, warn: Callable[[str], None]
+    ) -> None:
+        self.tasks, self.warn = tasks, warn
+        self.folder = tasks[0].folder
         self.earlier = durations.load(self.folder) if self.folder else {}
         self.measured: dict[durations.Level, float] = {}
-        self.drive = Drive(engine, solve_task)
-
-    def solve(self) -> Iterator[tuple[int, Solved]]:
-        """Position and answer of each task as they come."""
+        self.solved: dict[int, Solved] = {}
         seconds = self._expected()
-        order = sorted(range(len(self.tasks)), key=lambda n: -seconds[self._level(n)])
-        waiting = deque(order)
+        self.waiting = deque(sorted(tasks, key=lambda task: -seconds[_level(task)]))
+        self.dispatch = Dispatch(
+            "refinement levels", known + len(tasks), known, show,
+            title=lambda task: "{} level {}".format(*_level(task)), remaining=self._remaining,
+            is_stored=self.folder is not None,
+        )  # fmt: skip
 
-        def turns() -> Iterator[Task]:
-            while waiting:
-                yield replace(
-                    self.tasks[waiting.popleft()],
-                    folder=None if self.drive.engine.remote else self.folder,
-                )
+    def solve(self, engine: AbstractContextManager[Engine]) -> None:
+        """Solve all, into `solved` by their numbers."""
+        self.dispatch.run(engine, solve_task, self._take, self._receive)
 
-        for event in self.drive.answers(turns()):
-            if event is not None:
-                task, answer = event
-                self.done += 1
-                yield task.number, self._learnt(task.number, answer)
-            self.show(self._state(waiting))
+    def _take(self) -> Task | None:
+        if not self.waiting:
+            return None
+        remote = self.dispatch.drive.engine.remote
+        return replace(self.waiting.popleft(), folder=None if remote else self.folder)
 
-    def _learnt(self, n: int, answer: Solved | Lost) -> Solved:
-        task = self.tasks[n]
+    def _receive(self, task: Task, answer: Solved | Lost) -> int:
         if isinstance(answer, Lost):
             failure = f"level {task.level}: {answer.reason}"
-            return Solved(None, failure, 0.0, cached=False, trace=answer.trace)
-        if self.drive.engine.remote and answer.result is not None and self.folder is not None:
-            stored = keep_level(self.folder, task.case, task.inputs, task.level, answer.result)
-            answer = replace(answer, unstored=stored)
-        if not answer.cached and not answer.failure:
-            self.measured[self._level(n)] = answer.seconds
-            if self.folder is not None:
-                with suppress(OSError):  # an estimate is no reason to stop
-                    durations.store(self.folder, self.measured)
-        if answer.unstored and self.folder is not None:
-            self.warn(f"cannot store in {self.folder} ({answer.unstored}): going on without")
-            self.folder = None
-        return answer
+            answer = Solved(None, failure, 0.0, cached=False, trace=answer.trace)
+        self.solved[task.number] = answer
+        if answer.result is not None and not answer.cached:
+            self.measured[_level(task)] = answer.seconds
+        if answer.result is not None and self.folder is not None:
+            self._stored(task, answer, self.folder)
+        return 1
 
-    def _level(self, n: int) -> durations.Level:
-        return self.tasks[n].case.id, self.tasks[n].level
+    def _stored(self, task: Task, answer: Solved, folder: Path) -> None:
+        """See that the result of a task is in the store; where there is no room, warn once."""
+        unstored = answer.unstored
+        if self.dispatch.drive.engine.remote and answer.result is not None:
+            unstored = keep_level(folder, task.case, task.inputs, task.level, answer.result)
+        if not answer.cached:
+            with suppress(OSError):  # an estimate is no reason to stop
+                durations.store(folder, {_level(task): answer.seconds})
+        if unstored:
+            self.warn(f"{unstored}: going on without")
+            self.folder, self.dispatch.is_stored = None, False
 
     def _expected(self) -> dict[durations.Level, float]:
         known = durations.refined(self.earlier, self.measured)
-        return durations.expected_seconds(map(self._level, range(len(self.tasks))), known)
+        return durations.expected_seconds(map(_level, self.tasks), known)
 
-    def _state(self, waiting: Iterable[int]) -> State:
+    def _remaining(self, dispatch: Dispatch) -> float:
         seconds, now = self._expected(), time.monotonic()
-        running = [task.number for task, _ in self.drive.running.values()]
-        under_way = [
-            (seconds[self._level(task.number)], now - start)
-            for task, start in self.drive.running.values()
-        ]
-        left = durations.remaining_seconds(
-            under_way, [seconds[self._level(n)] for n in waiting], self.drive.engine.workers()
-        )
-        names = tuple("{} level {}".format(*self._level(n)) for n in running)
-        return State(self.done, self.total, names, left)
+        under_way = [(seconds[_level(task)], now - start) for task, start in dispatch.under_way]
+        waiting = [seconds[_level(task)] for task in self.waiting]
+        return durations.remaining_seconds(under_way, waiting, dispatch.workers)
+
+
+def _level(task: Task) -> durations.Level:
+    return task.case.id, task.level

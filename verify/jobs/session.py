@@ -2,15 +2,13 @@
 
 import sys
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
-from verify.core.progress import State, shown
+from verify.core.progress import shown
 from verify.core.results import CaseResult
 from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.earlier_files import adopt
-from verify.jobs.engine import GoneError
 from verify.jobs.executor import Where
 from verify.jobs.level import Job
 from verify.jobs.processes import refuse_reimport
@@ -22,44 +20,12 @@ def solve(
 ) -> list[CaseResult]:
     """Run the jobs where it is said, with the cache and progress on stderr.
 
-    KeyboardInterrupt says how much of the work is kept, GoneError why there is no more of it.
+    KeyboardInterrupt and GoneError say what is stored for the next run.
     """
     refuse_reimport()
     folder = _writable_cache() if use_cache and any(job.use_fem for job in work) else None
-    done = Done(stored=folder is not None)
-    try:
-        with shown(quiet=quiet) as show:
-            return run(
-                work, engine=where.entered(), cache_folder=folder,
-                show=lambda state: show(done.follow(state)), warn=done.warned,
-            )  # fmt: skip
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(f"interrupted; {done}") from None
-    except GoneError as error:
-        raise GoneError(f"{error}; {done}") from error
-
-
-@dataclass
-class Done:
-    """What an interrupted run leaves, in words."""
-
-    stored: bool
-    state: State | None = None
-
-    def follow(self, state: State) -> State:
-        self.state = state
-        return state
-
-    def warned(self, message: str) -> None:
-        """Say that nothing is stored from here on."""
-        self.stored = False
-        _say(message)
-
-    def __str__(self) -> str:
-        if self.state is None:
-            return "no level was under way"
-        done = f"{self.state.done} of {self.state.total} levels are"
-        return f"{done} kept for the next run" if self.stored else f"{done} solved, and not stored"
+    with shown(quiet=quiet) as show:
+        return run(work, engine=where.entered(), cache_folder=folder, show=show, warn=_say)
 
 
 def _writable_cache() -> Path | None:

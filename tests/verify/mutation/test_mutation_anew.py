@@ -1,18 +1,17 @@
 """Formulas that a case's levels are made with change both of its sides: it is solved with them."""
 
 import ast
-from collections import deque
 from collections.abc import Iterator
 from functools import partial
 
 import pytest
 
 from tests.conftest import solved
+from tests.verify.mutation.forked import answer
 from verify.audit.mutation import resolve as anew
 from verify.audit.mutation import trial
 from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
-from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import Changed, mutants, source
 from verify.audit.mutation.trial import Bench
 from verify.audit.mutation.workload import Load
@@ -60,9 +59,9 @@ def engaged() -> Bench:
 def verdict(fault: Changed, bench: Bench) -> list[str]:
     stored, quick, slow = anew.split(fault.mutant.module, [bench])
     work = partial(trial.tried, fault, stored, [*quick, *slow])
-    (answer,) = answers(deque([Task(0, work, 200.0)]), 1)
-    assert not answer.failure
-    return answer.value
+    found = answer(work, 200.0)
+    assert not found.failure
+    return found.value
 
 
 def test_a_race_that_gives_way_more_on_both_sides_is_not_credited_to_rows(engaged):

@@ -2,21 +2,21 @@
 
 import importlib
 import json
-from collections import deque
 from dataclasses import replace
 from functools import partial
 from textwrap import dedent
 
 import pytest
 
+from tests.verify.mutation.forked import answer
 from verify.audit.mutation import baseline as known
 from verify.audit.mutation import groups, score, suite, trial, workload
 from verify.audit.mutation.campaign import Campaign
 from verify.audit.mutation.console import told
 from verify.audit.mutation.groups import Group, functions_of
-from verify.audit.mutation.outcomes import By, Outcome, Store
+from verify.audit.mutation.outcomes import KIND, By, Outcome, Outcomes
 from verify.audit.mutation.sample import sample
-from verify.audit.mutation.sandbox import Task, answers
+from verify.audit.mutation.sandbox import Task
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FORMULAS
 from verify.audit.mutation.trial import Bench, Shift
@@ -24,6 +24,7 @@ from verify.audit.mutation.workload import Load
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Caught, MutantGroup, Survivor
+from verify.core.store import Store
 from verify.judging.checks import Fact
 
 FORMULA = """
@@ -81,14 +82,18 @@ def group(module) -> Group:
     return Group("formulas", found, found, task, lambda _changed: ())
 
 
-def by(group: Group, store: Store) -> dict[tuple[str, str], Outcome]:
-    return {(m.mutant.before, m.mutant.after): store.found[m.mutant.id] for m in group.chosen}
+def made(folder) -> Outcomes:
+    return Outcomes(Store(folder), "the code")
+
+
+def by(group: Group, outcomes: Outcomes) -> dict[tuple[str, str], Outcome]:
+    return {(m.mutant.before, m.mutant.after): outcomes.found[m.mutant.id] for m in group.chosen}
 
 
 def test_each_mutant_meets_what_notices_it(group, tmp_path):
-    store = Store(tmp_path / "outcomes.jsonl")
-    Campaign(group, store, 2).run()
-    found = by(group, store)
+    outcomes = made(tmp_path)
+    Campaign(group, outcomes, 2).run()
+    found = by(group, outcomes)
     assert found["a + b * 1e-09", "a - b * 1e-09"].by is By.NOTHING  # the tolerance is too wide
     red = found["b * 1e-09", "b / 1e-09"]
     assert (red.by, red.what) == (By.ROWS, "ring-tape/length")
@@ -97,7 +102,7 @@ def test_each_mutant_meets_what_notices_it(group, tmp_path):
     assert "needs a width of at least 0" in refused.what
     assert found["a - 1", "a + 1"].by is By.TIME
     assert found["a > 0", "a <= 0"].by is By.NOTHING
-    done = score.scored(group, store.found, 1.0)
+    done = score.scored(group, outcomes.found, 1.0)
     assert [one[2:] for one in done["survivors"] if one[2] == "a > 0"] == [["a > 0", "a <= 0"]]
 
 
@@ -109,12 +114,12 @@ def test_tests_come_next_and_only_for_what_no_row_noticed(group, tmp_path, monke
         return ("a test",)
 
     monkeypatch.setattr(trial, "tested", lambda *_: [By.TESTS.value, "a test"])
-    store = Store(tmp_path / "outcomes.jsonl")
-    Campaign(replace(group, tests=tests), store, 2).run()
+    outcomes = made(tmp_path)
+    Campaign(replace(group, tests=tests), outcomes, 2).run()
     assert ("a + b * 1e-09", "a - b * 1e-09") in asked
     assert ("b * 1e-09", "b / 1e-09") not in asked
-    assert not [one for one in store.found.values() if one.by is By.NOTHING]
-    assert by(group, store)["a > 0", "a <= 0"].what == "a test"
+    assert not [one for one in outcomes.found.values() if one.by is By.NOTHING]
+    assert by(group, outcomes)["a > 0", "a <= 0"].what == "a test"
 
 
 def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(group, tmp_path, monkeypatch):
@@ -126,9 +131,9 @@ def test_what_takes_long_is_asked_last_and_only_where_no_test_fails(group, tmp_p
         return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
 
     monkeypatch.setattr(trial, "tested", tested)
-    store = Store(tmp_path / "outcomes.jsonl")
-    Campaign(replace(group, tests=lambda _: ("a test",), last=last), store, 2).run()
-    found = by(group, store)
+    outcomes = made(tmp_path)
+    Campaign(replace(group, tests=lambda _: ("a test",), last=last), outcomes, 2).run()
+    found = by(group, outcomes)
     assert found["a > 0", "a <= 0"].what == "a test"
     assert found["a + b * 1e-09", "a - b * 1e-09"].what == "a slow row"
     assert found["b * 1e-09", "b / 1e-09"].what != "a slow row"
@@ -138,17 +143,17 @@ def test_a_mutant_that_no_case_judges_is_still_asked_of_what_takes_long(group, t
     def last(changed):
         return Task(changed.mutant.id, lambda: [By.ROWS.value, "a slow row"], 4.0)
 
-    store = Store(tmp_path / "outcomes.jsonl")
-    Campaign(replace(group, last=last), store, 2).run()
-    assert by(group, store)["a > 0", "a <= 0"].what == "a slow row"
+    outcomes = made(tmp_path)
+    Campaign(replace(group, last=last), outcomes, 2).run()
+    assert by(group, outcomes)["a > 0", "a <= 0"].what == "a slow row"
 
 
 def test_of_a_file_that_takes_long_only_its_first_tests_are_known(tmp_path, monkeypatch):
     file = tmp_path / "test_long.py"
     file.write_text("def test_one():\n    pass\n\n\ndef test_two():\n    pass\n", "utf-8")
     monkeypatch.setattr(suite, "PER_FILE", 0.0)
-    (answer,) = answers(deque([Task(0, partial(suite.traced, str(file)), 60.0)]), 1)
-    (known_one,) = answer.value
+    found = answer(partial(suite.traced, str(file)), 60.0)
+    (known_one,) = found.value
     assert known_one.endswith("test_one")
 
 
@@ -159,7 +164,6 @@ def test_tests_with_solvers_that_not_every_machine_has_are_not_asked():
 
 
 def test_a_run_goes_on_where_it_was_stopped(group, tmp_path):
-    path = tmp_path / "outcomes.jsonl"
     seen = []
 
     def stopped(state):
@@ -167,15 +171,18 @@ def test_a_run_goes_on_where_it_was_stopped(group, tmp_path):
         if state.done == 3:
             raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt):
-        Campaign(group, Store(path), 1, stopped).run()
-    path.write_text(path.read_text("utf-8") + '\n{"id": "half a li', "utf-8")
-    again = Store(path)
+    of_all = len(group.chosen)
+    with pytest.raises(KeyboardInterrupt, match=f"3 of {of_all} mutants of formulas are stored"):
+        Campaign(group, made(tmp_path), 1, stopped).run()
+    torn = {"the code x": b'{"id": "half a li', "the code y": b"[]"}
+    Store(tmp_path).store(KIND, "the code", torn)
+    again = made(tmp_path)
     assert len(again.found) == 3
     states = []
     Campaign(group, again, 2, states.append).run()
-    assert states[0].total == len(group.chosen) - 3
-    assert len(Store(path).found) == len(group.chosen)
+    assert (states[0].done, states[0].total) == (3, of_all)
+    assert len(made(tmp_path).found) == of_all
+    assert Outcomes(Store(tmp_path), "other code").found == {}
 
 
 def test_a_sample_tries_each_operator_and_each_place_once(module):

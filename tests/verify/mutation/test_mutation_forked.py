@@ -8,11 +8,13 @@ from functools import partial
 
 import pytest
 
-from verify.audit.mutation.sandbox import LATE, Task, answers
+from tests.verify.mutation.forked import answer, answers
+from verify.audit.mutation.sandbox import LATE, Task, forks, perform
+from verify.jobs.dispatch import Dispatch, queue
 
 
 def test_answers_come_as_json_from_other_processes():
-    found = list(answers(deque(Task(n, lambda n=n: [os.getpid(), n], 20.0) for n in range(4)), 2))
+    found = list(answers([Task(n, lambda n=n: [os.getpid(), n], 20.0) for n in range(4)], 2))
     assert sorted(one.value[1] for one in found) == [0, 1, 2, 3]
     assert len({one.value[0] for one in found} - {os.getpid()}) == 4
     assert not any(one.failure for one in found)
@@ -25,8 +27,7 @@ def test_one_that_never_ends_is_ended_and_the_others_answer():
 
     start = time.monotonic()
     found = {
-        one.key: one
-        for one in answers(deque([Task("bad", endless, 1.0), Task("good", lambda: 7, 20.0)]), 1)
+        one.key: one for one in answers([Task("bad", endless, 1.0), Task("good", lambda: 7, 20.0)])
     }
     assert found["bad"].failure == LATE
     assert found["good"].value == 7
@@ -46,18 +47,22 @@ def killed():
     ],
 )
 def test_one_that_dies_is_told(end, failure):
-    (answer,) = answers(deque([Task(0, end, 20.0)]), 1)
-    assert (answer.value, answer.failure) == (None, failure)
+    found = answer(end, 20.0)
+    assert (found.value, found.failure) == (None, failure)
 
 
 def test_an_answer_may_bring_further_work():
     waiting = deque([Task("first", lambda: 1, 20.0)])
     found = []
-    for answer in answers(waiting, 2):
-        found.append(answer.key)
-        if answer.key == "first":
+
+    def receive(task, answer):
+        found.append((task.key, answer.value))
+        if task.key == "first":
             waiting.append(Task("second", lambda: 2, 20.0))
-    assert found == ["first", "second"]
+        return 1
+
+    Dispatch("answers", 2).run(forks(2), perform, queue(waiting), receive)
+    assert found == [("first", 1), ("second", 2)]
 
 
 def test_children_are_gone_when_the_parent_stops():
@@ -67,7 +72,7 @@ def test_children_are_gone_when_the_parent_stops():
         os.write(into, f"{os.getpid()}\n".encode())
         time.sleep(60)
 
-    tasks = deque([Task(0, lambda: 7, 20.0), Task(1, stays, 90.0)])
+    tasks = [Task(0, lambda: 7, 20.0), Task(1, stays, 90.0)]
     running = answers(tasks, 2)
     assert next(running).key == 0
     with os.fdopen(out) as pipe:

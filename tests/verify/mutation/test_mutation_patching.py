@@ -1,13 +1,12 @@
 """A patch reaches the function by whatever name and through whatever wraps it."""
 
 import importlib
-from collections import deque
 from textwrap import dedent
 
 import pytest
 
+from tests.verify.mutation.forked import answer
 from verify.audit.mutation.patching import NotPatchedError, patch
-from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FORMULAS
 
@@ -85,9 +84,9 @@ def after(work, function, before, becomes):
         patch(of, one)
         return work()
 
-    (answer,) = answers(deque([Task(0, changed, 20.0)]), 1)
-    assert not answer.failure
-    return answer.value
+    found = answer(changed, 20.0)
+    assert not found.failure
+    return found.value
 
 
 def test_names_that_others_imported_are_reached(modules):

@@ -1,15 +1,14 @@
 """Faults of three depths, each caught and named by a row that is about it."""
 
-from collections import deque
 from functools import partial
 
 import pytest
 
 from tests.conftest import solved
+from tests.verify.mutation.forked import answer
 from verify.audit.mutation import trial
 from verify.audit.mutation.baseline import Noted
 from verify.audit.mutation.outcomes import By
-from verify.audit.mutation.sandbox import Task, answers
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FINITE_ELEMENTS, FORMULAS, JUDGING
 from verify.audit.mutation.trial import Bench
@@ -36,9 +35,9 @@ def planted(module, operators, function, before, becomes):
 
 
 def verdict(work):
-    (answer,) = answers(deque([Task(0, work, 120.0)]), 1)
-    assert not answer.failure
-    return answer.value
+    found = answer(work, 120.0)
+    assert not found.failure
+    return found.value
 
 
 def test_a_formula_with_the_other_radius_is_named_by_the_rows_it_feeds(bench):

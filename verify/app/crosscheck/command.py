@@ -1,15 +1,18 @@
 """The command `crosscheck`: second solvers on the meshes and loads of the project."""
 
 import sys
-import time
+from collections import deque
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from verify.app.commands import writable
 from verify.core.console import aligned, raised
 from verify.core.inputs import InputError
-from verify.core.progress import State, shown
+from verify.core.progress import shown
 from verify.core.results import Crosscheck, CrossState
+from verify.jobs.dispatch import Dispatch, queue
+from verify.jobs.executor import Lost, local
 from verify.studies.crosscheck import store as kept
 from verify.studies.crosscheck.judged import judged
 from verify.studies.crosscheck.registry import chosen
@@ -17,7 +20,6 @@ from verify.studies.crosscheck.solvers import Solver, rerun, solve, solvers
 from verify.studies.crosscheck.statement import CALCULIX, SOLVERS, Cross
 
 ROOT = Path(__file__).parents[3]
-GUESS = 6.0  # s a comparison takes, before any is known
 HEAD = ("problem", "quantity", "unit", "here", "there", "difference", "allowed", "s here",
         "s there", "")  # fmt: skip
 
@@ -46,20 +48,8 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
         why = dict.fromkeys(f"{one.solver}: {there[one.solver].missing}" for one in left)
         raise InputError(f"{', '.join(dict.fromkeys(names))}: nothing compared, {'; '.join(why)}")
     lines = [line for cross, found in standing for line in judged(cross, found)]
-    broken: list[str] = []
-    start = time.perf_counter()
-    with shown(quiet=False) as show:
-        for done, cross in enumerate(todo):
-            each = (time.perf_counter() - start) / done if done else GUESS
-            show(State(done, len(todo), (cross.id,), each * (len(todo) - done), "second solvers"))
-            try:
-                found = compare(cross, there[cross.solver], folder)
-            except (RuntimeError, ArithmeticError, LookupError, OSError, ValueError) as error:
-                broken.append(f"{cross.id}: {' '.join(str(error).split())}")
-                continue
-            lines += judged(cross, found)
-            if keep:
-                _keep(found)
+    compared, broken = _compared(todo, len(standing), there, folder, keep=keep)
+    lines += compared
     _write_hints(crosses, folder)
     _print(lines, {cross.id for cross, _ in standing}, broken)
     for name in SOLVERS:
@@ -68,6 +58,36 @@ def run_crosscheck(names: Sequence[str], *, out: Path | None, again: bool, keep:
         print(said)
     outside = sum(line.state is CrossState.OUTSIDE for line in lines)
     return 1 if outside or broken else 0
+
+
+def _compared(
+    todo: Sequence[Cross], known: int, there: Mapping[str, Solver], folder: Path, *, keep: bool
+) -> tuple[list[Crosscheck], list[str]]:
+    """The lines of the problems that both sides solve, and why others were not solved."""
+    lines: list[Crosscheck] = []
+    broken: list[str] = []
+
+    def receive(cross: Cross, answer: kept.Found | Lost) -> int:
+        if isinstance(answer, Lost):
+            broken.append(f"{cross.id}: {answer.reason}")
+            return 1
+        lines.extend(judged(cross, answer))
+        if keep:
+            _keep(answer)
+        return 1
+
+    with shown(quiet=False) as show:
+        dispatch = Dispatch(
+            "problems of second solvers", known + len(todo), known, show,
+            title=lambda cross: cross.id, is_stored=keep,
+        )  # fmt: skip
+        function = partial(_solved, there, folder)
+        dispatch.run(local(0), function, queue(deque(todo)), receive)
+    return lines, broken
+
+
+def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> kept.Found:
+    return compare(cross, there[cross.solver], folder)
 
 
 def compare(cross: Cross, solver: Solver, folder: Path) -> kept.Found:

@@ -1,31 +1,28 @@
-"""What is noted before the first mutant: states, times and called functions, kept between runs."""
+"""What is noted before the first mutant: states, times and called functions, stored for later."""
 
 import json
 import time
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from verify.audit.mutation.digest import digest
-from verify.audit.mutation.sandbox import Task, answers
+from verify.audit.mutation.sandbox import Answer, Task, forks, perform
 from verify.audit.mutation.tracing import called
 from verify.audit.mutation.workload import Load, States
 from verify.core.case import Case
-from verify.core.files import write_whole
 from verify.core.inputs import InputError
-from verify.core.progress import Show, State
+from verify.core.progress import Show
+from verify.core.store import Store
 from verify.jobs import cache
+from verify.jobs.dispatch import Dispatch, queue
 
-FOLDER = "mutants"
+KIND = "mutant note"  # of entries: their subject is the kind of note
 JUDGING = 300.0  # s for a case to be judged with every call noted
 SOLVING = 400.0  # s for a case's coarsest level
 TESTING = 900.0  # s for a file of tests
-
-EXPECTED = 4.0  # s for a note, before any is made
 
 
 @dataclass(frozen=True)
@@ -39,9 +36,9 @@ class Noted:
 
 @dataclass(frozen=True)
 class Notes:
-    """A file for each kind of note in the cache's folder."""
+    """Notes in the store, made where they are missing."""
 
-    folder: Path
+    store: Store
     jobs: int
     show: Show
 
@@ -74,33 +71,25 @@ class Notes:
         self, kind: str, doing: str, work: Mapping[str, Callable[[], Any]], limit: float,
         *, needed: bool = True,
     ) -> dict[str, Any]:  # fmt: skip
-        """What the file has, and what it lacks worked out; the file holds no more than `work`."""
-        path = self.folder / f"{kind}.json"
-        known = {name: one for name, one in _read(path).items() if name in work}
+        """What is stored, and what is not, worked out."""
+        stored = self.store.load(KIND, list(work))
+        known = {name: json.loads(content) for name, content in stored.items()}
         missing = [name for name in work if name not in known]
-        tasks = deque(Task(name, work[name], limit) for name in missing)
-        start = time.monotonic()
-        for n, answer in enumerate(answers(tasks, self.jobs), start=1):
-            name = str(answer.key)
+        waiting = deque(Task(name, work[name], limit) for name in missing)
+
+        def receive(task: Task, answer: Answer) -> int:
+            name = str(task.key)
             if answer.failure and needed:
                 raise InputError(f"{doing} {name.partition(' ')[0]}: {answer.failure}")
             known[name] = answer.value
-            _write(path, known)
-            left = (time.monotonic() - start) / n * (len(missing) - n)
-            done = (name.partition(" ")[0],)
-            self.show(State(n, len(missing), done, left, what=f"{doing} unchanged code"))
+            self.store.store(KIND, kind, {name: json.dumps(answer.value).encode()})
+            return 1
+
+        Dispatch(
+            f"notes of {doing} unchanged code", len(work), len(known), self.show,
+            title=lambda task: str(task.key).partition(" ")[0],
+        ).run(forks(self.jobs), perform, queue(waiting), receive)  # fmt: skip
         return {name: known[name] for name in work if known.get(name) is not None}
-
-
-def _read(path: Path) -> dict[str, Any]:
-    with suppress(OSError, ValueError):
-        return dict(json.loads(path.read_text("utf-8")))
-    return {}
-
-
-def _write(path: Path, known: Mapping[str, Any]) -> None:
-    text = json.dumps(known, ensure_ascii=False, separators=(",", ":"))
-    write_whole(path, lambda file: file.write(text.encode()))
 
 
 def _judge(load: Load) -> list[Any]:

@@ -1,19 +1,18 @@
 """Tries a group's mutants: judged anew, tested, solved anew; every outcome is kept at once."""
 
-import time
 from collections import deque
 from dataclasses import dataclass, field
 from functools import partial
 
 from verify.audit.mutation import trial
 from verify.audit.mutation.groups import Group
-from verify.audit.mutation.outcomes import By, Outcome, Store
-from verify.audit.mutation.sandbox import LATE, Answer, Task, answers
-from verify.core.progress import Show, State
+from verify.audit.mutation.outcomes import By, Outcome, Outcomes
+from verify.audit.mutation.sandbox import LATE, Answer, Task, forks, perform
+from verify.core.progress import Show
+from verify.jobs.dispatch import Dispatch, queue
 
 TESTS = 200.0  # s for the tests of one mutant, which took AT_MOST unchanged
 JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
-EXPECTED = 4.0  # s for a mutant before anything is known
 
 
 @dataclass
@@ -21,7 +20,7 @@ class Campaign:
     """One group under way; `stages` is how far each mutant has come that nothing noticed yet."""
 
     group: Group
-    store: Store
+    outcomes: Outcomes
     jobs: int
     show: Show = lambda _state: None
     waiting: deque[Task] = field(default_factory=deque)
@@ -31,17 +30,21 @@ class Campaign:
     def run(self) -> None:
         """Try every chosen mutant that has no outcome yet."""
         self.mutants = {one.mutant.id: one for one in self.group.chosen}
-        missing = [key for key in self.mutants if key not in self.store.found]
+        missing = [key for key in self.mutants if key not in self.outcomes.found]
         self.waiting += [self.group.trial(self.mutants[key]) for key in missing]
-        self.start, self.total, self.done = time.monotonic(), len(missing), 0
-        self._tell("")
-        for answer in answers(self.waiting, self.jobs):
-            key = str(answer.key)
-            self.spent[key] = self.spent.get(key, 0.0) + answer.seconds
-            if (outcome := self._outcome(key, answer)) is not None:
-                self.store.add(outcome)
-                self.done += 1
-            self._tell(key)
+        total = len(self.mutants)
+        Dispatch(
+            f"mutants of {self.group.name}", total, total - len(missing), self.show,
+            title=lambda task: str(task.key),
+        ).run(forks(self.jobs), perform, queue(self.waiting), self._receive)  # fmt: skip
+
+    def _receive(self, task: Task, answer: Answer) -> int:
+        key = str(task.key)
+        self.spent[key] = self.spent.get(key, 0.0) + answer.seconds
+        if (outcome := self._outcome(key, answer)) is None:
+            return 0
+        self.outcomes.add(outcome)
+        return 1
 
     def _outcome(self, key: str, answer: Answer) -> Outcome | None:
         """The mutant's fate; None where tests are still to come."""
@@ -67,9 +70,3 @@ class Campaign:
             if tests := self.group.tests(changed):
                 return Task(key, partial(trial.tested, changed, tests), TESTS)
         return None
-
-    def _tell(self, key: str) -> None:
-        elapsed = time.monotonic() - self.start
-        each = elapsed / self.done if self.done > 5 else EXPECTED / self.jobs
-        left = each * (self.total - self.done)
-        self.show(State(self.done, self.total, (key,), left, what=f"mutants of {self.group.name}"))

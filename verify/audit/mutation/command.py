@@ -3,19 +3,19 @@
 import os
 import time
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from verify.audit.mutation import groups, references, score
-from verify.audit.mutation.baseline import FOLDER, Notes
+from verify.audit.mutation.baseline import Notes
 from verify.audit.mutation.campaign import Campaign
 from verify.audit.mutation.console import told
 from verify.audit.mutation.digest import digest
-from verify.audit.mutation.outcomes import Store
-from verify.audit.mutation.workload import Load, loads
+from verify.audit.mutation.outcomes import Outcomes
+from verify.audit.mutation.workload import loads
 from verify.cases.registry import CASES
 from verify.core.inputs import InputError
 from verify.core.progress import Show, State, shown
+from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.executor import Where
 
@@ -28,19 +28,19 @@ def run_mutants(*, whole: bool, seed: int, jobs: int, only: Sequence[str]) -> in
     jobs = jobs or os.cpu_count() or 1
     names = [name for name in (score.REFERENCES, *groups.MAKE) if not only or name in only]
     mutated = [name for name in names if name in groups.MAKE]
-    code, folder = digest(), cache.default_folder() / FOLDER
-    store = Store(folder / f"{code}.jsonl")
+    code, store = digest(), Store(cache.default_folder())
+    outcomes = Outcomes(store, code)
     found: dict[str, Any] = {}
-    try:
-        with shown(quiet=False) as show:
-            if score.REFERENCES in names:
-                found[score.REFERENCES] = _references(show)
-            every = loads(CASES, cache.default_folder()) if mutated else []
-            for name in mutated:
-                found[name] = _measured(name, every, folder, store, whole, seed, jobs, show)
-    except KeyboardInterrupt:
-        kept = len(store.found)
-        raise KeyboardInterrupt(f"interrupted; {kept} mutants are kept for the next run") from None
+    with shown(quiet=False) as show:
+        if score.REFERENCES in names:
+            found[score.REFERENCES] = _references(show)
+        every = loads(CASES, cache.default_folder()) if mutated else []
+        notes = Notes(store, jobs, show)
+        for name in mutated:
+            start = time.monotonic()
+            group = groups.MAKE[name](every, notes, seed, whole=whole)
+            Campaign(group, outcomes, jobs, show).run()
+            found[name] = score.scored(group, outcomes.found, time.monotonic() - start)
     return _concluded(found, code, is_kept=seed == SEED)
 
 
@@ -52,17 +52,6 @@ def _references(show: Show) -> Any:
         show(State(done, every, (case,) * bool(case), left, what="references moved, cases"))
 
     return references.measured(CASES, cache.default_folder(), show=told)
-
-
-def _measured(
-    name: str, every: Sequence[Load], folder: Path, store: Store, whole: bool, seed: int,
-    jobs: int, show: Show,
-) -> Any:  # fmt: skip
-    start = time.monotonic()
-    notes = Notes(folder, jobs, show)
-    group = groups.MAKE[name](every, notes, seed, whole=whole)
-    Campaign(group, store, jobs, show).run()
-    return score.scored(group, store.found, time.monotonic() - start)
 
 
 def _concluded(found: dict[str, Any], code: str, *, is_kept: bool) -> int:

@@ -1,11 +1,14 @@
-"""What became of each mutant, kept as it comes: an interrupted run goes on where it was."""
+"""What became of each mutant, stored as it comes: an interrupted run continues where it was."""
 
 import json
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from enum import StrEnum
-from pathlib import Path
+
+from verify.core.store import Store
+
+KIND = "mutant"  # of entries: their subject is the code
 
 
 class By(StrEnum):
@@ -33,24 +36,21 @@ class Outcome:
     seconds: float
 
 
-class Store:
-    """Outcomes as lines of a file, each written whole before the next mutant counts as done."""
+class Outcomes:
+    """The outcomes of the mutants of one `code`, each stored before the next counts as done."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def __init__(self, store: Store, code: str) -> None:
+        self.store, self.code = store, code
         self.found = {outcome.id: outcome for outcome in self._read()}
 
     def _read(self) -> Iterator[Outcome]:
-        with suppress(OSError):
-            for line in self.path.read_text("utf-8").splitlines():
-                with suppress(ValueError, TypeError):  # a line that a killed run left half
-                    data = json.loads(line)
-                    yield Outcome(**{**data, "by": By(data["by"])})
+        for content in self.store.all(KIND, self.code).values():
+            with suppress(ValueError, LookupError, TypeError):  # of another version
+                data = json.loads(content)
+                yield Outcome(**{**data, "by": By(data["by"])})
 
     def add(self, outcome: Outcome) -> None:
-        """Keep an outcome; OSError where there is no room."""
+        """Store an outcome; OSError where there is no room."""
         self.found[outcome.id] = outcome
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        with self.path.open("a", encoding="utf-8") as file:
-            # a new line first: what a killed run left half stands alone
-            file.write("\n" + json.dumps(asdict(outcome), ensure_ascii=False))
+        content = json.dumps(asdict(outcome), ensure_ascii=False).encode()
+        self.store.store(KIND, self.code, {f"{self.code} {outcome.id}": content})

@@ -1,4 +1,4 @@
-"""Work in forked children: what the parent has loaded is there at once, and nothing comes back.
+"""An engine of forked children: they have what the parent has loaded, and change nothing of it.
 
 A child answers with a JSON value through a pipe. It is ended when its time is over, when it takes
 too much memory, and when the parent is stopped.
@@ -12,11 +12,13 @@ import selectors
 import signal
 import sys
 import time
-from collections import deque
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Collection, Hashable, Iterator
+from concurrent.futures import Executor, Future
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
+from verify.jobs.engine import Engine
 from verify.jobs.guard import named
 
 MEMORY = 6 * 2**30  # bytes that a child may have: a size mistaken fills no machine
@@ -43,64 +45,78 @@ class Answer:
     seconds: float
 
 
+@contextmanager
+def forks(jobs: int) -> Iterator[Engine]:
+    """An engine of `jobs` children at a time, each forked for one task; ends them at its end."""
+    executor = Forks()
+    try:
+        yield Engine(executor, lambda: jobs, deadly=(), wait=executor.wait)
+    finally:
+        executor.shutdown()
+
+
+def perform(task: Task) -> Any:
+    """What a child does."""
+    return task.work()
+
+
 @dataclass
 class _Child:
     task: Task
     pid: int
     start: float
+    future: Future[Answer]
     read: bytearray = field(default_factory=bytearray)
 
 
-def answers(waiting: deque[Task], jobs: int) -> Iterator[Answer]:
-    """The answers of all tasks as they come, `jobs` children at a time.
+class Forks(Executor):
+    """Futures of the answers of forked children, read in `wait`: a thread would be forked too."""
 
-    Tasks are taken from the left of `waiting`, which may get more with an answer.
-    """
-    with contextlib.closing(selectors.DefaultSelector()) as selector:
-        children: dict[int, _Child] = {}
-        try:
-            while True:
-                while waiting and len(children) < jobs:
-                    pipe = _start(waiting.popleft(), children)
-                    selector.register(pipe, selectors.EVENT_READ)
-                if not children:
-                    return
-                yield from _step(selector, children)
-        finally:
-            for child in children.values():
-                _end(child.pid)
+    def __init__(self) -> None:
+        self.selector = selectors.DefaultSelector()
+        self.children: dict[int, _Child] = {}
 
+    def submit(self, function: Callable[..., Any], /, *args: Any, **_: Any) -> Future[Any]:
+        """Fork a child that calls `function` with its one argument, a Task."""
+        (task,) = args
+        pipe, pid = _start(task, function)
+        future: Future[Answer] = Future()
+        self.children[pipe] = _Child(task, pid, time.monotonic(), future)
+        self.selector.register(pipe, selectors.EVENT_READ)
+        return future
 
-def _step(selector: selectors.BaseSelector, children: dict[int, _Child]) -> Iterator[Answer]:
-    """Read what is there, and answer for children that are done or late."""
-    for ready, _ in selector.select(timeout=0.2):
-        child = children[ready.fd]
-        piece = os.read(ready.fd, 1 << 16)
-        if piece:
-            child.read += piece
-        else:
-            yield _ended(selector, children, ready.fd, "")
-    now = time.monotonic()
-    for pipe, child in list(children.items()):
-        if now - child.start > child.task.limit:
-            yield _ended(selector, children, pipe, LATE)
+    def wait(self, futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:
+        """The futures of children that are done or late, after some seconds at most."""
+        for ready, _ in self.selector.select(timeout=seconds):
+            if piece := os.read(ready.fd, 1 << 16):
+                self.children[ready.fd].read += piece
+            else:
+                self._conclude(ready.fd, "")
+        now = time.monotonic()
+        for pipe, child in list(self.children.items()):
+            if now - child.start > child.task.limit:
+                self._conclude(pipe, LATE)
+        return [future for future in futures if future.done()]
 
+    def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:  # noqa: ARG002
+        """End all children."""
+        for pipe in list(self.children):
+            self._conclude(pipe, LATE)
+        self.selector.close()
 
-def _ended(
-    selector: selectors.BaseSelector, children: dict[int, _Child], pipe: int, failure: str
-) -> Answer:
-    child = children.pop(pipe)
-    selector.unregister(pipe)
-    os.close(pipe)
-    _end(child.pid)
-    seconds = time.monotonic() - child.start
-    if failure:
-        return Answer(child.task.key, None, failure, seconds)
-    try:
-        value, raised = json.loads(child.read)
-    except ValueError:  # ended by a signal, or out of memory
-        value, raised = None, "the process died"
-    return Answer(child.task.key, value, raised, seconds)
+    def _conclude(self, pipe: int, failure: str) -> None:
+        child = self.children.pop(pipe)
+        self.selector.unregister(pipe)
+        os.close(pipe)
+        _end(child.pid)
+        value = None
+        if not failure:
+            try:
+                value, failure = json.loads(child.read)
+            except ValueError:  # ended by a signal, or out of memory
+                failure = "the process died"
+        seconds = time.monotonic() - child.start
+        child.future.set_result(Answer(child.task.key, value, failure, seconds))
 
 
 def _end(pid: int) -> None:
@@ -112,29 +128,28 @@ def _end(pid: int) -> None:
         os.waitpid(pid, 0)
 
 
-def _start(task: Task, children: dict[int, _Child]) -> int:
-    """Fork a child for the task; the end of the pipe that it answers through."""
+def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
+    """Fork a child for the task; the end of the pipe that it answers through, and its number."""
     out, into = os.pipe()
     sys.stdout.flush()
     sys.stderr.flush()
     pid = os.fork()
     if pid == 0:
         os.close(out)
-        _work(task, into)
+        _work(task, function, into)
     os.close(into)
-    children[out] = _Child(task, pid, time.monotonic())
-    return out
+    return out, pid
 
 
-def _told(work: Callable[[], Any]) -> tuple[Any, str]:
-    """What the work returns, and in words what it raises."""
+def _outcome(task: Task, function: Callable[[Task], Any]) -> tuple[Any, str]:
+    """What the function returns for the task, and in words what it raises."""
     try:
-        return work(), ""
+        return function(task), ""
     except Exception as error:
         return None, named(error)
 
 
-def _work(task: Task, into: int) -> None:
+def _work(task: Task, function: Callable[[Task], Any], into: int) -> None:
     """What the child does; it never returns."""
     status = 1
     try:
@@ -147,7 +162,7 @@ def _work(task: Task, into: int) -> None:
         nowhere = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(nowhere, stream)
-        text = json.dumps(_told(task.work)).encode()
+        text = json.dumps(_outcome(task, function)).encode()
         with os.fdopen(into, "wb") as pipe:
             pipe.write(text)
         status = 0

@@ -1,18 +1,17 @@
 """Measure the budgets of cases: every step solved where it is said, each kept as it is there."""
 
-import time
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from collections import deque
+from collections.abc import Sequence
 from functools import cache as memoised
 
 from verify.core.case import Case
 from verify.core.environment import require_gmsh
 from verify.core.inputs import InputError
-from verify.core.progress import Show, State
+from verify.core.progress import Show
 from verify.core.suggestions import nearest
 from verify.jobs import cache
-from verify.jobs.engine import Engine, GoneError
-from verify.jobs.executor import Drive, Lost, Where
+from verify.jobs.dispatch import Dispatch, queue
+from verify.jobs.executor import Lost, Where
 from verify.judging.budget_statement import Statement
 from verify.studies.budget import store as kept
 from verify.studies.budget.corrected import budgets
@@ -21,6 +20,7 @@ from verify.studies.budget.plan import LOOSE, TIGHT, Plan, Step, first, rows, to
 from verify.studies.budget.solve import Solution, solved
 
 NAME = "budget"
+MOST_ROUNDS = 2  # of further steps of a case
 
 
 @memoised
@@ -68,47 +68,52 @@ def measure(
         return True
     if not where.scheduler:
         require_gmsh()
-    run = _Run(show, {})
-    try:
-        with where.entered() as engine:
-            return run.work(engine, todo)
-    except KeyboardInterrupt:
-        raise KeyboardInterrupt(f"interrupted; {run}") from None
-    except GoneError as error:
-        raise GoneError(f"{error}; {run}") from error
+    run = _Run(todo, show)
+    run.solve(where)
+    return run.is_solved
 
 
-@dataclass
 class _Run:
-    show: Show
-    solutions: dict[Step, Solution]
-    total: int = 0
-    seconds: float = 0.0
-    start: float = field(default_factory=time.monotonic)
+    """The steps of all plans; each case's budgets are kept as soon as its steps are there."""
 
-    def work(self, engine: Engine, plans: Sequence[Plan]) -> bool:
-        """All plans, each kept as soon as its steps are there."""
-        waiting = {plan.case.id: set(first(plan)) for plan in plans}
-        steps = [step for plan in plans for step in first(plan)]
-        rounds = {plan.case.id: 0 for plan in plans}
-        good = True
-        while steps:
-            following: list[Step] = []
-            for done in self._solve(engine, steps):
-                left = waiting[done.case]
-                left.discard(done)
-                if left:
-                    continue
-                plan = plan_of(done.case)
-                more = self._more(plan) if rounds[done.case] < 2 else set()
-                rounds[done.case] += 1
-                if more:
-                    waiting[done.case] = more
-                    following += more
-                else:
-                    good &= self._finish(plan)
-            steps = following
-        return good
+    def __init__(self, plans: Sequence[Plan], show: Show) -> None:
+        self.solutions: dict[Step, Solution] = {}
+        self.is_solved = True
+        self.rounds = {plan.case.id: 0 for plan in plans}
+        self.open = {plan.case.id: set(first(plan)) for plan in plans}
+        self.waiting = deque(step for plan in plans for step in first(plan))
+        self.dispatch = Dispatch(
+            "reruns", len(self.waiting), show=show, title=lambda step: step.title
+        )
+
+    def solve(self, where: Where) -> None:
+        """Solve all steps, and those that answers ask for."""
+        self.dispatch.run(
+            where.entered(), solve_step,
+            queue(self.waiting), self._receive,
+        )  # fmt: skip
+
+    def _receive(self, step: Step, answer: Solution | Lost) -> int:
+        if isinstance(answer, Lost):
+            answer = Solution({}, {}, {}, 0.0, 0.0, answer.reason)
+        self.solutions[step] = answer
+        left = self.open[step.case]
+        left.discard(step)
+        if not left:
+            self._continue(plan_of(step.case))
+        return 1
+
+    def _continue(self, plan: Plan) -> None:
+        """Ask for further steps of a case, twice at most, or keep its budgets."""
+        case = plan.case.id
+        more = self._more(plan) if self.rounds[case] < MOST_ROUNDS else set()
+        self.rounds[case] += 1
+        if not more:
+            self._finish(plan)
+            return
+        self.open[case] = more
+        self.waiting += sorted(more, key=lambda step: step.title)
+        self.dispatch.total += len(more)
 
     def _more(self, plan: Plan) -> set[Step]:
         """What the solutions so far ask for: looser tolerances, and pairs of large causes."""
@@ -121,7 +126,7 @@ class _Run:
         wanted += together(plan, large)
         return {step for step in wanted if step not in mine}
 
-    def _finish(self, plan: Plan) -> bool:
+    def _finish(self, plan: Plan) -> None:
         mine = self.of(plan)
         found = budgets(plan, mine)
         spent = sum(one.seconds for one in mine.values())
@@ -130,33 +135,11 @@ class _Run:
         print(f"{NAME}:{plan.case.id}: {said(found)}, {len(mine)} solutions of {spent:.0f} s")
         for title, problem in bad.items():
             print(f"{NAME}:{plan.case.id}: not solved: {title}: {problem}")
-        return not any(LOOSE in title or TIGHT not in title for title in bad)
+        self.is_solved &= not any(LOOSE in title or TIGHT not in title for title in bad)
 
     def of(self, plan: Plan) -> Solutions:
         """The solutions of one case."""
         return {step: one for step, one in self.solutions.items() if step.case == plan.case.id}
-
-    def _solve(self, engine: Engine, steps: Sequence[Step]) -> Iterable[Step]:
-        self.total += len(steps)
-        drive = Drive(engine, solve_step)
-        for event in drive.answers(iter(steps)):
-            if event is not None:
-                step, answer = event
-                if isinstance(answer, Lost):
-                    answer = Solution({}, {}, {}, 0.0, 0.0, answer.reason)
-                self.solutions[step] = answer
-                self.seconds += answer.seconds
-                yield step
-            self.show(self._state(drive))
-
-    def _state(self, drive: Drive) -> State:
-        done = len(self.solutions)
-        pace = (time.monotonic() - self.start) / done if done else 0.0
-        running = tuple(step.title for step, _ in drive.running.values())
-        return State(done, self.total, running, pace * (self.total - done), what="reruns")
-
-    def __str__(self) -> str:
-        return f"{len(self.solutions)} of {self.total} reruns are kept: the same command goes on"
 
 
 def solve_step(step: Step) -> Solution:

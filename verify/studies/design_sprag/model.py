@@ -5,8 +5,7 @@ are found by slices and by strips on a half-space.
 """
 
 import json
-import time
-from collections.abc import Callable
+from collections import deque
 from contextlib import suppress
 from hashlib import sha256
 from importlib.metadata import version
@@ -21,9 +20,11 @@ from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import CHUNK, Crown, NoLockError, Task, some_fem, with_crown
 from verify.core import source_code
 from verify.core.figures import Array
+from verify.core.progress import Show
 from verify.core.store import Store, packed, unpacked
 from verify.jobs import cache
-from verify.jobs.executor import Drive, Lost, local
+from verify.jobs.dispatch import Dispatch, queue
+from verify.jobs.executor import Lost, local
 from verify.studies.design_sprag.known import Known
 
 KIND, CASE = "engagement", "design-sprag"  # of stored chunks
@@ -32,7 +33,6 @@ FEWEST, MOST = 41, 401
 TOLERANCE = 1e-8  # of the strips
 SAME = 1e-7  # relative change of a crown's numbers that makes no other crown
 
-Tell = Callable[[int, int, float], None]  # done, of all, seconds left
 One = tuple[Array, Array]  # N_max (m,) and pressures (m, slices) of a crown
 
 
@@ -41,11 +41,10 @@ class Model:
 
     def __init__(
         self, q: EngagementInputs, torques: tuple[float, ...], middle: Crown, *, jobs: int,
-        tell: Tell, folder: Path | None = None,
+        show: Show = lambda _state: None, folder: Path | None = None,
     ) -> None:  # fmt: skip
-        self.q, self.torques, self.jobs, self.tell = q, torques, jobs, tell
+        self.q, self.torques, self.jobs, self.show = q, torques, jobs, show
         self.store = Store(folder or cache.default_folder())
-        self.engaged: set[Crown] = set()
         self.one: Built = built(with_crown(q, middle))
         self.Q = float(with_crown(q, None).Q or 0)
         first = self._engaged(np.array([middle]))
@@ -108,31 +107,28 @@ class Model:
         whole: list[Task] = [(self.q, self.torques, task, "slices") for task in tasks]
         found = {task[2]: one for task in whole if (one := load(self.store, task))}
         missing = {task[2]: task for task in whole if task[2] not in found}
-        alone, kept = self.jobs == 1 or len(missing) < 2, len(found)
-        start = time.monotonic()
-        try:
-            with local(0 if alone else min(self.jobs, len(missing))) as engine:
-                for said in Drive(engine, some_fem).answers(missing.values()):
-                    made = len(found) - kept
-                    left = (len(missing) - made) * (time.monotonic() - start) / max(made, 1)
-                    if len(whole) > 1 and made:
-                        self.tell(sum(map(len, found.values())), len(crowns), left)
-                    if said is None:
-                        continue
-                    task, answer = said
-                    if isinstance(answer, Lost):
-                        raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
-                    if isinstance(answer, str):
-                        raise NoLockError(answer)
-                    found[task[2]] = answer
-                    keep(self.store, task, answer)
-        except KeyboardInterrupt as stop:
-            done = self.engaged.union(*found)
-            raise KeyboardInterrupt(
-                f"interrupted: {len(done)} crowns are kept, the same command goes on"
-            ) from stop
-        self.engaged.update(*tasks)
+        waiting = deque(missing.values())
+        processes = 0 if self.jobs == 1 or len(missing) < 2 else min(self.jobs, len(missing))
+        known = sum(map(len, found))
+
+        def receive(task: Task, answer: list[One] | str | Lost) -> int:
+            found[task[2]] = engagements(answer)
+            keep(self.store, task, found[task[2]])
+            return len(task[2])
+
+        show = self.show if len(whole) > 1 else (lambda _state: None)
+        dispatch = Dispatch("crowns", len(crowns), known, show, title=lambda _task: "engagements")
+        dispatch.run(local(processes), some_fem, queue(waiting), receive)
         return [one for task in tasks for one in found[task]]
+
+
+def engagements(answer: list[One] | str | Lost) -> list[One]:
+    """The crowns' forces and pressures in an answer of `some_fem`, or an error as it says."""
+    if isinstance(answer, Lost):
+        raise ArithmeticError(f"an engagement had no answer: {answer.reason}")
+    if isinstance(answer, str):
+        raise NoLockError(answer)
+    return answer
 
 
 def key(task: Task) -> str:

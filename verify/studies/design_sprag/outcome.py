@@ -114,24 +114,19 @@ def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> O
     """
     try:
         with progress.shown(quiet=quiet) as show:
-
-            def tell(done: int, total: int, left: float) -> None:
-                show(progress.State(done, total, ("crowns",), left, "engagements with"))
-
-            return _carried_out(task, tell, use_half_space)
+            return _carried_out(task, show, use_half_space)
     except NoLockError as error:
         raise InputError(f"{where}: inputs: {unable(task) or error}") from error
     except ArithmeticError as error:
         raise InputError(f"{where}: not solved, no crown can be chosen: {error}") from error
 
 
-def _carried_out(task: Task, tell: object, use_half_space: bool) -> Outcome:
-    assert callable(tell)
+def _carried_out(task: Task, show: progress.Show, use_half_space: bool) -> Outcome:
     low, high = (logs(end[None]) for end in reach(task))
     middle = crowns_of((low + high) / 2)[0]
     model = Model(
         task.clutch, task.torques, (float(middle[0]), float(middle[1]), float(middle[2])),
-        jobs=min(MOST_JOBS, os.cpu_count() or 1), tell=tell,
+        jobs=min(MOST_JOBS, os.cpu_count() or 1), show=show,
     )  # fmt: skip
     search = Search(task, model, LEVELS)
     search.prepare()

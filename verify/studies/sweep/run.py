@@ -2,19 +2,20 @@
 
 import time
 from collections import deque
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
 
 from verify.core.case import Portion
 from verify.core.environment import require_gmsh
 from verify.core.inputs import InputError, Inputs
-from verify.core.progress import Show, State
+from verify.core.progress import Show
 from verify.core.store import Store
 from verify.jobs import cache
-from verify.jobs.engine import Engine, GoneError
-from verify.jobs.executor import Drive, Lost, Where
+from verify.jobs.dispatch import Dispatch
+from verify.jobs.engine import GoneError
+from verify.jobs.executor import Lost, Where
 from verify.studies.sweep.axes import changed
 from verify.studies.sweep.pairs import portion
 from verify.studies.sweep.plan import Plan
@@ -83,19 +84,12 @@ def solve(
     if todo:
         if not where.scheduler:  # its workers say themselves what they lack
             require_gmsh()
-        run = _Run(points, show, known=timing.known, total=len(todo))
+        run = _Batches(points, show, known=timing.known, todo=todo)
         start = time.monotonic()
-        try:
-            with where.entered() as engine:
-                run.work(engine, todo)
-                workers = engine.workers()
-        except KeyboardInterrupt:
-            raise KeyboardInterrupt(f"interrupted; {run.kept()}") from None
-        except GoneError as error:
-            raise GoneError(f"{error}; {run.kept()}") from error
+        run.solve(where)
         timing = replace(
             timing, points=len(todo), wall=time.monotonic() - start, busy=run.busy,
-            workers=min(workers, len(todo)),
+            workers=min(run.workers, len(todo)),
         )  # fmt: skip
     inputs = tuple(points.inputs.get(key) for key in points.keys)
     return Solved(plan, part, inputs, points.solutions(), timing)
@@ -170,66 +164,51 @@ def _without_problems(one: Solution) -> Solution:
     return replace(one, problem_formulas="", problem_fe="")
 
 
-@dataclass
-class _Run:
-    """One round of work: what was done, how long points take, and how many go together."""
+class _Batches:
+    """Points go to the engine in batches: how long points take says how many go together."""
 
-    points: _Points
-    show: Show
-    known: int
-    done: int = 0
-    total: int = 0
-    busy: float = 0.0
-    pace: float = 0.0  # s a point of the last batch: the first ones import what they need
-    workers: int = 1
-    waiting: deque[Task] = field(default_factory=deque)
-
-    def work(self, engine: Engine, todo: Sequence[Task]) -> None:
-        """Solve all; GoneError where the engine's processes cannot, as with other code."""
-        self.waiting.extend(todo)
-        drive = Drive(engine, solve_batch, split=lambda batch: [(task,) for task in batch])
-        for event in drive.answers(self._batches(engine)):
-            if event is not None:
-                self._keep(*event)
-            self.show(self._state(drive))
-
-    def kept(self) -> str:
-        """What an interrupted round leaves, in words."""
-        return (
-            f"{self.done + self.known} of {self.total + self.known} points are kept: the same "
-            "command goes on"
+    def __init__(self, points: _Points, show: Show, *, known: int, todo: Sequence[Task]) -> None:
+        self.points = points
+        self.waiting = deque(todo)
+        self.busy = self.pace = (
+            0.0  # s; a point of the last batch: first ones import what they need
         )
+        self.workers = 1
+        self.dispatch = Dispatch(
+            "points", known + len(todo), known, show,
+            title=lambda batch: f"{len(batch)} under way",
+            split=lambda batch: [(task,) for task in batch],
+        )  # fmt: skip
 
-    def _batches(self, engine: Engine) -> Iterator[tuple[Task, ...]]:
-        while self.waiting:
-            self.workers = engine.workers()
-            size = self._size(self.workers)
-            yield tuple(self.waiting.popleft() for _ in range(min(size, len(self.waiting))))
+    def solve(self, where: Where) -> None:
+        """Solve all; GoneError where the engine's processes cannot, as with other code."""
+        self.dispatch.run(where.entered(), solve_batch, self._take, self._receive)
 
-    def _size(self, workers: int) -> int:
+    def _take(self) -> tuple[Task, ...] | None:
+        if not self.waiting:
+            return None
+        self.workers = self.dispatch.workers
+        size = min(self._size(), len(self.waiting))
+        return tuple(self.waiting.popleft() for _ in range(size))
+
+    def _size(self) -> int:
         """Points that take about BATCH together; single ones until it is known, and at the end."""
-        if not self.done:
+        if not self.busy:
             return 1
-        fair = len(self.waiting) // (4 * workers)
-        seconds = max(BATCH, workers / ANSWERED)
+        fair = len(self.waiting) // (4 * self.workers)
+        seconds = max(BATCH, self.workers / ANSWERED)
         return max(1, min(MOST, int(seconds / max(self.pace, 1e-6)), fair))
 
-    def _keep(self, batch: tuple[Task, ...], answer: list[Solution] | Lost) -> None:
+    def _receive(self, batch: tuple[Task, ...], answer: list[Solution] | Lost) -> int:
         if isinstance(answer, Lost):
-            if answer.trace:  # what goes wrong in a point is told in its solution
+            if answer.trace:  # what goes wrong in a point is stated in its solution
                 raise GoneError(f"the workers cannot solve points here: {answer.reason}")
             answer = [_lost(task, answer) for task in batch]
         self.points.keep(batch, answer)
-        self.done += len(batch)
-        busy = sum(one.seconds for one in answer)
-        self.busy += busy
-        self.pace = busy / len(batch)
-
-    def _state(self, drive: Drive) -> State:
-        left = (self.total - self.done) * self.pace / self.workers
-        under_way = sum(len(batch) for batch, _ in drive.running.values())
-        names = (f"{under_way} under way",) if under_way and self.done else ()
-        return State(self.known + self.done, self.known + self.total, names, left, what="points")
+        seconds = sum(one.seconds for one in answer)
+        self.busy += seconds
+        self.pace = seconds / len(batch)
+        return len(batch)
 
 
 def _lost(task: Task, lost: Lost) -> Solution:

@@ -1,0 +1,111 @@
+"""One dispatcher for all studies: tasks on an engine, progress, and a clean end when stopped.
+
+A study hands over its tasks and takes each answer as it comes, which it stores at once. What an
+interrupted run has stored is found by the next one: it continues with the others.
+"""
+
+import time
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from typing import Any
+
+from verify.core.progress import Show, State
+from verify.jobs.engine import Engine, GoneError
+from verify.jobs.executor import Drive, Split
+
+
+@dataclass
+class Dispatch:
+    """A run whose `total` results are called `what`; `done` of them are there, `known` before it.
+
+    A study changes `total` where answers ask for further tasks, and `is_stored` where the store
+    takes no more. `title` names a task under way; `remaining` estimates the seconds left, by
+    default from the pace of this run.
+    """
+
+    what: str
+    total: int = 0
+    known: int = 0
+    show: Show = lambda _state: None
+    title: Callable[[Any], str] = str
+    remaining: Callable[["Dispatch"], float] = lambda dispatch: dispatch.at_pace()
+    split: Split = lambda task: (task,)
+    is_stored: bool = True
+    done: int = field(init=False)
+    start: float = field(init=False)
+    drive: Drive = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.done, self.start = self.known, time.monotonic()
+
+    def run(
+        self,
+        engine: AbstractContextManager[Engine],
+        function: Callable[[Any], Any],
+        take: Callable[[], Any],
+        receive: Callable[[Any, Any], int],
+    ) -> None:
+        """Do every task that `take` returns until it has none (None) and no answer adds one.
+
+        `receive` takes a task and its answer, `Lost` where there is none, and returns how many
+        results are there with it. KeyboardInterrupt and GoneError say what is stored.
+        """
+        try:
+            with engine as entered:
+                self.drive = Drive(entered, function, self.split, lambda: self.show(self.state()))
+                for event in self.drive.answers(_Waiting(take)):
+                    if event is not None:
+                        self.done += receive(*event)
+                    self.show(self.state())
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(f"interrupted; {self}") from None
+        except GoneError as error:
+            raise GoneError(f"{error}; {self}") from error
+
+    @property
+    def workers(self) -> int:
+        """Tasks that are done at a time."""
+        return self.drive.engine.workers()
+
+    @property
+    def under_way(self) -> list[tuple[Any, float]]:
+        """The tasks that are being done, and since when [s, of `time.monotonic`]."""
+        return list(self.drive.running.values())
+
+    def at_pace(self) -> float:
+        """Seconds left at the mean pace of this run."""
+        made = self.done - self.known
+        return (time.monotonic() - self.start) / made * (self.total - self.done) if made else 0.0
+
+    def state(self) -> State:
+        """How far the run is."""
+        names = tuple(self.title(task) for task, _ in self.under_way)
+        return State(self.done, self.total, names, self.remaining(self), what=self.what)
+
+    def __str__(self) -> str:
+        done = f"{self.done} of {self.total} {self.what} are"
+        if self.is_stored:
+            return f"{done} stored: the same command continues with the others"
+        return f"{done} done, and not stored"
+
+
+def queue(waiting: deque[Any]) -> Callable[[], Any]:
+    """What `Dispatch.run` takes tasks by: the first of those that wait, None where none does."""
+    return lambda: waiting.popleft() if waiting else None
+
+
+class _Waiting:
+    """Tasks as they are taken: an end is no end where an answer adds further ones."""
+
+    def __init__(self, take: Callable[[], Any]) -> None:
+        self.take = take
+
+    def __iter__(self) -> Iterator[Any]:
+        return self
+
+    def __next__(self) -> Any:
+        if (task := self.take()) is None:
+            raise StopIteration
+        return task
