@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from reports.sweep import page as drawn
+from reports.sweep import page as page_html
 from verify.app.sweep.page import page
 from verify.cases.registry import CASES, find
 from verify.studies.sweep import plan as plans
@@ -69,7 +69,7 @@ def test_the_head_counts_points_and_tells_why_some_have_no_answer(of_two):
     assert [t.number for t in value.tiles] == ["70", "67", "2", "1", "1"]
     assert value.problems == ["2 points: z and so on 5 mm",
                               "1 point: not converged: level 2: many steps"]  # fmt: skip
-    html = text(drawn(value))
+    html = text(page_html(value))
     assert "my ring" in html
     assert COMMAND in html
     assert "2, in the file" not in html
@@ -138,7 +138,7 @@ def test_three_axes_give_cuts_and_the_worst_over_the_third():
     assert over_fillet[0, 0] == pytest.approx(-0.03 + 0.01 + 0.03)
     assert [m.title for m in cuts.maps] == ["z = 3", "z = 6", "z = 9", "z = 12"]
     assert cuts.maps[1].error == pytest.approx(np.add.outer([0.01, 0.02, 0.03], [0.01, 0.03]))
-    assert "Cuts" in drawn(value)
+    assert "Cuts" in page_html(value)
 
 
 def test_many_cuts_are_chosen_evenly_and_it_says_so():
@@ -167,7 +167,7 @@ def test_a_sample_tells_how_the_error_scatters_and_through_what():
     assert np.abs(error_values).max() < 1.65
     x, y = formula.figures[-1].curves[0].x, formula.figures[-1].curves[0].y
     assert np.corrcoef(x, y)[0, 1] > 0.98
-    html = drawn(page(found, COMMAND))
+    html = page_html(page(found, COMMAND))
     assert "sensitivity.csv" in html
     assert "nan" not in text(html).lower()
 
@@ -186,11 +186,11 @@ def test_maps_mark_the_inputs_of_the_file_where_all_of_them_match():
     vary = ["z=3:12:4", "delta_1=2:6mm:3", "rho=1:3mm:2"]
     value = page(swept(vary, over_z), COMMAND)
     worst, cuts = value.formulas[0].panels
-    assert "inputs of the file" in drawn(value)
+    assert "inputs of the file" in page_html(value)
     assert [m.nominal is None for m in cuts.maps] == [True, False, True, True]  # z = 6
     assert all(m.nominal is None for m in worst.maps)  # of whatever value is worst
     without = page(swept(["z=3,12", *vary[1:]], over_z), COMMAND)
-    assert "inputs of the file" not in drawn(without)
+    assert "inputs of the file" not in page_html(without)
 
 
 def test_the_value_in_the_file_has_its_unit_and_is_said_to_be_outside():
@@ -247,7 +247,7 @@ def test_limits_are_told_of_in_a_histogram_that_shows_one():
 
 
 def test_small_screens_and_print_lose_nothing(of_two):
-    html = drawn(of_two[1])
+    html = page_html(of_two[1])
     assert '<td data-label="largest error">' in html
     assert "or take the PDF" not in html.split("@media print")[-1].split("</style>")[0]
     assert "pre { white-space: pre-wrap" in html
@@ -260,7 +260,7 @@ def test_the_worst_row_comes_first_and_alone_is_open():
     value = page(found, COMMAND)
     assert [f.opened for f in value.formulas] == [True, False]
     assert [row[0] for row in value.overview.rows] == [f.name for f in value.formulas]
-    html = drawn(value)
+    html = page_html(value)
     for f in value.formulas:
         assert f'<a href="#{f.anchor}">' in html
         assert html.count(f'id="{f.anchor}"') == 1
@@ -272,7 +272,7 @@ def test_an_exact_formula_looks_exact():
     value = page(found, COMMAND)
     bound = "all within 0.0002 %"  # 1e-6 and its bar of 1e-7
     assert bound in value.formulas[0].verdict
-    html = drawn(value)
+    html = page_html(value)
     assert bound in html
     cells = html.split('<div class="figures">')[1].split("</figure>")[0].split("aria-label")[1]
     assert not re.search(r'path class="(over|under)', cells)
@@ -282,11 +282,11 @@ def test_nothing_solved_is_a_page_that_says_so():
     found = swept(VARY, over_z, refused=range(70))
     value = page(found, COMMAND)
     assert value.formulas[0].verdict == "Nothing could be compared."
-    assert "nan" not in text(drawn(value)).lower()
+    assert "nan" not in text(page_html(value)).lower()
 
 
 def test_the_page_is_whole_and_holds_nothing_that_runs(of_two):
-    html = drawn(of_two[1])
+    html = page_html(of_two[1])
     assert "<script" not in html
     assert not re.search(r"""(src|href)=["'](?!#|data:)""", html)
     assert "xmlns" not in html
@@ -296,7 +296,7 @@ def test_the_page_is_whole_and_holds_nothing_that_runs(of_two):
 def test_hostile_names_are_escaped():
     found = swept(["z=3:12:10"], over_z)
     object.__setattr__(found.solved.plan, "name", "<script>alert(1)</script>")
-    assert "<script" not in drawn(page(found, COMMAND))
+    assert "<script" not in page_html(page(found, COMMAND))
 
 
 def test_ten_thousand_points_of_forty_rows_stay_below_three_megabytes():
@@ -307,4 +307,4 @@ def test_ten_thousand_points_of_forty_rows_stay_below_three_megabytes():
     assert "Pictures are drawn for the first 4 of 40" in value.overview.note
     assert len(value.points.rows) == 200
     assert "The first 200 of 10,000" in value.points.note
-    assert len(drawn(value)) < 3e6
+    assert len(page_html(value)) < 3e6

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from verify.cases.contact.roller import end_fem as end
+from verify.cases.contact.roller import end_fem
 from verify.cases.contact.roller.end import END, local
 from verify.cases.contact.roller.end_fem import EndInputs
 from verify.cases.contact.roller.end_formulas import analytic
@@ -19,19 +19,19 @@ LEVEL = 1
 def bodies():
     """Race, roller with its end face and roller that goes on, coarse."""
     q = EndInputs()
-    race = end.compliance_fem(q, LEVEL, race=True, overhang=q.overhang)
-    face = end.compliance_fem(q, LEVEL, race=False, overhang=0.0)
-    beyond = end.compliance_fem(q, LEVEL, race=False, overhang=q.overhang)
+    race = end_fem.compliance_fem(q, LEVEL, race=True, overhang=q.overhang)
+    face = end_fem.compliance_fem(q, LEVEL, race=False, overhang=0.0)
+    beyond = end_fem.compliance_fem(q, LEVEL, race=False, overhang=q.overhang)
     return q, race, face, beyond
 
 
 def read(q, roller, race, crown="flat"):
-    return end.read(q, end.contact_fem(q, LEVEL, (roller, race), crown), "")
+    return end_fem.read(q, end_fem.contact_fem(q, LEVEL, (roller, race), crown), "")
 
 
 def test_the_whole_load_is_carried_by_both_halves(bodies):
     q, race, face, _ = bodies
-    found = end.contact_fem(q, LEVEL, (face, race), "flat")
+    found = end_fem.contact_fem(q, LEVEL, (face, race), "flat")
     assert 2 * found.load_between(0.0, q.L / 2) == pytest.approx(q.F, rel=1e-10)
 
 
@@ -67,7 +67,7 @@ def made_up(**changes):
     values = {key: value * changes.get(key, 1.0) for key, value in good.items()}
     q = EndInputs()
     levels = [
-        end.FemResult(h=1 / n, values={k: v * (1 + 1e-5 / n**2) for k, v in values.items()})
+        end_fem.FemResult(h=1 / n, values={k: v * (1 + 1e-5 / n**2) for k, v in values.items()})
         for n in (2, 3, 4)
     ]
     return Context("contact-roller-end", q, analytic(q), levels, is_paper=True)
@@ -114,11 +114,11 @@ def test_bodies_that_it_cannot_mesh_are_refused(change, message):
 def test_the_slope_at_the_edge_is_extrapolated_over_the_distance():
     r = np.geomspace(1e-5, 0.1, 60)
     p = r**-0.226 * np.exp(3 * r)  # a slope of -0.226 + 3 r
-    assert end.slope(r[::-1], p[::-1]) == pytest.approx(-0.226, abs=1e-6)
+    assert end_fem.slope(r[::-1], p[::-1]) == pytest.approx(-0.226, abs=1e-6)
 
 
 def test_a_wider_patch_is_taken_where_the_contact_needs_it(bodies, monkeypatch):
     q, race, _, beyond = bodies
-    monkeypatch.setattr(end, "WIDE", (0.5, 2.0))
-    found = end.contact_fem(q, LEVEL, (beyond, race), "flat")
+    monkeypatch.setattr(end_fem, "WIDE", (0.5, 2.0))
+    found = end_fem.contact_fem(q, LEVEL, (beyond, race), "flat")
     assert found.across[-1] == pytest.approx(2.0 * q.b, rel=1e-3)

@@ -9,7 +9,7 @@ import pytest
 from analytic.contact import hertz_line, hertz_point, sphere_series
 from fem.contact import bodies
 from verify.cases.contact.sphere import case as contact_sphere
-from verify.cases.contact.sphere import fem as contact_sphere_fem
+from verify.cases.contact.sphere import fem
 from verify.cases.contact.sphere.case import SPHERE
 from verify.cases.contact.sphere.inputs import SphereInputs
 from verify.core.inputs import InputError, build
@@ -101,12 +101,12 @@ def test_the_sphere_s_own_logarithm_shows_in_the_peak_pressure(judged, red, monk
     [
                 pytest.param(bodies, "vector_basis",
                      lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k), id="linear elements"),
-        pytest.param(contact_sphere_fem, "push", lambda f: lambda state: 2 * f(state),
+        pytest.param(fem, "push", lambda f: lambda state: 2 * f(state),
                      id="twice the force"),
-        pytest.param(contact_sphere_fem, "fem_problem",
+        pytest.param(fem, "fem_problem",
                      lambda f: lambda q, *a: f(q.model_copy(update={"E_1": 1.01 * q.E_1}), *a),
                      id="a stiffer sphere"),
-        pytest.param(contact_sphere_fem, "fem_problem",
+        pytest.param(fem, "fem_problem",
                      lambda f: lambda q, *a: f(q.model_copy(update={"nu_1": 0.0}), *a),
                      id="Poisson's ratio forgotten"),
     ],
@@ -163,7 +163,7 @@ def test_a_wide_contact_has_no_expected_interval():
 def test_the_peak_of_an_ellipse_is_found_from_its_nodes():
     r = np.linspace(0, 1, 40)
     p = 3.0 * np.sqrt(1 - r**2)
-    assert contact_sphere_fem.peak(r, p, 1.01) == pytest.approx(3.0, rel=1e-4)
+    assert fem.peak(r, p, 1.01) == pytest.approx(3.0, rel=1e-4)
 
 
 def test_the_largest_shear_stress_of_exact_stresses_is_hertz_s():
@@ -171,7 +171,7 @@ def test_the_largest_shear_stress_of_exact_stresses_is_hertz_s():
     radial, axial = hertz_point.axis_stresses(z, a=1.0, p_0=1.0, nu=0.3)
     x = np.array([np.repeat([0.0, 0.1, 0.2], 81), np.tile(z, 3)])
     stress = np.tile([radial, axial], 3)
-    found = contact_sphere_fem.largest_shear(x, stress, 1.0)
+    found = fem.largest_shear(x, stress, 1.0)
     assert found == pytest.approx((0.310, 0.481), abs=6e-4)
 
 
@@ -180,7 +180,7 @@ def test_pressures_next_to_the_axis_are_even_however_small_the_contact(P):
     """Rows there weigh less than those at the equator by many orders of magnitude."""
     q = SphereInputs(P=P)
     a = q.a("flat")
-    spheres = contact_sphere_fem.fem_problem(q, "flat", 2)
+    spheres = fem.fem_problem(q, "flat", 2)
     down = {"upper.middle": {"y": -(a**2) / q.R_1}}
     touch = spheres.solve(displacements=down).touches[0]
     near = touch.x[0] < a / 3

@@ -7,7 +7,7 @@ import pytest
 from analytic.rotor import shafts
 from analytic.spring import frame
 from verify.cases.rotor.clutch import expected as rotor_clutch_expected
-from verify.cases.rotor.clutch import tilted as rotor_clutch_tilted
+from verify.cases.rotor.clutch import tilted
 from verify.cases.rotor.clutch.inputs import ClutchInputs
 from verify.cases.rotor.shaft import expected as rotor_shaft_expected
 from verify.cases.rotor.shaft.inputs import ShaftInputs
@@ -60,7 +60,7 @@ def test_shear_is_the_frame_s_and_curvature_up_to_the_next_power_of_thickness(wi
 )
 def test_couplings_are_those_of_eqs_3_to_11(change):
     q = ClutchInputs(**change)
-    by_formula = rotor_clutch_tilted.couplings(q)
-    at = rotor_clutch_tilted.aside(q, rotor_clutch_tilted._yield(q))
+    by_formula = tilted.couplings(q)
+    at = tilted.aside(q, tilted._yield(q))
     for entry, value in rotor_clutch_expected.summed(q, *at).items():
         assert value == pytest.approx(by_formula[f"{entry}, tilted"], rel=1e-7), entry

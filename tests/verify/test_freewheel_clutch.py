@@ -12,10 +12,7 @@ from tests.conftest import solved
 from tests.verify.template_text import whole
 from verify.answers.template import template
 from verify.app.cli import run
-from verify.cases.freewheel.clutch import claims as freewheel_clutch_claims
-from verify.cases.freewheel.clutch import fem as freewheel_clutch_fem
-from verify.cases.freewheel.clutch import model as freewheel_clutch_model
-from verify.cases.freewheel.clutch import remedies
+from verify.cases.freewheel.clutch import claims, fem, model, remedies
 from verify.cases.freewheel.clutch.case import CLUTCH, too_large
 from verify.cases.freewheel.clutch.figures import lights
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
@@ -583,7 +580,7 @@ def test_the_reading_of_the_axial_load_as_one_roller_s_turns_the_fact_red():
     needed = required(q, F_ax=q.z * q.F_ax) / required(q)
     bears = levels()[-1].result.arrays["around"]
     assert list(bears) == [0.0, 1.0]
-    assert 0.99 * needed > freewheel_clutch_fem.AROUND[1]
+    assert 0.99 * needed > fem.AROUND[1]
 
 
 def test_friction_that_is_not_needed_or_not_enough_turns_the_facts_red():
@@ -598,10 +595,8 @@ def test_friction_that_is_not_needed_or_not_enough_turns_the_facts_red():
 
 
 def test_the_interval_of_the_turn_holds_the_formula_and_not_the_unloaded_one():
-    low, high = freewheel_clutch_claims.turn(own())
+    low, high = claims.turn(own())
     assert low < 0 < high
     v = analytic(own())
     assert not low <= v["dalpha_0/dX"] / v["dalpha/dX"] - 1 <= high
-    assert freewheel_clutch_model.turn(own()) == pytest.approx(
-        freewheel_clutch_claims.turned(own(), 1.0, 1.0), rel=1e-7
-    )
+    assert model.turn(own()) == pytest.approx(claims.turned(own(), 1.0, 1.0), rel=1e-7)

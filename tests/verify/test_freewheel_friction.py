@@ -10,9 +10,7 @@ import pytest
 from analytic.freewheel import criterion
 from analytic.freewheel.geometry import Cam
 from fem.contact import interface
-from verify.cases.freewheel.friction import fem as freewheel_friction_fem
-from verify.cases.freewheel.friction import formulas as freewheel_friction_formulas
-from verify.cases.freewheel.friction import model
+from verify.cases.freewheel.friction import fem, formulas, model
 from verify.cases.freewheel.friction.case import FRICTION, analytic, too_large
 from verify.cases.freewheel.friction.formulas import slipped
 from verify.cases.freewheel.friction.inputs import FrictionInputs
@@ -42,7 +40,7 @@ def solve_anew():
 @pytest.fixture
 def coarse(monkeypatch):
     """The finest of the coarse levels stands for the finest."""
-    monkeypatch.setattr(freewheel_friction_fem, "LEVELS", LEVELS)
+    monkeypatch.setattr(fem, "LEVELS", LEVELS)
 
 
 @cache
@@ -78,7 +76,7 @@ def test_a_clutch_whose_friction_is_too_low_slips_and_does_not_fail(start):
 
 def test_friction_and_the_sweep_over_the_torque_read_the_same_forces(start):
     q = FrictionInputs()
-    rest, _ = freewheel_friction_fem.under_load(q, start, 4)
+    rest, _ = fem.under_load(q, start, 4)
     sweep, T, borne = Sweep(q, 4), rest.torque * q.L, model.Borne.by(rest)
     shares = [ratio(sweep, T, where) for where in ("", " race")]
     assert pytest.approx(np.mean(shares), rel=1e-4) == borne.tangent
@@ -243,7 +241,7 @@ READINGS = [
                  FORCE, id="T = z X F_t, Eq. 3 as printed"),
     pytest.param(Cam, "torque_on_race", lambda _: lambda self, *, F_t: self.race * F_t, FORCE,
                  id="T of one roller"),
-    pytest.param(freewheel_friction_formulas, "state_under", lambda right: lambda q, T: right(
+    pytest.param(formulas, "state_under", lambda right: lambda q, T: right(
         q, T / 2), ALONE, id="angle of half the torque"),
 ]  # fmt: skip
 
@@ -271,10 +269,10 @@ def without_z(right):
 FEM_FAULTS = [
     pytest.param(interface, "Complementarity", rough(1.01), ONSET, id="friction 1 % too large"),
     pytest.param(model.Borne, "by", without_z, BOTH, id="the pull along z is not read"),
-    pytest.param(freewheel_friction_fem, "pulled", lambda right: lambda q, there, rest: right(
+    pytest.param(fem, "pulled", lambda right: lambda q, there, rest: right(
         q.model_copy(update={"F_ax": q.z * q.F_ax}), there, rest), AXIAL,
         id="the whole load on one pitch"),
-    pytest.param(freewheel_friction_fem, "creeping", lambda _: lambda there, state, **along: (
+    pytest.param(fem, "creeping", lambda _: lambda there, state, **along: (
         there.at(state.drags, after=state.solution, **along)), CREEP, id="the ring is held"),
 ]  # fmt: skip
 

@@ -9,7 +9,7 @@ import pytest
 
 from analytic.freewheel import course, criterion, load_path
 from verify.cases.freewheel.friction.model import Borne
-from verify.cases.freewheel.paths import fem as freewheel_paths_fem
+from verify.cases.freewheel.paths import fem
 from verify.cases.freewheel.paths.case import PATHS, findings, too_large, warnings
 from verify.cases.freewheel.paths.formulas import analytic, courses
 from verify.cases.freewheel.paths.inputs import PathInputs
@@ -120,7 +120,7 @@ def test_paths_that_finite_elements_cannot_follow_are_told(change, words):
 # States.
 def test_friction_of_the_way_there_leaves_the_roller_s_balance_alone():
     q = PathInputs()
-    held = freewheel_paths_fem.Held.at(q, freewheel_paths_fem.start_at(q, 3), 3, q.mu)
+    held = fem.Held.at(q, fem.at_torque(q, 3), 3, q.mu)
     there = held.to(-0.8, held.to(0.8, held.rest))
     b, on_mesh = Borne.by(there), Borne.on_mesh(there)
     assert b.F_z.sum() == pytest.approx(0.0, abs=1e-8 * b.N[0])

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from fem.contact.errors import NotFoundError
-from verify.cases.freewheel import slip as freewheel_slip
+from verify.cases.freewheel import slip
 from verify.cases.freewheel.friction import limit as freewheel_friction_limit
 from verify.cases.freewheel.friction.limit import Limit
 from verify.cases.freewheel.friction.model import Borne, at_torque, creeping, sector
@@ -60,7 +60,7 @@ def test_forces_that_grow_in_small_steps_are_borne_up_to_next_to_the_limit():
 
 def test_a_path_ends_at_its_last_load_and_short_of_slip():
     at = drive().along((0.5, -0.4))
-    assert at.force / drive().unit == pytest.approx(-0.4, abs=freewheel_slip.MET)
+    assert at.force / drive().unit == pytest.approx(-0.4, abs=slip.MET)
     assert drive().left(at) == math.inf  # of a force along the rim's way
     back = drive().along((0.4,))
     assert drive().left(back) > 1
@@ -74,11 +74,11 @@ def test_where_all_slips_the_resultant_is_mu_n(monkeypatch):
     borne = Borne.on_mesh(last[-1].state)
     assert (np.hypot(borne.F_t, borne.F_z) / borne.N).max() == pytest.approx(0.08, rel=1e-6)
     assert last[-1].state.solution.slides
-    assert all(drive().left(at) > freewheel_slip.MOBILISED for at in last[:-1])
+    assert all(drive().left(at) > slip.MOBILISED for at in last[:-1])
 
 
 def test_a_drive_that_ends_before_slip_has_no_limit(monkeypatch):
-    monkeypatch.setattr(freewheel_slip, "MOST", 2)
+    monkeypatch.setattr(slip, "MOST", 2)
     with pytest.raises(NotFoundError, match="no slip was found: 2 steps"):
         drive().lever(Driven(drive().rest, 0.0))
 
@@ -90,7 +90,7 @@ def not_found(*_a, **_k):
 
 def test_a_solve_that_finds_nothing_is_no_slip(monkeypatch):
     drive()
-    monkeypatch.setattr(freewheel_slip, "creeping", not_found)
+    monkeypatch.setattr(slip, "creeping", not_found)
     for ask in (lambda: bound().bears(0.08), bound().of_load, lambda: drive().along((0.3,)),
                 lambda: drive().together(0.9)):  # fmt: skip
         with pytest.raises(NotFoundError, match="no state of rest"):

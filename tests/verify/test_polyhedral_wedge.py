@@ -11,9 +11,7 @@ from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
 from fem.contact import active_sets, interface
 from fem.contact.friction_lcp import FrictionLcp
-from verify.cases.polyhedral.wedge import fem as polyhedral_wedge_fem
-from verify.cases.polyhedral.wedge import model as polyhedral_wedge_model
-from verify.cases.polyhedral.wedge import stick as polyhedral_wedge_stick
+from verify.cases.polyhedral.wedge import fem, model, stick
 from verify.cases.polyhedral.wedge.case import WEDGE, analytic, too_large
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.cases.polyhedral.wedge.limit import Limit
@@ -40,7 +38,7 @@ def solve_anew():
 @pytest.fixture
 def coarse(monkeypatch):
     """The finest of the coarse levels stands for the finest."""
-    monkeypatch.setattr(polyhedral_wedge_fem, "LEVELS", LEVELS)
+    monkeypatch.setattr(fem, "LEVELS", LEVELS)
 
 
 @cache
@@ -93,7 +91,7 @@ def test_a_push_into_the_wedge_takes_load_off_friction():
 
 def test_what_slides_into_the_wedge_is_held_back_by_the_cage():
     q = WedgeInputs()
-    found = polyhedral_wedge_fem.held_back(q, wedge(q, caged=True))
+    found = fem.held_back(q, wedge(q, caged=True))
     expected = 2 * q.N * (q.mu * math.cos(q.half) - math.sin(q.half))
     assert found["C"] == pytest.approx(expected, rel=1e-9)
     assert expected > 0
@@ -207,12 +205,12 @@ def rough(factor):
 
 FEM_FAULTS = [
     pytest.param(interface, "Complementarity", rough(1.001), CAGED, id="friction 0.1 % too large"),
-    pytest.param(polyhedral_wedge_model.Wedge, "forces", lambda f: lambda self, state: tuple(
+    pytest.param(model.Wedge, "forces", lambda f: lambda self, state: tuple(
         2 * np.array(f(self, state))), CAGE, id="forces of both contacts"),
-    pytest.param(polyhedral_wedge_model.Geometry, "normal", lambda _: property(
+    pytest.param(model.Geometry, "normal", lambda _: property(
         lambda self: np.array([math.sin(2 * self.half), math.cos(2 * self.half)])), FORCE,
         id="the flat at the full angle"),
-    pytest.param(polyhedral_wedge_stick, "share_stuck", lambda f: lambda touch: f(touch) + 0.004,
+    pytest.param(stick, "share_stuck", lambda f: lambda touch: f(touch) + 0.004,
                  "stick half-width of a roller let go, T/(μN) = 0.8", id="moments read wrongly"),
 ]  # fmt: skip
 
@@ -229,4 +227,4 @@ def test_friction_that_drives_finds_no_equilibrium(broken):
     broken(active_sets, "SIGN", lambda right: -right)
     broken(FrictionLcp, "candidates", lambda _: lambda _self: iter(()))
     with pytest.raises(ArithmeticError):
-        polyhedral_wedge_fem.held_back(q, wedge(q, caged=True))
+        fem.held_back(q, wedge(q, caged=True))

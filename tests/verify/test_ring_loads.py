@@ -13,9 +13,7 @@ from fem.plane import loads, solve
 from fem.plane.material import Elastic
 from meshes.ring import sector
 from verify.cases.registry import find
-from verify.cases.ring.loads import consequence
-from verify.cases.ring.loads import fem as ring_loads_fem
-from verify.cases.ring.loads import formulas as ring_loads_formulas
+from verify.cases.ring.loads import consequence, fem, formulas
 from verify.cases.ring.loads import inputs as ring_loads_inputs
 from verify.cases.ring.loads.case import INNER, OUTER
 from verify.cases.ring.loads.inputs import InnerInputs, OuterInputs, too_large
@@ -57,7 +55,7 @@ def test_every_row_passes_and_the_case_is_registered(case, judged, red):
 
 @BOTH
 def test_races_are_thin_rings_plane_stress(case, judged, red, patched):
-    patched(ring_loads_formulas, "race",
+    patched(formulas, "race",
             lambda right, *a, **k: replace(right(*a, **k), assumption="plane strain"))  # fmt: skip
     assert f"{WALL[case.id]} displacement at a load" in names(red(judged(case)))
     assert "strain energy of the race" in names(red(judged(case)))
@@ -98,7 +96,7 @@ def test_n_is_the_number_of_sprags(case, judged, red, patched):
 @BOTH
 def test_n_and_the_force_are_of_one_sprag_each(case, judged, red, patched):
     """N over all sprags, or a pressure over the pitch of half as many, turns everything red."""
-    patched(ring_loads_formulas, "race",
+    patched(formulas, "race",
             lambda right, q, **k: replace(right(q, **k), n=q.n // 2, P=2 * q.P))  # fmt: skip
     assert {"ripple over the mean", "strain energy of the race"} <= names(red(judged(case)))
 
@@ -141,7 +139,7 @@ DENTS = {
 @pytest.mark.parametrize("fault", DENTS.values(), ids=DENTS)
 def test_a_wrong_dent_turns_every_row_with_a_dent_red(case, fault, judged, red, monkeypatch):
     judged(case)
-    monkeypatch.setattr(ring_loads_formulas, "dent", fault(ring_loads_formulas.dent))
+    monkeypatch.setattr(formulas, "dent", fault(formulas.dent))
     assert {
         "Eq. 6 at a load, dent to the wall's depth taken out",
         "Eq. 6 at a load, dent to half the wall taken out",
@@ -185,7 +183,7 @@ def red_without_fault():
                      id="linear elements"),
         pytest.param(OuterInputs, "half_width", lambda f: property(lambda q: 1.02 * f.fget(q)),
                      id="patch 2 % too wide"),
-        pytest.param(ring_loads_fem, "replace", lambda f: lambda s, **k: f(s, **k | {"u": s.u}),
+        pytest.param(fem, "replace", lambda f: lambda s, **k: f(s, **k | {"u": s.u}),
                      id="a load of even cells not made good"),
         pytest.param(sector, "half_block",
                      lambda f: lambda *, width, **k: f(width=1.001 * width, **k),
@@ -318,5 +316,5 @@ def test_a_wrong_ring_turns_the_map_s_rows_red(name, judged, red, patched):
 def test_inputs_know_their_half_width_by_themselves():
     """Finite elements must not take it from the formulas: the two agree, and share no code."""
     for q in (OuterInputs(), InnerInputs()):
-        assert q.half_width == pytest.approx(ring_loads_formulas.hertz(q)[0], rel=1e-13)
+        assert q.half_width == pytest.approx(formulas.hertz(q)[0], rel=1e-13)
     assert not hasattr(ring_loads_inputs, "hertz_line")

@@ -10,8 +10,7 @@ from pydantic import ValidationError
 from analytic.contact import palmgren
 from analytic.rotor import clutch, clutch_uniform
 from fem.rotor import struts, struts_kinds
-from verify.cases.rotor.clutch import model as rotor_clutch_model
-from verify.cases.rotor.clutch import tilted as rotor_clutch_tilted
+from verify.cases.rotor.clutch import model, tilted
 from verify.cases.rotor.clutch.case import CLUTCH
 from verify.cases.rotor.clutch.inputs import ClutchInputs
 from verify.cases.rotor.clutch.model import corrected
@@ -100,10 +99,10 @@ FORMULA_FAULTS = [
                  "coupling of y and the tilt about x, aside and tilted", id="Eq. 7, tilt about x"),
     pytest.param(clutch.Clutch, "__post_init__", with_gradient([1, 1, 1, -1, 1]),
                  "coupling of y and the tilt about x, aside and tilted", id="Eq. 7, tilt about y"),
-    pytest.param(rotor_clutch_model, "replace", lambda f: lambda c, psi: f(c, psi=2 * c.psi - psi),
+    pytest.param(model, "replace", lambda f: lambda c, psi: f(c, psi=2 * c.psi - psi),
                  "coupling of x and y by the wedge angle, with offset, crown and gap",
                  id="forces inclined the other way"),
-    pytest.param(rotor_clutch_tilted, "aside", lambda f: lambda *a: (f(*a)[0], f(*a)[1] / 2),
+    pytest.param(tilted, "aside", lambda f: lambda *a: (f(*a)[0], f(*a)[1] / 2),
                  "coupling of x and the tilt about y, aside and tilted", id="half the tilt"),
     pytest.param(clutch.Clutch, "slopes", times(1.001), "tangent against differences of the loads, "
                  "1e-8", id="Eq. 11, a tangent of other loads"),

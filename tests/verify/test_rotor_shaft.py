@@ -12,7 +12,7 @@ from fem.fourier import vibration
 from fem.rotor import assemble, weak
 from verify.cases.registry import find
 from verify.cases.rotor.shaft import case as rotor_shaft
-from verify.cases.rotor.shaft import inputs as rotor_shaft_inputs
+from verify.cases.rotor.shaft import inputs
 from verify.cases.rotor.shaft.case import SHAFT
 from verify.cases.rotor.shaft.inputs import ShaftInputs
 from verify.core.results import Status
@@ -43,9 +43,9 @@ def scaled(factor):
 @pytest.mark.parametrize(
     ("owner", "name", "fault", "row"),
     [
-        pytest.param(rotor_shaft_inputs, "hutchinson", lambda _: shafts.cowper,
+        pytest.param(inputs, "hutchinson", lambda _: shafts.cowper,
                      "Timoshenko's beam as d/L goes to 0", id="Cowper's coefficient"),
-        pytest.param(rotor_shaft_inputs, "hutchinson", scaled(1.01),
+        pytest.param(inputs, "hutchinson", scaled(1.01),
                      "elements of Timoshenko, mode 1 forward", id="1 % too stiff in shear"),
         pytest.param(shafts.UniformShaft, "I", lambda f: property(lambda s: 1.001 * f.fget(s)),
                      "elements of Euler, mode 1 forward", id="0.1 % too stiff"),

@@ -5,10 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.rotor import clutch_uniform as uniform
-from verify.cases.rotor.sprag import ensemble_fem as ensemble
-from verify.cases.rotor.sprag import layout as fig_1
-from verify.cases.rotor.sprag import solid_fem as solid
+from analytic.rotor import clutch_uniform
+from verify.cases.rotor.sprag import ensemble_fem, layout, solid_fem
 from verify.cases.rotor.sprag.case import SPRAG_ROTOR
 from verify.cases.rotor.sprag.check_types import FittedTo, Share
 from verify.cases.rotor.sprag.claims import FITTED_SPEEDS, IDENTITIES
@@ -33,12 +31,12 @@ from verify.papers.ledger import erratum, published
 
 Q = SpragRotorInputs()
 RNG = np.random.default_rng(3)
-ANYWHERE = RNG.random((3, len(fig_1.PARAMETERS)))  # places in the ranges
+ANYWHERE = RNG.random((3, len(layout.PARAMETERS)))  # places in the ranges
 
 
 @pytest.fixture(scope="module")
 def found():
-    return ensemble.ensemble_fem(8)
+    return ensemble_fem.ensemble_fem(8)
 
 
 @pytest.fixture(scope="module")
@@ -50,27 +48,27 @@ def members(found):
 
 
 def test_the_clutch_and_its_bearings_join_nodes_of_one_place():
-    z = fig_1.layout(ensemble.parameters(ANYWHERE)).z
-    for a, b in (*fig_1.BETWEEN, fig_1.CLUTCH):
+    z = layout.layout(ensemble_fem.parameters(ANYWHERE)).z
+    for a, b in (*layout.BETWEEN, layout.CLUTCH):
         assert z[:, a - 1] == pytest.approx(z[:, b - 1], rel=1e-14)
 
 
 def test_both_rotors_have_the_printed_numbers_of_elements():
-    outer, inner = fig_1.ELEMENT_LENGTHS
+    outer, inner = layout.ELEMENT_LENGTHS
     assert (len(outer), len(inner)) == (11, 9)  # Sec. 1
     # from bearing to bearing: all of l_1, l_2, l_3 and l_4
     for rotor, parameter, first, last in (
-        (0, fig_1.L_1, 1, 5), (0, fig_1.L_2, 5, 8), (0, fig_1.L_3, 8, 10), (1, fig_1.L_4, 3, 8),
+        (0, layout.L_1, 1, 5), (0, layout.L_2, 5, 8), (0, layout.L_3, 8, 10), (1, layout.L_4, 3, 8),
     ):  # fmt: skip
-        chosen = fig_1.ELEMENT_LENGTHS[rotor][first:last]
+        chosen = layout.ELEMENT_LENGTHS[rotor][first:last]
         assert {which for which, _ in chosen} == {parameter}
         assert sum(share for _, share in chosen) == pytest.approx(1, abs=1e-15)
 
 
 def test_a_disc_is_a_steel_ring_on_its_shaft():
-    s = fig_1.layout(fig_1.CENTRAL)
-    bore = fig_1.CENTRAL[fig_1.D_1]
-    rim = np.sqrt(4 * fig_1.CENTRAL[fig_1.M_4] / (np.pi * 7850 * 0.02) + bore**2)
+    s = layout.layout(layout.CENTRAL)
+    bore = layout.CENTRAL[layout.D_1]
+    rim = np.sqrt(4 * layout.CENTRAL[layout.M_4] / (np.pi * 7850 * 0.02) + bore**2)
     m = 7850 * 0.02 * np.pi / 4 * (rim**2 - bore**2)
     assert s.mass[0, 0] == pytest.approx(m, rel=1e-12)
     assert s.polar[0, 0] == pytest.approx(m * (rim**2 + bore**2) / 8, rel=1e-12)
@@ -78,7 +76,7 @@ def test_a_disc_is_a_steel_ring_on_its_shaft():
 
 
 def test_the_inner_rotor_begins_inside_the_drum_whatever_the_lengths():
-    z = fig_1.layout(ensemble.parameters(RNG.integers(0, 2, (64, 12)).astype(float))).z
+    z = layout.layout(ensemble_fem.parameters(RNG.integers(0, 2, (64, 12)).astype(float))).z
     assert np.all(z[:, 12] > z[:, 7])  # node 13 behind the drum's bottom at node 8
 
 
@@ -86,12 +84,12 @@ def test_the_inner_rotor_begins_inside_the_drum_whatever_the_lengths():
 
 
 def test_an_even_clutch_is_that_of_the_closed_forms():
-    K = uneven_clutch(fig_1.CENTRAL, 0.0)
-    s = fig_1.layout(fig_1.CENTRAL)
-    k = 2 * fig_1.CENTRAL[fig_1.K_C] / 12
-    tilt = float(uniform.tilting_stiffness(Z=12, k=k, L=0.012, n_s=20))
-    turn = float(uniform.torsional_stiffness(Z=12, k=k, d_t=s.d_t[0]))
-    across = float(uniform.radial_stiffness(Z=12, k=k))
+    K = uneven_clutch(layout.CENTRAL, 0.0)
+    s = layout.layout(layout.CENTRAL)
+    k = 2 * layout.CENTRAL[layout.K_C] / 12
+    tilt = float(clutch_uniform.tilting_stiffness(Z=12, k=k, L=0.012, n_s=20))
+    turn = float(clutch_uniform.torsional_stiffness(Z=12, k=k, d_t=s.d_t[0]))
+    across = float(clutch_uniform.radial_stiffness(Z=12, k=k))
     assert np.diag(K) == pytest.approx([across, across, 0, tilt, tilt, turn], rel=1e-12)
     size = np.sqrt(np.outer(np.diag(K), np.diag(K)))
     off = K - np.diag(np.diag(K))
@@ -101,9 +99,9 @@ def test_an_even_clutch_is_that_of_the_closed_forms():
 
 def test_an_offset_couples_as_in_first_order():
     eps = 1e-3
-    s = fig_1.layout(fig_1.CENTRAL)
-    first = (10 / 9 - 1) * fig_1.CENTRAL[fig_1.K_C] * s.d_t[0] * eps  # (Z/2) k (n-1) dx d_t/delta
-    assert uneven_clutch(fig_1.CENTRAL, eps)[0, 5] == pytest.approx(first, rel=eps**2)
+    s = layout.layout(layout.CENTRAL)
+    first = (10 / 9 - 1) * layout.CENTRAL[layout.K_C] * s.d_t[0] * eps  # (Z/2) k (n-1) dx d_t/delta
+    assert uneven_clutch(layout.CENTRAL, eps)[0, 5] == pytest.approx(first, rel=eps**2)
 
 
 # Ensemble.
@@ -112,18 +110,18 @@ def test_an_offset_couples_as_in_first_order():
 def test_matrices_of_all_members_at_once_are_those_of_the_assembled_rotors():
     from fem.rotor.critical import critical_speeds
 
-    p = ensemble.parameters(ANYWHERE)
-    at_once, _ = ensemble.critical_speeds_fem(p, 3)
+    p = ensemble_fem.parameters(ANYWHERE)
+    at_once, _ = ensemble_fem.critical_speeds_fem(p, 3)
     each = [critical_speeds(rotor_fem(one), 3).speeds for one in p]
     assert at_once == pytest.approx(np.array(each), rel=1e-9)
 
 
 def test_gradients_are_those_of_the_speeds():
-    _, shapes = ensemble.critical_speeds_fem(ensemble.parameters(ANYWHERE), 3)
-    J = ensemble.gradients_fem(ANYWHERE, shapes)
+    _, shapes = ensemble_fem.critical_speeds_fem(ensemble_fem.parameters(ANYWHERE), 3)
+    J = ensemble_fem.gradients_fem(ANYWHERE, shapes)
     for i, step in enumerate(1e-4 * np.eye(12)):
         up, down = (
-            np.log(ensemble.critical_speeds_fem(ensemble.parameters(x), 3)[0])
+            np.log(ensemble_fem.critical_speeds_fem(ensemble_fem.parameters(x), 3)[0])
             for x in (ANYWHERE + step, ANYWHERE - step)
         )
         assert J[:, :, i] == pytest.approx((up - down) / 2e-4, rel=1e-5, abs=1e-6)
@@ -131,45 +129,45 @@ def test_gradients_are_those_of_the_speeds():
 
 def test_stiffer_supports_raise_critical_speeds():
     """Rayleigh: stiffness never lowers a frequency, and raises it by its share of the energy."""
-    J = ensemble.elasticities_fem(ensemble.parameters(ANYWHERE))
-    stiffness = J[:, :, [fig_1.K_G, fig_1.K_S, fig_1.K_C]]
+    J = ensemble_fem.elasticities_fem(ensemble_fem.parameters(ANYWHERE))
+    stiffness = J[:, :, [layout.K_G, layout.K_S, layout.K_C]]
     assert np.all(stiffness >= -1e-9)
     assert np.all(stiffness.sum(axis=2) <= 0.5)  # their share of the elastic energy, halved
-    up = ensemble.parameters(ANYWHERE)
-    up[:, fig_1.K_G] *= 1.01
-    raised, _ = ensemble.critical_speeds_fem(up, 3)
-    before, _ = ensemble.critical_speeds_fem(ensemble.parameters(ANYWHERE), 3)
+    up = ensemble_fem.parameters(ANYWHERE)
+    up[:, layout.K_G] *= 1.01
+    raised, _ = ensemble_fem.critical_speeds_fem(up, 3)
+    before, _ = ensemble_fem.critical_speeds_fem(ensemble_fem.parameters(ANYWHERE), 3)
     expected = np.log(raised / before) / np.log(1.01)
-    assert J[:, :, fig_1.K_G] == pytest.approx(expected, rel=0.01, abs=1e-4)
+    assert J[:, :, layout.K_G] == pytest.approx(expected, rel=0.01, abs=1e-4)
 
 
 def test_the_central_system_is_where_the_middle_of_the_ranges_leads_to():
-    x, hit = ensemble.calibrated_fem(np.full((1, 12), 0.5))
+    x, hit = ensemble_fem.calibrated_fem(np.full((1, 12), 0.5))
     assert hit.all()
     # six digits of it are kept
-    assert ensemble.parameters(x)[0] == pytest.approx(fig_1.CENTRAL, rel=5e-6)
+    assert ensemble_fem.parameters(x)[0] == pytest.approx(layout.CENTRAL, rel=5e-6)
 
 
 def test_members_hit_all_three_speeds_and_stay_in_the_ranges(members):
     from fem.rotor.critical import critical_speeds
 
     assert len(members) >= 8
-    assert np.all((members >= fig_1.LOW) & (members <= fig_1.HIGH))
+    assert np.all((members >= layout.LOW) & (members <= layout.HIGH))
     for p in members:
         speeds = critical_speeds(rotor_fem(p), 3).speeds
         assert speeds == pytest.approx(PRINTED, rel=1.1e-8)
-    spread = np.log(members.max(axis=0) / members.min(axis=0)) / ensemble.WIDTH
+    spread = np.log(members.max(axis=0) / members.min(axis=0)) / ensemble_fem.WIDTH
     assert np.median(spread) > 0.4  # eight systems, and most unknowns over half of their range
 
 
 def test_the_ensemble_is_the_same_every_time(members):
-    assert np.array_equal(ensemble.ensemble_fem(8).members, members)
+    assert np.array_equal(ensemble_fem.ensemble_fem(8).members, members)
 
 
 def test_starts_that_miss_are_no_members(monkeypatch):
-    monkeypatch.setattr(ensemble, "STEPS", 1)
-    monkeypatch.setattr(ensemble, "MOST_BATCHES", 1)
-    found = ensemble.ensemble_fem(8)
+    monkeypatch.setattr(ensemble_fem, "STEPS", 1)
+    monkeypatch.setattr(ensemble_fem, "MOST_BATCHES", 1)
+    found = ensemble_fem.ensemble_fem(8)
     assert not found.kept.any()
     assert found.members.shape == (0, 12)
 
@@ -239,9 +237,9 @@ def test_peaks_stand_above_what_is_seen_over_the_speed(responses):
 
 def test_momentum_of_torsion_is_that_of_rigid_rotors_where_both_are_stiff():
     """Theta is -J_in/J_out inverted at critical speed 1 where each rotor turns as a whole."""
-    p = fig_1.CENTRAL.copy()
-    p[[fig_1.L_1, fig_1.L_2, fig_1.L_3, fig_1.L_4]] /= 4
-    p[[fig_1.D_1, fig_1.D, fig_1.D_2]] *= 2
+    p = layout.CENTRAL.copy()
+    p[[layout.L_1, layout.L_2, layout.L_3, layout.L_4]] /= 4
+    p[[layout.D_1, layout.D, layout.D_2]] *= 2
     one = torsion_fem(Q, p, np.array([1e-4, 1e-4]))  # damping ratios
     J, theta = one["inertia"], one["turned"][:, 0]
     for own in (slice(12), slice(12, None)):
@@ -255,20 +253,20 @@ def test_elastic_bodies_with_the_same_springs_and_discs_have_about_the_beams_fre
     values, monkeypatch
 ):
     """Within 1 % on a coarse mesh: a spring or disc left out changes some of them by more."""
-    monkeypatch.setattr(solid, "REFINED", (2,))
-    found = solid.solid_fem(Q)["solid"][0]
+    monkeypatch.setattr(solid_fem, "REFINED", (2,))
+    found = solid_fem.solid_fem(Q)["solid"][0]
     beams = [values[f"natural frequency {i + 1}"] for i in range(6)]
     assert found == pytest.approx(beams, rel=0.005)
 
 
 def test_beams_and_elastic_bodies_lose_the_same_inertia_with_a_disc(monkeypatch):
     """A disc of 1.1 kg that only the bodies lack: 1.1 of 6.8 kg, and polar moment of it."""
-    s = fig_1.layout(fig_1.CENTRAL)
-    whole = solid.inertia_fem(solid.body_fem(1, 0.01))
+    s = layout.layout(layout.CENTRAL)
+    whole = solid_fem.inertia_fem(solid_fem.body_fem(1, 0.01))
     assert whole == pytest.approx(drawn(), rel=1e-11)
-    monkeypatch.setattr(solid, "DISCS", ())
-    bare = solid.inertia_fem(solid.body_fem(1, 0.01))
-    z = s.z[0, [n - 1 for n in fig_1.DISCS]]
+    monkeypatch.setattr(solid_fem, "DISCS", ())
+    bare = solid_fem.inertia_fem(solid_fem.body_fem(1, 0.01))
+    z = s.z[0, [n - 1 for n in layout.DISCS]]
     lost = [s.mass.sum(), s.polar.sum(), (s.diametral + s.mass * z**2).sum()]
     assert whole - bare == pytest.approx(lost, rel=1e-10)
 
@@ -284,8 +282,8 @@ def values():
 @pytest.fixture(scope="module")
 def context(values, found, responses):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(solid, "REFINED", (1, 2, 3))  # fast, and finite elements all the same
-        bodies = solid.solid_fem(Q)
+        patch.setattr(solid_fem, "REFINED", (1, 2, 3))  # fast, and finite elements all the same
+        bodies = solid_fem.solid_fem(Q)
     arrays = {**ensemble_arrays_fem(found), **responses, **drawn_fem(Q), **bodies}
     runs = [FemResult(h=1 / n, values=beams_fem(Q, n)) for n in (1, 2, 4)]
     runs[0] = replace(runs[0], arrays=arrays)

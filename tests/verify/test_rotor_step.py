@@ -11,8 +11,7 @@ from fem.fourier import vibration
 from fem.rotor import assemble, weak
 from verify.cases.registry import find
 from verify.cases.rotor.step import case as rotor_step
-from verify.cases.rotor.step import fem as rotor_step_fem
-from verify.cases.rotor.step import inputs as rotor_step_inputs
+from verify.cases.rotor.step import fem, inputs
 from verify.cases.rotor.step.case import STEP
 from verify.cases.rotor.step.fem import NEAR_ONE
 from verify.cases.rotor.step.inputs import StepInputs
@@ -91,9 +90,9 @@ def inertia(polar, diametral):
         pytest.param(StepInputs, "pieces",
                      stiff(lambda q, p: min(p.d, 2 * p.d_stiff - q.d_1)),
                      f"{RULE} mode 1 forward", id="half the cones' reach"),
-        pytest.param(rotor_step_inputs, "Disc", inertia(2, 2), f"{RULE} mode 2 forward",
+        pytest.param(inputs, "Disc", inertia(2, 2), f"{RULE} mode 2 forward",
                      id="twice the lumps"),
-        pytest.param(rotor_step_inputs, "Disc", inertia(0.5, 1),
+        pytest.param(inputs, "Disc", inertia(0.5, 1),
                      f"{RULE} what turning splits mode 2 by", id="half the lumps' polar moment"),
     ],
 )  # fmt: skip
@@ -118,24 +117,24 @@ def judge_with(anew):
 
 def elements(q, level):
     values = {}
-    rotor_step_fem.fem_elements(q, level, values)
+    fem.fem_elements(q, level, values)
     return values, {}
 
 
 def weak_form(q, level):
-    ahead, _ = rotor_step_fem.fem_weak(q, level).whirl(q.n)
+    ahead, _ = fem.fem_weak(q, level).whirl(q.n)
     return {f"weak {j} forward": ahead[j - 1] for j in (1, 2, 3)}, {}
 
 
 def body(q, _):
     values = {}
-    rotor_step_fem.fem_solid(q, rotor_step_fem.fem_body(q, 1, 0.12), values)
+    fem.fem_solid(q, fem.fem_body(q, 1, 0.12), values)
     return {key: values[key] for key in ("mass error", "polar error")}, {}
 
 
 def near_one(q, level):
     share = q.L_2 / q.L
-    found = [rotor_step_fem._half_at_rest(q, r, share, max(level - 1, 1), 0.12) for r in NEAR_ONE]
+    found = [fem._half_at_rest(q, r, share, max(level - 1, 1), 0.12) for r in NEAR_ONE]
     return {}, {"near one": np.array(found)}
 
 
@@ -184,7 +183,7 @@ def test_cones_of_many_slices_and_the_weak_form_agree():
     q = StepInputs(a=0.1)
     fine = frequencies(q, cone=True, slices=32)
     assert frequencies(q, cone=True) == pytest.approx(fine, rel=1e-4)
-    found = rotor_step_fem.fem_weak(q, 3, cone=True).whirl(q.n)[0]
+    found = fem.fem_weak(q, 3, cone=True).whirl(q.n)[0]
     assert found == pytest.approx(fine, rel=1e-4)
 
 
@@ -215,8 +214,8 @@ def test_an_engineer_is_warned_of_a_step_and_of_none_without_one():
 
 
 def test_a_shaft_of_one_s_own_has_no_row_in_red(monkeypatch, red):
-    monkeypatch.setattr(rotor_step_fem, "FIRST", 0.12)
-    monkeypatch.setattr(rotor_step_fem, "_errors", lambda *_: (0.05, 0.02))  # map: not judged
+    monkeypatch.setattr(fem, "FIRST", 0.12)
+    monkeypatch.setattr(fem, "_errors", lambda *_: (0.05, 0.02))  # map: not judged
     q = StepInputs(L=0.8, d_1=0.05, d_2=0.065, L_2=0.1, a=0.1, k=5e7, n=0.0)
     runs = [solve_level(STEP, q, level, None) for level in STEP.levels]
     assert not red(judge_case(Job(STEP, q), runs))
@@ -227,10 +226,10 @@ def test_a_shaft_of_one_s_own_has_no_row_in_red(monkeypatch, red):
 @pytest.mark.parametrize(("ratio", "share"), [(2.0, 0.4), (2.5, 0.05), (3.0, 0.1)])
 def test_cells_are_as_many_where_inputs_differ_by_round_off(seed, cone, ratio, share):
     """Both cones of a short thick part end in one station, and counts of cells are whole."""
-    q = rotor_step_fem.middle(StepInputs(), ratio, share)
+    q = fem.middle(StepInputs(), ratio, share)
     noise = 1 + 1e-13 * np.random.default_rng(seed).standard_normal(5)
     names = ("L", "d_1", "d_2", "L_2", "b")
     near = q.model_copy(update={n: getattr(q, n) * x for n, x in zip(names, noise, strict=True)})
-    meshes = [rotor_step_fem.fem_weak(one, 1, cone=cone).basis.mesh for one in (q, near)]
+    meshes = [fem.fem_weak(one, 1, cone=cone).basis.mesh for one in (q, near)]
     assert meshes[0].nelements == meshes[1].nelements
     assert np.diff(np.sort(meshes[1].p[0])).min() > 1e-4 * q.L

@@ -12,7 +12,7 @@ from tests.verify.template_text import inputs_of, whole
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.registry import find
-from verify.cases.rotor.system import model as rotor_system_model
+from verify.cases.rotor.system import model
 from verify.cases.rotor.system.case import SYSTEM
 from verify.cases.rotor.system.fem import fem
 from verify.cases.rotor.system.inputs import RPM, SystemInputs
@@ -131,13 +131,13 @@ FAULTS = [
                  None, id="another length for phi: no fault"),
     pytest.param(transfer_torsion, "free_turns", lambda f: lambda rotor: f(rotor) - 1,
                  "torsional frequency", id="a free turn counted"),
-    pytest.param(rotor_system_model, "unbalance_response",
+    pytest.param(model, "unbalance_response",
                  lambda f: lambda r, n, u, excitation: f(r, n, u, excitation=1.0),
                  "amplitude at the probe", id="unbalance turns with the first shaft"),
-    pytest.param(rotor_system_model, "critical_speeds",
+    pytest.param(model, "critical_speeds",
                  lambda f: lambda r, **k: f(r, **k | {"excitation": 1.0}),
                  "critical speed 1, unbalance of another speed", id="one excitation for all"),
-    pytest.param(rotor_system_model, "critical_speeds",
+    pytest.param(model, "critical_speeds",
                  lambda f: lambda r, **k: f(r, **k | {"whirl": "backward"}),
                  "critical speed 2, the first shaft's unbalance", id="backward critical speeds"),
 ]  # fmt: skip

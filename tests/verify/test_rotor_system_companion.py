@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from analytic.rotor import transfer_model
-from verify.cases.rotor.system import model as rotor_system_model
+from verify.cases.rotor.system import model
 from verify.cases.rotor.system.case import SYSTEM
 from verify.cases.rotor.system.companion import JUDGED, companion
 from verify.cases.rotor.system.fem import fem
@@ -48,9 +48,9 @@ def kept(name, change):
 
 
 def excited(change):
-    was = rotor_system_model.unbalance_response
+    was = model.unbalance_response
     return (
-        rotor_system_model,
+        model,
         "unbalance_response",
         lambda r, n, u, excitation: was(r, n, change(u, excitation), excitation=excitation),
     )
@@ -103,10 +103,10 @@ ONE_PART = [
 @pytest.mark.parametrize(("table", "change"), ONE_PART)
 def test_every_part_is_felt_by_a_row(table, change):
     """By more than three times what a row lets pass, 1e-4."""
-    base = rotor_system_model._values(companion())
+    base = model._values(companion())
     others = list(each(table, **change))
     assert others
     for other in others:
-        found = rotor_system_model._values(other)
+        found = model._values(other)
         keys = ("amplitude", "support load", "link load")
         assert max(abs(found[k] / base[k] - 1) for k in keys) > 3e-4

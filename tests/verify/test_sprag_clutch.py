@@ -19,9 +19,7 @@ from tests.conftest import solved
 from tests.verify.template_text import whole
 from verify.answers.template import template
 from verify.app.cli import run
-from verify.cases.sprag.clutch import limits as sprag_clutch_limits
-from verify.cases.sprag.clutch import model as sprag_clutch_model
-from verify.cases.sprag.clutch import values as sprag_clutch_values
+from verify.cases.sprag.clutch import limits, model, values
 from verify.cases.sprag.clutch.case import CLUTCH, too_large
 from verify.cases.sprag.clutch.claims import CHECKS, FITTED, rectangle
 from verify.cases.sprag.clutch.drawn_fem import Drawn
@@ -40,8 +38,8 @@ from verify.papers.ledger import papers, published
 
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
 CACHED = (
-    sprag_clutch_model.built, sprag_clutch_model.under, sprag_clutch_model.analytic_state,
-    sprag_clutch_limits.as_torque_grows, sprag_clutch_values.analytic, sprag_clutch_values.blades,
+    model.built, model.under, model.analytic_state,
+    limits.as_torque_grows, values.analytic, values.blades,
 )  # fmt: skip
 
 
@@ -308,7 +306,7 @@ def test_springs_whose_state_is_not_found_have_no_force(monkeypatch):
     def fails(*_, **__):
         raise ArithmeticError("no load for which there is a state")
 
-    monkeypatch.setattr(sprag_clutch_values, "spring_equilibrium", fails)
+    monkeypatch.setattr(values, "spring_equilibrium", fails)
     forget()
     try:
         v = analytic(own())
@@ -644,14 +642,14 @@ def test_the_torque_is_that_of_the_whole_clutch(faulty):
     def of_one_sprag(right, clutch, T):
         return right(clutch, T * clutch.n_s)
 
-    assert {FORCE, TURN, YIELDS} <= faulty(sprag_clutch_model, "at_torque", of_one_sprag)
+    assert {FORCE, TURN, YIELDS} <= faulty(model, "at_torque", of_one_sprag)
 
 
 def test_z_m_is_in_millimetres(faulty):
     def in_micrometres(right, q):
         return right(q.model_copy(update={"z_m": q.z_m / 1e3}))
 
-    assert LARGEST in faulty(sprag_clutch_model, "gap", in_micrometres)
+    assert LARGEST in faulty(model, "gap", in_micrometres)
 
 
 # Faults.
@@ -693,7 +691,7 @@ def test_pressures_with_a_modulus_of_plane_stress_are_missed(faulty):
     def plane_stress(right, *args, E_star, **more):
         return right(*args, E_star=E_star * (1 - 0.3**2), **more)
 
-    assert {MIDDLE, LARGEST} <= faulty(sprag_clutch_model.slices, "press", plane_stress)
+    assert {MIDDLE, LARGEST} <= faulty(model.slices, "press", plane_stress)
 
 
 def test_a_fault_of_the_drawn_sprag_is_seen_as_well():

@@ -8,10 +8,7 @@ import pytest
 
 from analytic.sprag import parts
 from tests.conftest import solved
-from verify.cases.sprag.clutch import limits as sprag_clutch_limits
-from verify.cases.sprag.clutch import model as sprag_clutch_model
-from verify.cases.sprag.clutch import paper_fem as sprag_clutch_paper_fem
-from verify.cases.sprag.clutch import values, variants
+from verify.cases.sprag.clutch import limits, model, paper_fem, values, variants
 from verify.cases.sprag.clutch.case import CLUTCH
 from verify.cases.sprag.clutch.claims import UNFITTED, corners, length
 from verify.cases.sprag.clutch.drawn_fem import Drawn
@@ -23,8 +20,8 @@ from verify.jobs.level import Job, judge_case
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
 PAPER = EngagementInputs()
 CACHED = (
-    sprag_clutch_model.built, sprag_clutch_model.under, sprag_clutch_model.analytic_state,
-    sprag_clutch_limits.as_torque_grows, values.analytic, values.blades,
+    model.built, model.under, model.analytic_state,
+    limits.as_torque_grows, values.analytic, values.blades,
 )  # fmt: skip
 
 TURN = "turn of the races, finite steps of rolling"
@@ -85,19 +82,17 @@ def test_a_wrong_value_turns_its_row_red(key, factor, row, broken):
 
 
 def test_rigid_races_that_yield_and_rolling_left_out_are_red(broken):
-    rigid = broken(sprag_clutch_model.Clutch, "rigid_races", lambda _: lambda self: self)
+    rigid = broken(model.Clutch, "rigid_races", lambda _: lambda self: self)
     assert {RIGID_FORCE, RIGID_SPRAGS, RIGID_TURN} <= rigid
 
 
 def test_without_rolling_the_turn_of_the_races_is_red(broken):
-    found = broken(sprag_clutch_model, "rolled", lambda right: lambda c, N: 1.01 * right(c, N))
+    found = broken(model, "rolled", lambda right: lambda c, N: 1.01 * right(c, N))
     assert {TURN, RIGID_TURN} <= found
 
 
 def test_the_right_closure_in_the_printed_one_s_place_is_red(broken):
-    found = broken(
-        sprag_clutch_model.printed, "wedged", lambda _: lambda c, N: sprag_clutch_model.wedged(c, N)
-    )
+    found = broken(model.printed, "wedged", lambda _: lambda c, N: model.wedged(c, N))
     assert found == {PRINTED}
 
 
@@ -136,8 +131,8 @@ def test_own_clutches_are_judged_by_the_drawn_one_without_the_variants(changes, 
 
 # Calibration.
 def test_a_failed_calibration_turns_its_own_rows_red_and_no_other(monkeypatch, red):
-    monkeypatch.setattr(sprag_clutch_paper_fem, "peak_fem", lambda *_, **__: 1e9)
-    without = sprag_clutch_paper_fem.calibrated_fem()
+    monkeypatch.setattr(paper_fem, "peak_fem", lambda *_, **__: 1e9)
+    without = paper_fem.calibrated_fem()
     *coarse, fine = solved(CLUTCH, PAPER)
     last = replace(fine, result=replace(fine.result, arrays={**fine.result.arrays, **without}))
     found = red(judge_case(Job(CLUTCH, PAPER), [*coarse, last]))
@@ -146,16 +141,16 @@ def test_a_failed_calibration_turns_its_own_rows_red_and_no_other(monkeypatch, r
 
 
 def test_a_wedge_angle_is_fitted_only_between_pressures_on_both_sides(monkeypatch):
-    low, high = map(float, sprag_clutch_paper_fem.ANGLES)
-    printed = sprag_clutch_paper_fem.PRINTED[25.0][1]
+    low, high = map(float, paper_fem.ANGLES)
+    printed = paper_fem.PRINTED[25.0][1]
 
     def fitted(zero):
         """The angle found where the printed pressure is that of the angle `zero`."""
         monkeypatch.setattr(
-            sprag_clutch_paper_fem, "peak_fem",
+            paper_fem, "peak_fem",
             lambda _crown, _T, *, nu_0: printed + 1e11 * (zero - nu_0),
         )  # fmt: skip
-        return sprag_clutch_paper_fem.fitted_angle_fem()
+        return paper_fem.fitted_angle_fem()
 
     assert fitted(low - 1e-4) is None
     assert fitted(high + 1e-4) is None
@@ -168,9 +163,9 @@ def test_an_engagement_that_is_not_solved_is_no_failed_calibration(error, monkey
     def fails(*_, **__):
         raise error("the engagement is not followed")
 
-    monkeypatch.setattr(sprag_clutch_paper_fem, "peak_fem", fails)
+    monkeypatch.setattr(paper_fem, "peak_fem", fails)
     with pytest.raises(error, match="not followed"):
-        sprag_clutch_paper_fem.calibrated_fem()
+        paper_fem.calibrated_fem()
     with pytest.raises(error, match="not followed"):
         sprag_optimum_fem.calibrated_fem(Optimum25Inputs(), {})
 

@@ -12,8 +12,7 @@ from tests.conftest import solved
 from verify.answers.template import template
 from verify.app.cli import run
 from verify.cases.contact.roller.inputs import DESIGNS
-from verify.cases.sprag.crown import formulas as sprag_crown_formulas
-from verify.cases.sprag.crown import table2 as sprag_crown_table2
+from verify.cases.sprag.crown import formulas, table2
 from verify.cases.sprag.crown.box_fem import forces, terms
 from verify.cases.sprag.crown.case import CROWN, too_large
 from verify.cases.sprag.crown.claims import CHECKS
@@ -130,14 +129,14 @@ def test_an_even_load_s_pressure_is_hertz_s():
 @pytest.mark.parametrize(
     ("module", "name", "wrapper", "rows"),
     [
-        (sprag_crown_formulas, "mean_drop", lambda f, A, K_2, z: f(A / 2, K_2, z), {MEAN, SHARE}),
-        (sprag_crown_formulas, "mean_drop", lambda f, A, K_2, z: f(A, 1 - K_2, z), {MEAN}),
-        (sprag_crown_formulas, "_around", lambda f, c, m: f(c, m) * (1 - 1e-3), {MEAN, SHARE}),
-        (sprag_crown_formulas, "gap", lambda f, q: f(q) * 0.2, {DEEP}),
+        (formulas, "mean_drop", lambda f, A, K_2, z: f(A / 2, K_2, z), {MEAN, SHARE}),
+        (formulas, "mean_drop", lambda f, A, K_2, z: f(A, 1 - K_2, z), {MEAN}),
+        (formulas, "_around", lambda f, c, m: f(c, m) * (1 - 1e-3), {MEAN, SHARE}),
+        (formulas, "gap", lambda f, q: f(q) * 0.2, {DEEP}),
         (slices, "press", lambda f, *a, **k: f(*a, **k | {"load": np.multiply(k["load"], 0.9)}),
          {MID, DEEP}),
-        (sprag_crown_formulas, "radius", lambda f, q, N: f(q, N) * 1.1, {MID, DEEP}),
-        (sprag_crown_formulas, "factorial",
+        (formulas, "radius", lambda f, q, N: f(q, N) * 1.1, {MID, DEEP}),
+        (formulas, "factorial",
          lambda f, q, n: f(q, n) * [1, 1, 40], set()),
     ],
     ids=["A without 2", "K_2 swapped", "artanh", "a fifth of the crown", "force", "radius", "box"],
@@ -228,7 +227,7 @@ def test_table_2_s_errors_are_of_the_predicted_value_and_no_other_base():
 
 def test_an_error_of_the_actual_value_turns_two_rows_red(monkeypatch):
     right = relative_error
-    monkeypatch.setattr(sprag_crown_table2, "relative_error",
+    monkeypatch.setattr(table2, "relative_error",
                         lambda k: right(k) * cell(k, "predicted") / cell(k, "actual"))  # fmt: skip
     failed = {name for name, status in statuses(context()).items() if status is Status.FAIL}
     assert failed == {f"Table 2, row {k}: error of the printed pair" for k in (1, 2)}
@@ -237,7 +236,7 @@ def test_an_error_of_the_actual_value_turns_two_rows_red(monkeypatch):
 def test_an_error_of_zero_is_no_scale_and_its_row_tells_of_a_point_fitted(monkeypatch):
     assert not statuses_of("Table 2, row 4", context())
     assert statuses_of("Table 2: row 4", context()) == [Status.NOTE]
-    monkeypatch.setattr(sprag_crown_table2, "relative_error", lambda k: 1e-4)
+    monkeypatch.setattr(table2, "relative_error", lambda k: 1e-4)
     assert statuses_of("Table 2: row 4", context()) == [Status.FAIL]
 
 
@@ -257,7 +256,7 @@ def test_the_last_error_s_row_is_a_note_while_it_does_not_round_to_what_is_print
     right = relative_error
     start = "Table 2, row 10"
     assert statuses_of(start, context()) == [Status.NOTE]
-    monkeypatch.setattr(sprag_crown_table2, "relative_error", lambda k: right(k) * 0.99)
+    monkeypatch.setattr(table2, "relative_error", lambda k: right(k) * 0.99)
     assert statuses_of(start, context()) == [Status.FAIL]
 
 

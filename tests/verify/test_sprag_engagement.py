@@ -9,8 +9,7 @@ import pytest
 
 from analytic.sprag import closure, course, printed, start, table
 from analytic.sprag.history import Phase
-from verify.cases.sprag.engagement import claims, formulas, model
-from verify.cases.sprag.engagement import fem as steps
+from verify.cases.sprag.engagement import claims, fem, formulas, model
 from verify.cases.sprag.engagement.case import ENGAGEMENT, analytic, too_large
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.results import Status
@@ -49,7 +48,7 @@ def broken(monkeypatch):
 @cache
 def finest():
     """What the finest level keeps of LSODA and of other clutches, from the cache."""
-    return solve_level(ENGAGEMENT, PAPER, steps.LEVELS[-1], default_folder()).result
+    return solve_level(ENGAGEMENT, PAPER, fem.LEVELS[-1], default_folder()).result
 
 
 @pytest.fixture
@@ -62,11 +61,11 @@ def steps_alone(monkeypatch):
         ("designs_fem", ("crowns", "centroids", "balanced")),
     ):
         monkeypatch.setattr(
-            steps, name, lambda *_, keys=arrays: {key: right.arrays[key] for key in keys}
+            fem, name, lambda *_, keys=arrays: {key: right.arrays[key] for key in keys}
         )
-    monkeypatch.setattr(steps, "order_fem", lambda _q: {"order": right.arrays["order"]}["order"])
-    monkeypatch.setattr(steps, "partners_fem", lambda _q: kept)
-    monkeypatch.setattr(steps, "pressed_fem", lambda _q: {})
+    monkeypatch.setattr(fem, "order_fem", lambda _q: {"order": right.arrays["order"]}["order"])
+    monkeypatch.setattr(fem, "partners_fem", lambda _q: kept)
+    monkeypatch.setattr(fem, "pressed_fem", lambda _q: {})
 
     def solve():
         levels = [solve_level(ENGAGEMENT, PAPER, level, None) for level in ENGAGEMENT.levels]
@@ -76,7 +75,7 @@ def steps_alone(monkeypatch):
 
 
 def engaged(q, dt=1e-5, **how):
-    return steps.engaged_fem(q, model.wedge(q), dt, **how)
+    return fem.engaged_fem(q, model.wedge(q), dt, **how)
 
 
 # States of the clutch.
@@ -225,15 +224,15 @@ STEPS = [
     pytest.param(model, "_table", scaled_columns(h=1.01), ENERGY, id="lever of N"),
     pytest.param(model, "_table", scaled_columns(b_i=1.01), FREE, id="lever of T_i"),
     pytest.param(model, "_table", scaled_columns(b_e=0.99), REST, id="lever of T_e"),
-    pytest.param(steps, "motion", moving(C_rl=2.0), SPRING, id="damping twice"),
-    pytest.param(steps, "motion", moving(k_out=1e-5), SPRING,
+    pytest.param(fem, "motion", moving(C_rl=2.0), SPRING, id="damping twice"),
+    pytest.param(fem, "motion", moving(k_out=1e-5), SPRING,
                  id="a constant torque holds no outer race"),
-    pytest.param(steps, "motion", moving(I_bi=1.01), SMALL, id="inertia of the inner race"),
-    pytest.param(steps, "motion", moving(I_g=12.0, m_g=12.0), SMALL,
+    pytest.param(fem, "motion", moving(I_bi=1.01), SMALL, id="inertia of the inner race"),
+    pytest.param(fem, "motion", moving(I_g=12.0, m_g=12.0), SMALL,
                  id="the mass of all sprags for one"),
-    pytest.param(steps, "torque", lambda _: lambda q: steps.Torque.step(q.T, t_ramp=5e-3), SPRING,
+    pytest.param(fem, "torque", lambda _: lambda q: fem.Torque.step(q.T, t_ramp=5e-3), SPRING,
                  id="the torque is no step"),
-    pytest.param(steps, "wedge", lambda right: lambda q, rigid=False: right(q), RIGID,
+    pytest.param(fem, "wedge", lambda right: lambda q, rigid=False: right(q), RIGID,
                  id="rigid races forgotten"),
 ]  # fmt: skip
 

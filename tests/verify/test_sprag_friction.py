@@ -9,12 +9,11 @@ import pytest
 
 from analytic.sprag.friction import coefficient
 from analytic.sprag.history import Phase
-from verify.cases.sprag.engagement import fem as engagement
-from verify.cases.sprag.engagement import formulas as sprag_engagement_formulas
-from verify.cases.sprag.engagement import model as sprag_engagement_model
+from verify.cases.sprag.engagement import fem as engagement_fem
+from verify.cases.sprag.engagement import formulas as engagement_formulas
+from verify.cases.sprag.engagement import model as engagement_model
 from verify.cases.sprag.engagement.model import wedge
-from verify.cases.sprag.friction import fem as steps
-from verify.cases.sprag.friction import formulas
+from verify.cases.sprag.friction import fem, formulas
 from verify.cases.sprag.friction.case import FRICTION, analytic, too_large
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.jobs.cache import default_folder
@@ -33,8 +32,8 @@ def own(**changes):
 
 
 def forget():
-    for kept in (sprag_engagement_model.wedge, sprag_engagement_model._table,
-                 sprag_engagement_formulas.swing):  # fmt: skip
+    for kept in (engagement_model.wedge, engagement_model._table,
+                 engagement_formulas.swing):  # fmt: skip
         kept.cache_clear()
 
 
@@ -53,7 +52,7 @@ def broken(monkeypatch):
 @cache
 def finest():
     """What the finest level keeps, from the cache."""
-    return solve_level(FRICTION, PAPER, steps.LEVELS[-1], default_folder()).result
+    return solve_level(FRICTION, PAPER, fem.LEVELS[-1], default_folder()).result
 
 
 @pytest.fixture
@@ -61,13 +60,13 @@ def steps_alone(monkeypatch):
     """Solve the steps anew beside the right LSODA and maps, which take longest."""
     right = finest()
     kept = {key: v for key, v in right.values.items() if key.startswith("LSODA")}
-    monkeypatch.setattr(steps, "partners_fem", lambda *_: kept)
+    monkeypatch.setattr(fem, "partners_fem", lambda *_: kept)
     for name, keys in (
         ("guarded_fem", ("guard",)), ("swept_fem", ("sweep",)), ("map_fem", ("map",)),
         ("narrow_fem", ("narrow", "unguarded")), ("boundaries_fem", ("boundaries",)),
     ):  # fmt: skip
         monkeypatch.setattr(
-            steps, name, lambda *_, keys=keys: {key: right.arrays[key] for key in keys}
+            fem, name, lambda *_, keys=keys: {key: right.arrays[key] for key in keys}
         )
 
     def solve():
@@ -78,7 +77,7 @@ def steps_alone(monkeypatch):
 
 
 def engaged(q, dt=1e-5, **how):
-    return steps.engaged_fem(q, wedge(q), dt, **how)
+    return fem.engaged_fem(q, wedge(q), dt, **how)
 
 
 # States of the contacts.
@@ -114,10 +113,10 @@ def test_driven_it_is_the_inner_contact_that_slides_and_overrunning_the_outer():
     for speed, mu, outside in ((100.0, 0.9 * math.tan(PAPER.nu_0), False), (-100.0, 0.12, True)):
         found = formulas.sliding(wedge(PAPER), math.copysign(mu, speed))
         assert found.outside == outside
-        p = steps.rough(PAPER, mu)
+        p = fem.rough(PAPER, mu)
         run = engaged(
-            PAPER, moves=steps.held(p, C_rl=0.0, I_bi=1.0), course=steps.Torque.step(0.0),
-            duration=steps.SLIDES, speeds=steps.Speeds(inner=speed),
+            PAPER, moves=fem.held(p, C_rl=0.0, I_bi=1.0), course=fem.Torque.step(0.0),
+            duration=fem.SLIDES, speeds=fem.Speeds(inner=speed),
         )  # fmt: skip
         late = run.phases[len(run.t) // 2 :]
         assert (late[:, int(outside)] == Phase.SLIP).mean() > 0.9
@@ -144,8 +143,8 @@ def test_sliding_force_grows_as_friction_nears_the_wedge():
 
 def test_the_guard_stops_what_unguarded_is_silently_wrong():
     q = formulas.weak(PAPER, 1.6)
-    assert steps.refused_fem(q, 1e-5, 1e-3)
-    assert not steps.refused_fem(q, 1e-5, 1e-2)
+    assert fem.refused_fem(q, 1e-5, 1e-3)
+    assert not fem.refused_fem(q, 1e-5, 1e-2)
     right = engaged(q).N_max
     torques = [q.model_copy(update={"T": q.T * (1 + k * 1e-9)}) for k in range(16)]
     wrong = [engaged(p, D_V=1e-3, guard=False).N_max / right for p in torques]
@@ -221,20 +220,20 @@ def unguarded(right):
 
 
 STEPS = [
-    pytest.param(engagement, "motion", moving(lambda m: replace(m, mu_s=m.mu_c)), AFTER,
+    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, mu_s=m.mu_c)), AFTER,
                  id="T_bis of Coulomb's friction"),
-    pytest.param(engagement, "motion", moving(lambda m: replace(m, gamma_b=0.0)), AFTER,
+    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, gamma_b=0.0)), AFTER,
                  id="friction that does not fall"),
-    pytest.param(engagement, "motion", moving(lambda m: replace(m, mu_s=1.02 * m.mu_s)), OVERRUN,
-                 id="friction 2 % too large"),
-    pytest.param(engagement, "motion", moving(lambda m: replace(m, K_r=12 * m.K_r)), DRIVEN,
+    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, mu_s=1.02 * m.mu_s)),
+                 OVERRUN, id="friction 2 % too large"),
+    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, K_r=12 * m.K_r)), DRIVEN,
                  id="springs of all sprags on one"),
-    pytest.param(engagement, "motion", moving(lambda m: replace(m, alpha_max=m.alpha_max / 2)),
+    pytest.param(engagement_fem, "motion", moving(lambda m: replace(m, alpha_max=m.alpha_max / 2)),
                  DRIVEN, id="springs half as far wound"),
-    pytest.param(steps, "between", moving(lambda mu: 1.002 * mu), BEGINS,
+    pytest.param(fem, "between", moving(lambda mu: 1.002 * mu), BEGINS,
                  id="slip at 0.2 % more friction"),
-    pytest.param(steps, "engaged_fem", unguarded, AFTER, id="no guard and a narrow band"),
-    pytest.param(steps, "engaged_fem", unguarded, ENDS, id="slip without an end"),
+    pytest.param(fem, "engaged_fem", unguarded, AFTER, id="no guard and a narrow band"),
+    pytest.param(fem, "engaged_fem", unguarded, ENDS, id="slip without an end"),
 ]  # fmt: skip
 
 

@@ -11,8 +11,7 @@ from tests.conftest import solved
 from verify.answers.template import template
 from verify.cases.sprag.clutch import model as sprag_clutch_model
 from verify.cases.sprag.engagement.model import gap
-from verify.cases.sprag.optimum import crown_claims
-from verify.cases.sprag.optimum import formulas as sprag_optimum_formulas
+from verify.cases.sprag.optimum import crown_claims, formulas
 from verify.cases.sprag.optimum.case import OPTIMUM_25, OPTIMUM_40, too_large
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs, Optimum40Inputs
 from verify.cases.sprag.peaks import with_crown
@@ -99,7 +98,7 @@ def test_what_grows_with_the_torque_is_told_where_it_does_not(arrays, row):
 
 def forget():
     model = sprag_clutch_model
-    for function in (sprag_optimum_formulas.analytic, model.built, model.under):
+    for function in (formulas.analytic, model.built, model.under):
         function.cache_clear()
 
 

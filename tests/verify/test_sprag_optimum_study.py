@@ -6,9 +6,7 @@ import pytest
 from analytic.contact import crown, slices
 from analytic.surrogate import genetic, kriging, largest
 from analytic.surrogate.infill import NoAgreementError
-from verify.cases.sprag.optimum import deep as sprag_optimum_deep
-from verify.cases.sprag.optimum import ends_fem as sprag_optimum_ends_fem
-from verify.cases.sprag.optimum import study_fem as sprag_optimum_study_fem
+from verify.cases.sprag.optimum import deep, ends_fem, study_fem
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE
 from verify.cases.sprag.peaks import Peaks
@@ -44,13 +42,13 @@ def known(q, crowns, torques, **_more):
 @pytest.fixture
 def failed(monkeypatch):
     """The rows of the surrogate's claims that are red, or the error that ended the study."""
-    right = sprag_optimum_study_fem.infill
-    monkeypatch.setattr(sprag_optimum_study_fem, "peaks_fem", known)
-    monkeypatch.setattr(sprag_optimum_study_fem, "infill", lambda *a, **k: right(*a, **k, rounds=3))
+    right = study_fem.infill
+    monkeypatch.setattr(study_fem, "peaks_fem", known)
+    monkeypatch.setattr(study_fem, "infill", lambda *a, **k: right(*a, **k, rounds=3))
 
     def rows():
         try:
-            arrays = sprag_optimum_study_fem.study_fem(Q)
+            arrays = study_fem.study_fem(Q)
         except ArithmeticError as error:
             return str(error)
         context = Context("sprag-optimum", Q, {}, [FemResult(h=1.0, values={}, arrays=arrays)],
@@ -102,7 +100,7 @@ def test_an_end_that_is_not_kriged_is_told(failed, monkeypatch):
     def inside_alone(x, answers, box):
         return largest.fit_largest(x, [np.array([a.inside for a in answers])], box)
 
-    monkeypatch.setattr(sprag_optimum_study_fem, "fit_fem", inside_alone)
+    monkeypatch.setattr(study_fem, "fit_fem", inside_alone)
     found = failed()
     assert isinstance(found, str) or FRESH in found
 
@@ -117,20 +115,20 @@ def test_a_surrogate_that_is_off_is_refused_or_told_where_infill_stops_at_once(f
     def off(x, answers, box):
         return largest.fit_largest(x, [np.array([1.02 * a.largest for a in answers])], box)
 
-    monkeypatch.setattr(sprag_optimum_study_fem, "fit_fem", off)
+    monkeypatch.setattr(study_fem, "fit_fem", off)
     assert "do not agree within 0.50% after 3 rounds" in failed()
-    right = sprag_optimum_study_fem.infill
+    right = study_fem.infill
     monkeypatch.setattr(
-        sprag_optimum_study_fem, "infill",
+        study_fem, "infill",
         lambda *a, **k: right(*a, **k | {"agree": 1.0, "in_a_row": 1}),
     )  # fmt: skip
     assert AT_BEST in failed()
 
 
 def test_a_best_crown_that_is_not_is_told_by_the_search_without_surrogate(failed, monkeypatch):
-    right = sprag_optimum_study_fem.evolve
+    right = study_fem.evolve
     monkeypatch.setattr(
-        sprag_optimum_study_fem, "evolve",
+        study_fem, "evolve",
         lambda objective, box: right(lambda x: -objective(x), box),
     )  # fmt: skip
     found = failed()
@@ -138,18 +136,18 @@ def test_a_best_crown_that_is_not_is_told_by_the_search_without_surrogate(failed
 
 
 def test_the_same_seed_finds_the_same(monkeypatch):
-    monkeypatch.setattr(sprag_optimum_study_fem, "peaks_fem", known)
-    one, two = (sprag_optimum_study_fem.study_fem(Q) for _ in range(2))
+    monkeypatch.setattr(study_fem, "peaks_fem", known)
+    one, two = (study_fem.study_fem(Q) for _ in range(2))
     for name, array in one.items():
         np.testing.assert_array_equal(array, two[name])
 
 
 def test_the_deep_measurement_has_what_its_table_tells(monkeypatch):
-    for module in (sprag_optimum_study_fem, sprag_optimum_deep):
+    for module in (study_fem, deep):
         monkeypatch.setattr(module, "peaks_fem", known)
     for name, value in {"DESIGNS": 15, "ENGAGEMENTS": 30, "SEEDS": 2}.items():
-        monkeypatch.setattr(sprag_optimum_deep, name, value)
-    errors, direct, seeds = (sprag_optimum_deep.deep_fem(Q, k).arrays for k in range(3))
+        monkeypatch.setattr(deep, name, value)
+    errors, direct, seeds = (deep.deep_fem(Q, k).arrays for k in range(3))
     assert np.abs(errors["two"]).mean() < np.abs(errors["single"]).mean()
     assert direct["direct"].shape[1] == 4
     assert len(direct["direct"]) >= 25
@@ -159,10 +157,10 @@ def test_the_deep_measurement_has_what_its_table_tells(monkeypatch):
 
 def test_without_ends_that_carry_one_regime_is_kriged():
     box = Q.box
-    x = sprag_optimum_study_fem.full_factorial(box, 3)
+    x = study_fem.full_factorial(box, 3)
     u = box.to_unit(x)
-    answers = [sprag_optimum_study_fem.Answer(0.0, 1e9 * (1 + p), 1.0) for p in u.sum(axis=1)]
-    surrogate = sprag_optimum_study_fem.fit_fem(x, answers, box)
+    answers = [study_fem.Answer(0.0, 1e9 * (1 + p), 1.0) for p in u.sum(axis=1)]
+    surrogate = study_fem.fit_fem(x, answers, box)
     assert len(surrogate.models) == 1
     assert surrogate.predict(x) == pytest.approx([a.largest for a in answers], rel=1e-6)
 
@@ -174,10 +172,10 @@ def test_a_crown_with_free_ends_is_missing_only_where_all_engagements_are_solved
     def fails(*_):
         raise error("no crown")
 
-    monkeypatch.setattr(sprag_optimum_ends_fem, "infilled_fem", fails)
+    monkeypatch.setattr(ends_fem, "infilled_fem", fails)
     crowns = np.array([[Q.K_1, Q.K_2, Q.z_m]])
     if error is NoAgreementError:
-        assert sprag_optimum_ends_fem.freed_fem(Q, crowns, np.array([N])) == {}
+        assert ends_fem.freed_fem(Q, crowns, np.array([N])) == {}
         return
     with pytest.raises(ArithmeticError, match="no crown"):
-        sprag_optimum_ends_fem.freed_fem(Q, crowns, np.array([N]))
+        ends_fem.freed_fem(Q, crowns, np.array([N]))

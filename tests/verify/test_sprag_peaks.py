@@ -5,7 +5,7 @@ import pytest
 
 from analytic.contact import strips
 from analytic.sprag.closure import wedged
-from verify.cases.sprag import peaks as sprag_peaks
+from verify.cases.sprag import peaks
 from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.engagement.model import gap
@@ -82,7 +82,7 @@ def test_an_engagement_that_is_not_solved_is_not_one_that_does_not_lock(monkeypa
     def fails(*_):
         raise ValueError("dt is too long")
 
-    monkeypatch.setattr(sprag_peaks, "engaged_fem", fails)
+    monkeypatch.setattr(peaks, "engaged_fem", fails)
     with pytest.raises(ArithmeticError, match="no answer: ValueError: dt is too long") as error:
         peaks_fem(Q, CROWNS[:1], [25.0])
     assert not isinstance(error.value, NoLockError)

@@ -7,9 +7,9 @@ import pytest
 
 from analytic.spring import column, stability
 from analytic.spring.elastica import Elastica
-from verify.cases.spring import large_fem as spring_large_fem
+from verify.cases.spring import large_fem
 from verify.cases.spring.buckling import case as spring_buckling
-from verify.cases.spring.buckling import fem as spring_buckling_fem
+from verify.cases.spring.buckling import fem
 from verify.cases.spring.buckling.case import (
     BUCKLING,
     NOT_FOUND,
@@ -129,7 +129,7 @@ def wrong_section(right):
 
 FE_FAULTS = [
     pytest.param(Spring, "section", wrong_section, U_CR, id="shear ten thousand times too soft"),
-    pytest.param(spring_buckling_fem, "spring",
+    pytest.param(fem, "spring",
                  lambda f: lambda q, p, b, level: f(q, p | {"L1": 1.002 * p["L1"]}, b, level),
                  U_CR, id="leaves 0.2 % too long"),
 ]  # fmt: skip
@@ -138,9 +138,9 @@ FE_FAULTS = [
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FE_FAULTS)
 def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatch, fresh):
     monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
-    monkeypatch.setattr(spring_buckling_fem, "SWEPT", 0)  # sweeps are not asked
+    monkeypatch.setattr(fem, "SWEPT", 0)  # sweeps are not asked
     q = BucklingInputs()
-    levels = [spring_buckling_fem.fem(q, level) for level in (2, 4, 8)]
+    levels = [fem.fem(q, level) for level in (2, 4, 8)]
     (check,) = (c for c in BUCKLING.checks if c.name == row)
     rows = check.rows(Context(BUCKLING.id, q, analytic(q), levels, True))
     assert rows[0].status is Status.FAIL
@@ -164,7 +164,7 @@ def test_the_head_s_stiffness_is_symmetric_though_nothing_makes_it_so(thin):
 def test_where_a_head_gives_way_does_not_depend_on_where_the_search_began(thin, monkeypatch):
     found = []
     for near in (0.8, 0.85, 0.9):
-        monkeypatch.setattr(spring_large_fem, "NEAR", near)
+        monkeypatch.setattr(large_fem, "NEAR", near)
         found.append(thin.gives_way(5e-3)[0])
     assert found == pytest.approx([found[0]] * 3, rel=1e-11)
 
@@ -255,9 +255,9 @@ def test_an_elastica_that_is_not_found_is_no_spring_without_a_critical_point(mon
 
 
 def test_a_critical_point_that_beams_do_not_have_is_an_error(monkeypatch):
-    monkeypatch.setattr(spring_buckling_fem, "LAST", 0.01)
+    monkeypatch.setattr(fem, "LAST", 0.01)
     with pytest.raises(ArithmeticError, match="no critical point of the free head up to 1%"):
-        spring_buckling_fem.fem(own(), 2)
+        fem.fem(own(), 2)
 
 
 def test_wrong_input_gets_one_line():

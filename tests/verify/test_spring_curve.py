@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from fem.beam import touching, touching_law
-from meshes.spring import centre_line as meshed
+from meshes.spring import centre_line
 from verify.cases.spring.curve import claims, runs
-from verify.cases.spring.curve import fem as model
+from verify.cases.spring.curve import fem as curve_fem
 from verify.cases.spring.curve.case import CURVE
 from verify.cases.spring.curve.figures import points, tables
 from verify.cases.spring.curve.inputs import CurveInputs
@@ -25,7 +25,7 @@ STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
 
 def pressed(**changed):
     """The paper's spring, or one with something `changed`, up to the end of its stroke."""
-    return model.fem_compress(
+    return curve_fem.fem_compress(
         runs.spring_of(Q, **changed), runs.grid(Q, STATES), per_arc=CELLS
     )  # fmt: skip
 
@@ -111,7 +111,7 @@ def stiffness_at_rest():
 def test_a_head_that_may_turn_is_softer_at_rest(monkeypatch):
     monkeypatch.setattr(runs, "_read", lambda _: {})
     assert abs(stiffness_at_rest()) < 1e-6
-    monkeypatch.setattr(model, "SUPPORTS", model.SUPPORTS | {"guided": "y"})
+    monkeypatch.setattr(curve_fem, "SUPPORTS", curve_fem.SUPPORTS | {"guided": "y"})
     assert stiffness_at_rest() < -5e-4
 
 
@@ -152,9 +152,9 @@ SLENDER_FAULTS = [
                  lambda f: lambda s, *a, **k: f(s, *a, **k | {"thickness": k["thickness"] / 2}),
                  AT_A, id="half the thickness in contact"),
     pytest.param(touching.SelfContact, "__init__", without_tail_tip, BEYOND, id="one tip only"),
-    pytest.param(model.Spring, "EA", lambda f: property(lambda s: f.fget(s) / (1 - s.nu**2)),
+    pytest.param(curve_fem.Spring, "EA", lambda f: property(lambda s: f.fget(s) / (1 - s.nu**2)),
                  FORCE_A, id="a wide strip's stiffness"),
-    pytest.param(meshed, "accordion",
+    pytest.param(centre_line, "accordion",
                  lambda f: lambda **k: f(**k | {"radius": 1.02 * k["radius"]}), AT_A,
                  id="arcs 2 % too large"),
 ]  # fmt: skip
@@ -169,7 +169,7 @@ def test_a_wrong_model_misses_the_closed_form(owner, name, fault, row, monkeypat
 def test_a_soft_contact_that_does_not_settle_enters(own, monkeypatch):
     monkeypatch.setattr(touching_law.Law, "settle", lambda *_: False)
     places = np.array([6, 12, 14, 17]) * mm
-    soft = model.fem_compress(runs.spring_of(Q), places, per_arc=CELLS, times=0.1)
+    soft = curve_fem.fem_compress(runs.spring_of(Q), places, per_arc=CELLS, times=0.1)
     assert is_red(DEPTH, context(own, **{"curve 8 depth": soft.depth}))
 
 
@@ -243,9 +243,9 @@ def test_a_state_that_is_not_found_ends_a_curve_beyond_its_stroke_and_no_other(m
 
     monkeypatch.setattr(LargeFrame, "displaced", fails)
     spring, U = runs.spring_of(Q), np.arange(1, 4) * mm
-    assert len(model.fem_compress(spring, U[:2], per_arc=CELLS, beyond=U[2:]).U) == 2
+    assert len(curve_fem.fem_compress(spring, U[:2], per_arc=CELLS, beyond=U[2:]).U) == 2
     with pytest.raises(ArithmeticError, match="pressed to 3 mm: no equilibrium found"):
-        model.fem_compress(spring, U, per_arc=CELLS)
+        curve_fem.fem_compress(spring, U, per_arc=CELLS)
 
 
 def test_a_reading_that_is_nearer_to_k_1_is_told(own):

@@ -8,7 +8,7 @@ import pytest
 from analytic.spring import energy
 from verify.cases.spring.large_fem import Spring
 from verify.cases.spring.map import case as spring_map
-from verify.cases.spring.map import fem as spring_map_fem
+from verify.cases.spring.map import fem
 from verify.cases.spring.map.case import DEEP_MAP, MAP, analytic, pressed, too_large
 from verify.cases.spring.map.inputs import (
     DEEP_LEAVES,
@@ -120,9 +120,9 @@ FE_FAULTS = [
 @pytest.mark.parametrize(("owner", "name", "fault", "row"), FE_FAULTS)
 def test_wrong_finite_elements_turn_rows_red(owner, name, fault, row, monkeypatch, fresh):
     monkeypatch.setattr(owner, name, fault(vars(owner)[name]))
-    monkeypatch.setattr(spring_map_fem, "MAPPED", 0)  # maps are not asked
+    monkeypatch.setattr(fem, "MAPPED", 0)  # maps are not asked
     q = MapInputs()
-    levels = [spring_map_fem.fem(q, level) for level in (4, 8, 16)]
+    levels = [fem.fem(q, level) for level in (4, 8, 16)]
     (check,) = (c for c in MAP.checks if c.name == row)
     assert check.rows(Context(MAP.id, q, analytic(q), levels, True))[0].status is Status.FAIL
 
@@ -164,7 +164,7 @@ def test_the_cells_of_a_column_have_its_slenderness():
 
 
 def test_a_cell_that_is_no_leaf_spring_is_left_out():
-    assert spring_map_fem.measured(MapInputs(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
+    assert fem.measured(MapInputs(), Cell(24, 2e-3, 0.45e-3, 11.6e-3, 1.4)) == (0, 0, 0)
 
 
 LONG_LEAVES = 18, 8  # of the finer maps: alpha = 70 deg, L_1/r = 60
@@ -175,13 +175,13 @@ def test_a_cell_whose_spring_becomes_unstable_has_no_forces():
     q = MapInputs()
     rows = [row for grid in points(q, deep=True).values() for row in grid]
     cell = rows[LONG_LEAVES[0]][LONG_LEAVES[1]]
-    one = spring_map_fem.spring(q, cell, 4, 2)
-    U_cr = spring_map_fem.critical_displacement(one, 0.6 * cell.length)
+    one = fem.spring(q, cell, 4, 2)
+    U_cr = fem.critical_displacement(one, 0.6 * cell.length)
     assert U_cr == pytest.approx(0.5535 * cell.length, rel=1e-4)
-    assert spring_map_fem.critical_displacement(one, 0.55 * cell.length) is None
-    with pytest.raises(spring_map_fem.UnstableError, match=r"point at 55\.4% of the length"):
-        spring_map_fem.pressed(one, cell)
-    k, *secant = spring_map_fem.measured(q, cell)
+    assert fem.critical_displacement(one, 0.55 * cell.length) is None
+    with pytest.raises(fem.UnstableError, match=r"point at 55\.4% of the length"):
+        fem.pressed(one, cell)
+    k, *secant = fem.measured(q, cell)
     assert k == pytest.approx(54.9127, rel=1e-5)
     assert secant == [0.0, 0.0]
 
@@ -195,8 +195,8 @@ def test_a_path_that_is_not_found_is_no_critical_point(monkeypatch):
 
     monkeypatch.setattr(Spring, "compressed", fails)
     with pytest.raises(ArithmeticError, match="no equilibrium found") as error:
-        spring_map_fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))
-    assert not isinstance(error.value, spring_map_fem.UnstableError)
+        fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))
+    assert not isinstance(error.value, fem.UnstableError)
 
 
 def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
@@ -209,8 +209,8 @@ def test_an_arc_that_is_not_followed_proves_nothing(monkeypatch):
     for name in ("displaced", "along_arc"):
         monkeypatch.setattr("fem.beam.large.LargeFrame." + name, fails)
     with pytest.raises(ArithmeticError, match="no step goes on") as error:
-        spring_map_fem.measured(q, cell)
-    assert not isinstance(error.value, spring_map_fem.UnstableError)
+        fem.measured(q, cell)
+    assert not isinstance(error.value, fem.UnstableError)
 
 
 def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
@@ -221,7 +221,7 @@ def test_forces_of_unstable_equilibria_are_no_result(monkeypatch):
         return [*before, replace(last, negative=1)]
 
     monkeypatch.setattr(Spring, "compressed", crossed)
-    assert spring_map_fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))[1:] == (0, 0)
+    assert fem.measured(q, Cell(q.n, q.b, q.r, q.L1, q.alpha))[1:] == (0, 0)
 
 
 def test_an_elastica_that_is_not_found_says_nothing_of_stability():
@@ -231,7 +231,7 @@ def test_an_elastica_that_is_not_found_says_nothing_of_stability():
     assert too_large(q) == f"{spring_map.NOT_FOUND}: check it without --fem"
     assert MAP.warnings(q, analytic(q)) == [spring_map.NOT_FOUND]
     cell = Cell(q.n, q.b, q.r, q.L1, q.alpha)
-    assert len(spring_map_fem.pressed(spring_map_fem.spring(q, cell, 4, 2), cell)) == 2
+    assert len(fem.pressed(fem.spring(q, cell, 4, 2), cell)) == 2
 
 
 def test_the_finer_map_has_a_part_for_each_of_its_rows():

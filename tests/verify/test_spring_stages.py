@@ -5,10 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.spring import loops
-from analytic.spring import stages as formula
+from analytic.spring import loops, stages
 from fem.beam import links, straight
-from verify.cases.spring.stages import fem as spring_stages_fem
+from verify.cases.spring.stages import fem
 from verify.cases.spring.stages import readings as spring_stages_readings
 from verify.cases.spring.stages.case import STAGES
 from verify.cases.spring.stages.inputs import StagesInputs
@@ -48,21 +47,21 @@ def flat(couple):
 
 
 FORMULA_FAULTS = [
-    pytest.param(formula, "response", only_head, f"stiffness k_2, {GUIDED}", id="one tip for two"),
-    pytest.param(formula, "line", lambda f: lambda **k: f(**k | {"b": 0 * k["b"]}),
+    pytest.param(stages, "response", only_head, f"stiffness k_2, {GUIDED}", id="one tip for two"),
+    pytest.param(stages, "line", lambda f: lambda **k: f(**k | {"b": 0 * k["b"]}),
                  f"force at A, {GUIDED}", id="gap without the thickness"),
-    pytest.param(formula, "line", lambda f: lambda **k: f(**k | {"b": k["b"] / 2}),
+    pytest.param(stages, "line", lambda f: lambda **k: f(**k | {"b": k["b"] / 2}),
                  f"displacement at A, {GUIDED}", id="gap with half the thickness"),
-    pytest.param(formula, "line", lambda f: lambda **k: f(**k | {"radius": k["radius"] - 5e-5}),
+    pytest.param(stages, "line", lambda f: lambda **k: f(**k | {"radius": k["radius"] - 5e-5}),
                  f"stiffness k_1, {GUIDED}", id="inner radius"),
     pytest.param(loops, "_couple", flat, f"force at A, {GUIDED}", id="y for y + a"),
     pytest.param(loops, "_couple", lambda f: lambda at, force: -f(at, force),
                  f"force at A, {GUIDED}", id="sign of the pair's couple"),
-    pytest.param(formula, "line", lambda f: lambda **k: f(**k | {"normal": "leaf"}),
+    pytest.param(stages, "line", lambda f: lambda **k: f(**k | {"normal": "leaf"}),
                  f"force at A, {GUIDED}", id="the unloaded leaf's normal"),
-    pytest.param(formula, "HELD", lambda held: {**held, "guided": [1]},
+    pytest.param(stages, "HELD", lambda held: {**held, "guided": [1]},
                  f"stiffness k_1, {GUIDED}", id="a guide that lets the head turn"),
-    pytest.param(formula, "HELD", lambda held: {**held, "hinged": []},
+    pytest.param(stages, "HELD", lambda held: {**held, "hinged": []},
                  "stiffness k_1, head hinged, tail at mid-leaf", id="a hinge without side force"),
 ]  # fmt: skip
 
@@ -107,10 +106,10 @@ def beside(divide):
 
 
 SOLVER_FAULTS = [
-    pytest.param(spring_stages_fem, "opposite", shorter, f"force at A, {GUIDED}", id="gap"),
+    pytest.param(fem, "opposite", shorter, f"force at A, {GUIDED}", id="gap"),
     pytest.param(straight, "ties", sideways, f"stiffness k_2, {GUIDED}", id="direction of links"),
     pytest.param(links, "divide", beside, f"stiffness k_2, {GUIDED}", id="place of links"),
-    pytest.param(spring_stages_fem, "SUPPORTS", lambda held: {**held, "guided": "y"},
+    pytest.param(fem, "SUPPORTS", lambda held: {**held, "guided": "y"},
                  f"stiffness k_1, {GUIDED}", id="a guide that lets the head turn"),
 ]  # fmt: skip
 

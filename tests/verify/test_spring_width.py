@@ -8,8 +8,7 @@ import pytest
 from analytic.spring import frame, wide_leaf
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.width import case as spring_width
-from verify.cases.spring.width import claims as spring_width_claims
-from verify.cases.spring.width import fem as spring_width_fem
+from verify.cases.spring.width import claims, fem
 from verify.cases.spring.width.case import WIDTH, analytic, too_large, warnings
 from verify.cases.spring.width.fem import ENDS, LEVELS, fem_spring
 from verify.cases.spring.width.inputs import WidthInputs
@@ -101,8 +100,8 @@ def rows_of_a_shell(change, monkeypatch):
 
     Only they are solved, on all levels.
     """
-    right = spring_width_fem.fem_pulled
-    monkeypatch.setattr(spring_width_fem, "fem_pulled", lambda *a, **k: right(*change(a), **k))
+    right = fem.fem_pulled
+    monkeypatch.setattr(fem, "fem_pulled", lambda *a, **k: right(*change(a), **k))
     q = WidthInputs()
     values = [
         {
@@ -111,10 +110,7 @@ def rows_of_a_shell(change, monkeypatch):
         }
         for level in LEVELS
     ]
-    return [
-        spring_width_fem.FemResult(h=1 / level, values=v)
-        for level, v in zip(LEVELS, values, strict=True)
-    ]
+    return [fem.FemResult(h=1 / level, values=v) for level, v in zip(LEVELS, values, strict=True)]
 
 
 SHELL_FAULTS = [
@@ -202,7 +198,7 @@ def test_a_free_head_without_its_line_is_a_little_softer_than_with_it():
 
 def test_what_a_wide_spring_lacks_is_as_wide_as_its_leaves(levels):
     context = Context(WIDTH.id, WidthInputs(), analytic(WidthInputs()), levels, True)
-    fit = fit_limit(*spring_width_claims.wide(context))
+    fit = fit_limit(*claims.wide(context))
     assert abs(fit.q - 1) < fit.U_q < 0.1
     assert abs(fit.d0) < 1e-4
 
@@ -233,7 +229,7 @@ def test_odd_springs_have_finite_values_within_the_bounds(change):
 
 def test_an_own_narrow_spring_passes_and_its_error_is_told():
     q = own(n=4, h="3 mm", head="hinged", tail="arc")
-    levels = [spring_width_fem.fem(q, level) for level in LEVELS]
+    levels = [fem.fem(q, level) for level in LEVELS]
     context = Context(WIDTH.id, q, analytic(q), levels, False)
     rows = [row for check in WIDTH.checks for row in check.rows(context)]
     assert {row.status for row in rows} == {Status.PASS, Status.SHOWN}

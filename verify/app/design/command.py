@@ -64,14 +64,14 @@ def command(path: Path, choose: int | None, *, use_fem: bool) -> str:
 
 def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
     """What goes into the folder, by name."""
-    from reports.design import page as drawn
+    from reports.design import page as page_html
     from verify.app.design.page import page
 
     texts = {TABLE: candidates_csv(outcome.search)}
     if outcome.chosen is not None:
         texts[CHOSEN] = chosen_file(outcome)
         repeat += f"\nfreewheel check --fem {CHOSEN}"
-    texts[PAGE] = drawn(page(outcome, repeat))
+    texts[PAGE] = page_html(page(outcome, repeat))
     return {name: text.encode() for name, text in texts.items()}
 
 

@@ -70,7 +70,7 @@ def run_design(
 
 def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:
     """What goes into the folder, by name."""
-    from reports.design import page as drawn
+    from reports.design import page as page_html
     from verify.app.design_sprag.page import page
 
     repeat += f"\nfreewheel check --dynamic {shlex.quote(str(Path(folder) / CHOSEN))}"
@@ -78,7 +78,7 @@ def files(outcome: Outcome, repeat: str, folder: str) -> Mapping[str, str]:
         "profile.csv": profile_csv(outcome),
         "designs.csv": designs_csv(outcome),
         CHOSEN: chosen_file(outcome),
-        PAGE: drawn(page(outcome, repeat)),
+        PAGE: page_html(page(outcome, repeat)),
     }
 
 

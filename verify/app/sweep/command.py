@@ -125,7 +125,7 @@ def command(
 
 def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
     """What goes into the folder, by name."""
-    from reports.sweep import page as drawn
+    from reports.sweep import page as page_html
     from verify.app.sweep.page import page
 
     tables = (
@@ -134,7 +134,7 @@ def files(found: Outcome, repeat: str) -> Mapping[str, bytes]:
         else {"validity.csv": validity_csv(found)}
     )
     texts = {
-        PAGE: drawn(page(found, repeat)),
+        PAGE: page_html(page(found, repeat)),
         "points.csv": points_csv(found),
         **tables,
         "sweep.json": json.dumps(record(found, repeat), ensure_ascii=False, indent=1) + "\n",

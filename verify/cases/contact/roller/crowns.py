@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.contact import hertz_line
 from analytic.contact.crown import johns_gohar, lundberg
-from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import figures as roller_figures
 from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.contact.roller.case import ASSUMPTIONS, HALF_SPACE, READINGS
@@ -23,7 +23,7 @@ from verify.core.tex import tex
 from verify.judging.checks import Accepted, Fact
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair, demanded, suites
 
-MPa, mm, um = shown.MPa, shown.mm, shown.um
+MPa, mm, um = roller_figures.MPa, roller_figures.mm, roller_figures.um
 EVEN = {"Lundberg": "Lundberg's crown", "Johns": "Johns and Gohar's crown"}
 FAR = 5.0  # half-widths from the ends, up to which an even pressure is one
 FLAT = 0.01  # within this
@@ -299,7 +299,9 @@ def designs(context: Context) -> Figure:
     for i, design in enumerate(DESIGNS[k] for k in COMPARED):
         _, along = by_strips(q, q.n, designed(q, design).gap)
         curves.append(Curve(name=label(design), x=along.y / mm, y=along.p / MPa, colour=i))
-        curves.append(shown.half_space(context, "" if i else "half-space", f"{label(design)} ", i))
+        curves.append(
+            roller_figures.half_space(context, "" if i else "half-space", f"{label(design)} ", i)
+        )
     p_0 = context.analytic["Hertz p0"] / MPa
     return Curves(
         title="Pressure of the paper's designs (Fig. 12)", x_label="y [mm]", y_label="p [MPa]",
@@ -313,14 +315,14 @@ def by_all(context: Context, design: int) -> Figure:
     """p(y) of all methods for one of the designs."""
     named = label(DESIGNS[design])
     roller = designed(context.inputs, DESIGNS[design])
-    return shown.pressures(context, roller, f"{named} ", f", {named}")
+    return roller_figures.pressures(context, roller, f"{named} ", f", {named}")
 
 
 def even(context: Context) -> Figure:
     """Lundberg's and Johns and Gohar's pressure."""
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):
-        curve = shown.half_space(context, words, f"{name} ", 2 * i)
+        curve = roller_figures.half_space(context, words, f"{name} ", 2 * i)
         curves.append(replace(curve, y=curve.y * MPa / context.analytic["Hertz p0"]))
     return Curves(
         title="Crowns for an even pressure", x_label="y [mm]", y_label="p/p_0",
@@ -371,7 +373,7 @@ def equations(q: StripInputs, v: Values) -> Sequence[Equation]:
 
 
 def pictures(q: Any) -> Sequence[Picture]:
-    (picture,) = shown.pictures(q)
+    (picture,) = roller_figures.pictures(q)
     return tuple(
         replace(picture, field=name, caption=f"{words}: {picture.caption}")
         for name, words in EVEN.items()
@@ -398,7 +400,7 @@ CROWNS = Case(
     assumptions=ASSUMPTIONS[:4],
     warnings=warnings,
     equations=equations,
-    sketch=lambda q: shown.sketch(designed(q, DESIGNS[0])),
+    sketch=lambda q: roller_figures.sketch(designed(q, DESIGNS[0])),
     figures=figures,
     pictures=pictures,
     too_large=too_short,

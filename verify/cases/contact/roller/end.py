@@ -1,6 +1,6 @@
 """A roller's end face: finite elements of both bodies where a half-space has no face at all."""
 
-from verify.cases.contact.roller import end_figures as shown
+from verify.cases.contact.roller import end_figures
 from verify.cases.contact.roller.accepted import Estimated
 from verify.cases.contact.roller.end_fem import CROWNS, EndInputs, fem
 from verify.cases.contact.roller.end_figures import BODIES
@@ -129,10 +129,10 @@ END = Case(
         "interpolated",
         "the edge's sharpness is that of a ring shrunk on a longer shaft, axisymmetric",
     ),
-    warnings=shown.warnings,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
+    warnings=end_figures.warnings,
+    equations=end_figures.equations,
+    sketch=end_figures.sketch,
+    figures=end_figures.figures,
+    pictures=end_figures.pictures,
     quick=False,
 )

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.contact.edge import edge_exponent
-from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import figures as roller_figures
 from verify.cases.contact.roller.end_fem import CROWNS, EDGE, EndInputs
 from verify.cases.contact.roller.end_formulas import on_half_space
 from verify.cases.contact.roller.inputs import STRETCH
@@ -13,7 +13,7 @@ from verify.core.case import Context, Values
 from verify.core.figures import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
 from verify.core.tex import tex
 
-MPa, mm = shown.MPa, shown.mm
+MPa, mm = roller_figures.MPa, roller_figures.mm
 BODIES = {"end": "end face", "control": "both bodies go on"}
 EDGE_DRAWN = 5e-3
 
@@ -74,37 +74,45 @@ def sketch(q: EndInputs) -> Sketch:
         return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
     shapes = (
-        Shape(style="text", points=shown.line((-5.2, 0.0))),
-        Shape(style="text", points=shown.line((5.2, 0.0))),
+        Shape(style="text", points=roller_figures.line((-5.2, 0.0))),
+        Shape(style="text", points=roller_figures.line((5.2, 0.0))),
         Shape(style="body", points=box(-wide, -r - race, wide, -r)),
         Shape(style="body", points=box(-wide, r, wide, r + race)),
         Shape(style="body", points=box(-end, -r, end, r)),
         Shape(style="modelled", points=box(0, -r - race, wide, -r)),
         Shape(style="modelled", points=box(0, -r, end, r)),
-        Shape(style="axis", points=shown.line((-wide - 0.3, 0.0), (wide + 0.3, 0.0))),
-        Shape(style="axis", points=shown.line((0.0, -r - race - 0.2), (0.0, r + race + 0.2))),
+        Shape(style="axis", points=roller_figures.line((-wide - 0.3, 0.0), (wide + 0.3, 0.0))),
+        Shape(
+            style="axis", points=roller_figures.line((0.0, -r - race - 0.2), (0.0, r + race + 0.2))
+        ),
         Shape(
             style="load",
-            points=shown.line((0.0, r + race + 0.7), (0.0, r + race + 0.1)),
+            points=roller_figures.line((0.0, r + race + 0.7), (0.0, r + race + 0.1)),
             label=f"F = {q.F:.4g} N",
         ),
-        Shape(style="load", points=shown.line((0.0, -r - race - 0.7), (0.0, -r - race - 0.1))),
+        Shape(
+            style="load", points=roller_figures.line((0.0, -r - race - 0.7), (0.0, -r - race - 0.1))
+        ),
         Shape(
             style="dimension",
-            points=shown.line((end, -r - race - 0.6), (wide, -r - race - 0.6)),
+            points=roller_figures.line((end, -r - race - 0.6), (wide, -r - race - 0.6)),
             label=f"h = {q.overhang / mm:.4g} mm",
         ),
         Shape(
             style="leader",
-            points=shown.line((-wide - 0.8, 0.35), (-end + 0.1, 0.25)),
+            points=roller_figures.line((-wide - 0.8, 0.35), (-end + 0.1, 0.25)),
             label=f"R_1 = {q.R_1 / mm:.4g} mm",
         ),
         Shape(
             style="leader",
-            points=shown.line((-wide - 0.8, -1.2), (-wide + 0.1, -1.1)),
+            points=roller_figures.line((-wide - 0.8, -1.2), (-wide + 0.1, -1.1)),
             label=f"R_2 = {q.R_2 / mm:.4g} mm",
         ),
-        Shape(style="leader", points=shown.line((wide + 0.6, 0.3), (end, 0.2)), label="end face"),
+        Shape(
+            style="leader",
+            points=roller_figures.line((wide + 0.6, 0.3), (end, 0.2)),
+            label="end face",
+        ),
     )
     return Sketch(title=f"roller, {q.L / mm:.4g} mm long, between two equal races, halves",
                   shapes=shapes)  # fmt: skip

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from analytic.contact import strips
-from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import figures as roller_figures
 from verify.cases.contact.roller.agreed import within
 from verify.cases.contact.roller.case import (
     ASSUMPTIONS,
@@ -60,7 +60,7 @@ CHECKS = (
 
 
 def figures(context: Context) -> Sequence[Figure]:
-    found = [shown.pressures(context), shown.loads(context), over_strips(context)]
+    found = [roller_figures.pressures(context), roller_figures.loads(context), over_strips(context)]
     if context.converging:
         found.append(peaks(context))
     return found
@@ -87,7 +87,7 @@ def over_strips(context: Context) -> Figure:
     q = context.inputs
     found = []
     for n in COUNTS:
-        gap = q.gap(shown.centres(q, n))
+        gap = q.gap(roller_figures.centres(q, n))
         solved = strips.press(gap, length=q.L, R=q.R, E_star=q.E_star, load=q.F)
         share = np.clip(q.d * n / q.L - np.arange(n), 0.0, 1.0)
         found.append(2 * float(share @ solved.q) * q.L / n / q.F)
@@ -125,9 +125,9 @@ UNCROWNED = Case(
     readings=(COUPLED,),
     assumptions=ASSUMPTIONS,
     warnings=warnings,
-    equations=shown.equations,
-    sketch=shown.sketch,
+    equations=roller_figures.equations,
+    sketch=roller_figures.sketch,
     figures=figures,
-    pictures=shown.pictures,
+    pictures=roller_figures.pictures,
     too_large=too_short,
 )

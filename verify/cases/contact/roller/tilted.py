@@ -8,7 +8,7 @@ import numpy as np
 
 from analytic.contact import strips
 from analytic.contact.best_crown import BestCrown
-from verify.cases.contact.roller import figures as shown
+from verify.cases.contact.roller import figures as roller_figures
 from verify.cases.contact.roller import profiles
 from verify.cases.contact.roller.accepted import ENDS
 from verify.cases.contact.roller.agreed import within
@@ -80,7 +80,12 @@ CHECKS = (
 
 def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
-    return (shown.profile(q), shown.pressures(context), shown.loads(context), over_tilt(context))
+    return (
+        roller_figures.profile(q),
+        roller_figures.pressures(context),
+        roller_figures.loads(context),
+        over_tilt(context),
+    )
 
 
 def best_over_tilt(q: TiltedInputs) -> Array:
@@ -92,10 +97,10 @@ def best_over_tilt(q: TiltedInputs) -> Array:
 def over_tilt(context: Context) -> Figure:
     """Peak over Hertz's of an even load: this crown, and the best for each tilt to either side."""
     q = context.inputs
-    y = shown.centres(q, q.n)
+    y = roller_figures.centres(q, q.n)
     straight, angles = CrownedInputs.gap(q, y), TILTS * (q.theta or LEAN)
     roller: dict[str, Any] = {"length": q.L, "R": q.R, "E_star": q.E_star, "load": q.F}
-    curves = shown.over(
+    curves = roller_figures.over(
         [strips.press(straight - a * y, **roller) for a in angles], np.degrees(angles),
         [evenly(q)] * len(angles),
     )  # fmt: skip
@@ -135,9 +140,9 @@ TILTED = Case(
     readings=(*READINGS, COUPLED, "θ turns the roller about mid-length and adds −θ y to the gap"),
     assumptions=ASSUMPTIONS,
     warnings=warnings,
-    equations=shown.equations,
-    sketch=shown.sketch,
+    equations=roller_figures.equations,
+    sketch=roller_figures.sketch,
     figures=figures,
-    pictures=shown.pictures,
+    pictures=roller_figures.pictures,
     too_large=too_short,
 )  # fmt: skip

@@ -20,7 +20,7 @@ from verify.cases.freewheel.clutch.limits import (
 )
 from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
 from verify.cases.freewheel.clutch.sketch import cup
-from verify.cases.freewheel.torque import figures as freewheel_torque_shown
+from verify.cases.freewheel.torque import figures as torque_figures
 from verify.core.case import Context, Values
 from verify.core.figures import Array, Bars, Curve, Curves, Equation, Figure, Sketch, Zone, Zones
 from verify.core.tex import tex
@@ -33,7 +33,7 @@ DRAWN = np.linspace(0.1, 99.9, 200)  # per cent of the clutches
 
 
 def sketch(q: ClutchInputs) -> Sketch:
-    return freewheel_torque_shown.sketch(q) if q.is_star else cup(q)
+    return torque_figures.sketch(q) if q.is_star else cup(q)
 
 
 def equations(q: ClutchInputs, v: Values) -> Sequence[Equation]:

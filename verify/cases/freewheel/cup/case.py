@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.freewheel.cup import figures as shown
+from verify.cases.freewheel.cup import figures
 from verify.cases.freewheel.cup.claims import CHECKS
 from verify.cases.freewheel.cup.fem import LEVELS, fem
 from verify.cases.freewheel.cup.inputs import CupInputs
@@ -121,8 +121,8 @@ CUP = Case(
     ),
     warnings=warnings,
     too_large=too_large,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
+    equations=figures.equations,
+    sketch=figures.sketch,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip

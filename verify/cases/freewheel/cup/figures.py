@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from analytic.freewheel.state import State, at_normal_force, loaded
-from verify.cases.freewheel import over_torque as over
+from verify.cases.freewheel import over_torque
 from verify.cases.freewheel.cup.model import clutch
 from verify.cases.freewheel.over_torque import DEGREE, FINE
 from verify.cases.freewheel.torque.fem import ACROSS, GRID
@@ -114,9 +114,9 @@ def figures(context: Context) -> Sequence[Figure]:
     states, marks = loaded(clutch(q), FINE * q.T), loaded(clutch(q), GRID * q.T)
     return (
         _over_the_summit(context), _angles(context),
-        over.angle(context, states, marks, ends=" and falls."),
-        over.torsion(context, states, printed="s/R_s + s/X_o", note=ROLLED),
-        over.way(context, states, marks), _bisector(context),
+        over_torque.angle(context, states, marks, ends=" and falls."),
+        over_torque.torsion(context, states, printed="s/R_s + s/X_o", note=ROLLED),
+        over_torque.way(context, states, marks), _bisector(context),
         _pressure(context, "cup"), _pressure(context, "shaft"),
     )  # fmt: skip
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from analytic.freewheel import criterion
-from verify.cases.freewheel.friction import figures as freewheel_friction_shown
+from verify.cases.freewheel.friction import figures
 from verify.cases.freewheel.friction.claims import CHECKS
 from verify.cases.freewheel.friction.fem import LEVELS, fem
 from verify.cases.freewheel.friction.formulas import analytic, both_contacts
@@ -123,9 +123,9 @@ FRICTION = Case(
     findings=findings,
     warnings=warnings,
     too_large=too_large,
-    equations=freewheel_friction_shown.equations,
-    tables=freewheel_friction_shown.tables,
-    sketch=freewheel_friction_shown.sketch,
-    figures=freewheel_friction_shown.figures,
-    pictures=freewheel_friction_shown.pictures,
+    equations=figures.equations,
+    tables=figures.tables,
+    sketch=figures.sketch,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip

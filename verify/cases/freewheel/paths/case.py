@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from verify.cases.freewheel.paths import figures as shown
+from verify.cases.freewheel.paths import figures
 from verify.cases.freewheel.paths.claims import CHECKS
 from verify.cases.freewheel.paths.fem import LEVELS, fem
 from verify.cases.freewheel.paths.formulas import SWAY, analytic, courses, of_limit
@@ -31,7 +31,7 @@ def findings(q: PathInputs, v: Values) -> Sequence[str]:
     for case, course in paths.items():
         slip, least = course.slips_at, f"{q.mu / course.peak:.3g}, {course.light}"
         found.append(
-            f"{shown.NAMES[case]}: "
+            f"{figures.NAMES[case]}: "
             + (
                 f"slips at {slip:.4g} s; loaded on to the path's end as if it held, least "
                 f"μ/μ_req {least}"
@@ -151,9 +151,9 @@ PATHS = Case(
     findings=findings,
     warnings=warnings,
     too_large=too_large,
-    equations=shown.equations,
-    tables=shown.tables,
+    equations=figures.equations,
+    tables=figures.tables,
     sketch=sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip

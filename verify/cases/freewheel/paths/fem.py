@@ -15,8 +15,15 @@ from numpy.typing import NDArray
 
 from verify.cases.freewheel.fem import Place, Sector, State
 from verify.cases.freewheel.friction.fem import field
-from verify.cases.freewheel.friction.model import HARDER, Borne, ample, creeping, sector, slipping
-from verify.cases.freewheel.friction.model import at_torque as start_at
+from verify.cases.freewheel.friction.model import (
+    HARDER,
+    Borne,
+    ample,
+    at_torque,
+    creeping,
+    sector,
+    slipping,
+)
 from verify.cases.freewheel.paths.inputs import PathInputs
 from verify.cases.freewheel.slip import Drive, axial_unit
 from verify.cases.freewheel.sweep import Start, after
@@ -59,7 +66,7 @@ class Held:
 
 
 def fem(q: PathInputs, level: int) -> FemResult:
-    start = start_at(q, level)
+    start = at_torque(q, level)
     held, drive = Held.at(q, start, level, q.mu), Drive.at(q, start, level)
     ramp, growing = follow(held, RAMP), follow(held, GROWING)
     values = in_phase(q, start, level)
@@ -78,7 +85,7 @@ def fem(q: PathInputs, level: int) -> FemResult:
         arrays["slips"] = np.array([
             drive.load(drive.along(GROWING)), last.load(last.together(TOGETHER)),
         ])  # fmt: skip
-        coarse = Held.at(q, start_at(q, LEVELS[0]), LEVELS[0], q.mu)
+        coarse = Held.at(q, at_torque(q, LEVELS[0]), LEVELS[0], q.mu)
         arrays["walks"] = np.array([walk(coarse, share) for share in OTHERS])
     return FemResult(
         h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(field(growing[-1]),)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from verify.cases.freewheel.inputs import StarInputs
-from verify.cases.freewheel.torque import figures as shown
+from verify.cases.freewheel.torque import figures
 from verify.cases.freewheel.torque.claims import CHECKS
 from verify.cases.freewheel.torque.fem import LEVELS, fem
 from verify.cases.freewheel.torque.model import analytic
@@ -118,8 +118,8 @@ TORQUE = Case(
     ),
     warnings=warnings,
     too_large=too_large,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
+    equations=figures.equations,
+    sketch=figures.sketch,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.freewheel.state import State, loaded
-from verify.cases.freewheel import over_torque as over
+from verify.cases.freewheel import over_torque
 from verify.cases.freewheel.over_torque import DEGREE, FINE
 from verify.cases.freewheel.star_sketch import sketch
 from verify.cases.freewheel.torque.fem import ACROSS, GRID
@@ -74,9 +74,9 @@ def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     states, marks = _states(q), loaded(clutch(q), GRID * q.T)
     return (
-        over.angle(context, states, marks, ends="."),
-        over.torsion(context, states, printed="s/R + s/X", note=ROLLED),
-        over.way(context, states, marks),
+        over_torque.angle(context, states, marks, ends="."),
+        over_torque.torsion(context, states, printed="s/R + s/X", note=ROLLED),
+        over_torque.way(context, states, marks),
         _approaches(context), _pressures(context), _contacts(context),
     )  # fmt: skip
 

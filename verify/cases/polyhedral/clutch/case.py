@@ -14,7 +14,7 @@ from analytic.polyhedral.locking import Roller, RollerContact
 from analytic.polyhedral.parts import Parts
 from analytic.polyhedral.rim_slope import steepest
 from analytic.polyhedral.sector import Sector
-from verify.cases.polyhedral.clutch import figures as shown
+from verify.cases.polyhedral.clutch import figures
 from verify.cases.polyhedral.clutch.claims import CHECKS, slack
 from verify.cases.polyhedral.clutch.fem import DrivenRing
 from verify.cases.polyhedral.clutch.inputs import ClutchInputs
@@ -239,7 +239,7 @@ CLUTCH = Case(
         ),
     ),
     checks=CHECKS,
-    outputs=shown.OUTPUTS,
+    outputs=figures.OUTPUTS,
     readings=(
         "misprints corrected: the side of the polygon for its arc (13, 17, 20, 21), no factor "
         "β/360 in Eq. 21",
@@ -264,8 +264,8 @@ CLUTCH = Case(
     ),
     warnings=warnings,
     too_large=too_large,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
+    equations=figures.equations,
+    sketch=figures.sketch,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip

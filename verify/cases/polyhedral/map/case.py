@@ -12,7 +12,7 @@ from analytic.polyhedral.locking import Roller, locked
 from analytic.polyhedral.sector import Sector
 from verify.cases.polyhedral.fem import UNIT, factors, largest_in_fillet, pressed_fem
 from verify.cases.polyhedral.inputs import PolygonRing, RoundRing
-from verify.cases.polyhedral.map import figures as shown
+from verify.cases.polyhedral.map import figures as map_figures
 from verify.cases.polyhedral.map.figures import FLATS, SHARES, WALLS
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
 from verify.core.figures import Figure
@@ -255,7 +255,9 @@ def figures(context: Context) -> Sequence[Figure]:
         for rings, found in ((by_wall, on_map(context, "wall")),
                              (by_fillet, on_map(context, "fillet")))
     )  # fmt: skip
-    return shown.figures(context, wall, fillet, flexibility(q, at_reference(q)), efficiency(q))
+    return map_figures.figures(
+        context, wall, fillet, flexibility(q, at_reference(q)), efficiency(q)
+    )
 
 
 MAP = Case(

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
-from verify.cases.polyhedral.wedge import figures as polyhedral_wedge_shown
+from verify.cases.polyhedral.wedge import figures
 from verify.cases.polyhedral.wedge.claims import CHECKS
 from verify.cases.polyhedral.wedge.fem import LEVELS, fem
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
@@ -132,8 +132,8 @@ WEDGE = Case(
     ),
     warnings=warnings,
     too_large=too_large,
-    equations=polyhedral_wedge_shown.equations,
-    sketch=polyhedral_wedge_shown.sketch,
-    figures=polyhedral_wedge_shown.figures,
-    pictures=polyhedral_wedge_shown.pictures,
+    equations=figures.equations,
+    sketch=figures.sketch,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.cases.sprag.engagement import figures as shown
+from verify.cases.sprag.engagement import figures
 from verify.cases.sprag.engagement.claims import CHECKS
 from verify.cases.sprag.engagement.fem import LEVELS, fem
 from verify.cases.sprag.engagement.formulas import analytic
@@ -119,9 +119,9 @@ ENGAGEMENT = Case(
         "the centroid keeps the distance OC_g(α): its radial motion is left out, as in Eq. 14",
         "a contact sticks within a band of speeds; the band follows from the time step",
     ),
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
+    equations=figures.equations,
+    sketch=figures.sketch,
+    figures=figures.figures,
     findings=findings,
     warnings=warnings,
     too_large=too_large,

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from verify.cases.sprag.friction import figures as shown
+from verify.cases.sprag.friction import figures
 from verify.cases.sprag.friction.claims import CHECKS
 from verify.cases.sprag.friction.fem import LEVELS, fem, settled
 from verify.cases.sprag.friction.formulas import analytic
@@ -94,9 +94,9 @@ FRICTION = Case(
         "weak springs have a 25th of K_r: with the printed one no sprag slips at the start",
         "no oil, no centrifugal force on the sprags; contacts keep their places",
     ),
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
+    equations=figures.equations,
+    sketch=figures.sketch,
+    figures=figures.figures,
     findings=findings,
     warnings=warnings,
     too_large=too_large,

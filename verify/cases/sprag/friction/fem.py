@@ -18,7 +18,7 @@ from verify.cases.sprag.engagement.fem import (
     partner_fem,
 )
 from verify.cases.sprag.engagement.formulas import MORE, with_torque
-from verify.cases.sprag.engagement.formulas import analytic as asked_engagement
+from verify.cases.sprag.engagement.formulas import analytic as engagement_values
 from verify.cases.sprag.engagement.model import motion, wedge
 from verify.cases.sprag.friction.formulas import BELOW, analytic, asked, weak
 from verify.cases.sprag.inputs import EngagementInputs
@@ -73,7 +73,7 @@ def fem(q: EngagementInputs, level: int) -> FemResult:
 
 def frequency(q: EngagementInputs) -> float:
     """Small oscillations under the torque [Hz]."""
-    return asked_engagement(q)["f"]
+    return engagement_values(q)["f"]
 
 
 def settled(q: EngagementInputs) -> float:
@@ -151,7 +151,7 @@ def sticks_fem(found: "Engagement") -> float:
 
 def between(q: EngagementInputs) -> float:
     """Friction between what rest and what the peak asks for."""
-    return (asked(q)[0] + asked_engagement(q)["mu_asked"]) / 2
+    return (asked(q)[0] + engagement_values(q)["mu_asked"]) / 2
 
 
 def amid_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float]:

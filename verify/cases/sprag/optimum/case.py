@@ -5,7 +5,7 @@ from typing import Any
 
 from verify.cases.sprag.clutch import case as sprag_clutch
 from verify.cases.sprag.clutch.sketch import sketch
-from verify.cases.sprag.optimum import figures as shown
+from verify.cases.sprag.optimum import figures
 from verify.cases.sprag.optimum.claims import checks
 from verify.cases.sprag.optimum.fem import LEVELS, fem
 from verify.cases.sprag.optimum.formulas import analytic
@@ -79,10 +79,10 @@ SHARED: dict[str, Any] = {
     "quick": False,
     "findings": findings,
     "too_large": too_large,
-    "equations": shown.equations,
+    "equations": figures.equations,
     "sketch": sketch,
-    "tables": shown.tables,
-    "figures": shown.figures,
+    "tables": figures.tables,
+    "figures": figures.figures,
 }  # fmt: skip
 
 OPTIMUM_25 = Case(

@@ -9,7 +9,7 @@ import numpy as np
 from analytic.spring import energy, frame
 from analytic.spring.elastica import Elastica
 from verify.cases.spring.figures import sketch
-from verify.cases.spring.map import figures as shown
+from verify.cases.spring.map import figures as map_figures
 from verify.cases.spring.map.fem import MAPPED, deep_fem, fem
 from verify.cases.spring.map.inputs import (
     DEEP_ANGLES,
@@ -199,9 +199,9 @@ def figures(context: Context) -> Sequence[Figure]:
             k = np.array([part.arrays["cells"] for part in parts])
             first += len(cells)
         m = errors(q, cells, k)
-        found += shown.maps(name, m, finer.date if finer else "")
+        found += map_figures.maps(name, m, finer.date if finer else "")
         over.append((np.array([[c.b / c.R for c in row] for row in cells]), m[..., 0]))
-    return (*found, shown.radius(over))
+    return (*found, map_figures.radius(over))
 
 
 MAP = Case(
@@ -247,8 +247,8 @@ MAP = Case(
     ),
     warnings=warnings,
     too_large=too_large,
-    equations=shown.equations,
-    tables=shown.tables,
+    equations=map_figures.equations,
+    tables=map_figures.tables,
     sketch=sketch,
     figures=figures,
 )  # fmt: skip

@@ -8,7 +8,7 @@ from analytic.spring import energy, frame
 from analytic.spring.stages import stages
 from analytic.spring.wide_leaf import width_factor
 from verify.cases.spring.accordion.case import too_large
-from verify.cases.spring.stages import figures as spring_stages_shown
+from verify.cases.spring.stages import figures
 from verify.cases.spring.stages.fem import ENDS, Ends, fem
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.cases.spring.stages.readings import (
@@ -50,7 +50,7 @@ def analytic(q: StagesInputs) -> Values:
     held = Ends(q.head, q.tail)
     for key in ("k1", "F_A", "U_A", "k2", "U_B", "F_B", "k3"):
         values[key] = values[f"{held}, {key}"]
-    own = spring_stages_shown.own(q)
+    own = figures.own(q)
     values |= {"gap": float(own.gap), "tilt": float(own.tilt)}
     values["intercept"] = values["F_A"] - values["k2"] * values["U_A"]
     values["L0"] = frame.free_length(n=q.n, b=q.b, r=q.r, L1=q.L1, alpha=q.alpha)
@@ -60,10 +60,10 @@ def analytic(q: StagesInputs) -> Values:
     if q.width_factor is None:
         values |= {f"{key} wide": q.widest * values[key] for key in ("k1", "F_A", "k2")}
     if q.F is not None:
-        values["U_w"] = float(spring_stages_shown.own(q, theory="thin").displacement(q.F))
+        values["U_w"] = float(figures.own(q, theory="thin").displacement(q.F))
         values["margin"] = values["U_A"] - values["U_w"]
     most = q.widest if q.width_factor is None else q.width_factor
-    guided = spring_stages_shown.own(q, head="guided", tail="mid-leaf", width_factor=most)
+    guided = figures.own(q, head="guided", tail="mid-leaf", width_factor=most)
     values |= {"guided k1": float(guided.k1), "guided k2": float(guided.k2)}
     reading = chosen(q)
     values |= {"reading k1": reading.k1, "reading k2": reading.k2,
@@ -228,9 +228,9 @@ STAGES = Case(
     ),
     warnings=warnings,
     too_large=too_large,
-    equations=spring_stages_shown.equations,
+    equations=figures.equations,
     tables=tables,
-    sketch=spring_stages_shown.sketch,
-    figures=spring_stages_shown.figures,
-    pictures=spring_stages_shown.pictures,
+    sketch=figures.sketch,
+    figures=figures.figures,
+    pictures=figures.pictures,
 )  # fmt: skip
