@@ -54,7 +54,7 @@ bench: .venv/.ready
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.points
 	$(BIN)/python -m benchmarks.sweep
 
-# The table of verdicts in README.md, from the last run of `make verify`.
+# The table of verdicts in docs/verified.md, from the last run of `make verify`.
 readme: verify
 	$(BIN)/python tools/readme.py
 

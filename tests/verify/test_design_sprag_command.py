@@ -280,7 +280,7 @@ def test_what_is_kept_is_kept_by_what_it_depends_on():
 @pytest.fixture(scope="module")
 def paper(small):
     """The paper's clutch at 25 N m."""
-    return Model(default().clutch, (25.0,), (2.5, 0.65, 13e-6), jobs=1, tell=lambda *_: None)
+    return Model(default().clutch, (25.0,), (2.5, 0.65, 13e-6), jobs=1)
 
 
 def checked(paper, crown, contacts):

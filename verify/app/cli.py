@@ -222,18 +222,24 @@ def doctor(*, json: bool = False) -> int:
 
 
 @app.command
-def store(*, json: bool = False, clear: str = "") -> int:
+def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: str = "") -> int:
     """List the stored results by kind and subject, with their sizes and ages.
 
     Parameters
     ----------
+    case
+        List instead what is stored of this case, where, and whether it is of the present code.
     json
         Print JSON instead of text.
     clear
         Remove the results of a kind, or of KIND:SUBJECT, first.
+    code
+        List instead the cases that a module, such as `analytic.ring.lame` or its file, is part of.
     """
-    from verify.app.store import run_store
+    from verify.app.store import run_origin, run_store
 
+    if case or code:
+        return run_origin(case, code)
     return run_store(as_json=json, clear=clear)
 
 

@@ -33,6 +33,16 @@ def run_store(*, as_json: bool, clear: str) -> int:
     return 0
 
 
+def run_origin(case: str, code: str) -> int:
+    """List what is stored of a case, or which cases a module is part of."""
+    from verify.app.origin import of_case, of_module
+
+    for lines in (of_case(case) if case else (), of_module(code) if code else ()):
+        for line in lines:
+            print(line)
+    return 0
+
+
 def _clear(store: Store, which: str) -> None:
     kind, _, subject = which.partition(":")
     groups = store.groups()

@@ -35,8 +35,13 @@ def source_of(function: Any) -> str:
 @cache
 def whole_source_of(function: Any) -> str:
     """Hash of a function, the names of its module it uses, and all formulas these reach."""
+    return _hash(*whole_parts_of(function))
+
+
+def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
+    """Code of a function and of the names of its module it uses, and all modules it reaches."""
     used, start = _used(function, whole=True)
-    return _hash(used, sorted(_reached(start, whole=True)))
+    return used, sorted(_reached(start, whole=True))
 
 
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
@@ -47,8 +52,7 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
     if COMPILED in reached:
-        used, start = _used(function, whole=True)
-        reached = _reached(start, whole=True)
+        return whole_parts_of(function)
     return used, sorted(reached)
 
 

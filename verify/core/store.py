@@ -95,6 +95,15 @@ class Store:
         with self._open() as database:
             database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?, ?, ?, ?)", lines)
 
+    def dates(self, kind: str, keys: Sequence[str]) -> dict[str, tuple[float, int]]:
+        """When each of those keys was made [s since 1970], and its bytes; OSError as `load`."""
+        if not self.path.is_file():
+            return {}
+        question = "SELECT made, LENGTH(content) FROM entries WHERE kind = ? AND key = ?"
+        with self._open() as database:
+            lines = {key: database.execute(question, (kind, key)).fetchone() for key in keys}
+        return {key: line for key, line in lines.items() if line}
+
     def groups(self) -> list[Group]:
         """What is stored, by kind and subject; OSError where it cannot be read."""
         if not self.path.is_file():

@@ -77,12 +77,15 @@ def approximation(
     low, high = interval
     if not u < 1:
         return Verdict(Status.FAIL, "the reference is as uncertain as itself", None, U)
+    if ratio == 0:
+        return Verdict(Status.FAIL, "the formula is zero: no relative change moves it", None, U)
     if not low + U_m <= m <= high - U_m:
         reason = f"model error {m:+.3%} ± {U_m:.1g} is not inside [{low:+.3%}, {high:+.3%}]"
         return Verdict(Status.FAIL, reason, formula - reference, U)
     # the formula times 1 + c leaves the interval where (1 + m)(1 + c)(1 ± u) meets its ends
-    up = (1 + high) / (ratio * (1 + u)) - 1
-    down = 1 - (1 + low) / (ratio * (1 - u))
+    smaller, larger = (low, high) if ratio > 0 else (high, low)  # in size
+    up = (1 + larger) / (ratio * (1 + u)) - 1
+    down = 1 - (1 + smaller) / (ratio * (1 - u))
     verdict = Verdict(Status.PASS, "", formula - reference, U, max(up, down))
     return _sharp(verdict, demand)
 

@@ -1,0 +1,105 @@
+"""Where the stored numbers of a case come from, and what a change of a module makes stale."""
+
+import inspect
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+from verify.cases.registry import CASES, find
+from verify.core import source_code
+from verify.core.case import Case
+from verify.core.inputs import InputError
+from verify.core.store import Store
+from verify.jobs import cache
+
+ROOT = Path(__file__).parents[2]
+SIDES = {"formulas": source_code.whole_parts_of, "reference": source_code.parts_of}
+
+
+def of_case(name: str) -> Iterator[str]:
+    """Lines on every stored result of a case on its default inputs; ValueError for no case."""
+    case = find(name, CASES)
+    store = Store(cache.default_folder())
+    yield f"{case.id}, {case.method.case} as reference; code of both sides:"
+    for side, (function, modules) in _code(case).items():
+        yield f"  {side:10} {function}, and {len(modules)} modules that it reaches"
+    yield f"levels, in {store.path}, kind {cache.KIND}, by hash of code, inputs and versions:"
+    keys = {level: cache.key(case, case.inputs(), level) for level in case.levels}
+    dates = store.dates(cache.KIND, list(keys.values()))
+    for level, key in keys.items():
+        yield f"  {level:<10} {key}  {_dated(dates.get(key))}"
+    own = [g for g in store.groups() if g.subject == case.id and g.kind != cache.KIND]
+    for group in own:
+        yield f"{group.kind}: {group.entries:,} results of any code and inputs, in the same file"
+    yield "measured with make deep and make crosscheck, files of the project:"
+    for what, state in _measured(case):
+        yield f"  {what:34} {state}"
+
+
+def of_module(name: str) -> Iterator[str]:
+    """Lines on the cases whose code a module is part of; InputError where it is no module."""
+    module = _module(name)
+    found = {side: [c.id for c in CASES if _is_part(module, c, side)] for side in SIDES}
+    for side, cases in found.items():
+        yield f"{side} of {len(cases)} cases: {', '.join(cases) or 'none'}"
+    levels = found["reference"]
+    yield (
+        f"a change of code (not of words or names) of {module} solves {len(levels)} cases again, "
+        "and makes regions of validity and error budgets of all named cases stale"
+    )
+
+
+def _code(case: Case) -> dict[str, tuple[str, list[str]]]:
+    """For each side its function's place and the modules that it reaches."""
+    found = {}
+    for side, parts in SIDES.items():
+        function = case.analytic if side == "formulas" else case.reference
+        module = inspect.getmodule(function)
+        name = getattr(function, "__name__", "")
+        found[side] = (f"{module.__name__}:{name}" if module else name, parts(function)[1])
+    return found
+
+
+def _is_part(module: str, case: Case, side: str) -> bool:
+    function, reached = _code(case)[side]
+    return module in reached or function.startswith(f"{module}:")
+
+
+def _module(name: str) -> str:
+    """The dotted name of a module that is given so, or as a file of the project."""
+    path = Path(name)
+    if path.suffix == ".py":
+        full = path.resolve()
+        parts = full.relative_to(ROOT).with_suffix("").parts if full.is_relative_to(ROOT) else ()
+        name = ".".join(parts)
+    if not name or not source_code.is_module(name):
+        raise InputError(f"--code {path}: no module of the project, such as analytic.ring.lame")
+    return name
+
+
+def _measured(case: Case) -> Iterator[tuple[str, str]]:
+    from verify.studies.budget import measuring as budget
+    from verify.studies.budget import store as budgets
+    from verify.studies.crosscheck import store as crosschecks
+    from verify.studies.crosscheck.registry import COMPARISONS
+    from verify.studies.validity import store as regions
+
+    if case.scans:
+        yield "region of validity", _state(regions.measured(case))
+    if budget.chosen((budget.NAME,), [case]):
+        yield "error budget", _state(budgets.measured(budget.plan_of(case.id)))
+    known = crosschecks.kept()
+    for cross in (one for one in COMPARISONS if one.case == case.id):
+        yield f"{cross.solver}, {cross.id}", _state(crosschecks.current(cross, known))
+
+
+def _state(found: object) -> str:
+    date = getattr(found, "date", "")
+    return f"{date}, of this code" if date else "not measured for this code"
+
+
+def _dated(found: tuple[float, int] | None) -> str:
+    if found is None:
+        return "not stored: freewheel verify solves it"
+    made, size = found
+    return f"{time.strftime('%Y-%m-%d %H:%M', time.localtime(made))}, {size / 1e6:.1f} MB"
