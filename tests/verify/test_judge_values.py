@@ -94,3 +94,18 @@ def test_a_narrow_minimum_at_an_exponent_of_theory_is_seen_beside_a_wide_one(q):
     """Multiples of 0.05 are tried, so that one of 0.002 to either side is lower there alone."""
     found = judge._least(lambda x: min(500 * abs(x - q), 1 + abs(x - 9)))
     assert found == pytest.approx(q, abs=2e-14)
+
+
+def test_a_formula_of_the_other_sign_is_judged_by_its_size():
+    """R = -1 in [-1.5, -0.5] with u = 0.01: larger by 1.5/1.01 - 1, smaller by 1 - 0.5/0.99."""
+    found = judge.approximation(-1.0, 1.0, U=0.01, interval=(-2.5, -1.5), demand=0.6)
+    assert found.status is Status.PASS
+    assert found.detects == pytest.approx(1 - 0.5 / 0.99)
+    sharp = judge.approximation(-1.0, 1.0, U=0.01, interval=(-2.5, -1.5), demand=0.001)
+    assert sharp.status is Status.FAIL
+
+
+def test_a_formula_that_is_zero_is_refused():
+    found = judge.approximation(0.0, 1.0, U=0.01, interval=(-1.5, 0.5))
+    assert (found.status, found.detects) == (Status.FAIL, None)
+    assert found.reason.startswith("the formula is zero")

@@ -1,6 +1,7 @@
 """What a sweep solves and what it finds solved, batch by batch."""
 
 import sqlite3
+from contextlib import contextmanager
 from dataclasses import replace
 
 import pytest
