@@ -1,6 +1,5 @@
 """Measurements beyond a run: kept while their code stands, resumed where they were interrupted."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +9,7 @@ from verify.cases import registry
 from verify.cases.spring.accordion.case import ACCORDION
 from verify.core import source_code
 from verify.core.case import FemResult
-from verify.jobs import cache, deep_results
+from verify.jobs import cache, deep_results, records
 from verify.jobs.scheduler import run
 from verify.studies import deep
 
@@ -23,7 +22,7 @@ FAST = replace(ACCORDION, id="spring-deep", levels=(2, 4), checks=())
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    monkeypatch.setattr(deep_results, "FOLDER", tmp_path / "measured")
+    monkeypatch.setattr(records, "FOLDER", tmp_path / "measured")
     monkeypatch.setattr(registry, "DEEP", (FAST,))
     monkeypatch.setattr(registry, "CASES", ())
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
@@ -33,34 +32,29 @@ def folder(tmp_path, monkeypatch):
         return run(work, cache_folder=cache.default_folder())
 
     monkeypatch.setattr(deep, "solve", in_this_process)
-    return tmp_path / "measured"
+    return tmp_path / "measured" / "deep"
 
 
-def test_what_was_kept_is_read_again(tmp_path):
-    deep_results.keep(FAST, PARTS, tmp_path)
-    found = deep_results.measured(FAST, tmp_path)
+def test_what_was_kept_is_read_again(folder):
+    deep_results.keep(FAST, PARTS)
+    found = deep_results.measured(FAST)
     assert found.parts[0].arrays["map"].tolist() == PARTS[0].arrays["map"].tolist()
     assert (found.parts[1].values, found.parts[1].u_it) == ({"k": 1.25}, {"k": 1e-9})
     assert found.date[:2] == "20"
 
 
-@pytest.mark.parametrize("changed", ["code", "inputs"])
-def test_what_another_code_or_other_inputs_made_is_not_measured(tmp_path, changed):
-    path = deep_results.keep(FAST, PARTS, tmp_path)
-    data = json.loads(path.read_text("utf-8"))
-    data[changed] = "other"
-    path.write_text(json.dumps(data), "utf-8")
-    assert deep_results.measured(FAST, tmp_path) is None
+@pytest.mark.parametrize(
+    "changed", [{"inputs": lambda: ACCORDION.inputs(n=8)}, {"reference": lambda _q, _level: None}]
+)
+def test_what_another_code_or_other_inputs_made_is_not_measured(folder, changed):
+    deep_results.keep(FAST, PARTS)
+    assert deep_results.measured(replace(FAST, **changed)) is None
 
 
-@pytest.mark.parametrize("text", ["", "[]", "{", '{"code": 1}'])
-def test_a_torn_file_is_not_measured(tmp_path, text):
-    (tmp_path / f"{FAST.id}.json").write_text(text, "utf-8")
-    assert deep_results.measured(FAST, tmp_path) is None
-
-
-def test_nothing_kept_is_not_measured(tmp_path):
-    assert deep_results.measured(FAST, tmp_path) is None
+def test_a_part_without_values_is_not_measured(folder):
+    path = deep_results.keep(FAST, PARTS)
+    path.write_text(path.read_text("utf-8").replace('"values"', '"value"', 1), "utf-8")
+    assert deep_results.measured(FAST) is None
 
 
 def test_a_measurement_is_made_once_and_again_when_asked(folder, capsys):
@@ -70,7 +64,7 @@ def test_a_measurement_is_made_once_and_again_when_asked(folder, capsys):
     assert "measured already" in capsys.readouterr().out
     (folder / "spring-deep.json").write_text("{}", "utf-8")
     assert deep.run_deep(["spring-deep"], jobs=1) == 0
-    assert len(deep_results.measured(FAST, folder).parts) == 2
+    assert len(deep_results.measured(FAST).parts) == 2
 
 
 def test_parts_are_taken_from_the_cache_where_a_run_was_interrupted(folder, monkeypatch):

@@ -1,12 +1,9 @@
-"""Results that took hours: kept in a file of the project, read while their code stands.
+"""Results that took hours, stored with the project and read while their code stands.
 
 A deep case is a `Case` without rows: its levels are parts of a larger measurement on the default
 inputs, each solved and cached like any level, so that an interrupted run continues where it was.
-The file counts until the code that made it changes; then the case is "not measured".
 """
 
-import json
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,9 +13,9 @@ import numpy as np
 
 from verify.core import source_code
 from verify.core.case import Case, FemResult
-from verify.core.files import write_whole
+from verify.jobs.records import Record, Records
 
-FOLDER = Path(__file__).parents[1] / "measured"
+RECORDS = Records("deep")
 
 
 @dataclass(frozen=True)
@@ -29,41 +26,29 @@ class Measured:
     parts: tuple[FemResult, ...]
 
 
-def measured(case: Case, folder: Path | None = None) -> Measured | None:
-    """What is kept of `case`; None where nothing was measured with the present code."""
-    try:
-        data = json.loads(((folder or FOLDER) / f"{case.id}.json").read_text("utf-8"))
-        if (
-            data["code"] != source_code.source_of(case.reference)
-            or data["inputs"] != case.inputs().model_dump()
-        ):
-            return None
-        parts = tuple(
-            FemResult(
-                h=part["h"], values=part["values"], u_it=part["u_it"],
-                arrays={name: np.array(array) for name, array in part["arrays"].items()},
-            )
-            for part in data["parts"]
-        )  # fmt: skip
-        return Measured(data["date"], parts)
-    except (OSError, ValueError, LookupError, TypeError):
-        return None
+def measured(case: Case) -> Measured | None:
+    """What was measured of `case`; None unless the present code and inputs made it."""
+    return RECORDS.current(case.id, _made_by(case), _measured)
 
 
-def keep(case: Case, parts: Sequence[FemResult], folder: Path | None = None) -> Path:
+def keep(case: Case, parts: Sequence[FemResult]) -> Path:
     """Write what was measured; the file that has it."""
-    data: dict[str, Any] = {
-        "case": case.id,
-        "date": time.strftime("%Y-%m-%d", time.gmtime()),
-        "code": source_code.source_of(case.reference),
-        "inputs": case.inputs().model_dump(),
-        "parts": [
-            {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),
-             "arrays": {name: array.tolist() for name, array in part.arrays.items()}}
-            for part in parts
-        ],
-    }  # fmt: skip
-    path = (folder or FOLDER) / f"{case.id}.json"
-    text = json.dumps(data, indent=1, allow_nan=False)
-    write_whole(path, lambda file: file.write(text.encode("utf-8") + b"\n"))
-    return path
+    return RECORDS.keep(case.id, _made_by(case), [
+        {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),
+         "arrays": {name: array.tolist() for name, array in part.arrays.items()}}
+        for part in parts
+    ])  # fmt: skip
+
+
+def _made_by(case: Case) -> dict[str, Any]:
+    return {"code": source_code.source_of(case.reference), "inputs": case.inputs().model_dump()}
+
+
+def _measured(record: Record) -> Measured:
+    return Measured(record.date, tuple(
+        FemResult(
+            h=part["h"], values=part["values"], u_it=part["u_it"],
+            arrays={name: np.array(array) for name, array in part["arrays"].items()},
+        )
+        for part in record.content
+    ))  # fmt: skip

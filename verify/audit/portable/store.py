@@ -18,7 +18,7 @@ from verify.jobs import cache
 KIND = "portable"  # of entries: their subject is the variant
 MACHINE, ROW_TESTS = "(machine)", "(row tests)"  # of no case
 SOURCES = ("analytic", "fem", "meshes", "verify")
-DATA = ("verify/papers", "verify/measured")
+DATA = ("verify/papers", "verify/measured/deep")  # what rows read
 LIBRARIES = (*cache.LIBRARIES, *cache.ALONE.values())
 
 

@@ -1,0 +1,137 @@
+"""Records of measurements: current for what made them, whole or absent, readable in a diff."""
+
+import json
+import re
+import threading
+import time
+
+import pytest
+
+from verify.jobs import records
+from verify.jobs.records import Records
+
+RECORDS = Records("made-up")
+MADE_BY = {"code": "f00d", "inputs": {"a": 0.1, "n": 3, "box": (1.0, 2.0)}}
+CONTENT = {"rows": {"k": {"U": [1e-3, None]}, "s": {"U": []}}, "seconds": 1.5}
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setattr(records, "FOLDER", tmp_path)
+    return tmp_path
+
+
+def current(made_by=MADE_BY, subject="plate"):
+    return RECORDS.current(subject, made_by, lambda record: record.content)
+
+
+def test_a_record_reads_back_with_the_day_it_was_made(folder, monkeypatch):
+    monkeypatch.setattr(time, "gmtime", lambda: time.struct_time((2026, 1, 2, 23, 59, 0, 4, 2, 0)))
+    path = RECORDS.keep("plate", MADE_BY, CONTENT)
+    assert path == folder / "made-up" / "plate.json"
+    assert current() == CONTENT
+    assert RECORDS.stored("plate").date == "2026-01-02"
+    assert list(json.loads(path.read_text("utf-8"))) == [
+        "kind", "subject", "date", "made by", "content",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"code": "f00e", "inputs": MADE_BY["inputs"]},
+        {"code": "f00d", "inputs": MADE_BY["inputs"] | {"a": 0.1 + 1e-16}},
+        {"code": "f00d", "inputs": MADE_BY["inputs"] | {"b": 0.0}},
+        {"code": "f00d"},
+    ],
+    ids=["code", "one digit", "one input more", "no inputs"],
+)
+def test_what_something_else_made_is_stored_and_not_current(other):
+    RECORDS.keep("plate", MADE_BY, CONTENT)
+    assert current(other) is None
+    assert RECORDS.stored("plate").content == CONTENT
+
+
+def test_a_changed_digit_of_what_made_it_is_noticed():
+    path = RECORDS.keep("plate", MADE_BY, CONTENT)
+    text = path.read_text("utf-8")
+    path.write_text(text.replace('"n": 3', '"n": 4'), "utf-8")
+    assert current() is None
+    path.write_text(text.replace('"n": 3', '"n": 3.0'), "utf-8")  # the same number
+    assert current() == CONTENT
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "7", '{"made by": 1}', "\xff"])
+def test_a_torn_file_is_no_record(text):
+    path = RECORDS.keep("plate", MADE_BY, CONTENT)
+    path.write_bytes(text.encode("latin-1"))
+    assert RECORDS.stored("plate") is None
+    assert current() is None
+
+
+@pytest.mark.parametrize(("key", "value"), [
+    ("kind", "other"), ("subject", "ring"), ("date", 3), ("date", "2026-13-01"), ("date", None),
+])  # fmt: skip
+def test_a_file_with_nonsense_is_no_record(key, value):
+    path = RECORDS.keep("plate", MADE_BY, CONTENT)
+    data = json.loads(path.read_text("utf-8"))
+    path.write_text(json.dumps(data | {key: value}), "utf-8")
+    assert RECORDS.stored("plate") is None
+
+
+@pytest.mark.parametrize("read", [
+    lambda record: record.content["nothing"], lambda record: float(record.content["rows"]),
+    lambda record: int("x"), lambda record: record.content.nothing,
+])  # fmt: skip
+def test_a_content_that_cannot_be_read_is_no_record(read):
+    RECORDS.keep("plate", MADE_BY, CONTENT)
+    assert RECORDS.current("plate", MADE_BY, read) is None
+
+
+def test_every_entry_has_a_line_of_its_own():
+    lines = RECORDS.keep("plate", MADE_BY, CONTENT).read_text("utf-8").splitlines()
+    assert '   "k": {"U": [0.001, null]},' in lines
+    assert '  "seconds": 1.5' in lines
+    assert '   "box": [1.0, 2.0]' in lines
+    before = set(lines)
+    after = RECORDS.keep("plate", MADE_BY, CONTENT | {"seconds": 2.5}).read_text("utf-8")
+    assert len(set(after.splitlines()) - before) == 1
+
+
+def test_numbers_that_json_lacks_are_refused(folder):
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        RECORDS.keep("plate", MADE_BY, {"k": float("nan")})
+    assert not list(folder.iterdir())
+
+
+def test_a_folder_that_cannot_be_written_is_one_line(folder):
+    (folder / "made-up").write_text("a file", "utf-8")
+    line = f"{folder / 'made-up' / 'plate.json'}: cannot be written: "
+    with pytest.raises(OSError, match=re.escape(line) + ".+") as caught:
+        RECORDS.keep("plate", MADE_BY, CONTENT)
+    assert "None" not in str(caught.value)
+    assert current() is None
+
+
+def test_two_writers_leave_one_whole_record_at_any_moment():
+    contents = [{"values": [n] * 20_000} for n in range(2)]
+    RECORDS.keep("plate", MADE_BY, contents[0])
+    writers = [
+        threading.Thread(
+            target=lambda one=one: [RECORDS.keep("plate", MADE_BY, one) for _ in range(9)]
+        )
+        for one in contents
+    ]
+    for writer in writers:
+        writer.start()
+    found = []
+    while any(writer.is_alive() for writer in writers):
+        found.append(current())
+    assert all(one in contents for one in found)
+    assert len(found) > 1
+
+
+def test_records_of_other_subjects_stay():
+    RECORDS.keep("plate", MADE_BY, CONTENT)
+    RECORDS.keep("ring", MADE_BY, {"rows": {}})
+    assert (current(), current(subject="ring")) == (CONTENT, {"rows": {}})

@@ -1,0 +1,93 @@
+"""Records of long measurements: small files of the project, valid for the code that made them.
+
+All kinds have one form: {"kind", "subject", "date", "made by", "content"}. "made by" is everything
+that the content depends on: hashes of code, inputs, settings. A record is current while it equals
+what the present code states.
+"""
+
+import json
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+from typing import Any, TypeVar
+
+from verify.core.files import write_whole
+
+FOLDER = Path(__file__).parents[1] / "measured"
+LINE_DEPTH = 3  # a line for each entry of the record, of its content, and of these entries
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Record:
+    """What was measured of a subject, the day (UTC), and what it depends on; both as JSON."""
+
+    date: str
+    made_by: Any
+    content: Any
+
+
+@dataclass(frozen=True)
+class Records:
+    """The records of one kind: a folder with one file for each subject."""
+
+    kind: str
+
+    def path(self, subject: str) -> Path:
+        """The file of a subject."""
+        return FOLDER / self.kind / f"{subject}.json"
+
+    def stored(self, subject: str) -> Record | None:
+        """The record of a subject, whatever code made it; None if there is no readable one."""
+        try:
+            data = json.loads(self.path(subject).read_text("utf-8"))
+            if (data["kind"], data["subject"]) != (self.kind, subject):
+                return None
+            day = date.fromisoformat(data["date"]).isoformat()
+            return Record(day, data["made by"], data["content"])
+        except (OSError, ValueError, LookupError, TypeError):
+            return None
+
+    def current(self, subject: str, made_by: Any, read: Callable[[Record], T]) -> T | None:
+        """What `read` returns for the record; None if anything else than `made_by` made it.
+
+        Both are compared as JSON. A record that `read` fails on is no record either.
+        """
+        record = self.stored(subject)
+        if record is None or record.made_by != json.loads(json.dumps(made_by)):
+            return None
+        try:
+            return read(record)
+        except (ValueError, LookupError, TypeError, AttributeError):
+            return None
+
+    def keep(self, subject: str, made_by: Any, content: Any) -> Path:
+        """Write the record with the date of today and return its file; OSError if it can't."""
+        path = self.path(subject)
+        text = json.dumps({
+            "kind": self.kind, "subject": subject, "date": time.strftime("%Y-%m-%d", time.gmtime()),
+            "made by": made_by, "content": content,
+        }, allow_nan=False)  # fmt: skip
+        try:
+            write_whole(path, lambda file: file.write(f"{_lines(json.loads(text))}\n".encode()))
+        except OSError as error:
+            raise OSError(f"{path}: cannot be written: {error.strerror}") from error
+        return path
+
+
+def _lines(value: Any, depth: int = 0) -> str:
+    """JSON with a line for each entry down to LINE_DEPTH, so that a diff shows what changed."""
+    is_object = isinstance(value, dict)
+    entries = list(value.values()) if is_object else value if isinstance(value, list) else []
+    if depth == LINE_DEPTH or not any(isinstance(entry, dict | list) for entry in entries):
+        return json.dumps(value, ensure_ascii=False)
+    texts = [_lines(entry, depth + 1) for entry in entries]
+    if is_object:
+        keys = (json.dumps(key, ensure_ascii=False) for key in value)
+        texts = [f"{key}: {text}" for key, text in zip(keys, texts, strict=True)]
+    first, last = "{}" if is_object else "[]"
+    space = "\n" + " " * depth
+    return first + ",".join(f"{space} {text}" for text in texts) + space + last
