@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
@@ -22,14 +21,12 @@ ALIKE = 1e-9  # of the largest error: round-off of where an input does not matte
 STALE = "not measured for this code: freewheel deep validity:{} does it"
 
 
-def validity(
-    results: Sequence[CaseResult], cases: Sequence[Case], folder: Path | None = None
-) -> tuple[Validity, ...]:
+def validity(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[Validity, ...]:
     """What is known of each case that sets formulas beside finite elements, in their order."""
     known = {case.id: case for case in cases}
     told = {result.id for result in results}
     found = [
-        of_case(known[result.id], result, folder)
+        of_case(known[result.id], result)
         for result in results
         if result.id in known and pairs(known[result.id])
     ]
@@ -39,15 +36,15 @@ def validity(
     )
 
 
-def of_case(case: Case, result: CaseResult, folder: Path | None = None) -> Validity:
-    """The cards of one case, from the file that `folder` has of it."""
+def of_case(case: Case, result: CaseResult) -> Validity:
+    """The cards of one case, from its record."""
     head = Validity(
         case=case.id, title=case.title,
         subject=SUBJECTS.get(case.id.partition("-")[0], "Other subjects"),
         maps=MAPS.get(case.id, ()),
     )  # fmt: skip
     every = pairs(case)
-    found = measured(case, folder) if case.scans else None
+    found = measured(case) if case.scans else None
     if found is None:
         missing = STALE.format(case.id) if case.scans else LEFT_OUT.get(case.id, "")
         return replace(head, missing=missing, others=_names(every))
