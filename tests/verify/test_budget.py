@@ -11,8 +11,10 @@ from tests.verify import budget_made as made
 from tests.verify.sweep_made import Here
 from verify.cases import registry
 from verify.cases.budgets import STATEMENTS
-from verify.core.inputs import InputError
+from verify.core import source_code
+from verify.core.inputs import InputError, quantity
 from verify.core.results import CaseResult, Kind, Row, Status
+from verify.jobs import records
 from verify.judging.budget_statement import Argument, Cause, Constant, Rerun, Statement, as_given
 from verify.studies import deep
 from verify.studies.budget import balance, generic, measuring
@@ -20,7 +22,7 @@ from verify.studies.budget import store as kept
 from verify.studies.budget.changes import changed
 from verify.studies.budget.console import of_case
 from verify.studies.budget.found import budgets
-from verify.studies.budget.plan import AS_IT_IS, Plan, Step, first, inputs_of, together
+from verify.studies.budget.plan import AS_IT_IS, Plan, Step, first, inputs_of, rows, together
 from verify.studies.budget.solve import solved
 
 ORIGINAL = made.Solver
@@ -33,7 +35,7 @@ RESULT = CaseResult(
 @pytest.fixture
 def measured_here(tmp_path, monkeypatch):
     """Measures the made-up case as its statement says it, and gives its plan."""
-    monkeypatch.setattr(kept, "FOLDER", tmp_path / "measured")
+    monkeypatch.setattr(records, "FOLDER", tmp_path / "measured")
     monkeypatch.setattr(registry, "CASES", (made.CASE,))
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
 
@@ -152,26 +154,44 @@ def test_a_tolerance_of_numpy_s_is_a_number_of_records(measured_here):
 
 def test_an_identity_that_nothing_explains_is_said_so(measured_here):
     plan, _ = measured_here()
-    path = kept.FOLDER / f"{made.CASE.id}.json"
+    path = kept.RECORDS.path(made.CASE.id)
     data = json.loads(path.read_text("utf-8"))
-    data["rows"]["the same"]["remainder"] = 0.01
+    data["content"]["rows"]["the same"]["remainder"] = 0.01
     path.write_text(json.dumps(data), "utf-8")
     (same,) = [row for row in of_case(plan, RESULT).rows if row.quantity == "the same"]
     assert same.within is False
 
 
-@pytest.mark.parametrize("changed", ["code", "inputs", "reruns", "levels", "arithmetic"])
-def test_what_other_code_measured_is_not_measured(measured_here, changed):
+@pytest.mark.parametrize("source", ["whole_source_of", "source_of", "module_hash"])
+def test_what_other_code_measured_is_not_measured(measured_here, monkeypatch, source):
     plan, _ = measured_here()
-    path = kept.FOLDER / f"{made.CASE.id}.json"
-    data = json.loads(path.read_text("utf-8"))
-    data["made by"][changed] = "other"
-    path.write_text(json.dumps(data), "utf-8")
+    monkeypatch.setattr(source_code, source, lambda _code: "other")
+    kept._hash.cache_clear()
     told = of_case(plan, RESULT)
+    kept._hash.cache_clear()
     assert told.missing == (
         "not measured for this code: freewheel deep budget:made-up-leaf does it"
     )
     assert told.rows == ()
+
+
+class Wider(made.CASE.inputs):
+    w: float = quantity("3 mm", "mm", "w", "width", gt=0)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"inputs": Wider},
+        {"checks": (replace(made.CASE.checks[0], analytic="same"), *made.CASE.checks[1:])},
+        {"levels": (1, 2, 3)},
+    ],
+)
+def test_what_another_case_measured_is_not_measured(measured_here, changed):
+    plan, _ = measured_here()
+    case = replace(made.CASE, **changed)
+    assert kept.measured(plan) is not None
+    assert kept.measured(Plan(case, made.SAYS, rows(case))) is None
 
 
 @pytest.mark.parametrize(

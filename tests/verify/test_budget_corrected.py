@@ -8,6 +8,7 @@ import pytest
 from tests.verify import budget_made as made
 from verify.cases.registry import CASES
 from verify.core.results import CaseResult
+from verify.jobs import records
 from verify.judging.budget_statement import Corrected, Left, Statement
 from verify.studies.budget import store as kept
 from verify.studies.budget.balance import Balance
@@ -65,10 +66,10 @@ def test_without_a_correction_the_printed_formula_is_all_remainder():
     "by", [replace(CORRECTED, key="same"), replace(CORRECTED, what="other words"), None]
 )
 def test_another_correction_makes_it_stale(by, tmp_path, monkeypatch):
-    monkeypatch.setattr(kept, "FOLDER", tmp_path)
+    monkeypatch.setattr(records, "FOLDER", tmp_path)
     plan = made.plan(replace(made.SAYS, corrected=(CORRECTED,)))
-    kept.keep(plan, (), 0.0)
-    assert kept.measured(plan) is not None
+    kept.keep(plan, (), 12.34)
+    assert kept.measured(plan).seconds == 12.3
     assert kept.measured(made.plan(replace(made.SAYS, corrected=(by,) if by else ()))) is None
 
 
@@ -106,7 +107,7 @@ def test_every_reason_is_needed_and_every_row_that_is_not_taken_apart_has_one(ca
 
 
 def test_the_reason_is_told_where_much_is_left_and_there_alone(tmp_path, monkeypatch):
-    monkeypatch.setattr(kept, "FOLDER", tmp_path)
+    monkeypatch.setattr(records, "FOLDER", tmp_path)
     plan = made.plan(replace(made.SAYS, left=(Left(("*",), "for a reason"),)))
     case = replace(made.CASE, analytic=formulas)
     wrong = Plan(case, plan.says, rows(case))

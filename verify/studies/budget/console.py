@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 
 from verify.core.case import Case
 from verify.core.results import (
@@ -26,21 +25,19 @@ LARGE, LEFT = 1e-3, 0.25  # a difference that is to be taken apart, and the shar
 STALE = "not measured for this code: freewheel deep budget:{} does it"
 
 
-def told(
-    results: Sequence[CaseResult], cases: Sequence[Case], folder: Path | None = None
-) -> tuple[CaseBudget, ...]:
+def told(results: Sequence[CaseResult], cases: Sequence[Case]) -> tuple[CaseBudget, ...]:
     """What is known of each case with rows that have a budget, in their order."""
     known = {case.id for case in cases}
     plans = {result.id: plan_of(result.id) for result in results if result.id in known}
     return tuple(
-        of_case(plans[result.id], result, folder)
+        of_case(plans[result.id], result)
         for result in results if result.id in plans and plans[result.id].rows
     )  # fmt: skip
 
 
-def of_case(plan: Plan, result: CaseResult, folder: Path | None = None) -> CaseBudget:
-    """The budgets of one case, from the file that `folder` has of it."""
-    found = measured(plan, folder)
+def of_case(plan: Plan, result: CaseResult) -> CaseBudget:
+    """The budgets of one case, from its record."""
+    found = measured(plan)
     if found is None:
         return CaseBudget(
             case=plan.case.id, title=plan.case.title, missing=STALE.format(plan.case.id)

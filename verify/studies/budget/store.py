@@ -1,18 +1,15 @@
-"""Budgets as a small file of the project for each case, which counts while its code stands."""
+"""Budgets of a case: a record that is current while code, inputs and reruns stand."""
 
 import hashlib
-import json
 import math
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache as memoised
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from verify.core import source_code
-from verify.core.files import write_whole
+from verify.jobs.records import Record, Records
 from verify.studies.budget import balance, compared, corrected
 from verify.studies.budget import found as founds
 from verify.studies.budget.balance import Balance, Joint, Part
@@ -20,7 +17,7 @@ from verify.studies.budget.found import RowBudget
 from verify.studies.budget.plan import Plan
 from verify.studies.budget.solve import code_of
 
-FOLDER = Path(__file__).parents[2] / "measured" / "budget"
+RECORDS = Records("budget")
 DIGITS = 6  # significant: parts add up to totals
 
 
@@ -33,45 +30,31 @@ class Measured:
     rows: tuple[RowBudget, ...]
 
 
-def measured(plan: Plan, folder: Path | None = None) -> Measured | None:
-    """What is kept; None where nothing is, or other code, inputs or reruns made it."""
-    try:
-        data = json.loads(_path(plan, folder).read_text("utf-8"))
-        if data["made by"] != _made_by(plan):
-            return None
-        pairs = {pair.name: pair for pair in plan.rows}
-        return Measured(data["date"], float(data["seconds"]), tuple(
+def measured(plan: Plan) -> Measured | None:
+    """What was measured; None unless the present code, inputs and reruns made it."""
+    pairs = {pair.name: pair for pair in plan.rows}
+
+    def read(record: Record) -> Measured:
+        return Measured(record.date, float(record.content["seconds"]), tuple(
             RowBudget(pairs[name], _balance(row), tuple(_joint(one) for one in row["joints"]))
-            for name, row in data["rows"].items()
+            for name, row in record.content["rows"].items()
         ))  # fmt: skip
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
-        return None
+
+    return RECORDS.current(plan.case.id, _made_by(plan), read)
 
 
-def keep(
-    plan: Plan, found: Sequence[RowBudget], seconds: float, folder: Path | None = None
-) -> Path:
-    """Write the budgets; the file that has them."""
-    data = {
-        "case": plan.case.id,
-        "date": time.strftime("%Y-%m-%d", time.gmtime()),
-        "seconds": round(seconds, 1),
-        "made by": _made_by(plan),
-        "rows": _short({
-            one.pair.name: {
-                "total": one.balance.total, "remainder": one.balance.remainder,
-                "u": one.balance.u, "parts": [_spare(asdict(p)) for p in one.balance.parts],
-                "joints": [asdict(joint) for joint in one.joints],
-            }
-            for one in found
-        }),
+def keep(plan: Plan, found: Sequence[RowBudget], seconds: float) -> None:
+    """Write the budgets; OSError."""
+    rows = {
+        one.pair.name: {
+            "total": one.balance.total, "remainder": one.balance.remainder,
+            "u": one.balance.u, "parts": [_spare(asdict(p)) for p in one.balance.parts],
+            "joints": [asdict(joint) for joint in one.joints],
+        }
+        for one in found
     }  # fmt: skip
-    path = _path(plan, folder)
-    text = json.dumps(data, allow_nan=False, ensure_ascii=False, separators=(",", ":"))
-    # a line for each row: what changed shows
-    text = text.replace(']},"', ']},\n"') + "\n"
-    write_whole(path, lambda file: file.write(text.encode("utf-8")))
-    return path
+    content = {"seconds": round(seconds, 1), "rows": _short(rows)}
+    RECORDS.keep(plan.case.id, _made_by(plan), content)
 
 
 def _made_by(plan: Plan) -> dict[str, Any]:
@@ -79,7 +62,7 @@ def _made_by(plan: Plan) -> dict[str, Any]:
     case, says = plan.case, plan.says
     return {
         "arithmetic": _arithmetic(),
-        "inputs": json.loads(json.dumps(case.inputs().model_dump())),
+        "inputs": case.inputs().model_dump(),
         "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.reference)],
         "levels": [*case.levels, says.finer],
         "rows": [[p.name, p.analytic, p.fem, p.scale, p.claim.formal] for p in plan.rows],
@@ -108,10 +91,6 @@ def _signature(plan: Plan, name: str) -> list[Any]:
     rerun = plan.reruns[name]
     return [name, code_of(plan, name), source_code.source_of(rerun.inputs), list(rerun.rows),
             list(rerun.levels), rerun.after, rerun.shared]  # fmt: skip
-
-
-def _path(plan: Plan, folder: Path | None) -> Path:
-    return (folder or FOLDER) / f"{plan.case.id}.json"
 
 
 def _short(value: Any) -> Any:
