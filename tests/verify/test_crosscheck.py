@@ -11,8 +11,8 @@ from verify.app.cli import run
 from verify.app.crosscheck import command
 from verify.cases.registry import CASES
 from verify.core.results import CrossState
-from verify.studies.crosscheck import judged, registry, solvers
-from verify.studies.crosscheck import store as kept
+from verify.jobs import records
+from verify.studies.crosscheck import judged, registry, solvers, store
 from verify.studies.crosscheck.calculix import running
 from verify.studies.crosscheck.comparisons import clutches, contacts, rings
 from verify.studies.crosscheck.not_compared import ALONE
@@ -27,15 +27,14 @@ guests = pytest.mark.skipif(
 
 
 @pytest.fixture
-def file(tmp_path, monkeypatch):
-    """Kept results of this test alone."""
-    path = tmp_path / "kept.json"
-    monkeypatch.setattr(kept, "FILE", path)
-    return path
+def folder(tmp_path, monkeypatch):
+    """Records of this test alone."""
+    monkeypatch.setattr(records, "FOLDER", tmp_path / "measured")
+    return tmp_path / "measured" / "crosscheck"
 
 
 @pytest.fixture
-def ring(monkeypatch, file):
+def ring(monkeypatch, folder):
     """The ring of coarse cells as the only comparison."""
     monkeypatch.setattr(rings, "FINE", 1)
     (cross,) = [c for c in registry.COMPARISONS if c.id == "ring-lame, plane strain"]
@@ -68,13 +67,14 @@ def crosscheck(*words, out):
 
 
 @installed
-def test_a_ring_agrees_and_is_kept_for_this_code(ring, file, tmp_path, capsys):
+def test_a_ring_agrees_and_is_kept_for_this_code(ring, folder, tmp_path, capsys):
     assert crosscheck("ring-lame", out=tmp_path) == 0
     said = capsys.readouterr().out
     assert said.count("agrees") == len(ring.quantities)
-    (one,) = json.loads(file.read_text("utf-8"))["comparisons"]
-    assert one["id"] == ring.id
-    assert one["ours"]["bore"] == pytest.approx(one["theirs"]["bore"], rel=5e-5)
+    (file,) = folder.iterdir()
+    assert file.name == "ring-lame-plane-strain.json"
+    one = store.current(ring)
+    assert one.ours["bore"] == pytest.approx(one.theirs["bore"], rel=5e-5)
     assert "cd ring-lame-plane-strain && ccx -i deck" in (tmp_path / "RERUN.txt").read_text()
     # what is kept is not solved again
     (tmp_path / ring.file / "deck.inp").unlink()
@@ -83,7 +83,7 @@ def test_a_ring_agrees_and_is_kept_for_this_code(ring, file, tmp_path, capsys):
     assert not (tmp_path / ring.file / "deck.inp").exists()
     said = capsys.readouterr().out
     assert said.count("agrees, kept") == len(ring.quantities)
-    assert f"1 of 1 problems kept from {one['date']} (--again solves them anew)" in said
+    assert f"1 of 1 problems kept from {one.date} (--again solves them again)" in said
 
 
 @installed
@@ -95,9 +95,9 @@ def test_a_ring_agrees_and_is_kept_for_this_code(ring, file, tmp_path, capsys):
     ],
     ids=["E x 1.1", "load halved"],
 )
-def test_a_wrong_deck_is_outside(spoil, ring, file, monkeypatch, tmp_path, capsys):
+def test_a_wrong_deck_is_outside(spoil, ring, folder, monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(registry, "COMPARISONS", (spoiled(ring, spoil),))
-    monkeypatch.setattr(kept, "code_of", lambda _cross: "")
+    monkeypatch.setattr(store, "code_of", lambda _cross: "")
     assert crosscheck("ring-lame", out=tmp_path) == 1
     assert (
         "outside: ring-lame, plane strain, bore displacement, plane strain"
@@ -107,19 +107,19 @@ def test_a_wrong_deck_is_outside(spoil, ring, file, monkeypatch, tmp_path, capsy
 
 @installed
 def test_what_calculix_says_of_a_deck_that_it_refuses_is_told_and_kept(
-    ring, file, monkeypatch, tmp_path, capsys
+    ring, folder, monkeypatch, tmp_path, capsys
 ):
     broken = spoiled(ring, lambda text: text.replace("*ELASTIC", "*NONSENSE"))
     monkeypatch.setattr(registry, "COMPARISONS", (broken,))
-    monkeypatch.setattr(kept, "code_of", lambda _cross: "")
+    monkeypatch.setattr(store, "code_of", lambda _cross: "")
     assert crosscheck("ring-lame", out=tmp_path) == 1
     said = capsys.readouterr().err
     assert "failed: ring-lame, plane strain: calculix failed on deck.inp" in said
     assert "ERROR" in (tmp_path / ring.file / "deck.log").read_text()
-    assert not file.exists()
+    assert not folder.exists()
 
 
-def test_absent_solvers_change_no_exit_status(file, monkeypatch, tmp_path, capsys):
+def test_absent_solvers_change_no_exit_status(folder, monkeypatch, tmp_path, capsys):
     absent = {name: solvers.Solver(name, missing="not installed: here") for name in SOLVERS}
     monkeypatch.setattr(command, "solvers", lambda: absent)
     assert crosscheck(out=tmp_path) == 0
@@ -141,16 +141,47 @@ def test_a_case_of_which_nothing_can_be_compared_is_wrong_input(monkeypatch, tmp
     assert said.err.count("\n") == 1
 
 
-def test_what_is_kept_needs_no_solver_and_says_since_when(file, monkeypatch, tmp_path, capsys):
+def test_what_is_kept_needs_no_solver_and_says_since_when(folder, monkeypatch, tmp_path, capsys):
     absent = {name: solvers.Solver(name, missing="not installed: here") for name in SOLVERS}
     monkeypatch.setattr(command, "solvers", lambda: absent)
     cross = made()
     monkeypatch.setattr(registry, "COMPARISONS", (cross,))
-    kept.keep([replace(found(cross, 1.0, 1.0), date="2026-01-02")])
+    monkeypatch.setattr(records, "today", lambda: "2026-01-02")
+    store.keep(cross, found(cross, 1.0, 1.0))
     assert crosscheck("ring-lame", out=tmp_path) == 0
     said = capsys.readouterr().out
     assert "1 of 1 problems kept from 2026-01-02" in said
     assert "s here  s there" in said
+
+
+@pytest.fixture
+def compared(monkeypatch, folder):
+    """A comparison whose other side answers 2.0 without a solver."""
+    there = {name: solvers.Solver(name, version="1.0") for name in SOLVERS}
+    monkeypatch.setattr(command, "solvers", lambda: there)
+    monkeypatch.setattr(command, "compare", lambda cross, *_: found(cross, 2.0, 2.0))
+    monkeypatch.setattr(registry, "COMPARISONS", (made(),))
+
+
+def test_what_is_found_is_stored_for_this_code_where_that_is_wanted(compared, tmp_path, capsys):
+    assert crosscheck("ring-lame", "--no-keep", out=tmp_path) == 0
+    assert store.current(made()) is None
+    assert crosscheck("ring-lame", out=tmp_path) == 0
+    assert store.current(made()) == found(made(), 2.0, 2.0)
+    assert "agrees, kept" not in capsys.readouterr().out
+    assert crosscheck("ring-lame", out=tmp_path) == 0
+    assert "agrees, kept" in capsys.readouterr().out
+    assert crosscheck("ring-lame", "--again", out=tmp_path) == 0
+    assert "agrees, kept" not in capsys.readouterr().out
+
+
+def test_a_record_that_cannot_be_written_is_one_line(compared, folder, tmp_path, capsys):
+    folder.parent.mkdir()
+    folder.write_text("a file", "utf-8")
+    assert crosscheck("ring-lame", out=tmp_path) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"freewheel: {folder / 'made.json'}: cannot be written: ")
+    assert said.count("\n") == 1
 
 
 def test_why_a_solver_is_absent_is_told(monkeypatch, tmp_path):
@@ -181,7 +212,7 @@ def test_an_environment_without_the_solver_is_told(monkeypatch):
 
 
 def found(cross, ours, theirs):
-    return kept.found_of(cross, "1.0", {"a": ours}, {"a": theirs}, (1.0, 2.0), 10)
+    return store.found_of(cross, "1.0", {"a": ours}, {"a": theirs}, (1.0, 2.0), 10)
 
 
 def made(allowed=0.01):
@@ -207,28 +238,31 @@ def test_nan_agrees_with_nothing():
     assert line.state is CrossState.OUTSIDE
 
 
-def test_other_code_makes_what_is_kept_stale(file, monkeypatch):
+def test_other_code_makes_what_is_kept_stale(folder, monkeypatch):
     cross = made()
     monkeypatch.setattr(judged, "COMPARISONS", (cross,))
-    kept.keep([found(cross, 1.0, 1.0)])
+    store.keep(cross, found(cross, 1.0, 1.0))
     assert [line.state for line in judged.reported(["ring-lame"])] == [CrossState.AGREES]
-    monkeypatch.setattr(kept, "posing", lambda _solver, _module: "another")
+    monkeypatch.setattr(store, "posing", lambda _solver, _module: "another")
     (line,) = judged.reported(["ring-lame"])
     assert line.state is CrossState.MISSING
     assert line.why.startswith("not measured for this code")
     assert judged.reported(["ring-rotation"]) == ()
 
 
-@pytest.mark.parametrize("content", ["", "{}", "[1]", '{"comparisons": [{"id": "made"}]}'])
-def test_a_torn_file_keeps_nothing(content, file):
-    file.write_text(content, "utf-8")
-    assert kept.kept() == {}
+def test_a_record_that_lacks_a_number_counts_for_nothing(folder):
+    store.keep(made(), found(made(), 1.0, 1.0))
+    assert store.current(made()).unknowns == 10
+    (file,) = folder.iterdir()
+    file.write_text(file.read_text("utf-8").replace("unknowns", "known"), "utf-8")
+    assert store.current(made()) is None
 
 
-def test_what_is_kept_of_others_stays(file):
-    kept.keep([found(made(), 1.0, 1.0)])
-    kept.keep([replace(found(made(), 1.0, 1.0), id="other")])
-    assert sorted(kept.kept()) == ["made", "other"]
+def test_what_was_found_of_others_stays(folder):
+    other = replace(made(), id="other")
+    store.keep(made(), found(made(), 1.0, 1.0))
+    store.keep(other, found(other, 2.0, 2.0))
+    assert [store.current(one).ours["a"] for one in (made(), other)] == [1.0, 2.0]
 
 
 def test_wrong_names_are_one_line(capsys, tmp_path):
@@ -266,12 +300,16 @@ def test_a_case_has_a_comparison_or_says_why_it_has_none():
     assert judged.reported(["spring-map"]) == ()
 
 
-def test_what_is_kept_with_the_project_agrees():
-    known = kept.kept()
+def test_what_is_stored_with_the_project_agrees():
     for cross in registry.COMPARISONS:
-        if cross.id in known:
-            states = {line.state for line in judged.judged(cross, known[cross.id])}
+        if record := store.RECORDS.stored(cross.file):
+            states = {line.state for line in judged.judged(cross, store.read(record))}
             assert states == {CrossState.AGREES}, cross.id
+
+
+def test_every_record_is_of_a_comparison():
+    files = {path.stem for path in store.RECORDS.path("").parent.iterdir()}
+    assert files <= {cross.file for cross in registry.COMPARISONS}
 
 
 @installed

@@ -8,8 +8,7 @@ import pytest
 
 from verify.app.crosscheck import command
 from verify.core.results import CrossState
-from verify.studies.crosscheck import judged, solvers
-from verify.studies.crosscheck import store as kept
+from verify.studies.crosscheck import judged, solvers, store
 from verify.studies.crosscheck.calculix import running
 from verify.studies.crosscheck.comparisons import races, rotors, rounds, springs, struts
 from verify.studies.crosscheck.statement import ROSS
@@ -26,7 +25,7 @@ guests = pytest.mark.skipif(
 @pytest.fixture(autouse=True)
 def any_code(monkeypatch):
     """Decks that are spoiled here are of no file's code."""
-    monkeypatch.setattr(kept, "code_of", lambda _cross: "")
+    monkeypatch.setattr(store, "code_of", lambda _cross: "")
 
 
 def states(cross, folder, spoil=None):

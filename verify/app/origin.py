@@ -88,9 +88,8 @@ def _measured(case: Case) -> Iterator[tuple[str, str]]:
         yield "region of validity", _state(regions.measured(case))
     if budget.chosen((budget.NAME,), [case]):
         yield "error budget", _state(budgets.measured(budget.plan_of(case.id)))
-    known = crosschecks.kept()
     for cross in (one for one in COMPARISONS if one.case == case.id):
-        yield f"{cross.solver}, {cross.id}", _state(crosschecks.current(cross, known))
+        yield f"{cross.solver}, {cross.id}", _state(crosschecks.current(cross))
 
 
 def _state(found: object) -> str:

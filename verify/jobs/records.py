@@ -68,14 +68,19 @@ class Records:
         """Write the record with the date of today and return its file; OSError if it can't."""
         path = self.path(subject)
         text = json.dumps({
-            "kind": self.kind, "subject": subject, "date": time.strftime("%Y-%m-%d", time.gmtime()),
-            "made by": made_by, "content": content,
+            "kind": self.kind, "subject": subject, "date": today(), "made by": made_by,
+            "content": content,
         }, allow_nan=False)  # fmt: skip
         try:
             write_whole(path, lambda file: file.write(f"{_lines(json.loads(text))}\n".encode()))
         except OSError as error:
             raise OSError(f"{path}: cannot be written: {error.strerror}") from error
         return path
+
+
+def today() -> str:
+    """The day in UTC, "2026-01-31"."""
+    return time.strftime("%Y-%m-%d", time.gmtime())
 
 
 def _lines(value: Any, depth: int = 0) -> str:

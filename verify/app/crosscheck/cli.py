@@ -25,7 +25,7 @@ def crosscheck(
     list
         Name the comparisons and the solvers that are there.
     again
-        Solve anew what is kept for this code, which writes its decks, too.
+        Solve again what is kept for this code, which writes its decks, too.
     keep
         Keep what is found for the report, in verify/measured.
     out

@@ -13,7 +13,7 @@ from verify.core.progress import shown
 from verify.core.results import Crosscheck, CrossState
 from verify.jobs.dispatch import Dispatch, queue
 from verify.jobs.executor import Lost, local
-from verify.studies.crosscheck import store as kept
+from verify.studies.crosscheck import store
 from verify.studies.crosscheck.judged import judged
 from verify.studies.crosscheck.registry import chosen
 from verify.studies.crosscheck.solvers import Solver, rerun, solve, solvers
@@ -67,13 +67,13 @@ def _compared(
     lines: list[Crosscheck] = []
     broken: list[str] = []
 
-    def receive(cross: Cross, answer: kept.Found | Lost) -> int:
+    def receive(cross: Cross, answer: store.Found | Lost) -> int:
         if isinstance(answer, Lost):
             broken.append(f"{cross.id}: {answer.reason}")
             return 1
         lines.extend(judged(cross, answer))
         if keep:
-            _keep(answer)
+            store.keep(cross, answer)
         return 1
 
     with shown(quiet=False) as show:
@@ -86,11 +86,11 @@ def _compared(
     return lines, broken
 
 
-def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> kept.Found:
+def _solved(there: Mapping[str, Solver], folder: Path, cross: Cross) -> store.Found:
     return compare(cross, there[cross.solver], folder)
 
 
-def compare(cross: Cross, solver: Solver, folder: Path) -> kept.Found:
+def compare(cross: Cross, solver: Solver, folder: Path) -> store.Found:
     """One problem solved at both sides, its deck and answer in a folder of its own.
 
     RuntimeError where the other solver fails, LookupError where its answer lacks something.
@@ -100,7 +100,7 @@ def compare(cross: Cross, solver: Solver, folder: Path) -> kept.Found:
     posed = cross.pose()
     deck = posed.write(own)
     seconds = solve(cross.solver, deck)
-    return kept.found_of(
+    return store.found_of(
         cross, solver.version, posed.ours, posed.read(deck), (posed.seconds, seconds),
         posed.unknowns,
     )  # fmt: skip
@@ -108,26 +108,18 @@ def compare(cross: Cross, solver: Solver, folder: Path) -> kept.Found:
 
 def _sorted(
     crosses: Sequence[Cross], there: Mapping[str, Solver], *, again: bool
-) -> tuple[list[tuple[Cross, kept.Found]], list[Cross], list[Cross]]:
+) -> tuple[list[tuple[Cross, store.Found]], list[Cross], list[Cross]]:
     """What is kept for this code, what is to be solved, and what lacks its solver."""
-    known = {} if again else kept.kept()
-    standing: list[tuple[Cross, kept.Found]] = []
+    standing: list[tuple[Cross, store.Found]] = []
     todo: list[Cross] = []
     left: list[Cross] = []
     for cross in crosses:
-        found = kept.current(cross, known)
+        found = None if again else store.current(cross)
         if found is not None:
             standing.append((cross, found))
         else:
             (left if there[cross.solver].missing else todo).append(cross)
     return standing, todo, left
-
-
-def _keep(found: kept.Found) -> None:
-    try:
-        kept.keep([found])
-    except OSError as error:
-        raise InputError(f"{kept.FILE}: cannot be written: {error.strerror}") from error
 
 
 def _write_hints(crosses: Sequence[Cross], folder: Path) -> None:
@@ -163,7 +155,7 @@ def _print(lines: Sequence[Crosscheck], standing: Collection[str], broken: Seque
 
 
 def _counts(
-    lines: Sequence[Crosscheck], standing: Sequence[kept.Found], left: Sequence[Cross]
+    lines: Sequence[Crosscheck], standing: Sequence[store.Found], left: Sequence[Cross]
 ) -> Iterator[str]:
     """How much was compared, and how much of it was not solved in this run."""
     problems = len({line.problem for line in lines})
@@ -171,7 +163,7 @@ def _counts(
     if standing:
         dates = sorted({found.date for found in standing})
         span = " to ".join(dict.fromkeys((dates[0], dates[-1])))
-        yield f"{len(standing)} of {problems} problems kept from {span} (--again solves them anew)"
+        yield f"{len(standing)} of {problems} problems kept from {span} (--again solves them again)"
     if left:
         absent = dict.fromkeys(cross.solver for cross in left)
         yield f"{len(left)} problems not solved, for lack of {' and '.join(absent)}"

@@ -1,14 +1,13 @@
 """Comparisons judged: how far both solvers are apart, and whether that may be."""
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from verify.core import units
 from verify.core.results import Crosscheck, CrossState
 from verify.studies.crosscheck.not_compared import ALONE
 from verify.studies.crosscheck.registry import COMPARISONS
 from verify.studies.crosscheck.statement import Cross
-from verify.studies.crosscheck.store import Found, current, kept
+from verify.studies.crosscheck.store import Found, current
 
 # names of numbers that belong to no row, where a comparison has them short
 TOLD = {
@@ -38,12 +37,12 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
     return tuple(lines)
 
 
-def reported(cases: Sequence[str], file: Path | None = None) -> tuple[Crosscheck, ...]:
+def reported(cases: Sequence[str]) -> tuple[Crosscheck, ...]:
     """What a report on these cases shows: lines that are kept, what is not measured, and by none.
 
     Cases without a comparison say why; a report on such cases alone shows nothing.
     """
-    found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross, file)]
+    found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross)]
     if not found:
         return ()
     return (*found, *(_none(case, why) for case, why in ALONE.items() if case in cases))
@@ -56,8 +55,8 @@ def _none(case: str, why: str) -> Crosscheck:
     )  # fmt: skip
 
 
-def _of(cross: Cross, file: Path | None) -> Iterator[Crosscheck]:
-    found = current(cross, kept(file))
+def _of(cross: Cross) -> Iterator[Crosscheck]:
+    found = current(cross)
     if found is not None:
         yield from judged(cross, found)
         return

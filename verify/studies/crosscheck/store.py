@@ -1,20 +1,18 @@
-"""What second solvers found, as a small file of the project that counts while its code stands."""
+"""What second solvers found of a comparison: a record that is current while its code stands."""
 
 import hashlib
 import json
-import time
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, fields
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from verify.cases.registry import find
 from verify.core import source_code
-from verify.core.files import write_whole
+from verify.jobs.records import Record, Records, today
 from verify.studies.crosscheck.statement import CALCULIX, Cross
 
-FILE = Path(__file__).parents[2] / "measured" / "crosscheck.json"
+RECORDS = Records("crosscheck")
 HERE = Path(__file__).parent
 DIGITS = 9  # significant, of numbers of both sides
 
@@ -23,8 +21,6 @@ DIGITS = 9  # significant, of numbers of both sides
 class Found:
     """One comparison as it came out: numbers of both sides in SI units, seconds, unknowns."""
 
-    id: str
-    code: str
     solver: str
     version: str
     date: str
@@ -42,12 +38,12 @@ def code_of(cross: Cross) -> str:
     """
     pose = getattr(cross.pose, "func", cross.pose)
     case = find(cross.case)
-    told = [
+    parts = [
         source_code.source_of(pose), source_code.source_of(case.reference),
         posing(cross.solver, pose.__module__), json.dumps(case.inputs().model_dump()), cross.id,
     ]  # fmt: skip
-    told += [f"{q.name} {q.row} {q.unit}" for q in cross.quantities]
-    return hashlib.sha256("\0".join(told).encode()).hexdigest()[:16]
+    parts += [f"{q.name} {q.row} {q.unit}" for q in cross.quantities]
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
 
 
 @lru_cache(64)
@@ -59,8 +55,8 @@ def posing(solver: str, module: str) -> str:
         files += [shared / "plane.py", shared / "touching.py", *(HERE / "calculix").glob("*.py")]
     else:
         files += [HERE / "rotors.py", *(HERE / "external").glob("*.py")]
-    told = sorted(source_code.text_hash(path.read_text("utf-8")) for path in files)
-    return hashlib.sha256("\0".join(told).encode()).hexdigest()
+    parts = sorted(source_code.text_hash(path.read_text("utf-8")) for path in files)
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
 
 
 def found_of(
@@ -68,37 +64,31 @@ def found_of(
     seconds: tuple[float, float], unknowns: int,
 ) -> Found:  # fmt: skip
     return Found(
-        id=cross.id, code=code_of(cross), solver=cross.solver, version=version,
-        date=time.strftime("%Y-%m-%d", time.gmtime()), ours=_short(cross, ours),
+        solver=cross.solver, version=version, date=today(), ours=_short(cross, ours),
         theirs=_short(cross, theirs), seconds=(round(seconds[0], 3), round(seconds[1], 3)),
         unknowns=unknowns,
     )  # fmt: skip
 
 
-def kept(file: Path | None = None) -> dict[str, Found]:
-    """All that is kept, whatever code made it, by id; nothing where the file cannot be read."""
-    names = {field.name for field in fields(Found)}
-    try:
-        data = json.loads((file or FILE).read_text("utf-8"))["comparisons"]
-        made = [Found(**{k: v for k, v in one.items() if k in names}) for one in data]
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
-        return {}
-    return {one.id: one for one in made}
+def current(cross: Cross) -> Found | None:
+    """What was found of a comparison; None unless the present code made it."""
+    return RECORDS.current(cross.file, _made_by(cross), read)
 
 
-def current(cross: Cross, known: Mapping[str, Found]) -> Found | None:
-    """What is kept of a comparison if its code still stands."""
-    one = known.get(cross.id)
-    return one if one is not None and one.code == code_of(cross) else None
+def read(record: Record) -> Found:
+    """What a record of a comparison holds."""
+    values = dict(record.content)
+    return Found(date=record.date, seconds=tuple(values.pop("seconds")), **values)
 
 
-def keep(found: Sequence[Found], file: Path | None = None) -> None:
-    """Write what was found in the place of what is kept of the same comparisons; OSError."""
-    together = kept(file) | {one.id: one for one in found}
-    record: dict[str, Any] = {"comparisons": [asdict(together[k]) for k in sorted(together)]}
-    text = json.dumps(record, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    text = text.replace('},{"id"', '},\n{"id"') + "\n"  # a line for each: what changed shows
-    write_whole(file or FILE, lambda out: out.write(text.encode("utf-8")))
+def keep(cross: Cross, found: Found) -> None:
+    """Write what was found of a comparison; OSError."""
+    content = {name: value for name, value in asdict(found).items() if name != "date"}
+    RECORDS.keep(cross.file, _made_by(cross), content)
+
+
+def _made_by(cross: Cross) -> dict[str, str]:
+    return {"code": code_of(cross)}
 
 
 def _short(cross: Cross, values: Mapping[str, float]) -> dict[str, float]:
