@@ -1,7 +1,6 @@
 """What becomes of mutants: rows, refusals, tests, survivors; kept, gone on with, and scored."""
 
 import importlib
-import json
 from dataclasses import replace
 from functools import partial
 from textwrap import dedent
@@ -25,6 +24,7 @@ from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, quantity
 from verify.core.results import Caught, MutantGroup, Survivor
 from verify.core.store import Store
+from verify.jobs import records
 from verify.judging.checks import Fact
 
 FORMULA = """
@@ -204,47 +204,57 @@ def test_stored_levels_move_with_the_one_that_is_solved_anew():
 
 
 @pytest.fixture
-def kept(group, tmp_path):
+def formulas(group, tmp_path, monkeypatch):
+    """The score of a group, which is stored for this code."""
+    monkeypatch.setattr(records, "FOLDER", tmp_path)
     outcomes = {
         key: Outcome(key, By.NOTHING if n % 2 else By.ROWS, "", 0.1)
         for n, key in enumerate(m.mutant.id for m in group.chosen)
     }
-    path = tmp_path / "mutants.json"
-    score.keep("formulas", score.scored(group, outcomes, 12.3), "this code", path)
-    return path
+    found = score.scored(group, outcomes, 12.3)
+    score.keep("formulas", found, "this code")
+    return found
 
 
-def test_the_score_counts_for_the_code_that_it_was_measured_on(kept):
-    now = score.measured(kept, lambda: "this code")
+def test_the_score_counts_for_the_code_that_it_was_measured_on(formulas):
+    now = score.measured(lambda: "this code")
     assert (now.missing, now.groups[0].name) == ("", "formulas")
-    other = score.measured(kept, lambda: "other code")
+    assert now.date == score.RECORDS.stored("formulas").date
+    other = score.measured(lambda: "other code")
     assert other.missing == "not measured for this code: freewheel mutants does it"
     assert not other.groups
-    assert score.measured(kept.with_name("none.json"), lambda: "this code").missing
 
 
-def test_the_score_s_file_has_a_survivor_a_line_and_its_groups_side_by_side(kept):
-    score.keep("references", {"gate": {"held": True}}, "this code", kept)
-    data = json.loads(kept.read_text("utf-8"))
-    assert set(data) == {"formulas", "references"}
-    lines = kept.read_text("utf-8").splitlines()
-    assert sum("measuring_tape:" in line for line in lines) == len(data["formulas"]["survivors"])
-    score.keep("judging", data["formulas"], "other code", kept)
-    assert set(json.loads(kept.read_text("utf-8"))) == {"formulas", "judging", "references"}
+def test_a_stored_score_has_a_survivor_a_line(formulas):
+    lines = score.RECORDS.path("formulas").read_text("utf-8").splitlines()
+    assert sum("measuring_tape:" in line for line in lines) == len(formulas["survivors"]) > 0
 
 
-def test_each_group_counts_for_its_own_code(kept):
-    known = json.loads(kept.read_text("utf-8"))["formulas"]
-    score.keep("judging", known, "other code", kept)
-    now = score.measured(kept, lambda: "other code")
+def test_each_group_counts_for_its_own_code(formulas):
+    score.keep("judging", formulas, "other code")
+    now = score.measured(lambda: "other code")
     assert [group.name for group in now.groups] == ["judging"]
     assert now.stale == ("references", "formulas", "finite-elements")
-    assert [g.name for g in score.measured(kept, lambda: "this code").groups] == ["formulas"]
+    score.keep("references", {"gate": {"held": True}}, "this code")
+    now = score.measured(lambda: "this code")
+    assert [group.name for group in now.groups] == ["formulas"]
+    assert now.references == {"gate": {"held": True}}
 
 
-def test_a_torn_file_is_no_measurement(kept):
-    kept.write_text('{"formulas": {"code": "this code", "date": 3}, "judging": 7}', "utf-8")
-    assert score.measured(kept, lambda: "this code").missing
+@pytest.mark.parametrize(
+    ("name", "nonsense"),
+    [
+        ("references", 7),
+        ("judging", 7),
+        ("judging", {"all": 3}),
+        ("judging", {"all": 3, "operators": {}, "survivors": [7]}),
+    ],
+)
+def test_nonsense_is_no_score_and_spoils_no_other(formulas, name, nonsense):
+    score.keep(name, nonsense, "this code")
+    now = score.measured(lambda: "this code")
+    assert [group.name for group in now.groups] == ["formulas"]
+    assert name in now.stale
 
 
 def of(tests: int, survived: int) -> Caught:

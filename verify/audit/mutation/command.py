@@ -13,7 +13,6 @@ from verify.audit.mutation.digest import digest
 from verify.audit.mutation.outcomes import Outcomes
 from verify.audit.mutation.workload import loads
 from verify.cases.registry import CASES
-from verify.core.inputs import InputError
 from verify.core.progress import Show, State, shown
 from verify.core.store import Store
 from verify.jobs import cache
@@ -57,11 +56,7 @@ def _references(show: Show) -> Any:
 def _concluded(found: dict[str, Any], code: str, *, is_kept: bool) -> int:
     for name, one in found.items():
         if is_kept:
-            try:
-                score.keep(name, one, code)
-            except OSError as error:
-                said = f"{score.PATH}: cannot be written: {error.strerror}"
-                raise InputError(said) from error
+            score.keep(name, one, code)
     caught = score.caught(found)
     told(caught)
     complaints = score.complaints(caught)

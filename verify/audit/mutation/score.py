@@ -1,24 +1,23 @@
-"""The score: shares of mutants that are caught, survivors with their reasons; kept as a small file.
+"""The score: shares of mutants that are caught, survivors with their reasons; a record a group.
 
 It counts for the code that it was measured on; any change of a source makes it "not measured".
 """
 
 import json
-import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from verify.audit.mutation.digest import digest
 from verify.audit.mutation.groups import Group
 from verify.audit.mutation.outcomes import APART, CAUGHT_BY_ROWS, By, Outcome
-from verify.core.files import write_whole
 from verify.core.results import Caught, MutantGroup, Survivor
+from verify.jobs.records import Record, Records
 
-PATH = Path(__file__).parents[2] / "measured" / "mutants.json"
+RECORDS = Records("mutants")
 ARGUED = Path(__file__).parent / "argued.json"
 NAMES = ("formulas", "judging", "finite-elements")
 REFERENCES = "references"
@@ -50,54 +49,31 @@ def scored(group: Group, outcomes: Mapping[str, Outcome], seconds: float) -> Sco
     }  # fmt: skip
 
 
-def keep(name: str, score: Any, code: str, path: Path = PATH) -> None:
-    """Put a group's score into the file with the code that it counts for; others stay as they are.
-
-    OSError where it cannot be written.
-    """
-    date = time.strftime("%Y-%m-%d", time.gmtime())
-    data = _read(path) | {name: {**score, "code": code, "date": date}}
-    write_whole(path, lambda file: file.write(_text(data).encode()))
+def keep(name: str, score: Score, code: str) -> None:
+    """Write a group's score with the code that it counts for; OSError."""
+    in_order = json.loads(json.dumps(score, sort_keys=True))  # a diff shows what changed
+    RECORDS.keep(name, {"code": code}, in_order)
 
 
-def _text(data: Score) -> str:
-    """JSON with sorted keys, two levels indented and a survivor a line: what changed shows."""
-
-    def flat(value: Any) -> str:
-        return json.dumps(value, ensure_ascii=False, allow_nan=False, sort_keys=True)
-
-    def deep(value: Any, indent: int) -> str:
-        space = " " * indent
-        if isinstance(value, dict) and value and indent < 3:
-            items = (f"{space} {flat(k)}: {deep(value[k], indent + 1)}" for k in sorted(value))
-            return "{\n" + ",\n".join(items) + f"\n{space}}}"
-        if isinstance(value, list) and any(isinstance(item, list | dict) for item in value):
-            items = (f"{space} {flat(item)}" for item in value)
-            return "[\n" + ",\n".join(items) + f"\n{space}]"
-        return flat(value)
-
-    return deep(data, 0) + "\n"
-
-
-def _read(path: Path) -> Score:
-    with suppress(OSError, ValueError):
-        return dict(json.loads(path.read_text("utf-8")))
-    return {}
-
-
-def measured(path: Path = PATH, code: Callable[[], str] = digest) -> Caught:
-    """What the file says for the present code; of a group measured on other code only its name."""
-    data, now = _read(path), code()
+def measured(code: Callable[[], str] = digest) -> Caught:
+    """The scores for the present code; of a group measured on other code only its name."""
+    made_by = {"code": code()}
     names = (REFERENCES, *NAMES)
-    with suppress(LookupError, ValueError, TypeError, AttributeError):
-        current = {name: data[name] for name in names if data.get(name, {}).get("code") == now}
-        if current:
-            others = [name for name in names if name not in current]
-            return replace(
-                caught(current), date=max(str(one["date"]) for one in current.values()),
-                stale=tuple(others),
-            )  # fmt: skip
-    return Caught(missing=STALE)
+    records = {name: RECORDS.current(name, made_by, partial(_readable, name)) for name in names}
+    current = {name: record for name, record in records.items() if record is not None}
+    if not current:
+        return Caught(missing=STALE)
+    return replace(
+        caught({name: record.content for name, record in current.items()}),
+        date=max(record.date for record in current.values()),
+        stale=tuple(name for name in names if name not in current),
+    )
+
+
+def _readable(name: str, record: Record) -> Record:
+    """The record of a group's score; LookupError, TypeError, ... where it is not a score."""
+    caught({name: dict(record.content)})
+    return record
 
 
 def caught(found: Mapping[str, Any]) -> Caught:
