@@ -42,7 +42,7 @@ def measured_here(tmp_path, monkeypatch):
     def measure(says=made.SAYS, *, again=False):
         monkeypatch.setattr("verify.cases.budgets.STATEMENTS", {made.CASE.id: says})
         measuring.plan_of.cache_clear()
-        good = measuring.measure([made.CASE], Here(1), again=again)
+        good = measuring.BUDGET.measure_missing([made.CASE], Here(1), again=again)
         return measuring.plan_of(made.CASE.id), good
 
     yield measure

@@ -7,11 +7,11 @@ import pytest
 from analytic.polyhedral.expansion import many_corners_factor
 from verify.cases.polyhedral import budget as polyhedral_budget
 from verify.cases.polyhedral.ring.case import RING
-from verify.cases.registry import CASES, find
+from verify.cases.registry import find
 from verify.cases.rotor import budget as rotor_budget
 from verify.cases.sprag import budget as sprag_budget
 from verify.judging.budget_statement import Cause
-from verify.studies.budget.measuring import chosen, plan_of
+from verify.studies.budget.measuring import plan_of, with_rows
 from verify.studies.budget.store import measured
 
 LEFT = {  # at most, of the row: what is told of it
@@ -56,7 +56,7 @@ def test_without_corners_k_is_that_of_a_round_bore():
 
 
 def test_every_case_says_what_its_contact_s_law_is():
-    for case in chosen(["budget"], CASES):
+    for case in with_rows():
         plan = plan_of(case.id)
         said = [*plan.reruns.values(), *plan.without]
         assert any(one.cause is Cause.CONTACT for one in said), case.id

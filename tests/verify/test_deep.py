@@ -1,5 +1,6 @@
 """Measurements beyond a run: kept while their code stands, resumed where they were interrupted."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,9 +10,10 @@ from verify.cases import registry
 from verify.cases.spring.accordion.case import ACCORDION
 from verify.core import source_code
 from verify.core.case import FemResult
+from verify.core.inputs import InputError
 from verify.jobs import cache, deep_results, records
 from verify.jobs.scheduler import run
-from verify.studies import deep
+from verify.studies import deep, deep_cases
 
 PARTS = (
     FemResult(h=1.0, values={"k": 1.5}, arrays={"map": np.arange(6.0).reshape(2, 3)}),
@@ -31,7 +33,7 @@ def folder(tmp_path, monkeypatch):
         """A spawned process would not know the case of the tests."""
         return run(work, cache_folder=cache.default_folder())
 
-    monkeypatch.setattr(deep, "solve", in_this_process)
+    monkeypatch.setattr(deep_cases, "solve", in_this_process)
     return tmp_path / "measured" / "deep"
 
 
@@ -90,12 +92,84 @@ def test_a_part_that_fails_is_told_and_nothing_is_kept(folder, monkeypatch, caps
     def broken(_inputs, _level):
         raise ArithmeticError("no root")
 
-    monkeypatch.setattr(registry, "DEEP", (replace(FAST, reference=broken),))
+    monkeypatch.setattr(registry, "DEEP", (replace(FAST, id="broken", reference=broken), FAST))
     assert deep.run_deep([], jobs=1) == 1
     assert "no root" in capsys.readouterr().out
+    assert [path.name for path in folder.iterdir()] == ["spring-deep.json"]
+
+
+def test_parts_that_the_cache_lost_are_told_and_nothing_is_kept(folder, monkeypatch, capsys):
+    monkeypatch.setattr(cache, "load", lambda *_: None)
+    assert deep.run_deep([], jobs=1) == 1
+    assert capsys.readouterr().out == "spring-deep: the cache could not be written\n"
     assert not folder.exists()
 
 
 def test_an_unknown_measurement_is_named_with_the_known(folder):
-    with pytest.raises(ValueError, match="unknown case 'spring-dep', did you mean spring-deep"):
+    message = (
+        "unknown case 'spring-dep', did you mean spring-deep? there are spring-deep, "
+        "validity[:CASE], budget[:CASE]"
+    )
+    with pytest.raises(ValueError, match=re.escape(message)):
         deep.run_deep(["spring-dep"], jobs=1)
+    for name in ("validity:other", "budget:other", "validity:"):
+        line = f"{name.rstrip(':')}: no such measurement, there are "
+        with pytest.raises(InputError, match=re.escape(line)):
+            deep.run_deep([name], jobs=1)
+
+
+@pytest.fixture
+def asked(folder, monkeypatch):
+    """What the command asks each of three studies to measure, by study."""
+    found = {}
+    ring = replace(FAST, id="ring-deep")
+
+    def study(kind, *cases):
+        def measure(missing, _where, again):
+            found[kind.name] = [case.id for case in missing] + ["again"] * again
+            return kind.name != "budget"
+
+        return replace(kind, cases=lambda: cases, is_measured=lambda c: c is ring, measure=measure)
+
+    kinds = [study(kind, FAST, ring) for kind in deep.STUDIES.values()]
+    monkeypatch.setattr(deep, "DEEP_CASES", kinds[0])
+    monkeypatch.setattr(deep, "STUDIES", {kind.name: kind for kind in kinds})
+    return found
+
+
+@pytest.mark.parametrize(
+    ("names", "again", "wanted", "status"),
+    [
+        ([], False, {"": ["spring-deep"], "validity": ["spring-deep"], "budget": ["spring-deep"]},
+         1),
+        (["validity"], False, {"validity": ["spring-deep"]}, 0),
+        (["validity:ring-deep"], False, {}, 0),
+        (["validity:ring-deep"], True, {"validity": ["ring-deep", "again"]}, 0),
+        (["ring-deep", "spring-deep", "ring-deep"], True,
+         {"": ["ring-deep", "spring-deep", "again"]}, 0),
+        (["validity:spring-deep", "spring-deep"], False,
+         {"validity": ["spring-deep"], "": ["spring-deep"]}, 0),
+        (["budget:spring-deep", "validity"], False,
+         {"budget": ["spring-deep"], "validity": ["spring-deep"]}, 1),
+        (["budget:spring-deep", "budget"], True, {"budget": ["spring-deep", "ring-deep", "again"]},
+         1),
+        (["validity:spring-deep"] * 2, False, {"validity": ["spring-deep"]}, 0),
+    ],
+)  # fmt: skip
+def test_names_choose_studies_and_their_cases(asked, names, again, wanted, status):
+    assert deep.run_deep(names, jobs=1, again=again) == status
+    assert asked == wanted
+
+
+def test_what_is_measured_already_is_one_line_each(asked, capsys):
+    deep.run_deep([], jobs=1)
+    assert capsys.readouterr().out.splitlines() == [
+        f"{title}: measured already, --again measures it again"
+        for title in ("ring-deep", "validity:ring-deep", "budget:ring-deep")
+    ]
+
+
+def test_an_unknown_name_is_found_before_anything_is_measured(asked):
+    with pytest.raises(InputError):
+        deep.run_deep(["spring-deep", "budget:other"], jobs=1)
+    assert asked == {}

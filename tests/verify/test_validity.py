@@ -12,7 +12,7 @@ from verify.cases import registry
 from verify.core import source_code
 from verify.core.case import Scan
 from verify.core.figures import Equation
-from verify.core.inputs import InputError, quantity
+from verify.core.inputs import quantity
 from verify.core.results import CaseResult, Kind, Partner, Row, Status
 from verify.jobs import records
 from verify.judging.checks import Identity
@@ -20,12 +20,12 @@ from verify.studies.sweep import point
 from verify.studies.sweep.outcome import outcome
 from verify.studies.sweep.pairs import pairs
 from verify.studies.sweep.run import solve
-from verify.studies.validity import measuring
 from verify.studies.validity import messages as words
 from verify.studies.validity import store as kept
 from verify.studies.validity.cards import of_case, validity
 from verify.studies.validity.equations import numbers, place, tex
 from verify.studies.validity.left_out import LEFT_OUT, MAPS
+from verify.studies.validity.measuring import VALIDITY
 from verify.studies.validity.regions import region
 
 GRID = Scan(vary=("a=1mm,2mm,3mm,4mm", "n=3,6,9"), only=("stiffness",))
@@ -48,7 +48,7 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def known(folder):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     return of_case(PLATE, result())
 
 
@@ -186,7 +186,7 @@ def test_advice_for_a_single_point_is_no_reason_on_a_card():
 
 
 def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     row = Row(
         case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
         status=Status.PASS, analytic=2.0, fem=2.5, scale=2.5, u_num=0.01,
@@ -196,7 +196,7 @@ def test_the_row_of_the_run_gives_the_error_at_the_case_s_own_inputs(folder):
 
 
 def test_another_numerical_model_than_finite_elements_gives_that_error_too(folder):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     row = Row(
         case=PLATE.id, quantity="stiffness", symbol="k", unit="N/mm", kind=Kind.APPROXIMATION,
         status=Status.PASS, analytic=2.0, scale=2.5, u_num=0.01,
@@ -207,19 +207,19 @@ def test_another_numerical_model_than_finite_elements_gives_that_error_too(folde
 
 
 def test_a_measurement_is_made_once_and_again_where_it_no_longer_stands(folder, capsys):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     assert "validity:made-up-plate: 19 points" in capsys.readouterr().out
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     assert "measured already" in capsys.readouterr().out
     before = (folder / "made-up-plate.json").read_text("utf-8")
     (folder / "made-up-plate.json").write_text("{}", "utf-8")
-    measuring.measure([PLATE], Here())  # from the points that are kept
+    VALIDITY.measure_missing([PLATE], Here())  # from the points that are kept
     assert (folder / "made-up-plate.json").read_text("utf-8") == before
 
 
 @pytest.mark.parametrize("side", ["whole_source_of", "source_of"])
 def test_what_another_code_made_of_either_side_is_not_told(folder, monkeypatch, side):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     assert not of_case(PLATE, result()).missing
     monkeypatch.setattr(source_code, side, lambda _function: "other")
     found = of_case(PLATE, result())
@@ -242,13 +242,13 @@ class Thick(CASE.inputs):
     ],
 )
 def test_other_inputs_scans_or_comparisons_are_not_measured(folder, changed):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     assert kept.measured(PLATE) is not None
     assert kept.measured(replace(PLATE, **changed)) is None
 
 
 def test_too_few_errors_are_not_measured(folder):
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     path = folder / "made-up-plate.json"
     data = json.loads(path.read_text("utf-8"))
     data["content"][0]["stiffness"]["error"].pop()
@@ -259,20 +259,11 @@ def test_too_few_errors_are_not_measured(folder):
 def test_what_is_kept_has_four_digits_and_reads_back(folder):
     plan = kept.plans(PLATE)[0]
     (solved,) = outcome(solve(plan, Here())).courses
-    measuring.measure([PLATE], Here())
+    VALIDITY.measure_missing([PLATE], Here())
     (read,) = kept.measured(PLATE).scans[0][1]
     np.testing.assert_allclose(read.error, solved.error, rtol=5e-4)
     np.testing.assert_allclose(read.U_error, solved.U_error, rtol=5e-4)
     assert read.problems == solved.problems
-
-
-def test_measurements_go_by_their_names(folder):
-    other = replace(PLATE, id="other", scans=())
-    assert measuring.chosen(["validity"], (PLATE, other)) == [PLATE]
-    assert measuring.chosen(["validity:made-up-plate"], (PLATE, other)) == [PLATE]
-    assert measuring.chosen([], (PLATE, other)) == []
-    with pytest.raises(InputError, match="validity:other: no such measurement, there are made-up"):
-        measuring.chosen(["validity:other"], (PLATE, other))
 
 
 def test_exact_formulas_stand_in_a_table_with_their_largest_difference(folder):
@@ -280,7 +271,7 @@ def test_exact_formulas_stand_in_a_table_with_their_largest_difference(folder):
     plate = replace(PLATE, checks=(exact, CASE.checks[1]))
     registry.CASES = (plate,)
     point._known.cache_clear()
-    measuring.measure([plate], Here())
+    VALIDITY.measure_missing([plate], Here())
     found = of_case(plate, result())
     (line,) = found.exact
     assert not found.cards

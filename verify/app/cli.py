@@ -198,7 +198,7 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
         Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
         default all that are missing.
     again
-        Measure anew what is there already.
+        Measure again what is there already.
     jobs
         Processes, 0 for one a core.
     """

@@ -78,16 +78,17 @@ def _module(name: str) -> str:
 
 
 def _measured(case: Case) -> Iterator[tuple[str, str]]:
-    from verify.studies.budget import measuring as budget
     from verify.studies.budget import store as budgets
+    from verify.studies.budget.measuring import plan_of
+    from verify.studies.budget.plan import rows
     from verify.studies.crosscheck import store as crosschecks
     from verify.studies.crosscheck.registry import COMPARISONS
     from verify.studies.validity import store as regions
 
     if case.scans:
         yield "region of validity", _state(regions.measured(case))
-    if budget.chosen((budget.NAME,), [case]):
-        yield "error budget", _state(budgets.measured(budget.plan_of(case.id)))
+    if rows(case):
+        yield "error budget", _state(budgets.measured(plan_of(case.id)))
     for cross in (one for one in COMPARISONS if one.case == case.id):
         yield f"{cross.solver}, {cross.id}", _state(crosschecks.current(cross))
 

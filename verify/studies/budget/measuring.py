@@ -1,4 +1,4 @@
-"""Measure the budgets of cases: every step solved where it is said, each kept as it is there."""
+"""The study of error budgets: all steps of the cases solved together, each stored once solved."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -6,9 +6,7 @@ from functools import cache as memoised
 
 from verify.core.case import Case
 from verify.core.environment import require_gmsh
-from verify.core.inputs import InputError
-from verify.core.progress import Show
-from verify.core.suggestions import nearest
+from verify.core.progress import Show, shown
 from verify.jobs import cache
 from verify.jobs.dispatch import Dispatch, queue
 from verify.jobs.executor import Lost, Where
@@ -18,6 +16,7 @@ from verify.studies.budget.corrected import budgets
 from verify.studies.budget.found import RowBudget, Solutions
 from verify.studies.budget.plan import LOOSE, TIGHT, Plan, Step, first, rows, together
 from verify.studies.budget.solve import Solution, solved
+from verify.studies.study import Study
 
 NAME = "budget"
 MOST_ROUNDS = 2  # of further steps of a case
@@ -33,43 +32,23 @@ def plan_of(case_id: str) -> Plan:
     return Plan(case, STATEMENTS.get(case_id, Statement()), rows(case))
 
 
-def chosen(names: Sequence[str], cases: Sequence[Case]) -> list[Case]:
-    """The cases with rows that "budget", all, and "budget:CASE" name; InputError."""
-    found = [case for case in cases if rows(case)]
-    if NAME in names:
-        return found
-    known = {case.id: case for case in found}
-    wanted = [name.partition(":")[2] for name in dict.fromkeys(names)]
-    for name in wanted:
-        if name not in known:
-            asked = f"{NAME}:{name}".rstrip(":")
-            raise InputError(f"{asked}: no such measurement, there are {nearest(name, known)}")
-    return [known[name] for name in wanted]
+def with_rows() -> list[Case]:
+    """The cases with rows that have a budget."""
+    from verify.cases.registry import CASES
+
+    return [case for case in CASES if rows(case)]
 
 
-def measure(
-    cases: Sequence[Case],
-    where: Where,
-    *,
-    again: bool = False,
-    show: Show = lambda _state: None,
-) -> bool:
-    """Measure what is not kept for the present code; False where a rerun failed.
+def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
+    """Solve what the budgets of the cases need, and store them; False where a rerun failed.
 
-    A run goes on where one was interrupted. OSError where a file cannot be written.
+    An interrupted run continues where it was. OSError where a record cannot be written.
     """
-    todo = []
-    for case in cases:
-        if not again and kept.measured(plan_of(case.id)) is not None:
-            print(f"{NAME}:{case.id}: measured already, --again measures it anew")
-        else:
-            todo.append(plan_of(case.id))
-    if not todo:
-        return True
     if not where.scheduler:
         require_gmsh()
-    run = _Run(todo, show)
-    run.solve(where)
+    with shown(quiet=False) as show:
+        run = _Run([plan_of(case.id) for case in cases], show)
+        run.solve(where)
     return run.is_solved
 
 
@@ -156,3 +135,11 @@ def said(found: Sequence[RowBudget]) -> str:
         f"{len(found)} rows, largest remainder {worst.balance.remainder:+.2g} of "
         f"{worst.balance.total:+.2g} ({worst.pair.name})"
     )
+
+
+BUDGET = Study(
+    name=NAME,
+    cases=with_rows,
+    is_measured=lambda case: kept.measured(plan_of(case.id)) is not None,
+    measure=measure,
+)

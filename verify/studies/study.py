@@ -1,0 +1,52 @@
+"""A study: long measurements of one kind, made once for each case and stored with the project."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from verify.core.case import Case
+from verify.core.inputs import InputError
+from verify.core.suggestions import nearest
+from verify.jobs.executor import Where
+
+
+@dataclass(frozen=True)
+class Study:
+    """One kind of measurements, of which a case has one.
+
+    `is_measured` tells whether a case has a record for the present code. `measure` measures cases,
+    stores each as soon as it is complete and prints a line for it; False where a part failed.
+    Its last argument asks to solve again what failed before.
+    """
+
+    name: str
+    cases: Callable[[], Sequence[Case]]
+    is_measured: Callable[[Case], bool]
+    measure: Callable[[Sequence[Case], Where, bool], bool]
+
+    def title(self, case: Case) -> str:
+        """The name of a measurement on the command line."""
+        return f"{self.name}:{case.id}"
+
+    def chosen(self, names: Sequence[str]) -> list[Case]:
+        """The cases that names ask for: the study's name all, "NAME:CASE" one; InputError."""
+        known = {case.id: case for case in self.cases()}
+        if self.name in names:
+            return list(known.values())
+        wanted = [name.partition(":")[2] for name in names]
+        for case_id in wanted:
+            if case_id not in known:
+                asked = f"{self.name}:{case_id}".rstrip(":")
+                there = nearest(case_id, known)
+                raise InputError(f"{asked}: no such measurement, there are {there}")
+        return [known[case_id] for case_id in wanted]
+
+    def measure_missing(self, cases: Sequence[Case], where: Where, *, again: bool = False) -> bool:
+        """Measure the cases without a record for the present code; False where a part failed.
+
+        With `again` all of them. OSError where a record cannot be written.
+        """
+        missing = [case for case in cases if again or not self.is_measured(case)]
+        for case in cases:
+            if case not in missing:
+                print(f"{self.title(case)}: measured already, --again measures it again")
+        return not missing or self.measure(missing, where, again)
