@@ -164,7 +164,7 @@ def test_names_choose_studies_and_their_cases(asked, names, again, wanted, statu
 def test_what_is_measured_already_is_one_line_each(asked, capsys):
     deep.run_deep([], jobs=1)
     assert capsys.readouterr().out.splitlines() == [
-        f"{title}: measured already, --again measures it again"
+        f"{title}: measured already, --again makes the record again"
         for title in ("ring-deep", "validity:ring-deep", "budget:ring-deep")
     ]
 

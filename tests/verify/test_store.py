@@ -2,14 +2,18 @@
 
 import json
 import multiprocessing
+import re
 import sqlite3
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from verify.app.cli import run
+from verify.cases.registry import find
 from verify.core.store import FILE, TABLES, Store, packed, unpacked
+from verify.jobs import cache
 
 
 @pytest.fixture
@@ -198,3 +202,35 @@ def test_the_command_lists_and_clears(tmp_path, monkeypatch, capsys):
     assert run(["store", "--clear", "budget:ring-lame"]) == 0
     assert run(["store", "--clear", "level"]) == 0
     assert "0 results" in capsys.readouterr().out
+
+
+def test_the_origin_of_a_case_s_numbers_is_listed(capsys, tmp_path, monkeypatch):
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
+    case = find("ring-lame")
+    key = cache.key(case, case.inputs(), case.levels[0])
+    Store(tmp_path).store("level", "ring-lame", {key: bytes(1_500_000)})
+    Store(tmp_path).store("sweep formulas", "ring-lame", {"a": b"1"})
+    assert run(["store", "ring-lame"]) == 0
+    out = capsys.readouterr().out
+    assert re.search(rf"\n  2 +{key}  {time.strftime('%Y-')}.*, 1\.5 MB\n", out)
+    assert re.search(r"\n  4 +[0-9a-f]{32}  not stored", out)
+    assert "sweep formulas: 1 results of any code" in out
+    assert re.search(r"region of validity +20..-..-.., of this code", out)
+    assert run(["store", "no-case"]) == 2
+
+
+@pytest.mark.parametrize("name", ["analytic.ring.lame", "analytic/ring/lame.py"])
+def test_the_cases_of_a_module_are_listed(name, capsys, monkeypatch):
+    monkeypatch.chdir(Path(__file__).parents[2])
+    assert run(["store", "--code", name]) == 0
+    formulas, reference, *_ = capsys.readouterr().out.splitlines()
+    assert "ring-lame" in formulas
+    assert "ring-lame" not in reference
+
+
+@pytest.mark.parametrize(
+    "name", ["nothing", "analytic.ring.lame.stresses", "README.md", "/etc/x.py"]
+)
+def test_what_is_no_module_of_the_project_is_one_line(name, capsys):
+    assert run(["store", "--code", name]) == 2
+    assert "no module of the project" in capsys.readouterr().err

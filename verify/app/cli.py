@@ -198,7 +198,8 @@ def deep(*cases: str, again: bool = False, jobs: Jobs = 0) -> int:
         Measurements to make: validity, validity:CASE, budget, budget:CASE or a map's name; by
         default all that are missing.
     again
-        Measure again what is there already.
+        Make the records again, from stored results where they are of this code, and solve again
+        what failed. `freewheel store --clear KIND:CASE` removes stored results first.
     jobs
         Processes, 0 for one a core.
     """

@@ -48,5 +48,5 @@ class Study:
         missing = [case for case in cases if again or not self.is_measured(case)]
         for case in cases:
             if case not in missing:
-                print(f"{self.title(case)}: measured already, --again measures it again")
+                print(f"{self.title(case)}: measured already, --again makes the record again")
         return not missing or self.measure(missing, where, again)

@@ -1,0 +1,165 @@
+"""Every study killed at random moments: nothing stored is lost or torn, and the result is the same.
+
+The studies run in a copy of the project, since some of them write its measured files.
+"""
+
+import json
+import os
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from tests.verify.sweep_files import RING
+from tests.verify.test_design_sprag_command import NARROW, task
+from verify.core.store import FILE
+from verify.jobs.cache import default_folder
+
+pytestmark = [pytest.mark.soak, pytest.mark.xdist_group("kills")]
+KILLS = int(os.environ.get("FREEWHEEL_KILLS", "6"))  # of each study
+ROOT = Path(__file__).parents[2]
+PARTS = ("analytic", "fem", "meshes", "verify", "reports", "tests", "pyproject.toml")
+SWEEP = (
+    "--vary",
+    "z=3:8:6",
+    "--vary",
+    "delta_1=3mm:5mm:2",
+    "--only",
+    "K in the middle of the flats",
+)
+MEASURED = "verify/measured"
+UNLIKE = {"date", "seconds", "made", "commit", "cached", "spent"}  # differ between any two runs
+
+
+@dataclass(frozen=True)
+class Study:
+    """A command, and the file with its result below the copy of the project."""
+
+    arguments: tuple[str, ...]
+    result: str
+    starts_full: bool = False  # it takes the levels that the usual store has
+
+
+STUDIES = {
+    "levels": Study(("verify", "ring-lame", "--jobs", "2", "--out", "out"), "out/results.json"),
+    "sweep": Study(("sweep", "ring.toml", *SWEEP, "--jobs", "2", "--out", "out"), "out/points.csv"),
+    "region": Study(("deep", "validity:ring-lame"), f"{MEASURED}/validity/ring-lame.json"),
+    "budget": Study(("deep", "budget:ring-lame"), f"{MEASURED}/budget/ring-lame.json"),
+    "crowns": Study(("design", "--no-fem", "task.toml", "--out", "out"), "out/designs.csv"),
+    "mutants": Study(
+        ("mutants", "--only", "judging", "--seed", "7"), "stdout", starts_full=True
+    ),
+}  # fmt: skip
+
+
+class Copy:
+    """The project, its store and its files in a folder of their own."""
+
+    def __init__(self, folder: Path, study: Study) -> None:
+        self.folder, self.study = folder, study
+        for part in PARTS:
+            place = ROOT / part
+            if place.is_dir():
+                ignored = shutil.ignore_patterns("__pycache__", "out")
+                shutil.copytree(place, folder / part, ignore=ignored)
+            else:
+                shutil.copy(place, folder / part)
+        (folder / "ring.toml").write_text(RING)
+        task(folder, **NARROW)
+        self.store = folder / "cache" / FILE
+        if study.result.startswith(MEASURED):  # of other code: it is measured again
+            path = folder / study.result
+            path.write_text(path.read_text("utf-8").replace("made by", "made otherwise"), "utf-8")
+        if study.starts_full:
+            self.store.parent.mkdir()
+            with closing(sqlite3.connect(default_folder() / FILE)) as usual:
+                usual.execute("VACUUM INTO ?", (str(self.store),))
+
+    def start(self) -> subprocess.Popen:
+        environment = os.environ | {
+            "FREEWHEEL_CACHE": str(self.store.parent), "PYTHONPATH": str(self.folder),
+        }  # fmt: skip
+        with (self.folder / "stdout").open("w") as out:
+            return subprocess.Popen(
+                [sys.executable, "-m", "verify", *self.study.arguments], cwd=self.folder,
+                env=environment, stdout=out, stderr=subprocess.PIPE, text=True,
+                start_new_session=True,
+            )  # fmt: skip
+
+    def run(self) -> float:
+        """Seconds of a run that nothing disturbs."""
+        start, process = time.monotonic(), self.start()
+        _, err = process.communicate(timeout=1800)
+        assert process.returncode in (0, 1), err
+        assert "Traceback" not in err
+        return time.monotonic() - start
+
+    def entries(self) -> dict[tuple[str, str], float]:
+        """Kind and key of every entry and when it was made, of a store that SQLite finds whole."""
+        if not self.store.is_file():
+            return {}
+        with closing(sqlite3.connect(self.store)) as database:
+            assert database.execute("PRAGMA integrity_check").fetchall() == [("ok",)]
+            if not database.execute("SELECT 1 FROM sqlite_master").fetchone():
+                return {}
+            lines = database.execute("SELECT kind, key, made FROM entries").fetchall()
+        return {(kind, key): made for kind, key, made in lines if kind != "duration"}
+
+    def result(self) -> object:
+        text = (self.folder / self.study.result).read_text("utf-8")
+        return plain(json.loads(text)) if self.study.result.endswith(".json") else text
+
+
+def plain(record: object) -> object:
+    """A record without what differs between any two runs."""
+    if isinstance(record, dict):
+        return {k: plain(v) for k, v in record.items() if k not in UNLIKE}
+    return [plain(one) for one in record] if isinstance(record, list) else record
+
+
+def killed(copy: Copy, moment: float) -> None:
+    """A run whose process is killed after some seconds; its own processes end by themselves."""
+    process = copy.start()
+    try:
+        process.wait(moment)
+    except subprocess.TimeoutExpired:
+        os.kill(process.pid, signal.SIGKILL)
+    process.communicate()
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_kills_lose_nothing(name, tmp_path):
+    study = STUDIES[name]
+    right = Copy(tmp_path / "right", study)
+    seconds = right.run()
+    copy, moments = Copy(tmp_path / "killed", study), random.Random(20)
+    stored = copy.entries()
+    for _ in range(KILLS):
+        killed(copy, moments.uniform(0.1, 1.05 * seconds))
+        now = copy.entries()
+        assert stored.items() <= now.items()  # nothing is lost, nothing is made twice
+        stored = now
+    copy.run()
+    assert stored.items() <= copy.entries().items()
+    assert copy.result() == right.result()
+
+
+@pytest.mark.parametrize("name", ["levels", "sweep", "crowns"])
+def test_two_runs_at_once_agree(name, tmp_path):
+    study = STUDIES[name]
+    right, both = Copy(tmp_path / "right", study), Copy(tmp_path / "both", study)
+    right.run()
+    runs = [both.start() for _ in range(2)]
+    for process in runs:
+        _, err = process.communicate(timeout=1800)
+        assert (process.returncode, "Traceback" in err) == (0, False)
+    assert both.entries().keys() == right.entries().keys()
+    assert both.result() == right.result()
