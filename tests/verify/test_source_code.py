@@ -235,13 +235,15 @@ USE = "from analytic.made_formula import formula"
 REFERENCE = [("helper(level)", "formula(level)"), ("    from fem", f"    {USE}\n    from fem")]
 OTHER_SIDE = [("return 6.0", "return formula(6.0)"), ("FACTOR = 2.0", f"{USE}\nFACTOR = 2.0")]
 SHAPED = [("def shape(x):", f"{USE}\n\n\ndef shape(x):")]
+NAMED = [("def shape(x):", f"{USE}\n\nKNOWN = (formula,)\n\n\ndef shape(x: formula = 1.0):")]
 
 
 @pytest.mark.parametrize("new", [{"made_formula": [("* x", "/ x")]},
                                  {"made_modulus": [("15.0", "15.5")]}])  # fmt: skip
 def test_a_formula_counts_only_where_the_function_itself_imports_it_as_its_reference(new, source):
     assert source(made_up_case=REFERENCE) != source(made_up_case=REFERENCE, **new)
-    for sides in ({"made_up_case": OTHER_SIDE}, {"made_up_shapes": SHAPED}):
+    every = ({"made_up_case": OTHER_SIDE}, {"made_up_shapes": SHAPED}, {"made_up_shapes": NAMED})
+    for sides in every:  # a name of the other side stands for itself, wherever it is written
         assert source(**sides) == source(**sides, **new)
 
 

@@ -2,6 +2,7 @@
 
 import json
 import multiprocessing
+import os
 import re
 import sqlite3
 import time
@@ -215,7 +216,7 @@ def test_the_origin_of_a_case_s_numbers_is_listed(capsys, tmp_path, monkeypatch)
     assert re.search(rf"\n  2 +{key}  {time.strftime('%Y-')}.*, 1\.5 MB\n", out)
     assert re.search(r"\n  4 +[0-9a-f]{32}  not stored", out)
     assert "sweep formulas: 1 results of any code" in out
-    assert re.search(r"region of validity +20..-..-.., of this code", out)
+    assert re.search(r"20..-..-.., of this code  verify/measured/validity/ring-lame.json", out)
     assert run(["store", "no-case"]) == 2
 
 
@@ -234,3 +235,17 @@ def test_the_cases_of_a_module_are_listed(name, capsys, monkeypatch):
 def test_what_is_no_module_of_the_project_is_one_line(name, capsys):
     assert run(["store", "--code", name]) == 2
     assert "no module of the project" in capsys.readouterr().err
+
+
+def test_files_of_an_earlier_version_keep_their_dates(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
+    (tmp_path / "ring-lame").mkdir()
+    path = tmp_path / "ring-lame" / f"{'0a' * 16}.npz"
+    path.write_bytes(b"a level")
+    os.utime(path, (1e9, 1e9))
+    assert run(["store", "--json"]) == 0
+    said = capsys.readouterr()
+    assert said.err.startswith("1 results of an earlier version were moved into")
+    (group,) = json.loads(said.out)["groups"]
+    assert (group["kind"], group["subject"], group["oldest"]) == ("level", "ring-lame", 1e9)
+    assert not path.parent.exists()

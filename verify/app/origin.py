@@ -1,6 +1,7 @@
 """Where the stored numbers of a case come from, and what a change of a module makes stale."""
 
 import inspect
+import os
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -32,8 +33,8 @@ def of_case(name: str) -> Iterator[str]:
     for group in own:
         yield f"{group.kind}: {group.entries:,} results of any code and inputs, in the same file"
     yield "measured with make deep and make crosscheck, files of the project:"
-    for what, state in _measured(case):
-        yield f"  {what:34} {state}"
+    for path, state in _measured(case):
+        yield f"  {state}  {os.path.relpath(path, ROOT)}"
 
 
 def of_module(name: str) -> Iterator[str]:
@@ -42,10 +43,10 @@ def of_module(name: str) -> Iterator[str]:
     found = {side: [c.id for c in CASES if _is_part(module, c, side)] for side in SIDES}
     for side, cases in found.items():
         yield f"{side} of {len(cases)} cases: {', '.join(cases) or 'none'}"
-    levels = found["reference"]
     yield (
-        f"a change of code (not of words or names) of {module} solves {len(levels)} cases again, "
-        "and makes regions of validity and error budgets of all named cases stale"
+        f"A change of code (not of words or names) of {module} solves the references of "
+        f"{len(found['reference'])} cases again. Regions of validity, error budgets and second "
+        "solvers of all named cases are then not measured for this code."
     )
 
 
@@ -86,11 +87,11 @@ def _measured(case: Case) -> Iterator[tuple[str, str]]:
     from verify.studies.validity import store as regions
 
     if case.scans:
-        yield "region of validity", _state(regions.measured(case))
+        yield str(regions.RECORDS.path(case.id)), _state(regions.measured(case))
     if rows(case):
-        yield "error budget", _state(budgets.measured(plan_of(case.id)))
+        yield str(budgets.RECORDS.path(case.id)), _state(budgets.measured(plan_of(case.id)))
     for cross in (one for one in COMPARISONS if one.case == case.id):
-        yield f"{cross.solver}, {cross.id}", _state(crosschecks.current(cross))
+        yield str(crosschecks.RECORDS.path(cross.file)), _state(crosschecks.current(cross))
 
 
 def _state(found: object) -> str:

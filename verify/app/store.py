@@ -1,6 +1,7 @@
 """The command `store`: stored results, their sizes and ages, and their removal."""
 
 import json
+import sys
 import time
 from dataclasses import asdict
 
@@ -18,7 +19,9 @@ def run_store(*, as_json: bool, clear: str) -> int:
     folder = default_folder()
     store = Store(folder)
     try:
-        adopt(folder)
+        if moved := adopt(folder):
+            message = f"{moved} results of an earlier version were moved into {store.path}"
+            print(message, file=sys.stderr)
         if clear:
             _clear(store, clear)
         groups = store.groups()

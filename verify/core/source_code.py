@@ -12,7 +12,7 @@ import hashlib
 import inspect
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -29,13 +29,14 @@ FIELD_WORDS = ("claims", "example", "what", "symbol")
 @cache
 def source_of(function: Any) -> str:
     """Hash of a `fem` function: itself, the names of its module it uses, the modules it reaches."""
-    return _hash(*parts_of(function))
+    used, reached = parts_of(function)
+    return _hash(used, reached, whole=COMPILED in reached)
 
 
 @cache
 def whole_source_of(function: Any) -> str:
     """Hash of a function, the names of its module it uses, and all formulas these reach."""
-    return _hash(*whole_parts_of(function))
+    return _hash(*whole_parts_of(function), whole=True)
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
@@ -72,9 +73,10 @@ def forget() -> None:
         one.cache_clear()
 
 
-def _hash(used: Mapping[str, str], reached: list[str]) -> str:
+def _hash(used: Mapping[str, str], reached: list[str], *, whole: bool) -> str:
     own = [used[name] for name in sorted(used)]
-    modules = sorted(one for one in map(module_hash, reached) if one != EMPTY)
+    hashes = (_read(module, whole=whole)[0] for module in reached)
+    modules = sorted(one for one in hashes if one != EMPTY)
     return _digest("\n".join([*own, *modules]))
 
 
@@ -88,7 +90,7 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
     if module is None or module.__file__ is None:
         return {}, set()
     tree = ast.parse(Path(module.__file__).read_text("utf-8"))
-    bound = _bound(tree, module.__name__)
+    bound = _bound(tree, module.__name__, whole=whole)
     own = {name: node for node in tree.body for name in _defined(node)}
     borrowed: dict[str, set[str]] = {}  # names that the module's own imports bind
     for node in tree.body:
@@ -128,13 +130,17 @@ def _imported(node: ast.AST, importer: str, *, whole: bool = False) -> Iterator[
     But for `whole`, without what a module imports of analytic at its top: the other side's. Modules
     of inputs are both sides': sizes and loads that they compute act on finite elements, too.
     """
-    formulas = set(node.body) if isinstance(node, ast.Module) else set()
-    if whole or importer.startswith("analytic.") or OF_BOTH.search(importer):
-        formulas = set()
+    formulas = () if whole else _formulas(node, importer)
     for item in ast.walk(node):
         names = list(_names(item, importer))
         kept = (n for n in names if not (item in formulas and _is_formula(n)))
         yield from (n for n in kept if _counts(n))
+
+
+def _formulas(node: ast.AST, importer: str) -> Collection[ast.AST]:
+    """The statements of a module whose imports of analytic do not count: the other side's."""
+    both = importer.startswith("analytic.") or OF_BOTH.search(importer)
+    return node.body if isinstance(node, ast.Module) and not both else ()
 
 
 def _names(item: ast.AST, importer: str) -> Iterator[str]:
@@ -189,7 +195,7 @@ def _read(module: str, *, whole: bool = False) -> tuple[str, tuple[str, ...]]:
     """Hash of a module's code, and the modules that count among what it imports."""
     tree = _tree(module)
     imported = tuple(_imported(tree, module, whole=whole))
-    return _digest(plain(tree, _bound(tree, module))), imported
+    return _digest(plain(tree, _bound(tree, module, whole=whole))), imported
 
 
 def _tree(module: str) -> ast.Module:
@@ -205,23 +211,29 @@ def _shallow(module: str) -> str:
     return _digest(plain(_tree(module), {}))[:16]
 
 
-def _bound(tree: ast.Module, importer: str) -> Mapping[str, str]:
-    """What each name that an import of the project's modules binds stands for: their code."""
+def _bound(tree: ast.Module, importer: str, *, whole: bool) -> Mapping[str, str]:
+    """What each name that an import of the project's modules binds stands for: their code.
+
+    A name of the other side, whose code does not count (`_imported`), stands for itself alone.
+    """
     found = {}
+    formulas = () if whole else _formulas(tree, importer)
     for item in ast.walk(tree):
         if not isinstance(item, ast.Import | ast.ImportFrom):
             continue
         for alias in item.names:
-            whole = alias.name
+            full = alias.name
             if isinstance(item, ast.ImportFrom):
-                whole = f"{_source(item, importer)}.{alias.name}"
-            if not _counts_package(whole):
+                full = f"{_source(item, importer)}.{alias.name}"
+            if not _counts_package(full):
                 continue
-            if _counts(whole):
-                found[alias.asname or alias.name] = _shallow(whole)
-            elif _counts(whole.rpartition(".")[0]):
-                inside = _shallow(whole.rpartition(".")[0])
-                found[alias.asname or alias.name] = f"{inside}.{alias.name}"
+            name = alias.asname or alias.name
+            if item in formulas and _is_formula(full):
+                found[name] = f"formula {alias.name}"
+            elif _counts(full):
+                found[name] = _shallow(full)
+            elif _counts(full.rpartition(".")[0]):
+                found[name] = f"{_shallow(full.rpartition('.')[0])}.{alias.name}"
     return found
 
 

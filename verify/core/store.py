@@ -87,11 +87,13 @@ class Store:
         except OSError:
             return None
 
-    def store(self, kind: str, subject: str, entries: Mapping[str, bytes]) -> None:
-        """Write entries by key, all or none; OSError where the file cannot be written."""
+    def store(
+        self, kind: str, subject: str, entries: Mapping[str, bytes], made: float | None = None
+    ) -> None:
+        """Write entries by key, all or none, made now or at a time [s since 1970]; OSError."""
         made_folder(self.path.parent)
-        now = time.time()
-        lines = [(kind, key, subject, now, content) for key, content in entries.items()]
+        made = time.time() if made is None else made
+        lines = [(kind, key, subject, made, content) for key, content in entries.items()]
         with self._open() as database:
             database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?, ?, ?, ?)", lines)
 

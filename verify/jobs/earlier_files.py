@@ -3,7 +3,6 @@
 import re
 import shutil
 from contextlib import suppress
-from itertools import groupby
 from pathlib import Path
 
 from verify.core.store import Store
@@ -12,7 +11,6 @@ from verify.jobs import cache
 NAME = re.compile(r"[0-9a-f]{32}\.npz")
 PICTURES = "pictures"  # a folder of what is drawn again in a minute
 KINDS = {"design-sprag": "engagement"}  # of files by their folder; in those of cases levels
-AT_ONCE = 20  # files in one writing
 
 
 def adopt(folder: Path) -> int:
@@ -22,23 +20,16 @@ def adopt(folder: Path) -> int:
     OSError where the store takes none.
     """
     shutil.rmtree(folder / PICTURES, ignore_errors=True)
-    files = sorted(p for p in folder.glob("*/*.npz") if NAME.fullmatch(p.name))
-    for place, some in groupby(files, key=lambda path: path.parent):
-        kind, own = KINDS.get(place.name, cache.KIND), list(some)
-        for k in range(0, len(own), AT_ONCE):
-            _move(Store(folder), kind, place.name, own[k : k + AT_ONCE])
+    files = [p for p in folder.glob("*/*.npz") if NAME.fullmatch(p.name)]
+    for path in files:
+        kind = KINDS.get(path.parent.name, cache.KIND)
+        with suppress(FileNotFoundError):  # another run was faster
+            content, made = path.read_bytes(), path.stat().st_mtime
+            Store(folder).store(kind, path.parent.name, {path.stem: content}, made)
+            path.unlink(missing_ok=True)
+    for place in {path.parent for path in files}:
         for half in place.glob(".part-*"):  # of a writer that was killed
             half.unlink(missing_ok=True)
         with suppress(OSError):  # it has other files
             place.rmdir()
     return len(files)
-
-
-def _move(store: Store, kind: str, subject: str, files: list[Path]) -> None:
-    found: dict[str, bytes] = {}
-    for path in files:
-        with suppress(FileNotFoundError):  # another run was faster
-            found[path.stem] = path.read_bytes()
-    store.store(kind, subject, found)
-    for path in files:
-        path.unlink(missing_ok=True)
