@@ -1,6 +1,8 @@
 """The dispatcher of all studies: every task once, progress, and what an interrupted run says."""
 
+import os
 from collections import deque
+from pathlib import Path
 
 import pytest
 
@@ -98,3 +100,25 @@ def test_an_interrupted_run_says_what_is_stored(error, is_stored, words):
         dispatch.run(local(0), double, queue(waiting), receive)
     before = "interrupted" if error is KeyboardInterrupt else "no answer"
     assert str(stopped.value) == f"{before}; {words}"
+
+
+def die_once(task):
+    """Ends its process the first time that a task with a file is done."""
+    if task and not Path(task).exists():
+        Path(task).touch()
+        os._exit(1)
+    return task
+
+
+def test_a_task_that_is_added_after_a_process_died_is_done(tmp_path):
+    file = str(tmp_path / "died")
+
+    def add(task, waiting, dispatch):
+        if task == file:
+            waiting.append("")
+            dispatch.total += 1
+        return 1
+
+    found, dispatch = run([file], function=die_once, receive=add, processes=2)
+    assert found == {file: file, "": ""}
+    assert (dispatch.done, dispatch.total) == (2, 2)

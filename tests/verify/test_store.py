@@ -241,7 +241,7 @@ def test_files_of_an_earlier_version_keep_their_dates(tmp_path, monkeypatch, cap
     monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
     (tmp_path / "ring-lame").mkdir()
     path = tmp_path / "ring-lame" / f"{'0a' * 16}.npz"
-    path.write_bytes(b"a level")
+    path.write_bytes(packed({"head": np.array("{}")}))
     os.utime(path, (1e9, 1e9))
     assert run(["store", "--json"]) == 0
     said = capsys.readouterr()
@@ -249,3 +249,18 @@ def test_files_of_an_earlier_version_keep_their_dates(tmp_path, monkeypatch, cap
     (group,) = json.loads(said.out)["groups"]
     assert (group["kind"], group["subject"], group["oldest"]) == ("level", "ring-lame", 1e9)
     assert not path.parent.exists()
+
+
+def test_other_files_in_the_folder_of_the_store_stay(tmp_path, monkeypatch):
+    """Someone may name a folder that holds more than the store."""
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
+    name = f"{'0a' * 16}.npz"
+    files = {"pictures/a.jpg": b"a picture", f"pictures/{name}": packed({"head": np.zeros(1)}),
+             f"photos/{name}": b"no level", f"arrays/{name}": packed({"x": np.zeros(1)}),
+             "ring-lame/.part-x": b"half"}  # fmt: skip
+    for place, content in files.items():
+        (tmp_path / place).parent.mkdir(exist_ok=True)
+        (tmp_path / place).write_bytes(content)
+    assert run(["store"]) == 0
+    assert {place: (tmp_path / place).read_bytes() for place in files} == files
+    assert Store(tmp_path).groups() == []

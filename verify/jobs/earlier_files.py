@@ -1,35 +1,44 @@
 """Results that an earlier version stored as files of their own move into the store."""
 
 import re
-import shutil
 from contextlib import suppress
 from pathlib import Path
 
-from verify.core.store import Store
+from verify.core.store import Store, unpacked
 from verify.jobs import cache
 
 NAME = re.compile(r"[0-9a-f]{32}\.npz")
-PICTURES = "pictures"  # a folder of what is drawn again in a minute
-KINDS = {"design-sprag": "engagement"}  # of files by their folder; in those of cases levels
+# kind of entries and the array that each file of it has; other folders are those of cases
+KINDS = {"design-sprag": ("engagement", "N")}
+LEVEL = cache.KIND, "head"
+PICTURES = "pictures"  # a folder whose files are drawn again in a minute: they stay where they are
 
 
 def adopt(folder: Path) -> int:
     """Move such files into the folder's store, and return how many they were.
 
     A file is removed after its content is stored: nothing is lost where this is interrupted.
-    OSError where the store takes none.
+    Files that are no results stay. OSError where the store takes none.
     """
-    shutil.rmtree(folder / PICTURES, ignore_errors=True)
     files = [p for p in folder.glob("*/*.npz") if NAME.fullmatch(p.name)]
-    for path in files:
-        kind = KINDS.get(path.parent.name, cache.KIND)
-        with suppress(FileNotFoundError):  # another run was faster
-            content, made = path.read_bytes(), path.stat().st_mtime
-            Store(folder).store(kind, path.parent.name, {path.stem: content}, made)
-            path.unlink(missing_ok=True)
-    for place in {path.parent for path in files}:
+    moved = [path for path in files if path.parent.name != PICTURES and _move(path, folder)]
+    for place in {path.parent for path in moved}:
         for half in place.glob(".part-*"):  # of a writer that was killed
             half.unlink(missing_ok=True)
         with suppress(OSError):  # it has other files
             place.rmdir()
-    return len(files)
+    return len(moved)
+
+
+def _move(path: Path, folder: Path) -> bool:
+    """Whether a file was a result of an earlier version, which is then in the store."""
+    kind, array = KINDS.get(path.parent.name, LEVEL)
+    try:
+        content, made = path.read_bytes(), path.stat().st_mtime
+        if array not in unpacked(content):
+            return False
+    except cache.UNREADABLE:  # no such file, or one that another run has moved
+        return False
+    Store(folder).store(kind, path.parent.name, {path.stem: content}, made)
+    path.unlink(missing_ok=True)
+    return True

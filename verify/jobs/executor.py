@@ -8,7 +8,6 @@ import os
 import re
 import time
 import traceback
-from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future
 from contextlib import AbstractContextManager, contextmanager
@@ -111,17 +110,16 @@ class Drive:
         """Each task with its answer as they come, and None every TICK seconds.
 
         A task is taken from `tasks` when its turn comes, and `tasks` is asked again after every
-        answer, as long as one is to come. One whose process dies is split and done
-        again at the end, each part alone in a fresh process; Lost is its answer if that dies too.
+        answer. One whose process dies is split and done again when no other is left, each part
+        alone in a fresh process; Lost is its answer if that dies too.
         GoneError where the engine answers no more.
         """
-        died = yield from self._round(iter(tasks), self.engine.ahead)
-        again = deque(part for task, _ in died for part in self.split(task))
-        while again:
-            self.engine.renew()
-            task = again.popleft()
-            for dead, reason in (yield from self._round(iter((task,)), 0)):
-                yield dead, Lost(reason)
+        waiting = iter(tasks)
+        while died := (yield from self._round(waiting, self.engine.ahead)):
+            for part in [part for task, _ in died for part in self.split(task)]:
+                self.engine.renew()
+                for dead, reason in (yield from self._round(iter((part,)), 0)):
+                    yield dead, Lost(reason)
 
     def _round(self, tasks: Iterator[Any], ahead: int) -> Any:
         under_way: dict[Future[Any], tuple[int, Any]] = {}
