@@ -162,7 +162,7 @@ def test_an_identity_that_nothing_explains_is_said_so(measured_here):
     assert same.within is False
 
 
-@pytest.mark.parametrize("source", ["whole_source_of", "source_of", "module_hash"])
+@pytest.mark.parametrize("source", ["whole_source_of", "source_of", "group_hash"])
 def test_what_other_code_measured_is_not_measured(measured_here, monkeypatch, source):
     plan, _ = measured_here()
     monkeypatch.setattr(source_code, source, lambda _code: "other")

@@ -13,7 +13,7 @@ import pytest
 import analytic
 import fem
 from verify.cases.registry import CASES
-from verify.core import source_code
+from verify.core import plain_code, source_code
 
 # What a key is made of: a made-up case module, which reaches fem.made_up, which reaches
 # fem.made_deep. Each variant is written to a folder of its own.
@@ -231,6 +231,43 @@ def test_a_module_is_reached_by_every_form_of_import(changes, source):
     assert source(made_up=changes) != source(made_up=changes, made_deep=deep)
 
 
+@pytest.mark.parametrize("use", ["from fem.made_up import passed", "from fem import made_up"])
+def test_a_name_that_a_module_only_hands_on_stands_for_its_code(use, source):
+    used = [("    from fem.made_up", f"    {use}\n    from fem.made_up")]
+    first, second = (
+        source(made_up_case=used, made_up=[(IMPORT, f"{IMPORT}\nfrom fem.{name} as passed")])
+        for name in ("made_deep import deep", "made_deep import other")
+    )
+    third = source(
+        made_up_case=used,
+        made_up=[(IMPORT, f"{IMPORT}\nfrom fem.made_apart import deep as passed")],
+    )
+    assert len({first, second, third}) == 3
+
+
+def test_a_name_of_any_other_module_stands_for_itself_however_it_is_renamed(source):
+    def renamed(name, to):
+        line = f"from verify.core.inputs import {name} as {to}"
+        return source(
+            made_up_shapes=[("8.0 * x", f"{to}(x)"), ("def shape(x)", f"{line}\n\n\ndef shape(x)")]
+        )
+
+    assert renamed("quantity", "first") == renamed("quantity", "second")
+    assert renamed("quantity", "first") != renamed("count", "first")
+
+
+def test_modules_hashed_together_stand_for_their_code_in_each_other(source):
+    group = ["fem.made_deep", "fem.made_moved", "fem.made_apart", "fem.made_up"]
+
+    def hashed(**changes):
+        source(**changes)
+        return source_code.group_hash(group)
+
+    assert hashed(made_up=[("fem.made_deep", "fem.made_moved")]) == hashed()
+    assert hashed(made_up=[("fem.made_deep", "fem.made_apart")]) != hashed()
+    assert hashed(made_apart=[("12.0\n\n\ndef", "12.5\n\n\ndef")]) != hashed()
+
+
 USE = "from analytic.made_formula import formula"
 REFERENCE = [("helper(level)", "formula(level)"), ("    from fem", f"    {USE}\n    from fem")]
 OTHER_SIDE = [("return 6.0", "return formula(6.0)"), ("FACTOR = 2.0", f"{USE}\nFACTOR = 2.0")]
@@ -351,7 +388,7 @@ def test_a_changed_formula_solves_nothing_anew_where_finite_elements_take_none(c
 def test_a_source_has_the_same_text_in_every_python():
     """As Python 3.11 writes it; 3.12 has a further field, 3.13 leaves empty ones out."""
     tree = ast.parse("def f(x): return g(x)")
-    assert source_code.dump(tree) == (
+    assert plain_code.dump(tree) == (
         "Module(body=[FunctionDef(name='f', args=arguments(posonlyargs=[], args=[arg(arg='x')], "
         "kwonlyargs=[], kw_defaults=[], defaults=[]), body=[Return(value=Call("
         "func=Name(id='g', ctx=Load()), args=[Name(id='x', ctx=Load())], keywords=[]))], "

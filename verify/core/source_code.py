@@ -11,19 +11,16 @@ import copy
 import hashlib
 import inspect
 import re
-import sys
 from collections.abc import Collection, Iterator, Mapping
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from verify.core.plain_code import is_of_project, plain
+
 COMPILED = "analytic.sprag.engagement"
 OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules that make what both sides take
-PROJECT = ("analytic", "fem", "meshes", "verify", "reports")
-FIELDS = ("quantity", "count", "word", "text", "table")  # functions that declare an input
-FIELD_VALUES = 2  # of their arguments, which are values: default and unit
-FIELD_WORDS = ("claims", "example", "what", "symbol")
 
 
 @cache
@@ -57,14 +54,10 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
     return used, sorted(reached)
 
 
-def module_hash(module: str) -> str:
-    """Hash of a module's own code."""
-    return _read(module)[0]
-
-
-def text_hash(text: str) -> str:
-    """Hash of the code of a text, whose imports of the project's modules do not count."""
-    return _digest(plain(ast.parse(text), {}))
+def group_hash(modules: Collection[str]) -> str:
+    """Hash of some modules' code, in which names imported from each other stand for their code."""
+    group = frozenset(modules)
+    return _digest("\n".join(sorted(_read(module, group=group)[0] for module in group)))
 
 
 def forget() -> None:
@@ -191,11 +184,24 @@ def _reached(start: set[str], *, whole: bool) -> set[str]:
 
 
 @cache
-def _read(module: str, *, whole: bool = False) -> tuple[str, tuple[str, ...]]:
+def _read(
+    module: str, *, whole: bool = False, group: frozenset[str] = frozenset()
+) -> tuple[str, tuple[str, ...]]:
     """Hash of a module's code, and the modules that count among what it imports."""
     tree = _tree(module)
     imported = tuple(_imported(tree, module, whole=whole))
-    return _digest(plain(tree, _bound(tree, module, whole=whole))), imported
+    bound = _bound(tree, module, whole=whole, group=group)
+    exported = _exported(tree, bound)
+    return _digest("\n".join([plain(tree, bound), *exported])), imported
+
+
+def _exported(tree: ast.Module, bound: Mapping[str, str]) -> list[str]:
+    """What the names stand for that a module imports only for others to import from it."""
+    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
+    names = {alias.asname or alias.name for node in imports for alias in node.names}
+    only = {name for name in names if name.partition(".")[0] not in used}
+    return sorted(f"{name} = {bound[name]}" for name in only & bound.keys())
 
 
 def _tree(module: str) -> ast.Module:
@@ -207,114 +213,46 @@ def _tree(module: str) -> ast.Module:
 
 @cache
 def _shallow(module: str) -> str:
-    """Hash of a module's code in which imported names stand for themselves."""
-    return _digest(plain(_tree(module), {}))[:16]
+    """Hash of a module's code in which imported names stand for themselves, however renamed."""
+    tree = _tree(module)
+    names = {name: full for _, name, full in _aliases(tree, module) if not is_module(full)}
+    return _digest(plain(tree, {name: full.rpartition(".")[2] for name, full in names.items()}))[
+        :16
+    ]
 
 
-def _bound(tree: ast.Module, importer: str, *, whole: bool) -> Mapping[str, str]:
+def _bound(
+    tree: ast.Module, importer: str, *, whole: bool, group: frozenset[str] = frozenset()
+) -> Mapping[str, str]:
     """What each name that an import of the project's modules binds stands for: their code.
 
-    A name of the other side, whose code does not count (`_imported`), stands for itself alone.
+    Modules of `group` count besides those of `_counts`. A name of the other side, whose code does
+    not count (`_imported`), and one of any other module stand for themselves alone.
     """
     found = {}
     formulas = () if whole else _formulas(tree, importer)
-    for item in ast.walk(tree):
-        if not isinstance(item, ast.Import | ast.ImportFrom):
-            continue
-        for alias in item.names:
-            full = alias.name
-            if isinstance(item, ast.ImportFrom):
-                full = f"{_source(item, importer)}.{alias.name}"
-            if not _counts_package(full):
-                continue
-            name = alias.asname or alias.name
-            if item in formulas and _is_formula(full):
-                found[name] = f"formula {alias.name}"
-            elif _counts(full):
-                found[name] = _shallow(full)
-            elif _counts(full.rpartition(".")[0]):
-                found[name] = f"{_shallow(full.rpartition('.')[0])}.{alias.name}"
+    for item, name, full in _aliases(tree, importer):
+        source, _, own = full.rpartition(".")
+        if item in formulas and _is_formula(full):
+            found[name] = f"formula {own}"
+        elif _counts(full) or full in group:
+            found[name] = _shallow(full)
+        elif _counts(source) or source in group:
+            found[name] = f"{_shallow(source)}.{own}"
+        elif not is_module(full):
+            found[name] = own
     return found
 
 
-def _counts_package(name: str) -> bool:
-    return name.partition(".")[0] in PROJECT
+def _aliases(tree: ast.Module, importer: str) -> Iterator[tuple[ast.AST, str, str]]:
+    """Each name that imports of the project's modules bind, with its statement and full name."""
+    for item in ast.walk(tree):
+        if not isinstance(item, ast.Import | ast.ImportFrom):
+            continue
+        source = f"{_source(item, importer)}." if isinstance(item, ast.ImportFrom) else ""
+        for alias in item.names:
+            if is_of_project(full := source + alias.name):
+                yield item, alias.asname or alias.name, full
 
 
-class _Plain(ast.NodeTransformer):
-    """Removes words and places: docstrings, messages, descriptions, the project's imports."""
-
-    def __init__(self, bound: Mapping[str, str]) -> None:
-        self.bound = bound
-
-    def visit(self, node: ast.AST) -> Any:
-        body = getattr(node, "body", None)
-        if isinstance(body, list):
-            node.body = _without_docstring(body)  # type: ignore[attr-defined]
-        return super().visit(node)
-
-    def visit_Import(self, node: ast.Import) -> Any:
-        node.names = [a for a in node.names if not _counts_package(a.name)]
-        return node if node.names else None
-
-    def visit_ImportFrom(self, node: ast.ImportFrom) -> Any:
-        if node.level or _counts_package(node.module or ""):
-            return None
-        return node
-
-    def visit_Name(self, node: ast.Name) -> Any:
-        node.id = self.bound.get(node.id, node.id)
-        return node
-
-    def visit_Raise(self, node: ast.Raise) -> Any:
-        self.generic_visit(node)
-        if isinstance(node.exc, ast.Call):
-            node.exc.args = [a for a in node.exc.args if not _is_text(a)]
-        return node
-
-    def visit_Assert(self, node: ast.Assert) -> Any:
-        self.generic_visit(node)
-        node.msg = None
-        return node
-
-    def visit_Call(self, node: ast.Call) -> Any:
-        self.generic_visit(node)
-        if isinstance(node.func, ast.Name) and node.func.id.rpartition(".")[2] in FIELDS:
-            node.args = [a for i, a in enumerate(node.args) if i < FIELD_VALUES or not _is_text(a)]
-            node.keywords = [k for k in node.keywords if k.arg not in FIELD_WORDS]
-        return node
-
-
-def _without_docstring(body: list[ast.stmt]) -> list[ast.stmt]:
-    first = body[0] if body else None
-    is_docstring = (
-        isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
-        and isinstance(first.value.value, str)
-    )  # fmt: skip
-    return body[1:] if is_docstring else body
-
-
-def _is_text(node: ast.expr) -> bool:
-    """Whether an argument is a message: a text, a formatted text or texts in a row."""
-    if isinstance(node, ast.BinOp):
-        return _is_text(node.left) or _is_text(node.right)
-    return isinstance(node, ast.JoinedStr) or (
-        isinstance(node, ast.Constant) and isinstance(node.value, str)
-    )
-
-
-def plain(node: ast.AST, bound: Mapping[str, str]) -> str:
-    """Text of a syntax tree without words and places; `bound` maps names of imports. Changes it."""
-    return dump(_Plain(bound).visit(node))
-
-
-def dump(node: ast.AST) -> str:
-    """Text of a syntax tree, the same in every version of Python from 3.11 on.
-
-    Python 3.12 added `type_params`, and 3.13 leaves empty fields out unless `show_empty` is set.
-    """
-    whole: dict[str, Any] = {"show_empty": True} if sys.version_info >= (3, 13) else {}
-    return ast.dump(node, **whole).replace(", type_params=[]", "")
-
-
-EMPTY = text_hash("")  # of a package without code
+EMPTY = _digest(plain(ast.parse(""), {}))  # of a package without code

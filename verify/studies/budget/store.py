@@ -1,6 +1,5 @@
 """Budgets of a case: a record that is current while code, inputs and reruns stand."""
 
-import hashlib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -10,15 +9,18 @@ from typing import Any
 
 from verify.core import source_code
 from verify.jobs.records import Record, Records
+from verify.judging import convergence
 from verify.studies.budget import balance, compared, corrected
 from verify.studies.budget import found as founds
 from verify.studies.budget.balance import Balance, Joint, Part
 from verify.studies.budget.found import RowBudget
 from verify.studies.budget.plan import Plan
 from verify.studies.budget.solve import code_of
+from verify.studies.sweep import pairs
 
 RECORDS = Records("budget")
 DIGITS = 6  # significant: parts add up to totals
+ARITHMETIC = (balance, compared, founds, pairs, convergence)  # makes contributions of solutions
 
 
 @dataclass(frozen=True)
@@ -32,11 +34,11 @@ class Measured:
 
 def measured(plan: Plan) -> Measured | None:
     """What was measured; None unless the present code, inputs and reruns made it."""
-    pairs = {pair.name: pair for pair in plan.rows}
+    known = {pair.name: pair for pair in plan.rows}
 
     def read(record: Record) -> Measured:
         return Measured(record.date, float(record.content["seconds"]), tuple(
-            RowBudget(pairs[name], _balance(row), tuple(_joint(one) for one in row["joints"]))
+            RowBudget(known[name], _balance(row), tuple(_joint(one) for one in row["joints"]))
             for name, row in record.content["rows"].items()
         ))  # fmt: skip
 
@@ -61,26 +63,20 @@ def _made_by(plan: Plan) -> dict[str, Any]:
     """All that the numbers depend on."""
     case, says = plan.case, plan.says
     return {
-        "arithmetic": _arithmetic(),
+        "arithmetic": _hash(*ARITHMETIC),
         "inputs": case.inputs().model_dump(),
         "code": [source_code.whole_source_of(case.analytic), source_code.source_of(case.reference)],
         "levels": [*case.levels, says.finer],
-        "rows": [[p.name, p.analytic, p.fem, p.scale, p.claim.formal] for p in plan.rows],
+        "rows": [pairs.signature(pair) for pair in plan.rows],
         "reruns": [_signature(plan, name) for name in plan.reruns],
         "without": [f"{one.cause}: {one.why}" for one in plan.without],
         **({"corrected": [_hash(corrected), *_corrections(plan)]} if says.corrected else {}),
     }
 
 
-def _arithmetic() -> str:
-    """Hash of how contributions are made of solutions."""
-    return _hash(balance, compared, founds)
-
-
 @memoised
 def _hash(*modules: ModuleType) -> str:
-    texts = sorted(source_code.module_hash(module.__name__) for module in modules)
-    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
+    return source_code.group_hash([module.__name__ for module in modules])[:16]
 
 
 def _corrections(plan: Plan) -> list[list[str]]:

@@ -49,14 +49,15 @@ def code_of(cross: Cross) -> str:
 @lru_cache(64)
 def posing(solver: str, module: str) -> str:
     """Hash of the code, without comments and layout, that writes decks and reads answers."""
-    shared = HERE / "comparisons"
-    files = [shared / f"{module.rpartition('.')[2]}.py"]
+    here = __package__
     if solver == CALCULIX:
-        files += [shared / "plane.py", shared / "touching.py", *(HERE / "calculix").glob("*.py")]
+        shared = [f"{here}.comparisons.plane", f"{here}.comparisons.touching"]
+        package = "calculix"
     else:
-        files += [HERE / "rotors.py", *(HERE / "external").glob("*.py")]
-    parts = sorted(source_code.text_hash(path.read_text("utf-8")) for path in files)
-    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
+        shared, package = [f"{here}.rotors"], "external"
+    files = [path.stem for path in (HERE / package).glob("*.py") if path.stem != "__init__"]
+    own = f"{here}.comparisons.{module.rpartition('.')[2]}"
+    return source_code.group_hash([own, *shared, *(f"{here}.{package}.{name}" for name in files)])
 
 
 def found_of(

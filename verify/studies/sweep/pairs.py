@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from verify.core import units
+from verify.core import source_code, units
 from verify.core.case import Case, Context, FemResult, Portion
 from verify.core.inputs import InputError
 from verify.core.results import Kind, Row
@@ -72,6 +72,12 @@ def pairs(case: Case) -> tuple[Pair, ...]:
         if isinstance(claim, FemClaim) and hasattr(claim, "analytic")
         and claim.swept and not claim.paper_only
     )  # fmt: skip
+
+
+def signature(pair: Pair) -> list[Any]:
+    """What numbers of a pair depend on besides solutions, with code that derives other values."""
+    derived = [] if pair.plain else [source_code.source_of(type(pair.claim))]
+    return [pair.name, pair.analytic, pair.fem, pair.scale, pair.claim.formal, *derived]
 
 
 def selected(case: Case, only: Sequence[str]) -> tuple[Pair, ...]:

@@ -3,23 +3,29 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cache as memoised
 from typing import Any
 
 import numpy as np
 
-from verify.core import units
+from verify.core import source_code, units
 from verify.core.case import Case, Scan
 from verify.core.figures import Array
 from verify.core.inputs import Inputs, meta
 from verify.jobs.records import Record, Records
+from verify.judging import convergence
+from verify.judging.judge import expanded
+from verify.studies.sweep import outcome as outcomes
+from verify.studies.sweep import pairs
 from verify.studies.sweep.axes import changed
 from verify.studies.sweep.outcome import Course, Outcome
-from verify.studies.sweep.pairs import Pair, portion, selected
+from verify.studies.sweep.pairs import Pair, portion, selected, signature
 from verify.studies.sweep.plan import Plan, grid
 from verify.studies.sweep.point import code_of
 
 RECORDS = Records("validity")
 DIGITS = 4  # significant, of errors and their bars
+ARITHMETIC = (outcomes, pairs, convergence)  # makes errors and their bars of solved points
 
 
 @dataclass(frozen=True)
@@ -75,15 +81,18 @@ def keep(case: Case, outcomes: Sequence[Outcome]) -> None:
 def _made_by(case: Case, every: Sequence[Plan]) -> dict[str, Any]:
     """All that numbers depend on: inputs, scans, what is compared how, and both sides' sources."""
     return {
+        "arithmetic": _arithmetic(),
         "inputs": case.inputs().model_dump(),
         "scans": [asdict(scan) for scan in case.scans],
-        "pairs": [[_signature(pair) for pair in plan.chosen] for plan in every],
+        "pairs": [[signature(pair) for pair in plan.chosen] for plan in every],
         "code": [code_of(case, portion(case, plan.chosen)) for plan in every],
     }
 
 
-def _signature(pair: Pair) -> list[Any]:
-    return [pair.name, pair.analytic, pair.fem, pair.scale, pair.claim.formal]
+@memoised
+def _arithmetic() -> str:
+    modules = source_code.group_hash([module.__name__ for module in ARITHMETIC])
+    return f"{modules[:16]} {source_code.source_of(expanded)[:16]}"
 
 
 def _short(values: Array) -> list[float | None]:
