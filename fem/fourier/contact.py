@@ -21,6 +21,10 @@ GAUSS = 4  # points a cell for the mean gap
 SAME = 1e-9  # stations of both bodies, of their extent
 
 
+class NarrowPatchError(ValueError):
+    """The contact is as wide as its patch: a wider patch is needed."""
+
+
 @dataclass(frozen=True)
 class PatchContact:
     """Pressures `p` (M, cells) between `across` (M + 1,) and `stations` (cells + 1,).
@@ -81,9 +85,9 @@ def patch_contact(
     """The contact of `bodies` under `load` [force], that of the length modelled.
 
     Their undeformed gap is that of their circles, R - R cos(s/R) for a rim and less that for a
-    bore, plus `crown` (z). ValueError where stations or
-    places of the bodies differ, where their surfaces don't curve away from each other, or where the
-    contact is as wide as the patch.
+    bore, plus `crown` (z). ValueError where stations or places of the bodies differ, or where
+    their surfaces don't curve away from each other; NarrowPatchError where the contact is as wide
+    as the patch.
     """
     across = _check(bodies, across, load)
     stations = bodies[0].stations
@@ -107,7 +111,7 @@ def patch_contact(
     p = p.reshape(M, m)
     if np.any(p[-1] > 0):
         z = stations[int(np.argmax(p[-1]))]
-        raise ValueError(
+        raise NarrowPatchError(
             f"the contact is as wide as its patch, |s| <= {across[-1]:g} m, at z={z:g} m: widen it"
         )
     return PatchContact(x, stations, p, load, approach)

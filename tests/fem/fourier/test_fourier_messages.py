@@ -5,7 +5,7 @@ import pytest
 from skfem import MeshQuad1
 
 from fem.fourier.compliance import harmonics, surface_compliance
-from fem.fourier.contact import patch_contact
+from fem.fourier.contact import NarrowPatchError, patch_contact
 from fem.fourier.solid import FourierSolid
 from fem.plane.material import Elastic
 
@@ -78,7 +78,6 @@ def test_the_message_names_the_rule_and_the_value(make, message):
     [
         ({"load": 0.0}, "load must be positive and finite, got load=0 N"),
         ({"load": np.nan}, "load must be positive and finite, got load=nan N"),
-        ({"load": 5.0}, r"as wide as its patch, \|s\| <= 0.2 m"),
         ({"across": np.array([0.0, 0.1])}, "across grows from 0 over two cells or more"),
         ({"across": np.array([0.1, 0.2, 0.3])}, "across grows from 0"),
         ({"across": np.array([0.0, np.nan, 0.3])}, "across grows from 0"),
@@ -91,6 +90,12 @@ def test_a_contact_that_makes_no_sense_is_refused(changed, message):
     asked = {"across": np.linspace(0, 0.2, 9), "load": 0.2, "crown": None}
     with pytest.raises(ValueError, match=message):
         patch_contact((body, body), **(asked | changed))
+
+
+def test_a_contact_as_wide_as_its_patch_has_an_error_of_its_own():
+    body = compliance()
+    with pytest.raises(NarrowPatchError, match=r"as wide as its patch, \|s\| <= 0.2 m"):
+        patch_contact((body, body), across=np.linspace(0, 0.2, 9), load=5.0)
 
 
 def test_bodies_must_agree_on_stations_and_places():

@@ -113,15 +113,15 @@ def compliance_fem(q: EndInputs, level: int, *, race: bool, overhang: float) -> 
 
 def contact_fem(q: EndInputs, level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
     """The half y >= 0 of the roller on the race, under half the load; `more` cells across."""
-    from fem.fourier.contact import patch_contact
+    from fem.fourier.contact import NarrowPatchError, patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like
     for wide in WIDE:
         across = np.linspace(0.0, wide * q.b, round(wide * ACROSS * level) + more + 1)
         try:
             return patch_contact(bodies, across=across, load=q.F / 2, crown=gap)
-        except ValueError as error:
-            if "as wide as its patch" not in str(error) or wide == WIDE[-1]:
+        except NarrowPatchError:
+            if wide == WIDE[-1]:
                 raise
     raise AssertionError
 
