@@ -1,12 +1,16 @@
 """Sweeps of a made-up case: a plan with courses that a test writes down itself."""
 
+from concurrent.futures import Future
 from contextlib import contextmanager
 
 import numpy as np
 
 from verify.core.case import Case, FemResult
 from verify.core.inputs import Inputs, count, quantity
+from verify.jobs.engine import Engine
+from verify.jobs.executor import Here as Executor
 from verify.jobs.executor import Where, local
+from verify.jobs.processes import WorkerDiedError
 from verify.judging.checks import Approximation
 from verify.studies.sweep.outcome import Course, Outcome
 from verify.studies.sweep.pairs import portion, selected
@@ -50,6 +54,23 @@ CASE = Case(
 
 def chosen(*only):
     return selected(CASE, only or ("stiffness",))
+
+
+class Dying(Where):
+    """Its processes die on every task."""
+
+    @contextmanager
+    def entered(self):
+        executor = Executor()
+        executor.submit = lambda *_: died()
+        yield Engine(executor, lambda: 1)
+
+
+def died():
+    """The future of a task whose process died."""
+    future = Future()
+    future.set_exception(WorkerDiedError("the process died (signal 9)"))
+    return future
 
 
 class Here(Where):

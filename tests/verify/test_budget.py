@@ -2,19 +2,21 @@
 
 import json
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.verify import budget_made as made
-from tests.verify.sweep_made import Here
+from tests.verify.sweep_made import Dying, Here
 from verify.cases import registry
 from verify.cases.budgets import STATEMENTS
 from verify.core import source_code
 from verify.core.inputs import InputError, quantity
 from verify.core.results import CaseResult, Kind, Row, Status
 from verify.jobs import records
+from verify.jobs.engine import GoneError
 from verify.judging.budget_statement import Argument, Cause, Constant, Rerun, Statement, as_given
 from verify.studies import deep
 from verify.studies.budget import balance, generic, measuring
@@ -122,6 +124,32 @@ def test_a_broken_rerun_is_told_and_the_others_stay(measured_here, capsys):
     )
 
 
+def test_a_record_stays_where_processes_die(measured_here, tmp_path, capsys):
+    measured_here()
+    before = kept.RECORDS.stored(made.CASE.id)
+    for file in (tmp_path / "cache").glob("store.sqlite*"):
+        file.unlink()
+    assert not measuring.BUDGET.measure_missing([made.CASE], Dying(), again=True)
+    assert re.search(r"not stored: the processes of \d+ reruns died", capsys.readouterr().out)
+    assert kept.RECORDS.stored(made.CASE.id) == before
+
+
+def test_a_store_that_takes_nothing_is_found_before_the_work(measured_here, tmp_path):
+    (tmp_path / "cache").write_text("", "utf-8")
+    with pytest.raises(OSError, match=r"cache: is a file, expected a folder"):
+        measured_here()
+
+
+def test_a_fault_of_the_machine_ends_the_run_and_stores_no_record(measured_here, monkeypatch):
+    def full(*_):
+        raise OSError("no space left")
+
+    monkeypatch.setattr(measuring, "solved", full)
+    with pytest.raises(GoneError, match=r"reruns cannot be solved here: OSError: no space left"):
+        measured_here()
+    assert kept.RECORDS.stored(made.CASE.id) is None
+
+
 def test_a_finer_mesh_that_fails_leaves_the_three_finest(measured_here, monkeypatch):
     def until_four(q, level):
         if level > 4:
@@ -154,10 +182,9 @@ def test_a_tolerance_of_numpy_s_is_a_number_of_records(measured_here):
 
 def test_an_identity_that_nothing_explains_is_said_so(measured_here):
     plan, _ = measured_here()
-    path = kept.RECORDS.path(made.CASE.id)
-    data = json.loads(path.read_text("utf-8"))
-    data["content"]["rows"]["the same"]["remainder"] = 0.01
-    path.write_text(json.dumps(data), "utf-8")
+    content = kept.RECORDS.stored(made.CASE.id).content
+    content["rows"]["the same"]["remainder"] = 0.01
+    kept.RECORDS.keep(made.CASE.id, kept._made_by(plan), content)
     (same,) = [row for row in of_case(plan, RESULT).rows if row.quantity == "the same"]
     assert same.within is False
 

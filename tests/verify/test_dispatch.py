@@ -80,12 +80,13 @@ def test_the_time_left_follows_the_pace_of_this_run(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("is_stored", "words"),
-    [(True, "4 of 5 points are stored: the same command continues with the others"),
-     (False, "4 of 5 points are done, and not stored")],
+    ("unstored", "words"),
+    [(0, "4 of 5 points are stored: the same command continues with the others"),
+     (1, "3 of 5 points are stored: the same command continues with the others"),
+     (4, "4 of 5 points are done, and not stored")],
 )  # fmt: skip
-@pytest.mark.parametrize("error", [KeyboardInterrupt, GoneError])
-def test_an_interrupted_run_says_what_is_stored(error, is_stored, words):
+@pytest.mark.parametrize("error", [KeyboardInterrupt, GoneError, OSError])
+def test_an_interrupted_run_says_what_is_stored(error, unstored, words):
     waiting = deque([1, 2, 3])
     seen = []
 
@@ -95,7 +96,7 @@ def test_an_interrupted_run_says_what_is_stored(error, is_stored, words):
         seen.append(task)
         return 1
 
-    dispatch = Dispatch("points", 5, 3, is_stored=is_stored)
+    dispatch = Dispatch("points", 5, 3, unstored=unstored)
     with pytest.raises(error) as stopped:
         dispatch.run(local(0), double, queue(waiting), receive)
     before = "interrupted" if error is KeyboardInterrupt else "no answer"

@@ -32,7 +32,7 @@ def test_a_record_reads_back_with_the_day_it_was_made(folder, monkeypatch):
     assert current() == CONTENT
     assert RECORDS.stored("plate").date == "2026-01-02"
     assert list(json.loads(path.read_text("utf-8"))) == [
-        "kind", "subject", "date", "made by", "content",
+        "kind", "subject", "date", "made by", "checksum", "content",
     ]  # fmt: skip
 
 
@@ -61,7 +61,19 @@ def test_a_changed_digit_of_what_made_it_is_noticed():
     assert current() == CONTENT
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", "7", '{"made by": 1}', "\xff"])
+def test_an_edited_content_is_no_record():
+    path = RECORDS.keep("plate", MADE_BY, CONTENT)
+    text = path.read_text("utf-8")
+    for value in ("1.4", "9" * 400, '"1.5"', "[[1.5]]"):
+        path.write_text(text.replace('"seconds": 1.5', f'"seconds": {value}'), "utf-8")
+        assert current() is None
+    path.write_text(json.dumps(json.loads(text)), "utf-8")  # another layout
+    assert current() == CONTENT
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", "7", '{"made by": 1}', "\xff", "[" * 100_000], ids=lambda t: t[:9]
+)
 def test_a_torn_file_is_no_record(text):
     path = RECORDS.keep("plate", MADE_BY, CONTENT)
     path.write_bytes(text.encode("latin-1"))
@@ -95,7 +107,7 @@ def test_every_entry_has_a_line_of_its_own():
     assert '   "box": [1.0, 2.0]' in lines
     before = set(lines)
     after = RECORDS.keep("plate", MADE_BY, CONTENT | {"seconds": 2.5}).read_text("utf-8")
-    assert len(set(after.splitlines()) - before) == 1
+    assert len(set(after.splitlines()) - before) == 2  # with its checksum
 
 
 def test_numbers_that_json_lacks_are_refused(folder):

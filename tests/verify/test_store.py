@@ -141,7 +141,7 @@ def test_a_file_in_the_place_of_the_folder_is_named(tmp_path):
 
 def test_a_locked_file_is_waited_for_and_then_named(store, monkeypatch):
     store.store("sweep", "ring", {"a": b"1"})
-    monkeypatch.setattr("verify.core.store.PATIENCE", 0.01)
+    monkeypatch.setattr("verify.core.database.PATIENCE", 0.01)
     other = sqlite3.connect(store.path, isolation_level=None)
     other.execute("BEGIN EXCLUSIVE")
     with pytest.raises(OSError, match=r"locked: results cannot be stored there$"):
@@ -180,6 +180,78 @@ def test_a_process_that_is_killed_loses_at_most_its_last_entry(tmp_path):
             assert list(found.values()) == [bytes(100)] * group.entries
 
 
+def begin(folder, barrier, name):
+    barrier.wait()
+    Store(folder).store(name, "ring", {"a": b"1"})
+
+
+@pytest.mark.parametrize("attempt", range(5))
+def test_processes_that_begin_a_file_at_once_wait_for_each_other(tmp_path, attempt):
+    context = multiprocessing.get_context("fork")
+    barrier = context.Barrier(8)
+    names = [f"kind {k} {attempt}" for k in range(8)]
+    writers = [context.Process(target=begin, args=(tmp_path, barrier, name)) for name in names]
+    for one in writers:
+        one.start()
+    for one in writers:
+        one.join()
+    assert [one.exitcode for one in writers] == 8 * [0]
+    assert [group.kind for group in Store(tmp_path).groups()] == names
+
+
+def test_what_cannot_be_written_can_be_read(store, monkeypatch):
+    store.store("sweep", "ring", {"a": b"1"})
+
+    def refused(*_):
+        raise sqlite3.OperationalError("attempt to write a readonly database")
+
+    monkeypatch.setattr("verify.core.database._write_ahead", refused)
+    assert store.load("sweep", ["a"]) == {"a": b"1"}
+    assert [group.entries for group in store.groups()] == [1]
+    with pytest.raises(OSError, match=r"readonly database: results cannot be stored there$"):
+        store.store("sweep", "ring", {"b": b"1"})
+    with pytest.raises(OSError, match=r"readonly database"):
+        store.check()
+    store.path.with_name(f"{FILE}-wal").write_bytes(b"of another process")
+    assert store.load("sweep", ["a"]) == {"a": b"1"}  # by locks alone
+
+
+def test_a_full_disk_is_named_with_what_to_do(store, monkeypatch):
+    def full(*_):
+        raise sqlite3.OperationalError("database or disk is full")
+
+    monkeypatch.setattr("verify.core.database._write_ahead", full)
+    with pytest.raises(OSError, match=r"make room on its disk, or remove it to begin again$"):
+        store.store("sweep", "ring", {"a": b"1"})
+
+
+def test_a_file_that_grows_too_large_is_trimmed_at_once(store, monkeypatch):
+    monkeypatch.setattr("verify.core.store.LARGEST", 300_000)
+    for n in range(10):
+        store.store("sweep", "ring", {f"{n}": bytes(50_000)}, made=time.time() + n)
+    kept = store.load("sweep", [f"{n}" for n in range(10)])
+    assert "9" in kept
+    assert sum(map(len, kept.values())) <= 300_000
+
+
+def test_removed_entries_are_removed_where_the_file_cannot_be_made_smaller(store, monkeypatch):
+    store.store("sweep", "ring", {"a": b"1"})
+
+    def fails(_):
+        raise OSError("no room")
+
+    monkeypatch.setattr("verify.core.database.Database.compact", fails)
+    assert store.clear("sweep") == 1
+    assert store.groups() == []
+
+
+def test_a_folder_in_the_place_of_the_file_is_named(store):
+    store.path.mkdir()
+    for action in (store.groups, store.check, store.clear, lambda: store.load("sweep", ["a"])):
+        with pytest.raises(OSError, match=r"results cannot be stored there$"):
+            action()
+
+
 def test_arrays_survive():
     arrays = {"N": np.arange(3.0), "p": np.ones((2, 2))}
     again = unpacked(packed(arrays))
@@ -203,6 +275,35 @@ def test_the_command_lists_and_clears(tmp_path, monkeypatch, capsys):
     assert run(["store", "--clear", "budget:ring-lame"]) == 0
     assert run(["store", "--clear", "level"]) == 0
     assert "0 results" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["ring-lame", "--json"], "store ring-lame: --json and --clear go without a case"),
+        (["ring-lame", "--clear", "level"], "store ring-lame: --json and --clear go without"),
+        (["--code", "fem.plane.solve", "--json"], "store --code fem.plane.solve: --json and"),
+        (["--clear", "level:"], "--clear level:: no subject after the colon"),
+        (["--code", "numpy.linalg"], "--code numpy.linalg: no module of the project"),
+        (["--code", "analytic..ring"], "--code analytic..ring: no module of the project"),
+        (["--code", "fem.nosuch"], "--code fem.nosuch: no module of the project"),
+    ],
+)
+def test_options_that_make_no_sense_are_refused(arguments, message, tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
+    Store(tmp_path).store("level", "ring-lame", {"a": b"1"})
+    assert run(["store", *arguments]) == 2
+    assert message in capsys.readouterr().err
+    assert Store(tmp_path).one("level", "a")
+
+
+def test_a_removal_leaves_json_alone(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path))
+    Store(tmp_path).store("level", "ring-lame", {"a": b"1"})
+    assert run(["store", "--clear", "level", "--json"]) == 0
+    printed = capsys.readouterr()
+    assert json.loads(printed.out)["groups"] == []
+    assert "removed: 1 results" in printed.err
 
 
 def test_the_origin_of_a_case_s_numbers_is_listed(capsys, tmp_path, monkeypatch):
@@ -245,7 +346,7 @@ def test_files_of_an_earlier_version_keep_their_dates(tmp_path, monkeypatch, cap
     os.utime(path, (1e9, 1e9))
     assert run(["store", "--json"]) == 0
     said = capsys.readouterr()
-    assert said.err.startswith("1 results of an earlier version were moved into")
+    assert said.err.startswith("freewheel: 1 results of an earlier version were moved into")
     (group,) = json.loads(said.out)["groups"]
     assert (group["kind"], group["subject"], group["oldest"]) == ("level", "ring-lame", 1e9)
     assert not path.parent.exists()

@@ -148,7 +148,7 @@ def test_a_database_that_is_none_is_told_with_what_to_do(tmp_path):
 def test_a_locked_database_is_not_to_be_moved(tmp_path, monkeypatch):
     file = tmp_path / "store.sqlite"
     kept(tmp_path).keep({"b": Solution({"x": 1.0}, (), {}, {})})
-    monkeypatch.setattr("verify.core.store.PATIENCE", 0.01)
+    monkeypatch.setattr("verify.core.database.PATIENCE", 0.01)
     other = sqlite3.connect(file, isolation_level=None)
     other.execute("BEGIN EXCLUSIVE")
     with pytest.raises(OSError, match=r"locked: results cannot be stored there$"):

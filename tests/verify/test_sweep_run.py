@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.verify.sweep_made import CASE, Here, chosen
+from tests.verify.sweep_made import CASE, Dying, Here, chosen
 from verify.cases import registry
 from verify.jobs.engine import GoneError
 from verify.studies.sweep import point, run
@@ -85,6 +85,14 @@ def test_a_point_that_fails_keeps_its_reason_until_it_is_asked_for_again(tmp_pat
     assert [one.problem_fe for one in again.solutions] == [
         one.problem_fe for one in first.solutions
     ]
+
+
+def test_a_point_whose_process_died_has_its_reason_and_is_solved_by_the_next_run(tmp_path, called):
+    lost = solve(planned("a=2mm:6mm:3"), Dying(), folder=tmp_path)
+    assert {one.problem_fe for one in lost.solutions} == {"the process died (signal 9)"}
+    again = solve(planned("a=2mm:6mm:3"), Here(), folder=tmp_path)
+    assert (again.timing.points, again.timing.known) == (3, 0)
+    assert not any(one.problem_fe or one.lost for one in again.solutions)
 
 
 def test_refused_points_are_neither_solved_nor_known(tmp_path, called):

@@ -7,7 +7,7 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from tests.verify.sweep_made import CASE, Here, course
+from tests.verify.sweep_made import CASE, Dying, Here, course
 from verify.cases import registry
 from verify.core import source_code
 from verify.core.case import Scan
@@ -57,6 +57,15 @@ def result(*rows):
         id=PLATE.id, title="", paper="wang2023", place="", lead="", inputs=(), equations=(),
         assumptions=(), readings=(), rows=rows,
     )  # fmt: skip
+
+
+def test_a_record_stays_where_processes_die(folder, known, capsys):
+    before = kept.RECORDS.stored(PLATE.id)
+    for file in (folder.parent / "cache").glob("store.sqlite*"):
+        file.unlink()
+    assert not VALIDITY.measure_missing([PLATE], Dying(), again=True)
+    assert "not stored: the processes of" in capsys.readouterr().out
+    assert kept.RECORDS.stored(PLATE.id) == before
 
 
 def limits(region):

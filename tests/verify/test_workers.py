@@ -72,6 +72,16 @@ def test_an_exception_comes_back_in_one_line_with_its_traceback():
     assert found[1] == 5
 
 
+@pytest.mark.parametrize("error", ["OSError", "EOFError", "BrokenPipeError"])
+def test_a_task_s_own_error_is_no_death_of_its_process(error, tmp_path):
+    file = tmp_path / "attempts"
+    write = f"open({str(file)!r}, 'a').write('.')"
+    lost = answers([f"[{write}, (_ for _ in ()).throw({error}('no room'))]"], 1)[0]
+    assert lost.reason == f"{error}: no room"
+    assert "Traceback" in lost.trace
+    assert file.read_text() == "."  # it is not done once more
+
+
 def test_an_answer_that_cannot_be_sent_is_lost_and_no_other_with_it():
     found = answers(["lambda: 0", "6"])
     assert "pickle" in found[0].reason

@@ -240,7 +240,7 @@ def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: st
     from verify.app.store import run_origin, run_store
 
     if case or code:
-        return run_origin(case, code)
+        return run_origin(case, code, other=json or bool(clear))
     return run_store(as_json=json, clear=clear)
 
 

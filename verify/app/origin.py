@@ -10,6 +10,7 @@ from verify.cases.registry import CASES, find
 from verify.core import source_code
 from verify.core.case import Case
 from verify.core.inputs import InputError
+from verify.core.plain_code import is_of_project
 from verify.core.store import Store
 from verify.jobs import cache
 
@@ -73,7 +74,7 @@ def _module(name: str) -> str:
         full = path.resolve()
         parts = full.relative_to(ROOT).with_suffix("").parts if full.is_relative_to(ROOT) else ()
         name = ".".join(parts)
-    if not name or not source_code.is_module(name):
+    if not is_of_project(name) or not all(name.split(".")) or not source_code.is_module(name):
         raise InputError(f"--code {path}: no module of the project, such as analytic.ring.lame")
     return name
 

@@ -4,6 +4,7 @@ import json
 import sys
 import time
 from dataclasses import asdict
+from pathlib import Path
 
 from verify.core.console import aligned
 from verify.core.inputs import InputError
@@ -19,9 +20,7 @@ def run_store(*, as_json: bool, clear: str) -> int:
     folder = default_folder()
     store = Store(folder)
     try:
-        if moved := adopt(folder):
-            message = f"{moved} results of an earlier version were moved into {store.path}"
-            print(message, file=sys.stderr)
+        _adopt(folder)
         if clear:
             _clear(store, clear)
         groups = store.groups()
@@ -36,10 +35,29 @@ def run_store(*, as_json: bool, clear: str) -> int:
     return 0
 
 
-def run_origin(case: str, code: str) -> int:
-    """List what is stored of a case, or which cases a module is part of."""
+def _adopt(folder: Path) -> None:
+    """Move results of an earlier version; a store that takes none can still be listed."""
+    try:
+        if moved := adopt(folder):
+            _say(f"{moved} results of an earlier version were moved into {Store(folder).path}")
+    except OSError as error:
+        _say(str(error))
+
+
+def _say(message: str) -> None:
+    print(f"freewheel: {message}", file=sys.stderr)
+
+
+def run_origin(case: str, code: str, *, other: bool) -> int:
+    """List what is stored of a case, or which cases a module is part of.
+
+    InputError with options that belong to the whole list (`other`).
+    """
     from verify.app.origin import of_case, of_module
 
+    if other:
+        named = case or f"--code {code}"
+        raise InputError(f"store {named}: --json and --clear go without a case and without --code")
     for lines in (of_case(case) if case else (), of_module(code) if code else ()):
         for line in lines:
             print(line)
@@ -47,14 +65,16 @@ def run_origin(case: str, code: str) -> int:
 
 
 def _clear(store: Store, which: str) -> None:
-    kind, _, subject = which.partition(":")
+    kind, colon, subject = which.partition(":")
+    if colon and not subject:
+        raise InputError(f"--clear {which}: no subject after the colon, such as {kind}:ring-lame")
     groups = store.groups()
     gone = [g for g in groups if g.kind == kind and subject in ("", g.subject)]
     if not gone:
         known = ", ".join(sorted({g.kind for g in groups})) or "none"
         raise InputError(f"--clear {which}: nothing of this kind is stored; kinds: {known}")
     store.clear(kind, subject)
-    print(f"removed: {sum(g.entries for g in gone):,} results, {size(gone)}")
+    _say(f"removed: {sum(g.entries for g in gone):,} results, {size(gone)}")
 
 
 def size(groups: list[Group]) -> str:

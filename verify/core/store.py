@@ -11,8 +11,8 @@ is the number of its format; a file of a later format is refused.
 import io
 import sqlite3
 import time
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,10 +20,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.core.database import Database
 from verify.core.files import made_folder
 
 FILE = "store.sqlite"
-PATIENCE = 30.0  # s for another process to finish its writing
 AT_ONCE = 500  # keys in one question
 LARGEST = 2e9  # bytes
 ROOM = 0.2  # of it, made free at once
@@ -35,7 +35,6 @@ TABLES = (
     # apart from the contents: SQLite writes a whole row, however large, to change a number of it
     "CREATE TABLE IF NOT EXISTS readings (kind TEXT NOT NULL, key TEXT NOT NULL, used REAL NOT "
     "NULL, PRIMARY KEY (kind, key))",
-    f"PRAGMA user_version = {FORMAT}",
 )
 READ = (
     "SELECT key, CAST(content AS BLOB), MAX(made, COALESCE(used, 0)) "
@@ -69,6 +68,7 @@ class Store:
 
     def __init__(self, folder: Path) -> None:
         self.path = folder / FILE
+        self._database = Database(self.path, TABLES, FORMAT)
 
     def load(self, kind: str, keys: Sequence[str]) -> dict[str, bytes]:
         """The content of those keys that have an entry; OSError where the file cannot be read."""
@@ -94,23 +94,31 @@ class Store:
         made_folder(self.path.parent)
         made = time.time() if made is None else made
         lines = [(kind, key, subject, made, content) for key, content in entries.items()]
-        with self._open() as database:
+        with self._database.writing() as database:
             database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?, ?, ?, ?)", lines)
+            if _size(database) > LARGEST:
+                _trim(database, LARGEST)
+
+    def check(self) -> None:
+        """OSError where nothing can be stored: found before the work."""
+        made_folder(self.path.parent)
+        with self._database.writing() as database:
+            database.execute("BEGIN IMMEDIATE")
 
     def dates(self, kind: str, keys: Sequence[str]) -> dict[str, tuple[float, int]]:
         """When each of those keys was made [s since 1970], and its bytes; OSError as `load`."""
-        if not self.path.is_file():
+        if not self._database.is_there():
             return {}
         question = "SELECT made, LENGTH(content) FROM entries WHERE kind = ? AND key = ?"
-        with self._open() as database:
+        with self._database.reading() as database:
             lines = {key: database.execute(question, (kind, key)).fetchone() for key in keys}
         return {key: line for key, line in lines.items() if line}
 
     def groups(self) -> list[Group]:
         """What is stored, by kind and subject; OSError where it cannot be read."""
-        if not self.path.is_file():
+        if not self._database.is_there():
             return []
-        with self._open() as database:
+        with self._database.reading() as database:
             return [Group(*line) for line in database.execute(
                 "SELECT kind, subject, COUNT(*), SUM(LENGTH(content)), MIN(made), MAX(made) "
                 "FROM entries GROUP BY kind, subject ORDER BY kind, subject"
@@ -118,33 +126,31 @@ class Store:
 
     def clear(self, kind: str = "", subject: str = "") -> int:
         """Remove the entries of a kind and subject, by default all; how many they were."""
-        if not self.path.is_file():
+        if not self._database.is_there():
             return 0
-        with self._open() as database:
+        with self._database.writing() as database:
             removed = database.execute(
                 "DELETE FROM entries WHERE (? = '' OR kind = ?) AND (? = '' OR subject = ?)",
                 (kind, kind, subject, subject),
             ).rowcount
             database.execute(FORGET)
-        with self._open(transaction=False) as database:
-            database.execute("VACUUM")
+        with suppress(OSError):  # they are removed; a later entry takes their place in the file
+            self._database.compact()
         return removed
 
     def trim(self, largest: float = LARGEST) -> None:
         """Remove what was used least recently until contents are well below `largest` bytes."""
-        if sum(group.size for group in self.groups()) <= largest:
-            return
-        with self._open() as database:
-            database.execute(TRIM, ((1 - ROOM) * largest,))
-            database.execute(FORGET)
+        if sum(group.size for group in self.groups()) > largest:
+            with self._database.writing() as database:
+                _trim(database, largest)
 
     def _read(self, kind: str, conditions: Sequence[tuple[str, Sequence[str]]]) -> dict[str, bytes]:
-        if not self.path.is_file():
+        if not self._database.is_there():
             return {}
         found: dict[str, bytes] = {}
         before = time.time() - RECENT
         stale: list[str] = []
-        with self._open() as database:
+        with self._database.reading() as database:
             for condition, values in conditions:
                 lines = database.execute(f"{READ} {condition}", (kind, *values))
                 for key, content, used in lines:
@@ -159,44 +165,22 @@ class Store:
         """Remember that entries were read now, so that `trim` removes others first."""
         lines = [(kind, key, time.time()) for key in keys]
         # a note is no reason to fail, or to wait for another process that writes
-        with suppress(OSError), self._open(patience=0.0) as database:
+        with suppress(OSError), self._database.writing(patience=0.0) as database:
             database.executemany("INSERT OR REPLACE INTO readings VALUES (?, ?, ?)", lines)
 
-    @contextmanager
-    def _open(
-        self, *, transaction: bool = True, patience: float = PATIENCE
-    ) -> Iterator[sqlite3.Connection]:
-        level: Any = "" if transaction else None
-        try:
-            database = sqlite3.connect(self.path, timeout=patience, isolation_level=level)
-        except sqlite3.Error as error:
-            raise OSError(f"{self.path}: {error}: results cannot be stored there") from error
-        try:
-            database.execute("PRAGMA journal_mode = WAL")
-            # a process that is killed loses nothing; a power failure may lose the last commits
-            database.execute("PRAGMA synchronous = NORMAL")
-            self._prepare(database)
-            with database:
-                yield database
-        except sqlite3.Error as error:
-            # a locked file and others of its kind are subclasses
-            corrupt = type(error) is sqlite3.DatabaseError
-            hint = "; remove it to begin again" if corrupt else ""
-            raise OSError(f"{self.path}: {error}: results cannot be stored there{hint}") from error
-        finally:
-            database.close()
 
-    def _prepare(self, database: sqlite3.Connection) -> None:
-        """Make the tables of a new file; OSError for a file of a later format."""
-        found = int(database.execute("PRAGMA user_version").fetchone()[0])
-        if found > FORMAT:
-            raise OSError(
-                f"{self.path}: written by a later version (format {found}, this one reads "
-                f"{FORMAT}): results cannot be stored there; FREEWHEEL_CACHE names another folder"
-            )
-        if found < FORMAT:
-            for step in TABLES:
-                database.execute(step)
+def _size(database: sqlite3.Connection) -> int:
+    """Bytes of the file's pages in use, which takes no time to tell."""
+    pages, free, size = (
+        int(database.execute(f"PRAGMA {name}").fetchone()[0])
+        for name in ("page_count", "freelist_count", "page_size")
+    )
+    return (pages - free) * size
+
+
+def _trim(database: sqlite3.Connection, largest: float) -> None:
+    database.execute(TRIM, ((1 - ROOM) * largest,))
+    database.execute(FORGET)
 
 
 def packed(arrays: Mapping[str, NDArray[Any]]) -> bytes:

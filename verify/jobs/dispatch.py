@@ -20,9 +20,9 @@ from verify.jobs.executor import Drive, Split
 class Dispatch:
     """A run whose `total` results are called `what`; `done` of them are there, `known` before it.
 
-    A study changes `total` where answers ask for further tasks, and `is_stored` where the store
-    takes no more. `title` names a task under way; `remaining` estimates the seconds left, by
-    default from the pace of this run.
+    A study changes `total` where answers ask for further tasks, and `unstored`, how many of `done`
+    are not in the store: failed ones, or all where it takes no more. `title` names a task under
+    way; `remaining` estimates the seconds left, by default from the pace of this run.
     """
 
     what: str
@@ -32,7 +32,7 @@ class Dispatch:
     title: Callable[[Any], str] = str
     remaining: Callable[["Dispatch"], float] = lambda dispatch: dispatch.at_pace()
     split: Split = lambda task: (task,)
-    is_stored: bool = True
+    unstored: int = 0
     done: int = field(init=False)
     start: float = field(init=False)
     drive: Drive = field(init=False)
@@ -50,7 +50,7 @@ class Dispatch:
         """Do every task that `take` returns until it has none (None) and no answer adds one.
 
         `receive` takes a task and its answer, `Lost` where there is none, and returns how many
-        results are there with it. KeyboardInterrupt and GoneError say what is stored.
+        results are there with it. KeyboardInterrupt, GoneError and OSError say what is stored.
         """
         try:
             with engine as entered:
@@ -61,8 +61,9 @@ class Dispatch:
                     self.show(self.state())
         except KeyboardInterrupt:
             raise KeyboardInterrupt(f"interrupted; {self}") from None
-        except GoneError as error:
-            raise GoneError(f"{error}; {self}") from error
+        except OSError as error:
+            kind = GoneError if isinstance(error, GoneError) else OSError
+            raise kind(f"{error}; {self}") from error
 
     @property
     def workers(self) -> int:
@@ -85,10 +86,13 @@ class Dispatch:
         return State(self.done, self.total, names, self.remaining(self), what=self.what)
 
     def __str__(self) -> str:
-        done = f"{self.done} of {self.total} {self.what} are"
-        if self.is_stored:
-            return f"{done} stored: the same command continues with the others"
-        return f"{done} done, and not stored"
+        stored = self.done - self.unstored
+        if self.unstored and not stored:
+            return f"{self.done} of {self.total} {self.what} are done, and not stored"
+        return (
+            f"{stored} of {self.total} {self.what} are stored: the same command continues with the "
+            "others"
+        )
 
 
 def queue(waiting: deque[Any]) -> Callable[[], Any]:

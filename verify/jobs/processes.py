@@ -92,9 +92,13 @@ class Processes(ThreadPoolExecutor):
     def _remotely(self, function: Callable[..., Any], args: Any, kwargs: Any) -> Any:
         worker = self._worker()
         try:
-            return worker.call(function, args, kwargs)
+            is_done, answer = worker.call(function, args, kwargs)
         except (EOFError, OSError) as error:  # it died, perhaps in the middle of its answer
             raise WorkerDiedError(f"the process died ({self._end(worker)})") from error
+        if is_done:
+            return answer
+        raised, trace = answer
+        raise raised from RemoteTraceback(trace)
 
     def _worker(self) -> "_Worker":
         """The process of this thread; a fresh one where the last has died."""
@@ -127,15 +131,15 @@ class _Worker:
         self.process.start()
         theirs.close()
 
-    def call(self, function: Callable[..., Any], args: Any, kwargs: Any) -> Any:
-        """The function's result or exception; EOFError or OSError where the process dies."""
+    def call(self, function: Callable[..., Any], args: Any, kwargs: Any) -> tuple[bool, Any]:
+        """True and the function's result, or False and its exception with the traceback.
+
+        EOFError or OSError where the process dies.
+        """
         task = pickle.dumps((function, args, kwargs))
         self.connection.send_bytes(task)
-        done, answer = pickle.loads(self.connection.recv_bytes())  # noqa: S301 - from our own child
-        if not done:
-            error, trace = answer
-            raise error from RemoteTraceback(trace)
-        return answer
+        is_done, answer = pickle.loads(self.connection.recv_bytes())  # noqa: S301 - our own child
+        return is_done, answer
 
     def end(self) -> str:
         """Kill it, if it still lives, and say how it ended."""

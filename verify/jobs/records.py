@@ -1,10 +1,11 @@
 """Records of long measurements: small files of the project, valid for the code that made them.
 
-All kinds have one form: {"kind", "subject", "date", "made by", "content"}. "made by" is everything
-that the content depends on: hashes of code, inputs, settings. A record is current while it equals
-what the present code states.
+All kinds have one form: {"kind", "subject", "date", "made by", "checksum", "content"}. "made by" is
+everything that the content depends on: hashes of code, inputs, settings. A record is current while
+it equals what the present code states. The checksum of the content tells an edited or damaged file.
 """
 
+import hashlib
 import json
 import time
 from collections.abc import Callable
@@ -46,9 +47,11 @@ class Records:
             data = json.loads(self.path(subject).read_text("utf-8"))
             if (data["kind"], data["subject"]) != (self.kind, subject):
                 return None
+            if data["checksum"] != checksum(data["content"]):
+                return None
             day = date.fromisoformat(data["date"]).isoformat()
             return Record(day, data["made by"], data["content"])
-        except (OSError, ValueError, LookupError, TypeError):
+        except (OSError, ValueError, LookupError, TypeError, RecursionError):
             return None
 
     def current(self, subject: str, made_by: Any, read: Callable[[Record], T]) -> T | None:
@@ -67,15 +70,21 @@ class Records:
     def keep(self, subject: str, made_by: Any, content: Any) -> Path:
         """Write the record with the date of today and return its file; OSError if it can't."""
         path = self.path(subject)
-        text = json.dumps({
+        made_by, content = json.loads(json.dumps([made_by, content], allow_nan=False))
+        text = _lines({
             "kind": self.kind, "subject": subject, "date": today(), "made by": made_by,
-            "content": content,
-        }, allow_nan=False)  # fmt: skip
+            "checksum": checksum(content), "content": content,
+        })  # fmt: skip
         try:
-            write_whole(path, lambda file: file.write(f"{_lines(json.loads(text))}\n".encode()))
+            write_whole(path, lambda file: file.write(f"{text}\n".encode()))
         except OSError as error:
             raise OSError(f"{path}: cannot be written: {error.strerror}") from error
         return path
+
+
+def checksum(content: Any) -> str:
+    """Hexadecimal name of a content as JSON, of its values and not of its layout."""
+    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:16]
 
 
 def today() -> str:

@@ -107,7 +107,6 @@ class _Levels:
         self.dispatch = Dispatch(
             "refinement levels", known + len(tasks), known, show,
             title=lambda task: "{} level {}".format(*_level(task)), remaining=self._remaining,
-            is_stored=self.folder is not None,
         )  # fmt: skip
 
     def solve(self, engine: AbstractContextManager[Engine]) -> None:
@@ -127,21 +126,24 @@ class _Levels:
         self.solved[task.number] = answer
         if answer.result is not None and not answer.cached:
             self.measured[_level(task)] = answer.seconds
-        if answer.result is not None and self.folder is not None:
-            self._stored(task, answer, self.folder)
+        if not self._keep(task, answer):
+            self.dispatch.unstored += 1
         return 1
 
-    def _stored(self, task: Task, answer: Solved, folder: Path) -> None:
+    def _keep(self, task: Task, answer: Solved) -> bool:
         """See that the result of a task is in the store; where there is no room, warn once."""
+        if answer.result is None or self.folder is None:
+            return False
         unstored = answer.unstored
-        if self.dispatch.drive.engine.remote and answer.result is not None:
-            unstored = keep_level(folder, task.case, task.inputs, task.level, answer.result)
+        if self.dispatch.drive.engine.remote:
+            unstored = keep_level(self.folder, task.case, task.inputs, task.level, answer.result)
         if not answer.cached:
             with suppress(OSError):  # an estimate is no reason to stop
-                durations.store(folder, {_level(task): answer.seconds})
+                durations.store(self.folder, {_level(task): answer.seconds})
         if unstored:
             self.warn(f"{unstored}: going on without")
-            self.folder, self.dispatch.is_stored = None, False
+            self.folder = None
+        return not unstored
 
     def _expected(self) -> dict[durations.Level, float]:
         known = durations.refined(self.earlier, self.measured)

@@ -34,6 +34,28 @@ def test_one_that_never_ends_is_ended_and_the_others_answer():
     assert time.monotonic() - start < 15
 
 
+def test_an_answer_in_time_counts_though_the_parent_was_busy():
+    with forks(1) as engine:
+        future = engine.executor.submit(perform, Task(0, lambda: "x" * 200_000, 0.2))
+        large = engine.executor.submit(perform, Task(1, lambda: 7, 0.2))
+        time.sleep(0.5)
+        engine.wait([future, large], 0.1)
+        while not (future.done() and large.done()):
+            engine.wait([future, large], 0.1)
+        assert large.result().value == 7
+
+
+def test_what_a_child_started_does_not_keep_its_answer():
+    def leaves():
+        if os.fork() == 0:
+            time.sleep(30)
+        return 7
+
+    start = time.monotonic()
+    assert answer(leaves, 20.0).value == 7
+    assert time.monotonic() - start < 10
+
+
 def killed():
     os.kill(os.getpid(), signal.SIGKILL)
 

@@ -70,16 +70,18 @@ def _compared(
     def receive(cross: Cross, answer: store.Found | Lost) -> int:
         if isinstance(answer, Lost):
             broken.append(f"{cross.id}: {answer.reason}")
-            return 1
-        lines.extend(judged(cross, answer))
-        if keep:
-            store.keep(cross, answer)
+        else:
+            lines.extend(judged(cross, answer))
+            if keep:
+                store.keep(cross, answer)
+                return 1
+        dispatch.unstored += 1
         return 1
 
     with shown(quiet=False) as show:
         dispatch = Dispatch(
             "problems of second solvers", known + len(todo), known, show,
-            title=lambda cross: cross.id, is_stored=keep,
+            title=lambda cross: cross.id,
         )  # fmt: skip
         function = partial(_solved, there, folder)
         dispatch.run(local(0), function, queue(deque(todo)), receive)

@@ -4,6 +4,7 @@ import json
 import time
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -73,23 +74,30 @@ class Notes:
     ) -> dict[str, Any]:  # fmt: skip
         """What is stored, and what is not, worked out."""
         stored = self.store.load(KIND, list(work))
-        known = {name: json.loads(content) for name, content in stored.items()}
+        known = {}
+        for name, content in stored.items():
+            with suppress(ValueError):  # damaged: noted again
+                known[name] = json.loads(content)
         missing = [name for name in work if name not in known]
         waiting = deque(Task(name, work[name], limit) for name in missing)
 
         def receive(task: Task, answer: Answer) -> int:
             name = str(task.key)
-            if answer.failure and needed:
+            if not answer.failure:
+                known[name] = answer.value
+                self.store.store(KIND, kind, {name: json.dumps(answer.value).encode()})
+            elif needed:
                 raise InputError(f"{doing} {name.partition(' ')[0]}: {answer.failure}")
-            known[name] = answer.value
-            self.store.store(KIND, kind, {name: json.dumps(answer.value).encode()})
+            else:
+                dispatch.unstored += 1
             return 1
 
-        Dispatch(
+        dispatch = Dispatch(
             f"notes of {doing} unchanged code", len(work), len(known), self.show,
             title=lambda task: str(task.key).partition(" ")[0],
-        ).run(forks(self.jobs), perform, queue(waiting), receive)  # fmt: skip
-        return {name: known[name] for name in work if known.get(name) is not None}
+        )  # fmt: skip
+        dispatch.run(forks(self.jobs), perform, queue(waiting), receive)
+        return {name: known[name] for name in work if name in known}
 
 
 def _judge(load: Load) -> list[Any]:

@@ -23,6 +23,7 @@ from verify.jobs.guard import named
 
 MEMORY = 6 * 2**30  # bytes that a child may have: a size mistaken fills no machine
 LATE = "does not end"
+DIED = "the process died"
 SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 
@@ -91,11 +92,13 @@ class Forks(Executor):
             if piece := os.read(ready.fd, 1 << 16):
                 self.children[ready.fd].read += piece
             else:
-                self._conclude(ready.fd, "")
+                self._conclude(ready.fd, DIED)
         now = time.monotonic()
         for pipe, child in list(self.children.items()):
-            if now - child.start > child.task.limit:
-                self._conclude(pipe, LATE)
+            is_late = now - child.start > child.task.limit
+            if is_late or _has_ended(child.pid):  # what it started may hold the pipe open
+                child.read += _rest(pipe)  # it may have answered in time
+                self._conclude(pipe, LATE if is_late else DIED)
         return [future for future in futures if future.done()]
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = True) -> None:  # noqa: ARG002
@@ -104,19 +107,33 @@ class Forks(Executor):
             self._conclude(pipe, LATE)
         self.selector.close()
 
-    def _conclude(self, pipe: int, failure: str) -> None:
+    def _conclude(self, pipe: int, otherwise: str) -> None:
+        """End a child; its answer is what it wrote, or `otherwise` where that is not whole."""
         child = self.children.pop(pipe)
         self.selector.unregister(pipe)
         os.close(pipe)
         _end(child.pid)
-        value = None
-        if not failure:
-            try:
-                value, failure = json.loads(child.read)
-            except ValueError:  # ended by a signal, or out of memory
-                failure = "the process died"
+        try:
+            value, failure = json.loads(child.read)
+        except ValueError:  # ended by a signal, or out of memory
+            value, failure = None, otherwise
         seconds = time.monotonic() - child.start
         child.future.set_result(Answer(child.task.key, value, failure, seconds))
+
+
+def _has_ended(pid: int) -> bool:
+    """Whether a child has ended; it stays to be waited for."""
+    return os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+
+
+def _rest(pipe: int) -> bytes:
+    """What can be read from a pipe without waiting."""
+    os.set_blocking(pipe, False)
+    found = bytearray()
+    with contextlib.suppress(BlockingIOError):
+        while piece := os.read(pipe, 1 << 16):
+            found += piece
+    return bytes(found)
 
 
 def _end(pid: int) -> None:

@@ -7,8 +7,10 @@ from functools import cache as memoised
 from verify.core.case import Case
 from verify.core.environment import require_gmsh
 from verify.core.progress import Show, shown
+from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.dispatch import Dispatch, queue
+from verify.jobs.engine import GoneError
 from verify.jobs.executor import Lost, Where
 from verify.judging.budget_statement import Statement
 from verify.studies.budget import store as kept
@@ -42,10 +44,11 @@ def with_rows() -> list[Case]:
 def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
     """Solve what the budgets of the cases need, and store them; False where a rerun failed.
 
-    An interrupted run continues where it was. OSError where a record cannot be written.
+    An interrupted run continues where it was. OSError where nothing can be stored.
     """
     if not where.scheduler:
         require_gmsh()
+    Store(cache.default_folder()).check()
     with shown(quiet=False) as show:
         run = _Run([plan_of(case.id) for case in cases], show)
         run.solve(where)
@@ -58,6 +61,7 @@ class _Run:
     def __init__(self, plans: Sequence[Plan], show: Show) -> None:
         self.solutions: dict[Step, Solution] = {}
         self.is_solved = True
+        self.lost: list[Step] = []
         self.rounds = {plan.case.id: 0 for plan in plans}
         self.open = {plan.case.id: set(first(plan)) for plan in plans}
         self.waiting = deque(step for plan in plans for step in first(plan))
@@ -74,7 +78,11 @@ class _Run:
 
     def _receive(self, step: Step, answer: Solution | Lost) -> int:
         if isinstance(answer, Lost):
+            if answer.trace:  # what goes wrong in a rerun is stated in its solution
+                raise GoneError(f"reruns cannot be solved here: {answer.reason}")
+            self.lost.append(step)
             answer = Solution({}, {}, {}, 0.0, 0.0, answer.reason)
+        self.dispatch.unstored += bool(answer.problem)
         self.solutions[step] = answer
         left = self.open[step.case]
         left.discard(step)
@@ -109,7 +117,10 @@ class _Run:
         mine = self.of(plan)
         found = budgets(plan, mine)
         spent = sum(one.seconds for one in mine.values())
-        kept.keep(plan, found, spent)
+        if lost := sum(step.case == plan.case.id for step in self.lost):
+            print(f"{NAME}:{plan.case.id}: not stored: the processes of {lost} reruns died")
+        else:
+            kept.keep(plan, found, spent)
         bad = {step.title: one.problem for step, one in mine.items() if one.problem}
         print(f"{NAME}:{plan.case.id}: {said(found)}, {len(mine)} solutions of {spent:.0f} s")
         for title, problem in bad.items():

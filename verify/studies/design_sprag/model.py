@@ -113,7 +113,8 @@ class Model:
 
         def receive(task: Task, answer: list[One] | str | Lost) -> int:
             found[task[2]] = engagements(answer)
-            keep(self.store, task, found[task[2]])
+            if not keep(self.store, task, found[task[2]]):
+                dispatch.unstored += len(task[2])
             return len(task[2])
 
         show = self.show if len(whole) > 1 else (lambda _state: None)
@@ -153,8 +154,10 @@ def load(store: Store, task: Task) -> list[One] | None:
         return None
 
 
-def keep(store: Store, task: Task, answer: list[One]) -> None:
-    """Store a chunk; a place that cannot be written stores nothing."""
+def keep(store: Store, task: Task, answer: list[One]) -> bool:
+    """Store a chunk; False where the store takes none."""
     N, p = (np.array(part) for part in zip(*answer, strict=True))
     with suppress(OSError):
         store.store(KIND, CASE, {key(task): packed({"N": N, "p": p})})
+        return True
+    return False

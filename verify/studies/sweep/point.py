@@ -29,7 +29,7 @@ class Solution:
     """What a point has given: values [SI] by key, of finite elements by level, coarse to fine.
 
     `u_it` holds the largest iteration uncertainty of all levels. The problems say in one line why
-    there are no values of a side.
+    there are no values of a side; the process of a `lost` one died, which another may not do.
     """
 
     formulas: Mapping[str, float]
@@ -39,6 +39,7 @@ class Solution:
     problem_formulas: str = ""
     problem_fe: str = ""
     seconds: float = 0.0
+    lost: bool = False
 
 
 @dataclass(frozen=True)

@@ -147,7 +147,7 @@ class _Points:
             keys[task.number]: joined(self.known.get(keys[task.number]), answer)
             for task, answer in zip(tasks, answers, strict=True)
         }
-        self.stored.keep(found)
+        self.stored.keep({key: one for key, one in found.items() if not one.lost})
         self.known |= found
 
     def solutions(self) -> tuple[Solution, ...]:
@@ -205,6 +205,7 @@ class _Batches:
                 raise GoneError(f"the workers cannot solve points here: {answer.reason}")
             answer = [_lost(task, answer) for task in batch]
         self.points.keep(batch, answer)
+        self.dispatch.unstored += sum(one.lost for one in answer)
         seconds = sum(one.seconds for one in answer)
         self.busy += seconds
         self.pace = seconds / len(batch)
@@ -214,5 +215,5 @@ class _Batches:
 def _lost(task: Task, lost: Lost) -> Solution:
     return Solution(
         {}, (), {}, {}, problem_formulas=lost.reason if task.formulas else "",
-        problem_fe=lost.reason if task.fe else "",
+        problem_fe=lost.reason if task.fe else "", lost=True,
     )  # fmt: skip

@@ -10,7 +10,6 @@ from sys import intern
 from typing import Any
 
 from verify.core.case import Portion
-from verify.core.files import made_folder
 from verify.core.inputs import Inputs
 from verify.core.store import Store
 from verify.studies.sweep.point import Solution
@@ -30,8 +29,7 @@ class Points:
             kind: f"{side} {versions}"
             for kind, side in zip((FORMULAS, REFERENCE), code, strict=True)
         }
-        made_folder(store.path.parent)
-        store.load(FORMULAS, [""])  # a file that cannot be read is found before the work
+        store.check()
 
     def key(self, inputs: Inputs) -> str:
         """The name of a point."""
@@ -124,5 +122,5 @@ def joined(old: Solution | None, new: Solution) -> Solution:
     fe = new if new.h or new.problem_fe else old
     return Solution(
         formulas.formulas, fe.h, fe.fe, fe.u_it, formulas.problem_formulas, fe.problem_fe,
-        new.seconds if fe is new else old.seconds,
+        new.seconds if fe is new else old.seconds, new.lost,
     )  # fmt: skip

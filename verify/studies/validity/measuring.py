@@ -16,21 +16,28 @@ from verify.studies.validity import store
 def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
     """Solve the scans of each case, store their errors and print how many points there were.
 
-    An interrupted run continues where it was. True: points without finite elements are counted.
+    An interrupted run continues where it was. False where processes died: such a case is not
+    stored. Points that finite elements do not solve are results, and counted.
     """
+    good = True
     with shown(quiet=False) as show:
         for case in cases:
             start = time.perf_counter()
             found = [
                 outcome(solve(plan, where, again=again, show=show)) for plan in store.plans(case)
             ]
+            lost = sum(point.lost for one in found for point in one.solved.solutions)
+            if lost:
+                good = False
+                print(f"{VALIDITY.title(case)}: not stored: the processes of {lost} points died")
+                continue
             store.keep(case, found)
             points = sum(len(one.solved.plan.points) for one in found)
             bad = sum(bool(problem) for one in found for problem in one.problems)
             failed = f", {bad} without finite elements" if bad else ""
             seconds = time.perf_counter() - start
             print(f"{VALIDITY.title(case)}: {points} points in {seconds:.0f} s{failed}")
-    return True
+    return good
 
 
 VALIDITY = Study(

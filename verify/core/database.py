@@ -1,0 +1,134 @@
+"""Connections to an SQLite file that several processes use: waiting, format, and plain errors."""
+
+import sqlite3
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+PATIENCE = 30.0  # s for another process to finish its writing
+PAUSE = 0.02  # s between two attempts
+SETTINGS = (
+    # a process that is killed loses nothing; a power failure may lose the last commits
+    "PRAGMA synchronous = NORMAL",
+    # overwriting what is removed would need room on a disk that has none
+    "PRAGMA secure_delete = OFF",
+)
+NO_ROOM = "full"  # in the message of SQLite
+
+
+@dataclass(frozen=True)
+class Database:
+    """A file in a format of a number, which `tables` make; a file of a later one is refused."""
+
+    path: Path
+    tables: Sequence[str]
+    format: int
+
+    def is_there(self) -> bool:
+        """Whether the file exists; OSError where something else is in its place."""
+        if self.path.is_file():
+            return True
+        if self.path.exists():
+            raise OSError(f"{self.path}: is not a file: results cannot be stored there")
+        return False
+
+    @contextmanager
+    def writing(self, patience: float | None = None) -> Iterator[sqlite3.Connection]:
+        """One transaction, all or nothing; OSError where it cannot be done within `patience` s."""
+        with self._named_errors(), _closed(self._prepared(patience)) as database, database:
+            yield database
+
+    @contextmanager
+    def reading(self) -> Iterator[sqlite3.Connection]:
+        """A connection to read by, also on a full disk and in a folder that takes no files."""
+        with self._named_errors(), _closed(self._readable()) as database:
+            yield database
+
+    def compact(self) -> None:
+        """Give free pages back to the file system, which needs as much room for a while."""
+        with self._named_errors(), _closed(self._prepared(None)) as database:
+            database.isolation_level = None
+            database.execute("VACUUM")
+
+    def _prepared(self, patience: float | None) -> sqlite3.Connection:
+        patience = PATIENCE if patience is None else patience
+        database = sqlite3.connect(self.path, timeout=patience)
+        try:
+            _write_ahead(database, patience)
+            for setting in SETTINGS:
+                database.execute(setting)
+            if self._format(database) < self.format:
+                for step in (*self.tables, f"PRAGMA user_version = {self.format}"):
+                    database.execute(step)
+        except BaseException:
+            database.close()
+            raise
+        return database
+
+    def _readable(self) -> sqlite3.Connection:
+        try:
+            return self._prepared(None)
+        except sqlite3.OperationalError:
+            if (database := self._unwritten()) is None:
+                raise
+            return database
+
+    def _unwritten(self) -> sqlite3.Connection | None:
+        """A connection that writes nothing, not even files for locks; None where there is none."""
+        log = self.path.with_name(f"{self.path.name}-wal")
+        # without a lock another process could change the file: only where it has nothing to add
+        is_whole = not log.exists() or log.stat().st_size == 0
+        for options in ("mode=ro", *(["immutable=1"] if is_whole else [])):
+            database = sqlite3.connect(f"{self.path.resolve().as_uri()}?{options}", uri=True)
+            try:
+                if self._format(database) == self.format:
+                    return database
+            except sqlite3.OperationalError:
+                pass
+            database.close()
+        return None
+
+    def _format(self, database: sqlite3.Connection) -> int:
+        found = int(database.execute("PRAGMA user_version").fetchone()[0])
+        if found > self.format:
+            raise OSError(
+                f"{self.path}: written by a later version (format {found}, this one reads "
+                f"{self.format}): results cannot be stored there; FREEWHEEL_CACHE names another "
+                "folder"
+            )
+        return found
+
+    @contextmanager
+    def _named_errors(self) -> Iterator[None]:
+        try:
+            yield
+        except sqlite3.Error as error:
+            hint = ""
+            if type(error) is sqlite3.DatabaseError:  # others, such as a lock, are its subclasses
+                hint = "; remove it to begin again"
+            elif NO_ROOM in str(error):
+                hint = "; make room on its disk, or remove it to begin again"
+            raise OSError(f"{self.path}: {error}: results cannot be stored there{hint}") from error
+
+
+@contextmanager
+def _closed(database: sqlite3.Connection) -> Iterator[sqlite3.Connection]:
+    try:
+        yield database
+    finally:
+        database.close()
+
+
+def _write_ahead(database: sqlite3.Connection, patience: float) -> None:
+    """Let readers and a writer work at once; SQLite does not wait itself where two begin a file."""
+    end = time.monotonic() + patience
+    while True:
+        try:
+            database.execute("PRAGMA journal_mode = WAL")
+            return
+        except sqlite3.OperationalError as error:
+            if "locked" not in str(error) or time.monotonic() > end:
+                raise
+            time.sleep(PAUSE)
