@@ -5,6 +5,7 @@ import multiprocessing
 import os
 import re
 import sqlite3
+import threading
 import time
 from pathlib import Path
 
@@ -212,8 +213,32 @@ def test_what_cannot_be_written_can_be_read(store, monkeypatch):
         store.store("sweep", "ring", {"b": b"1"})
     with pytest.raises(OSError, match=r"readonly database"):
         store.check()
+
+
+def test_a_file_that_others_write_is_not_read_without_locks(store, monkeypatch):
+    store.store("sweep", "ring", {"a": b"1"})
+    connect = sqlite3.connect
+
+    def refused(path, **options):
+        if "immutable" not in str(path):
+            raise sqlite3.OperationalError("unable to open database file")
+        return connect(path, **options)
+
+    monkeypatch.setattr("verify.core.database.sqlite3.connect", refused)
+    assert store.load("sweep", ["a"]) == {"a": b"1"}
     store.path.with_name(f"{FILE}-wal").write_bytes(b"of another process")
-    assert store.load("sweep", ["a"]) == {"a": b"1"}  # by locks alone
+    with pytest.raises(OSError, match="unable to open"):
+        store.load("sweep", ["a"])
+
+
+def test_a_file_that_another_process_begins_is_waited_for(store):
+    store.path.parent.mkdir(exist_ok=True)
+    other = sqlite3.connect(store.path, isolation_level=None, check_same_thread=False)
+    other.execute("CREATE TABLE begun (a)")
+    other.execute("BEGIN EXCLUSIVE")
+    threading.Timer(0.3, other.close).start()
+    store.store("sweep", "ring", {"a": b"1"})
+    assert store.one("sweep", "a") == b"1"
 
 
 def test_a_full_disk_is_named_with_what_to_do(store, monkeypatch):

@@ -18,7 +18,7 @@ from verify.jobs import records
 from verify.judging.checks import Identity
 from verify.studies.sweep import point
 from verify.studies.sweep.outcome import outcome
-from verify.studies.sweep.pairs import pairs
+from verify.studies.sweep.pairs import pairs, signature
 from verify.studies.sweep.run import solve
 from verify.studies.validity import messages as words
 from verify.studies.validity import store as kept
@@ -66,6 +66,20 @@ def test_a_record_stays_where_processes_die(folder, known, capsys):
     assert not VALIDITY.measure_missing([PLATE], Dying(), again=True)
     assert "not stored: the processes of" in capsys.readouterr().out
     assert kept.RECORDS.stored(PLATE.id) == before
+
+
+def test_a_record_is_that_of_its_arithmetic(folder, known, monkeypatch):
+    assert kept.measured(PLATE) is not None
+    monkeypatch.setattr(kept, "_arithmetic", lambda: "another")
+    assert kept.measured(PLATE) is None
+
+
+def test_a_claim_that_derives_its_values_counts_with_its_code():
+    case = next(one for one in registry.CASES if one.id == "polyhedral-locking")
+    derived = [pair for pair in pairs(case) if not pair.plain]
+    assert derived
+    for pair in derived:
+        assert signature(pair)[-1] == source_code.source_of(type(pair.claim))
 
 
 def limits(region):

@@ -3,7 +3,7 @@
 import sqlite3
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -81,14 +81,19 @@ class Database:
         # without a lock another process could change the file: only where it has nothing to add
         is_whole = not log.exists() or log.stat().st_size == 0
         for options in ("mode=ro", *(["immutable=1"] if is_whole else [])):
-            database = sqlite3.connect(f"{self.path.resolve().as_uri()}?{options}", uri=True)
-            try:
-                if self._format(database) == self.format:
-                    return database
-            except sqlite3.OperationalError:
-                pass
-            database.close()
+            with suppress(sqlite3.OperationalError):
+                return self._as_it_is(f"{self.path.resolve().as_uri()}?{options}")
         return None
+
+    def _as_it_is(self, address: str) -> sqlite3.Connection:
+        database = sqlite3.connect(address, uri=True)
+        try:
+            if self._format(database) < self.format:
+                raise sqlite3.OperationalError("the file has no tables")
+        except BaseException:
+            database.close()
+            raise
+        return database
 
     def _format(self, database: sqlite3.Connection) -> int:
         found = int(database.execute("PRAGMA user_version").fetchone()[0])

@@ -8,6 +8,7 @@ import contextlib
 import json
 import os
 import resource
+import select
 import selectors
 import signal
 import sys
@@ -24,6 +25,7 @@ from verify.jobs.guard import named
 MEMORY = 6 * 2**30  # bytes that a child may have: a size mistaken fills no machine
 LATE = "does not end"
 DIED = "the process died"
+GRACE = 0.1  # s without a byte after which a child is not writing its answer
 SPARE = 5.0  # s after which a child whose parent is gone ends itself
 
 
@@ -127,12 +129,10 @@ def _has_ended(pid: int) -> bool:
 
 
 def _rest(pipe: int) -> bytes:
-    """What can be read from a pipe without waiting."""
-    os.set_blocking(pipe, False)
+    """What a pipe has, and what is being written into it."""
     found = bytearray()
-    with contextlib.suppress(BlockingIOError):
-        while piece := os.read(pipe, 1 << 16):
-            found += piece
+    while select.select([pipe], [], [], GRACE)[0] and (piece := os.read(pipe, 1 << 16)):
+        found += piece
     return bytes(found)
 
 
