@@ -28,6 +28,7 @@ def client(folder, *options):
     ]  # fmt: skip
     return subprocess.Popen(
         command, env=os.environ | {"FREEWHEEL_CACHE": str(folder / "cache")}, text=True,
+        start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     )  # fmt: skip
 
@@ -89,12 +90,14 @@ def test_a_killed_worker_and_a_killed_client_leave_the_table_of_an_undisturbed_r
 
 
 @pytest.mark.soak
-def test_ctrl_c_says_what_is_kept_and_the_same_command_goes_on(undisturbed, tmp_path):
-    process = client(tmp_path, "--jobs", "2")
+@pytest.mark.parametrize("engine", ["local", "dask"])
+def test_ctrl_c_says_what_is_kept_and_the_same_command_goes_on(undisturbed, tmp_path, engine):
+    process = client(tmp_path, "--jobs", "2", "--engine", engine)
     until(lambda: points(tmp_path) >= 2)
-    process.send_signal(signal.SIGINT)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal sends it: to workers, too
     status, said = ended(process)
     assert status == 130
+    assert "Traceback" not in said
     kept = points(tmp_path)
     assert said.splitlines()[-1] == (
         f"freewheel: interrupted; {kept} of {POINTS} points are stored: the same command "

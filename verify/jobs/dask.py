@@ -8,7 +8,7 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 from verify.jobs.engine import Engine, GoneError
-from verify.jobs.processes import GUARD
+from verify.jobs.processes import GUARD, interrupts_blocked
 
 PATIENCE = 10.0  # s for a scheduler to answer, and for its first worker
 EVERY = 1.0  # s between two questions for the workers
@@ -37,10 +37,11 @@ def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
         cluster: Any = None
         if not scheduler:
             try:
-                cluster = LocalCluster(
-                    n_workers=processes, threads_per_worker=1, processes=True,
-                    dashboard_address=None, silence_logs=logging.CRITICAL, host="127.0.0.1",
-                )  # fmt: skip
+                with interrupts_blocked():
+                    cluster = LocalCluster(
+                        n_workers=processes, threads_per_worker=1, processes=True,
+                        dashboard_address=None, silence_logs=logging.CRITICAL, host="127.0.0.1",
+                    )  # fmt: skip
             except RuntimeError as error:
                 raise GoneError(
                     f"no worker can be started ({error}); in a script, {GUARD}"

@@ -10,8 +10,9 @@ import pickle
 import signal
 import threading
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Future, ThreadPoolExecutor
+from contextlib import contextmanager
 from multiprocessing import (
     connection,
     current_process,
@@ -154,6 +155,17 @@ class _Worker:
 def _without_interrupts() -> None:
     """A terminal's Ctrl-C goes to all processes: those that this thread starts don't see it."""
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+
+@contextmanager
+def interrupts_blocked() -> Iterator[None]:
+    """Threads and processes that are started inside it do not see Ctrl-C."""
+    resource_tracker.ensure_running()  # started by one of them it would let Ctrl-C through there
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _serve(tasks: connection.Connection) -> None:
