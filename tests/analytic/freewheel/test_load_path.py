@@ -83,6 +83,7 @@ def test_torque_that_crosses_zero_under_axial_load_asks_for_infinite_friction(st
     course = follow(star, crossing, mu=0.1)
     assert course.peak == np.inf
     assert course.light == "red"
+    assert np.all(course.T[np.isinf(course.mu_req)] > 0)  # of locked times alone
     assert np.isfinite(follow(star, lifted, mu=0.1).peak)
 
 

@@ -5,10 +5,12 @@ from textwrap import dedent
 
 import pytest
 
+from analytic.contact.strip_influence import _cubics
 from tests.verify.mutation.forked import answer
 from verify.audit.mutation.patching import NotPatchedError, patch
 from verify.audit.mutation.sites import mutants, source
 from verify.audit.mutation.subject_operators import FORMULAS
+from verify.audit.mutation.tracing import called
 
 FORMULA = """
     from dataclasses import dataclass
@@ -137,3 +139,8 @@ def test_code_that_nobody_has_is_told(modules):
     del before
     with pytest.raises(NotPatchedError, match=r"weighed: Ring\.half is not there"):
         patch(of, one)
+
+
+def test_what_is_memoised_is_traced_as_well():
+    _cubics()
+    assert "analytic.contact.strip_influence:_slope" in called(_cubics)[1]

@@ -20,6 +20,7 @@ from verify.core.store import Store
 from verify.jobs import cache
 from verify.jobs.dispatch import Dispatch, queue
 
+TRACER = "verify/audit/mutation/tracing.py"
 KIND = "mutant note"  # of entries: their subject is the kind of note
 JUDGING = 300.0  # s for a case to be judged with every call noted
 SOLVING = 400.0  # s for a case's coarsest level
@@ -52,8 +53,11 @@ class Notes:
 
     def elements(self, cases: Sequence[Case]) -> dict[str, Noted]:
         """What solving each case's coarsest level calls."""
+        tracer = digest(TRACER)
         work = {
-            f"{case.id} {cache.key(case, case.inputs(), case.levels[0])}": partial(_solve, case)
+            f"{case.id} {cache.key(case, case.inputs(), case.levels[0])} {tracer}": partial(
+                _solve, case
+            )
             for case in cases
         }
         found = self._noted("elements", "solving", work, SOLVING, needed=False)
@@ -64,7 +68,9 @@ class Notes:
         from verify.audit.mutation import suite  # pytest, which a user's environment may not have
 
         tested = suite.TESTED[kind]
-        work = {f"{path} {digest(*tested, path)}": partial(suite.traced, path) for path in files}
+        work = {
+            f"{path} {digest(TRACER, *tested, path)}": partial(suite.traced, path) for path in files
+        }
         found = self._noted(f"tests-{kind}", "testing", work, TESTING)
         return {test: tuple(one) for tests in found.values() for test, one in tests.items()}
 

@@ -11,13 +11,11 @@ import builtins
 import gc
 import sys
 from collections.abc import Iterator
-from functools import _lru_cache_wrapper
 from importlib import import_module
 from types import CodeType, FunctionType, ModuleType
 
 from verify.audit.mutation.sites import Changed, Source, constant_of, owners
-
-FORGETFUL = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results of old code
+from verify.audit.mutation.tracing import forget_memoised
 
 
 class NotPatchedError(RuntimeError):
@@ -27,7 +25,7 @@ class NotPatchedError(RuntimeError):
 def patch(of: Source, changed: Changed) -> int:
     """Replace the code in all functions that have it; their number. NotPatchedError."""
     import_module(of.module)  # finite elements, which nothing imports before it solves
-    _forget()
+    forget_memoised()
     changed.place.put(changed.node)
     try:
         name = changed.mutant.function
@@ -66,13 +64,6 @@ def functions(path: str) -> Iterator[FunctionType]:
     for item in gc.get_objects():
         if type(item) is FunctionType and item.__code__.co_filename == path:
             yield item
-
-
-def _forget() -> None:
-    """Empty what the project's functions have memoised with the code as it was."""
-    for item in gc.get_objects():
-        if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(FORGETFUL):
-            item.cache_clear()
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import pytest
 from hypothesis import Phase, settings
 
-from verify.audit.mutation.tracing import ROOT, Calls
+from verify.audit.mutation.tracing import ROOT, Calls, forget_memoised
 
 OPTIONS = (
     "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:hypothesispytest",
@@ -88,6 +88,7 @@ class _Chosen:
 
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
     """Seconds and called functions of the tests of a file or folder, until PER_FILE is over."""
+    forget_memoised()
     tracer = _Tracer()
     pytest.main([*OPTIONS[:1], *OPTIONS[2:], path], plugins=[tracer])
     return tracer.found
