@@ -108,17 +108,6 @@ def test_problems_whose_states_repeat_are_solved_by_pivots():
     assert set(METHODS[:2]) <= methods
 
 
-@pytest.mark.parametrize(("rows", "is_solved"), [(4, True), (5, False)])
-def test_pivots_end_at_four_a_row(rows, is_solved):
-    """Murty's problem: 2^N - 1 pivots for N rows and covering vectors 2^-k; 15 of 16, 31 of 20."""
-    M = np.eye(rows) + np.tril(2 * np.ones((rows, rows)), -1)
-    z = solve_lcp(M, -np.ones(rows), 0.5 ** np.arange(rows))
-    if is_solved:
-        assert z == pytest.approx(np.eye(rows)[0])  # w = M z + q = (0, 1, 1, 1)
-    else:
-        assert z is None
-
-
 @pytest.mark.parametrize("seed", [4853, 7482, 8562])
 def test_forces_far_below_those_that_close_the_gaps_meet_the_laws(seed):
     # rows whose gaps miss by 1e-12 of them, 1e-7 of the elastic approach
