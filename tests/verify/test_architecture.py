@@ -34,7 +34,7 @@ def test_formulas_and_finite_elements_import_nothing_of_each_other(package):
 
 
 # a half-space, and what it and finite elements take of formulas: crowns, a load
-REFERENCE = {"pressed", "gap", "even_crowns", "plane_at_middle", "best", "grip"}
+REFERENCE = {"reference", "pressed", "gap", "even_crowns", "plane_at_middle", "best", "grip"}
 
 
 def test_only_what_makes_the_reference_or_is_compiled_imports_below_the_top_of_a_file():

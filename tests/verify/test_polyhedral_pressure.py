@@ -9,8 +9,7 @@ from analytic.ring import lame
 from fem.plane import solve
 from fem.plane.material import Elastic
 from meshes.ring import quarter
-from verify.cases.polyhedral.inputs import RoundRing
-from verify.cases.polyhedral.pressure.case import PRESSURE, analytic
+from verify.cases.polyhedral.pressure.case import PRESSURE
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.jobs.level import Job, judge_case, solve_level
@@ -31,7 +30,7 @@ LIMIT = "pressure of ever thinner rings, Eq. 10"
 
 
 def own(**changes):
-    return build(RoundRing, PAPER | changes, "my.toml")
+    return build(PRESSURE.inputs, PAPER | changes, "my.toml")
 
 
 def names(rows):
@@ -128,12 +127,12 @@ ODD = [
 @pytest.mark.parametrize(("change", "said"), ODD)
 def test_no_row_of_an_odd_ring_fails_and_its_state_is_told(change, said, judged, red):
     q = own(**change)
-    warned = PRESSURE.warnings(q, analytic(q))
+    warned = PRESSURE.warnings(q, PRESSURE.analytic(q))
     assert any(said in line for line in warned) if said else not warned
     result = judged(PRESSURE, q)
     assert not red(result)
     assert not result.errors
-    assert PRESSURE.figures(Context(PRESSURE.id, q, analytic(q), [], False))
+    assert PRESSURE.figures(Context(PRESSURE.id, q, PRESSURE.analytic(q), [], False))
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ def round_ring(q: Any, v: Values, part: Assessment) -> None:
     """Tresca stress in the bore of the round ring that reaches its rollers."""
     per_pressure = 2 * q.d_e**2 / (q.d_e**2 - q.d_i**2)
     strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
-    stress = per_pressure * v["Lamé, plane stress"]
+    stress = per_pressure * v["p"]
     part.stress("tresca_stress", "Tresca stress in the bore", stress, strength)
 
 

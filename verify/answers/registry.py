@@ -33,7 +33,7 @@ RULES: Mapping[str, Rule] = {
     "ring-loads-inner": Rule("load", rings.under_sprags),
     "ring-loads-map": Rule("", no_part),
     "ring-rotation": Rule("bore growth, plane stress", rings.rotating),
-    "polyhedral-pressure": Rule("Lamé, plane stress", polyhedral.round_ring),
+    "polyhedral-pressure": Rule("p", polyhedral.round_ring),
     "polyhedral-ring": Rule("p_1r", polyhedral.ring),
     "polyhedral-map": Rule("", no_part),
     "polyhedral-locking": Rule("N elastic", polyhedral.locking),

@@ -11,10 +11,12 @@ import copy
 import hashlib
 import inspect
 import re
-from collections.abc import Collection, Iterator, Mapping
+import sys
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from verify.core.plain_code import is_of_project, plain
@@ -78,11 +80,29 @@ def _digest(text: str) -> str:
 
 
 def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Code of the names that a function's module gives it, and the modules that these import."""
+    """Code of the names that a function's module gives it, and the modules that these import.
+
+    The function of a case that is one class names its parts by `code`: module, class, members.
+    """
+    if hasattr(function, "code"):
+        found: dict[str, str] = {}
+        start: set[str] = set()
+        for module, owner, members in function.code():
+            more, reached = _used_in(sys.modules[module], owner, members, whole=whole)
+            found |= {f"{owner}.{name}": code for name, code in more.items()}
+            start |= reached
+        return found, start
     module = inspect.getmodule(function)
     if module is None or module.__file__ is None:
         return {}, set()
-    tree = ast.parse(Path(module.__file__).read_text("utf-8"))
+    return _used_in(module, "", [function.__name__], whole=whole)
+
+
+def _used_in(
+    module: ModuleType, owner: str, names: Sequence[str], *, whole: bool
+) -> tuple[dict[str, str], set[str]]:
+    """The same of some names of a module, or of members of its class `owner`."""
+    tree = ast.parse(Path(module.__file__ or "").read_text("utf-8"))
     bound = _bound(tree, module.__name__, whole=whole)
     own = {name: node for node in tree.body for name in _defined(node)}
     borrowed: dict[str, set[str]] = {}  # names that the module's own imports bind
@@ -97,7 +117,12 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
                 borrowed.setdefault(name, set()).update(found)
     used: dict[str, str] = {}
     start: set[str] = set()
-    queue = [function.__name__]
+    queue = list(names)
+    if owner:
+        body = next(n.body for n in tree.body if isinstance(n, ast.ClassDef) and n.name == owner)
+        del own[owner]  # its other members do not count
+        members = {f".{name}": node for node in body for name in _defined(node)}
+        own, queue = own | members, [f".{name}" for name in names]
     while queue:
         name = queue.pop()
         if name in borrowed:  # a helper of another case module: all of that module

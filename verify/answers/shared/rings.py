@@ -94,7 +94,7 @@ def _round(_: Any, v: Values) -> tuple[SharedReading, ...]:
         ),
         SharedReading(
             assumption=NARROW, part=LONG, quantity="the pressure p_1", source=STRAIN,
-            effect=ratio(v, "Lamé, plane stress", "Lamé, plane strain"),
+            effect=ratio(v, "p", "p_strain"),
         ),
     )  # fmt: skip
 

@@ -8,6 +8,8 @@ from pathlib import Path
 from types import CodeType, FrameType
 from typing import Any, Self
 
+from verify.form import quantity
+
 ROOT = Path(__file__).parents[3]
 PACKAGES = ("analytic", "fem", "meshes", "verify")
 MEMOISED = ("analytic.", "fem.", "meshes.", "verify.cases.")  # who may hold results
@@ -60,6 +62,7 @@ def forget_memoised() -> None:
     for item in gc.get_objects():
         if type(item) is _lru_cache_wrapper and str(item.__module__).startswith(MEMOISED):
             item.cache_clear()
+    quantity.forget()
 
 
 def name_of(code: CodeType) -> str:

@@ -1,215 +1,234 @@
 """The round ring behind the polyhedral one: pressure that takes up a clearance, thin and thick."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator
+from typing import ClassVar, Self
 
 import numpy as np
 
 from analytic.polyhedral import expansion
 from analytic.ring import lame
+from verify.case import (
+    Case,
+    Comparison,
+    Level,
+    Quantity,
+    Scan,
+    about,
+    approximation,
+    balance,
+    identity,
+    limit,
+    over_family,
+    sketches,
+    solved,
+)
 from verify.cases.polyhedral.inputs import RoundRing
-from verify.cases.polyhedral.pressure import figures as shown
-from verify.cases.polyhedral.pressure.figures import WALLS
-from verify.core.case import Case, Context, FemResult, Output, Scan, Values
-from verify.core.figures import Field
-from verify.judging.checks import Approximation, Exact, Identity, Limit
-from verify.judging.convergence import grid_convergence
-from verify.judging.judge import numerical_uncertainty
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
+from verify.form.fields import picture, plane_field
+from verify.form.figures import Overlay
 
-DERIVED = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
-SLACK = 1e-4  # of the closed forms that intervals are computed from
-CELL = 1e-2  # of (wall/d_m)²: stress at the end of a cell, which spans more of ln r in thick walls
-THICK = 0.15  # wall over d_m from which on meshes are twice as fine
-
-
-def analytic(q: RoundRing) -> Values:
-    wall = {"d_i": q.d_i, "d_e": q.d_e}
-    d_m = expansion.mean_diameter(**wall)
-    sigma_t = expansion.hoop_stress(j_D=q.j_D, d_m=d_m, E=q.E)
-    p_1 = expansion.touching_pressure(j_D=q.j_D, **wall, E=q.E)
-    values: dict[str, Any] = {
-        "d_m": d_m, "sigma_t": sigma_t, "p_1": p_1,
-        "K": expansion.many_corners_factor(**wall),
-        "growth": expansion.growth(sigma_t=sigma_t, d_m=d_m, E=q.E),
-        "Lamé force": q.E / 1000 * q.d_i / 2,
-    }  # fmt: skip
-    for ends in ("plane stress", "plane strain"):
-        values[f"Lamé, {ends}"] = expansion.round_ring_pressure(
-            j_D=q.j_D, **wall, E=q.E, nu=q.nu, ends=ends
-        )
-    # the growth of the mean diameter under p_1, which Eq. 8 takes for that of the outside
-    values["Lamé growth, middle"] = 2 * lame.radial_displacement(
-        q.d_m / 2, r_i=q.d_i / 2, r_o=q.d_e / 2, p_i=p_1, E=q.E, nu=q.nu, ends="plane stress"
-    )
-    return {key: float(value) for key, value in values.items()}
+WALLS = (0.01, 0.0178, 0.0316, 0.0562, 0.1)  # δ_1/d_m: a decade
+SLACK = 1e-4  # of the closed forms that expected errors are computed from
+CELL = 1e-2  # of (δ_1/d_m)²: stress at the end of a cell, which spans more of ln r in thick walls
+THICK = 0.15  # δ_1/d_m from which on meshes are twice as fine
+SOLID = 0.96  # δ_1/d_m where figures end: at 1 there is no bore
+ACCEPTED = 5e-4, "uniform pressure on a round ring: acceptance figure"
+LAME = "derived: Lamé's pressure is d_m²/(d_i d_e) times p_1, in plane stress"
+MEAN = (
+    "derived: the mean over the wall is p d_i/(2 δ_1) whatever the pressure, so that it errs as "
+    "p_1 does"
+)
+RIM = (
+    f"derived: the free outside has the strain j_D/d_e; more by {CELL:g} (δ_1/d_m)² for stresses "
+    "at the ends of cells"
+)
+MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
 
-def fem(q: RoundRing, level: int) -> FemResult:
-    from fem.plane.material import Elastic
-    from fem.plane.solve import solve_plane
-    from meshes.ring.quarter import quarter_ring
+class RingPressure(RoundRing, Case):
+    """Before the polygon: a plain round ring under pressure.
 
-    fine = 2 if q.delta_1 > THICK * q.d_m else 1
+    The paper's thin ring is set beside Lamé's thick one, which finite elements solve too, and a
+    sweep shows that both agree as the wall vanishes. Sizes are the project's: the paper prints
+    none.
+    """
 
-    def expanded(d_i: float, d_e: float, assumption: Any) -> Any:
-        """The ring under a pressure of E/1000 in its bore."""
-        return solve_plane(
-            quarter_ring(r_i=d_i / 2, r_o=d_e / 2, refine=level * fine),
-            materials=Elastic(E=q.E, nu=q.nu),
-            assumption=assumption,
-            supports={"x=0": "x", "y=0": "y"},
-            pressures={"bore": q.E / 1000},
-        )
-
-    values: dict[str, float] = {}
-    fields: tuple[Field, ...] = ()
-    round_off = 0.0
-    for assumption in ("plane stress", "plane strain"):
-        ring = expanded(q.d_i, q.d_e, assumption)
-        rim, middle = ring.on_boundary("rim"), ring.on_boundary("middle")
-        growth = 2 * rim.mean(rim.polar()[0])
-        values[f"pressure, {assumption}"] = p = q.E / 1000 * q.j_D / growth
-        round_off = max(round_off, ring.residual**0.5, abs(ring.potential_energy
-                                                            / ring.strain_energy + 1))  # fmt: skip
-        if assumption == "plane strain":
-            continue
-        cut = -ring.reaction("x=0")[0]  # the hoop force of one wall, pulling on the quarter
-        values["balance"] = cut - q.E / 1000 * q.d_i / 2
-        values["mean hoop stress"] = cut / q.delta_1 * p / (q.E / 1000)
-        values["rim hoop stress"] = rim.mean(rim.polar()[2]) * p / (q.E / 1000)
-        values["middle growth"] = q.j_D / growth * 2 * middle.mean(middle.polar()[0])
-        cells = ring.cells()
-        scale = p / (q.E / 1000)
-        fields = (
-            Field(
-                name="ring", points=cells["points"], cells=cells["cells"].astype(np.int64),
-                point_data={"displacement": cells["displacement"] * scale},
-                cell_data={"von_mises": cells["von_mises"] * scale},
-                units={"displacement": "m", "von_mises": "Pa"},
-            ),
-        )  # fmt: skip
-    swept = []
-    for share in WALLS:
-        ring = expanded(q.d_m * (1 - share), q.d_m * (1 + share), "plane stress")
-        rim = ring.on_boundary("rim")
-        swept.append(q.E / 1000 * q.j_D / (2 * rim.mean(rim.polar()[0])))
-    return FemResult(
-        h=1 / level, values=values, u_it={k: round_off * abs(v) for k, v in values.items()},
-        arrays={"swept": np.array(swept)}, fields=fields,
-    )  # fmt: skip
-
-
-def thin(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Wall over mean diameter, error of p_1 beside finite elements, and its uncertainty."""
-    q = context.inputs
-    found = []
-    for k, share in enumerate(WALLS):
-        p_1 = float(
-            expansion.touching_pressure(
-                j_D=q.j_D, d_i=q.d_m * (1 - share), d_e=q.d_m * (1 + share), E=q.E
-            )
-        )
-        p = [float(level.arrays["swept"][k]) for level in context.fem]
-        grid = grid_convergence([r.h for r in context.fem], p, formal=4, scale=p[-1])
-        found.append((share, p_1 / p[-1] - 1, numerical_uncertainty(grid, 0.0) / p[-1]))
-    eps, d, u = (list(column) for column in zip(*found, strict=True))
-    return eps, d, u
-
-
-def about(m: float, slack: float = SLACK) -> tuple[float, float]:
-    return m - slack, m + slack
-
-
-CHECKS = (
-    *(
-        Identity(name=f"pressure that takes up the clearance, {a}", symbol="p", unit="MPa",
-                 fem=f"pressure, {a}", analytic=f"Lamé, {a}", formal=4, demand=5e-4,
-                 demand_reason="uniform pressure on a round ring: acceptance figure")
-        for a in ("plane stress", "plane strain")
-    ),
-    Approximation(name="pressure of the thin ring, Eq. 10", symbol="p_1", unit="MPa",
-                  fem="pressure, plane stress", analytic="p_1", formal=4,
-                  interval=lambda _q, v: about(1 / v["K"] - 1), source=DERIVED),
-    Approximation(name="hoop stress, Eq. 9, against the mean over the wall", symbol="σ_t",
-                  unit="MPa", fem="mean hoop stress", analytic="sigma_t", formal=4,
-                  interval=lambda _q, v: about(1 / v["K"] - 1),
-                  source="derived: the mean over the wall is p d_i/(2 δ_1) whatever the pressure, "
-                  "so that it errs as p_1 does"),
-    Approximation(name="hoop stress, Eq. 9, against that of the outside", symbol="σ_t",
-                  unit="MPa", fem="rim hoop stress", analytic="sigma_t", formal=2,
-                  interval=lambda q, _v: about(
-                      q.d_e / q.d_m - 1, SLACK + CELL * (q.delta_1 / q.d_m) ** 2),
-                  source="derived: the free outside has the strain j_D/d_e; more by "
-                  f"{CELL:g} (δ_1/d_m)² for stresses at the ends of cells"),
-    Approximation(name="growth of the mean diameter, Eq. 8", symbol="Δd_m", unit="µm",
-                  fem="middle growth", analytic="growth", formal=4,
-                  interval=lambda q, v: about(
-                      q.j_D / (v["Lamé growth, middle"] * v["K"]) - 1),
-                  source="Lamé: growth of the mean diameter where the outside grows by j_D"),
-    Limit(name="pressure of ever thinner rings, Eq. 10", symbol="p_1/p - 1", unit="1",
-          points=thin, exponent=2),
-    Exact(name="hoop force of a wall and the bore's pressure", symbol="ΣF_x", unit="N/mm",
-          fem="balance", scale="Lamé force", bound=1e-9,
-          bound_reason="direct solve: machine epsilon times the condition of K"),
-)  # fmt: skip
-
-
-def warnings(q: RoundRing, v: Values) -> Sequence[str]:
-    found = []
-    if q.R_p is not None and v["Lamé, plane stress"] * tresca(q) > q.R_p:
-        found.append(
-            f"Tresca stress {v['Lamé, plane stress'] * tresca(q) / 1e6:.4g} MPa in the bore "
-            f"exceeds R_p = {q.R_p / 1e6:.4g} MPa: the ring yields before it has taken up "
-            f"j_D = {q.j_D * 1e3:g} mm"
-        )
-    if q.R_p is None and q.straining > 3e-3:
-        found.append(
-            f"the ring strains by {q.straining:.2%} to take up the clearance: most steels yield "
-            "before; give R_p"
-        )
-    return found
-
-
-def tresca(q: RoundRing) -> float:
-    """Largest hoop minus radial stress of a round ring, in the bore, over the pressure."""
-    return 2 * q.d_e**2 / (q.d_e**2 - q.d_i**2)
-
-
-PRESSURE = Case(
-    id="polyhedral-pressure",
-    title="Pressure that expands a round ring to its rollers",
-    paper="belcin",
-    place="Eqs. 6, 8-10",
-    lead="Before the polygon: a plain round ring under pressure. The paper's thin ring is set "
-    "beside Lamé's thick one, which finite elements solve too, and a sweep shows that both agree "
-    "as the wall vanishes. Sizes are the project's: the paper prints none.",
-    inputs=RoundRing,
-    analytic=analytic,
-    reference=fem,
-    levels=(1, 2, 3, 4),
-    scans=(
+    id = "polyhedral-pressure"
+    title = "Pressure that expands a round ring to its rollers"
+    source = "belcin"
+    place = "Eqs. 6, 8-10"
+    scans: ClassVar = (
         Scan(vary=("delta_1=1mm,2mm,4mm,6mm,8mm,12mm", "nu=0.2,0.3,0.4"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        Output(key="d_m", symbol="d_m", unit="mm", what="mean diameter (Eq. 6)", judged=False),
-        Output(key="sigma_t", symbol="σ_t", unit="MPa", what="hoop stress (Eq. 9)"),
-        Output(key="p_1", symbol="p_1", unit="MPa", what="pressure of the thin ring (Eq. 10)"),
-        Output(key="Lamé, plane stress", symbol="p", unit="MPa",
-               what="pressure of the thick ring, plane stress (Lamé)"),
-        Output(key="Lamé, plane strain", symbol="p", unit="MPa",
-               what="pressure of the thick ring, plane strain (Lamé)"),
-        Output(key="K", symbol="K", unit="1",
-               what="thick over thin, plane stress: K of ever more corners", judged=False),
-    ),
-    readings=(
+    )
+    readings: ClassVar = (
         "the clearance j_D is on the diameter and closes outside, where the rollers are",
         "the ring is narrow: plane stress; as a long one it takes 1/(1 - ν²) times the pressure",
-    ),
-    assumptions=("linear elasticity, small strain", "a quarter with symmetry on both cuts"),
-    warnings=warnings,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
-)  # fmt: skip
+    )
+    assumptions: ClassVar = (
+        "linear elasticity, small strain", "a quarter with symmetry on both cuts",
+    )  # fmt: skip
+
+    @Quantity("d_i", "mm", "diameter of the bore", role="geometry")
+    def d_i(self) -> float:
+        return self.d_e - 2 * self.delta_1
+
+    @Quantity("d_m", "mm", "mean diameter", equation="6", role="step", tex=r"\frac{d_i + d_e}{2}")
+    def mean_diameter(self) -> float:
+        return float(expansion.mean_diameter(d_i=self.d_i, d_e=self.d_e))
+
+    @Quantity("σ_t", "MPa", "hoop stress", equation="9", safe="too high", tex=r"\frac{E j_D}{d_m}")
+    def sigma_t(self) -> float:
+        return float(expansion.hoop_stress(j_D=self.j_D, d_m=self.mean_diameter, E=self.E))
+
+    @Quantity("p_1", "MPa", "pressure of the thin ring", equation="10", safe="too high",
+              tex=r"\frac{2 \delta_1 \sigma_t}{d_i}")  # fmt: skip
+    def p_1(self) -> float:
+        wall = {"d_i": self.d_i, "d_e": self.d_e}
+        return float(expansion.touching_pressure(j_D=self.j_D, **wall, E=self.E))
+
+    @Quantity("Δd_m", "µm", "growth of the mean diameter", equation="8",
+              tex=r"\frac{\sigma_t d_m}{E}")  # fmt: skip
+    def growth(self) -> float:
+        return float(expansion.growth(sigma_t=self.sigma_t, d_m=self.mean_diameter, E=self.E))
+
+    @Quantity("K", "1", "thick over thin, plane stress: K of ever more corners", role="step",
+              source="Lamé", tex=r"\frac{d_m^2}{d_i d_e}")  # fmt: skip
+    def K(self) -> float:
+        return float(expansion.many_corners_factor(d_i=self.d_i, d_e=self.d_e))
+
+    @Quantity("p", "MPa", "pressure that takes up the clearance, plane stress", source="Lamé",
+              tex=r"\frac{E j_D (d_e^2 - d_i^2)}{2 d_i^2 d_e} = K p_1")  # fmt: skip
+    def p(self) -> float:
+        return self.thick_ring("plane stress")
+
+    @Quantity("p_l", "MPa", "pressure that takes up the clearance, plane strain", source="Lamé",
+              tex=r"\left(1 - \nu^2\right)^{-1} p")  # fmt: skip
+    def p_strain(self) -> float:
+        return self.thick_ring("plane strain")
+
+    def thick_ring(self, ends: lame.Ends) -> float:
+        """Lamé's pressure [Pa]."""
+        wall = {"d_i": self.d_i, "d_e": self.d_e}
+        p = expansion.round_ring_pressure(j_D=self.j_D, **wall, E=self.E, nu=self.nu, ends=ends)
+        return float(p)
+
+    def of_wall(self, share: float) -> Self:
+        """The ring of the same mean diameter whose wall is a `share` of that, allowed or not."""
+        sizes = {"delta_1": share * self.d_m, "d_e": (1 + share) * self.d_m}
+        return self.model_copy(update=sizes)
+
+    def reference(self, level: int) -> Level:
+        """The ring under a pressure of E/1000 in its bore, scaled to a growth of j_D."""
+        from fem.plane.material import Assumption, Elastic
+        from fem.plane.solution import PlaneSolution
+        from fem.plane.solve import solve_plane
+        from meshes.ring.quarter import quarter_ring
+
+        p_0, fine = self.E / 1000, 2 if self.delta_1 > THICK * self.d_m else 1
+
+        def expanded(d_i: float, d_e: float, assumption: Assumption) -> PlaneSolution:
+            return solve_plane(
+                quarter_ring(r_i=d_i / 2, r_o=d_e / 2, refine=level * fine),
+                materials=Elastic(E=self.E, nu=self.nu), assumption=assumption,
+                supports={"x=0": "x", "y=0": "y"}, pressures={"bore": p_0},
+            )  # fmt: skip
+
+        def growth(solution: PlaneSolution, place: str) -> float:
+            along = solution.on_boundary(place)
+            return 2 * along.mean(along.polar()[0])
+
+        def pressure(solution: PlaneSolution) -> float:
+            """That lets the outside grow by j_D."""
+            return p_0 * self.j_D / growth(solution, "rim")
+
+        def thinner(wall: float) -> float:
+            sizes = self.d_m * (1 - wall), self.d_m * (1 + wall)
+            return pressure(expanded(*sizes, "plane stress"))
+
+        narrow, long = (expanded(self.d_i, self.d_e, a) for a in ("plane stress", "plane strain"))
+        rim, p = narrow.on_boundary("rim"), pressure(narrow)
+        cut = -narrow.reaction("x=0")[0]  # the hoop force of one wall, pulling on the quarter
+        round_off = max(
+            max(s.residual**0.5, abs(s.potential_energy / s.strain_energy + 1))
+            for s in (narrow, long)
+        )
+        return solved(
+            1 / level, plane_field(narrow, "von_mises", name="ring", scale=p / p_0),
+            iteration=round_off, p=p, p_strain=pressure(long),
+            mean_stress=cut / self.delta_1 * p / p_0,
+            rim_stress=rim.mean(rim.polar()[2]) * p / p_0,
+            growth=self.j_D / growth(narrow, "rim") * growth(narrow, "middle"),
+            balance=cut - p_0 * self.d_i / 2,
+            thinner=np.array([thinner(wall) for wall in WALLS]),
+        )  # fmt: skip
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Against Lamé by finite elements, at this wall and as it vanishes."""
+        ring, thin = RingPressure, about(1 / self.K - 1, SLACK, LAME)
+        cell = SLACK + CELL * (self.delta_1 / self.d_m) ** 2
+        grown = 2 * float(lame.radial_displacement(
+            self.d_m / 2, r_i=self.d_i / 2, r_o=self.d_e / 2, p_i=self.p_1, E=self.E, nu=self.nu,
+            ends="plane stress"))  # fmt: skip
+        yield identity(ring.p, order=4, sensitivity=ACCEPTED)
+        yield identity(ring.p_strain, order=4, sensitivity=ACCEPTED)
+        yield approximation(ring.p_1, "p", order=4, expected=thin)
+        yield approximation(ring.sigma_t, "mean_stress", order=4, against="the mean over the wall",
+                            expected=thin._replace(source=MEAN))  # fmt: skip
+        yield approximation(ring.sigma_t, "rim_stress", order=2, against="that of the outside",
+                            expected=about(self.d_e / self.d_m - 1, cell, RIM))  # fmt: skip
+        middle = about(self.j_D / (grown * self.K) - 1, SLACK, MIDDLE)
+        yield approximation(ring.growth, order=4, expected=middle)
+        yield limit(ring.p_1, "pressure of ever thinner rings, Eq. 10", "p_1/p - 1", exponent=2,
+                    points=over_family(ring.p_1, "thinner", at=WALLS, family=self.of_wall,
+                                       order=4))  # fmt: skip
+        yield balance("balance", "hoop force of a wall and the bore's pressure", "ΣF_x", "N/mm",
+                      of={"Lamé force": self.E / 1000 * self.d_i / 2}, bound=1e-9,
+                      because="direct solve: machine epsilon times the condition of K")  # fmt: skip
+
+    def figures(self) -> Iterator[Overlay]:
+        """Pressure over the wall."""
+        thickest = min(max(0.2, 1.2 * self.delta_1 / self.d_m), SOLID)
+        yield Overlay(
+            title="Pressure that takes up the clearance", x_label="wall δ_1/d_m",
+            family=self.of_wall, over=np.linspace(WALLS[0], thickest, 60).tolist(),
+            quantities=(RingPressure.p_1, RingPressure.p), reference="thinner", at=WALLS,
+            note=f"A ring of {self.shown('mean_diameter')} mean diameter that takes up "
+            f"{self.shown('j_D')}; the thin ring's error grows with the square of the wall.",
+        )  # fmt: skip
+
+    def pictures(self) -> Iterator[Picture]:
+        """The stress of the quarter, all round."""
+        caption = "Von Mises stress where the clearance is taken up, plane stress"
+        yield picture("ring", "von_mises", caption, mirror="xy")
+
+    def sketch(self) -> Sketch:
+        """Ring, rollers and pressure."""
+        bore, at, r = self.d_i / self.d_e, 1.19, 0.13  # over d_e/2, clearance drawn much larger
+        return sketches.sketch(
+            f"a round ring of {self.shown('d_e')} under pressure in its bore, {self.shown('j_D')} "
+            "of clearance on the diameter to its rollers (drawn much larger)",
+            sketches.ring(bore, 1.0), sketches.rollers(6, r, at), sketches.circle(at + r),
+            sketches.radial_loads(6, bore - 0.22, bore, "p"),
+            sketches.leader((-1.25, 0.92), (-0.383 * (1 + bore), 0.3215 * (1 + bore)),
+                            f"wall {self.shown('delta_1')}"),
+            sketches.leader((1.2, -1.1), (0.72, -0.72), f"d_e = {self.shown('d_e')}"),
+        )  # fmt: skip
+
+    def warnings(self) -> Iterator[str]:
+        """Where the ring yields before it reaches its rollers."""
+        tresca = 2 * self.d_e**2 / (self.d_e**2 - self.d_i**2) * self.p  # in the bore
+        if self.R_p is not None and tresca > self.R_p:
+            yield (
+                f"Tresca stress {tresca / 1e6:.4g} MPa in the bore exceeds R_p = "
+                f"{self.shown('R_p')}: the ring yields before it has taken up j_D = "
+                f"{self.shown('j_D')}"
+            )
+        if self.R_p is None and self.straining > 3e-3:
+            yield (
+                f"the ring strains by {self.straining:.2%} to take up the clearance: most steels "
+                "yield before; give R_p"
+            )
+
+
+PRESSURE = adapted(RingPressure)

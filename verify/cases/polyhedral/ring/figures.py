@@ -8,10 +8,10 @@ import numpy as np
 from analytic.polyhedral import bore_pressure
 from analytic.polyhedral.sector import Sector
 from verify.cases.polyhedral.fem import stations
-from verify.cases.polyhedral.pressure.figures import arc
 from verify.core.case import Context, Values
 from verify.core.figures import Array, Equation, Figure, Picture, Profile, Shape, Sketch
 from verify.core.tex import factor, tex
+from verify.form.sketches import circle
 from verify.judging.profiles import along
 
 MPa, mm, um = 1e6, 1e-3, 1e-6
@@ -42,16 +42,16 @@ def half(q: Any) -> Array:
 def body(q: Any, gap: float = 0.05, roller: float = 0.12) -> list[Shape]:
     """Ring, rollers and race, the clearance drawn large; the modelled half sector shaded."""
     shapes = [
-        Shape(style="body", points=arc(1.0)),
+        circle(1.0, "body"),
         Shape(style="hole", points=outline(q)),
         Shape(style="modelled", points=half(q)),
-        Shape(style="faint", points=arc(1 + gap + 2 * roller)),
+        circle(1 + gap + 2 * roller),
     ]
     size = min(roller, 0.9 * (1 + gap + roller) * np.sin(q.half_angle))
     for k in range(q.z):
         angle = 2 * np.pi * k / q.z
         at = (1 + gap + size) * np.array([np.cos(angle), np.sin(angle)])
-        shapes.append(Shape(style="faint", points=arc(size, (at[0], at[1]))))
+        shapes.append(circle(size, centre=(at[0], at[1])))
     return shapes
 
 

@@ -1,0 +1,190 @@
+"""A case declared by one class: what a declaration gives, and which broken rules are found."""
+
+import pickle
+from collections.abc import Iterator
+from math import pi
+
+import pytest
+
+from verify.case import (
+    Case,
+    CaseError,
+    Comparison,
+    Expected,
+    Level,
+    Quantity,
+    approximation,
+    balance,
+    given,
+    identity,
+    shared,
+    solved,
+)
+from verify.core.case import Context
+from verify.form import equations
+from verify.form.adapter import adapted
+from verify.form.members import reached
+from verify.form.quantity import forget
+
+LOW, HIGH = -0.003, 0.003
+
+
+class Rod(Case):
+    """A rod in tension."""
+
+    title = "Rod"
+    source = "belcin"
+
+    d: float = given("10 mm", "mm", "d", "diameter", gt=0)
+    F: float = given("1 kN", "kN", "F", "force")
+    E: float = given("200 GPa", "GPa", "E", "Young's modulus", gt=0)
+
+    @Quantity("A", "mm^2", "area", role="geometry", tex=r"\frac{\pi d^2}{4}")
+    def area(self) -> float:
+        return pi * self.d**2 / 4
+
+    @Quantity("σ", "MPa", "stress", equation="1", safe="too high")
+    def sigma(self) -> float:
+        return self.F / self.area
+
+    @Quantity("ε", "1", "strain", equation="2")
+    def strain(self) -> float:
+        return self.sigma / self.E
+
+    @shared
+    def state(self) -> list[float]:
+        return [self.sigma]
+
+    def reference(self, level: int) -> Level:
+        stress = self.F / self.area
+        return solved(1 / level, sigma=stress * (1 + 1e-3 / level**2), strain=stress / self.E,
+                      rest=0.0)  # fmt: skip
+
+    def comparisons(self) -> Iterator[Comparison]:
+        wide = Expected(LOW, HIGH * self.d / 10e-3, "book")
+        yield identity(Rod.strain, order=2, against="the mesh")
+        yield approximation(Rod.sigma, order=2, expected=wide)
+        yield balance("rest", "balance", "ΣF", "N", of={"force": self.F}, bound=1e-9, because="sum")
+
+
+def test_an_instance_has_numbers_and_the_class_declarations():
+    rod = Rod(d=20e-3)
+    assert rod.sigma == pytest.approx(1e3 / (pi * 1e-4))
+    assert (Rod.sigma.name, Rod.sigma.label) == ("sigma", "stress, Eq. 1")
+    assert [q.name for q in Rod.quantities()] == ["area", "sigma", "strain"]
+    assert rod.at(F=2e3).sigma == pytest.approx(2 * rod.sigma)
+    assert rod.shown("sigma") == "3.183 MPa"
+
+
+def test_the_adapted_case_has_names_outputs_and_numbers():
+    case = adapted(Rod)
+    assert [check.name for check in case.checks] == [
+        "strain, Eq. 2, against the mesh", "stress, Eq. 1", "balance",
+    ]  # fmt: skip
+    assert {one.key: one.judged for one in case.outputs} == {
+        "area": False, "sigma": True, "strain": True,
+    }  # fmt: skip
+    assert case.analytic(Rod())["force"] == 1e3
+    assert case.lead == "A rod in tension."
+
+
+def test_an_interval_is_that_of_the_inputs_at_hand():
+    check = adapted(Rod).checks[1]
+    assert check.interval(Rod(), {}) == (LOW, HIGH)
+    assert check.interval(Rod(d=5e-3), {}) == (LOW, HIGH / 2)
+
+
+def test_rows_follow_from_the_comparisons():
+    case, rod = adapted(Rod), Rod()
+    levels = [case.reference(rod, level) for level in case.levels]
+    context = Context(case.id, rod, case.analytic(rod), levels, True)
+    rows = [row for check in case.checks for row in check.rows(context)]
+    assert {row.status for row in rows} == {"PASS"}
+
+
+@pytest.mark.parametrize("formula", ["sigma", "state"])
+def test_a_reference_that_reads_a_formula_is_an_error(formula):
+    class Reads(Rod):
+        def reference(self, level):
+            return solved(1 / level, sigma=getattr(self, formula))
+
+    with pytest.raises(CaseError, match=rf"{formula}: the reference reads"):
+        adapted(Reads).reference(Reads(), 1)
+    assert Reads().sigma > 0  # formulas are there again
+
+
+def test_computed_values_stay_behind_in_copies_and_other_processes():
+    rod = Rod()
+    stress = rod.sigma
+    other = rod.model_copy(update={"F": 2e3})
+    assert other.sigma == pytest.approx(2 * stress)
+    sent = pickle.loads(pickle.dumps(rod))
+    assert sent == rod
+    assert not [key for key in sent.__dict__ if key.startswith("=")]
+
+
+def test_replaced_code_is_computed_again(monkeypatch):
+    rod = Rod()
+    before = rod.sigma
+    monkeypatch.setattr(Rod.sigma, "formula", lambda self: 7.0)
+    assert rod.sigma == before
+    forget()
+    assert rod.sigma == 7.0
+
+
+def test_equations_come_from_the_code_or_are_checked_against_it():
+    found = {one.tex: one for one in equations.stated(Rod())}
+    assert list(found) == [
+        r"A = \frac{\pi d^2}{4}", r"\sigma = \frac{F}{A}", r"\varepsilon = \frac{\sigma}{E}",
+    ]  # fmt: skip
+    assert found[r"\sigma = \frac{F}{A}"].numbers == (
+        r"= \frac{1\,\mathrm{kN}}{78.5398\,\mathrm{mm^2}} = 12.7324\,\mathrm{MPa}"
+    )
+
+    class Wrong(Rod):
+        @Quantity("G", "GPa", "shear modulus", tex=r"\frac{E}{3}")
+        def G(self):
+            return self.E / 2.6
+
+    with pytest.raises(CaseError, match=r"test_declared.py:\d+: Wrong.G: the equation E/3 gives"):
+        equations.stated(Wrong())
+
+
+def declare(symbol, unit):
+    class Broken(Rod):
+        @Quantity(symbol, unit, "something else")
+        def other(self):
+            return 1.0
+
+    return Broken
+
+
+@pytest.mark.parametrize(
+    ("symbol", "unit", "rule"),
+    [
+        ("σ", "MPa", r"Broken.other: the symbol σ is that of sigma already"),
+        ("d", "mm", r"Broken.other: the symbol d is that of d already"),
+        ("x", "furlong", r"Broken.other: .*furlong"),
+    ],
+)
+def test_a_broken_rule_is_found_where_the_class_is_made(symbol, unit, rule):
+    with pytest.raises(CaseError, match=rf"^test_declared.py:\d+: {rule}"):
+        declare(symbol, unit)
+
+
+def test_two_comparisons_of_one_name_are_refused():
+    class Twice(Rod):
+        def comparisons(self):
+            yield identity(Rod.strain)
+            yield identity(Rod.strain)
+
+    with pytest.raises(CaseError, match=r"two comparisons are called strain, Eq. 2"):
+        adapted(Twice)
+
+
+def test_the_reference_consists_of_what_it_uses_and_of_no_formula():
+    ((module, name, members),) = reached(Rod, ["reference"], formulas=False)
+    assert (module, name) == (Rod.__module__, "Rod")
+    assert set(members) == {"reference", "area", "d", "F", "E"}
+    ((*_, members),) = reached(Rod, ["strain"], formulas=True)
+    assert set(members) == {"strain", "sigma", "area", "d", "F", "E"}

@@ -1,0 +1,138 @@
+"""A case: inputs, formulas, a reference that shares no code with them, and what is compared.
+
+A case is one class. Its fields are the inputs, its quantities the formulas of the source; an
+instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress in Pa.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, ClassVar, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict
+
+from verify.core import units
+from verify.core.case import Context, FemResult, Scan
+from verify.core.figures import Field, Figure, Picture, Sketch
+from verify.core.inputs import Inputs, meta
+from verify.core.references import Method
+from verify.form.comparisons import Comparison
+from verify.form.quantity import MEMO, Declared, Quantity, remembered, shared
+
+
+def solved(
+    mesh_size: float, *fields: Field, iteration: float | Mapping[str, float] = 0.0,
+    **values: float | NDArray[np.float64],
+) -> FemResult:  # fmt: skip
+    """One level of the reference: numbers and arrays by name, in SI units.
+
+    `mesh_size` is relative to what stays the same over the levels, `iteration` the relative
+    uncertainty of all numbers by iteration or round-off, or of each by name.
+    """
+    numbers = {k: float(v) for k, v in values.items() if np.ndim(v) == 0}
+    arrays = {k: np.asarray(v) for k, v in values.items() if k not in numbers}
+    by_name = iteration if isinstance(iteration, Mapping) else dict.fromkeys(numbers, iteration)
+    u_it = {k: by_name[k] * abs(v) for k, v in numbers.items() if k in by_name}
+    return FemResult(h=mesh_size, values=numbers, u_it=u_it, arrays=arrays, fields=fields)
+
+
+class Drawing(Protocol):
+    """A figure or picture declared by kind, with what it shows; see `verify.form.figures`."""
+
+    def drawn(self, case: "Case", context: Context) -> Figure | None:
+        """The figure, None where there is nothing to draw."""
+        ...
+
+
+class Case(Inputs):
+    """Base of every case, in the suite and outside; its docstring leads its page."""
+
+    model_config = ConfigDict(ignored_types=(Declared, shared))
+
+    id: ClassVar[str] = ""  # by default the name of the file
+    title: ClassVar[str] = ""  # empty where the class only holds inputs that cases share
+    source: ClassVar[str] = ""  # key of a paper of the suite
+    place: ClassVar[str] = ""
+    method: ClassVar[Method] = Method()  # of the reference
+    levels: ClassVar[tuple[int, ...]] = (1, 2, 3, 4)
+    readings: ClassVar[tuple[str, ...]] = ()
+    assumptions: ClassVar[tuple[str, ...]] = ()
+    scans: ClassVar[tuple[Scan, ...]] = ()  # regions over which sweeps measure the formulas
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **_: Any) -> None:
+        """Broken rules of a declaration are found where the class is made."""
+        cls.id = vars(cls).get("id", cls.__module__.rpartition(".")[2].replace("_", "-"))
+        names = {meta(field)["symbol"]: name for name, field in cls.model_fields.items()}
+        for q in cls.quantities():
+            if (other := names.setdefault(q.symbol, q.name)) not in (q.name, q.form_of):
+                raise q.broken(cls, f"the symbol {q.symbol} is that of {other} already")
+            try:
+                units.factor(q.unit)
+            except ValueError as error:
+                raise q.broken(cls, str(error)) from error
+
+    def reference(self, level: int) -> FemResult:
+        """Solve one level; meshes and finite elements are imported here, not above."""
+        raise NotImplementedError
+
+    def comparisons(self) -> Iterable[Comparison]:
+        """What is compared, stated before the reference is solved."""
+        return ()
+
+    def figures(self) -> Iterable[Drawing]:
+        """Figures beside those of convergence, which every comparison with an order has."""
+        return ()
+
+    def pictures(self) -> Iterable[Picture]:
+        """Fields of the finest level in colours."""
+        return ()
+
+    def sketch(self) -> Sketch | None:
+        """The part with its sizes and loads."""
+        return None
+
+    def warnings(self) -> Iterator[str]:
+        """Where these inputs leave what the formulas are for."""
+        yield from ()
+
+    def advice(self) -> Iterator[str]:
+        """What follows for the one who asks, the most important first."""
+        yield from ()
+
+    def refusal(self) -> str:
+        """Why the reference cannot solve these inputs; its rows are skipped for that reason."""
+        return ""
+
+    def stated(self) -> tuple[Comparison, ...]:
+        """The comparisons of these inputs, made once."""
+        return remembered(self, "comparisons", lambda: tuple(self.comparisons()))
+
+    def at(self, **changes: float) -> Self:
+        """The same case with other inputs, validated [SI units]."""
+        inputs = {name: getattr(self, name) for name in type(self).model_fields}
+        return type(self)(**(inputs | changes))
+
+    def shown(self, name: str, digits: int = 4) -> str:
+        """An input or a quantity in its unit, for sentences: "76 mm"."""
+        units_of = {n: meta(field)["unit"] for n, field in type(self).model_fields.items()}
+        unit = units_of.get(name) or next(q.unit for q in self.quantities() if q.name == name)
+        return f"{getattr(self, name) / units.factor(unit):.{digits}g} {unit}".removesuffix(" 1")
+
+    @classmethod
+    def quantities(cls) -> tuple[Quantity, ...]:
+        """In the order of the class, those of base classes first."""
+        found = {k: v for base in reversed(cls.__mro__) for k, v in vars(base).items()}
+        return tuple(d.quantity for d in found.values() if isinstance(d, Declared))
+
+    def __copy__(self) -> Self:
+        """Without computed values, which `model_copy` would take to other inputs."""
+        copied = super().__copy__()
+        for key in [key for key in copied.__dict__ if key.startswith(MEMO)]:
+            del copied.__dict__[key]
+        return copied
+
+    def __getstate__(self) -> dict[Any, Any]:
+        state = super().__getstate__()
+        fields = {k: v for k, v in state["__dict__"].items() if not k.startswith(MEMO)}
+        return state | {"__dict__": fields}

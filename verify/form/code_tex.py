@@ -1,0 +1,57 @@
+"""TeX of a formula from the code of the method that returns it."""
+
+import ast
+import inspect
+import textwrap
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from verify.core.tex import tex as number
+from verify.form.tex import FUNCTIONS
+
+
+def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
+    """TeX of a method that returns one expression of `symbols`; empty where it does more."""
+    body = ast.parse(textwrap.dedent(inspect.getsource(formula))).body[0]
+    assert isinstance(body, ast.FunctionDef)
+    last = body.body[-1]
+    documented = ast.get_docstring(body) is not None
+    if not isinstance(last, ast.Return) or last.value is None or len(body.body) > 1 + documented:
+        return ""
+    try:
+        return _tex(last.value, symbols)[0]
+    except (KeyError, TypeError):
+        return ""
+
+
+def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
+    """TeX and how tightly it binds: 1 sum, 2 product, 3 power or single symbol."""
+
+    def part(of: ast.expr, binding: int) -> str:
+        text, binds = _tex(of, symbols)
+        return text if binds >= binding else rf"\left({text}\right)"
+
+    match node:
+        case ast.Attribute(value=ast.Name(id="self"), attr=name):
+            return symbols[name], 3
+        case ast.Constant(value=value):
+            return number(float(value)), 3  # type: ignore[arg-type]
+        case ast.Name(id="pi"):
+            return r"\pi", 3
+        case ast.UnaryOp(op=ast.USub(), operand=of):
+            return f"-{part(of, 2)}", 1
+        case ast.BinOp(left=a, op=ast.Add(), right=b):
+            return f"{part(a, 1)} + {part(b, 1)}", 1
+        case ast.BinOp(left=a, op=ast.Sub(), right=b):
+            return f"{part(a, 1)} - {part(b, 2)}", 1
+        case ast.BinOp(left=a, op=ast.Mult(), right=b):
+            return f"{part(a, 2)} {part(b, 2)}", 2
+        case ast.BinOp(left=a, op=ast.Div(), right=b):
+            return rf"\frac{{{part(a, 1)}}}{{{part(b, 1)}}}", 2
+        case ast.BinOp(left=a, op=ast.Pow(), right=b):
+            return rf"{part(a, 3)}^{{{part(b, 1)}}}", 3
+        case ast.Call(func=ast.Name(id="sqrt"), args=[of]):
+            return rf"\sqrt{{{part(of, 1)}}}", 3
+        case ast.Call(func=ast.Name(id=function), args=[of]):
+            return rf"\{FUNCTIONS[function]}\left({part(of, 1)}\right)", 2
+    raise TypeError(node)

@@ -1,0 +1,70 @@
+"""The equation of a quantity with its numbers, checked against the code of its formula."""
+
+import math
+from typing import NamedTuple
+
+from verify.core import units
+from verify.core.figures import Equation
+from verify.core.inputs import meta
+from verify.form import tex as equations
+from verify.form.case import Case
+from verify.form.code_tex import tex_of
+from verify.form.quantity import Quantity
+
+SAME = 1e-9  # relative difference of an equation and the code of its formula
+DIGITS, INPUT_DIGITS = 6, 10  # significant: inputs are displayed as they are given
+
+
+class Symbols(NamedTuple):
+    """TeX of a case's symbols by attribute; numbers with units, and SI values, by TeX."""
+
+    tex: dict[str, str]
+    numbers: dict[str, str]
+    values: dict[str, float]
+
+
+def stated(case: Case) -> tuple[Equation, ...]:
+    """The equations of all quantities; CaseError where one gives another number than the code."""
+    symbols = symbols_of(case)
+    found = (equation(case, q, symbols) for q in case.quantities())
+    return tuple(one for one in found if one is not None)
+
+
+def symbols_of(case: Case) -> Symbols:
+    """The symbols of inputs and quantities; of forms of one quantity the first that is declared."""
+    found = Symbols({}, {}, {})
+    fields = type(case).model_fields
+    inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
+    for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.quantities())):
+        value, as_tex = getattr(case, name), equations.symbol_tex(symbol)
+        if isinstance(value, int | float) and as_tex not in found.values:
+            digits = INPUT_DIGITS if name in fields else DIGITS
+            found.tex[name] = as_tex
+            found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, digits)
+            found.values[as_tex] = value
+    return found
+
+
+def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
+    """The equation of a quantity, with numbers where it is arithmetic; None where none is stated.
+
+    CaseError where the TeX that is stated gives another number than the code.
+    """
+    if not (tex := q.tex or tex_of(q.formula, symbols.tex)):
+        return None
+    value, found = getattr(case, q.name), None
+    for part in tex.split(" = "):
+        found = equations.evaluate(part, symbols.values)
+        if found is not None and not math.isclose(found, value, rel_tol=SAME):
+            raise q.broken(
+                type(case),
+                f"the equation {equations.plain(part)} gives {found:.10g}, the code {value:.10g} "
+                "[SI]",
+            )
+    put_in = equations.put_in(tex.rpartition(" = ")[2], symbols.numbers)
+    number = equations.with_unit(value / units.factor(q.unit), q.unit)
+    return Equation(
+        tex=f"{equations.symbol_tex(q.symbol)} = {tex}",
+        numbers=f"= {number}" if found is None else f"= {put_in} = {number}",
+        place=f"Eq. {q.equation}" if q.equation else q.source,
+    )

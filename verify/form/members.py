@@ -1,0 +1,65 @@
+"""Which parts of a case's class its formulas or its reference consist of."""
+
+import ast
+from collections.abc import Collection, Iterator
+from pathlib import Path
+from sys import modules
+
+from verify.core.inputs import Inputs
+from verify.form.quantity import Declared
+
+MACHINERY = ("verify.core.", "verify.form.", "pydantic.")  # of no case
+
+
+def reached(
+    form: type[Inputs], start: Collection[str], *, formulas: bool
+) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
+    """Module, class and members that some members use, themselves among them.
+
+    A member is used where an attribute of its name is read, whatever the object: more is found
+    rather than less. Without `formulas` quantities that a reference may not read are left out.
+    """
+    bodies = {cls: dict(_body(cls)) for cls in _classes(form)}
+    hidden = set() if formulas else {name for name in _names(form) if _is_formula(form, name)}
+    found: set[str] = set()
+    queue = list(start)
+    while queue:
+        if (name := queue.pop()) in found or name in hidden:
+            continue
+        found.add(name)
+        nodes = [body[name] for body in bodies.values() if name in body]
+        queue += [n.attr for one in nodes for n in ast.walk(one) if isinstance(n, ast.Attribute)]
+    return tuple(
+        (cls.__module__, cls.__name__, tuple(sorted(found & body.keys())))
+        for cls, body in bodies.items() if found & body.keys()
+    )  # fmt: skip
+
+
+def _classes(form: type[Inputs]) -> list[type]:
+    return [c for c in form.__mro__ if not f"{c.__module__}.".startswith((*MACHINERY, "builtins."))
+            and issubclass(c, Inputs)]  # fmt: skip
+
+
+def _names(form: type[Inputs]) -> Iterator[str]:
+    for cls in _classes(form):
+        yield from vars(cls)
+
+
+def _is_formula(form: type[Inputs], name: str) -> bool:
+    declared = next((vars(c)[name] for c in form.__mro__ if name in vars(c)), None)
+    return isinstance(declared, Declared) and declared.quantity.role != "geometry"
+
+
+def _body(cls: type) -> Iterator[tuple[str, ast.stmt]]:
+    """The members of a class as its file has them."""
+    file = modules[cls.__module__].__file__
+    tree = ast.parse(Path(file or "").read_text("utf-8"))
+    nodes = (n for n in tree.body if isinstance(n, ast.ClassDef) and n.name == cls.__name__)
+    for node in next(nodes).body:
+        if isinstance(node, ast.FunctionDef):
+            yield node.name, node
+        for target in node.targets if isinstance(node, ast.Assign) else ():
+            if isinstance(target, ast.Name):
+                yield target.id, node
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            yield node.target.id, node

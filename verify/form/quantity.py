@@ -1,0 +1,112 @@
+"""A formula of a source, declared once: symbol, unit, what it is, equation, safe side."""
+
+from collections.abc import Callable
+from contextvars import ContextVar
+from dataclasses import KW_ONLY, dataclass, field
+from pathlib import Path
+from typing import Any, Generic, Literal, SupportsFloat, TypeVar, overload
+
+Side = Literal["too high", "too low", ""]
+Role = Literal["formula", "step", "geometry"]
+T = TypeVar("T")
+MEMO = "="  # before the name of a computed value in an instance's __dict__: no field begins so
+_code_changes = [0]  # how often
+solving: ContextVar[bool] = ContextVar("solving", default=False)  # whether a reference is at work
+
+
+class CaseError(ValueError):
+    """A broken rule of a case; the message names file, line, quantity and rule."""
+
+
+@dataclass(eq=False)
+class Quantity:
+    """A formula of the source and all that is stated about it, as decorator of a method.
+
+    The method returns SI units. `equation` is its number in the source, `source` names another
+    one. `tex` is the right side of the equation; left out, it is derived from the code of a method
+    that returns one expression. `safe` is the side on which an error does no harm. `form_of` names
+    the input or quantity of which this is another form, as printed, corrected or for small angles:
+    both share symbol and reference. A "step" of a formula is not compared. "geometry" follows from
+    the inputs without any theory, so that the reference may read it.
+    """
+
+    symbol: str
+    unit: str
+    what: str
+    _: KW_ONLY
+    equation: str = ""
+    source: str = ""
+    tex: str = ""
+    safe: Side = ""
+    form_of: str = ""
+    role: Role = "formula"
+    name: str = field(default="", init=False)
+    formula: Callable[[Any], SupportsFloat] = field(init=False, repr=False)
+
+    def __call__(self, formula: Callable[[Any], SupportsFloat]) -> "Declared":
+        """Declare the method."""
+        self.formula, self.name = formula, formula.__name__
+        return Declared(self)
+
+    @property
+    def label(self) -> str:
+        """What it is, with its equation: "hoop stress, Eq. 9". Rows are named by it."""
+        return f"{self.what}, Eq. {self.equation}" if self.equation else self.what
+
+    def broken(self, owner: type, rule: str) -> CaseError:
+        """The error for a rule that this declaration breaks."""
+        code = self.formula.__code__
+        place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
+        return CaseError(f"{place}: {owner.__name__}.{self.name}: {rule}")
+
+
+@dataclass(frozen=True)
+class Declared:
+    """A quantity as attribute: of the class the declaration, of an instance its number [SI]."""
+
+    quantity: Quantity
+
+    @overload
+    def __get__(self, case: None, owner: type) -> Quantity: ...
+    @overload
+    def __get__(self, case: object, owner: type) -> float: ...
+    def __get__(self, case: object | None, owner: type) -> Quantity | float:
+        q = self.quantity
+        if case is None:
+            return q
+        if solving.get() and q.role != "geometry":
+            raise q.broken(owner, "the reference reads this formula, but must share none")
+        return remembered(case, q.name, lambda: float(q.formula(case)))
+
+
+@dataclass(frozen=True)
+class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
+    """What several formulas read, computed once; like a formula, the reference may not read it."""
+
+    method: Callable[[Any], T]
+
+    @overload
+    def __get__(self, case: None, owner: type) -> "shared[T]": ...
+    @overload
+    def __get__(self, case: object, owner: type) -> T: ...
+    def __get__(self, case: object | None, owner: type) -> "shared[T] | T":
+        if case is None:
+            return self
+        name = self.method.__name__
+        if solving.get():
+            raise CaseError(f"{owner.__name__}.{name}: the reference reads what formulas share")
+        return remembered(case, name, lambda: self.method(case))
+
+
+def forget() -> None:
+    """Have every value computed again: the code of a formula was replaced."""
+    _code_changes[0] += 1
+
+
+def remembered(case: object, name: str, compute: Callable[[], T]) -> T:
+    """A value of an instance, computed once: its inputs never change."""
+    memo, key = case.__dict__, f"{MEMO}{_code_changes[0]} {name}"
+    if key not in memo:
+        memo[key] = compute()
+    found: T = memo[key]
+    return found

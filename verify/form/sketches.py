@@ -1,0 +1,55 @@
+"""Primitives of sketches: circles, rings, rollers, loads, leaders."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from verify.core.figures import Shape, Sketch
+
+Point = tuple[float, float]
+
+
+def sketch(title: str, *parts: Shape | Iterable[Shape]) -> Sketch:
+    """A sketch of shapes and groups of shapes, drawn in this order."""
+    shapes = [s for part in parts for s in ((part,) if isinstance(part, Shape) else part)]
+    return Sketch(title=title, shapes=tuple(shapes))
+
+
+def circle(r: float, style: str = "faint", centre: Point = (0.0, 0.0)) -> Shape:
+    """A circle."""
+    t = np.linspace(0, 2 * np.pi, 73)
+    around = r * np.column_stack([np.cos(t), np.sin(t)])
+    return Shape(style=style, points=np.asarray(centre) + around)
+
+
+def ring(r_i: float, r_o: float) -> tuple[Shape, Shape]:
+    """A body between two circles."""
+    return circle(r_o, "body"), circle(r_i, "hole")
+
+
+def polar(r: float, degrees: float) -> Point:
+    """The point at a radius and an angle."""
+    return r * float(np.cos(np.radians(degrees))), r * float(np.sin(np.radians(degrees)))
+
+
+def rollers(count: int, r: float, at: float) -> list[Shape]:
+    """Circles round the axis, the first one half a pitch from the x axis."""
+    return [circle(r, "faint", polar(at, (k + 0.5) * 360 / count)) for k in range(count)]
+
+
+def radial_loads(count: int, start: float, end: float, label: str) -> list[Shape]:
+    """Arrows along radii from one radius to another, the first one on the x axis with a label."""
+    return [
+        arrow(polar(start, k * 360 / count), polar(end, k * 360 / count), "" if k else label)
+        for k in range(count)
+    ]
+
+
+def arrow(start: Point, end: Point, label: str = "", style: str = "load") -> Shape:
+    """A load."""
+    return Shape(style=style, points=np.array([start, end]), label=label)
+
+
+def leader(start: Point, end: Point, label: str) -> Shape:
+    """A text with a line to what it names."""
+    return arrow(start, end, label, "leader")

@@ -1,0 +1,96 @@
+r"""Equations as TeX: with numbers put in, evaluated, as plain text.
+
+Numbers keep their units (210 GPa · 0.06 mm), so that no reader has to guess a system of units.
+"""
+
+import math
+import re
+from collections.abc import Mapping
+
+from verify.core.tex import tex as number
+
+_NAMES = """alpha beta gamma delta varepsilon zeta eta theta kappa lambda mu nu xi pi rho sigma
+    tau varphi chi psi omega Gamma Delta Theta Lambda Sigma Phi Psi Omega"""
+GREEK = dict(zip("αβγδεζηθκλμνξπρστφχψωΓΔΘΛΣΦΨΩ", _NAMES.split(), strict=True))
+LETTER = {rf"\{name}": letter for letter, name in GREEK.items()}
+FUNCTIONS = {"log": "ln", "sqrt": "sqrt", "sin": "sin", "cos": "cos", "tan": "tan", "exp": "exp",
+             "asin": "arcsin", "acos": "arccos", "atan": "arctan"}  # fmt: skip
+OPENS = {rf"\{name}" for name in (*FUNCTIONS.values(), "frac", "left")} | {"("}
+TOKENS = r"\\mathrm\{[^}]*\}|\\[A-Za-z]+|\\.|\s+|\d+(?:\.\d+)?|."
+
+
+def symbol_tex(symbol: str) -> str:
+    r"""A symbol as TeX: σ_t gives \sigma_t, p_1r gives p_{1r}.
+
+    >>> symbol_tex("σ_max"), symbol_tex("Δd_m")
+    ('\\sigma_{max}', '\\Delta d_m')
+    """
+    base, _, below = symbol.partition("_")
+    base = "".join(rf"\{GREEK[c]} " if c in GREEK else c for c in base).strip()
+    return f"{base}_{below if len(below) == 1 else f'{{{below}}}'}" if below else base
+
+
+def with_unit(value: float, unit: str, digits: int = 6) -> str:
+    """A number in its display unit, as TeX."""
+    return number(value, digits) + ("" if unit == "1" else rf"\,\mathrm{{{unit}}}")
+
+
+def put_in(tex: str, numbers: Mapping[str, str]) -> str:
+    r"""The equation with `numbers` for its symbols, a dot between factors.
+
+    >>> put_in(r"\frac{E j_D}{d_m^2}", {"E": "210", "j_D": "0.06", "d_m": r"76\,\mathrm{mm}"})
+    '\\frac{210 \\cdot 0.06}{\\left(76\\,\\mathrm{mm}\\right)^2}'
+    """
+    names = "|".join(map(re.escape, sorted(numbers, key=len, reverse=True)))
+    out, closed = "", False  # closed: what stands before ends a factor
+    for match in re.finditer(rf"(?:{names})(?!_|(?<=[A-Za-z]{{2}})[A-Za-z])|{TOKENS}", tex):
+        token = match[0]
+        value = numbers.get(token)
+        if token.isspace():
+            continue
+        operand = value is not None or token[0].isalnum() or token in LETTER
+        dot = r" \cdot " if closed and (operand or token in OPENS) else ""
+        closed = operand or token in (")", "}")
+        if value is not None and (value.startswith("-") or tex[match.end() :].startswith("^")):
+            value = rf"\left({value}\right)" if value.strip("0123456789.") else value
+        spaced = f" {token} " if token in ("+", "-", "=") else token
+        letters = out[-1:].isalpha() and token[0].isalpha()  # \ln x must not become \lnx
+        out += dot + (" " if letters and not dot else "") + (spaced if value is None else value)
+    return out.replace("( - ", "(-").strip()
+
+
+def plain(tex: str) -> str:
+    """The equation in one line of text, for the terminal."""
+    text = re.sub(r"\\mathrm\{([^}]*)\}", r"\1", tex).replace(r"\,", " ").replace(r"\ ", " ")
+    text = (
+        re.sub(r"\\left|\\right|\\quad", "", text).replace(r" \cdot ", "·").replace(r"\cdot", "·")
+    )
+    text = re.sub(r"_\{([^{}]*)\}", r"_\1", text)
+    fraction = r"\\frac\{([^{}]*)\}\{([^{}]*)\}"
+    while (
+        flat := re.sub(fraction, _over, re.sub(r"(\\sqrt|\^)\{([^{}]*)\}", r"\1(\2)", text))
+    ) != text:
+        text = flat
+    text = re.sub(r"\\[A-Za-z]+", lambda m: LETTER.get(m[0], m[0][1:]), text)
+    return re.sub(r"  +", " ", text).strip()
+
+
+def _over(match: re.Match[str]) -> str:
+    """a/b in one line, in brackets where what stands around would take it apart."""
+    above, below = (
+        m if re.fullmatch(r"[\w.\\]+|\([^()]*\)", m) else f"({m})" for m in match.groups()
+    )
+    before, after = match.string[: match.start()], match.string[match.end() :]
+    inside = after.startswith("^") or before[-1:].isalpha()
+    return f"({above}/{below})" if inside else f"{above}/{below}"
+
+
+def evaluate(tex: str, values: Mapping[str, float]) -> float | None:
+    """What the equation gives for SI `values` by symbol; None where it is more than arithmetic."""
+    text = plain(put_in(tex, {name: f"({value!r})" for name, value in values.items()}))
+    known = {name: getattr(math, code) for code, name in FUNCTIONS.items()} | {"π": math.pi}
+    try:
+        code = text.replace("·", "*").replace("^", "**")
+        return float(eval(code, {"__builtins__": {}}, known))  # noqa: S307 - the case's own TeX
+    except (SyntaxError, NameError, TypeError, AttributeError):
+        return None
