@@ -20,10 +20,34 @@ from verify.form.comparisons import (
     limit,
     over_family,
 )
+from verify.form.fields import picture, plane_field
+from verify.form.figures import Overlay
 from verify.form.quantity import CaseError, Quantity, shared
 
 __all__ = [
-    "Case", "CaseError", "Comparison", "Expected", "Level", "Quantity", "Scan", "about",
-    "approximation", "balance", "count", "fact", "given", "identity", "limit", "over_family",
-    "shared", "sketches", "solved", "table", "text", "word",
-]  # fmt: skip
+    "Case",
+    "CaseError",
+    "Comparison",
+    "Expected",
+    "Level",
+    "Overlay",
+    "Quantity",
+    "Scan",
+    "about",
+    "approximation",
+    "balance",
+    "count",
+    "fact",
+    "given",
+    "identity",
+    "limit",
+    "over_family",
+    "picture",
+    "plane_field",
+    "shared",
+    "sketches",
+    "solved",
+    "table",
+    "text",
+    "word",
+]

@@ -130,7 +130,7 @@ def test_a_record_stays_where_processes_die(measured_here, tmp_path, capsys):
     for file in (tmp_path / "cache").glob("store.sqlite*"):
         file.unlink()
     assert not measuring.BUDGET.measure_missing([made.CASE], Dying(), again=True)
-    assert re.search(r"not stored: the processes of \d+ reruns died", capsys.readouterr().out)
+    assert re.search(r"not stored: \d+ reruns have no answer", capsys.readouterr().out)
     assert kept.RECORDS.stored(made.CASE.id) == before
 
 
@@ -140,12 +140,16 @@ def test_a_store_that_takes_nothing_is_found_before_the_work(measured_here, tmp_
         measured_here()
 
 
-def test_a_fault_of_the_machine_ends_the_run_and_stores_no_record(measured_here, monkeypatch):
-    def full(*_):
-        raise OSError("no space left")
+@pytest.mark.parametrize("error", [MemoryError, OSError])
+def test_a_fault_of_the_machine_ends_the_run_and_stores_no_record(
+    measured_here, monkeypatch, error
+):
+    def fem(*_):
+        raise error("no room")
 
-    monkeypatch.setattr(measuring, "solved", full)
-    with pytest.raises(GoneError, match=r"reruns cannot be solved here: OSError: no space left"):
+    monkeypatch.setattr(made, "CASE", replace(made.CASE, reference=fem))
+    monkeypatch.setattr(registry, "CASES", (made.CASE,))
+    with pytest.raises(GoneError, match=rf"reruns cannot be solved here: {error.__name__}: no "):
         measured_here()
     assert kept.RECORDS.stored(made.CASE.id) is None
 

@@ -312,6 +312,8 @@ def test_the_command_lists_and_clears(tmp_path, monkeypatch, capsys):
         (["--code", "numpy.linalg"], "--code numpy.linalg: no module of the project"),
         (["--code", "analytic..ring"], "--code analytic..ring: no module of the project"),
         (["--code", "fem.nosuch"], "--code fem.nosuch: no module of the project"),
+        (["--code", "fem.plane"], "--code fem.plane: is a package: name one of its modules"),
+        (["ring-lame", "--code", "fem.plane.solve"], "a case or a module, one of them"),
     ],
 )
 def test_options_that_make_no_sense_are_refused(arguments, message, tmp_path, monkeypatch, capsys):

@@ -95,6 +95,27 @@ def test_a_point_whose_process_died_has_its_reason_and_is_solved_by_the_next_run
     assert not any(one.problem_fe or one.lost for one in again.solutions)
 
 
+@pytest.mark.parametrize("error", [MemoryError, OSError])
+def test_a_point_on_which_the_machine_failed_is_solved_by_the_next_run(
+    tmp_path, called, monkeypatch, error
+):
+    case = registry.CASES[0]
+
+    def fails(*_):
+        raise error("no room")
+
+    broken = replace(case, reference=fails)
+    monkeypatch.setattr(registry, "CASES", (broken,))
+    point._known.cache_clear()
+    plan = replace(planned("a=2mm:6mm:3"), case=broken)
+    lost = solve(plan, Here(), folder=tmp_path)
+    assert {one.problem_fe for one in lost.solutions} == {f"level 1: {error.__name__}: no room"}
+    monkeypatch.setattr(registry, "CASES", (case,))
+    point._known.cache_clear()
+    again = solve(planned("a=2mm:6mm:3"), Here(), folder=tmp_path)
+    assert (again.timing.points, again.timing.known) == (3, 0)
+
+
 def test_refused_points_are_neither_solved_nor_known(tmp_path, called):
     plan = planned("n=0,3,4")
     timings = [solve(plan, Here(), folder=tmp_path).timing for _ in range(2)]

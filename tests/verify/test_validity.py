@@ -64,7 +64,7 @@ def test_a_record_stays_where_processes_die(folder, known, capsys):
     for file in (folder.parent / "cache").glob("store.sqlite*"):
         file.unlink()
     assert not VALIDITY.measure_missing([PLATE], Dying(), again=True)
-    assert "not stored: the processes of" in capsys.readouterr().out
+    assert "points have no answer" in capsys.readouterr().out
     assert kept.RECORDS.stored(PLATE.id) == before
 
 

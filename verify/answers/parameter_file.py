@@ -10,6 +10,7 @@ import numpy as np
 from verify.answers.assumed.complete import build_completed
 from verify.answers.assumed.registry import TASKS
 from verify.answers.assumed.rules import Assumed
+from verify.cases.files import is_file_name
 from verify.cases.registry import find
 from verify.core.case import Case, Values
 from verify.core.inputs import InputError, Inputs, read_parameter_file
@@ -61,7 +62,7 @@ def _with_defaults(case_id: str, message: str) -> str:
 
 def _case(case_id: str, path: Path) -> Case:
     try:
-        return find(case_id)
+        return find(str(path.parent / case_id) if is_file_name(case_id) else case_id)
     except ValueError as error:
         if case_id in TASKS:
             task = f"a task for freewheel design: freewheel design {shlex.quote(str(path))}"

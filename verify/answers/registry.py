@@ -85,11 +85,21 @@ def answer(
 
     `values` are those of the formulas. Where only the criteria are needed, `with_design` is False.
     """
-    rule = RULES[case.id]
+    rule = RULES.get(case.id) or _outside(case)
     part = Assessment(design=_output(case, rule.design, values), with_design=with_design,
                       assumed=frozenset(assumed))  # fmt: skip
     rule.assess(inputs, values, part)
     return part.answer()
+
+
+def _outside(case: Case) -> Rule:
+    """The rule of a case outside the suite: its first formula that is compared, and no criteria."""
+    return Rule(next((one.key for one in case.outputs if one.judged), ""), no_criteria)
+
+
+def no_criteria(_q: Any, _v: Values, part: Assessment) -> None:
+    """A case outside the suite has formulas and no limits of a part."""
+    part.unknowns.append("this case states no limits, which the part could hold or exceed")
 
 
 def _output(case: Case, key: str, values: Values) -> Quantity | None:

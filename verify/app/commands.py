@@ -113,12 +113,14 @@ def make_report(
     from verify.app.provenance import provenance
     from verify.papers.ledgers import ledgers
 
+    suite = {case.id for case in CASES}
+    own = [result for result in results if result.id in suite]
     return Report(
         cases=tuple(results),
-        provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(results)},
+        provenance={**provenance(ROOT, results, seconds), "left_out": len(CASES) - len(own)},
         name=name,
         validity=() if name else _validity(results, cases),
-        drift=None if name else since(results),
+        drift=None if name or not own else since(own),
         searches=() if name else searches([case.id for case in cases]),
         budgets=() if name else _budgets(results, cases),
         crosschecks=() if name else _crosschecks(results),

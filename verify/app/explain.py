@@ -7,7 +7,8 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from verify.app.commands import load
-from verify.cases.registry import CASES
+from verify.cases.files import is_file_name
+from verify.cases.registry import CASES, find
 from verify.core.case import Case, Context
 from verify.core.inputs import InputError, Inputs
 from verify.core.results import Row, Status
@@ -24,7 +25,10 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
     """Explain the row that `words` name, on the parameters of the file if the last word is one."""
     path = _file(words[-1]) if words else None
     wanted = " ".join(words[:-1] if path else words)
-    if path is None:
+    if path is not None and is_file_name(path.name):
+        case, inputs = find(str(path)), find(str(path)).inputs()
+        row_id = find_row(wanted, row_ids(case, inputs, paper=True), f" of {path}")
+    elif path is None:
         known = {row: case for case in CASES for row in row_ids(case, case.inputs(), paper=True)}
         row_id = find_row(wanted, list(known))
         case, inputs = known[row_id], known[row_id].inputs()
@@ -41,7 +45,7 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
 def _file(word: str) -> Path | None:
     """A parameter file, also one that cannot be read, for reading it says why."""
     path = Path(word)
-    named = word.endswith(".toml") or path.is_file() or (os.sep in word and path.is_dir())
+    named = word.endswith((".toml", ".py")) or path.is_file() or (os.sep in word and path.is_dir())
     return path if named else None
 
 

@@ -68,14 +68,16 @@ def _is_part(module: str, case: Case, side: str) -> bool:
 
 
 def _module(name: str) -> str:
-    """The dotted name of a module that is given so, or as a file of the project."""
+    """The dotted name of a module that is given so, or as a file, from here or from the project."""
     path = Path(name)
     if path.suffix == ".py":
-        full = path.resolve()
+        full = (path if path.is_file() else ROOT / path).resolve()
         parts = full.relative_to(ROOT).with_suffix("").parts if full.is_relative_to(ROOT) else ()
         name = ".".join(parts)
     if not is_of_project(name) or not all(name.split(".")) or not source_code.is_module(name):
         raise InputError(f"--code {path}: no module of the project, such as analytic.ring.lame")
+    if source_code.is_package(name):
+        raise InputError(f"--code {path}: is a package: name one of its modules")
     return name
 
 

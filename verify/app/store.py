@@ -58,9 +58,9 @@ def run_origin(case: str, code: str, *, other: bool) -> int:
     if other:
         named = case or f"--code {code}"
         raise InputError(f"store {named}: --json and --clear go without a case and without --code")
-    for lines in (of_case(case) if case else (), of_module(code) if code else ()):
-        for line in lines:
-            print(line)
+    if case and code:
+        raise InputError(f"store {case} --code {code}: a case or a module, one of them")
+    print("\n".join(list(of_case(case) if case else of_module(code))))
     return 0
 
 

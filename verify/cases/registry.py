@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from difflib import get_close_matches
 
+from verify.cases import files
 from verify.cases.contact.line.flat import FLAT
 from verify.cases.contact.line.pair import PAIR
 from verify.cases.contact.line.ring import RING
@@ -74,8 +75,10 @@ def find_any(case_id: str) -> Case:
 
 
 def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
-    """The case named `case_id`; ValueError with names like it."""
-    for case in among:
+    """The case named `case_id`, or of a file; ValueError with names like it."""
+    if files.is_file_name(case_id):
+        return _own(files.load(case_id), case_id)
+    for case in (*among, *files.loaded()):
         if case.id == case_id:
             return case
     known = [case.id for case in among]
@@ -83,6 +86,12 @@ def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
     meant = f", did you mean {near[0]}?" if near else ";"
     more = ", see freewheel list" if len(known) > FEW else ""
     raise ValueError(f"unknown case {case_id!r}{meant} there are {nearest(case_id, known)}{more}")
+
+
+def _own(case: Case, file: str) -> Case:
+    if any(case.id == other.id for other in (*CASES, *DEEP)):
+        raise ValueError(f"{file}: the suite has a case {case.id} already; give it another id")
+    return case
 
 
 Case.finder = staticmethod(find_any)

@@ -15,7 +15,7 @@ SETTINGS = (
     # overwriting what is removed would need room on a disk that has none
     "PRAGMA secure_delete = OFF",
 )
-NO_ROOM = "full"  # in the message of SQLite
+NO_ROOM = ("full", "disk I/O")  # in messages of SQLite
 
 
 @dataclass(frozen=True)
@@ -37,18 +37,18 @@ class Database:
     @contextmanager
     def writing(self, patience: float | None = None) -> Iterator[sqlite3.Connection]:
         """One transaction, all or nothing; OSError where it cannot be done within `patience` s."""
-        with self._named_errors(), _closed(self._prepared(patience)) as database, database:
+        with self._named_errors("stored"), _closed(self._prepared(patience)) as database, database:
             yield database
 
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:
         """A connection to read by, also on a full disk and in a folder that takes no files."""
-        with self._named_errors(), _closed(self._readable()) as database:
+        with self._named_errors("read"), _closed(self._readable()) as database:
             yield database
 
     def compact(self) -> None:
         """Give free pages back to the file system, which needs as much room for a while."""
-        with self._named_errors(), _closed(self._prepared(None)) as database:
+        with self._named_errors("stored"), _closed(self._prepared(None)) as database:
             database.isolation_level = None
             database.execute("VACUUM")
 
@@ -106,16 +106,16 @@ class Database:
         return found
 
     @contextmanager
-    def _named_errors(self) -> Iterator[None]:
+    def _named_errors(self, done: str) -> Iterator[None]:
         try:
             yield
         except sqlite3.Error as error:
             hint = ""
             if type(error) is sqlite3.DatabaseError:  # others, such as a lock, are its subclasses
                 hint = "; remove it to begin again"
-            elif NO_ROOM in str(error):
+            elif any(words in str(error) for words in NO_ROOM):
                 hint = "; make room on its disk, or remove it to begin again"
-            raise OSError(f"{self.path}: {error}: results cannot be stored there{hint}") from error
+            raise OSError(f"{self.path}: {error}: results cannot be {done} there{hint}") from error
 
 
 @contextmanager

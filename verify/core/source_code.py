@@ -19,9 +19,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from verify.core.plain_code import is_of_project, plain
+from verify.core.plain_code import PROJECT, is_of_project, plain
 
 COMPILED = "analytic.sprag.engagement"
+_outside: set[Path] = set()
 OF_BOTH = re.compile(r"[._](inputs|description)$")  # modules that make what both sides take
 
 
@@ -180,9 +181,23 @@ def _is_formula(name: str) -> bool:
     return name.partition(".")[0] == "analytic"
 
 
+def include(folder: Path) -> None:
+    """Have modules of a folder outside the suite count, as those of the suite's cases do."""
+    _outside.add(folder)
+
+
+def _is_outside(package: str) -> bool:
+    if not _outside:
+        return False
+    spec = find_spec(package)
+    return spec is not None and spec.origin is not None and Path(spec.origin).parent in _outside
+
+
 def _counts(name: str) -> bool:
     """Whether `name` is a module on which a finite-element result may depend."""
     package = name.partition(".")[0]
+    if package not in PROJECT and _is_outside(package):
+        return is_module(name)
     if not (package in ("analytic", "fem", "meshes") or name.startswith("verify.cases.")):
         return False
     return is_module(name)
@@ -191,10 +206,18 @@ def _counts(name: str) -> bool:
 @cache
 def is_module(name: str) -> bool:
     """Whether a dotted name is a module of the project, not a name inside one."""
-    parent = find_spec(name.rpartition(".")[0] or name)
+    if "." not in name:
+        return find_spec(name) is not None
+    parent = find_spec(name.rpartition(".")[0])
     if parent is None or parent.submodule_search_locations is None:
         return False  # the last part is a name inside a module, which asking would import
     return find_spec(name) is not None
+
+
+def is_package(name: str) -> bool:
+    """Whether a module of the project has modules inside it."""
+    spec = find_spec(name)
+    return spec is not None and spec.submodule_search_locations is not None
 
 
 def _reached(start: set[str], *, whole: bool) -> set[str]:

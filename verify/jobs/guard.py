@@ -2,6 +2,7 @@
 
 import traceback
 from collections.abc import Callable
+from concurrent.futures import BrokenExecutor
 from dataclasses import replace
 from typing import Any
 
@@ -21,6 +22,11 @@ def unsolved(error: BaseException) -> bool:
     """Whether a solver raised the error to report that it has no solution; others are faults."""
     faults = ZeroDivisionError, OverflowError, FloatingPointError
     return isinstance(error, ArithmeticError) and not isinstance(error, faults)
+
+
+def of_machine(error: BaseException) -> bool:
+    """Whether the machine failed, such as for want of memory: another run may not fail."""
+    return isinstance(error, MemoryError | OSError | BrokenExecutor)
 
 
 class Guard:

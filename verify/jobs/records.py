@@ -1,8 +1,9 @@
 """Records of long measurements: small files of the project, valid for the code that made them.
 
-All kinds have one form: {"kind", "subject", "date", "made by", "checksum", "content"}. "made by" is
+All kinds have one form: {"checksum", "kind", "subject", "date", "made by", "content"}. "made by" is
 everything that the content depends on: hashes of code, inputs, settings. A record is current while
-it equals what the present code states. The checksum of the content tells an edited or damaged file.
+it equals what the present code states. The checksum of all the rest tells an edited or damaged
+file.
 """
 
 import hashlib
@@ -47,7 +48,7 @@ class Records:
             data = json.loads(self.path(subject).read_text("utf-8"))
             if (data["kind"], data["subject"]) != (self.kind, subject):
                 return None
-            if data["checksum"] != checksum(data["content"]):
+            if data.pop("checksum") != checksum(data):
                 return None
             day = date.fromisoformat(data["date"]).isoformat()
             return Record(day, data["made by"], data["content"])
@@ -70,11 +71,12 @@ class Records:
     def keep(self, subject: str, made_by: Any, content: Any) -> Path:
         """Write the record with the date of today and return its file; OSError if it can't."""
         path = self.path(subject)
-        made_by, content = json.loads(json.dumps([made_by, content], allow_nan=False))
-        text = _lines({
+        text = json.dumps({
             "kind": self.kind, "subject": subject, "date": today(), "made by": made_by,
-            "checksum": checksum(content), "content": content,
-        })  # fmt: skip
+            "content": content,
+        }, allow_nan=False)  # fmt: skip
+        data = json.loads(text)
+        text = _lines({"checksum": checksum(data)} | data)
         try:
             write_whole(path, lambda file: file.write(f"{text}\n".encode()))
         except OSError as error:
@@ -82,9 +84,9 @@ class Records:
         return path
 
 
-def checksum(content: Any) -> str:
-    """Hexadecimal name of a content as JSON, of its values and not of its layout."""
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:16]
+def checksum(data: Any) -> str:
+    """Hexadecimal name of a record without its checksum, of its values and not of its layout."""
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:16]
 
 
 def today() -> str:

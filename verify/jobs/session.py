@@ -1,7 +1,6 @@
 """Run jobs for a command: cache, processes, progress, and a clean end when stopped."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 from verify.core.progress import shown
@@ -23,29 +22,30 @@ def solve(
     KeyboardInterrupt and GoneError say what is stored for the next run.
     """
     refuse_reimport()
-    folder = _writable_cache() if use_cache and any(job.use_fem for job in work) else None
+    folder = _cache_folder() if use_cache and any(job.use_fem for job in work) else None
     with shown(quiet=quiet) as show:
         return run(work, engine=where.entered(), cache_folder=folder, show=show, warn=_say)
 
 
-def _writable_cache() -> Path | None:
-    """The folder of the store; None, with a message, where nothing can be stored."""
+def _cache_folder() -> Path | None:
+    """The folder of the store; None, with a message, where it can be neither written nor read."""
     folder = cache.default_folder()
+    store = Store(folder)
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            pass
-    except OSError as error:
-        _say(f"no cache in {folder} ({error.strerror}): going on")
-        return None
-    try:
+        store.check()
         if moved := adopt(folder):
-            _say(f"{moved} results of an earlier version were moved into {Store(folder).path}")
-        Store(folder).trim()
+            _say(f"{moved} results of an earlier version were moved into {store.path}")
     except OSError as error:
         _say(f"{error}: going on without")
-        return None
+        return folder if _is_readable(store) else None
     return folder
+
+
+def _is_readable(store: Store) -> bool:
+    try:
+        return bool(store.groups())
+    except OSError:
+        return False
 
 
 def _say(message: str) -> None:

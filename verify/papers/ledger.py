@@ -80,8 +80,8 @@ def papers() -> tuple[Paper, ...]:
 
 
 def cited(key: str) -> str:
-    """First author and year of the paper with this key; KeyError where there is none."""
-    return {paper.key: paper.cited for paper in papers()}[key]
+    """First author and year of the paper with this key; another source as it is cited."""
+    return {paper.key: paper.cited for paper in papers()}.get(key, key)
 
 
 @cache

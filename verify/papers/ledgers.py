@@ -13,7 +13,7 @@ def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, A
     """Records of the ledgers and the papers' tables for `verify.core.results.Report`."""
     used = claimed(results, cases)
     return {
-        "papers": tuple(_paper(p, used) for p in papers()),
+        "papers": (*(_paper(p, used) for p in papers()), *_other_sources(cases)),
         "equations": tuple(
             {"paper": p.key, **e.model_dump()} for p in papers() for e in p.equations
         ),
@@ -25,6 +25,17 @@ def ledgers(results: Sequence[CaseResult], cases: Sequence[Case]) -> dict[str, A
         ),
         "tables": paper_tables(results, cases),
     }
+
+
+def _other_sources(cases: Sequence[Case]) -> list[dict[str, Any]]:
+    """Books and papers of cases outside the suite, which have no ledger."""
+    keys = {paper.key for paper in papers()}
+    none = ("values", "claimed", "equations", "errata", "implemented", "argued", "missing")
+    return [
+        {"key": source, "authors": source, "title": "", "source": "", "year": None, "doi": ""}
+        | dict.fromkeys(none, 0)
+        for source in dict.fromkeys(case.paper for case in cases) if source not in keys
+    ]  # fmt: skip
 
 
 def claimed(results: Sequence[CaseResult], cases: Sequence[Case]) -> Mapping[str, list[str]]:

@@ -56,6 +56,10 @@ def test_what_a_child_started_does_not_keep_its_answer():
     assert time.monotonic() - start < 10
 
 
+def test_an_answer_that_is_no_json_is_told():
+    assert answer(lambda: {1, 2}, 20.0).failure.startswith("TypeError")
+
+
 def killed():
     os.kill(os.getpid(), signal.SIGKILL)
 

@@ -130,8 +130,10 @@ def _has_ended(pid: int) -> bool:
 
 def _rest(pipe: int) -> bytes:
     """What a pipe has, and what is being written into it."""
-    found = bytearray()
-    while select.select([pipe], [], [], GRACE)[0] and (piece := os.read(pipe, 1 << 16)):
+    found, end = bytearray(), time.monotonic() + SPARE
+    while time.monotonic() < end and select.select([pipe], [], [], GRACE)[0]:
+        if not (piece := os.read(pipe, 1 << 16)):
+            break
         found += piece
     return bytes(found)
 
@@ -158,12 +160,12 @@ def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
     return out, pid
 
 
-def _outcome(task: Task, function: Callable[[Task], Any]) -> tuple[Any, str]:
-    """What the function returns for the task, and in words what it raises."""
+def _outcome(task: Task, function: Callable[[Task], Any]) -> str:
+    """JSON of what the function returns for the task, and in words what it raises."""
     try:
-        return function(task), ""
+        return json.dumps([function(task), ""])
     except Exception as error:
-        return None, named(error)
+        return json.dumps([None, named(error)])
 
 
 def _work(task: Task, function: Callable[[Task], Any], into: int) -> None:
@@ -179,7 +181,7 @@ def _work(task: Task, function: Callable[[Task], Any], into: int) -> None:
         nowhere = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(nowhere, stream)
-        text = json.dumps(_outcome(task, function)).encode()
+        text = _outcome(task, function).encode()
         with os.fdopen(into, "wb") as pipe:
             pipe.write(text)
         status = 0

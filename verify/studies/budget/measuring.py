@@ -118,7 +118,7 @@ class _Run:
         found = budgets(plan, mine)
         spent = sum(one.seconds for one in mine.values())
         if lost := sum(step.case == plan.case.id for step in self.lost):
-            print(f"{NAME}:{plan.case.id}: not stored: the processes of {lost} reruns died")
+            print(f"{NAME}:{plan.case.id}: not stored: {lost} reruns have no answer")
         else:
             kept.keep(plan, found, spent)
         bad = {step.title: one.problem for step, one in mine.items() if one.problem}

@@ -16,7 +16,7 @@ from verify.core import source_code
 from verify.core.case import FemResult
 from verify.core.store import Store
 from verify.jobs import cache
-from verify.jobs.guard import named, unsolved
+from verify.jobs.guard import named, of_machine, unsolved
 from verify.jobs.level import keep_level
 from verify.studies.budget import plan as plans
 from verify.studies.budget.changes import changed
@@ -40,7 +40,10 @@ class Solution:
 
 
 def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
-    """The solution of a step: from the cache, or computed and kept, whatever goes wrong in it."""
+    """The solution of a step: from the store, or computed and stored, whatever goes wrong in it.
+
+    MemoryError and OSError where the machine fails: that is no result.
+    """
     store = None if folder is None else Store(folder)
     if store is not None and (stored := _stored(store, key(plan, step))) is not None:
         return stored
@@ -55,6 +58,8 @@ def solved(plan: Plan, step: Step, folder: Path | None) -> Solution:
             float(result.h), time.perf_counter() - start,
         )  # fmt: skip
     except Exception as error:  # gmsh raises Exception itself
+        if of_machine(error):
+            raise
         said = str(error) if unsolved(error) else named(error)
         found = Solution({}, {}, {}, math.nan, time.perf_counter() - start, " ".join(said.split()))
     if store is not None and not found.problem:

@@ -16,7 +16,7 @@ import numpy as np
 from verify.core import source_code
 from verify.core.case import Case, Portion
 from verify.core.inputs import Inputs
-from verify.jobs.guard import named, unsolved
+from verify.jobs.guard import named, of_machine, unsolved
 from verify.studies.sweep.pairs import LEVELS, whole
 
 
@@ -29,7 +29,7 @@ class Solution:
     """What a point has given: values [SI] by key, of finite elements by level, coarse to fine.
 
     `u_it` holds the largest iteration uncertainty of all levels. The problems say in one line why
-    there are no values of a side; the process of a `lost` one died, which another may not do.
+    there are no values of a side. A point is `lost` where the process died or the machine failed.
     """
 
     formulas: Mapping[str, float]
@@ -93,7 +93,8 @@ def _with_formulas(found: Solution, case: Case, inputs: Any) -> Solution:
         values = case.analytic(inputs)
         return replace(found, formulas={key: float(value) for key, value in values.items()})
     except Exception as error:  # whatever it is, it is this point's alone
-        return replace(found, problem_formulas=_said("formulas", error))
+        problem = _said("formulas", error)
+        return replace(found, problem_formulas=problem, lost=of_machine(error))
 
 
 def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
@@ -102,7 +103,8 @@ def _with_fe(found: Solution, part: Portion, inputs: Any) -> Solution:
         try:
             levels.append(part.fem(inputs, level))
         except Exception as error:  # gmsh raises Exception itself
-            return replace(found, problem_fe=_said(f"level {level}", error))
+            problem = _said(f"level {level}", error)
+            return replace(found, problem_fe=problem, lost=of_machine(error))
     keys = dict.fromkeys(key for one in levels for key in one.values)
     return replace(
         found,

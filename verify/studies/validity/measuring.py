@@ -16,8 +16,8 @@ from verify.studies.validity import store
 def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
     """Solve the scans of each case, store their errors and print how many points there were.
 
-    An interrupted run continues where it was. False where processes died: such a case is not
-    stored. Points that finite elements do not solve are results, and counted.
+    An interrupted run continues where it was. False where processes died or the machine failed:
+    such a case is not stored. Points that finite elements do not solve are results, and counted.
     """
     good = True
     with shown(quiet=False) as show:
@@ -29,7 +29,7 @@ def measure(cases: Sequence[Case], where: Where, again: bool) -> bool:
             lost = sum(point.lost for one in found for point in one.solved.solutions)
             if lost:
                 good = False
-                print(f"{VALIDITY.title(case)}: not stored: the processes of {lost} points died")
+                print(f"{VALIDITY.title(case)}: not stored: {lost} points have no answer")
                 continue
             store.keep(case, found)
             points = sum(len(one.solved.plan.points) for one in found)

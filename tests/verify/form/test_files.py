@@ -1,0 +1,114 @@
+"""Cases in files outside the suite: commands that take them, and one clear line where they fail."""
+
+import json
+import os
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from verify.app.cli import run
+from verify.cases import files, registry
+from verify.core import source_code
+
+EXAMPLE = Path(__file__).parents[3] / "examples" / "winkler_bach.py"
+OWN = """case = "{file}"
+[inputs]
+r_i = "50 mm"
+r_o = "90 mm"
+b = "20 mm"
+M = "300 N m"
+"""
+INNER = "return self.M * (self.r_n - self.r_i)"
+names = iter(range(1000))  # a module is read once: each test has a file of its own
+
+
+@pytest.fixture
+def bar(tmp_path, monkeypatch):
+    """A copy of the example with replacements, and its path as the command line takes it."""
+    monkeypatch.setenv("FREEWHEEL_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv(files.FILES, "")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(source_code, "_outside", set())
+
+    def copied(*changes):
+        name = f"curved_bar_{os.getpid()}_{next(names)}.py"
+        text = EXAMPLE.read_text("utf-8")
+        for old, new in changes:
+            assert old in text
+            text = text.replace(old, new)
+        (tmp_path / name).write_text(text, "utf-8")
+        return name
+
+    yield copied
+    files._loaded.cache_clear()
+
+
+def test_a_file_is_verified_in_worker_processes(bar, capsys):
+    assert run(["verify", bar(), "--out", "out", "--jobs", "2"]) == 0
+    data = json.loads(Path("out/results.json").read_text("utf-8"))
+    assert {row["status"] for row in data["rows"]} == {"PASS"}
+    assert "Timoshenko" in Path("out/report.html").read_text("utf-8")
+    assert "since 0.1.0" not in capsys.readouterr().out  # no release has these rows
+
+
+def test_a_parameter_file_names_a_case_file_beside_it(bar, capsys):
+    Path("my.toml").write_text(OWN.format(file=bar()), "utf-8")
+    assert run(["check", "my.toml"]) == 3  # no limits, so that nothing holds or fails
+    assert "σ_i  69.4981   MPa" in capsys.readouterr().out
+    assert run(["sweep", "my.toml", "--vary", "r_i=60mm:80mm:2", "--out", "sweep"]) == 0
+    assert "2 of 2 points solved" in capsys.readouterr().out
+    assert run(["explain", "inner edge", "my.toml"]) == 0
+
+
+def test_a_formula_that_is_off_fails_its_row(bar, capsys):
+    file = bar(
+        ("return self.M * (self.r_n - self.r_i)", "return 1.02 * self.M * (self.r_n - self.r_i)")
+    )
+    assert run(["verify", file, "--out", "out"]) == 1
+    assert "FAIL" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (('"MPa", "stress at the inner', '"MPx", "stress at the inner'),
+         r".py:\d+: CurvedBar.sigma_i: .*MPx"),
+        (("def e(self) -> float:", "def e(self) -> float"), r".py:\d+: expected ':'"),
+        (('@Quantity("e", "mm"', '@Quantity("r_n", "mm"'),
+         r".py:\d+: CurvedBar.e: the symbol r_n is that of r_n already"),
+        (('given("100 mm", "mm"', 'given("100 m m", "mm"'), r'.py:\d+: ValueError: "100 m m"'),
+        (("import log", "import logarithm"), r".py:\d+: ImportError: cannot import name"),
+        (('    title = "Bending stresses of a curved bar"\n', ""),
+         ": declares no subclass of Case with a title"),
+        (('    title = ', '    id = "ring-lame"\n    title = '),
+         ": the suite has a case ring-lame already; give it another id"),
+    ],
+)  # fmt: skip
+def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
+    assert run(["verify", bar(change), "--out", "out"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.search(message, line), line
+    assert line.startswith("freewheel: ")
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("nosuch.py", "nosuch.py: there is no such file"),
+     ("json.py", "another module is called json; rename the file"),
+     ("my-bar.py", "rename the file: letters, digits and _")],
+)  # fmt: skip
+def test_a_file_that_cannot_be_a_module_is_one_line(name, message, bar, capsys):
+    if name != "nosuch.py":
+        shutil.copy(bar(), name)
+    assert run(["verify", name, "--out", "out"]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_helper_beside_the_file_counts_in_the_key(bar):
+    imported = ("from math import log", "from math import log\nfrom helper_of_bar import twice")
+    file = bar(imported, ("-self.M / moment", "-twice(self.M) / moment / 2"))
+    Path("helper_of_bar.py").write_text("def twice(x):\n    return 2 * x\n", "utf-8")
+    case = registry.find(file)
+    assert "helper_of_bar" in source_code.parts_of(case.reference)[1]

@@ -1,0 +1,80 @@
+"""Cases in files outside the suite: a Python file with one class of `verify.case.Case`.
+
+Files that were loaded are named in an environment variable, so that worker processes find them.
+"""
+
+import importlib
+import os
+import sys
+import traceback
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+from verify.core import source_code
+from verify.core.case import Case
+from verify.core.inputs import InputError
+from verify.form.adapter import adapted
+from verify.form.case import Case as Form
+
+FILES = "FREEWHEEL_CASE_FILES"  # paths, separated as those of PATH
+
+
+def is_file_name(name: str) -> bool:
+    """Whether a name of a case is that of a Python file."""
+    return name.endswith(".py")
+
+
+def load(name: str) -> Case:
+    """The case that a file declares last; InputError."""
+    path = Path(name).expanduser().resolve()
+    if not path.is_file():
+        raise InputError(f"{name}: there is no such file")
+    case = _loaded(path)
+    known = os.environ.get(FILES, "").split(os.pathsep)
+    if str(path) not in known:
+        os.environ[FILES] = os.pathsep.join(filter(None, [*known, str(path)]))
+    return case
+
+
+def loaded() -> Iterator[Case]:
+    """The cases of files that this process or the one that started it has loaded."""
+    for path in filter(None, os.environ.get(FILES, "").split(os.pathsep)):
+        yield _loaded(Path(path))
+
+
+@cache
+def _loaded(path: Path) -> Case:
+    name = path.stem
+    if not name.isidentifier():
+        raise InputError(f"{path}: rename the file: letters, digits and _, as a Python module")
+    if str(path.parent) not in sys.path:
+        sys.path.append(str(path.parent))  # for files beside it, and for pickle in other processes
+    source_code.include(path.parent)
+    try:
+        module = importlib.import_module(name)
+        if Path(module.__file__ or "") != path:
+            raise InputError(f"{path}: another module is called {name}; rename the file")
+        found = [
+            c for c in vars(module).values()
+            if isinstance(c, type) and issubclass(c, Form) and c.__module__ == name and c.title
+        ]  # fmt: skip
+        if not found:
+            raise InputError(f"{path}: declares no subclass of Case with a title")
+        return adapted(found[-1])
+    except InputError:
+        raise
+    except Exception as error:
+        raise InputError(_told(error, path)) from error
+
+
+def _told(error: Exception, path: Path) -> str:
+    """One line: the place in the user's file and what is wrong there."""
+    if isinstance(error, SyntaxError):
+        return f"{path.name}:{error.lineno}: {error.msg}"
+    text = " ".join(str(error).split())
+    if text.startswith(f"{path.name}:"):  # an error of the form names its place
+        return text
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
+    place = f"{path.name}:{frames[-1].lineno}" if frames else path.name
+    return f"{place}: {type(error).__name__}: {text}"
