@@ -245,6 +245,20 @@ def store(case: CaseId = "", /, *, json: bool = False, clear: str = "", code: st
 
 
 @app.command
+def new_case(file: Path, /) -> int:
+    """Write a Python file that declares a case of your own: commented, and it runs as it stands.
+
+    Parameters
+    ----------
+    file
+        The file, such as `my_pipe.py`, which must not exist yet.
+    """
+    from verify.app.new_case import run_new_case
+
+    return run_new_case(file)
+
+
+@app.command
 def completion(shell: Literal["bash", "zsh", "fish"], /) -> int:
     """Print the completion script of a shell; `--install-completion` sets it up."""
     print(app.generate_completion(shell=shell))

@@ -112,3 +112,15 @@ def test_a_helper_beside_the_file_counts_in_the_key(bar):
     Path("helper_of_bar.py").write_text("def twice(x):\n    return 2 * x\n", "utf-8")
     case = registry.find(file)
     assert "helper_of_bar" in source_code.parts_of(case.reference)[1]
+
+
+def test_a_new_case_runs_as_it_stands(bar, capsys):
+    name = bar()
+    Path(name).unlink()
+    assert run(["new-case", name]) == 0
+    assert run(["verify", name, "--out", "out"]) == 0
+    assert "3 rows" in capsys.readouterr().out
+    assert run(["new-case", name]) == 2
+    assert "exists already" in capsys.readouterr().err
+    assert run(["new-case", "my-bar.py"]) == 2
+    assert "letters, digits and _" in capsys.readouterr().err

@@ -31,7 +31,8 @@ def torque(q: ClutchInputs, v: Values) -> list[str]:
     if v["safety"] < 1:
         found.append(where_friction_holds(q))
     if ahead:
-        found.append(f"as the torque grows: {_listed(ahead, q.T, 'T')}")
+        listed = _listed(ahead, q.T, "T")
+        found.append(f"as the torque grows, without stresses of rings and rollers' ends: {listed}")
     if (least := v.get("T bears", 0.0)) > 0 and not past_corners(q, v):
         found.append(
             f"as the torque falls: below {newton_metres(least)} ({least / q.T:.3g} T) friction no "

@@ -1,0 +1,70 @@
+"""A case of your own: a formula against finite elements. Edit it, then: freewheel verify FILE."""
+
+from collections.abc import Iterator
+
+from verify.case import (
+    Case,
+    Comparison,
+    Expected,
+    Level,
+    Quantity,
+    approximation,
+    balance,
+    given,
+    plane_field,
+    solved,
+)
+
+# where the expected error comes from; it must not come from the finite elements below
+SOURCE = "derived: Barlow's mean stress over Lamé's largest is (1 + r_i/r_o)²/(1 + (r_i/r_o)²)/2"
+
+
+class Pipe(Case):
+    """The hoop stress of a pipe under inner pressure by Barlow's formula."""
+
+    title = "Hoop stress of a pipe"  # of its page
+    source = "Textbook on pressure vessels"  # a book, a standard or a paper, as it is cited
+    place = "Barlow's formula"
+
+    # inputs: default, unit, symbol, what it is, bounds in that unit
+    r_i: float = given("50 mm", "mm", "r_i", "inner radius", gt=0)
+    r_o: float = given("55 mm", "mm", "r_o", "outer radius", gt=0)
+    p: float = given("10 MPa", "MPa", "p", "inner pressure", gt=0)
+
+    # formulas in SI units, with symbol, unit of their display, what they are. The safe side is the
+    # one on which an error does no harm. A "step" of a formula is not compared.
+    @Quantity("s", "mm", "wall", role="step")
+    def s(self) -> float:
+        return self.r_o - self.r_i
+
+    @Quantity("σ", "MPa", "hoop stress", equation="1", safe="too high")
+    def sigma(self) -> float:
+        return self.p * (self.r_i + self.r_o) / (2 * self.s)
+
+    def reference(self, level: int) -> Level:
+        """The same stress by finite elements, finer by level; it may not read a formula."""
+        from fem.plane.material import Elastic
+        from fem.plane.solve import solve_plane
+        from meshes.ring.quarter import quarter_ring
+
+        pipe = solve_plane(
+            quarter_ring(r_i=self.r_i, r_o=self.r_o, refine=level),
+            materials=Elastic(E=210e9, nu=0.3), assumption="plane strain",
+            supports={"x=0": "x", "y=0": "y"}, pressures={"bore": self.p},
+        )  # fmt: skip
+        bore = pipe.on_boundary("bore")
+        force = pipe.reaction("x=0")[0] + self.p * self.r_i  # of a wall, and of the pressure on it
+        # mesh size, fields for pictures, then numbers by the names of the quantities
+        return solved(1 / level, plane_field(pipe, "von_mises"), sigma=bore.mean(bore.polar()[2]),
+                      rest=force)  # fmt: skip
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """What is compared, stated before the reference is solved."""
+        k = self.r_i / self.r_o
+        error = (1 + k) ** 2 / (2 * (1 + k**2)) - 1  # (formula - exact)/exact
+        expected = Expected(error - 1e-3, error + 1e-3, SOURCE)
+        yield approximation(Pipe.sigma, order=2, expected=expected)
+        yield balance(
+            "rest", "balance of a wall with the pressure", "ΣF_x", "N/mm",
+            of={"p r_i": self.p * self.r_i}, bound=1e-9, because="direct solve",
+        )  # fmt: skip
