@@ -12,7 +12,7 @@ from verify.form import equations
 from verify.form.case import Case
 from verify.form.comparisons import Comparison
 from verify.form.members import reached
-from verify.form.quantity import CaseError, solving
+from verify.form.quantity import CaseError, faults_located, solving
 from verify.judging.checks import Approximation, Limit
 
 
@@ -47,7 +47,7 @@ class _Side:
     name: ClassVar[str]
 
     def __init__(self, form: type[Case]) -> None:
-        self.form = form
+        self.form, self.file = form, inspect.getfile(form)
         self.__module__ = form.__module__
         self.__name__ = f"{form.__name__}.{self.name}"
 
@@ -62,10 +62,11 @@ class Formulas(_Side):
         return reached(self.form, [q.name for q in self.form.quantities()], formulas=True)
 
     def __call__(self, case: Case) -> Values:
-        values = {q.name: float(getattr(case, q.name)) for q in case.quantities()}
         more: dict[str, float] = {}
-        for one in case.stated():
-            more |= one.numbers
+        with faults_located(self.file):
+            values = {q.name: float(getattr(case, q.name)) for q in case.quantities()}
+            for one in case.stated():
+                more |= one.numbers
         return values | more
 
 
@@ -81,7 +82,8 @@ class Reference(_Side):
     def __call__(self, case: Case, level: int) -> FemResult:
         before = solving.set(True)
         try:
-            return case.reference(level)
+            with faults_located(self.file):
+                return case.reference(level)
         finally:
             solving.reset(before)
 

@@ -1,6 +1,8 @@
 """A formula of a source, declared once: symbol, unit, what it is, equation, safe side."""
 
-from collections.abc import Callable
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
@@ -96,6 +98,28 @@ class shared(Generic[T]):  # noqa: N801 - a decorator, as cached_property is
         if solving.get():
             raise CaseError(f"{owner.__name__}.{name}: the reference reads what formulas share")
         return remembered(case, name, lambda: self.method(case))
+
+
+@contextmanager
+def faults_located(file: str) -> Iterator[None]:
+    """Turn a fault of a case's code into a CaseError with its place in the case's file.
+
+    What states that there is no solution, or that the machine failed, passes unchanged.
+    """
+    try:
+        yield
+    except (ZeroDivisionError, OverflowError) as error:
+        raise _located(error, file) from error
+    except (CaseError, ValueError, ArithmeticError, OSError, MemoryError):
+        raise
+    except Exception as error:
+        raise _located(error, file) from error
+
+
+def _located(error: Exception, file: str) -> CaseError:
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == file]
+    place = f"{Path(file).name}:{frames[-1].lineno}: {frames[-1].name}" if frames else file
+    return CaseError(f"{place}: {type(error).__name__}: {' '.join(str(error).split())}")
 
 
 def forget() -> None:

@@ -94,6 +94,32 @@ def test_a_wrong_declaration_is_one_line(change, message, bar, capsys):
 
 
 @pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (("return self.M * (self.r_n - self.r_i)", "return self.M / (self.r_i - self.r_i)"),
+         r".py:\d+: sigma_i: ZeroDivisionError: float division by zero"),
+        (("return self.M * (self.r_n - self.r_i)", "return self.moment * (self.r_n - self.r_i)"),
+         r".py:\d+: sigma_i: AttributeError: .*'moment'"),
+    ],
+)  # fmt: skip
+def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, capsys):
+    file = bar(change)
+    assert run(["verify", file, "--out", "out"]) == 1
+    assert re.search(message, capsys.readouterr().out)
+    Path("my.toml").write_text(OWN.format(file=file), "utf-8")
+    assert run(["check", "my.toml"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert re.search(message, line), line
+
+
+def test_a_fault_of_the_reference_has_its_place(bar, capsys):
+    file = bar(("force, _, moment = bar.reaction", "force, moment = bar.reaction"))
+    assert run(["verify", file, "--out", "out"]) == 1
+    assert re.search(r"level 1: ValueError: too many values", capsys.readouterr().out)
+    assert file in Path("out/errors.txt").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
     ("name", "message"),
     [("nosuch.py", "nosuch.py: there is no such file"),
      ("json.py", "another module is called json; rename the file"),
