@@ -103,7 +103,7 @@ class RingPressure(RoundRing, Case):
         return self.thick_ring("plane stress")
 
     @Quantity("p_l", "MPa", "pressure that takes up the clearance, plane strain", source="Lamé",
-              tex=r"\left(1 - \nu^2\right)^{-1} p")  # fmt: skip
+              tex=r"\frac{p}{1 - \nu^2}")  # fmt: skip
     def p_strain(self) -> float:
         return self.thick_ring("plane strain")
 
