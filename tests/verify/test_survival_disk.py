@@ -16,9 +16,19 @@ RUN = "import sys; from verify.app.cli import main; main(sys.argv[1:])"
 @pytest.fixture
 def tiny(tmp_path):
     """A file system of 256 kB."""
-    folder = tmp_path / "tiny"
+    yield from mounted(tmp_path / "tiny", "256k")
+
+
+@pytest.fixture
+def roomy(tmp_path):
+    """A file system of 64 MB."""
+    yield from mounted(tmp_path / "roomy", "64m")
+
+
+def mounted(folder, size):
+    """A file system in memory at a folder, for the time of a test."""
     folder.mkdir()
-    mount = ["mount", "-t", "tmpfs", "-o", "size=256k", "none", str(folder)]
+    mount = ["mount", "-t", "tmpfs", "-o", f"size={size}", "none", str(folder)]
     done = subprocess.run(mount, capture_output=True, text=True, check=False)
     if done.returncode:
         pytest.skip(f"no file system can be mounted here: {done.stderr.strip()}")
@@ -121,10 +131,10 @@ def test_a_read_only_cache_is_one_line_and_the_run_goes_on(tiny, tmp_path):
     assert "Read-only file system" in line
 
 
-def test_what_a_read_only_store_has_is_not_solved_again(tiny, tmp_path):
-    assert check(tmp_path, cache=tiny).returncode == UNDECIDED
-    subprocess.run(["mount", "-o", "remount,ro", str(tiny)], check=True)
-    done = check(tmp_path, cache=tiny)
+def test_what_a_read_only_store_has_is_not_solved_again(roomy, tmp_path):
+    assert check(tmp_path, cache=roomy).returncode == UNDECIDED
+    subprocess.run(["mount", "-o", "remount,ro", str(roomy)], check=True)
+    done = check(tmp_path, cache=roomy)
     assert done.returncode == UNDECIDED
     assert not [line for line in done.stderr.splitlines() if line.startswith("refinement levels")]
 
