@@ -33,7 +33,7 @@ def about(error: float, slack: float, source: str) -> Expected:
 
 @dataclass(frozen=True, kw_only=True)
 class Comparison:
-    """A check, the formula that it judges, and `numbers` [SI] that it asks for besides."""
+    """A check, the formula that it judges, and further `numbers` [SI] that the check needs."""
 
     check: Check
     quantity: Quantity | None = None
@@ -58,7 +58,7 @@ def identity(
     """Formula and reference solve one problem and differ by numerical error only.
 
     `reference` names the reference's number, by default as the quantity; `order` is its order of
-    convergence in theory; `against` tells rows of one quantity apart; `scale` is the natural
+    convergence in theory; `against` distinguishes rows of one quantity; `scale` is the natural
     magnitude where the quantity may vanish.
     """
     return _compared(checks.Identity, q, reference, order, against, sensitivity,

@@ -76,7 +76,7 @@ def plain(tex: str) -> str:
 
 
 def _over(match: re.Match[str]) -> str:
-    """a/b in one line, in brackets where what stands around would take it apart."""
+    """A fraction a/b in one line, in brackets where the text around it would change its meaning."""
     above, below = (
         m if re.fullmatch(r"[\w.\\]+|\([^()]*\)", m) else f"({m})" for m in match.groups()
     )
