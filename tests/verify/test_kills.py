@@ -36,7 +36,8 @@ SWEEP = (
     "K in the middle of the flats",
 )
 MEASURED = "verify/measured"
-UNLIKE = {"date", "seconds", "made", "commit", "cached", "spent", "checksum"}  # differ between any two runs
+# differ between any two runs
+UNLIKE = {"date", "seconds", "made", "commit", "cached", "spent", "checksum"}
 
 
 @dataclass(frozen=True)

@@ -53,7 +53,7 @@ class _Side:
 
 
 class Formulas(_Side):
-    """The numbers of a case's quantities and the further numbers of its comparisons, by name [SI]."""
+    """Numbers of a case's quantities and further ones of its comparisons, by name [SI]."""
 
     name = "quantities"
 
