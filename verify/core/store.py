@@ -97,7 +97,7 @@ class Store:
         with self._database.writing() as database:
             database.executemany("INSERT OR REPLACE INTO entries VALUES (?, ?, ?, ?, ?)", lines)
             if _size(database) > LARGEST:
-                _trim(database, LARGEST)
+                _trim(database)
 
     def check(self) -> None:
         """OSError where nothing can be stored: found before the work."""
@@ -138,12 +138,6 @@ class Store:
             self._database.compact()
         return removed
 
-    def trim(self, largest: float = LARGEST) -> None:
-        """Remove what was used least recently until contents are well below `largest` bytes."""
-        if sum(group.size for group in self.groups()) > largest:
-            with self._database.writing() as database:
-                _trim(database, largest)
-
     def _read(self, kind: str, conditions: Sequence[tuple[str, Sequence[str]]]) -> dict[str, bytes]:
         if not self._database.is_there():
             return {}
@@ -162,7 +156,7 @@ class Store:
         return found
 
     def _note(self, kind: str, keys: Sequence[str]) -> None:
-        """Remember that entries were read now, so that `trim` removes others first."""
+        """Remember that entries were read now, so that others are removed first."""
         lines = [(kind, key, time.time()) for key in keys]
         # a note is no reason to fail, or to wait for another process that writes
         with suppress(OSError), self._database.writing(patience=0.0) as database:
@@ -178,8 +172,9 @@ def _size(database: sqlite3.Connection) -> int:
     return (pages - free) * size
 
 
-def _trim(database: sqlite3.Connection, largest: float) -> None:
-    database.execute(TRIM, ((1 - ROOM) * largest,))
+def _trim(database: sqlite3.Connection) -> None:
+    """Remove what was used least recently until contents are well below LARGEST."""
+    database.execute(TRIM, ((1 - ROOM) * LARGEST,))
     database.execute(FORGET)
 
 
