@@ -12,31 +12,39 @@ from verify.form.case import Case, solved
 from verify.form.comparisons import (
     Comparison,
     Expected,
+    State,
     about,
     approximation,
+    as_printed,
     balance,
+    errors_of,
     fact,
     identity,
     limit,
     over_family,
 )
 from verify.form.fields import picture, plane_field
-from verify.form.figures import Overlay
+from verify.form.figures import AlongLine, Drawn, Overlay
 from verify.form.quantity import CaseError, Quantity, shared
 
 __all__ = [
+    "AlongLine",
     "Case",
     "CaseError",
     "Comparison",
+    "Drawn",
     "Expected",
     "Level",
     "Overlay",
     "Quantity",
     "Scan",
+    "State",
     "about",
     "approximation",
+    "as_printed",
     "balance",
     "count",
+    "errors_of",
     "fact",
     "given",
     "identity",

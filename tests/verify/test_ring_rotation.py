@@ -11,9 +11,7 @@ from analytic.ring import rotating
 from fem.plane.material import Elastic
 from meshes.ring import quarter
 from verify.cases.registry import find
-from verify.cases.ring.rotation import case as ring_rotation
-from verify.cases.ring.rotation.case import ROTATION
-from verify.cases.ring.rotation.inputs import RotationInputs
+from verify.cases.ring.rotation.case import ROTATION, RotatingRace
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
 
@@ -84,10 +82,10 @@ def test_the_growth_is_shown_as_no_speed_is_printed(judged):
 
 
 def test_the_speeds_told_are_those_of_one_and_ten_per_cent():
-    q = RotationInputs()
+    q = RotatingRace()
     v = ROTATION.analytic(q)
-    for key, part in (("1 %", 0.01), ("10 %", 0.1)):
-        there = ROTATION.analytic(RotationInputs(omega=v[key]))
+    for key, part in (("n_1", 0.01), ("n_10", 0.1)):
+        there = ROTATION.analytic(RotatingRace(omega=v[key]))
         assert there["ratio"] == pytest.approx(part, rel=1e-12)
 
 
@@ -102,7 +100,7 @@ def test_the_speeds_told_are_those_of_one_and_ten_per_cent():
 )
 def test_inputs_without_sense_are_refused_in_words(wrong, said):
     with pytest.raises(ValidationError, match=said):
-        RotationInputs(**wrong)
+        RotatingRace(**wrong)
 
 
 @pytest.mark.parametrize(
@@ -114,10 +112,10 @@ def test_inputs_without_sense_are_refused_in_words(wrong, said):
     ],
 )
 def test_an_engineer_is_warned(more, said):
-    q = RotationInputs(**more)
+    q = RotatingRace(**more)
     assert any(said in words for words in ROTATION.warnings(q, ROTATION.analytic(q)))
 
 
 def test_nothing_is_warned_of_at_the_case_s_own_numbers():
-    q = RotationInputs()
-    assert not ROTATION.warnings(q, ring_rotation.analytic(q))
+    q = RotatingRace()
+    assert not ROTATION.warnings(q, ROTATION.analytic(q))

@@ -28,11 +28,11 @@ def no_part(_q: Any, _v: Values, part: Assessment) -> None:
 
 
 RULES: Mapping[str, Rule] = {
-    "ring-lame": Rule("bore displacement, plane stress", rings.under_pressure),
+    "ring-lame": Rule("u_bore", rings.under_pressure),
     "ring-loads-outer": Rule("load", rings.under_sprags),
     "ring-loads-inner": Rule("load", rings.under_sprags),
     "ring-loads-map": Rule("", no_part),
-    "ring-rotation": Rule("bore growth, plane stress", rings.rotating),
+    "ring-rotation": Rule("growth", rings.rotating),
     "polyhedral-pressure": Rule("p", polyhedral.round_ring),
     "polyhedral-ring": Rule("p_1r", polyhedral.ring),
     "polyhedral-map": Rule("", no_part),

@@ -37,7 +37,7 @@ def under_sprags(q: Any, v: Values, part: Assessment) -> None:
 def rotating(q: Any, v: Values, part: Assessment) -> None:
     """Hoop stress of a rotating race at its bore."""
     strength = yield_strength(q.R_p, q.E, wall=q.r_o - q.r_i)
-    stress = v["bore hoop stress, plane stress"]
+    stress = v["hoop_bore"]
     part.stress("hoop_stress", "hoop stress of the race at its bore", stress, strength)
     part.remarks.append(SPRAG_LOAD)
 

@@ -64,13 +64,20 @@ class Check(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Output:
-    """A value of the analytic side that `check` prints; `judged` where a row pairs it with FE."""
+    """A value of the analytic side that `check` prints; `judged` where a row pairs it with FE.
+
+    The last four are those of `verify.form.quantity.Quantity`.
+    """
 
     key: str
     symbol: str
     unit: str
     what: str
     judged: bool = True
+    equation: str = ""
+    source: str = ""
+    form: str = ""
+    safe: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -374,13 +374,22 @@ class Sketch:
 
 @dataclass(frozen=True, kw_only=True)
 class FormulaValue:
-    """A value of the analytic side in its display unit; `judged` where a row pairs it with FE."""
+    """A value of the analytic side in its display unit; `judged` where a row pairs it with FE.
 
+    `form` is "as printed" or "corrected" where a formula has several; `safe` the side on which an
+    error does no harm, "too high" or "too low".
+    """
+
+    key: str = ""
     symbol: str
     what: str
     value: float
     unit: str
     judged: bool
+    equation: str = ""
+    source: str = ""
+    form: str = ""
+    safe: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

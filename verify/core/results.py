@@ -93,6 +93,8 @@ class Row:
     `method` is that of the reference `fem`; `difference` is value minus reference; `interval` holds
     the expected signed model error of an approximation; `levels` the reference's values by mesh
     size, coarse to fine, and `levels_u` their standard uncertainties where a limit is fitted.
+    `formula` is the key of the case's value that is judged, and `shares` what both sides have in
+    common beside the inputs.
     """
 
     case: str
@@ -124,6 +126,8 @@ class Row:
     published: tuple[Published, ...] = ()
     grid: Grid | None = None
     levels_u: tuple[float, ...] = ()
+    formula: str = ""
+    shares: str = ""
 
     @property
     def id(self) -> str:

@@ -1,8 +1,8 @@
 """A declared case as the record that the jobs, studies and reports of the suite work with."""
 
 import inspect
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields, replace
 from typing import Any, ClassVar
 
 from verify.core import case as core
@@ -10,10 +10,9 @@ from verify.core.case import Check, Context, FemResult, Output, Values
 from verify.core.figures import Figure
 from verify.form import equations
 from verify.form.case import Case
-from verify.form.comparisons import Comparison
+from verify.form.comparisons import Comparison, State
 from verify.form.members import reached
-from verify.form.quantity import CaseError, faults_located, solving
-from verify.judging.checks import Approximation, Limit
+from verify.form.quantity import CaseError, Quantity, faults_located, solving
 
 
 def adapted(form: type[Case]) -> core.Case:
@@ -22,20 +21,18 @@ def adapted(form: type[Case]) -> core.Case:
     named = [one.name for one in default.stated()]
     if double := next((name for name in named if named.count(name) > 1), ""):
         raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
-    judged = {one.quantity.name for one in default.stated() if one.quantity}
     return core.Case(
         id=form.id, title=form.title, paper=form.source, place=form.place,
         lead=" ".join((inspect.getdoc(form) or "").split()),
         inputs=form, analytic=Formulas(form), reference=Reference(form), method=form.method,
         levels=form.levels, checks=tuple(_check(one) for one in default.stated()),
-        outputs=tuple(
-            Output(key=q.name, symbol=q.symbol, unit=q.unit, what=q.label, judged=q.name in judged)
-            for q in form.quantities()
-        ),
-        readings=form.readings, assumptions=form.assumptions, scans=form.scans,
+        outputs=tuple(_outputs(default)), readings=form.readings, assumptions=form.assumptions,
+        quick=form.quick, scans=form.scans, portions=form.portions, dynamic=form.dynamic,
         findings=lambda q, _values: tuple(q.advice()),
+        summary=lambda q, _values: q.summary(),
         warnings=lambda q, _values: tuple(q.warnings()),
         equations=lambda q, _values: equations.stated(q),
+        tables=lambda context: tuple(context.inputs.tables(context)),
         too_large=lambda q: q.refusal(), sketch=lambda q: q.sketch(), figures=_figures,
         pictures=lambda q: tuple(q.pictures()),
     )  # fmt: skip
@@ -88,20 +85,55 @@ class Reference(_Side):
             solving.reset(before)
 
 
+def _outputs(default: Case) -> Iterator[Output]:
+    """The quantities, and those of other states that are compared."""
+    compared = {one.key: (one.quantity, one.state) for one in default.stated()}
+    for q in default.quantities():
+        _, state = compared.get(q.name, (q, None))
+        yield _output(q, q.name, state, judged=q.name in compared)
+    for key, (quantity, state) in compared.items():
+        if quantity and state and state.key:
+            yield _output(quantity, key, state, judged=True)
+
+
+def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Output:
+    symbol, what = q.symbol, q.label
+    if state:
+        symbol, what = state.symbol.format(symbol), f"{what}, {state.words}"
+    return Output(
+        key=key, symbol=symbol, unit=q.unit, what=what, judged=judged, equation=q.equation,
+        source=q.source, form=q.form, safe=q.safe,
+    )  # fmt: skip
+
+
 def _check(one: Comparison) -> Check:
-    """The check of a comparison, whose parts that depend on the inputs are those of any inputs."""
-    if isinstance(one.check, Approximation):
-        return replace(one.check, interval=lambda q, v: _of(q, one.name).interval(q, v))
-    if isinstance(one.check, Limit):
-        return replace(one.check, points=lambda c: _of(c.inputs, one.name).points(c))
-    return one.check
+    """The check of a comparison, whose functions are those of the inputs at hand.
+
+    A function of a check takes the inputs or the context first, and may belong to the instance that
+    stated it: the default one here.
+    """
+    check: Any = one.check
+    functions = [
+        f.name for f in fields(check)
+        if callable(value := getattr(check, f.name)) and not isinstance(value, type)
+    ]  # fmt: skip
+    found = {name: _of_inputs(one.name, name) for name in functions}
+    judged = one.key if one.quantity else check.formula
+    made: Check = replace(check, **found, formula=judged, shares=one.shares or check.shares)
+    return made
 
 
-def _of(case: Case, name: str) -> Any:
-    return next(one.check for one in case.stated() if one.name == name)
+def _of_inputs(name: str, function: str) -> Callable[..., Any]:
+    def call(first: Any, *rest: Any) -> Any:
+        case: Case = first.inputs if isinstance(first, Context) else first
+        check = next((one.check for one in case.stated() if one.name == name), None)
+        if check is None:
+            raise CaseError(f"these inputs have no comparison called {name}")
+        return getattr(check, function)(first, *rest)
+
+    return call
 
 
 def _figures(context: Context) -> Sequence[Figure]:
     case: Case = context.inputs
-    drawn = (figure.drawn(case, context) for figure in case.figures())
-    return tuple(one for one in drawn if one is not None)
+    return tuple(one for figure in case.figures() for one in figure.drawn(context))

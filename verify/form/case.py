@@ -4,7 +4,7 @@ A case is one class. Its fields are the inputs, its quantities the formulas of t
 instance is the problem with numbers, so that `CurvedBar().sigma_i` is a stress in Pa.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, ClassVar, Protocol, Self
 
 import numpy as np
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from pydantic import ConfigDict
 
 from verify.core import units
-from verify.core.case import Context, FemResult, Scan
-from verify.core.figures import Field, Figure, Picture, Sketch
+from verify.core.case import Check, Context, Dynamic, FemResult, Portion, Scan
+from verify.core.figures import Field, Figure, Picture, Sketch, Table
 from verify.core.inputs import Inputs, meta
 from verify.core.references import Method
 from verify.form.comparisons import Comparison
@@ -39,8 +39,8 @@ def solved(
 class Drawing(Protocol):
     """A figure or picture declared by kind, with what it shows; see `verify.form.figures`."""
 
-    def drawn(self, case: "Case", context: Context) -> Figure | None:
-        """The figure, None where there is nothing to draw."""
+    def drawn(self, context: Context) -> Sequence[Figure]:
+        """The figures, none where there is nothing to draw."""
         ...
 
 
@@ -58,6 +58,9 @@ class Case(Inputs):
     readings: ClassVar[tuple[str, ...]] = ()
     assumptions: ClassVar[tuple[str, ...]] = ()
     scans: ClassVar[tuple[Scan, ...]] = ()  # regions over which sweeps measure the formulas
+    portions: ClassVar[tuple[Portion, ...]] = ()  # parts of the reference, solved alone
+    dynamic: ClassVar[Dynamic | None] = None  # what `check --dynamic` computes
+    quick: ClassVar[bool] = True  # whether the quick round includes it
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -76,7 +79,7 @@ class Case(Inputs):
         """Solve one level; meshes and finite elements are imported here, not above."""
         raise NotImplementedError
 
-    def comparisons(self) -> Iterable[Comparison]:
+    def comparisons(self) -> Iterable[Comparison | Check]:
         """What is compared, stated before the reference is solved."""
         return ()
 
@@ -86,6 +89,10 @@ class Case(Inputs):
 
     def pictures(self) -> Iterable[Picture]:
         """Fields of the finest level in colours."""
+        return ()
+
+    def tables(self, context: Context) -> Iterable[Table]:  # noqa: ARG002
+        """Tables of the page."""
         return ()
 
     def sketch(self) -> Sketch | None:
@@ -100,13 +107,27 @@ class Case(Inputs):
         """What follows for the one who asks, the most important first."""
         yield from ()
 
+    def summary(self) -> Mapping[str, Any]:
+        """The advice for programs, as JSON beside the values of `check`."""
+        return {}
+
     def refusal(self) -> str:
         """Why the reference cannot solve these inputs; its rows are skipped for that reason."""
         return ""
 
     def stated(self) -> tuple[Comparison, ...]:
         """The comparisons of these inputs, made once."""
-        return remembered(self, "comparisons", lambda: tuple(self.comparisons()))
+
+        def made() -> tuple[Comparison, ...]:
+            found = self.comparisons()
+            return tuple(c if isinstance(c, Comparison) else Comparison(check=c) for c in found)
+
+        return remembered(self, "comparisons", made)
+
+    @property
+    def is_default(self) -> bool:
+        """Whether these are the default inputs, of which printed numbers speak."""
+        return self == type(self)()
 
     def at(self, **changes: float) -> Self:
         """The same case with other inputs, validated [SI units]."""

@@ -1,17 +1,23 @@
-"""What formulas are compared with: kinds of comparisons, each judged by `verify.judging`."""
+"""What formulas are compared with: kinds of comparisons, each judged by `verify.judging`.
+
+A check of `verify.judging` that has no function here is stated as it is, or in a `Comparison` with
+the quantity that it judges.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, TypedDict, Unpack
 
 from verify.core.case import Check, Context, FemResult
 from verify.form.quantity import Quantity
 from verify.judging import checks, judge
 from verify.judging.convergence import grid_convergence
+from verify.judging.published_checks import PrintedTheory
+from verify.papers.entries import literal
 
 Points = tuple[list[float], list[float], list[float]]  # parameter, error, standard uncertainty
 Required = tuple[float, str]  # smallest relative error that must make the row fail, and why
-DEFAULT: Required = (judge.DEMAND, "")
+Scale = Quantity | Mapping[str, float]
 
 
 class Expected(NamedTuple):
@@ -31,57 +37,107 @@ def about(error: float, slack: float, source: str) -> Expected:
     return Expected(error - slack, error + slack, source)
 
 
+@dataclass(frozen=True)
+class State:
+    """The same formulas in another state: under another load, or as a long part.
+
+    `case` has the quantities of that state, such as `self.at(T=...)`. Names of its numbers end in
+    `key`, as the reference's do; names of its rows in `words`; `symbol` is a format of its symbols.
+    The state of the inputs themselves has no `key`.
+    """
+
+    case: object
+    key: str
+    words: str
+    symbol: str = "{}"
+
+
+def key_of(q: Quantity, state: State | None) -> str:
+    """The name of a quantity's number in a state: "d_i_rigid"."""
+    return f"{q.name}_{state.key}" if state and state.key else q.name
+
+
+class Options(TypedDict, total=False):
+    """What every comparison of a quantity with a reference may state.
+
+    `order` is the reference's order of convergence in theory. `against` distinguishes rows of one
+    quantity; `name` and `symbol` replace those of the declaration. `state` is another one than
+    that of the inputs. `sensitivity` is the smallest error that must make the row fail, `own` the
+    same for inputs of the user where that is less demanding. `by` names a second method that is
+    refined like a mesh, `printed` values of the papers beside the row ("paper:id"), and `shares`
+    what both sides have in common.
+    """
+
+    order: float | None
+    against: str
+    name: str
+    symbol: str
+    state: State | None
+    sensitivity: Required
+    own: Required
+    by: str
+    printed: tuple[str, ...]
+    shares: str
+
+
 @dataclass(frozen=True, kw_only=True)
 class Comparison:
-    """A check, the formula that it judges, and further `numbers` [SI] that the check needs."""
+    """A check, the formula that it judges, and further `numbers` [SI] that the check needs.
+
+    `shares` states what both sides have in common, beside the inputs.
+    """
 
     check: Check
     quantity: Quantity | None = None
+    state: State | None = None
     numbers: Mapping[str, float] = field(default_factory=dict)
+    shares: str = ""
 
     @property
     def name(self) -> str:
         """The name of its row, which no other comparison of the case has."""
         return str(getattr(self.check, "name", ""))
 
-    def named(self, name: str = "", symbol: str = "") -> "Comparison":
-        """With another name or symbol of its row than those that follow from the declaration."""
-        given = {k: v for k, v in (("name", name), ("symbol", symbol)) if v}
-        check: Any = self.check
-        return replace(self, check=replace(check, **given))
+    @property
+    def key(self) -> str:
+        """The key of the formula's value, empty where none is judged."""
+        return key_of(self.quantity, self.state) if self.quantity else ""
 
 
 def identity(
-    q: Quantity, reference: str = "", *, order: float | None = None, against: str = "",
-    sensitivity: Required = DEFAULT, scale: Quantity | None = None,
+    q: Quantity, reference: str = "", *, scale: Scale | None = None, uncertainty: float = 0.0,
+    **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
     """Formula and reference solve one problem and differ by numerical error only.
 
-    `reference` names the reference's number, by default as the quantity; `order` is its order of
-    convergence in theory; `against` distinguishes rows of one quantity; `scale` is the natural
-    magnitude where the quantity may vanish.
+    `reference` names the reference's number, by default as the quantity. `scale` is the natural
+    magnitude where the quantity may vanish: another quantity, or a number [SI] by its name.
+    `uncertainty` is the formula's own, of a series that is cut off, over the scale.
     """
-    return _compared(checks.Identity, q, reference, order, against, sensitivity,
-                     scale=scale.name if scale else "")  # fmt: skip
+    numbers = dict(scale) if isinstance(scale, Mapping) else {}
+    more = {"scale": scale.name if isinstance(scale, Quantity) else next(iter(numbers), "")}
+    if uncertainty:
+        more["residual"] = f"uncertainty of {options.get('name') or q.label}"
+        numbers[more["residual"]] = uncertainty
+    return _compared(checks.Identity, q, reference, options, more, numbers)
 
 
 def approximation(
-    q: Quantity, reference: str = "", *, expected: Expected | None, order: float | None = None,
-    against: str = "", sensitivity: Required = DEFAULT,
-) -> Comparison:  # fmt: skip
+    q: Quantity, reference: str = "", *, expected: Expected | None, **options: Unpack[Options]
+) -> Comparison:
     """The formula neglects something; the signed error lies where it was expected beforehand.
 
     Comparisons are stated before the reference is solved: no interval can be read off it.
     """
     interval = (expected.low, expected.high) if expected and expected.sharp else None
     source = "" if expected is None else expected.source
-    return _compared(checks.Approximation, q, reference, order, against, sensitivity,
-                     interval=lambda *_: interval, source=source)  # fmt: skip
+    more = {"interval": lambda *_: interval, "source": source}
+    return _compared(checks.Approximation, q, reference, options, more)
 
 
 def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
-    exponent: float | None, sensitivity: Required = DEFAULT,
+    exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
     """The formula becomes exact as a parameter goes to 0 and errs with a power of it.
 
@@ -111,6 +167,31 @@ def over_family(
     return points
 
 
+def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> Callable[
+    [Context], tuple[list[float], list[float]]
+]:  # fmt: skip
+    """Mesh sizes and relative errors of the reference against an exact formula, for an `Order`."""
+    key = key_of(q, state)
+
+    def errors(context: Context) -> tuple[list[float], list[float]]:
+        h, v = context.series(reference or key)
+        return h, [abs(value / context.analytic[key] - 1) for value in v]
+
+    return errors
+
+
+def as_printed(q: Quantity, printed: str, *, place: str = "", name: str = "") -> Comparison:
+    """The formula against the number that its source computed from it: the last digit decides.
+
+    `printed` is a value of the suite's papers ("paper:id"), or a number with its unit as any other
+    source prints it at `place` ("77.25 MPa").
+    """
+    found = printed if ":" in printed else literal(printed, q.what, place)
+    check = PrintedTheory(name=name or f"{q.label}, as printed", symbol=q.symbol, unit=q.unit,
+                          analytic=q.name, reference=found)  # fmt: skip
+    return Comparison(check=check, quantity=q)
+
+
 def balance(
     residual: str, name: str, symbol: str, unit: str, *, of: Mapping[str, float], bound: float,
     because: str,
@@ -130,11 +211,26 @@ def fact(
 
 
 def _compared(
-    kind: Callable[..., Check], q: Quantity, reference: str, order: float | None, against: str,
-    sensitivity: Required, **more: Any,
+    kind: Callable[..., Check], q: Quantity, reference: str, options: Options,
+    more: Mapping[str, Any], numbers: Mapping[str, float] | None = None,
 ) -> Comparison:  # fmt: skip
-    name = f"{q.label}, against {against}" if against else q.label
-    check = kind(name=name, symbol=q.symbol, unit=q.unit, analytic=q.name, formal=order,
-                 fem=reference or q.form_of or q.name, demand=sensitivity[0],
-                 demand_reason=sensitivity[1], **more)  # fmt: skip
-    return Comparison(check=check, quantity=q)
+    state, found = options.get("state"), dict(numbers or {})
+    name, symbol, key = q.label, q.symbol, key_of(q, state)
+    own = key.replace(q.name, q.form_of, 1) if q.form_of else key
+    if against := options.get("against", ""):
+        name = f"{name}, against {against}"
+    if state:
+        name, symbol = f"{name}, {state.words}", state.symbol.format(symbol)
+        found[key] = getattr(state.case, q.name)
+    demand, reason = options.get("sensitivity", (judge.DEMAND, ""))
+    stated: dict[str, Any] = dict(more)
+    if "own" in options:
+        stated["own_demand"], stated["own_reason"] = options["own"]
+    check = kind(
+        name=options.get("name", name), symbol=options.get("symbol", symbol), unit=q.unit,
+        analytic=key, fem=reference or own, formal=options.get("order"),
+        by=options.get("by", ""), printed=options.get("printed", ()), demand=demand,
+        demand_reason=reason, **stated,
+    )  # fmt: skip
+    return Comparison(check=check, quantity=q, state=state, numbers=found,
+                      shares=options.get("shares", ""))  # fmt: skip

@@ -1,15 +1,12 @@
 """Fields of a solution and their pictures, each in one call."""
 
-from collections.abc import Mapping
-from typing import Protocol
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from verify.core import units
 from verify.core.figures import Array, Field, Picture
-
-# of a plane body's cells: what, symbol, unit of the solver, unit of the picture
-CELL_DATA = {"von_mises": ("Von Mises stress", "σ_v", "Pa", "MPa")}
 
 
 class HasCells(Protocol):
@@ -20,20 +17,60 @@ class HasCells(Protocol):
         ...
 
 
-def plane_field(solution: HasCells, data: str, *, name: str = "body", scale: float = 1.0) -> Field:
-    """Mesh, displacements and one cell quantity of a solution under `scale` times its loads."""
-    cells, (_, _, unit, _) = solution.cells(), CELL_DATA[data]
+def _hoop(cells: Mapping[str, Array]) -> Array:
+    """Hoop stress (m,) about the origin from the mean stresses of the cells."""
+    x, y = cells["points"][cells["cells"].astype(int)].mean(axis=1).T
+    xx, yy, xy, _ = cells["stress"].T
+    return np.asarray((xx * y**2 + yy * x**2 - 2 * xy * x * y) / (x**2 + y**2))
+
+
+class CellData(NamedTuple):
+    """One cell quantity of a plane body: what, symbol, unit of the solver and of its picture."""
+
+    what: str
+    symbol: str
+    unit: str
+    drawn: str
+    of: Callable[[Mapping[str, Array]], Array]
+
+
+CELL_DATA = {
+    "stress": CellData("Stresses", "σ", "Pa", "MPa", lambda cells: cells["stress"]),
+    "von_mises": CellData("Von Mises stress", "σ_v", "Pa", "MPa", lambda cells: cells["von_mises"]),
+    "hoop_stress": CellData("Hoop stress", "σ_θ", "Pa", "MPa", _hoop),
+    "log_mises": CellData(  # lowest decade 10 MPa
+        "Von Mises stress", "σ_v", "1", "MPa",
+        lambda cells: np.log10(np.maximum(cells["von_mises"] / 1e6, 10.0)),
+    ),
+}  # fmt: skip
+
+
+def plane_field(solution: HasCells, *data: str, name: str = "body", scale: float = 1.0) -> Field:
+    """Mesh, displacements and cell quantities of a solution under `scale` times its loads.
+
+    >>> sorted(CELL_DATA)
+    ['hoop_stress', 'log_mises', 'stress', 'von_mises']
+    """
+    cells = solution.cells()
+    if "log_mises" in data and scale != 1.0:
+        raise ValueError("log_mises is not proportional to the loads: scale must be 1")
     return Field(
         name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),
         point_data={"displacement": cells["displacement"] * scale},
-        cell_data={data: cells[data] * scale}, units={"displacement": "m", data: unit},
+        cell_data={one: CELL_DATA[one].of(cells) * scale for one in data},
+        units={"displacement": "m", **{one: CELL_DATA[one].unit for one in data}},
     )  # fmt: skip
 
 
-def picture(field: str, data: str, caption: str = "", *, mirror: str = "") -> Picture:
-    """A field in colours; `mirror` completes a symmetric body, "xy" from a quarter."""
-    what, symbol, _, unit = CELL_DATA[data]
+def picture(field: str, data: str, caption: str = "", *, mirror: str = "", **more: Any) -> Picture:
+    """A field in colours; `mirror` completes a symmetric body, "xy" from a quarter.
+
+    `more` are `window`, `share` and others of `verify.core.figures.Picture`.
+    """
+    about = CELL_DATA[data]
+    decades = data == "log_mises"
     return Picture(
-        field=field, data=data, symbol=symbol, unit=unit, factor=units.factor(unit),
-        caption=caption or what, mirror=tuple(mirror),
+        field=field, data=data, symbol=about.symbol, unit=about.drawn,
+        factor=1.0 if decades else units.factor(about.drawn), decades=decades,
+        caption=caption or about.what, mirror=tuple(mirror), **more,
     )  # fmt: skip

@@ -3,16 +3,17 @@
 Convergence needs no declaration: every comparison that states an order is drawn from its row.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from verify.core import units
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves
+from verify.core.figures import Array, Curve, Curves, Figure, Profile
 from verify.form.case import Case
 from verify.form.quantity import Quantity
+from verify.judging.profiles import along
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,7 +33,7 @@ class Overlay:
     y_label: str = ""
     note: str = ""
 
-    def drawn(self, case: Case, context: Context) -> Curves:
+    def drawn(self, context: Context) -> tuple[Curves]:
         """The curves, and the dots where the reference is solved."""
         unit = self.quantities[0].unit
         cases, f, x = [self.family(s) for s in self.over], units.factor(unit), np.array(self.over)
@@ -43,8 +44,62 @@ class Overlay:
         ]  # fmt: skip
         if context.fem:
             y = context.fem[-1].arrays[self.reference] / f
-            curves.append(Curve(name=case.method.alone, x=np.array(self.at), y=y, style="dots",
+            name = context.inputs.method.alone
+            curves.append(Curve(name=name, x=np.array(self.at), y=y, style="dots",
                                 colour=len(curves)))  # fmt: skip
         label = self.y_label or f"{self.quantities[-1].symbol} [{unit}]"
-        return Curves(title=self.title, x_label=self.x_label, y_label=label, curves=tuple(curves),
-                      note=self.note)  # fmt: skip
+        return (Curves(title=self.title, x_label=self.x_label, y_label=label,
+                       curves=tuple(curves), note=self.note),)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class AlongLine:
+    """A formula along a line with the reference's array on it, and the difference below.
+
+    `curve` gives the formula [SI] at any points; the array called `reference` has the values `at`
+    stations, on every level the same. `order` is that of its largest error, `scale` the natural
+    magnitude [SI]. A formula that `neglects` something may differ by more than the uncertainty.
+    """
+
+    title: str
+    x: tuple[str, str]  # symbol and unit
+    y: tuple[str, str]
+    curve: Callable[[Array], Array]
+    reference: str
+    at: Array
+    order: float
+    scale: float
+    scale_name: str = ""
+    points: Array | None = None  # of the curve
+    neglects: bool = False
+    note: str = ""
+
+    def drawn(self, context: Context) -> tuple[Profile, ...]:
+        """The profile, where there are levels enough to state its uncertainty."""
+        if not context.converging:
+            return ()
+        values, u = along(context, self.reference, formal=self.order, scale=self.scale)
+        fine = np.linspace(self.at[0], self.at[-1], 81) if self.points is None else self.points
+        (x, x_unit), (y, y_unit) = self.x, self.y
+        f_x, f_y = units.factor(x_unit), units.factor(y_unit)
+        return (Profile(
+            title=self.title, x_label=_label(x, x_unit), y_label=_label(y, y_unit), x=fine / f_x,
+            y=self.curve(fine) / f_y, x_fem=self.at / f_x, y_fem=values / f_y,
+            y_ref=self.curve(self.at) / f_y, u=u / f_y, scale=self.scale / f_y,
+            scale_name=self.scale_name, note=self.note, neglects=self.neglects,
+        ),)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """Figures of any other kind, made from all results by a function."""
+
+    draw: Callable[[Context], Iterable[Figure]]
+
+    def drawn(self, context: Context) -> tuple[Figure, ...]:
+        """What the function makes."""
+        return tuple(self.draw(context))
+
+
+def _label(symbol: str, unit: str) -> str:
+    return symbol if unit == "1" else f"{symbol} [{unit}]"

@@ -10,6 +10,7 @@ from typing import Any, Generic, Literal, SupportsFloat, TypeVar, overload
 
 Side = Literal["too high", "too low", ""]
 Role = Literal["formula", "step", "geometry"]
+Form = Literal["as printed", "corrected", "small angles", ""]
 T = TypeVar("T")
 MEMO = "="  # before the name of a computed value in an instance's __dict__: no field begins so
 _code_changes = [0]  # how often
@@ -28,8 +29,9 @@ class Quantity:
     one. `tex` is the right side of the equation; left out, it is derived from the code of a method
     that returns one expression. `safe` is the side on which an error does no harm. `form_of` names
     the input or quantity of which this is another form, as printed, corrected or for small angles:
-    both share symbol and reference. A "step" of a formula is not compared. "geometry" follows from
-    the inputs without any theory, so that the reference may read it.
+    both share symbol and reference; `form` states which one it is. A "step" of a formula is not
+    compared. "geometry" follows from the inputs without any theory, so that the reference may read
+    it.
     """
 
     symbol: str
@@ -41,6 +43,7 @@ class Quantity:
     tex: str = ""
     safe: Side = ""
     form_of: str = ""
+    form: Form = ""
     role: Role = "formula"
     name: str = field(default="", init=False)
     formula: Callable[[Any], SupportsFloat] = field(init=False, repr=False)

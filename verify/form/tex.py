@@ -22,12 +22,16 @@ TOKENS = r"\\mathrm\{[^}]*\}|\\[A-Za-z]+|\\.|\s+|\d+(?:\.\d+)?|."
 def symbol_tex(symbol: str) -> str:
     r"""A symbol as TeX: σ_t gives \sigma_t, p_1r gives p_{1r}.
 
-    >>> symbol_tex("σ_max"), symbol_tex("Δd_m")
-    ('\\sigma_{max}', '\\Delta d_m')
+    >>> symbol_tex("σ_max"), symbol_tex("Δd_m"), symbol_tex("u_r(r_i)")
+    ('\\sigma_{max}', '\\Delta d_m', 'u_r(r_i)')
     """
-    base, _, below = symbol.partition("_")
-    base = "".join(rf"\{GREEK[c]} " if c in GREEK else c for c in base).strip()
-    return f"{base}_{below if len(below) == 1 else f'{{{below}}}'}" if below else base
+    with_subscripts = re.sub(
+        r"_([^\W_]+)", lambda m: m[0] if len(m[1]) == 1 else f"_{{{m[1]}}}", symbol
+    )
+    return re.sub(
+        f"([{''.join(GREEK)}])(?=([A-Za-zα-ωΑ-Ω]?))",
+        lambda m: rf"\{GREEK[m[1]]}" + (" " if m[2] else ""), with_subscripts,
+    )  # fmt: skip
 
 
 def with_unit(value: float, unit: str, digits: int = 6) -> str:

@@ -24,7 +24,11 @@ from verify.papers.ledger import published
 
 @dataclass(frozen=True, kw_only=True)
 class Claim(ABC):
-    """What all claims have. `printed` lists published values ("paper:id") shown beside the row."""
+    """What all claims have. `printed` lists published values ("paper:id") shown beside the row.
+
+    `formula` is the key of the analytic value that is judged; `shares` states what both sides have
+    in common beside the inputs.
+    """
 
     kind: ClassVar[Kind]
     paper_only: ClassVar[bool] = False  # speaks of the paper's inputs alone
@@ -35,6 +39,8 @@ class Claim(ABC):
     demand: float = judge.DEMAND
     demand_reason: str = ""
     printed: tuple[str, ...] = ()
+    formula: str = ""
+    shares: str = ""
 
     @property
     def needs_fem(self) -> bool:
@@ -50,7 +56,8 @@ class Claim(ABC):
         return [self._row(case, self.kind, judge.Verdict(Status.SKIP, reason))]
 
     def _row(self, case: str, kind: Kind, verdict: judge.Verdict, **more: Any) -> Row:
-        more = {"demand": self.demand, "demand_reason": self.demand_reason} | more
+        own = {"demand": self.demand, "demand_reason": self.demand_reason}
+        more = own | {"formula": self.formula, "shares": self.shares} | more
         return make_row(case, kind, verdict, self.name, self.symbol, self.unit, **more)
 
     def _printed(self, context: Context) -> tuple[Published, ...]:

@@ -8,6 +8,7 @@ from verify.core.case import Context
 from verify.core.results import Kind, Partner, Published, Row, Status
 from verify.judging import judge
 from verify.judging.claims import Claim, beside
+from verify.papers.entries import Value
 from verify.papers.ledger import erratum, published
 
 NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judged"
@@ -15,12 +16,12 @@ NO_UNCERTAINTY = "scatter, supports and mesh are not stated: compared, not judge
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedClaim(Claim):
-    """A formula value `analytic` beside the printed `reference` ("paper:id")."""
+    """A formula value `analytic` beside the printed `reference`: "paper:id" or a value."""
 
     paper_only = True
 
     analytic: str
-    reference: str
+    reference: str | Value
 
     @property
     def needs_fem(self) -> bool:
@@ -34,7 +35,10 @@ class PrintedClaim(Claim):
         """Judge the claim on the paper's inputs."""
 
     def _beside(self) -> tuple[Published, ...]:
-        return (beside(self.reference, self.unit),)
+        return (beside(self.reference, self.unit),) if isinstance(self.reference, str) else ()
+
+    def _printed_value(self) -> Value:
+        return published(self.reference) if isinstance(self.reference, str) else self.reference
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,7 +48,7 @@ class PrintedTheory(PrintedClaim):
     kind = Kind.IDENTITY
 
     def judged(self, context: Context) -> Row:
-        v, entry = context.analytic[self.analytic], published(self.reference)
+        v, entry = context.analytic[self.analytic], self._printed_value()
         f = units.factor(entry.unit)
         r, u = entry.value * f, entry.standard_uncertainty
         shown = {"analytic": v, "published": self._beside()}
@@ -68,7 +72,7 @@ class PrintedMeasurement(PrintedClaim):
     kind = Kind.APPROXIMATION
 
     def judged(self, context: Context) -> Row:
-        v, entry = context.analytic[self.analytic], published(self.reference)
+        v, entry = context.analytic[self.analytic], self._printed_value()
         r = entry.value * units.factor(entry.unit)
         said = f"formula {100 * (v / r - 1):+.1f} %: {NO_UNCERTAINTY}"
         verdict = judge.Verdict(Status.SHOWN, said, v - r)
@@ -92,7 +96,7 @@ class Contradiction(PrintedClaim):
     erratum: str
 
     def judged(self, context: Context) -> Row:
-        entry, v = published(self.reference), context.analytic[self.analytic]
+        entry, v = self._printed_value(), context.analytic[self.analytic]
         f = units.factor(entry.unit)
         U = judge.expanded(0.0, (entry.standard_uncertainty or 0.0) * f)
         verdict = judge.fact(v - entry.value * f, U)
@@ -124,7 +128,7 @@ class Adopted(PrintedClaim):
 
     def judged(self, context: Context) -> Row:
         v = context.analytic[self.analytic] if self.analytic else None
-        entry = published(self.reference)
+        entry = self._printed_value()
         r = entry.value * units.factor(entry.unit)
         return self._row(
             context.case, Kind.FACT, judge.Verdict(Status.NOTE, self.why), analytic=v,

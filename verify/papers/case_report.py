@@ -31,8 +31,9 @@ def shown_values(outputs: Sequence[Output], values: Values) -> tuple[FormulaValu
     """The outputs that these inputs have, in display units."""
     return tuple(
         FormulaValue(
-            symbol=out.symbol, what=out.what, value=values[out.key] / units.factor(out.unit),
-            unit=out.unit, judged=out.judged,
+            key=out.key, symbol=out.symbol, what=out.what,
+            value=values[out.key] / units.factor(out.unit), unit=out.unit, judged=out.judged,
+            equation=out.equation, source=out.source, form=out.form, safe=out.safe,
         )
         for out in outputs if out.key in values
     )  # fmt: skip

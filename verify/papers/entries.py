@@ -45,6 +45,15 @@ class Value(Entry):
         return self
 
 
+def literal(printed: str, what: str, place: str) -> Value:
+    """A number with its unit as a source outside the suite prints it, "77.25 MPa"."""
+    digits, _, unit = printed.partition(" ")
+    return Value(
+        id="printed", what=what, printed=digits, value=number(digits), unit=unit or "1",
+        kind="theory", role="result", place=place or "source",
+    )  # fmt: skip
+
+
 class Equation(Entry):
     """A numbered equation: implemented (code, and a check that it breaks), argued or missing.
 

@@ -32,7 +32,7 @@ def _lame(_: Any, v: Values) -> tuple[SharedReading, ...]:
         SharedReading(
             assumption="the race is free along the axis (rows in plane stress)",
             part=LONG, quantity="the bore displacement", source=STRAIN,
-            effect=ratio(v, "bore displacement, plane stress", "bore displacement, plane strain"),
+            effect=ratio(v, "u_bore", "u_bore_strain"),
         ),
     )  # fmt: skip
 
@@ -76,7 +76,7 @@ def _rotation(_: Any, v: Values) -> tuple[SharedReading, ...]:
         SharedReading(
             assumption="the race is free along the axis (rows in plane stress)",
             part=LONG, quantity="the bore growth", source=STRAIN,
-            effect=ratio(v, "bore growth, plane stress", "bore growth, plane strain"),
+            effect=ratio(v, "growth", "growth_strain"),
         ),
         SharedReading(
             assumption="the race turns alone", quantity="the bore growth",

@@ -54,7 +54,7 @@ class Recomputed(PrintedClaim):
     row: int
 
     def judged(self, context: Context) -> Row:
-        v, entry = relative_error(self.row), published(self.reference)
+        v, entry = relative_error(self.row), self._printed_value()
         r, u = entry.value / 100, (entry.standard_uncertainty or 0.0) / 100
         U = judge.expanded(0.0, u)
         verdict = judge.difference(v, r, U=U, scale=r, demand=self.demand)

@@ -1,0 +1,70 @@
+"""Finite elements of a thick ring: quarters in plane stress and strain, one with straight edges."""
+
+from typing import Any
+
+import numpy as np
+
+from verify.case import Level, plane_field
+from verify.cases.ring import walls
+
+
+def solve(q: Any, level: int) -> Level:
+    """One level of all three quarters."""
+    from fem.plane.material import Assumption, Elastic
+    from fem.plane.solution import PlaneSolution
+    from fem.plane.solve import solve_plane
+    from meshes.ring.quarter import quarter_ring
+
+    values: dict[str, float] = {}
+    arrays: dict[str, Any] = {}
+    found: list[PlaneSolution] = []
+
+    def solved(assumption: Assumption, *, straight: bool = False) -> PlaneSolution:
+        found.append(solve_plane(
+            quarter_ring(r_i=q.r_i, r_o=q.r_o, refine=level, straight=straight),
+            materials=Elastic(E=q.E, nu=q.nu), assumption=assumption,
+            supports={"x=0": "x", "y=0": "y"}, pressures={"bore": q.p_i, "rim": q.p_o}, degree=2,
+        ))  # fmt: skip
+        return found[-1]
+
+    thin, long = solved("plane stress"), solved("plane strain")
+    straight = solved("plane strain", straight=True)
+    values["U_straight"] = 4 * straight.strain_energy
+    for ring, state in ((thin, ""), (long, "_strain")):
+        read = _read(ring) | {"balance": ring.reaction("x=0")[0] + q.p_i * q.r_i - q.p_o * q.r_o}
+        values |= {f"{name}{state}": value for name, value in read.items()}
+    values["axial"] = values.pop("axial_strain")
+    for ring, edges in ((long, ""), (straight, "_straight")):
+        body = ring.in_body()
+        arrays |= {f"x{edges}": body.x, f"u{edges}": body.u, f"weight{edges}": body.weight}
+    profiles = dict(walls.across(q, long))
+    # without prescribed movement energy and potential differ by round-off alone; the residual is
+    # that of displacements, not of energies
+    round_off = max(
+        max(abs(ring.potential_energy / ring.strain_energy + 1), ring.residual**0.5)
+        for ring in found
+    )
+    u_it = {key: round_off * abs(value) for key, value in values.items()}
+    u_it |= {key: round_off * float(np.abs(array).max()) for key, array in profiles.items()}
+    cells = ("stress", "von_mises", "hoop_stress")
+    fields = (
+        plane_field(thin, *cells, name="plane stress"),
+        plane_field(long, *cells, name="plane strain"),
+    )
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays | profiles, fields=fields)
+
+
+def _read(ring: Any) -> dict[str, float]:
+    """Mean displacements and stresses of a quarter, its energy times four, by quantity."""
+    bore, rim, middle = (ring.on_boundary(name) for name in ("bore", "rim", "middle"))
+    body = ring.in_body()
+    return {
+        "U": 4 * ring.strain_energy,
+        "u_bore": bore.mean(bore.polar()[0]),
+        "u_rim": rim.mean(rim.polar()[0]),
+        "hoop_bore": bore.mean(bore.polar()[2]),
+        "hoop_rim": rim.mean(rim.polar()[2]),
+        "radial_mid": middle.mean(middle.polar()[1]),
+        "hoop_mid": middle.mean(middle.polar()[2]),
+        "axial": body.mean(body.stress[3]),
+    }

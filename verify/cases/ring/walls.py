@@ -1,0 +1,81 @@
+"""What rings with two plain walls share: rules of their inputs, profiles, sketch."""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+
+from verify.case import AlongLine, sketches
+from verify.core.figures import Array, Shape
+from verify.form.sketches import polar
+
+ACROSS = 13  # stations over the wall
+ASKEW = 30.0  # degrees: their direction, on no line of the mesh's symmetry
+FAST = 1e-3, "smooth fields on curved quadratic cells: much sharper than 1 % at no cost"
+SQUARED: dict[str, Any] = {
+    "demand": 0.025,
+    "demand_reason": "4 within 0.1: twice the energy norm's order 2",
+}
+PROFILE_NOTE = (
+    "Points on a radius at 30°; below, what is left when the formula is taken away, in the band of "
+    "the profile's own tolerance."
+)
+
+
+def check_wall(r_i: float, r_o: float, names: tuple[str, str] = ("r_i", "r_o")) -> None:
+    """ValueError where two radii are no ring, or its wall is a shell."""
+    if not r_i < r_o:
+        raise ValueError(
+            f"a ring needs {names[0]} < {names[1]}, got r_i = {r_i * 1e3:g} mm, "
+            f"r_o = {r_o * 1e3:g} mm"
+        )
+    if r_o - r_i < 1e-3 * r_o:
+        raise ValueError(
+            f"a wall of {(r_o - r_i) * 1e3:g} mm is below a thousandth of r_o = "
+            f"{r_o * 1e3:g} mm: a shell, not a thick ring"
+        )
+
+
+def stations(q: Any) -> Array:
+    """Radii (m,) of the profiles [m], both walls included."""
+    return np.linspace(q.r_i, q.r_o, ACROSS)
+
+
+def across(q: Any, solution: Any) -> Iterator[tuple[str, Array]]:
+    """Radial displacement [m], radial and hoop stress [Pa] at the stations, by name."""
+    found = solution.at(np.outer(polar(1.0, ASKEW), stations(q))).polar()
+    for name, values in zip(("displacement", "radial_stress", "hoop_stress"), found, strict=False):
+        yield f"profile_{name}", values
+
+
+def profiles(
+    q: Any, assumption: str, stresses: Any, displacement: Any, *, stress: float, moved: float
+) -> Iterator[AlongLine]:
+    """Stresses and displacement across the wall, over the scales `stress` and `moved` [SI]."""
+    shared: dict[str, Any] = {"x": ("r", "mm"), "at": stations(q), "note": PROFILE_NOTE}
+    ends = f"across the wall, {assumption}"
+    yield AlongLine(title=f"Hoop stress {ends}", y=("σ_θ", "MPa"), order=2.0, scale=stress,
+                    curve=lambda r: stresses(r)[1], reference="profile_hoop_stress",
+                    **shared)  # fmt: skip
+    yield AlongLine(title=f"Radial stress {ends}", y=("σ_r", "MPa"), order=2.0, scale=stress,
+                    curve=lambda r: stresses(r)[0], reference="profile_radial_stress",
+                    **shared)  # fmt: skip
+    yield AlongLine(title=f"Radial displacement {ends}", y=("u_r", "µm"), order=3.0, scale=moved,
+                    curve=displacement, reference="profile_displacement", **shared)  # fmt: skip
+
+
+def quarter(inner: float) -> Iterator[Shape]:
+    """Ring of outer radius 1, the quarter that finite elements take, and both axes."""
+    yield from sketches.ring(inner, 1.0)
+    arcs = [polar(1.0, d) for d in np.linspace(0, 90, 73)]
+    arcs += [polar(inner, d) for d in np.linspace(90, 0, 73)]
+    yield Shape(style="modelled", points=np.array(arcs))
+    yield Shape(style="axis", points=np.array([[-1.12, 0.0], [1.12, 0.0]]))
+    yield Shape(style="axis", points=np.array([[0.0, -1.12], [0.0, 1.12]]))
+    yield sketches.leader((1.18, 0.98), (0.75, 0.52), "FE: a quarter")
+
+
+def radii(labels: Iterable[tuple[str, float, float]]) -> Iterator[Shape]:
+    """Leaders to circles: label, angle in degrees, radius."""
+    for label, degrees, at in labels:
+        yield sketches.leader(polar(1.32, degrees), polar(at, degrees), label)
