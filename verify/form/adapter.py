@@ -61,7 +61,7 @@ class Formulas(_Side):
     def __call__(self, case: Case) -> Values:
         more: dict[str, float] = {}
         with faults_located(self.file):
-            values = {q.name: float(getattr(case, q.name)) for q in case.quantities()}
+            values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
                 more |= one.numbers
         return values | more

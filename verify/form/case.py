@@ -146,6 +146,10 @@ class Case(Inputs):
         found = {k: v for base in reversed(cls.__mro__) for k, v in vars(base).items()}
         return tuple(d.quantity for d in found.values() if isinstance(d, Declared))
 
+    def present(self) -> tuple[Quantity, ...]:
+        """The quantities that these inputs have."""
+        return tuple(q for q in self.quantities() if q.when is None or q.when(self))
+
     def __copy__(self) -> Self:
         """Without computed values, which `model_copy` would take to other inputs."""
         copied = super().__copy__()

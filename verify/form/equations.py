@@ -26,7 +26,7 @@ class Symbols(NamedTuple):
 def stated(case: Case) -> tuple[Equation, ...]:
     """The equations of all quantities; CaseError where one gives another number than the code."""
     symbols = symbols_of(case)
-    found = (equation(case, q, symbols) for q in case.quantities())
+    found = (equation(case, q, symbols) for q in case.present())
     return tuple(one for one in found if one is not None)
 
 
@@ -35,7 +35,7 @@ def symbols_of(case: Case) -> Symbols:
     found = Symbols({}, {}, {})
     fields = type(case).model_fields
     inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
-    for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.quantities())):
+    for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.present())):
         value, as_tex = getattr(case, name), equations.symbol_tex(symbol)
         if isinstance(value, int | float) and as_tex not in found.values:
             digits = INPUT_DIGITS if name in fields else DIGITS

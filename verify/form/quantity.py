@@ -31,7 +31,7 @@ class Quantity:
     the input or quantity of which this is another form, as printed, corrected or for small angles:
     both share symbol and reference; `form` states which one it is. A "step" of a formula is not
     compared. "geometry" follows from the inputs without any theory, so that the reference may read
-    it.
+    it. `when` says of a case whether its inputs have the quantity; a deflection needs a load.
     """
 
     symbol: str
@@ -45,6 +45,7 @@ class Quantity:
     form_of: str = ""
     form: Form = ""
     role: Role = "formula"
+    when: Callable[[Any], bool] | None = None
     name: str = field(default="", init=False)
     formula: Callable[[Any], SupportsFloat] = field(init=False, repr=False)
 

@@ -150,6 +150,21 @@ def test_equations_come_from_the_code_or_are_checked_against_it():
         equations.stated(Wrong())
 
 
+def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
+    class Loaded(Rod):
+        M: float | None = given(None, "N m", "M", "couple", omitted=None)
+
+        @Quantity("τ", "MPa", "shear stress", when=lambda q: q.M is not None)
+        def tau(self):
+            return self.M / self.d**3
+
+    case = adapted(Loaded)
+    assert "tau" in {one.key for one in case.outputs}
+    assert "tau" not in case.analytic(Loaded())
+    assert case.analytic(Loaded(M=2.0))["tau"] == pytest.approx(2e6)
+    assert [len(equations.stated(Loaded(M=M))) for M in (None, 2.0)] == [3, 4]
+
+
 def declare(symbol, unit):
     class Broken(Rod):
         @Quantity(symbol, unit, "something else")
