@@ -1,6 +1,7 @@
 """A declared case as the record that the jobs, studies and reports of the suite work with."""
 
 import inspect
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields, replace
 from typing import Any, ClassVar
@@ -50,7 +51,10 @@ class _Side:
 
 
 class Formulas(_Side):
-    """Numbers of a case's quantities and further ones of its comparisons, by name [SI]."""
+    """Numbers of a case's quantities and further ones of its comparisons, by name [SI].
+
+    What is infinite or nan is left out: the part at hand does not have it.
+    """
 
     name = "quantities"
 
@@ -64,7 +68,7 @@ class Formulas(_Side):
             values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
                 more |= one.numbers
-        return values | more
+        return {key: value for key, value in (values | more).items() if math.isfinite(value)}
 
 
 class Reference(_Side):

@@ -203,3 +203,18 @@ def test_the_reference_consists_of_what_it_uses_and_of_no_formula():
     assert set(members) == {"reference", "area", "d", "F", "E"}
     ((*_, members),) = reached(Rod, ["strain"], formulas=True)
     assert set(members) == {"strain", "sigma", "area", "d", "F", "E"}
+
+
+def test_what_a_part_does_not_have_is_no_value_and_no_equation():
+    class Column(Case):
+        title = "Column"
+        F: float = given("1 N", "N", "F", "force")
+
+        @Quantity("S", "1", "safety against buckling under a push", tex=r"\frac{2}{F}")
+        def S(self) -> float:
+            return 2 / self.F if self.F > 0 else float("nan")
+
+    case = adapted(Column)
+    for F, found in ((1.0, {"S": 2.0}), (-1.0, {})):
+        assert case.analytic(Column(F=F)) == found
+        assert len(case.equations(Column(F=F), found)) == len(found)
