@@ -22,6 +22,7 @@ from verify.form.comparisons import (
     identity,
     limit,
     over_family,
+    underived,
 )
 from verify.form.fields import picture, plane_field
 from verify.form.figures import AlongLine, Drawn, Overlay
@@ -57,5 +58,6 @@ __all__ = [
     "solved",
     "table",
     "text",
+    "underived",
     "word",
 ]

@@ -17,7 +17,7 @@ from verify.core.figures import Field, Figure, Picture, Sketch, Table
 from verify.core.inputs import Inputs, meta
 from verify.core.references import Method
 from verify.form.comparisons import Comparison
-from verify.form.quantity import MEMO, Declared, Quantity, remembered, shared
+from verify.form.quantity import MEMO, Declared, Family, Quantity, remembered, shared
 
 
 def solved(
@@ -47,7 +47,7 @@ class Drawing(Protocol):
 class Case(Inputs):
     """Base of every case, in the suite and outside; its docstring leads its page."""
 
-    model_config = ConfigDict(ignored_types=(Declared, shared))
+    model_config = ConfigDict(ignored_types=(Declared, Family, shared))
 
     id: ClassVar[str] = ""  # by default the name of the file
     title: ClassVar[str] = ""  # empty where the class only holds inputs that cases share
@@ -144,7 +144,12 @@ class Case(Inputs):
     def quantities(cls) -> tuple[Quantity, ...]:
         """In the order of the class, those of base classes first."""
         found = {k: v for base in reversed(cls.__mro__) for k, v in vars(base).items()}
-        return tuple(d.quantity for d in found.values() if isinstance(d, Declared))
+        declared = (
+            d for one in found.values()
+            for d in (one.members.values() if isinstance(one, Family) else (one,))
+            if isinstance(d, Declared)
+        )  # fmt: skip
+        return tuple({d.quantity.name: d.quantity for d in declared}.values())
 
     def present(self) -> tuple[Quantity, ...]:
         """The quantities that these inputs have."""

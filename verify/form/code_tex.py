@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from verify.core.tex import tex as number
-from verify.form.tex import FUNCTIONS
+from verify.form.tex import EXTREMES, FUNCTIONS
 
 
 def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
@@ -52,6 +52,8 @@ def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
             return rf"{part(a, 3)}^{{{part(b, 1)}}}", 3
         case ast.Call(func=ast.Name(id="sqrt"), args=[of]):
             return rf"\sqrt{{{part(of, 1)}}}", 3
+        case ast.Call(func=ast.Name(id=function), args=several) if function in EXTREMES:
+            return rf"\{function}\left({', '.join(part(of, 1) for of in several)}\right)", 2
         case ast.Call(func=ast.Name(id=function), args=[of]):
             return rf"\{FUNCTIONS[function]}\left({part(of, 1)}\right)", 2
     raise TypeError(node)

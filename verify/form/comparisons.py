@@ -6,6 +6,7 @@ the quantity that it judges.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import inf
 from typing import Any, NamedTuple, TypedDict, Unpack
 
 from verify.core.case import Check, Context, FemResult
@@ -37,6 +38,11 @@ def about(error: float, slack: float, source: str) -> Expected:
     return Expected(error - slack, error + slack, source)
 
 
+def underived(reason: str) -> Expected:
+    """No expected error is known, for that reason: the error is only displayed."""
+    return Expected(-inf, inf, reason, sharp=False)
+
+
 @dataclass(frozen=True)
 class State:
     """The same formulas in another state: under another load, or as a long part.
@@ -61,9 +67,9 @@ class Options(TypedDict, total=False):
     """What every comparison of a quantity with a reference may state.
 
     `order` is the reference's order of convergence in theory. `against` distinguishes rows of one
-    quantity; `name` and `symbol` replace those of the declaration. `state` is another one than
-    that of the inputs. `sensitivity` is the smallest error that must make the row fail, `own` the
-    same for inputs of the user where that is less demanding. `by` names a second method that is
+    quantity; `name`, `symbol` and `unit` replace those of the declaration. `state` is another one
+    than that of the inputs. `sensitivity` is the smallest error that must make the row fail, `own`
+    the same for inputs of the user where that is less demanding. `by` names a second method that is
     refined like a mesh, `printed` values of the papers beside the row ("paper:id"), and `shares`
     what both sides have in common.
     """
@@ -72,6 +78,7 @@ class Options(TypedDict, total=False):
     against: str
     name: str
     symbol: str
+    unit: str
     state: State | None
     sensitivity: Required
     own: Required
@@ -227,7 +234,8 @@ def _compared(
     if "own" in options:
         stated["own_demand"], stated["own_reason"] = options["own"]
     check = kind(
-        name=options.get("name", name), symbol=options.get("symbol", symbol), unit=q.unit,
+        name=options.get("name", name), symbol=options.get("symbol", symbol),
+        unit=options.get("unit", q.unit),
         analytic=key, fem=reference or own, formal=options.get("order"),
         by=options.get("by", ""), printed=options.get("printed", ()), demand=demand,
         demand_reason=reason, **stated,

@@ -31,7 +31,10 @@ def stated(case: Case) -> tuple[Equation, ...]:
 
 
 def symbols_of(case: Case) -> Symbols:
-    """The symbols of inputs and quantities; of forms of one quantity the first that is declared."""
+    """The symbols of inputs and quantities; of forms of one quantity the first that is declared.
+
+    Those of a compared state are there, too, where it has symbols different from these.
+    """
     found = Symbols({}, {}, {})
     fields = type(case).model_fields
     inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
@@ -41,6 +44,13 @@ def symbols_of(case: Case) -> Symbols:
             digits = INPUT_DIGITS if name in fields else DIGITS
             found.tex[name] = as_tex
             found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, digits)
+            found.values[as_tex] = value
+    for one in case.stated():
+        if one.quantity and one.state and one.state.symbol != "{}":
+            value, unit = getattr(one.state.case, one.quantity.name), one.quantity.unit
+            as_tex = equations.symbol_tex(one.state.symbol.format(one.quantity.symbol))
+            found.tex[one.key] = as_tex
+            found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, DIGITS)
             found.values[as_tex] = value
     return found
 

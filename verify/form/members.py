@@ -6,7 +6,7 @@ from pathlib import Path
 from sys import modules
 
 from verify.core.inputs import Inputs
-from verify.form.quantity import Declared
+from verify.form.quantity import Declared, Family
 
 MACHINERY = ("verify.core.", "verify.form.", "pydantic.")  # of no case
 
@@ -21,10 +21,15 @@ def reached(
     """
     bodies = {cls: dict(_body(cls)) for cls in _classes(form)}
     hidden = set() if formulas else {name for name in _names(form) if _is_formula(form, name)}
+    declared = [vars(c)[name] for c in _classes(form) for name in vars(c)]
+    methods = {  # a member of a family is its method
+        d.quantity.name: d.quantity.formula.__name__ for d in declared if isinstance(d, Declared)
+    }
     found: set[str] = set()
     queue = list(start)
     while queue:
-        if (name := queue.pop()) in found or name in hidden:
+        name = queue.pop()
+        if (name := methods.get(name, name)) in found or name in hidden:
             continue
         found.add(name)
         nodes = [body[name] for body in bodies.values() if name in body]
@@ -47,7 +52,8 @@ def _names(form: type[Inputs]) -> Iterator[str]:
 
 def _is_formula(form: type[Inputs], name: str) -> bool:
     declared = next((vars(c)[name] for c in form.__mro__ if name in vars(c)), None)
-    return isinstance(declared, Declared) and declared.quantity.role != "geometry"
+    one = next(iter(declared.members.values())) if isinstance(declared, Family) else declared
+    return isinstance(one, Declared) and one.quantity.role != "geometry"
 
 
 def _body(cls: type) -> Iterator[tuple[str, ast.stmt]]:

@@ -1,16 +1,20 @@
 """A formula of a source, declared once: symbol, unit, what it is, equation, safe side."""
 
+import inspect
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import KW_ONLY, dataclass, field
+from dataclasses import KW_ONLY, dataclass, field, replace
+from functools import partial, wraps
+from itertools import product
 from pathlib import Path
 from typing import Any, Generic, Literal, SupportsFloat, TypeVar, overload
 
 Side = Literal["too high", "too low", ""]
 Role = Literal["formula", "step", "geometry"]
 Form = Literal["as printed", "corrected", "small angles", ""]
+Indexed = Callable[..., SupportsFloat]  # a method with arguments beside the instance
 T = TypeVar("T")
 MEMO = "="  # before the name of a computed value in an instance's __dict__: no field begins so
 _code_changes = [0]  # how often
@@ -54,6 +58,14 @@ class Quantity:
         self.formula, self.name = formula, formula.__name__
         return Declared(self)
 
+    def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
+        """Declare a method with arguments as one quantity for each, as of modes or places.
+
+        `{0}` in symbol and meaning stands for the first index, `{1}` for the second; `when` takes
+        them, too.
+        """
+        return partial(Family.of, self, tuple(product(*indices)))
+
     @property
     def label(self) -> str:
         """What it is, with its equation: "hoop stress, Eq. 9". Rows are named by it."""
@@ -61,7 +73,7 @@ class Quantity:
 
     def broken(self, owner: type, rule: str) -> CaseError:
         """The error for a rule that this declaration breaks."""
-        code = self.formula.__code__
+        code = inspect.unwrap(self.formula).__code__
         place = f"{Path(code.co_filename).name}:{code.co_firstlineno}"
         return CaseError(f"{place}: {owner.__name__}.{self.name}: {rule}")
 
@@ -83,6 +95,42 @@ class Declared:
         if solving.get() and q.role != "geometry":
             raise q.broken(owner, "the reference reads this formula, but must share none")
         return remembered(case, q.name, lambda: float(q.formula(case)))
+
+
+@dataclass(frozen=True)
+class Family:
+    """Quantities of one formula with an index: of the class declarations, of an instance numbers.
+
+    `Shaft.whirl(1, "forward")` is the declaration of the number `Shaft().whirl(1, "forward")`,
+    whose name is whirl_1_forward.
+    """
+
+    members: Mapping[tuple[object, ...], Declared]
+
+    @classmethod
+    def of(cls, q: Quantity, indices: Sequence[tuple[object, ...]], method: Indexed) -> "Family":
+        """A quantity for each index."""
+
+        def member(index: tuple[object, ...]) -> Declared:
+            one = replace(q, symbol=q.symbol.format(*index), what=q.what.format(*index))
+            one.name = "_".join(map(str, (method.__name__, *index)))
+            one.formula = wraps(method)(lambda case: method(case, *index))
+            if when := q.when:
+                one.when = lambda case: when(case, *index)
+            return Declared(one)
+
+        return cls({index: member(index) for index in indices})
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        for declared in self.members.values():
+            setattr(owner, declared.quantity.name, declared)
+
+    @overload
+    def __get__(self, case: None, owner: type) -> Callable[..., Quantity]: ...
+    @overload
+    def __get__(self, case: object, owner: type) -> Callable[..., float]: ...
+    def __get__(self, case: object | None, owner: type) -> Callable[..., Quantity | float]:
+        return lambda *index: self.members[index].__get__(case, owner)
 
 
 @dataclass(frozen=True)

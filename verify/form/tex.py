@@ -15,7 +15,8 @@ GREEK = dict(zip("αβγδεζηθκλμνξπρστφχψωΓΔΘΛΣΦΨΩ", _
 LETTER = {rf"\{name}": letter for letter, name in GREEK.items()}
 FUNCTIONS = {"log": "ln", "sqrt": "sqrt", "sin": "sin", "cos": "cos", "tan": "tan", "exp": "exp",
              "asin": "arcsin", "acos": "arccos", "atan": "arctan"}  # fmt: skip
-OPENS = {rf"\{name}" for name in (*FUNCTIONS.values(), "frac", "left")} | {"("}
+EXTREMES = {"min": min, "max": max}
+OPENS = {rf"\{name}" for name in (*FUNCTIONS.values(), *EXTREMES, "frac", "left")} | {"("}
 TOKENS = r"\\mathrm\{[^}]*\}|\\[A-Za-z]+|\\.|\s+|\d+(?:\.\d+)?|."
 
 
@@ -92,9 +93,9 @@ def _over(match: re.Match[str]) -> str:
 def evaluate(tex: str, values: Mapping[str, float]) -> float | None:
     """What the equation gives for SI `values` by symbol; None where it is more than arithmetic."""
     text = plain(put_in(tex, {name: f"({value!r})" for name, value in values.items()}))
-    known = {name: getattr(math, code) for code, name in FUNCTIONS.items()} | {"π": math.pi}
+    known = {name: getattr(math, code) for code, name in FUNCTIONS.items()}
     try:
         code = text.replace("·", "*").replace("^", "**")
-        return float(eval(code, {"__builtins__": {}}, known))  # noqa: S307 - the case's own TeX
+        return float(eval(code, {"__builtins__": {}}, known | EXTREMES | {"π": math.pi}))  # noqa: S307 - the case's own TeX
     except (SyntaxError, NameError, TypeError, AttributeError):
         return None

@@ -1,0 +1,100 @@
+"""Quantities with an index, states with symbols of their own, the smaller of two in an equation."""
+
+import pytest
+
+from verify.case import Case, CaseError, Level, Quantity, State, given, identity, solved, underived
+from verify.case import approximation as approximated
+from verify.core.case import Context
+from verify.form import equations
+from verify.form.adapter import adapted
+from verify.form.members import reached
+
+
+class Beam(Case):
+    """A beam with two modes, as a light and as a heavy one."""
+
+    title = "Beam"
+    source = "belcin"
+
+    k: float = given("4 N/mm", "N/mm", "k", "stiffness", gt=0)
+    m: float = given("1 kg", "kg", "m", "mass", gt=0)
+
+    @Quantity("ω_{0}{1[0]}", "rad/s", "mode {0} {1}").over((1, 2), ("forward", "backward"))
+    def whirl(self, j, way):
+        return j * (self.k / self.m) ** 0.5 * self._gyroscopic(way)
+
+    def _gyroscopic(self, way):
+        return 1.1 if way == "forward" else 0.9
+
+    @Quantity("q", "1", "heavy over light", tex=r"\frac{\omega_{1f}'}{\omega_{1f}}")
+    def ratio(self):
+        return self.heavy().whirl(1, "forward") / self.whirl(1, "forward")
+
+    @Quantity("k_m", "N/mm", "the smaller stiffness")
+    def softest(self) -> float:
+        return min(self.k, 2 * self.k)
+
+    def heavy(self):
+        return self.at(m=4 * self.m)
+
+    def reference(self, level: int) -> Level:
+        return solved(1 / level, whirl_1_forward=1.0, whirl_1_forward_heavy=1.0)
+
+    def comparisons(self):
+        heavy = State(self.heavy(), "heavy", "heavy", "{}'")
+        yield identity(Beam.whirl(1, "forward"), unit="1/min", name="fast")
+        yield approximated(Beam.whirl(1, "forward"), state=heavy, expected=underived("measured"))
+
+
+def test_members_are_quantities_with_names_and_numbers():
+    names = ["whirl_1_forward", "whirl_1_backward", "whirl_2_forward", "whirl_2_backward"]
+    assert [q.name for q in Beam.quantities()] == [*names, "ratio", "softest"]
+    q = Beam.whirl(2, "backward")
+    assert (q.symbol, q.what) == ("ω_2b", "mode 2 backward")
+    beam = Beam()
+    assert beam.whirl(2, "backward") == beam.whirl_2_backward == pytest.approx(2 * 0.9 * 4000**0.5)
+    assert adapted(Beam).analytic(beam)["whirl_1_forward"] == beam.whirl(1, "forward")
+
+
+def test_a_broken_rule_of_a_member_names_its_method_s_line():
+    with pytest.raises(CaseError, match=r"^test_family.py:\d+: Same.any_1: the symbol k"):
+
+        class Same(Beam):
+            @Quantity("k", "N/mm", "another").over((1, 2))
+            def any(self, j):
+                return j
+
+
+def test_members_may_be_absent():
+    class Some(Beam):
+        @Quantity("a_{0}", "1", "{0}", when=lambda _, j: j > 1).over((1, 2))
+        def some(self, j):
+            return j
+
+    assert [q.name for q in Some().present()][-1:] == ["some_2"]
+
+
+def test_the_code_of_a_member_is_its_method_s():
+    ((*_, members),) = reached(Beam, ["whirl_1_forward"], formulas=True)
+    assert set(members) == {"whirl", "_gyroscopic", "k", "m"}
+    assert reached(Beam, ["whirl_1_forward"], formulas=False) == ()
+
+
+def test_symbols_of_a_state_and_the_smaller_of_two_are_in_equations():
+    found = {one.tex.partition(" = ")[0]: one for one in equations.stated(Beam())}
+    assert found["q"].numbers.endswith(r" = 0.5")
+    assert r"34.7851\,\mathrm{rad/s}" in found["q"].numbers
+    assert found["k_m"].tex == r"k_m = \min\left(k, 2 k\right)"
+    assert found["k_m"].numbers.endswith(r"= 4\,\mathrm{N/mm}")
+    assert r"\min" in found["k_m"].numbers
+
+
+def test_a_row_has_its_own_unit_and_an_error_without_interval_says_why():
+    case, beam = adapted(Beam), Beam()
+    levels = [case.reference(beam, level) for level in case.levels]
+    context = Context(case.id, beam, case.analytic(beam), levels, True)
+    rows = {row.quantity: row for check in case.checks for row in check.rows(context)}
+    assert rows["fast"].unit == "1/min"
+    heavy = rows["mode 1 forward, heavy"]
+    assert (heavy.interval, heavy.interval_source) == (None, "measured")
+    assert heavy.symbol == "ω_1f'"
