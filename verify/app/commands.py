@@ -9,6 +9,7 @@ from pathlib import Path
 from verify.answers.assumed.registry import ASSUMPTIONS
 from verify.answers.parameter_file import read
 from verify.audit.releases.changes import lines, since
+from verify.cases import files
 from verify.cases.registry import CASES, find
 from verify.core import environment
 from verify.core.case import Case, Values
@@ -28,7 +29,7 @@ BAD = (Status.FAIL, Status.SKIP)
 
 def run_list() -> int:
     """Print each case with its subject and its inputs, their units, and which may be left out."""
-    for case in CASES:
+    for case in (*CASES, *map(find, files.installed())):
         assumable = {one.name for one in ASSUMPTIONS.get(case.id, ())}
         needed: list[str] = []
         optional: list[str] = []

@@ -1,6 +1,7 @@
-"""Cases in files outside the suite: a Python file with one class of `verify.case.Case`.
+"""Cases outside the suite: in a Python file, or of an installed package.
 
-Files that were loaded are named in an environment variable, so that worker processes find them.
+Files that were loaded are named in an environment variable, so that worker processes find them. A
+package names its classes as entry points of the group `freewheel.cases`.
 """
 
 import importlib
@@ -9,7 +10,10 @@ import sys
 import traceback
 from collections.abc import Iterator
 from functools import cache
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
+
+from pydantic import PydanticUserError
 
 from verify.core import source_code
 from verify.core.case import Case
@@ -17,6 +21,7 @@ from verify.core.inputs import InputError
 from verify.form.adapter import adapted
 from verify.form.case import Case as Form
 
+GROUP = "freewheel.cases"
 FILES = "FREEWHEEL_CASE_FILES"  # paths, separated as those of PATH
 
 
@@ -43,6 +48,35 @@ def loaded() -> Iterator[Case]:
         yield _loaded(Path(path))
 
 
+def installed() -> tuple[str, ...]:
+    """Names of the cases that installed packages declare; nothing of theirs is imported."""
+    return tuple(sorted(point.name for point in entry_points(group=GROUP)))
+
+
+@cache
+def of_package(name: str) -> Case:
+    """The case that an installed package declares by this name; InputError."""
+    (point,) = entry_points(group=GROUP, name=name)
+    try:
+        form = _form(point)
+    except InputError:
+        raise
+    except Exception as error:
+        raise InputError(f"{point.value}: {type(error).__name__}: {error}") from error
+    return adapted(form, time_limit=form.time_limit)
+
+
+def _form(point: EntryPoint) -> type[Form]:
+    form = point.load()
+    if not (isinstance(form, type) and issubclass(form, Form) and form.title):
+        raise InputError(f"{point.value}: is no subclass of Case with a title")
+    if form.id != point.name:
+        raise InputError(f"{point.value}: its id {form.id} is not the name {point.name}")
+    package = importlib.import_module(form.__module__.partition(".")[0])
+    source_code.include(Path(package.__file__ or "").parent)
+    return form
+
+
 @cache
 def _loaded(path: Path) -> Case:
     name = path.stem
@@ -61,7 +95,7 @@ def _loaded(path: Path) -> Case:
         ]  # fmt: skip
         if not found:
             raise InputError(f"{path}: declares no subclass of Case with a title")
-        return adapted(found[-1])
+        return adapted(found[-1], time_limit=found[-1].time_limit)
     except InputError:
         raise
     except Exception as error:
@@ -75,6 +109,10 @@ def _told(error: Exception, path: Path) -> str:
     text = " ".join(str(error).split())
     if text.startswith(f"{path.name}:"):  # an error of the form names its place
         return text
+    if isinstance(error, PydanticUserError) and "non-annotated" in text:
+        name = text.partition("`")[2].partition(" =")[0]
+        rule = "annotate it, an input as float = given(...), a constant as ClassVar"
+        return f"{path.name}: {name}: {rule}"
     frames = [f for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
     place = f"{path.name}:{frames[-1].lineno}" if frames else path.name
     return f"{place}: {type(error).__name__}: {text}"

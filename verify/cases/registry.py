@@ -75,13 +75,15 @@ def find_any(case_id: str) -> Case:
 
 
 def find(case_id: str, among: Sequence[Case] = CASES) -> Case:
-    """The case named `case_id`, or of a file; ValueError with names like it."""
+    """The case named `case_id`, of the suite, a file or a package; ValueError with like names."""
     if files.is_file_name(case_id):
         return _own(files.load(case_id), case_id)
     for case in (*among, *files.loaded()):
         if case.id == case_id:
             return case
-    known = [case.id for case in among]
+    if case_id in files.installed():
+        return _own(files.of_package(case_id), case_id)
+    known = [*(case.id for case in among), *files.installed()]
     near = get_close_matches(case_id, known, n=1)
     meant = f", did you mean {near[0]}?" if near else ";"
     more = ", see freewheel list" if len(known) > FEW else ""

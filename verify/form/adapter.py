@@ -12,20 +12,27 @@ from verify.core.figures import Figure
 from verify.form import equations
 from verify.form.case import Case
 from verify.form.comparisons import Comparison, State
-from verify.form.members import reached
+from verify.form.members import check_names, reached
 from verify.form.quantity import CaseError, Quantity, faults_located, solving
+from verify.form.time_limit import limited
 
 
-def adapted(form: type[Case]) -> core.Case:
-    """The case of a class: comparisons by name as of the default inputs, numbers of any inputs."""
+def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
+    """The case of a class: comparisons by name as of the default inputs, numbers of any inputs.
+
+    `time_limit` is that of its formulas and of a level [s].
+    """
+    check_names(form)
     default = form()
-    named = [one.name for one in default.stated()]
+    with faults_located(inspect.getfile(form)), limited(time_limit):
+        named = [one.name for one in default.stated()]
     if double := next((name for name in named if named.count(name) > 1), ""):
         raise CaseError(f"{form.__module__}: {form.__name__}: two comparisons are called {double}")
     return core.Case(
         id=form.id, title=form.title, paper=form.source, place=form.place,
         lead=" ".join((inspect.getdoc(form) or "").split()),
-        inputs=form, analytic=Formulas(form), reference=Reference(form), method=form.method,
+        inputs=form, analytic=Formulas(form, time_limit),
+        reference=Reference(form, time_limit), method=form.method,
         levels=form.levels, checks=tuple(_check(one) for one in default.stated()),
         outputs=tuple(_outputs(default)), readings=form.readings, assumptions=form.assumptions,
         quick=form.quick, scans=form.scans, portions=form.portions, dynamic=form.dynamic,
@@ -44,8 +51,8 @@ class _Side:
 
     name: ClassVar[str]
 
-    def __init__(self, form: type[Case]) -> None:
-        self.form, self.file = form, inspect.getfile(form)
+    def __init__(self, form: type[Case], time_limit: float | None) -> None:
+        self.form, self.file, self.time_limit = form, inspect.getfile(form), time_limit
         self.__module__ = form.__module__
         self.__name__ = f"{form.__name__}.{self.name}"
 
@@ -64,7 +71,7 @@ class Formulas(_Side):
 
     def __call__(self, case: Case) -> Values:
         more: dict[str, float] = {}
-        with faults_located(self.file):
+        with faults_located(self.file), limited(self.time_limit):
             values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
                 more |= one.numbers
@@ -83,7 +90,7 @@ class Reference(_Side):
     def __call__(self, case: Case, level: int) -> FemResult:
         before = solving.set(True)
         try:
-            with faults_located(self.file):
+            with faults_located(self.file), limited(self.time_limit):
                 return case.reference(level)
         finally:
             solving.reset(before)

@@ -6,7 +6,7 @@ from pathlib import Path
 from sys import modules
 
 from verify.core.inputs import Inputs
-from verify.form.quantity import Declared, Family
+from verify.form.quantity import CaseError, Declared, Family
 
 MACHINERY = ("verify.core.", "verify.form.", "pydantic.")  # of no case
 
@@ -40,6 +40,18 @@ def reached(
     )  # fmt: skip
 
 
+def check_names(form: type[Inputs]) -> None:
+    """CaseError where a class declares two members of one name: the second hides the first."""
+    for cls in _classes(form):
+        lines: dict[str, int] = {}
+        for name, node in _body(cls):
+            if name in lines:
+                file = Path(modules[cls.__module__].__file__ or "").name
+                rule = f"{cls.__name__}.{name}: line {lines[name]} declares that name already"
+                raise CaseError(f"{file}:{node.lineno}: {rule}")
+            lines[name] = node.lineno
+
+
 def _classes(form: type[Inputs]) -> list[type]:
     return [c for c in form.__mro__ if not f"{c.__module__}.".startswith((*MACHINERY, "builtins."))
             and issubclass(c, Inputs)]  # fmt: skip
@@ -57,11 +69,12 @@ def _is_formula(form: type[Inputs], name: str) -> bool:
 
 
 def _body(cls: type) -> Iterator[tuple[str, ast.stmt]]:
-    """The members of a class as its file has them."""
+    """The members of a class as its file has them, none of a class inside a function."""
     file = modules[cls.__module__].__file__
     tree = ast.parse(Path(file or "").read_text("utf-8"))
     nodes = (n for n in tree.body if isinstance(n, ast.ClassDef) and n.name == cls.__name__)
-    for node in next(nodes).body:
+    found = next(nodes, None)
+    for node in found.body if found else ():
         if isinstance(node, ast.FunctionDef):
             yield node.name, node
         for target in node.targets if isinstance(node, ast.Assign) else ():

@@ -4,17 +4,24 @@ import pickle
 from collections.abc import Iterator
 from math import pi
 
+import numpy as np
 import pytest
 
 from verify.case import (
+    AlongLine,
     Case,
     CaseError,
     Comparison,
+    Drawn,
     Expected,
     Level,
     Quantity,
+    State,
     approximation,
+    as_printed,
     balance,
+    errors_of,
+    fact,
     given,
     identity,
     shared,
@@ -25,6 +32,7 @@ from verify.form import equations
 from verify.form.adapter import adapted
 from verify.form.members import reached
 from verify.form.quantity import forget
+from verify.judging.checks import Order
 
 LOW, HIGH = -0.003, 0.003
 
@@ -218,3 +226,103 @@ def test_what_a_part_does_not_have_is_no_value_and_no_equation():
     for F, found in ((1.0, {"S": 2.0}), (-1.0, {})):
         assert case.analytic(Column(F=F)) == found
         assert len(case.equations(Column(F=F), found)) == len(found)
+
+
+class Pair(Rod):
+    """A rod and a longer one under twice its force."""
+
+    def reference(self, level):
+        stress = self.F / self.area * (1 + 1e-3 / level**2)
+        return solved(1 / level, sigma=stress, sigma_more=2 * stress, sides=np.full(5, stress))
+
+    def comparisons(self):
+        more = State(self.at(F=2 * self.F), "more", "under 2 F", "{}(2F)")
+        yield identity(Pair.sigma, order=2, own=(0.05, "coarse"), uncertainty=1e-5, shares="area")
+        yield identity(Pair.sigma, order=2, state=more, scale={"twice": 2 * self.sigma})
+        yield Order(name="order", symbol="p", unit="1", order=2,
+                    errors=errors_of(Pair.sigma, state=more))  # fmt: skip
+        yield as_printed(Pair.sigma, "12.732 MPa")
+
+    def figures(self):
+        yield AlongLine(
+            title="Stress", x=("x", "mm"), y=("σ", "MPa"), at=np.linspace(0, 1e-3, 5), order=2,
+            curve=lambda x: np.full_like(x, self.sigma), reference="sides", scale=self.sigma,
+        )  # fmt: skip
+        yield Drawn(lambda _: [])
+
+
+def context_of(case, inputs):
+    levels = [case.reference(inputs, level) for level in case.levels]
+    return Context(case.id, inputs, case.analytic(inputs), levels, inputs == case.inputs())
+
+
+def rows_of(case, inputs):
+    context = context_of(case, inputs)
+    return {r.quantity: r for c in case.checks for r in c.rows(context)}
+
+
+def test_another_state_has_rows_values_and_outputs_of_its_own():
+    case = adapted(Pair)
+    rows = rows_of(case, Pair())
+    row = rows["stress, Eq. 1, under 2 F"]
+    assert (row.symbol, row.formula, row.scale_name) == ("σ(2F)", "sigma_more", "twice")
+    assert row.analytic == pytest.approx(2 * rows["stress, Eq. 1"].analytic)
+    assert row.scale == row.analytic
+    output = {one.key: one for one in case.outputs}["sigma_more"]
+    assert (output.what, output.symbol, output.safe) == (
+        "stress, Eq. 1, under 2 F", "σ(2F)", "too high",
+    )  # fmt: skip
+
+
+def test_options_reach_the_row():
+    case = adapted(Pair)
+    row, own = (rows_of(case, q)["stress, Eq. 1"] for q in (Pair(), Pair(d=20e-3)))
+    assert (row.formula, row.shares, row.u_ref) == (
+        "sigma",
+        "area",
+        pytest.approx(1e-5 * row.scale),
+    )
+    assert row.demand == 0.01
+    assert (own.demand, own.demand_reason) == (0.05, "coarse")
+    assert rows_of(case, Pair())["order"].fem == pytest.approx(2)
+
+
+@pytest.mark.parametrize(("printed", "status"), [("12.732 MPa", "PASS"), ("12.74 MPa", "FAIL")])
+def test_the_last_digit_of_another_source_s_number_decides(printed, status):
+    class Book(Pair):
+        def comparisons(self):
+            yield as_printed(Pair.sigma, printed)
+
+    row = rows_of(adapted(Book), Book())["stress, Eq. 1, as printed"]
+    assert (row.status, row.partner.by) == (status, f"printed {printed.split()[0]}")
+    assert not rows_of(adapted(Book), Book(d=20e-3))  # speaks of its own inputs alone
+
+
+def test_functions_of_a_check_are_those_of_the_inputs_at_hand():
+    class Margin(Pair):
+        def comparisons(self):
+            yield fact("strength", "σ", lambda _: (self.sigma / 1e6 - 5, 0.0), solves=False)
+
+    case = adapted(Margin)
+    (check,) = case.checks
+    for q, status in ((Margin(), "PASS"), (Margin(d=20e-3), "FAIL")):
+        (row,) = check.rows(Context(case.id, q, case.analytic(q), [], False))
+        assert row.status == status
+
+
+def test_figures_along_a_line_have_the_unit_of_their_axes():
+    (profile,) = adapted(Pair).figures(context_of(adapted(Pair), Pair()))
+    assert (profile.x_label, profile.y_label) == ("x [mm]", "σ [MPa]")
+    assert profile.x[-1] == 1.0
+    assert profile.y[0] == pytest.approx(12.732, rel=1e-4)
+    assert (profile.u > 0).all()
+
+
+def test_numbers_of_an_equation_that_cancels_elsewhere_are_left_out():
+    class Odd(Rod):
+        @Quantity("G", "GPa", "shear modulus", tex=r"\frac{E}{2 \cdot 1.3}")
+        def G(self):
+            return self.E / 2.6 * (1 if self.is_default else 1 + 1e-8)
+
+    assert r"\cdot" in equations.stated(Odd())[-1].numbers
+    assert equations.stated(Odd(d=20e-3))[-1].numbers == r"= 76.9231\,\mathrm{GPa}"

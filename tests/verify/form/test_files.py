@@ -79,6 +79,10 @@ def test_a_formula_that_is_off_fails_its_row(bar, capsys):
         (('@Quantity("e", "mm"', '@Quantity("r_n", "mm"'),
          r".py:\d+: CurvedBar.e: the symbol r_n is that of r_n already"),
         (('given("100 mm", "mm"', 'given("100 m m", "mm"'), r'.py:\d+: ValueError: "100 m m"'),
+        (("def e(self) -> float:", "def r_n(self) -> float:"),
+         r".py:\d+: CurvedBar.r_n: line \d+ declares that name already"),
+        (("    title = ", "    ends = 3\n    title = "),
+         ".py: ends: annotate it, an input as float = given"),
         (("import log", "import logarithm"), r".py:\d+: ImportError: cannot import name"),
         (('    title = "Bending stresses of a curved bar"\n', ""),
          ": declares no subclass of Case with a title"),
@@ -110,6 +114,55 @@ def test_a_fault_of_a_formula_is_one_line_with_its_place(change, message, bar, c
     assert run(["check", "my.toml"]) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert re.search(message, line), line
+
+
+LOOP = "while True:\n            pass\n        return 0.0"
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (("return (self.r_o - self.r_i) / log(self.r_o / self.r_i)", LOOP), r"\d+: r_n: "),
+        (("from fem.plane.material import Elastic\n        from fem.plane.solve",
+          "while self.M:\n            pass\n        from fem.plane.material import Elastic\n"
+          "        from fem.plane.solve"), r"\d+: reference: "),
+    ],
+    ids=["formula", "reference"],
+)  # fmt: skip
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_an_endless_loop_ends_at_the_time_limit(change, message, jobs, bar, capsys):
+    file = bar(change, ("    title = ", "    time_limit = 0.5\n    title = "))
+    assert run(["verify", file, "--out", "out", "--jobs", jobs]) == 1
+    place = f"{file}:{message}TimeLimitError: longer than 0.5 s"
+    assert re.search(place, capsys.readouterr().out)
+
+
+def test_a_reference_that_does_not_converge_fails_its_row(bar, capsys):
+    file = bar(("sigma_i=inner,", "sigma_i=inner * (1 + 0.05 * level),"))
+    assert run(["verify", file, "--out", "out"]) == 1
+    assert "stress at the inner edge and 1 more: does not converge" in capsys.readouterr().out
+
+
+def test_a_case_of_an_installed_package_has_a_name(bar, capsys, monkeypatch):
+    package = Path("curved_bars")
+    package.mkdir()
+    (package / "__init__.py").touch()
+    shutil.copy(bar(("    title = ", '    id = "curved-bar"\n    title = ')), package / "bar.py")
+    info = Path("curved_bars-1.0.dist-info")
+    info.mkdir()
+    (info / "METADATA").write_text("Name: curved-bars\nVersion: 1.0\n", "utf-8")
+    points = "curved-bar = curved_bars.bar:CurvedBar\nother = curved_bars.bar:ART_29\n"
+    (info / "entry_points.txt").write_text(f"[freewheel.cases]\n{points}", "utf-8")
+    monkeypatch.syspath_prepend(str(Path.cwd()))
+    files.of_package.cache_clear()
+    assert "other" in files.installed()
+    Path("my.toml").write_text(OWN.format(file="curved-bar"), "utf-8")
+    assert run(["check", "my.toml", "--fem"]) == 3
+    assert "σ_i" in capsys.readouterr().out
+    case = registry.find("curved-bar")
+    assert source_code.source_of(case.reference)
+    assert run(["verify", "other", "--out", "out"]) == 2
+    assert "curved_bars.bar:ART_29: is no subclass of Case" in capsys.readouterr().err
 
 
 def test_a_fault_of_the_reference_has_its_place(bar, capsys):
