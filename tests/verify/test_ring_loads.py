@@ -13,10 +13,10 @@ from fem.plane import loads, solve
 from fem.plane.material import Elastic
 from meshes.ring import sector
 from verify.cases.registry import find
-from verify.cases.ring.loads import consequence, fem, formulas
+from verify.cases.ring.loads import consequence, reference
 from verify.cases.ring.loads import inputs as ring_loads_inputs
-from verify.cases.ring.loads.case import INNER, OUTER
-from verify.cases.ring.loads.inputs import InnerInputs, OuterInputs, too_large
+from verify.cases.ring.loads.case import INNER, OUTER, InnerRace, OuterRace
+from verify.cases.ring.loads.formulas import SpragLoads
 from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS, MapInputs
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
@@ -55,7 +55,7 @@ def test_every_row_passes_and_the_case_is_registered(case, judged, red):
 
 @BOTH
 def test_races_are_thin_rings_plane_stress(case, judged, red, patched):
-    patched(formulas, "race",
+    patched(SpragLoads, "race",
             lambda right, *a, **k: replace(right(*a, **k), assumption="plane strain"))  # fmt: skip
     assert f"{WALL[case.id]} displacement at a load" in names(red(judged(case)))
     assert "strain energy of the race" in names(red(judged(case)))
@@ -96,7 +96,7 @@ def test_n_is_the_number_of_sprags(case, judged, red, patched):
 @BOTH
 def test_n_and_the_force_are_of_one_sprag_each(case, judged, red, patched):
     """N over all sprags, or a pressure over the pitch of half as many, turns everything red."""
-    patched(formulas, "race",
+    patched(SpragLoads, "race",
             lambda right, q, **k: replace(right(q, **k), n=q.n // 2, P=2 * q.P))  # fmt: skip
     assert {"ripple over the mean", "strain energy of the race"} <= names(red(judged(case)))
 
@@ -130,8 +130,8 @@ def test_a_wrong_formula_turns_its_row_red(case, owner, name, fault, row, judged
 
 
 DENTS = {
-    "twice the dent": lambda f: lambda q, depth, P=None: 2 * f(q, depth, P),
-    "twice the depth": lambda f: lambda q, depth, P=None: f(q, 2 * depth, P),
+    "twice the dent": lambda f: lambda q, depth: 2 * f(q, depth),
+    "twice the depth": lambda f: lambda q, depth: f(q, 2 * depth),
 }
 
 
@@ -139,7 +139,7 @@ DENTS = {
 @pytest.mark.parametrize("fault", DENTS.values(), ids=DENTS)
 def test_a_wrong_dent_turns_every_row_with_a_dent_red(case, fault, judged, red, monkeypatch):
     judged(case)
-    monkeypatch.setattr(formulas, "dent", fault(formulas.dent))
+    monkeypatch.setattr(SpragLoads, "dent_to", fault(SpragLoads.dent_to))
     assert {
         "Eq. 6 at a load, dent to the wall's depth taken out",
         "Eq. 6 at a load, dent to half the wall taken out",
@@ -181,9 +181,9 @@ def red_without_fault():
                      id="plane strain for plane stress"),
         pytest.param(solve, "vector_basis", lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k),
                      id="linear elements"),
-        pytest.param(OuterInputs, "half_width", lambda f: property(lambda q: 1.02 * f.fget(q)),
+        pytest.param(OuterRace, "half_width", lambda f: property(lambda q: 1.02 * f.fget(q)),
                      id="patch 2 % too wide"),
-        pytest.param(fem, "replace", lambda f: lambda s, **k: f(s, **k | {"u": s.u}),
+        pytest.param(reference, "replace", lambda f: lambda s, **k: f(s, **k | {"u": s.u}),
                      id="a load of even cells not made good"),
         pytest.param(sector, "half_block",
                      lambda f: lambda *, width, **k: f(width=1.001 * width, **k),
@@ -210,14 +210,14 @@ def test_the_claim_about_eq_6_rests_on_a_fitted_force(judged):
 
 
 def test_another_number_of_sprags_is_shown_not_claimed(judged):
-    result = solve_anew(COARSE, OuterInputs(n=6))
+    result = solve_anew(COARSE, OuterRace(n=6))
     (row,) = (r for r in result.rows if "too soft" in r.quantity)
     assert row.status is Status.SHOWN
     assert "-17.4% off at n = 6" in row.reason
 
 
 def test_smearing_costs_windup_and_hides_force_from_12_sprags_on():
-    races = (OuterInputs(), InnerInputs())
+    races = (OuterRace(), InnerRace())
     windup, peak = consequence.ratios(races, 12)
     assert 1.04 < windup < 1.05
     assert 0.97 < peak < 0.98
@@ -227,7 +227,7 @@ def test_smearing_costs_windup_and_hides_force_from_12_sprags_on():
 
 def test_the_peak_force_is_that_of_equal_energies():
     """Energies by summing N d delta in steps, of both models, at the forces of the table."""
-    q = OuterInputs()
+    q = OuterRace()
     smeared_c, fourier_c, g = consequence.compliances(q, 12)
     _, peak = consequence.ratios((q,), 12)
 
@@ -240,9 +240,9 @@ def test_the_peak_force_is_that_of_equal_energies():
 
 
 def test_a_dent_grows_with_the_force_as_the_table_has_it():
-    q = OuterInputs()
+    q = OuterRace()
     _, c, g = consequence.compliances(q, 12)
-    half = OuterInputs(F=q.F / 2)
+    half = OuterRace(F=q.F / 2)
     _, c_half, _ = consequence.compliances(half, 12)
     assert c_half == pytest.approx(c + g * np.log(2), rel=1e-5)
 
@@ -250,14 +250,14 @@ def test_a_dent_grows_with_the_force_as_the_table_has_it():
 @pytest.mark.parametrize(
     ("inputs", "wrong", "said"),
     [
-        (OuterInputs, {"r_o": 19e-3}, "r_i < r_o"),
-        (OuterInputs, {"r_o": 19.45e-3}, "a shell"),
-        (OuterInputs, {"n": 1}, "greater than or equal to 2"),
-        (OuterInputs, {"R": 19e-3}, "smaller than 0.9 of the bore"),
-        (OuterInputs, {"F": 3e6}, "flattens a = "),
-        (InnerInputs, {"r_i": 10.8e-3}, "more than 0.3 of the wall"),
-        (InnerInputs, {"n": 300}, "n = 300 patches of half-width 0.112 mm crowd on a wall"),
-        (OuterInputs, {"nu": 0.5}, "less than or equal to 0.45"),
+        (OuterRace, {"r_o": 19e-3}, "r_i < r_o"),
+        (OuterRace, {"r_o": 19.45e-3}, "a shell"),
+        (OuterRace, {"n": 1}, "greater than or equal to 2"),
+        (OuterRace, {"R": 19e-3}, "smaller than 0.9 of the bore"),
+        (OuterRace, {"F": 3e6}, "flattens a = "),
+        (InnerRace, {"r_i": 10.8e-3}, "more than 0.3 of the wall"),
+        (InnerRace, {"n": 300}, "n = 300 patches of half-width 0.112 mm crowd on a wall"),
+        (OuterRace, {"nu": 0.5}, "less than or equal to 0.45"),
         (MapInputs, {"a_r": 0.016}, "less than or equal to 0.015"),
     ],
 )
@@ -276,7 +276,7 @@ def test_inputs_without_sense_are_refused_in_words(inputs, wrong, said):
     ],
 )
 def test_an_engineer_is_warned(more, said):
-    q = OuterInputs(**more)
+    q = OuterRace(**more)
     assert any(said in words for words in OUTER.warnings(q, OUTER.analytic(q)))
 
 
@@ -293,7 +293,7 @@ def test_nothing_is_warned_of_at_the_paper_s_numbers(case):
      ({"F": 0.05}, "digits")],
 )  # fmt: skip
 def test_finite_elements_refuse_what_they_cannot_follow(more, said):
-    assert said in too_large(OuterInputs(**more))
+    assert said in OuterRace(**more).refusal()
 
 
 def test_the_map_has_its_checked_points_on_it():
@@ -315,6 +315,6 @@ def test_a_wrong_ring_turns_the_map_s_rows_red(name, judged, red, patched):
 
 def test_inputs_know_their_half_width_by_themselves():
     """Finite elements must not take it from the formulas: the two agree, and share no code."""
-    for q in (OuterInputs(), InnerInputs()):
-        assert q.half_width == pytest.approx(formulas.hertz(q)[0], rel=1e-13)
+    for q in (OuterRace(), InnerRace()):
+        assert q.half_width == pytest.approx(q.hertz[0], rel=1e-13)
     assert not hasattr(ring_loads_inputs, "hertz_line")

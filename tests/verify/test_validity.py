@@ -404,7 +404,7 @@ def test_a_formula_is_shown_where_it_is_certain_which():
     shown = case.equations(case.inputs(), case.analytic(case.inputs()))
     by_name = {pair.name: pair for pair in pairs(case)}
     at_load = by_name["Eq. 6 at a load"]
-    assert tex(case, at_load, shown).startswith(r"\delta_{BE} = \frac{N n}{2\pi l E}")
+    assert tex(case, at_load, shown).startswith(r"\delta_{BE} = \frac{N n}{2 \pi l E}")
     assert place(case, at_load) == "Eq. 6, Huang 2018"
     assert tex(case, by_name["rim displacement opposite a load"], shown) == ""
     clutch = registry.find("polyhedral-wedge", registry.CASES)

@@ -11,8 +11,7 @@ from verify.answers.torque import criteria_under, permissible
 from verify.cases.freewheel.clutch.limits import allowed_shift, as_torque_grows
 from verify.cases.freewheel.clutch.messages import verdict
 from verify.cases.freewheel.clutch.model import analytic, past_corners
-from verify.cases.ring.loads.case import OUTER
-from verify.cases.ring.loads.inputs import OuterInputs
+from verify.cases.ring.loads.case import OUTER, OuterRace
 from verify.core.case import Values
 
 LOST = 0.01  # share of the clutches within tolerance
@@ -106,7 +105,7 @@ def _outer_ring(q: Any, v: Values, part: Assessment) -> None:
     """
     E = _moduli(q)[2]
     try:
-        ring = OuterInputs(r_i=q.R, r_o=q.R_a, n=q.z, F=v["N"], L=q.L, R=q.r, E=E, nu=q.nu)
+        ring = OuterRace(r_i=q.R, r_o=q.R_a, n=q.z, F=v["N"], L=q.L, R=q.r, E=E, nu=q.nu)
         stress = OUTER.analytic(ring)["stress scale"]
     except ValueError:  # dimensions beyond those of the ring's case
         part.remarks.append(NO_RING)

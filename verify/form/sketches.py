@@ -15,6 +15,11 @@ def sketch(title: str, *parts: Shape | Iterable[Shape]) -> Sketch:
     return Sketch(title=title, shapes=tuple(shapes))
 
 
+def room(left: float, right: float) -> list[Shape]:
+    """Space for labels on both sides of the middle."""
+    return [Shape(style="text", points=np.array([[x, 0.0]])) for x in (-left, right)]
+
+
 def circle(r: float, style: str = "faint", centre: Point = (0.0, 0.0)) -> Shape:
     """A circle."""
     t = np.linspace(0, 2 * np.pi, 73)

@@ -37,7 +37,7 @@ def fem_wave(q: LoadsInputs, level: int) -> FemResult:
     from fem.plane.material import Elastic
     from fem.plane.solve import solve_plane
     from meshes.ring.sector import half_sector
-    from verify.cases.ring.loads.fem import CELLS, wall_nodes
+    from verify.cases.ring.loads.reference import CELLS, wall_nodes
 
     mean = q.n * q.P / (2 * math.pi * q.radius)
     ring = solve_plane(

@@ -14,27 +14,25 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.contact.hertz_line_approach import approach_to_centre
-from verify.cases.ring.loads import formulas
-from verify.cases.ring.loads.inputs import InnerInputs, LoadsInputs, OuterInputs
+from verify.cases.ring.loads.formulas import SpragLoads
 from verify.core.case import Context
 from verify.core.figures import Table
 
 COUNTS = (6, 8, 12, 16, 24)
 
 
-def compliances(q: LoadsInputs, n: int) -> tuple[float, float, float]:
+def compliances(q: SpragLoads, n: int) -> tuple[float, float, float]:
     """Both c, by Lamé and Hertz and by the Fourier ring, and g [m/N]; the sprag's dent in all."""
     plane = q.E / (1 - q.nu**2)
-    a = formulas.hertz(q)[0]
-    sprag = float(approach_to_centre(P=q.P, a=a, R=q.R, E_plane=plane))
-    smeared = formulas.by_smearing(q, n=n) + formulas.dent(q, q.r_o - q.r_i)
-    ring = formulas.race(q, n=n)
-    fourier = formulas.outward(q) * ring.displacement(ring.r, 0.0)
+    sprag = float(approach_to_centre(P=q.P, a=q.a, R=q.R, E_plane=plane))
+    smeared = q.by_smearing(n=n) + q.dent
+    ring = q.race(n=n)
+    fourier = q.outward * ring.displacement(ring.r, 0.0)
     g = (1 / q.E + 1 / plane) / (math.pi * q.L)
     return (smeared + sprag) / q.F, (fourier + sprag) / q.F, g
 
 
-def ratios(races: Sequence[LoadsInputs], n: int) -> tuple[float, float]:
+def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
     """Windup and peak force by Lamé and Hertz over those by the Fourier ring.
 
     Windup under one force, the first race's; peak force for the energy that Lamé and Hertz take up
@@ -49,10 +47,10 @@ def ratios(races: Sequence[LoadsInputs], n: int) -> tuple[float, float]:
     return smeared / fourier, 1 / float(brentq(excess, 1e-6, 3.0))
 
 
-def table(context: Context) -> Table:
+def table(context: Context, both_races: Sequence[SpragLoads]) -> Table:
     """Both ratios over n: of this race alone and, for the paper's numbers, of both races."""
     q = context.inputs
-    pair = (OuterInputs(), InnerInputs()) if context.is_paper else ()
+    pair = both_races if context.is_paper else ()
     rows: list[tuple[str | float | None, ...]] = []
     for n in sorted({*COUNTS, q.n}):
         if not fits(q, n) or not all(fits(race, n) for race in pair):
@@ -70,6 +68,6 @@ def table(context: Context) -> Table:
     )
 
 
-def fits(q: LoadsInputs, n: int) -> bool:
+def fits(q: SpragLoads, n: int) -> bool:
     """Whether n patches leave half of the wall free."""
     return 2 * n * q.half_width <= math.pi * q.radius

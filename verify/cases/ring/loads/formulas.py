@@ -1,100 +1,164 @@
-"""The formulas of a race under n sprags: Hertz's patch, Fourier ring, smeared ring, dent."""
-
-from typing import Any
+"""The formulas of a race under n sprags: Hertz's patch, Fourier ring, Eq. 6, local indentation."""
 
 import numpy as np
 
 from analytic.contact import hertz_line, hertz_line_approach
 from analytic.ring import loaded_race, smeared
+from analytic.ring.fourier_ring import State
 from analytic.ring.loaded_race import LoadedRace
+from verify.case import Quantity, shared
 from verify.cases.ring.loads.inputs import LoadsInputs
-from verify.core.case import Values
 
 POINTS = 24  # of the rule over the patch for its work
 
 
-def hertz(q: LoadsInputs, P: float | None = None) -> tuple[float, float]:
-    """Half-width [m] and peak pressure [Pa] of a sprag on the race under P per length."""
-    R = hertz_line.relative_radius(R_1=q.R, R_2=-q.r_i if q.loaded == "bore" else q.r_o)
-    E_star = hertz_line.contact_modulus(
-        E_1=q.E, nu_1=q.nu, E_2=q.E, nu_2=q.nu, assumption="plane strain"
-    )
-    P = q.P if P is None else P
-    a = hertz_line.half_width(P=P, R=R, E_star=E_star)
-    return float(a), float(hertz_line.peak_pressure(P=P, R=R, E_star=E_star))
+class SpragLoads(LoadsInputs):
+    """Eq. 6 and the indentation beside the Fourier ring, which bears the same patches."""
 
+    @Quantity("δ_6", "µm", "deflection", equation="6")
+    def smeared(self) -> float:
+        return self.by_smearing()
 
-def race(q: LoadsInputs, *, n: int | None = None, P: float | None = None) -> LoadedRace:
-    """The Fourier ring of these inputs, or under another number of loads P per length."""
-    P = q.P if P is None else P
-    return LoadedRace(
-        r_i=q.r_i, r_o=q.r_o, E=q.E, nu=q.nu, assumption="plane stress", loaded=q.loaded,
-        n=q.n if n is None else n, P=P, a=hertz(q, P)[0],
-    )  # fmt: skip
+    @Quantity("δ(0)", "µm", "deflection of the loaded wall at a load", source="Fourier ring")
+    def load(self) -> float:
+        return float(self.outward * self._points.u_r[0])
 
+    @Quantity("δ(π/n)", "µm", "deflection of the loaded wall between the loads",
+              source="Fourier ring")  # fmt: skip
+    def between(self) -> float:
+        return float(self.outward * self._points.u_r[1])
 
-def outward(q: LoadsInputs) -> float:
-    """The sign with which a displacement goes along with the push."""
-    return 1.0 if q.loaded == "bore" else -1.0
+    @Quantity("u_r(0)", "µm", "deflection of the other wall opposite a load", source="Fourier ring")
+    def far_load(self) -> float:
+        return float(self.outward * self._points.u_r[2])
 
+    @Quantity("u_r(π/n)", "µm", "deflection of the other wall between the loads",
+              source="Fourier ring")  # fmt: skip
+    def far_between(self) -> float:
+        return float(self.outward * self._points.u_r[3])
 
-def dent(q: LoadsInputs, depth: float, P: float | None = None) -> float:
-    """Approach [m] of the patch's middle and a point at `depth` of a half plane, plane stress."""
-    P = q.P if P is None else P
-    return float(
-        hertz_line_approach.approach_to_depth(
-            depth, P=P, a=hertz(q, P)[0], E=q.E, nu=q.nu, assumption="plane stress"
+    @Quantity("δ_m", "µm", "mean deflection of the loaded wall", source="Fourier ring", role="step")
+    def mean(self) -> float:
+        ring = self.race()
+        return float(self.outward * ring.ring.mean_displacement(ring.r))
+
+    @Quantity("a", "µm", "half-width of the contact", source="Hertz", role="step",
+              tex=r"\sqrt{\frac{8 P R_{rel} (1 - \nu^2)}{\pi E}}")  # fmt: skip
+    def a(self) -> float:
+        return self.hertz[0]
+
+    @Quantity("p_0", "MPa", "peak pressure", source="Hertz", role="step",
+              tex=r"\frac{2 P}{\pi a}")  # fmt: skip
+    def p_0(self) -> float:
+        return self.hertz[1]
+
+    @Quantity("R_rel", "mm", "relative radius of the contact", source="Hertz", role="step")
+    def R_rel(self) -> float:
+        R_2 = -self.r_i if self.loaded == "bore" else self.r_o
+        return float(hertz_line.relative_radius(R_1=self.R, R_2=R_2))
+
+    @Quantity("p_n", "MPa", "first wave of the pressure, m = n", source="Fourier ring", role="step",
+              tex=r"\frac{n P}{\pi r} \frac{2 J_1(n a/r)}{n a/r}")  # fmt: skip
+    def p_n(self) -> float:
+        return self.n * self.P / (np.pi * self.radius) * float(
+            loaded_race.share(self.n * self.a / self.radius)
+        )  # fmt: skip
+
+    @Quantity("δ_H", "µm", "local indentation to the wall's depth", role="step",
+              source="Hertz's contact, plane stress",
+              tex=r"\frac{2 P}{\pi E} \left(\ln\left(\frac{d}{a} + \sqrt{1 + \frac{d^2}{a^2}}"
+              r"\right) - \nu \frac{d}{d + \sqrt{a^2 + d^2}}\right)")  # fmt: skip
+    def dent(self) -> float:
+        return self.dent_to(self.wall)
+
+    @Quantity("δ_Hh", "µm", "local indentation to half the wall", role="step",
+              source="Hertz's contact, plane stress")  # fmt: skip
+    def dent_half(self) -> float:
+        return self.dent_to(self.wall / 2)
+
+    @Quantity("δ_tot", "µm", "Eq. 6 and the indentation")
+    def with_dent(self) -> float:
+        return self.smeared + self.dent
+
+    @Quantity("δ_tot/δ(0)", "1", "that over the deflection at a load", role="step")
+    def windup(self) -> float:
+        return self.with_dent / self.load
+
+    @Quantity("Δδ/δ", "1", "ripple over the mean")
+    def ripple(self) -> float:
+        return (self.load - self.between) / self.smeared
+
+    @Quantity("σ_θ(π/n)", "MPa", "hoop stress of the loaded wall between the loads",
+              source="Fourier ring", safe="too high")  # fmt: skip
+    def hoop_between(self) -> float:
+        return float(self._points.sigma_theta[1])
+
+    @Quantity("σ_far(0)", "MPa", "hoop stress of the other wall opposite a load",
+              source="Fourier ring", safe="too high")  # fmt: skip
+    def far_hoop_load(self) -> float:
+        return float(self._points.sigma_theta[2])
+
+    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the other wall between the loads",
+              source="Fourier ring", safe="too high")  # fmt: skip
+    def far_hoop_between(self) -> float:
+        return float(self._points.sigma_theta[3])
+
+    @Quantity("N_θ", "N/mm", "hoop force in the cut between the loads", source="statics")
+    def hoop_force(self) -> float:
+        ring = self.race()  # half a load's push along its axis, P <cos θ>, hangs on the cut
+        along = loaded_race.share(ring.alpha) * ring.P
+        return float(self.outward * along / (2 * np.sin(np.pi / ring.n)))
+
+    @Quantity("U", "J/m", "strain energy", source="Fourier ring")
+    def strain_energy(self) -> float:
+        ring = self.race()  # half the work of the pressures on the patches
+        turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
+        weight = 2 / (POINTS + 1) * np.sin(turn) ** 2
+        u = ring.at(ring.r, ring.alpha * np.cos(turn)).u_r
+        return float(ring.n * ring.P / 2 * abs(u @ weight))
+
+    @shared
+    def hertz(self) -> tuple[float, float]:
+        """Half-width [m] and peak pressure [Pa] of a sprag on the race."""
+        E_star = hertz_line.contact_modulus(
+            E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
         )
-    )
+        a = hertz_line.half_width(P=self.P, R=self.R_rel, E_star=E_star)
+        return float(a), float(hertz_line.peak_pressure(P=self.P, R=self.R_rel, E_star=E_star))
 
+    @shared
+    def _points(self) -> State:
+        """The Fourier ring at both walls, at a load and between loads."""
+        ring, pitch = self.race(), np.pi / self.n
+        far_wall = self.r_o if self.loaded == "bore" else self.r_i
+        return ring.at([ring.r, ring.r, far_wall, far_wall], [0.0, pitch, 0.0, pitch])
 
-def by_smearing(q: LoadsInputs, *, n: int | None = None, P: float | None = None) -> float:
-    """Eq. 6 [m]."""
-    return float(
-        smeared.race_deflection(
-            P=q.P if P is None else P, n=q.n if n is None else n, r_i=q.r_i, r_o=q.r_o, E=q.E,
-            nu=q.nu, loaded=q.loaded,
-        )
-    )  # fmt: skip
+    @property
+    def stress_scale(self) -> float:
+        """Largest of these hoop stresses [Pa], but at a load."""
+        return float(np.abs(self._points.sigma_theta[1:]).max())
 
+    @property
+    def outward(self) -> float:
+        """The sign with which a displacement goes along with the push."""
+        return 1.0 if self.loaded == "bore" else -1.0
 
-def analytic(q: LoadsInputs) -> Values:
-    ring, sign = race(q), outward(q)
-    far_wall = q.r_o if q.loaded == "bore" else q.r_i
-    pitch = np.pi / q.n
-    state = ring.at([ring.r, ring.r, far_wall, far_wall], [0.0, pitch, 0.0, pitch])
-    load, between, far_load, far_between = sign * state.u_r
-    wall = q.r_o - q.r_i
-    lamé = by_smearing(q)
-    values: dict[str, Any] = {
-        "load": load, "between": between, "far load": far_load, "far between": far_between,
-        "ripple": (load - between) / lamé, "one": 1.0,
-        "smeared": lamé, "mean": sign * ring.ring.mean_displacement(ring.r),
-        "dent, wall": dent(q, wall), "dent, half wall": dent(q, wall / 2),
-        "hoop between": state.sigma_theta[1], "far hoop load": state.sigma_theta[2],
-        "far hoop between": state.sigma_theta[3],
-        "stress scale": float(np.abs(state.sigma_theta[1:]).max()),
-        "hoop force": hoop_force(ring), "strain energy": strain_energy(ring),
-        "a": ring.a, "p_0": hertz(q)[1], "a/wall": ring.a / wall,
-    }  # fmt: skip
-    values["Lamé + Hertz"] = lamé + values["dent, wall"]
-    values["windup"] = values["Lamé + Hertz"] / load
-    return {key: float(value) for key, value in values.items()}
+    def race(self, *, n: int | None = None) -> LoadedRace:
+        """The Fourier ring of these inputs, or under another number of loads."""
+        return LoadedRace(
+            r_i=self.r_i, r_o=self.r_o, E=self.E, nu=self.nu, assumption="plane stress",
+            loaded=self.loaded, n=self.n if n is None else n, P=self.P, a=self.hertz[0],
+        )  # fmt: skip
 
+    def by_smearing(self, *, n: int | None = None) -> float:
+        """Eq. 6 [m]."""
+        return float(smeared.race_deflection(
+            P=self.P, n=self.n if n is None else n, r_i=self.r_i, r_o=self.r_o, E=self.E,
+            nu=self.nu, loaded=self.loaded,
+        ))  # fmt: skip
 
-def hoop_force(ring: LoadedRace) -> float:
-    """Force per length [N/m] in the cut between the loads by statics; tension is positive.
-
-    Half a load's push along its axis, P <cos theta> over the patch, hangs on the cut.
-    """
-    along = loaded_race.share(ring.alpha) * ring.P
-    sign = 1.0 if ring.loaded == "bore" else -1.0
-    return float(sign * along / (2 * np.sin(np.pi / ring.n)))
-
-
-def strain_energy(ring: LoadedRace) -> float:
-    """Of the whole ring per length [N]: half the work of the pressures on the patches."""
-    turn = np.arange(1, POINTS + 1) * np.pi / (POINTS + 1)
-    weight = 2 / (POINTS + 1) * np.sin(turn) ** 2
-    u = ring.at(ring.r, ring.alpha * np.cos(turn)).u_r
-    return float(ring.n * ring.P / 2 * abs(u @ weight))
+    def dent_to(self, depth: float) -> float:
+        """Approach [m] of the patch's middle and a point at `depth` of a half plane."""
+        return float(hertz_line_approach.approach_to_depth(
+            depth, P=self.P, a=self.hertz[0], E=self.E, nu=self.nu, assumption="plane stress"
+        ))  # fmt: skip

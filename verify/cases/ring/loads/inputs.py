@@ -1,11 +1,12 @@
 """Inputs of races under evenly spaced sprags or rollers: outer race (bore), inner race (rim)."""
 
 import math
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from verify.core.inputs import Inputs, count, quantity
+from verify.case import Case, Quantity, count, given
+from verify.cases.ring import walls
 
 Wall = Literal["bore", "rim"]
 WIDEST = 0.3  # half-width over the wall or the roller: beyond, no line contact
@@ -16,40 +17,40 @@ NARROWEST = 1e-4  # half-width over the loaded radius, likewise
 MOST = 200  # loads, likewise
 
 
-class LoadsInputs(Inputs):
+class LoadsInputs(Case):
     """A ring under n rollers of its own material; long bodies, so that Hertz is in plane strain."""
 
-    loaded: ClassVar[Wall]
-    names: ClassVar[tuple[str, str]]  # of r_i and r_o in the paper
+    loaded: ClassVar[Wall] = "bore"
+    names: ClassVar[tuple[str, str]] = ("r_i", "r_o")  # in the paper
 
-    r_i: float
-    r_o: float
+    r_i: float = given("19.44 mm", "mm", "r_i", "bore radius", gt=0, le=1e5)
+    r_o: float = given("26.23 mm", "mm", "r_o", "outer radius", gt=0, le=1e5)
     n: int = count(
         12, "n", "number of sprags", ge=2, le=10_000, claims="huang2018:table1-number-of-sprags"
     )
-    F: float = quantity(
-        "3407 N", "N", "N", "force of a sprag (identified, not printed)", gt=0, le=1e9
-    )
-    L: float = quantity("9 mm", "mm", "l", "its length (identified, not printed)", gt=0, le=1e4)
-    R: float = quantity(
+    F: float = given("3407 N", "N", "N", "force of a sprag (identified, not printed)", gt=0, le=1e9)
+    L: float = given("9 mm", "mm", "l", "its length (identified, not printed)", gt=0, le=1e4)
+    R: float = given(
         "4.02 mm", "mm", "R", "radius of its contact", gt=0, le=1e5, claims="huang2018:table1-r-i1"
     )
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
-    R_p: float | None = quantity(
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    R_p: float | None = given(
         None, "MPa", "R_p", "yield strength, for the warnings", omitted=None, gt=0,
         example="2000 MPa",
     )  # fmt: skip
 
-    @property
+    @Quantity("P", "N/mm", "load per length", role="geometry")
     def P(self) -> float:
-        """Load per length [N/m]."""
         return self.F / self.L
 
-    @property
+    @Quantity("r", "mm", "radius of the loaded wall", role="geometry")
     def radius(self) -> float:
-        """Radius of the loaded wall [m]."""
         return self.r_i if self.loaded == "bore" else self.r_o
+
+    @Quantity("d", "mm", "thickness of the wall", role="geometry")
+    def wall(self) -> float:
+        return self.r_o - self.r_i
 
     @property
     def half_width(self) -> float:
@@ -58,20 +59,13 @@ class LoadsInputs(Inputs):
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
     @model_validator(mode="after")
-    def _fits(self) -> "LoadsInputs":
-        low, high = self.r_i * 1e3, self.r_o * 1e3
-        if not self.r_i < self.r_o:
-            raise ValueError(f"a ring needs r_i < r_o, got r_i = {low:g} mm, r_o = {high:g} mm")
+    def _fits(self) -> Self:
+        walls.check_wall(self.r_i, self.r_o)
         wall = self.r_o - self.r_i
-        if wall < 1e-3 * self.r_o:
-            raise ValueError(
-                f"a wall of {wall * 1e3:g} mm is below a thousandth of r_o = {high:g} mm: a shell, "
-                "not a thick ring"
-            )
         if self.loaded == "bore" and FIT * self.r_i < self.R:
             raise ValueError(
                 f"the roller must be smaller than {FIT} of the bore, got R = {self.R * 1e3:g} mm, "
-                f"r_i = {low:g} mm: a closer fit is no line contact"
+                f"r_i = {self.r_i * 1e3:g} mm: a closer fit is no line contact"
             )
         a, least = self.half_width, min(wall, self.R)
         if a > WIDEST * least:
@@ -88,48 +82,21 @@ class LoadsInputs(Inputs):
             )
         return self
 
-
-class OuterInputs(LoadsInputs):
-    """The outer race: sprags push its bore out."""
-
-    loaded: ClassVar[Wall] = "bore"
-    names: ClassVar[tuple[str, str]] = ("R_e", "R_ed")
-
-    r_i: float = quantity(
-        "19.44 mm", "mm", "R_e", "bore radius", gt=0, le=1e5, claims="huang2018:table1-r-e"
-    )
-    r_o: float = quantity(
-        "26.23 mm", "mm", "R_ed", "outer radius", gt=0, le=1e5, claims="huang2018:table1-r-ed"
-    )
-
-
-class InnerInputs(LoadsInputs):
-    """The inner race: sprags push its rim in."""
-
-    loaded: ClassVar[Wall] = "rim"
-    names: ClassVar[tuple[str, str]] = ("R_id", "R_i")
-
-    r_i: float = quantity(
-        "7.21 mm", "mm", "R_id", "bore radius", gt=0, le=1e5, claims="huang2018:table1-r-id"
-    )
-    r_o: float = quantity(
-        "11.11 mm", "mm", "R_i", "outer radius", gt=0, le=1e5, claims="huang2018:table1-r-i"
-    )
-
-
-def too_large(q: LoadsInputs) -> str:
-    """Why finite elements refuse these inputs, or nothing."""
-    ratio, alpha = q.r_o / q.r_i, q.half_width / q.radius
-    if not THINNEST <= ratio <= THICKEST:
-        return (
-            f"r_o/r_i = {ratio:.4g} lies outside {THINNEST:g} to {THICKEST:g}: too many cells, "
-            "check it without --fem"
-        )
-    if q.n > MOST:
-        return f"n = {q.n} is more than {MOST}: too many cells in depth, check it without --fem"
-    if alpha < NARROWEST:
-        return (
-            f"a = {q.half_width * 1e3:.3g} mm is {alpha:.1g} of the race, less than "
-            f"{NARROWEST:g}: finite elements lose too many digits there, check it without --fem"
-        )
-    return ""
+    def refusal(self) -> str:
+        """Why finite elements refuse these inputs, or nothing."""
+        ratio, alpha = self.r_o / self.r_i, self.half_width / self.radius
+        if not THINNEST <= ratio <= THICKEST:
+            return (
+                f"r_o/r_i = {ratio:.4g} lies outside {THINNEST:g} to {THICKEST:g}: too many cells, "
+                "check it without --fem"
+            )
+        if self.n > MOST:
+            return (
+                f"n = {self.n} is more than {MOST}: too many cells in depth, check it without --fem"
+            )
+        if alpha < NARROWEST:
+            return (
+                f"a = {self.half_width * 1e3:.3g} mm is {alpha:.1g} of the race, less than "
+                f"{NARROWEST:g}: finite elements lose too many digits there, check it without --fem"
+            )
+        return ""

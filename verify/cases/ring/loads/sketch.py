@@ -1,53 +1,38 @@
 """The sketch of a race under its sprags."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from verify.cases.ring.loads.inputs import LoadsInputs
-from verify.core.figures import Array, Shape, Sketch
+from verify.cases.ring.loads.formulas import SpragLoads
+from verify.core.figures import Shape, Sketch
+from verify.form import sketches
+from verify.form.sketches import polar
 
-mm = 1e-3
-
-
-def arc(r: float, start: float = 0.0, end: float = 2 * np.pi) -> Array:
-    """Points (m, 2) on a circle; angles [rad]."""
-    t = np.linspace(start, end, 73)
-    return np.asarray(r * np.column_stack([np.cos(t), np.sin(t)]))
+MOST = 48  # arrows
 
 
-def ray(angle: float, start: float, end: float) -> Array:
-    return np.outer([start, end], [np.cos(angle), np.sin(angle)])
-
-
-def sketch(q: LoadsInputs) -> Sketch:
-    inner, pitch = q.r_i / q.r_o, np.pi / q.n
-    wall = inner if q.loaded == "bore" else 1.0
-    behind = -0.22 if q.loaded == "bore" else 0.22
-    sector = np.vstack([arc(1.0, 0, pitch), arc(inner, pitch, 0)])
-    shapes = [
-        Shape(style="text", points=np.array([[-2.4, 0.0]])),  # room for the labels
-        Shape(style="text", points=np.array([[2.2, 0.0]])),
-        Shape(style="body", points=arc(1.0)),
-        Shape(style="hole", points=arc(inner)),
-        Shape(style="modelled", points=sector),
-    ]
-    shapes += [
-        Shape(style="load", points=ray(2 * k * pitch, wall + behind, wall))
-        for k in range(min(q.n, 48))
-    ]
-    for name, r, degrees, at in (
-        (q.names[1], q.r_o, 141, 1.0), (q.names[0], q.r_i, 159, inner),
-    ):  # fmt: skip
-        shapes.append(
-            Shape(style="leader", points=ray(np.radians(degrees), 1.5, at),
-                  label=f"{name} = {r / mm:.4g} mm")
-        )  # fmt: skip
-    shapes.append(
-        Shape(style="leader", label="FE: half a pitch",
-              points=np.vstack([[1.35, 0.95], ray(pitch / 2, (1 + inner) / 2, 1.0)[0]]))
+def sketch(self: SpragLoads) -> Sketch:
+    """The race, its loads and the half pitch of finite elements."""
+    inner, pitch = self.r_i / self.r_o, 180 / self.n
+    wall, behind = (inner, -0.22) if self.loaded == "bore" else (1.0, 0.22)
+    pushed = "push the bore out" if self.loaded == "bore" else "push the rim in"
+    loads = (
+        sketches.arrow(polar(wall + behind, 2 * k * pitch), polar(wall, 2 * k * pitch))
+        for k in range(min(self.n, MOST))
+    )
+    low, high = self.names
+    return sketches.sketch(
+        f"{self.n} sprags of {self.F:.4g} N on {self.shown('L')} {pushed}",
+        sketches.room(2.4, 2.2), sketches.ring(inner, 1.0), _sector(inner, pitch), loads,
+        sketches.leader(polar(1.5, 141), polar(1.0, 141), f"{high} = {self.shown('r_o')}"),
+        sketches.leader(polar(1.5, 159), polar(inner, 159), f"{low} = {self.shown('r_i')}"),
+        sketches.leader((1.35, 0.95), polar((1 + inner) / 2, pitch / 2), "FE: half a pitch"),
     )  # fmt: skip
-    title = f"{q.n} sprags of {q.F:.4g} N on {q.L / mm:.4g} mm {_where(q)}"
-    return Sketch(title=title, shapes=tuple(shapes))
 
 
-def _where(q: LoadsInputs) -> str:
-    return "push the bore out" if q.loaded == "bore" else "push the rim in"
+def _sector(inner: float, pitch: float) -> Iterator[Shape]:
+    """Half a pitch of a ring of outer radius 1; angles in degrees."""
+    arcs = [polar(1.0, d) for d in np.linspace(0, pitch, 73)]
+    arcs += [polar(inner, d) for d in np.linspace(pitch, 0, 73)]
+    yield Shape(style="modelled", points=np.array(arcs))

@@ -7,9 +7,9 @@ from pydantic import model_validator
 
 from analytic.ring.loaded_race import LoadedRace
 from analytic.ring.smeared import race_deflection, smeared_error
-from verify.cases.ring.loads.claims import AWAY, EDGE
-from verify.cases.ring.loads.fem import CELLS, ROUND, fem_sector
+from verify.cases.ring.loads.comparisons import AWAY, EDGE
 from verify.cases.ring.loads.inputs import Wall
+from verify.cases.ring.loads.reference import CELLS, ROUND, fem_sector
 from verify.core.case import Case, Context, FemResult, Output, Scan, Values
 from verify.core.figures import Figure, Map
 from verify.core.inputs import Inputs, quantity

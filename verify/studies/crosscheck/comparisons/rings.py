@@ -17,8 +17,8 @@ from verify.cases.polyhedral.fem import (
 from verify.cases.polyhedral.ring.case import RING, stiffness
 from verify.cases.ring.lame.case import LAME
 from verify.cases.ring.loads.case import INNER, OUTER
-from verify.cases.ring.loads.fem import fem_sector, wall_nodes
 from verify.cases.ring.loads.inputs import Wall
+from verify.cases.ring.loads.reference import fem_sector, wall_nodes
 from verify.cases.ring.rotation.case import ROTATION
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.plane import (

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from verify.case import Level
 from verify.cases.ring.loads.inputs import LoadsInputs, Wall
-from verify.core.case import FemResult
 from verify.core.figures import Array, Field
 
 CELLS = 4  # on half the patch of the coarsest mesh
@@ -74,7 +74,8 @@ def fem_sector(
     return replace(sector, u=k * sector.u, internal=k * sector.internal, f=k * sector.f)
 
 
-def fem(q: LoadsInputs, level: int) -> FemResult:
+def solve(q: LoadsInputs, level: int) -> Level:
+    """One level of half a pitch."""
     from fem.plane.material import Elastic
 
     sector = fem_sector(
@@ -95,11 +96,11 @@ def fem(q: LoadsInputs, level: int) -> FemResult:
     inside, turn = stations(q)
     within = sector.at(np.array([inside * np.cos(turn), inside * np.sin(turn)])).polar()
     values = {
-        "load": near_u[0], "between": near_u[-1], "far load": far_u[0], "far between": far_u[-1],
+        "load": near_u[0], "between": near_u[-1], "far_load": far_u[0], "far_between": far_u[-1],
         "mean": mean, "ripple": (near_u[0] - near_u[-1]) / mean,
-        "hoop between": hoop[0], "far hoop load": hoop[1], "far hoop between": hoop[2],
-        "hoop force": cut[1] * np.cos(pitch) - cut[0] * np.sin(pitch),
-        "strain energy": 2 * q.n * sector.strain_energy,
+        "hoop_between": hoop[0], "far_hoop_load": hoop[1], "far_hoop_between": hoop[2],
+        "hoop_force": cut[1] * np.cos(pitch) - cut[0] * np.sin(pitch),
+        "strain_energy": 2 * q.n * sector.strain_energy,
     }  # fmt: skip
     values = {key: float(value) for key, value in values.items()}
     round_off = max(sector.residual**0.5, ROUND)
@@ -108,7 +109,9 @@ def fem(q: LoadsInputs, level: int) -> FemResult:
     along = np.array([np.cos(wall_angles(q)), np.sin(wall_angles(q))])
     for name, r in (("bore", q.r_i), ("rim", q.r_o)):
         u_r, _, around, _ = sector.at(r * along).polar()
-        arrays |= {f"{name} displacement": u_r, f"{name} hoop stress": around}
+        arrays[f"{name} hoop stress"] = around
+        if name == q.loaded:
+            arrays["displacement"] = sign * u_r
     cells = sector.cells()
     x, u = cells["points"], cells["displacement"]
     field = Field(
@@ -118,6 +121,4 @@ def fem(q: LoadsInputs, level: int) -> FemResult:
         units={"displacement": "m", "radial_displacement": "m", "stress": "Pa", "von_mises": "Pa"},
     )  # fmt: skip
     u_it = {key: round_off * abs(value) for key, value in values.items()}
-    return FemResult(
-        h=1 / (CELLS * level), values=values, u_it=u_it, arrays=arrays, fields=(field,)
-    )
+    return Level(h=1 / (CELLS * level), values=values, u_it=u_it, arrays=arrays, fields=(field,))

@@ -1,0 +1,153 @@
+"""What is compared of a race under n sprags: finite elements, Fourier ring, and Eq. 6 with both."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from verify.case import Comparison, Quantity, identity
+from verify.cases.ring.loads.bounds import ACCEPTED, PART, expected
+from verify.cases.ring.loads.formulas import SpragLoads
+from verify.cases.ring.loads.reference import stations
+from verify.core.case import Check, Context
+from verify.core.results import Row
+from verify.judging.checks import Accepted, Approximation
+from verify.judging.convergence import grid_convergence
+from verify.judging.judge import expanded, numerical_uncertainty
+from verify.judging.tolerance_checks import Deviation
+
+BY_SUBJECT = "acceptance figure of finite elements against the Fourier ring"
+EDGE = 1.5  # order at the load: even cells on the pressure's square-root end
+AWAY = 3.0  # and away from it: twice the order of the energy norm, 3/2 by that end
+FITTED = "on a force and a length that are identified, not printed"
+PATCHES = "Hertz's pressure on the patches, forces along radii, plane stress"
+RADII = "forces along radii, plane stress"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Smeared(Approximation):
+    """A formula beside the finite elements' deflection, less what `less` names: the indentation."""
+
+    less: str = ""
+
+    def rows(self, context: Context) -> list[Row]:
+        taken = context.analytic[self.less] if self.less else 0.0
+        fem = [
+            replace(result, values={**result.values, self.fem: result.values[self.fem] - taken})
+            for result in context.fem
+        ]
+        return super().rows(replace(context, fem=fem))
+
+
+def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
+    """Fourier ring against finite elements; then Eq. 6, whose forces are one pressure."""
+    race = type(self)
+    wall, far = ("bore", "rim") if self.loaded == "bore" else ("rim", "bore")
+    shared: dict[str, Any] = {"sensitivity": (ACCEPTED, BY_SUBJECT), "shares": PATCHES}
+    for q, name, order in (
+        (race.load, f"{wall} displacement at a load", EDGE),
+        (race.between, f"{wall} displacement between loads", AWAY),
+        (race.far_load, f"{far} displacement opposite a load", AWAY),
+        (race.far_between, f"{far} displacement between loads", AWAY),
+    ):
+        yield identity(q, name=name, scale=race.load, order=order, **shared)
+    yield identity(race.smeared, "mean", name=f"{wall} displacement, mean", order=AWAY,
+                   **shared | {"shares": RADII})  # fmt: skip
+    yield identity(race.ripple, name="ripple over the mean", order=EDGE, **shared)
+    for q, name in (
+        (race.hoop_between, f"hoop stress between loads, {wall}"),
+        (race.far_hoop_load, f"hoop stress opposite a load, {far}"),
+        (race.far_hoop_between, f"hoop stress between loads, {far}"),
+    ):
+        scale = {"stress scale": self.stress_scale}
+        yield identity(q, name=name, symbol="σ_θ", scale=scale, order=2, **shared)
+    yield identity(race.hoop_force, name="hoop force in the cut between loads", order=AWAY,
+                   **shared)  # fmt: skip
+    yield identity(race.strain_energy, name="strain energy of the race", order=EDGE, **shared)
+    yield from _fields()
+    for q, at, less, name in (
+        (race.smeared, race.load, None, "Eq. 6 at a load"),
+        (race.smeared, race.load, race.dent,
+         "Eq. 6 at a load, dent to the wall's depth taken out"),
+        (race.smeared, race.load, race.dent_half,
+         "Eq. 6 at a load, dent to half the wall taken out"),
+        (race.smeared, race.between, None, "Eq. 6 between loads"),
+        (race.with_dent, race.load, None,
+         "Eq. 6 and Hertz's dent to the wall's depth, at a load"),
+    ):  # fmt: skip
+        yield _smeared(self, q, at, less, name)
+    check = Accepted(name="the smeared race is too soft, the dent taken out", symbol="m", unit="1",
+                     margin=too_soft, fitted=FITTED)  # fmt: skip
+    yield Comparison(check=check, quantity=race.smeared, shares=RADII)
+
+
+def _fields() -> Iterator[Deviation]:
+    """The Fourier ring at all nodes of the walls, and inside."""
+    for name, symbol, size, whole in (
+        (f"displacements at every node of both walls within {ACCEPTED:g}", "e_u", wall_errors,
+         "radial displacement at a load"),
+        (f"stresses beyond one patch width within {ACCEPTED:g}", "e_σ", stress_errors,
+         "largest stress there"),
+    ):  # fmt: skip
+        yield Deviation(name=name, symbol=symbol, unit="1", size=finest(size), accepted=ACCEPTED,
+                        source=BY_SUBJECT, whole=whole, shares=PATCHES)  # fmt: skip
+
+
+def _smeared(
+    self: SpragLoads, q: Quantity, at: Quantity, less: Quantity | None, name: str
+) -> Comparison:
+    interval = expected(self, q, at, less)
+    limits = (interval.low, interval.high) if interval.sharp else None
+    check = Smeared(
+        name=name, symbol=type(self).smeared.symbol, unit="µm", analytic=q.name, fem=at.name,
+        less=less.name if less else "", formal=EDGE if at.name == "load" else AWAY,
+        source=interval.source, interval=lambda *_: limits,
+    )  # fmt: skip
+    return Comparison(check=check, quantity=q, shares=RADII)
+
+
+def wall_errors(context: Context) -> list[float]:
+    """Largest difference of u_r and u_theta at the nodes of both walls over u_r at the load."""
+    q = context.inputs
+    ring, found = q.race(), []
+    for result in context.fem:
+        worst = 0.0
+        for name, r in (("bore", q.r_i), ("rim", q.r_o)):
+            theta, u_r, u_theta = result.arrays[f"{name} nodes"]
+            exact = ring.at(r, theta)
+            worst = max(worst, np.abs(u_r - exact.u_r).max(), np.abs(u_theta - exact.u_theta).max())
+        found.append(float(worst) / q.load)
+    return found
+
+
+def stress_errors(context: Context) -> list[float]:
+    """Largest difference of the three stresses at `stations` over the largest hoop stress."""
+    exact = context.inputs.race().at(*stations(context.inputs))
+    wanted = np.array([exact.sigma_r, exact.sigma_theta, exact.tau])
+    scale = np.abs(wanted).max()
+    return [float(np.abs(r.arrays["stresses"] - wanted).max() / scale) for r in context.fem]
+
+
+def finest(
+    errors: Callable[[Context], list[float]],
+) -> Callable[[Context], tuple[float, float, str]]:
+    """The finest error, with its last change as its uncertainty."""
+
+    def of(context: Context) -> tuple[float, float, str]:
+        found = errors(context)
+        return found[-1], abs(found[-1] - found[-2]), f"{found[-1]:.1e}"
+
+    return of
+
+
+def too_soft(context: Context) -> tuple[float, float, str]:
+    """How far Eq. 6 exceeds what finite elements give at the load less the indentation."""
+    q, (h, series) = context.inputs, context.series("load")
+    u = numerical_uncertainty(grid_convergence(h, series, formal=EDGE, scale=series[-1]))
+    reference = series[-1] - q.dent
+    if reference < PART * q.load:
+        return 0.0, 0.0, "the dent leaves nothing to compare with"
+    m = q.smeared / reference - 1
+    U = (1 + m) * expanded(u) / reference
+    return m, U, f"Eq. 6 is {m:+.1%} off at n = {q.n}"
