@@ -17,7 +17,7 @@ from verify.cases.ring.loads import consequence, reference
 from verify.cases.ring.loads import inputs as ring_loads_inputs
 from verify.cases.ring.loads.case import INNER, OUTER, InnerRace, OuterRace
 from verify.cases.ring.loads.formulas import SpragLoads
-from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS, MapInputs
+from verify.cases.ring.loads_map.case import CHECKED, COUNTS, MAP, RATIOS, LoadsMap
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
 
@@ -258,7 +258,7 @@ def test_a_dent_grows_with_the_force_as_the_table_has_it():
         (InnerRace, {"r_i": 10.8e-3}, "more than 0.3 of the wall"),
         (InnerRace, {"n": 300}, "n = 300 patches of half-width 0.112 mm crowd on a wall"),
         (OuterRace, {"nu": 0.5}, "less than or equal to 0.45"),
-        (MapInputs, {"a_r": 0.016}, "less than or equal to 0.015"),
+        (LoadsMap, {"a_r": 0.016}, "less than or equal to 0.015"),
     ],
 )
 def test_inputs_without_sense_are_refused_in_words(inputs, wrong, said):
