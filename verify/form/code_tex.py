@@ -11,15 +11,19 @@ from verify.form.tex import EXTREMES, FUNCTIONS
 
 
 def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
-    """TeX of a method that returns one expression of `symbols`; empty where it does more."""
+    """TeX of a method that returns one expression of `symbols`; empty where it does more.
+
+    A constant alone is no equation: its value says as much.
+    """
     body = ast.parse(textwrap.dedent(inspect.getsource(formula))).body[0]
     assert isinstance(body, ast.FunctionDef)
     last = body.body[-1]
     documented = ast.get_docstring(body) is not None
-    if not isinstance(last, ast.Return) or last.value is None or len(body.body) > 1 + documented:
+    returned = last.value if isinstance(last, ast.Return) else None
+    if returned is None or isinstance(returned, ast.Constant) or len(body.body) > 1 + documented:
         return ""
     try:
-        return _tex(last.value, symbols)[0]
+        return _tex(returned, symbols)[0]
     except (KeyError, TypeError):
         return ""
 

@@ -173,6 +173,15 @@ def test_a_quantity_that_the_inputs_do_not_have_is_left_out():
     assert [len(equations.stated(Loaded(M=M))) for M in (None, 2.0)] == [3, 4]
 
 
+def test_a_constant_has_no_equation():
+    class Even(Rod):
+        @Quantity("Δσ", "MPa", "scatter of the stress")
+        def scatter(self):
+            return 0.0
+
+    assert len(equations.stated(Even())) == len(equations.stated(Rod()))
+
+
 def declare(symbol, unit):
     class Broken(Rod):
         @Quantity(symbol, unit, "something else")
