@@ -9,8 +9,8 @@ from analytic.contact import checks, press_fit
 from fem.contact import bodies, interface
 from fem.plane.material import Elastic
 from meshes.ring import quarter
-from verify.cases.contact.press_fit import case as contact_press_fit
-from verify.cases.contact.press_fit.case import PRESS_FIT, FitInputs
+from verify.cases.contact.press_fit import formulas
+from verify.cases.contact.press_fit.case import PRESS_FIT, PressFit
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
@@ -47,15 +47,15 @@ def other_assumption(right):
 @pytest.mark.parametrize(
     ("owner", "name", "fault", "row"),
     [
-        pytest.param(contact_press_fit, "contact_pressures",
+        pytest.param(formulas, "contact_pressures",
                      lambda f: lambda pair, delta, **k: f(pair, delta / 2, **k),
                      PRESSURE, id="interference of the diameters"),
         pytest.param(press_fit, "in_plane", other_assumption,
                      PRESSURE, id="plane stress and plane strain swapped"),
-        pytest.param(contact_press_fit, "contact_pressures",
+        pytest.param(formulas, "contact_pressures",
                      lambda f: lambda *a, **k: f(*a, **k | {"p_o": 0.0}),
                      PRESSURE, id="outer pressure forgotten"),
-        pytest.param(contact_press_fit, "pressure_of_overlap",
+        pytest.param(formulas, "pressure_of_overlap",
                      lambda _: lambda inner, outer, **k: press_fit.contact_pressures(
                          [replace(inner, r_o=26.23e-3), replace(outer, r_i=26.23e-3)],
                          inner.r_o - outer.r_i, **k)[0],
@@ -127,7 +127,7 @@ def test_a_pressure_that_is_not_even_turns_its_row_red(red, monkeypatch):
 )
 def test_input_that_makes_no_sense_gets_one_line(change, message):
     with pytest.raises(InputError, match=message) as caught:
-        build(FitInputs, RAW | change, "my.toml")
+        build(PressFit, RAW | change, "my.toml")
     assert "\n" not in str(caught.value)
 
 
@@ -136,24 +136,24 @@ def test_input_that_makes_no_sense_gets_one_line(change, message):
     [({"R_p": "20 MPa"}, "loses pressure"), ({"delta": "120 µm"}, "most metals yield before")],
 )
 def test_walls_that_yield_are_warned_of(change, words):
-    q = build(FitInputs, RAW | change, "my.toml")
+    q = build(PressFit, RAW | change, "my.toml")
     assert any(words in line for line in PRESS_FIT.warnings(q, PRESS_FIT.analytic(q)))
 
 
 def test_thin_walls_are_checked_without_finite_elements():
-    q = build(FitInputs, RAW | {"r_i": "25.8 mm", "delta": "1 µm"}, "my.toml")
+    q = build(PressFit, RAW | {"r_i": "25.8 mm", "delta": "1 µm"}, "my.toml")
     assert "without --fem" in PRESS_FIT.too_large(q)
-    assert not PRESS_FIT.too_large(build(FitInputs, RAW, "my.toml"))
+    assert not PRESS_FIT.too_large(build(PressFit, RAW, "my.toml"))
 
 
 NANOMETRE = {"delta": "1 nm", "E_o": "2 GPa", "p_i": "0 MPa", "p_o": "0 MPa"}
 
 
 def test_a_nanometre_of_interference_is_judged_within_round_off(judged, red):
-    assert not red(judged(PRESS_FIT, build(FitInputs, RAW | NANOMETRE, "my.toml")))
+    assert not red(judged(PRESS_FIT, build(PressFit, RAW | NANOMETRE, "my.toml")))
 
 
 def test_interference_below_round_off_is_checked_without_finite_elements():
-    q = build(FitInputs, RAW | NANOMETRE | {"delta": "0.001 nm"}, "my.toml")
+    q = build(PressFit, RAW | NANOMETRE | {"delta": "0.001 nm"}, "my.toml")
     assert "rounded positions" in PRESS_FIT.too_large(q)
     assert "\n" not in PRESS_FIT.too_large(q)

@@ -44,18 +44,16 @@ def rotating(q: Any, v: Values, part: Assessment) -> None:
 
 def pressed_together(q: Any, v: Values, part: Assessment) -> None:
     """Tresca stress of both rings of a press fit."""
-    name = "rings, plane stress"
-    p = v[f"{name}: p"]
-    surfaces = {"inner bore": q.p_i, "inner rim": p, "outer bore": p, "outer rim": q.p_o}
+    p = v["p"]
+    surfaces = {"inner_bore": q.p_i, "inner_rim": p, "outer_bore": p, "outer_rim": q.p_o}
     tresca = {
-        at: max(abs(v[f"{name}: hoop, {at}"] + load), abs(v[f"{name}: hoop, {at}"]))
-        for at, load in surfaces.items()
+        at: max(abs(v[f"hoop_{at}"] + load), abs(v[f"hoop_{at}"])) for at, load in surfaces.items()
     }
     walls = {"inner": q.r_f - q.r_i, "outer": q.r_o - q.r_f}
     moduli = {"inner": q.E_i, "outer": q.E_o}
     for ring, wall in walls.items():
         strength = yield_strength(q.R_p, moduli[ring], wall=wall)
-        worst = max(tresca[f"{ring} bore"], tresca[f"{ring} rim"])
+        worst = max(tresca[f"{ring}_bore"], tresca[f"{ring}_rim"])
         part.stress(f"tresca_stress_{ring}", f"Tresca stress of the {ring} ring", worst, strength)
     if p <= 0:
         part.failures.append("the rings do not press on each other")

@@ -83,7 +83,7 @@ def _press_fit(_: Any, v: Values) -> tuple[SharedReading, ...]:
             assumption="the rings are free along the axis (rows in plane stress)",
             part="friction in the fit and their width hold them", quantity="the fit pressure p",
             source="plane strain, the other limit",
-            effect=ratio(v, "rings, plane stress: p", "rings, plane strain: p"),
+            effect=ratio(v, "p", "p_strain"),
         ),
         SharedReading(
             assumption="the pressure in the bore is uniform", part="single sprags press on it",

@@ -7,8 +7,9 @@ import numpy as np
 
 from verify.cases.contact.line.flat import FLAT, disc_fem
 from verify.cases.contact.line.pair import PAIR, pair_fem
-from verify.cases.contact.press_fit.case import PRESS_FIT, fem_fit, read
-from verify.cases.contact.press_fit.figures import WORDS
+from verify.cases.contact.press_fit.case import PressFit
+from verify.cases.contact.press_fit.inputs import FITS, Fit
+from verify.cases.contact.press_fit.reference import read, solve_fit
 from verify.cases.contact.slip.case import SLIP
 from verify.cases.contact.slip.driven import Rollers
 from verify.cases.contact.slip.fem import ZONE
@@ -87,20 +88,20 @@ def sphere(pair: str) -> Posed:
     )  # fmt: skip
 
 
-def fit(kind: str, assumption: Any) -> Posed:
+def fit(which: Fit) -> Posed:
     """Quarters of two rings, the inner one pressed into the outer one."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q: Any = PRESS_FIT.inputs()
-    state, seconds = timed(lambda: fem_fit(q, 2, kind, assumption))
+    q = PressFit().of(which)
+    state, seconds = timed(lambda: solve_fit(q, 2))
     deck = ContactDeck(
-        states=[state], assumption=assumption, how=Settings(slope=100 * q.E_i / q.delta),
+        states=[state], assumption=which.ends, how=Settings(slope=100 * q.E_i / q.delta),
         materials={"inner": Elastic(E=q.E_i, nu=q.nu_i), "outer": Elastic(E=q.E_o, nu=q.nu_o)},
     )  # fmt: skip
-    own = read(q, state, kind)
-    names = ("inner bore", "outer rim")
-    ours = {"p": own["p"]} | {f"u, {name}": own[f"u, {name}"] for name in names}
+    own = read(q, state)
+    ours = {"p": own["p"], "u, inner bore": own["u_inner_bore"],
+            "u, outer rim": own["u_outer_rim"]}  # fmt: skip
 
     def there(fields: Touched) -> Numbers:
         from verify.studies.crosscheck.comparisons.plane import outwards
@@ -207,20 +208,20 @@ CONTACTS = (
     ),
     *(
         Cross(
-            id=f"contact-press-fit, {kind}, {a}", case="contact-press-fit", solver=CALCULIX,
-            what=f"quarters of two rings pressed into each other, {a}",
-            pose=partial(fit, kind, a),
+            id=f"contact-press-fit, {one.name}", case="contact-press-fit", solver=CALCULIX,
+            what=f"quarters of two rings pressed into each other, {one.ends}",
+            pose=partial(fit, one),
             quantities=(
-                Quantity(name="p", row=f"contact pressure, mean, {WORDS[kind]}, {a}", symbol="p",
+                Quantity(name="p", row=f"contact pressure, mean, {one.words}", symbol="p",
                          unit="MPa", allowed=CONTACT, why=PENALTY),
                 Quantity(name="u, inner bore", symbol="u_r(r_i)", unit="µm", allowed=CONTACT,
-                         row=f"displacement of the inner ring's bore, {WORDS[kind]}, {a}",
+                         row=f"displacement of the inner ring's bore, {one.words}",
                          why=PENALTY),
                 Quantity(name="u, outer rim", symbol="u_r(r_o)", unit="µm", allowed=CONTACT,
-                         row=f"displacement of the outer wall's rim, {WORDS[kind]}, {a}",
+                         row=f"displacement of the outer wall's rim, {one.words}",
                          why=PENALTY),
             ),
         )
-        for kind, a in (("drawn", "plane strain"),)
+        for one in FITS if one.key == "drawn"
     ),
 )  # fmt: skip

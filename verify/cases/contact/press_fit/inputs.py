@@ -1,0 +1,109 @@
+"""Inputs of a press fit: two walls, their interference, pressures inside and outside."""
+
+from typing import ClassVar, Literal, NamedTuple, Self
+
+from pydantic import model_validator
+
+from analytic.contact.checks import Assumption
+from verify.case import Case, given
+
+Walls = Literal["rings", "drawn", "shaft"]
+
+
+class Fit(NamedTuple):
+    """Two walls that are computed: which ones, their ends, names of numbers and in sentences."""
+
+    key: str
+    walls: Walls
+    ends: Assumption
+    words: str
+
+    @property
+    def name(self) -> str:
+        """How scales of its rows begin."""
+        return f"{self.walls}, {self.ends}"
+
+
+FITS = (
+    Fit("", "rings", "plane stress", "rings, plane stress"),
+    Fit("strain", "rings", "plane strain", "rings, plane strain"),
+    Fit("drawn", "drawn", "plane strain", "rings drawn with overlap, plane strain"),
+    Fit("shaft", "shaft", "plane stress", "solid shaft, plane stress"),
+)
+
+
+class FitInputs(Case):
+    """A ring pressed into another one, both under pressure; or a solid shaft in the outer one."""
+
+    walls: ClassVar[Walls] = "rings"  # of the quantities
+    ends: ClassVar[Assumption] = "plane stress"
+
+    r_i: float = given(
+        "19.44 mm", "mm", "r_i", "bore radius of the inner ring", gt=0, le=1e5,
+        claims="huang2018:table1-r-e",
+    )  # fmt: skip
+    r_f: float = given(
+        "26.23 mm", "mm", "r_f", "nominal radius of the fit", gt=0, le=1e5,
+        claims="huang2018:table1-r-ed",
+    )  # fmt: skip
+    r_o: float = given("40 mm", "mm", "r_o", "rim radius of the outer ring", gt=0, le=1e5)
+    delta: float = given(
+        "15 µm", "µm", "δ", "interference, of the radii (half that of the diameters)", gt=0, le=1e6
+    )
+    p_i: float = given(
+        "37 MPa", "MPa", "p_i", "pressure in the inner bore", omitted=0.0, ge=0, le=1e5
+    )
+    p_o: float = given(
+        "5 MPa", "MPa", "p_o", "pressure on the outer rim", omitted=0.0, ge=0, le=1e5
+    )
+    E_i: float = given("206 GPa", "GPa", "E_i", "Young's modulus inside", gt=0, le=1e5)
+    nu_i: float = given(0.3, "1", "ν_i", "Poisson's ratio inside", ge=0, le=0.45)
+    E_o: float = given("70 GPa", "GPa", "E_o", "Young's modulus outside", gt=0, le=1e5)
+    nu_o: float = given(0.33, "1", "ν_o", "Poisson's ratio outside", ge=0, le=0.45)
+    R_p: float | None = given(
+        None, "MPa", "R_p", "yield strength of the weaker wall, for the warning", omitted=None,
+        gt=0, example="250 MPa",
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _walls(self) -> Self:
+        radii = ", ".join(f"{n} = {getattr(self, n) * 1e3:g} mm" for n in ("r_i", "r_f", "r_o"))
+        if not self.r_i < self.r_f < self.r_o:
+            raise ValueError(f"a fit needs r_i < r_f < r_o, got {radii}")
+        wall = self.thinnest
+        if wall < 1e-3 * self.r_f:
+            raise ValueError(
+                f"a wall of {wall * 1e3:g} mm is below a thousandth of r_f: a shell, got {radii}"
+            )
+        if self.delta > 0.01 * self.r_f or self.delta > 0.1 * wall:
+            raise ValueError(
+                f"delta = {self.delta * 1e6:g} µm exceeds a hundredth of r_f or a tenth of the "
+                f"thinner wall, {wall * 1e3:g} mm: strains are not small"
+            )
+        return self
+
+    @property
+    def thinnest(self) -> float:
+        """Thickness of the thinner wall [m]."""
+        return min(self.r_f - self.r_i, self.r_o - self.r_f)
+
+    def of(self, fit: Fit) -> Self:
+        """The same inputs for other walls or ends."""
+        return self.model_copy(update={"walls": fit.walls, "ends": fit.ends})
+
+    @property
+    def bore(self) -> float:
+        """Bore radius of the inner wall [m]."""
+        return 0.0 if self.walls == "shaft" else self.r_i
+
+    @property
+    def p_bore(self) -> float:
+        """Pressure in it [Pa]."""
+        return 0.0 if self.walls == "shaft" else self.p_i
+
+    @property
+    def surfaces(self) -> tuple[float, float]:
+        """Rim of the inner and bore of the outer wall [m]; drawn, they overlap by δ."""
+        if self.walls == "drawn":
+            return self.r_f + self.delta / 2, self.r_f - self.delta / 2
+        return self.r_f, self.r_f
