@@ -30,7 +30,7 @@ SCALES = (
     ("contact-roller.*", r".* left", 1.0),  # relative errors of other values
     ("rotor-clutch", r"K_xz, .*", "K_xx, uniform"),
     ("rotor-clutch", r"coupling, .*", 1.0),
-    ("rotor-step", r"slices .*", 1.0),  # relative errors
+    ("rotor-step", r"uncertainty of .*", 1.0),  # relative errors
 )
 # Values that move further, and why that is no tie.
 FLAT = "where a smooth maximum lies: its place is found to the root of what its value is found to"

@@ -11,10 +11,9 @@ from fem.fourier import vibration
 from fem.rotor import assemble, weak
 from verify.cases.registry import find
 from verify.cases.rotor.step import case as rotor_step
-from verify.cases.rotor.step import fem, inputs
-from verify.cases.rotor.step.case import STEP
-from verify.cases.rotor.step.fem import NEAR_ONE
-from verify.cases.rotor.step.inputs import StepInputs
+from verify.cases.rotor.step import inputs, reference
+from verify.cases.rotor.step.case import STEP, SteppedBeam
+from verify.cases.rotor.step.inputs import NEAR_ONE, SteppedShaft
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level
@@ -77,17 +76,17 @@ def inertia(polar, diametral):
                      "a step makes the beam too fast in modes 1 to 3", id="6 % too slow"),
         pytest.param(rotor_step, "whirl_frequencies", scaled(1.001),
                      "the beam's error as d_2 goes to d_1", id="0.1 % off without a step"),
-        pytest.param(StepInputs, "rotor", lambda f: lambda s, **_: f(s),
+        pytest.param(SteppedShaft, "rotor", lambda f: lambda s, **_: f(s),
                      "the 45° rule takes off more than half of the error of mode 1",
                      id="no rule"),
-        pytest.param(StepInputs, "rotor", lambda f: lambda s, **_: f(s, cone=True),
+        pytest.param(SteppedShaft, "rotor", lambda f: lambda s, **_: f(s, cone=True),
                      "closed-form elements, mode 3 forward", id="the rule for what is drawn"),
-        pytest.param(StepInputs, "rotor",
+        pytest.param(SteppedShaft, "rotor",
                      lambda f: lambda s, **k: f(s.model_copy(update={"k": s.k / 2}), **k),
                      "weak form, mode 1 forward", id="half the bearings"),
-        pytest.param(StepInputs, "pieces", stiff(lambda q, p: (p.d_stiff + q.d_1) / 2),
+        pytest.param(SteppedShaft, "pieces", stiff(lambda q, p: (p.d_stiff + q.d_1) / 2),
                      f"{RULE} mode 1 forward", id="half the cones' slope"),
-        pytest.param(StepInputs, "pieces",
+        pytest.param(SteppedShaft, "pieces",
                      stiff(lambda q, p: min(p.d, 2 * p.d_stiff - q.d_1)),
                      f"{RULE} mode 1 forward", id="half the cones' reach"),
         pytest.param(inputs, "Disc", inertia(2, 2), f"{RULE} mode 2 forward",
@@ -116,26 +115,23 @@ def judge_with(anew):
 
 
 def elements(q, level):
-    values = {}
-    fem.fem_elements(q, level, values)
-    return values, {}
+    return reference.elements(q, level), {}
 
 
 def weak_form(q, level):
-    ahead, _ = fem.fem_weak(q, level).whirl(q.n)
-    return {f"weak {j} forward": ahead[j - 1] for j in (1, 2, 3)}, {}
+    ahead, _ = reference.weak_form(q, level).whirl(q.n)
+    return {f"weak_whirl_{j}_forward": ahead[j - 1] for j in (1, 2, 3)}, {}
 
 
 def body(q, _):
-    values = {}
-    fem.fem_solid(q, fem.fem_body(q, 1, 0.12), values)
-    return {key: values[key] for key in ("mass error", "polar error")}, {}
+    values, _ = reference.of_body(q, reference.body(q, 1, 0.12))
+    return {key: values[key] for key in ("mass_error", "polar_error")}, {}
 
 
 def near_one(q, level):
     share = q.L_2 / q.L
-    found = [fem._half_at_rest(q, r, share, max(level - 1, 1), 0.12) for r in NEAR_ONE]
-    return {}, {"near one": np.array(found)}
+    found = [reference._half_at_rest(q, r, share, max(level - 1, 1), 0.12) for r in NEAR_ONE]
+    return {}, {"near_one": np.array(found)}
 
 
 @pytest.mark.parametrize(
@@ -160,7 +156,7 @@ def test_wrong_finite_elements_turn_a_row_red(solve, owner, name, fault, row, mo
 
 
 def test_pieces_make_up_the_shaft_and_stiffness_grows_from_the_steps():
-    q = StepInputs()
+    q = SteppedBeam()
     for cone in (False, True):
         pieces = q.pieces(cone=cone)
         assert sum(p.length for p in pieces) == pytest.approx(q.L)
@@ -174,16 +170,16 @@ def test_pieces_make_up_the_shaft_and_stiffness_grows_from_the_steps():
 
 
 def test_cones_meet_where_the_thick_part_is_short():
-    q = StepInputs(L_2=0.03, a=0.1)
+    q = SteppedBeam(L_2=0.03, a=0.1)
     assert max(p.d_stiff for p in q.pieces(cone=True)) < q.d_1 + 0.03
     assert sum(p.length for p in q.pieces(cone=True)) == pytest.approx(q.L)
 
 
 def test_cones_of_many_slices_and_the_weak_form_agree():
-    q = StepInputs(a=0.1)
+    q = SteppedBeam(a=0.1)
     fine = frequencies(q, cone=True, slices=32)
     assert frequencies(q, cone=True) == pytest.approx(fine, rel=1e-4)
-    found = fem.fem_weak(q, 3, cone=True).whirl(q.n)[0]
+    found = reference.weak_form(q, 3, cone=True).whirl(q.n)[0]
     assert found == pytest.approx(fine, rel=1e-4)
 
 
@@ -200,23 +196,23 @@ def test_cones_of_many_slices_and_the_weak_form_agree():
 )
 def test_inputs_without_sense_are_refused_in_words(wrong, said):
     with pytest.raises(ValidationError, match=said):
-        StepInputs(**wrong)
+        SteppedBeam(**wrong)
 
 
 def test_an_engineer_is_warned_of_a_step_and_of_none_without_one():
-    q = StepInputs()
+    q = SteppedBeam()
     assert any(
         "45° rule lowers the beam's frequencies by up to 3.5%" in words
         for words in STEP.warnings(q, STEP.analytic(q))
     )
-    hardly = StepInputs(d_2=0.0402)
+    hardly = SteppedBeam(d_2=0.0402)
     assert not STEP.warnings(hardly, STEP.analytic(hardly))
 
 
 def test_a_shaft_of_one_s_own_has_no_row_in_red(monkeypatch, red):
-    monkeypatch.setattr(fem, "FIRST", 0.12)
-    monkeypatch.setattr(fem, "_errors", lambda *_: (0.05, 0.02))  # map: not judged
-    q = StepInputs(L=0.8, d_1=0.05, d_2=0.065, L_2=0.1, a=0.1, k=5e7, n=0.0)
+    monkeypatch.setattr(reference, "FIRST", 0.12)
+    monkeypatch.setattr(reference, "_errors", lambda *_: (0.05, 0.02))  # map: not judged
+    q = SteppedBeam(L=0.8, d_1=0.05, d_2=0.065, L_2=0.1, a=0.1, k=5e7, n=0.0)
     runs = [solve_level(STEP, q, level, None) for level in STEP.levels]
     assert not red(judge_case(Job(STEP, q), runs))
 
@@ -226,10 +222,10 @@ def test_a_shaft_of_one_s_own_has_no_row_in_red(monkeypatch, red):
 @pytest.mark.parametrize(("ratio", "share"), [(2.0, 0.4), (2.5, 0.05), (3.0, 0.1)])
 def test_cells_are_as_many_where_inputs_differ_by_round_off(seed, cone, ratio, share):
     """Both cones of a short thick part end in one station, and counts of cells are whole."""
-    q = fem.middle(StepInputs(), ratio, share)
+    q = SteppedBeam().with_middle(ratio, share)
     noise = 1 + 1e-13 * np.random.default_rng(seed).standard_normal(5)
     names = ("L", "d_1", "d_2", "L_2", "b")
     near = q.model_copy(update={n: getattr(q, n) * x for n, x in zip(names, noise, strict=True)})
-    meshes = [fem.fem_weak(one, 1, cone=cone).basis.mesh for one in (q, near)]
+    meshes = [reference.weak_form(one, 1, cone=cone).basis.mesh for one in (q, near)]
     assert meshes[0].nelements == meshes[1].nelements
     assert np.diff(np.sort(meshes[1].p[0])).min() > 1e-4 * q.L

@@ -32,8 +32,8 @@ def shaft(q: Any, v: Values, part: Assessment) -> None:
 
 def stepped(q: Any, v: Values, part: Assessment) -> None:
     """The same with a step in diameter, by the 45° rule, the lower one."""
-    higher = [v[f"45° {k} forward"] for k in range(2, MODES + 1)]
-    _separated(q.n, [v["45° critical"], *higher], part)
+    higher = [v[f"whirl_{k}_forward_cone"] for k in range(2, MODES + 1)]
+    _separated(q.n, [v["critical_cone"], *higher], part)
 
 
 def system(q: Any, _: Values, part: Assessment) -> None:

@@ -112,7 +112,8 @@ class Comparison:
 
 
 def identity(
-    q: Quantity, reference: str = "", *, scale: Scale | None = None, uncertainty: float = 0.0,
+    q: Quantity, reference: str = "", *, scale: Scale | None = None,
+    uncertainty: float | None = None,
     **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
     """Formula and reference solve one problem and differ by numerical error only.
@@ -123,7 +124,7 @@ def identity(
     """
     numbers = dict(scale) if isinstance(scale, Mapping) else {}
     more = {"scale": scale.name if isinstance(scale, Quantity) else next(iter(numbers), "")}
-    if uncertainty:
+    if uncertainty is not None:  # which some inputs have as zero
         more["residual"] = f"uncertainty of {options.get('name') or q.label}"
         numbers[more["residual"]] = uncertainty
     return _compared(checks.Identity, q, reference, options, more, numbers)

@@ -89,6 +89,12 @@ def test_symbols_of_a_state_and_the_smaller_of_two_are_in_equations():
     assert r"\min" in found["k_m"].numbers
 
 
+def test_an_uncertainty_may_be_zero_for_some_inputs():
+    (name,) = identity(Beam.ratio, uncertainty=0.0).numbers
+    assert identity(Beam.ratio, uncertainty=0.0).check.residual == name
+    assert not identity(Beam.ratio).check.residual
+
+
 def test_a_row_has_its_own_unit_and_an_error_without_interval_says_why():
     case, beam = adapted(Beam), Beam()
     levels = [case.reference(beam, level) for level in case.levels]

@@ -1,15 +1,20 @@
-"""Inputs of a shaft that is thick in its middle, and its beams: as drawn, and by the 45° rule."""
+"""A shaft that is thick in its middle, and its beams: nominal diameters, and the 45° rule."""
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Self
 
 import numpy as np
 from pydantic import model_validator
 
 from analytic.rotor.transfer_model import Disc, Rotor, Segment, Shaft, Support
-from verify.core.inputs import Inputs, quantity
+from verify.case import Case, Quantity, given
 
 SLICES = 16  # of a cone, each of its mean diameter
+MODES = (1, 2, 3)
+NEAR_ONE = (1.01, 1.02, 1.04, 1.07, 1.1)  # d_2/d_1 towards the shaft without a step
+RATIOS = (1.1, 1.25, 1.5, 2.0, 2.5, 3.0)  # d_2/d_1 of the map
+SHARES = (0.05, 0.1, 0.2, 0.35, 0.5, 0.7)  # L_2/L of the map
 SMALLEST = 1e-9  # of the length: a piece that is round-off
 
 
@@ -22,26 +27,26 @@ class Piece:
     d_stiff: float
 
 
-class StepInputs(Inputs):
+class SteppedShaft(Case):
     """A shaft of diameter d_1 with a thick part d_2, in two short elastic bearings at its ends."""
 
-    L: float = quantity("500 mm", "mm", "L", "length (none is printed)", gt=0, le=1e5)
-    d_1: float = quantity("40 mm", "mm", "d_1", "diameter (none is printed)", gt=0, le=1e5)
-    d_2: float = quantity("80 mm", "mm", "d_2", "diameter of the thick part", gt=0, le=1e5)
-    L_2: float = quantity("200 mm", "mm", "L_2", "length of the thick part", gt=0, le=1e5)
-    a: float | None = quantity(
+    L: float = given("500 mm", "mm", "L", "length (none is printed)", gt=0, le=1e5)
+    d_1: float = given("40 mm", "mm", "d_1", "diameter (none is printed)", gt=0, le=1e5)
+    d_2: float = given("80 mm", "mm", "d_2", "diameter of the thick part", gt=0, le=1e5)
+    L_2: float = given("200 mm", "mm", "L_2", "length of the thick part", gt=0, le=1e5)
+    a: float | None = given(
         None, "mm", "a", "where it begins; left out: in the middle", omitted=None, gt=0,
         example="150 mm",
     )  # fmt: skip
-    b: float = quantity("15 mm", "mm", "b", "width of the bearings, at both ends", gt=0)
-    k: float = quantity("2e5 N/mm", "N/mm", "k", "stiffness of a bearing across", gt=0, le=1e9)
-    n: float = quantity("6000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
-    rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    b: float = given("15 mm", "mm", "b", "width of the bearings, at both ends", gt=0)
+    k: float = given("2e5 N/mm", "N/mm", "k", "stiffness of a bearing across", gt=0, le=1e9)
+    n: float = given("6000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
+    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
     @model_validator(mode="after")
-    def _shaft(self) -> "StepInputs":
+    def _shaft(self) -> Self:
         if not 1.001 * self.d_1 <= self.d_2 <= 5 * self.d_1:
             raise ValueError(
                 f"a step needs 1.001 d_1 <= d_2 <= 5 d_1, got d_1 = {self.d_1 * 1e3:g} mm, "
@@ -57,6 +62,26 @@ class StepInputs(Inputs):
                 f"leaves {self.start * 1e3:g} and {(self.L - self.start - self.L_2) * 1e3:g} mm"
             )
         return self
+
+    @Quantity("m", "kg", "mass", role="geometry",
+              tex=r"\frac{\pi}{4} \rho (d_1^2 (L - L_2) + d_2^2 L_2)")  # fmt: skip
+    def mass(self) -> float:
+        return sum(self.rho * np.pi / 4 * d**2 * length for length, d, _ in self.parts)
+
+    @Quantity("I_p", "kg m^2", "polar moment of inertia", role="geometry",
+              tex=r"\frac{\pi}{32} \rho (d_1^4 (L - L_2) + d_2^4 L_2)")  # fmt: skip
+    def polar(self) -> float:
+        return sum(self.rho * np.pi / 32 * d**4 * length for length, d, _ in self.parts)
+
+    @Quantity("s_45", "mm", "distance from a step up to which the 45° rule reduces the stiffness",
+              source="45° rule", role="geometry")  # fmt: skip
+    def reach(self) -> float:
+        return min((self.d_2 - self.d_1) / 2, self.L_2 / 2)
+
+    @Quantity("d_stiff", "mm", "diameter that is stiff at that distance", source="45° rule",
+              role="geometry")  # fmt: skip
+    def d_stiff(self) -> float:
+        return min(self.d_2, self.d_1 + 2 * self.reach)
 
     @property
     def start(self) -> float:
@@ -74,13 +99,17 @@ class StepInputs(Inputs):
         """The middles of the bearings [m]."""
         return self.b / 2, self.L - self.b / 2
 
+    def with_middle(self, ratio: float, share: float) -> Self:
+        """The same shaft with another thick part, in its middle: d_2/d_1 and L_2/L."""
+        return self.model_copy(update={"d_2": ratio * self.d_1, "L_2": share * self.L, "a": None})
+
     def pieces(self, *, cone: bool, slices: int = SLICES) -> tuple[Piece, ...]:
         """Pieces end to end, with stations at the seats; `cone`: stiff as the 45° rule says.
 
         From either step on, the thick part counts for stiffness with a diameter that grows from
         d_1 by twice the distance, up to d_2.
         """
-        reach = min((self.d_2 - self.d_1) / 2, self.L_2 / 2) if cone else 0.0
+        reach = self.reach if cone else 0.0
         first, last = self.start, self.start + self.L_2
         slope = reach * np.linspace(0, 1, slices + 1) if cone else np.zeros(1)
         z = np.concatenate([

@@ -1,18 +1,26 @@
 """Finite elements of a stepped shaft: two kinds of beams, and the elastic body of revolution."""
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from skfem import MeshLine
 
-from verify.cases.rotor.step.inputs import StepInputs
-from verify.core.case import FemResult
+from fem.fourier.harmonic_cells import stress
+from fem.fourier.solid import FourierSolid
+from fem.fourier.supports import rigid_motions
+from fem.fourier.vibration import RotatingSolid
+from fem.fourier.vibration_mounts import Mount
+from fem.plane.material import Elastic
+from fem.rotor.critical import critical_speeds
+from fem.rotor.model import Element, Material, Rotor, Shaft, Support
+from fem.rotor.modes import modes
+from fem.rotor.weak import weak_shaft
+from meshes.rotor.stepped import stepped_section
+from verify.case import Level, solved
+from verify.cases.rotor.step.inputs import MODES, NEAR_ONE, RATIOS, SHARES, SteppedShaft
 from verify.core.figures import Field
 
-if TYPE_CHECKING:
-    from fem.fourier.vibration import RotatingSolid
-
-MODES = (1, 2, 3)
 ELEMENTS = 4  # in each piece of the shaft, times the level
 CELLS = 10  # of the weak form along the shaft, at least, times the level
 CONE = 8  # of it in a cone of the 45° rule, times the level
@@ -21,39 +29,36 @@ SAME = 1e-9  # of the length: stations that differ by less are one; of a count o
 FIRST = 0.03  # cells at the corners over d_1, coarsest mesh
 MAPPED = 2  # level of the map
 MAP_FIRST = 0.06
-NEAR_ONE = (1.01, 1.02, 1.04, 1.07, 1.1)  # d_2/d_1 towards the shaft without a step
-RATIOS = (1.1, 1.25, 1.5, 2.0, 2.5, 3.0)  # d_2/d_1 of the map
-SHARES = (0.05, 0.1, 0.2, 0.35, 0.5, 0.7)  # L_2/L of the map
 CUT = 0.98  # of the volume, whose stress the picture's colours span
 ROUND = 1e-9  # of a frequency: what the factors of slender shafts lose
 
 
-def fem(q: StepInputs, level: int) -> FemResult:
-    values: dict[str, float] = {}
-    fem_elements(q, level, values)
-    weak = {"weak": fem_weak(q, level), "weak 45°": fem_weak(q, level, cone=True)}
+def solve(q: SteppedShaft, level: int) -> Level:
+    """All models on one level; the map of errors on one of them."""
+    values = elements(q, level)
+    weak = {"weak": weak_form(q, level), "weak_cone": weak_form(q, level, cone=True)}
     for name, shaft in weak.items():
-        ahead, behind = shaft.whirl(q.n, count=len(MODES))
-        for j in MODES:
-            values |= {f"{name} {j} forward": ahead[j - 1], f"{name} {j} backward": behind[j - 1]}
-    body = fem_body(q, level, FIRST)
-    fields = fem_solid(q, body, values)
+        values |= _whirl(name, *shaft.whirl(q.n, count=len(MODES)))
+    solid = body(q, level, FIRST)
+    found, field = of_body(q, solid)
+    values |= found
+    values["weak_cone_split"] = weak["weak_cone"].splitting(q.n, count=len(MODES))[1]
     arrays: dict[str, Any] = {
-        "near one": np.array([_half_at_rest(q, r, q.L_2 / q.L, level, FIRST) for r in NEAR_ONE])
+        "near_one": np.array([_half_at_rest(q, r, q.L_2 / q.L, level, FIRST) for r in NEAR_ONE])
     }
     if level == MAPPED:
         arrays["map"] = np.array([[_errors(q, r, share) for r in RATIOS] for share in SHARES])
-    values["weak 45° split"] = weak["weak 45°"].splitting(q.n, count=len(MODES))[1]
-    u_it = {key: ROUND * abs(value) for key, value in values.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+    return solved(1 / level, field, iteration=ROUND, **values, **arrays)
 
 
-def fem_elements(q: StepInputs, level: int, values: dict[str, float]) -> None:
+def _whirl(name: str, forward: Any, backward: Any) -> dict[str, float]:
+    """Frequencies of a model by the quantities' names."""
+    ways = (("forward", forward), ("backward", backward))
+    return {f"{name}_whirl_{j}_{way}": found[j - 1] for way, found in ways for j in MODES}
+
+
+def elements(q: SteppedShaft, level: int) -> dict[str, float]:
     """Closed-form elements of Timoshenko's beam, as drawn."""
-    from fem.rotor.critical import critical_speeds
-    from fem.rotor.model import Element, Material, Rotor, Shaft, Support
-    from fem.rotor.modes import modes
-
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
     pieces = q.pieces(cone=False)
     rotor = Rotor(
@@ -61,22 +66,18 @@ def fem_elements(q: StepInputs, level: int, values: dict[str, float]) -> None:
         supports=[Support(1, q.k), Support(len(pieces) - 1, q.k)], refine=ELEMENTS * level,
     )  # fmt: skip
     found = modes(rotor, q.n, 2 * len(MODES)).frequencies
-    for j in MODES:  # they come in pairs: backward, forward
-        values[f"beam {j} backward"], values[f"beam {j} forward"] = found[2 * j - 2 : 2 * j]
-    values["beam critical"] = critical_speeds(rotor, 1).speeds[0]
+    # they come in pairs: backward, forward
+    values = _whirl("beam", found[1::2], found[::2])
+    return values | {"beam_critical": critical_speeds(rotor, 1).speeds[0]}
 
 
-def fem_weak(q: StepInputs, level: int, *, cone: bool = False) -> Any:
+def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> Any:
     """The same as a weak form; with `cone`, stiff as the 45° rule says, over the steps' cones.
 
     Cells are of their middle's diameter: rotary inertia stays where it is, without lumps.
     """
-    from skfem import MeshLine
-
-    from fem.rotor.weak import weak_shaft
-
     first, last, seats = q.start, q.start + q.L_2, (q.b / 2, q.L - q.b / 2)
-    reach = min((q.d_2 - q.d_1) / 2, q.L_2 / 2) if cone else 0.0
+    reach = q.reach if cone else 0.0
     z = [0.0]
     for low, high in pairwise(_stations(q, (*seats, first, first + reach, last - reach, last))):
         depth = min((low + high) / 2 - first, last - (low + high) / 2)
@@ -95,7 +96,7 @@ def fem_weak(q: StepInputs, level: int, *, cone: bool = False) -> Any:
     return own.on_springs(dict.fromkeys(seats, q.k))
 
 
-def _stations(q: StepInputs, inner: tuple[float, ...]) -> list[float]:
+def _stations(q: SteppedShaft, inner: tuple[float, ...]) -> list[float]:
     """Ends of the shaft and the `inner` stations in order, one where some are the same."""
     found = [0.0]
     for z in sorted((*inner, q.L)):
@@ -104,14 +105,8 @@ def _stations(q: StepInputs, inner: tuple[float, ...]) -> list[float]:
     return found
 
 
-def fem_body(q: StepInputs, level: int, first: float, *, half: bool = False) -> "RotatingSolid":
+def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> RotatingSolid:
     """The elastic body, its seats' mean motions on springs; `half` with symmetry at L/2."""
-    from fem.fourier.solid import FourierSolid
-    from fem.fourier.vibration import RotatingSolid
-    from fem.fourier.vibration_mounts import Mount
-    from fem.plane.material import Elastic
-    from meshes.rotor.stepped import stepped_section
-
     parts = [q.parts[0], (q.L_2 / 2, q.d_2, 0.0)] if half else q.parts
     seats = {"left": (0.0, q.b)} | ({} if half else {"right": (q.L - q.b, q.L)})
     mesh = stepped_section(parts, bands=seats, first=first * q.d_1, refine=level)
@@ -121,28 +116,20 @@ def fem_body(q: StepInputs, level: int, first: float, *, half: bool = False) -> 
     return RotatingSolid(solid, q.rho, springs=tuple(Mount(boundary=s, k=q.k) for s in seats))
 
 
-def fem_solid(q: StepInputs, body: "RotatingSolid", values: dict[str, float]) -> tuple[Field, ...]:
-    from fem.fourier.supports import rigid_motions
-
-    found = body.modes(q.n, len(MODES))
-    for j in MODES:
-        values[f"solid {j} forward"] = found.forward[j - 1]
-        values[f"solid {j} backward"] = found.backward[j - 1]
-    values["solid critical"] = body.critical_speeds(1)[0][0]
-    twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()
-    across, tilt = ((body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]).T
-    for name, found_, drawn in (
-        ("mass", across @ body.M @ across, [q.rho * np.pi / 4 * d**2 * x for x, d, _ in q.parts]),
-        ("polar", tilt @ body.G @ tilt, [q.rho * np.pi / 32 * d**4 * x for x, d, _ in q.parts]),
-    ):
-        values[f"{name} error"] = float(found_) - sum(drawn)
-    return (fem_field(body, found.forward_shapes[:, 0]),)
+def of_body(q: SteppedShaft, solid: RotatingSolid) -> tuple[dict[str, float], Field]:
+    """Its whirl, and what its mass and polar moment differ by from those of its parts."""
+    found = solid.modes(q.n, len(MODES))
+    values = _whirl("solid", found.forward, found.backward)
+    values["solid_critical"] = solid.critical_speeds(1)[0][0]
+    twice = np.asarray(solid.T.multiply(solid.T).sum(axis=0)).ravel()
+    across, tilt = ((solid.T.T @ rigid_motions(solid.solid.basis, 1, False)) / twice[:, None]).T
+    values["mass_error"] = float(across @ solid.M @ across) - q.mass
+    values["polar_error"] = float(tilt @ solid.G @ tilt) - q.polar
+    return values, _mode(solid, found.forward_shapes[:, 0])
 
 
-def fem_field(body: "RotatingSolid", u: Any) -> Field:
+def _mode(body: RotatingSolid, u: Any) -> Field:
     """The plane of the shaft in which mode 1 bends: displacements, and stress along the axis."""
-    from fem.fourier.harmonic_cells import stress
-
     cells, mesh = body.solid.cells, body.solid.mesh
     sigma = stress(cells.strain(u, 1), cells.lam[:, None], cells.mu[:, None])[..., 2]
     volume = cells.dx.sum(axis=1)
@@ -163,20 +150,15 @@ def fem_field(body: "RotatingSolid", u: Any) -> Field:
     )  # fmt: skip
 
 
-def _half_at_rest(q: StepInputs, ratio: float, share: float, level: int, first: float) -> float:
+def _half_at_rest(q: SteppedShaft, ratio: float, share: float, level: int, first: float) -> float:
     """Mode 1 at rest of the shaft with the thick part in the middle."""
-    own = middle(q, ratio, share)
-    return float(fem_body(own, level, first, half=True).modes(0.0, 1).forward[0])
+    own = q.with_middle(ratio, share)
+    return float(body(own, level, first, half=True).modes(0.0, 1).forward[0])
 
 
-def _errors(q: StepInputs, ratio: float, share: float) -> tuple[float, float]:
+def _errors(q: SteppedShaft, ratio: float, share: float) -> tuple[float, float]:
     """Errors of mode 1 at rest: of the beam as drawn, and by the 45° rule."""
     exact = _half_at_rest(q, ratio, share, 1, MAP_FIRST)
-    own = middle(q, ratio, share)
-    drawn, cone = (fem_weak(own, MAPPED, cone=c).whirl(0.0, count=1)[0][0] for c in (False, True))
+    own = q.with_middle(ratio, share)
+    drawn, cone = (weak_form(own, MAPPED, cone=c).whirl(0.0, count=1)[0][0] for c in (False, True))
     return drawn / exact - 1, cone / exact - 1
-
-
-def middle(q: StepInputs, ratio: float, share: float) -> StepInputs:
-    """The same shaft with another thick part, in its middle: d_2/d_1 and L_2/L."""
-    return q.model_copy(update={"d_2": ratio * q.d_1, "L_2": share * q.L, "a": None})
