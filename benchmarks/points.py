@@ -20,8 +20,9 @@ from meshes.contact import blocks
 from verify.cases.polyhedral import fem as polyhedral_fem
 from verify.cases.polyhedral.inputs import HubRing
 from verify.cases.polyhedral.ring.case import RING
-from verify.cases.spring.accordion.case import ACCORDION, OWN, line_fem, shapes
-from verify.cases.spring.inputs import AccordionInputs
+from verify.cases.spring.accordion.case import ACCORDION, AccordionSpring
+from verify.cases.spring.accordion.ends import PAPER
+from verify.cases.spring.accordion.reference import line_of
 from verify.core.case import Portion
 
 Run = Callable[[Any], Any]
@@ -91,8 +92,8 @@ def ring_of(**changes: Any) -> HubRing:
     return HubRing().model_copy(update=changes)
 
 
-def spring_of(n: int, b: float) -> AccordionInputs:
-    return AccordionInputs().model_copy(update={"n": n, "b": b})
+def spring_of(n: int, b: float) -> AccordionSpring:
+    return AccordionSpring().model_copy(update={"n": n, "b": b})
 
 
 def solved(portion: Portion) -> Run:
@@ -135,8 +136,8 @@ def unknowns(q: HubRing, level: int) -> int:
     return int(polyhedral_fem.pressed_fem(q, level, "plane stress", polyhedral_fem.ARC).u.size)
 
 
-def frame_unknowns(q: AccordionInputs, level: int) -> int:
-    return 3 * len(line_fem(shapes(q)[OWN], level).points)
+def frame_unknowns(q: AccordionSpring, level: int) -> int:
+    return 3 * len(line_of(q.held(PAPER), level).points)
 
 
 if __name__ == "__main__":

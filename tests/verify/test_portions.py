@@ -6,8 +6,7 @@ from verify.cases.polyhedral.inputs import HubRing
 from verify.cases.polyhedral.ring import case as polyhedral_ring
 from verify.cases.polyhedral.ring.case import RING
 from verify.cases.spring.accordion import case as spring_accordion
-from verify.cases.spring.accordion.case import ACCORDION
-from verify.cases.spring.inputs import AccordionInputs
+from verify.cases.spring.accordion.case import ACCORDION, AccordionSpring
 
 PORTIONS = [pytest.param(case, part, id=case.id) for case in (RING, ACCORDION)
             for part in case.portions]  # fmt: skip
@@ -37,7 +36,7 @@ def test_a_ring_s_portion_solves_one_problem_and_a_spring_s_too(monkeypatch):
     assert len(solved) == 1
     assert stiff.values["K mid"] == pytest.approx(1.1, rel=1e-3)
     solved = counted(monkeypatch, "fem.beam.curved.solve_curved_frame")
-    spring_accordion.stiffness_fem(AccordionInputs(), 4)
+    spring_accordion.solve_paper(AccordionSpring(), 4)
     assert len(solved) == 1
 
 

@@ -24,7 +24,7 @@ def free_stage(q: Any, v: Values, part: Assessment) -> None:
     """Recommended stiffness, bending stress and deflection under the working force."""
     leaf = (q.L1 + 2 * q.R * math.cos(q.alpha)) / math.sin(q.alpha)
     f = float(width_factor(q.h, leaf, nu=q.nu))
-    k = f * v["k clean"]
+    k = f * v["k"]
     part.design = Quantity(
         key="stiffness", symbol="k", value=k, unit="N/mm",
         what=f"stiffness: true centre line, widened strip (factor {f:.4g}), head free",

@@ -63,7 +63,7 @@ def _radius(q: Any, quantity: str, effect: float | None) -> SharedReading:
 
 def _accordion(q: Any, v: Values) -> tuple[SharedReading, ...]:
     quantity = "k_1 (the design value k is corrected for it)"
-    return (_radius(q, quantity, ratio(v, "k1", "k clean")), *wide(q, quantity), SMALL)
+    return (_radius(q, quantity, ratio(v, "k1", "k")), *wide(q, quantity), SMALL)
 
 
 def _continuum(q: Any, _: Values) -> tuple[SharedReading, ...]:

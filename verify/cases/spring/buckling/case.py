@@ -14,8 +14,7 @@ from analytic.spring.elastica import Elastica
 from verify.cases.spring.buckling import figures as shown
 from verify.cases.spring.buckling.fem import SWEPT, fem
 from verify.cases.spring.buckling.inputs import DRIFT, MANY, RATIO, TAILS, BucklingInputs
-from verify.cases.spring.figures import sketch
-from verify.cases.spring.inputs import strip_of
+from verify.cases.spring.sketch import sketch
 from verify.core.case import Case, Context, Output, Scan, Values
 from verify.core.results import Row
 from verify.judging.checks import Accepted, Approximation, Identity, Limit
@@ -64,11 +63,11 @@ def critical_point(q: BucklingInputs, tail: frame.Tail) -> Values:
 
 
 def _flexibility(q: BucklingInputs, tail: frame.Tail) -> float:
-    return 1 / frame.stiffness(**q.path, **strip_of(q), head="guided", tail=tail, theory="shear")
+    return 1 / frame.stiffness(**q.path, **q.strip, head="guided", tail=tail, theory="shear")
 
 
 def analytic(q: BucklingInputs) -> Values:
-    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **strip_of(q))
+    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **q.strip)
     values = {
         "unit turn": float(1 / unit.turn), "unit axial": float(1 / unit.axial),
         "unit lateral": float(1 / unit.lateral), "L": q.length,
@@ -78,16 +77,14 @@ def analytic(q: BucklingInputs) -> Values:
         xi = float(column.critical_shortening(head, **q.path, b=q.b, nu=q.nu))
         if math.isfinite(xi):
             values[f"Haringx U, {head}"] = xi * q.length
-            values[f"Haringx F, {head}"] = float(
-                column.critical_force(head, **q.path, **strip_of(q))
-            )
+            values[f"Haringx F, {head}"] = float(column.critical_force(head, **q.path, **q.strip))
     if q.n <= MOST:
         for tail in TAILS:
             with suppress(ArithmeticError):  # values are missing; `too_large` and `warnings` say so
                 values |= critical_point(q, tail)
     if q.F is not None:
         values["deflection"] = q.F / frame.stiffness(
-            **q.path, **strip_of(q), head="guided", tail="arc", theory="shear"
+            **q.path, **q.strip, head="guided", tail="arc", theory="shear"
         )
     return values
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from analytic.spring import column
 from verify.cases.spring.buckling.inputs import MAP_L1, MAP_N, RATIO, SAME_RATIO, TAILS
-from verify.cases.spring.inputs import strip_of
 from verify.core.case import Context, Values
 from verify.core.figures import Array, Curve, Curves, Equation, Figure, Map, Panel, Shapes, Table
 from verify.core.tex import tex
@@ -17,7 +16,7 @@ mm = 1e-3
 
 
 def equations(q: Any, v: Values) -> Sequence[Equation]:
-    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **strip_of(q))
+    unit = column.unit(L1=q.L1, radius=q.R, alpha=q.alpha, **q.strip)
     p = float(unit.pitch)
     B, C = p / float(unit.turn), p / float(unit.axial)
     S = p / float(unit.lateral - p**2 * unit.turn / 12)

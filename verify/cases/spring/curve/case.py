@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 
 from analytic.spring.wide_leaf import width_factor
-from verify.cases.spring.accordion.case import too_large as too_slender
 from verify.cases.spring.curve import figures as spring_curve_shown
 from verify.cases.spring.curve.claims import CHECKS
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.curve.runs import LEVELS, fem
+from verify.cases.spring.inputs import too_slender
 from verify.cases.spring.stages import figures as spring_stages_shown
 from verify.core.case import Case, Output, Values
 from verify.judging.published_checks import PrintedMeasurement

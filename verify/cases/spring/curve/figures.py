@@ -18,7 +18,6 @@ from verify.cases.spring.curve.claims import (
 from verify.cases.spring.curve.fem import Array
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.curve.runs import FINE, LEVELS, TOUCH
-from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.readings import eq10
 from verify.core.case import Context, Values
 from verify.core.figures import Curve, Curves, Equation, Figure, Panel, Shapes, Table
@@ -32,7 +31,7 @@ TABLE_N = 18.0  # N, the end load of the paper's finite elements
 def linear(q: CurveInputs) -> Stages:
     """The closed form's two straight lines."""
     ends: dict[str, Any] = {"head": q.head, "tail": q.tail, "width_factor": q.width_factor}
-    return stages(**q.path, **strip_of(q), **ends, theory="shear")
+    return stages(**q.path, **q.strip, **ends, theory="shear")
 
 
 def equations(q: CurveInputs, v: Values) -> Sequence[Equation]:

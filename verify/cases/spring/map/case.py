@@ -8,7 +8,6 @@ import numpy as np
 
 from analytic.spring import energy, frame
 from analytic.spring.elastica import Elastica
-from verify.cases.spring.figures import sketch
 from verify.cases.spring.map import figures as map_figures
 from verify.cases.spring.map.fem import MAPPED, deep_fem, fem
 from verify.cases.spring.map.inputs import (
@@ -19,6 +18,7 @@ from verify.cases.spring.map.inputs import (
     MapInputs,
     points,
 )
+from verify.cases.spring.sketch import sketch
 from verify.core.case import Case, Context, Output, Scan, Values
 from verify.core.figures import Figure
 from verify.jobs.deep_results import measured

@@ -7,7 +7,7 @@ from typing import Any
 from analytic.spring import energy, frame
 from analytic.spring.stages import stages
 from analytic.spring.wide_leaf import width_factor
-from verify.cases.spring.accordion.case import too_large
+from verify.cases.spring.inputs import too_slender
 from verify.cases.spring.stages import figures
 from verify.cases.spring.stages.fem import ENDS, Ends, fem
 from verify.cases.spring.stages.inputs import StagesInputs
@@ -227,7 +227,7 @@ STAGES = Case(
         "bending and axial force; the strip is narrow (E I) unless a width factor is given",
     ),
     warnings=warnings,
-    too_large=too_large,
+    too_large=too_slender,
     equations=figures.equations,
     tables=tables,
     sketch=figures.sketch,

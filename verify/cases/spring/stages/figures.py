@@ -8,7 +8,6 @@ import numpy as np
 
 from analytic.spring import frame
 from analytic.spring.stages import stages
-from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.fem import SHARES
 from verify.cases.spring.stages.inputs import StagesInputs
 from verify.cases.spring.stages.readings import EQ10_END, eq10, meeting
@@ -24,7 +23,7 @@ MPa, mm = 1e6, 1e-3
 def own(q: StagesInputs, **other: Any) -> Any:
     """The stages of the spring as the inputs hold it."""
     ends: dict[str, Any] = {"head": q.head, "tail": q.tail, "width_factor": q.factor}
-    return stages(**q.path, **strip_of(q), **(ends | other))
+    return stages(**q.path, **q.strip, **(ends | other))
 
 
 def sketch(q: StagesInputs) -> Sketch:

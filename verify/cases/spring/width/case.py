@@ -4,7 +4,6 @@ from collections.abc import Callable, Sequence
 
 from analytic.spring import frame
 from analytic.spring.wide_leaf import TERMS, width_factor
-from verify.cases.spring.inputs import strip_of
 from verify.cases.spring.stages.readings import PaperReading
 from verify.cases.spring.width import claims
 from verify.cases.spring.width import figures as shown
@@ -27,7 +26,7 @@ def analytic(q: WidthInputs) -> Values:
     for tail, head in {*ENDS, (q.tail, q.head)}:
         for name, plane_strain in (("k narrow", False), ("k wide", True)):
             values[f"{tail}, {head}, {name}"] = frame.stiffness(
-                **q.path, **strip_of(q), tail=tail, head=head, theory="shear",
+                **q.path, **q.strip, tail=tail, head=head, theory="shear",
                 plane_strain=plane_strain,
             )  # fmt: skip
         values[f"{tail}, {head}, k"] = f * values[f"{tail}, {head}, k narrow"]

@@ -7,12 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from verify.cases.spring.accordion.case import ACCORDION, curved_fem, line_fem, shapes, stiffness
+from verify.cases.spring.accordion.case import ACCORDION
+from verify.cases.spring.accordion.ends import Ends
+from verify.cases.spring.accordion.reference import curved_frame, line_of
 from verify.cases.spring.buckling.case import BUCKLING
 from verify.cases.spring.buckling.fem import spring
-from verify.cases.spring.continuum.case import CONTINUUM, cells_along
+from verify.cases.spring.continuum.case import CONTINUUM
+from verify.cases.spring.continuum.reference import cells_along
 from verify.cases.spring.curve.case import CURVE
 from verify.cases.spring.curve.fem import Spring, fem_compress
+from verify.cases.spring.stiffness import stiffness
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons import plane
 from verify.studies.crosscheck.comparisons.plane import LINEAR, MESH
@@ -71,11 +75,11 @@ def continuum(assumption: Any) -> Posed:
     )  # fmt: skip
 
 
-def accordion(tail: Any, head: str) -> Posed:
+def accordion(tail: Any, head: Any) -> Posed:
     """The frame of curved elements under one newton, and a strip about the same line."""
-    q: Any = ACCORDION.inputs()
-    shape = shapes(q)[f"head {head}, tail at {tail}"]
-    solved, seconds = timed(lambda: curved_fem(q, shape, line_fem(shape, 2 * LEVEL)))
+    given: Any = ACCORDION.inputs()
+    q = given.held(Ends("", "", head, tail))
+    solved, seconds = timed(lambda: curved_frame(q, line_of(q, 2 * LEVEL)))
 
     def problem(part: "Strip") -> dict[str, Any]:
         from verify.studies.crosscheck.calculix.large import Held, Load
@@ -88,7 +92,7 @@ def accordion(tail: Any, head: str) -> Posed:
         }  # fmt: skip
 
     return posed(
-        q, dict(shape.path) | {"tail": tail}, problem, {"k": stiffness(solved)[0]}, seconds,
+        q, q.path | {"tail": tail}, problem, {"k": stiffness(solved)[0]}, seconds,
         lambda answer: {"k": 1 / float(answer.u[0, 0, 0])},
     )  # fmt: skip
 

@@ -1,0 +1,42 @@
+"""End conditions under which the accordion spring is compared."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import NamedTuple
+
+from analytic.spring import frame
+
+HEADS: tuple[frame.Head, ...] = ("free", "hinged", "guided")
+TAILS: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
+HOLDS: tuple[frame.Hold, ...] = ("clamped", "hinged")
+
+
+class Ends(NamedTuple):
+    """How head and tail are held, and whether arcs have the inner radius, as in Eqs. 1-9.
+
+    `key` ends the names of its numbers, `words` those of its rows.
+    """
+
+    key: str
+    words: str
+    head: frame.Head = "free"
+    tail: frame.Tail = "arc"
+    hold: frame.Hold = "clamped"
+    inner: bool = False
+
+    def named(self, name: str) -> str:
+        """A number's name with these ends."""
+        return f"{name}_{self.key}" if self.key else name
+
+
+def _combined() -> Iterator[Ends]:
+    for head, tail, hold in product(HEADS, TAILS, HOLDS):
+        if (head, hold) == ("free", "hinged"):  # that one swings freely
+            continue
+        hinged, how = ("", "") if hold == "clamped" else ("_hinged", " hinged")
+        key = f"{head}_{tail.replace('-', '_')}{hinged}".replace("free_arc", "")
+        yield Ends(key, f"head {head}, tail{how} at {tail}", head, tail, hold)
+
+
+PAPER = Ends("paper", "paper's lengths", inner=True)  # the shape that Eqs. 1-9 speak of
+COMBINED = tuple(_combined())  # on the true centre line, the free head with its arc held first

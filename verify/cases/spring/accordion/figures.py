@@ -1,0 +1,105 @@
+"""Figures of the accordion spring: its moments, and what the paper leaves open."""
+
+from collections.abc import Iterator
+from itertools import product
+from typing import Any, NamedTuple
+
+from analytic.spring import frame
+from analytic.spring.moments import moment_diagram
+from verify.core.case import Context
+from verify.core.figures import Dots, Picture, Profile, Table
+from verify.judging.profiles import along
+from verify.papers.digits import half_last_digit
+from verify.papers.ledger import published
+
+MPa, mm = 1e6, 1e-3
+PRINTED = ("k1-theory", "k1-fea", "k1-test")
+
+
+class Combination(NamedTuple):
+    """One answer to what the paper leaves open, and the stiffness [N/m] that it gives."""
+
+    tail: frame.Tail
+    head: frame.Head
+    radius: str
+    wide: bool
+    k: float
+
+
+def combinations(q: Any) -> list[Combination]:
+    """Tail, head, arc radius and strip in all ways that the text allows."""
+    tails: tuple[frame.Tail, ...] = ("arc", "mid-leaf")
+    heads: tuple[frame.Head, ...] = ("free", "guided")
+    paths = (("r", q.paper_path), ("r + b/2", q.path))
+    return [
+        Combination(tail, head, radius, wide, frame.stiffness(
+            **path, **q.strip, head=head, tail=tail, plane_strain=wide))
+        for tail, head, (radius, path), wide in product(tails, heads, paths, (False, True))
+    ]  # fmt: skip
+
+
+def moments(context: Context) -> Iterator[Profile]:
+    """Eqs. 1-5 as a moment diagram, with the straight frame at the ends of all pieces."""
+    if not context.converging:
+        return
+    q = context.inputs
+    spring = {"n": q.n, "L1": q.L1, "r": q.r, "b": q.b, "alpha": q.alpha}
+    s, m = moment_diagram(**spring, per_piece=17)
+    _, ends = moment_diagram(**spring, per_piece=2)
+    at, reference = s.reshape(-1, 17)[:, -1], ends.reshape(-1, 2)[:, -1]
+    scale = float(abs(m).max())
+    values, u = along(context, "moments", formal=2.0, scale=scale)
+    yield Profile(
+        title="Bending moment over force along the spring", x_label="arc length from the head [mm]",
+        y_label="M/F [mm]", x=s / mm, y=m / mm, x_fem=at / mm, y_fem=values / mm,
+        y_ref=reference / mm, u=u / mm, scale=scale / mm,
+        note="Line: Eqs. 1, 3 and 5; dots: the straight frame where pieces meet, exact there by "
+        "statics, so that only round-off is left below.",
+    )  # fmt: skip
+
+
+def open_questions(context: Context) -> Iterator[Dots]:
+    """Every reading that the paper leaves open beside what it prints."""
+    q = context.inputs
+    items: list[tuple[str, float, float | None, str]] = []
+    for name in PRINTED if context.is_paper else ():
+        entry = published(f"wang2023:{name}")
+        half = half_last_digit(entry.printed) if entry.kind == "theory" else None
+        items.append((f"printed, {entry.kind}", entry.value, half, "paper"))
+    items.append(("Eqs. 1-9", q.k1 / 1e3, None, "formula"))
+    if context.fem:
+        curved = context.series("k_V_paper")[1][-1]
+        items.append(("FE, the same lengths", curved / 1e3, None, "fe"))
+    for one in combinations(q):
+        if one.tail == "arc":
+            strip = "wide strip" if one.wide else "narrow"
+            items.append((f"head {one.head}, {one.radius}, {strip}", one.k / 1e3, None, "formula"))
+    yield Dots(
+        title="What the paper leaves open moves k_1", label="k_1 [N/mm]", items=tuple(items),
+        note="Force method with the tail clamped at its arc, under the readings of head, radius "
+        "and strip that the text allows; the table below has all sixteen.",
+    )  # fmt: skip
+
+
+def sensitivity(q: Any) -> Table:
+    """What the paper leaves open: tail, head, radius and strip, all 16 combinations."""
+    return Table(
+        title="What the paper leaves open: k_1 [N/mm] for every combination",
+        header=("tail held at", "head", "arc radius", "strip", "k_1 [N/mm]"),
+        rows=tuple(
+            (one.tail, one.head, one.radius, "E I/(1 − ν²)" if one.wide else "E I",
+             round(one.k / 1e3, 4))
+            for one in combinations(q)
+        ),
+        note="The first row is Eqs. 1-9. Nothing here is fitted; a row chosen because it meets a "
+        "printed number would be calibrated.",
+    )  # fmt: skip
+
+
+def bending_stress(q: Any) -> Picture:
+    """The paper's spring as a ribbon."""
+    return Picture(
+        field="paper's lengths", data="bending_stress", symbol="σ_b", unit="MPa", factor=MPa,
+        width=q.h, caption="Bending stress 6 M/(h b²) under 1 N; positive: tension in the left "
+        "face, seen from head to tail",
+    )  # fmt: skip

@@ -1,0 +1,108 @@
+"""Frames of the accordion spring under 1 N, of straight and of curved elements."""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from verify.case import Level
+from verify.cases.spring.inputs import SpringInputs
+from verify.cases.spring.stiffness import stiffness
+from verify.core.figures import Array, Field
+
+if TYPE_CHECKING:
+    from fem.beam.section import FrameSolution, Section
+    from meshes.line import LineMesh
+
+HEAD_SUPPORTS = {"free": "", "hinged": "y", "guided": "yr"}
+TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
+
+
+def solve(springs: Iterable[Any], level: int) -> Level:
+    """One level of springs of one strip with other ends, the first with moments and field."""
+    from fem.beam.straight import solve_frame
+
+    values: dict[str, float] = {}
+    u_it: dict[str, float] = {}
+    arrays: dict[str, Array] = {}
+    fields = []
+    for q in springs:
+        line = line_of(q, level)
+        points, chords = line.chords
+        thin, _ = sections(q)
+        straight = solve_frame(points, chords, sections=thin, **held_and_pulled(q, line))
+        curved = curved_frame(q, line)
+        for name, solved in ((q.ends.named("k_N"), straight), (q.ends.named("k_V"), curved)):
+            values[name], u_it[name] = stiffness(solved)
+        if not arrays:
+            moments = moments_at(apexes(q), straight)
+            arrays["moments"] = moments
+            u_it["moments"] = float(abs(moments).max()) * straight.residual**0.5
+        fields.append(bending_field(q, line, curved))
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields[:2]))
+
+
+def solve_curved(q: Any, level: int) -> Level:
+    """The stiffness of one spring, of curved elements."""
+    key = q.ends.named("k_V")
+    k, u_it = stiffness(curved_frame(q, line_of(q, level)))
+    return Level(h=1 / level, values={key: k}, u_it={key: u_it})
+
+
+def line_of(q: Any, level: int) -> "LineMesh":
+    """The centre line of `q` in quadratic elements, `level` along each arc."""
+    from meshes.spring.centre_line import centre_line
+
+    ends = q.ends
+    return centre_line(**q.lengths, tail=ends.tail, per_arc=level, per_leaf=max(1, level // 2))
+
+
+def curved_frame(q: Any, line: "LineMesh") -> "FrameSolution":
+    """The frame of curved elements under 1 N."""
+    from fem.beam.curved import solve_curved_frame
+
+    _, stubby = sections(q)
+    held = held_and_pulled(q, line)
+    return solve_curved_frame(line.points, line.elements, sections=stubby, **held)
+
+
+def sections(q: SpringInputs) -> tuple["Section", "Section"]:
+    """The strip's section without shear, and with it."""
+    from fem.beam.section import Section
+
+    A, I = q.b * q.h, q.h * q.b**3 / 12  # noqa: E741
+    G = q.E / (2 * (1 + q.nu))
+    return Section(EA=q.E * A, EI=q.E * I), Section(EA=q.E * A, EI=q.E * I, GA=G * A * 5 / 6)
+
+
+def held_and_pulled(q: Any, line: "LineMesh") -> dict[str, Any]:
+    """Supports and the force of 1 N by the nodes of `line`."""
+    tail, head = line.nodes["tail"], line.nodes["head"]
+    supports = {tail: TAIL_SUPPORTS[q.ends.hold], head: HEAD_SUPPORTS[q.ends.head]}
+    return {"supports": supports, "loads": {head: (1.0, 0.0, 0.0)}}
+
+
+def apexes(q: Any) -> list[tuple[float, float]]:
+    """Where leaves and arcs of the centre line end."""
+    from meshes.spring.path import accordion
+
+    return [piece.end for piece in accordion(**q.lengths, tail=q.ends.tail)]
+
+
+def moments_at(places: Sequence[tuple[float, float]], solved: Any) -> Array:
+    """Bending moments (m,) under 1 N where elements end at `places`, counted as in Eqs. 1-5.
+
+    There a moment is positive that turns as the force does, clockwise.
+    """
+    ends, moments = solved.stations[:, 1], -solved.section_forces[:, 1, 2]
+    return np.array([moments[np.hypot(*(ends - at).T).argmin()] for at in places])
+
+
+def bending_field(q: Any, line: "LineMesh", solved: "FrameSolution") -> Field:
+    """Displacements and bending stress along the centre line."""
+    stress = -6 * solved.section_forces[..., 2].mean(axis=1) / (q.h * q.b**2)
+    return Field(
+        name=q.ends.words, points=line.points, cells=line.elements[:, :2],
+        point_data={"displacement": solved.u[:, :2]}, cell_data={"bending_stress": stress},
+        units={"displacement": "m", "bending_stress": "Pa"},
+    )  # fmt: skip
