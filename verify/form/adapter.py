@@ -97,11 +97,16 @@ class Reference(_Side):
 
 
 def _outputs(default: Case) -> Iterator[Output]:
-    """The quantities, and those of other states that are compared."""
-    compared = {one.key: (one.quantity, one.state) for one in default.stated()}
+    """The quantities, and those of other states that are compared and displayed."""
+    stated = [one for one in default.stated() if one.quantity]
+    hidden = {one.quantity for one in stated if one.state and not one.state.displayed}
+    compared = {
+        one.key: (one.quantity, one.state) for one in stated
+        if not one.state or one.state.displayed
+    }  # fmt: skip
     for q in default.quantities():
         _, state = compared.get(q.name, (q, None))
-        yield _output(q, q.name, state, judged=q.name in compared)
+        yield _output(q, q.name, state, judged=q.name in compared or q in hidden)
     for key, (quantity, state) in compared.items():
         if quantity and state and state.key:
             yield _output(quantity, key, state, judged=True)

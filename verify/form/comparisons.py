@@ -49,13 +49,15 @@ class State:
 
     `case` has the quantities of that state, such as `self.at(T=...)`. Names of its numbers end in
     `key`, as the reference's do; names of its rows in `words`; `symbol` is a format of its symbols.
-    The state of the inputs themselves has no `key`.
+    The state of the inputs themselves has no `key`. Numbers of a state that is not `displayed` are
+    compared in their rows and are no values of `check`.
     """
 
     case: object
     key: str
     words: str
     symbol: str = "{}"
+    displayed: bool = True
 
 
 def key_of(q: Quantity, state: State | None) -> str:

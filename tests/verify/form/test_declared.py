@@ -182,6 +182,19 @@ def test_a_constant_has_no_equation():
     assert len(equations.stated(Even())) == len(equations.stated(Rod()))
 
 
+@pytest.mark.parametrize("displayed", [True, False])
+def test_numbers_of_a_state_that_is_not_displayed_are_no_values(displayed):
+    class Twice(Rod):
+        def comparisons(self):
+            state = State(self.at(F=2 * self.F), "twice", "2 F", displayed=displayed)
+            yield identity(Rod.sigma, state=state)
+
+    case = adapted(Twice)
+    assert case.analytic(Twice())["sigma_twice"] == 2 * Rod().sigma
+    judged = {one.key for one in case.outputs if one.judged}
+    assert judged == ({"sigma_twice"} if displayed else {"sigma"})
+
+
 def declare(symbol, unit):
     class Broken(Rod):
         @Quantity(symbol, unit, "something else")

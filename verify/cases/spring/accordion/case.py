@@ -143,8 +143,9 @@ class AccordionSpring(FreeStage):
         ))  # fmt: skip
         for q, elements, order in ((spring.k_N, "straight", 2), (spring.k_V, "curved", 4)):
             for ends in (PAPER, *COMBINED):
+                held = State(self.held(ends), ends.key, ends.words, displayed=not ends.key)
                 yield identity(
-                    q, state=State(self.held(ends), ends.key, ends.words), symbol="k", order=order,
+                    q, state=held, symbol="k", order=order,
                     name=f"stiffness, {ends.words}: {elements} elements", sensitivity=EXACT,
                     shares=SHARED,
                 )  # fmt: skip
