@@ -49,10 +49,10 @@ def test_every_link_of_a_chain_names_the_one_before():
 
 def test_without_corners_k_is_that_of_a_round_bore():
     q = RING.inputs()
-    K = polyhedral_budget.fem_round(q, 2).values["K mid"]
+    K = polyhedral_budget.fem_round(q, 2).values["K_mid"]
     many = float(many_corners_factor(d_i=q.d_i, d_e=q.d_e))
     assert pytest.approx(many, rel=1e-5) == K
-    assert polyhedral_budget.fem_thin_round(q, 2).values["K mid"] - 1 < (K - 1) / 50
+    assert polyhedral_budget.fem_thin_round(q, 2).values["K_mid"] - 1 < (K - 1) / 50
 
 
 def test_every_case_says_what_its_contact_s_law_is():

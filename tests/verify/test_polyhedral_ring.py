@@ -10,9 +10,10 @@ from analytic.polyhedral.sector import Sector
 from fem.plane import loads, solve
 from fem.plane.material import Elastic
 from meshes.polyhedral import half_sector
-from verify.cases.polyhedral.inputs import HubRing
+from verify.case import about
 from verify.cases.polyhedral.ring import case as polyhedral_ring
-from verify.cases.polyhedral.ring.case import RING, analytic
+from verify.cases.polyhedral.ring import reference
+from verify.cases.polyhedral.ring.case import RING, PolyhedralRing
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
 from verify.jobs.level import Job, judge_case, solve_level
@@ -28,7 +29,7 @@ HUB, AT_CORNER = "hub at e: middle of the flats", "hub at the corner: corners"
 
 
 def own(**changes):
-    return build(HubRing, PAPER | changes, "my.toml")
+    return build(PolyhedralRing, PAPER | changes, "my.toml")
 
 
 def names(rows):
@@ -53,7 +54,7 @@ def test_no_row_is_red_on_the_case_s_inputs(judged, red):
 
 def to_unfilleted(_):
     """d_i of the inputs taken to the corners that the bore would have without fillets."""
-    return lambda q: unfilleted(q.z)
+    return lambda *, z, **_: unfilleted(z)
 
 
 def unfilleted(z):
@@ -71,7 +72,7 @@ def mean_for_middle(right):
 
 OTHER = {"plane stress": "plane strain", "plane strain": "plane stress"}
 FAULTS = [
-    pytest.param(polyhedral_ring, "sector", to_unfilleted, MIDDLE,
+    pytest.param(polyhedral_ring, "Sector", to_unfilleted, MIDDLE,
                  id="d_i through corners without fillets"),
     pytest.param(bore_pressure, "stiffness_factors", mean_for_middle, MIDDLE,
                  id="the mean for the middle"),
@@ -114,11 +115,8 @@ def test_another_reading_or_a_wrong_formula_turns_its_row_red(
 
 
 def test_k_of_the_paper_is_judged_against_what_the_series_says(broken, judged, red):
-    broken(polyhedral_ring, "one", lambda _: lambda _q, _v: (-1e-3, 1e-3))
-    interval = replace(
-        next(c for c in RING.checks if c.name == "K of the paper"), interval=polyhedral_ring.one
-    )
-    assert "K of the paper" in names(red(judged(replace(undrawn(), checks=(interval,)))))
+    broken(polyhedral_ring, "of_one", lambda _: lambda _: about(0.0, 1e-3, "K = 1"))
+    assert "K of the paper" in names(red(judged(undrawn())))
 
 
 @pytest.mark.parametrize(("z", "more"), [(3, 0.47), (4, 0.25), (5, 0.15), (6, 0.10)])
@@ -160,8 +158,8 @@ FEM_FAULTS = [
     pytest.param(loads, "push", lambda f: lambda *a: -f(*a), MIDDLE, id="pressure pulls"),
     pytest.param(half_sector, "Outline", lambda f: lambda z, d_e, d_i, rho: f(
         z, d_e, d_i, 1.05 * rho), FILLET, id="fillets 5 % larger"),
-    pytest.param(polyhedral_ring, "pushed_fem", with_hub(R_b=2), HUB, id="forces not halved"),
-    pytest.param(polyhedral_ring, "pushed_fem", with_hub(tan_phi=-1), HUB,
+    pytest.param(reference, "pushed_fem", with_hub(R_b=2), HUB, id="forces not halved"),
+    pytest.param(reference, "pushed_fem", with_hub(tan_phi=-1), HUB,
                  id="friction the other way"),
 ]  # fmt: skip
 
@@ -200,7 +198,7 @@ ODD = [
 def test_formulas_of_odd_rings_are_finite_and_their_state_is_told(change, said):
     q = own(**change)
     with np.errstate(over="raise", divide="raise", invalid="raise"):  # as the command does
-        v = analytic(q)
+        v = RING.analytic(q)
     assert all(np.isfinite(x) for x in v.values())
     warned = RING.warnings(q, v)
     assert any(said in line for line in warned) if said else not warned

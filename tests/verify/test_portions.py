@@ -3,7 +3,7 @@
 import pytest
 
 from verify.cases.polyhedral.inputs import HubRing
-from verify.cases.polyhedral.ring import case as polyhedral_ring
+from verify.cases.polyhedral.ring import reference as polyhedral_ring
 from verify.cases.polyhedral.ring.case import RING
 from verify.cases.spring.accordion import case as spring_accordion
 from verify.cases.spring.accordion.case import ACCORDION, AccordionSpring
@@ -34,7 +34,7 @@ def test_a_ring_s_portion_solves_one_problem_and_a_spring_s_too(monkeypatch):
     solved = counted(monkeypatch, "fem.plane.solve.solve_plane")
     stiff = polyhedral_ring.stiffness_fem(HubRing(), 1)
     assert len(solved) == 1
-    assert stiff.values["K mid"] == pytest.approx(1.1, rel=1e-3)
+    assert stiff.values["K_mid"] == pytest.approx(1.1, rel=1e-3)
     solved = counted(monkeypatch, "fem.beam.curved.solve_curved_frame")
     spring_accordion.solve_paper(AccordionSpring(), 4)
     assert len(solved) == 1

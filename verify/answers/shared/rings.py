@@ -103,7 +103,7 @@ def _polygon(_: Any, v: Values) -> tuple[SharedReading, ...]:
     return (
         SharedReading(
             assumption=NARROW, part=LONG, quantity="the pressure factor K_mid", source=STRAIN,
-            effect=ratio(v, "K mid", "K mid, strain"),
+            effect=ratio(v, "K_mid", "K_mid_strain"),
         ),
     )  # fmt: skip
 

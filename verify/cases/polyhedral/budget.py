@@ -35,7 +35,7 @@ def fem_round(q: HubRing, level: int) -> FemResult:
     from fem.plane.solve import solve_plane
     from meshes.ring.quarter import quarter_ring
     from verify.cases.polyhedral.fem import UNIT
-    from verify.cases.polyhedral.ring.case import stiffness
+    from verify.cases.polyhedral.ring.reference import stiffness
 
     ring = solve_plane(
         quarter_ring(r_i=q.d_i / 2, r_o=q.d_e / 2, refine=level),
@@ -44,8 +44,8 @@ def fem_round(q: HubRing, level: int) -> FemResult:
     )  # fmt: skip
     rim = ring.on_boundary("rim")
     u = float(rim.mean(rim.polar()[0]))
-    K = stiffness(q, {"mid": u, "mean": u, "corner": u})["K mid"]
-    return FemResult(h=1 / level, values={"K mid": K})
+    K = stiffness(q, {"mid": u, "mean": u, "corner": u})["K_mid"]
+    return FemResult(h=1 / level, values={"K_mid": K})
 
 
 def fem_thin_round(q: HubRing, level: int) -> FemResult:

@@ -4,36 +4,36 @@
 """
 
 import math
+from typing import Self
 
 from pydantic import model_validator
 
-from verify.core.inputs import Inputs, count, quantity
+from verify.case import Case, Quantity, count, given
 
 THINNEST = 0.005  # wall over outer diameter: below, a shell
 OUTERMOST = 0.95  # of half a flat, where the hub may touch
 LEAST_FLAT = 0.05  # of a side of the unfilleted bore that stays flat
 
 
-class RoundRing(Inputs):
+class RoundRing(Case):
     """A round elastic ring inside rollers, under pressure in its bore."""
 
-    d_e: float = quantity("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
-    delta_1: float = quantity(
+    d_e: float = given("80 mm", "mm", "d_e", "outer diameter of the ring", gt=0, le=1e5)
+    delta_1: float = given(
         "4 mm", "mm", "δ_1", "wall of the ring, in the corners where there are any", gt=0, le=1e5
     )
-    j_D: float = quantity(  # noqa: N815
+    j_D: float = given(  # noqa: N815
         "0.06 mm", "mm", "j_D", "clearance on the diameter that the ring takes up", gt=0, le=1e3
     )
-    E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of the ring", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio of the ring", ge=0, le=0.45)
-    R_p: float | None = quantity(
+    E: float = given("210 GPa", "GPa", "E", "Young's modulus of the ring", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio of the ring", ge=0, le=0.45)
+    R_p: float | None = given(
         None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
         example="900 MPa",
     )  # fmt: skip
 
-    @property
+    @Quantity("d_i", "mm", "diameter of the bore, through its corners", role="geometry")
     def d_i(self) -> float:
-        """Diameter of the bore, through its corners [m]."""
         return self.d_e - 2 * self.delta_1
 
     @property
@@ -47,7 +47,7 @@ class RoundRing(Inputs):
         return self.j_D / self.d_m
 
     @model_validator(mode="after")
-    def _wall(self) -> "RoundRing":
+    def _wall(self) -> Self:
         sizes = f"d_e = {self.d_e * 1e3:g} mm, δ_1 = {self.delta_1 * 1e3:g} mm"
         if self.d_i <= 0.02 * self.d_e:
             raise ValueError(
@@ -71,7 +71,7 @@ class PolygonRing(RoundRing):
     """A ring whose bore is a regular polygon with filleted corners."""
 
     z: int = count(6, "z", "rollers, and flats of the bore", ge=3, le=48)
-    rho: float = quantity("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
+    rho: float = given("2 mm", "mm", "ρ", "fillet radius of the bore's corners", gt=0, le=1e4)
 
     @property
     def half_angle(self) -> float:
@@ -94,7 +94,7 @@ class PolygonRing(RoundRing):
         return (self.d_i / 2 - self.rho) * math.sin(self.half_angle)
 
     @model_validator(mode="after")
-    def _flats(self) -> "PolygonRing":
+    def _flats(self) -> Self:
         largest = self.d_i / 2 * (1 - LEAST_FLAT)
         if self.rho > largest:
             raise ValueError(
@@ -107,18 +107,18 @@ class PolygonRing(RoundRing):
 class HubRing(PolygonRing):
     """The ring with the force of the hub on each of its flats."""
 
-    e: float = quantity(
+    e: float = given(
         "9 mm", "mm", "e", "distance of the hub's contact from the middle of a flat", gt=0, le=1e5
     )
-    R_b: float = quantity(
+    R_b: float = given(
         "200 N/mm", "N/mm", "R/b", "force of the hub on a flat, per width of the ring", gt=0, le=1e7
     )
-    tan_phi: float = quantity(
+    tan_phi: float = given(
         0.05, "1", "tan φ_1", "friction between hub and ring, towards the flat's middle", ge=0, le=1
     )
 
     @model_validator(mode="after")
-    def _on_the_flat(self) -> "HubRing":
+    def _on_the_flat(self) -> Self:
         check_on_the_flat(self, self.e)
         return self
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.polyhedral.locking import Roller, locked
 from analytic.polyhedral.sector import Sector
-from verify.cases.polyhedral.ring.figures import body
+from verify.cases.polyhedral.ring.sketch import body
 from verify.core.case import Context, FemResult, Values
 from verify.core.figures import Array, Curve, Curves, Equation, Figure, Picture, Shape, Sketch
 from verify.core.tex import factor, tex

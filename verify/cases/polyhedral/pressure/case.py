@@ -8,7 +8,6 @@ import numpy as np
 from analytic.polyhedral import expansion
 from analytic.ring import lame
 from verify.case import (
-    Case,
     Comparison,
     Level,
     Quantity,
@@ -22,7 +21,7 @@ from verify.case import (
     sketches,
     solved,
 )
-from verify.cases.polyhedral.inputs import RoundRing
+from verify.cases.polyhedral.thin_ring import ThinRing
 from verify.core.figures import Picture, Sketch
 from verify.form.adapter import adapted
 from verify.form.fields import picture, plane_field
@@ -46,7 +45,7 @@ RIM = (
 MIDDLE = "Lamé: growth of the mean diameter where the outside grows by j_D"
 
 
-class RingPressure(RoundRing, Case):
+class RingPressure(ThinRing):
     """Before the polygon: a plain round ring under pressure.
 
     The paper's thin ring is set beside Lamé's thick one, which finite elements solve too, and a
@@ -68,24 +67,6 @@ class RingPressure(RoundRing, Case):
     assumptions: ClassVar = (
         "linear elasticity, small strain", "a quarter with symmetry on both cuts",
     )  # fmt: skip
-
-    @Quantity("d_i", "mm", "diameter of the bore", role="geometry")
-    def d_i(self) -> float:
-        return self.d_e - 2 * self.delta_1
-
-    @Quantity("d_m", "mm", "mean diameter", equation="6", role="step", tex=r"\frac{d_i + d_e}{2}")
-    def mean_diameter(self) -> float:
-        return float(expansion.mean_diameter(d_i=self.d_i, d_e=self.d_e))
-
-    @Quantity("σ_t", "MPa", "hoop stress", equation="9", safe="too high", tex=r"\frac{E j_D}{d_m}")
-    def sigma_t(self) -> float:
-        return float(expansion.hoop_stress(j_D=self.j_D, d_m=self.mean_diameter, E=self.E))
-
-    @Quantity("p_1", "MPa", "pressure of the thin ring", equation="10", safe="too high",
-              tex=r"\frac{2 \delta_1 \sigma_t}{d_i}")  # fmt: skip
-    def p_1(self) -> float:
-        wall = {"d_i": self.d_i, "d_e": self.d_e}
-        return float(expansion.touching_pressure(j_D=self.j_D, **wall, E=self.E))
 
     @Quantity("Δd_m", "µm", "growth of the mean diameter", equation="8",
               tex=r"\frac{\sigma_t d_m}{E}")  # fmt: skip

@@ -14,7 +14,8 @@ from verify.cases.polyhedral.fem import (
     pushed_fem,
     radial,
 )
-from verify.cases.polyhedral.ring.case import RING, stiffness
+from verify.cases.polyhedral.ring.case import RING
+from verify.cases.polyhedral.ring.reference import stiffness
 from verify.cases.ring.lame.case import LAME
 from verify.cases.ring.loads.case import INNER, OUTER
 from verify.cases.ring.loads.inputs import Wall
@@ -227,9 +228,10 @@ RINGS = (
         id="polyhedral-ring", case="polyhedral-ring", solver=CALCULIX,
         what="half a sector under pressure, plane stress", pose=partial(polyhedral, "plane stress"),
         quantities=(
-            Quantity(name="K mid", row="K in the middle of the flats", symbol="K_mid", **K),
-            Quantity(name="K mean", row="K in the mean", symbol="K_mean", **K),
-            Quantity(name="1/K corner", row="flexibility at the corners", symbol="1/K_corner", **K),
+            Quantity(name="K_mid", row="K in the middle of the flats", symbol="K_mid", **K),
+            Quantity(name="K_mean", row="K in the mean", symbol="K_mean", **K),
+            Quantity(name="flexibility", row="flexibility at the corners", symbol="1/K_corner",
+                     **K),
             Quantity(name="fillet", row="largest hoop stress in the fillets", symbol="σ_max",
                      unit="MPa", allowed=AVERAGED,
                      why="stresses by the project from calculix's displacements"),
@@ -239,7 +241,7 @@ RINGS = (
         id="polyhedral-ring, plane strain", case="polyhedral-ring", solver=CALCULIX,
         what="half a sector under pressure, plane strain", pose=partial(polyhedral, "plane strain"),
         quantities=(
-            Quantity(name="K mid", row="K in the middle of the flats, plane strain",
+            Quantity(name="K_mid", row="K in the middle of the flats, plane strain",
                      symbol="K_mid", **K),
         ),
     ),

@@ -1,0 +1,88 @@
+"""Finite elements of the polyhedral ring under pressure, and under the force of its hub."""
+
+import numpy as np
+
+from verify.case import Level
+from verify.cases.polyhedral.fem import (
+    ARC,
+    UNIT,
+    expanded,
+    factors,
+    largest_in_fillet,
+    pressed_fem,
+    pushed_fem,
+    radial,
+    stations,
+)
+from verify.cases.polyhedral.inputs import HubRing
+from verify.core.case import Values
+
+FINEST = 6  # level of the pictures
+DRAWN = (3, 6, 12)  # flats of the rings in the pictures
+
+
+def solve(q: HubRing, level: int) -> Level:
+    """One level: K in plane stress and strain, stresses, and the hub at e and in the corner."""
+    ring, long = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
+    outward = factors(q, ring)
+    p = UNIT * q.j_D / 2 / outward["mid"]
+    values = stiffness(q, outward) | {
+        "K_mid_strain": stiffness(q, factors(q, long))["K_mid"], "fillet": fillet_fem(q, level),
+    }  # fmt: skip
+    # forces of half a sector: the pressure's resultant turns the chord of the bore
+    c, s = np.cos(q.half_angle), np.sin(q.half_angle)
+    cuts = [np.array(ring.reaction(name)[:2]) for name in ("mid", "corner")]
+    push = UNIT * np.array([q.d_i / 2 * s, q.apothem - q.d_i / 2 * c])
+    values["balance_x"], values["balance_y"] = cuts[0] + cuts[1] + push
+    values["sigma_tr"] = float(np.hypot(*cuts[1])) / q.delta_1 * p / UNIT
+    for at, hub in zip(("e", "corner"), pushed_fem(q, level), strict=True):
+        mid, corner = radial(hub, q.d_e / 2, np.array([0.0, q.half_angle]))
+        values |= {f"hub_{at}_mid": float(mid), f"hub_{at}_corner": float(corner)}
+    arrays = {"outside": radial(ring, q.d_e / 2, stations(q)) * p / UNIT}
+    drawn = dict.fromkeys((*DRAWN, q.z)) if level == FINEST else ()
+    return Level(
+        h=1 / level, values=values, u_it=round_off(values, ring.residual), arrays=arrays,
+        fields=tuple(expanded(q, z) for z in drawn),
+    )  # fmt: skip
+
+
+def stiffness_fem(q: HubRing, level: int) -> Level:
+    """K by its three definitions, in plane stress."""
+    ring = pressed_fem(q, level, "plane stress", ARC)
+    values = stiffness(q, factors(q, ring))
+    return Level(h=1 / level, values=values, u_it=round_off(values, ring.residual))
+
+
+def both_fem(q: HubRing, level: int) -> Level:
+    """K by its three definitions in plane stress, and in the middle of the flats in plane strain.
+
+    The residual of either solve is that of all values.
+    """
+    narrow, wide = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
+    values = stiffness(q, factors(q, narrow)) | {
+        "K_mid_strain": stiffness(q, factors(q, wide))["K_mid"]
+    }
+    residual = max(narrow.residual, wide.residual)
+    return Level(h=1 / level, values=values, u_it=round_off(values, residual))
+
+
+def stiffness(q: HubRing, outward: Values) -> dict[str, float]:
+    """K from the displacements `outward` [m] under `UNIT`; 1/K at corners, which may draw in."""
+    thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
+    per = {where: UNIT / 2 / thin / u for where, u in outward.items()}
+    return {"K_mid": per["mid"], "K_mean": per["mean"], "flexibility": 1 / per["corner"]}
+
+
+def round_off(values: Values, residual: float) -> dict[str, float]:
+    """Uncertainty of values after a linear solve that left a `residual` of the energy."""
+    return {key: max(residual**0.5, 1e-11) * abs(value) for key, value in values.items()}
+
+
+def fillet_fem(q: HubRing, level: int) -> float:
+    """Largest hoop stress [Pa] of the fillet where the ring reaches its rollers.
+
+    On cells that are all as coarse as those at the fillet: with finer ones there alone the wall's
+    error, of the other sign, is of the same size.
+    """
+    ring = pressed_fem(q, level, "plane stress")
+    return largest_in_fillet(q, ring) * q.j_D / 2 / factors(q, ring)["mid"]
