@@ -93,7 +93,8 @@ class Options(TypedDict, total=False):
 class Comparison:
     """A check, the formula that it judges, and further `numbers` [SI] that the check needs.
 
-    `shares` states what both sides have in common, beside the inputs.
+    The formula's number in a state is among them. `shares` states what both sides have in common,
+    beside the inputs.
     """
 
     check: Check
@@ -101,6 +102,11 @@ class Comparison:
     state: State | None = None
     numbers: Mapping[str, float] = field(default_factory=dict)
     shares: str = ""
+
+    def __post_init__(self) -> None:
+        if self.quantity and self.state:
+            found = {self.key: getattr(self.state.case, self.quantity.name)}
+            object.__setattr__(self, "numbers", {**self.numbers, **found})
 
     @property
     def name(self) -> str:
@@ -224,14 +230,13 @@ def _compared(
     kind: Callable[..., Check], q: Quantity, reference: str, options: Options,
     more: Mapping[str, Any], numbers: Mapping[str, float] | None = None,
 ) -> Comparison:  # fmt: skip
-    state, found = options.get("state"), dict(numbers or {})
+    state = options.get("state")
     name, symbol, key = q.label, q.symbol, key_of(q, state)
     own = key.replace(q.name, q.form_of, 1) if q.form_of else key
     if against := options.get("against", ""):
         name = f"{name}, against {against}"
     if state:
         name, symbol = f"{name}, {state.words}", state.symbol.format(symbol)
-        found[key] = getattr(state.case, q.name)
     demand, reason = options.get("sensitivity", (judge.DEMAND, ""))
     stated: dict[str, Any] = dict(more)
     if "own" in options:
@@ -243,5 +248,5 @@ def _compared(
         by=options.get("by", ""), printed=options.get("printed", ()), demand=demand,
         demand_reason=reason, **stated,
     )  # fmt: skip
-    return Comparison(check=check, quantity=q, state=state, numbers=found,
+    return Comparison(check=check, quantity=q, state=state, numbers=numbers or {},
                       shares=options.get("shares", ""))  # fmt: skip

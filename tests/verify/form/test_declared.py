@@ -182,6 +182,12 @@ def test_a_constant_has_no_equation():
     assert len(equations.stated(Even())) == len(equations.stated(Rod()))
 
 
+def test_a_check_stated_as_it_is_has_the_number_of_its_state():
+    state = State(Rod(F=2e3), "twice", "2 F")
+    one = Comparison(check=adapted(Rod).checks[0], quantity=Rod.sigma, state=state)
+    assert one.numbers == {"sigma_twice": pytest.approx(2 * Rod().sigma)}
+
+
 @pytest.mark.parametrize("displayed", [True, False])
 def test_numbers_of_a_state_that_is_not_displayed_are_no_values(displayed):
     class Twice(Rod):
