@@ -57,8 +57,9 @@ class AlongLine:
     """A formula along a line with the reference's array on it, and the difference below.
 
     `curve` gives the formula [SI] at any points; the array called `reference` has the values `at`
-    stations, on every level the same. `order` is that of its largest error, `scale` the natural
-    magnitude [SI]. A formula that `neglects` something may differ by more than the uncertainty.
+    stations, on every level the same; `part` (start, end) is where in an array that has several
+    lines. `order` is that of its largest error, `scale` the natural magnitude [SI]. A formula that
+    `neglects` something may differ by more than the uncertainty.
     """
 
     title: str
@@ -71,6 +72,7 @@ class AlongLine:
     scale: float
     scale_name: str = ""
     points: Array | None = None  # of the curve
+    part: tuple[int | None, int | None] = (None, None)
     neglects: bool = False
     note: str = ""
 
@@ -78,7 +80,10 @@ class AlongLine:
         """The profile, where there are levels enough to state its uncertainty."""
         if not context.converging:
             return ()
-        values, u = along(context, self.reference, formal=self.order, scale=self.scale)
+        values, u = (
+            array[slice(*self.part)]
+            for array in along(context, self.reference, formal=self.order, scale=self.scale)
+        )
         fine = np.linspace(self.at[0], self.at[-1], 81) if self.points is None else self.points
         (x, x_unit), (y, y_unit) = self.x, self.y
         f_x, f_y = units.factor(x_unit), units.factor(y_unit)
