@@ -42,6 +42,7 @@ from dataclasses import dataclass
 from math import cbrt, log, pi
 
 import numpy as np
+from scipy.optimize import brentq
 from scipy.special import digamma
 
 from analytic.contact.checks import poisson, positive
@@ -134,6 +135,25 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
         p_0_excess=lower,
         approach_excess=approach / (hertz**2 * bent) - 1,
     )
+
+
+def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
+    """Relative excess of the load that moves finite spheres by Hertz's approach under P [force].
+
+    >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.0), Sphere(R=np.inf, E=np.inf, nu=0)
+    >>> excess = load_excess(ball, flat, P=4e-6 / 3)
+    >>> moved = pressed_spheres(ball, flat, P=(1 + excess) * 4e-6 / 3).approach
+    >>> first = pressed_spheres(ball, flat, P=4e-6 / 3)
+    >>> bool(abs(moved * (1 + first.approach_excess) / first.approach - 1) < 1e-12)
+    True
+    """
+    first = pressed_spheres(one, other, P=P)
+    delta = first.approach / (1 + first.approach_excess)
+
+    def missing(share: float) -> float:
+        return pressed_spheres(one, other, P=share * P).approach / delta - 1
+
+    return float(brentq(missing, 0.5, 3.0, xtol=1e-14)) - 1
 
 
 def _rest(nu: float) -> float:

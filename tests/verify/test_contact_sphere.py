@@ -8,10 +8,8 @@ import pytest
 
 from analytic.contact import hertz_line, hertz_point, sphere_series
 from fem.contact import bodies
-from verify.cases.contact.sphere import case as contact_sphere
-from verify.cases.contact.sphere import fem
-from verify.cases.contact.sphere.case import SPHERE
-from verify.cases.contact.sphere.inputs import SphereInputs
+from verify.cases.contact.sphere import reference
+from verify.cases.contact.sphere.case import SPHERE, Spheres
 from verify.core.inputs import InputError, build
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
@@ -65,7 +63,7 @@ def diameters(right):
                      "largest shear stress on a sphere, lower body", id="no Poisson's ratio below"),
         pytest.param(sphere_series, "_rest", lambda _: lambda _nu: 0.0,
                      "approach on a sphere", id="opposite contact forgotten"),
-        pytest.param(contact_sphere, "pressed_spheres",
+        pytest.param(sphere_series, "pressed_spheres",
                      lambda _: lambda one, other, *, P: far_points(one, other, P),
                      "approach on a rigid flat", id="approach of points at infinity"),
     ],
@@ -101,12 +99,12 @@ def test_the_sphere_s_own_logarithm_shows_in_the_peak_pressure(judged, red, monk
     [
                 pytest.param(bodies, "vector_basis",
                      lambda f: lambda mesh, _degree, **k: f(mesh, 1, **k), id="linear elements"),
-        pytest.param(fem, "push", lambda f: lambda state: 2 * f(state),
+        pytest.param(reference, "push", lambda f: lambda state: 2 * f(state),
                      id="twice the force"),
-        pytest.param(fem, "fem_problem",
+        pytest.param(reference, "problem",
                      lambda f: lambda q, *a: f(q.model_copy(update={"E_1": 1.01 * q.E_1}), *a),
                      id="a stiffer sphere"),
-        pytest.param(fem, "fem_problem",
+        pytest.param(reference, "problem",
                      lambda f: lambda q, *a: f(q.model_copy(update={"nu_1": 0.0}), *a),
                      id="Poisson's ratio forgotten"),
     ],
@@ -132,7 +130,7 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, red, monkeypat
 )
 def test_input_that_makes_no_sense_gets_one_line(change, message):
     with pytest.raises(InputError, match=message) as caught:
-        build(SphereInputs, RAW | change, "my.toml")
+        build(Spheres, RAW | change, "my.toml")
     assert "\n" not in str(caught.value)
 
 
@@ -145,17 +143,17 @@ def test_input_that_makes_no_sense_gets_one_line(change, message):
     ],
 )
 def test_formulas_outside_their_range_are_warned_of(change, words):
-    q = build(SphereInputs, {**RAW, **change}, "my.toml")
+    q = build(Spheres, {**RAW, **change}, "my.toml")
     assert any(words in line for line in SPHERE.warnings(q, SPHERE.analytic(q)))
 
 
 def test_an_approach_within_the_round_off_of_the_radius_is_refused():
-    q = build(SphereInputs, RAW | {"P": "4e-8 N"}, "my.toml")
+    q = build(Spheres, RAW | {"P": "4e-8 N"}, "my.toml")
     assert "round-off" in SPHERE.too_large(q)
 
 
 def test_a_wide_contact_has_no_expected_interval():
-    q = build(SphereInputs, RAW | {"P": "1 kN"}, "my.toml")
+    q = build(Spheres, RAW | {"P": "1 kN"}, "my.toml")
     claim = next(c for c in SPHERE.checks if c.name == "contact radius on a sphere")
     assert claim.interval(q, SPHERE.analytic(q)) is None
 
@@ -163,7 +161,7 @@ def test_a_wide_contact_has_no_expected_interval():
 def test_the_peak_of_an_ellipse_is_found_from_its_nodes():
     r = np.linspace(0, 1, 40)
     p = 3.0 * np.sqrt(1 - r**2)
-    assert fem.peak(r, p, 1.01) == pytest.approx(3.0, rel=1e-4)
+    assert reference.peak(r, p, 1.01) == pytest.approx(3.0, rel=1e-4)
 
 
 def test_the_largest_shear_stress_of_exact_stresses_is_hertz_s():
@@ -171,16 +169,16 @@ def test_the_largest_shear_stress_of_exact_stresses_is_hertz_s():
     radial, axial = hertz_point.axis_stresses(z, a=1.0, p_0=1.0, nu=0.3)
     x = np.array([np.repeat([0.0, 0.1, 0.2], 81), np.tile(z, 3)])
     stress = np.tile([radial, axial], 3)
-    found = fem.largest_shear(x, stress, 1.0)
+    found = reference.largest_shear(x, stress, 1.0)
     assert found == pytest.approx((0.310, 0.481), abs=6e-4)
 
 
 @pytest.mark.parametrize("P", [16.0, 1e-5])
 def test_pressures_next_to_the_axis_are_even_however_small_the_contact(P):
     """Rows there weigh less than those at the equator by many orders of magnitude."""
-    q = SphereInputs(P=P)
-    a = q.a("flat")
-    spheres = fem.fem_problem(q, "flat", 2)
+    q = Spheres(P=P).of("flat")
+    a = q.width
+    spheres = reference.problem(q, 2)
     down = {"upper.middle": {"y": -(a**2) / q.R_1}}
     touch = spheres.solve(displacements=down).touches[0]
     near = touch.x[0] < a / 3

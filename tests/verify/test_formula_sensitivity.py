@@ -37,7 +37,7 @@ FLAT = "where a smooth maximum lies: its place is found to the root of what its 
 SAMPLED = "of a path at so many times; one more of them moves all by a step, 1/240 of a cycle"
 FURTHER = (
     ("contact-flat", r"disc depth", 1e-6, FLAT),
-    ("contact-sphere", r".* depth", 1e-6, FLAT),
+    ("contact-sphere", r"z_.*", 1e-6, FLAT),
     ("freewheel-paths", r"(slip|when|peak|safety) \d", 1e-3, SAMPLED),
 )
 # Keys that only the papers' inputs have, which moved ones are no longer.

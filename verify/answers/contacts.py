@@ -18,10 +18,12 @@ def line(q: Any, v: Values, part: Assessment) -> None:
 
 def sphere(q: Any, v: Values, part: Assessment) -> None:
     """Hertz's pressures of the point contacts with a flat and with the second sphere."""
-    for key, body in (("flat", "flat"), ("sphere", "second sphere")):
+    for key, body, p in (
+        ("flat", "flat", v["p_0_flat"]), ("sphere", "second sphere", v["p_0"]),
+    ):  # fmt: skip
         part.pressure(f"contact_pressure_{key}", f"Hertzian pressure on the {body}",
-                      v[f"{key}: p_0"], q.E_1, q.E_2, contact="point", option=OTHER)  # fmt: skip
-    _subsurface(q, max(v["flat: upper shear"], v["sphere: upper shear"]), part)
+                      p, q.E_1, q.E_2, contact="point", option=OTHER)  # fmt: skip
+    _subsurface(q, max(v["tau_upper_flat"], v["tau_upper"]), part)
 
 
 def slip(q: Any, v: Values, part: Assessment) -> None:

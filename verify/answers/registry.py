@@ -62,7 +62,7 @@ RULES: Mapping[str, Rule] = {
     "contact-pair": Rule("Hertz p0", contacts.line),
     "contact-ring": Rule("Hertz p0", contacts.line),
     "contact-slip": Rule("stick at Q_max", contacts.slip),
-    "contact-sphere": Rule("flat: p_0", contacts.sphere),
+    "contact-sphere": Rule("p_0_flat", contacts.sphere),
     "contact-press-fit": Rule("p", rings.pressed_together),
     "contact-roller": Rule("strips peak", contacts.roller),
     "contact-roller-tilted": Rule("strips peak", contacts.roller),

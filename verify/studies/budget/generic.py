@@ -16,7 +16,7 @@ TOLERANCES = (
     "fem.contact.nitsche:BOUND",
     "fem.fourier.vibration:TOLERANCE",
     "verify.cases.contact.line.fem:HIT",
-    "verify.cases.contact.sphere.fem:HIT",
+    "verify.cases.contact.sphere.reference:HIT",
     "verify.cases.freewheel.fem:STILL",
     "verify.cases.sprag.fem:STILL",
     "verify.cases.polyhedral.clutch.fem:CLOSE",

@@ -1,213 +1,171 @@
 """Point contact: a sphere on a rigid flat and on another sphere (Hertz), and what he neglects."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator
+from typing import Any, ClassVar
 
-from scipy.optimize import brentq
-
-from analytic.contact import hertz_point
-from analytic.contact.sphere_series import Sphere, pressed_spheres
-from verify.cases.contact.sphere import figures as shown
-from verify.cases.contact.sphere.fem import fem
-from verify.cases.contact.sphere.inputs import PAIRS, WORDS, SphereInputs
-from verify.core.case import Case, Output, Scan, Values
-from verify.judging.checks import Approximation, Exact
+from verify.case import (
+    Comparison,
+    Expected,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    approximation,
+    balance,
+)
+from verify.cases.contact.sphere import figures
+from verify.cases.contact.sphere.formulas import SphereFormulas
+from verify.cases.contact.sphere.inputs import BODIES, END, PAIRS, WORDS
+from verify.cases.contact.sphere.reference import solve
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
+from verify.form.figures import AlongLine, Drawn
 from verify.judging.judge import DEMAND
 
-BODIES = {"flat": ("upper",), "sphere": ("upper", "lower")}
 ORDER = "first correction for finite spheres ± (a/R)² of the smaller one, 2e-4 at least"
 SURFACE = (
     "± a/R: against the curved surface the pressure tilts by r/R, which bears on the axis with the "
     "tilt's share of p_0"
 )
 SHARP = "design limit for contact figures"
+FIRST_ORDER = 0.04, "an estimate of first order in a/R"
+DIRECT = "direct solve: machine epsilon times the condition of K, with cells from a/50 to R"
 
 
-def analytic(q: SphereInputs) -> Values:
-    values: dict[str, float] = {"load": q.P}
-    for pair in PAIRS:
-        hertz, (one, other) = q.hertz(pair), q.bodies(pair)
-        a, delta = q.a(pair), float(hertz_point.approach(**hertz))
-        p_0 = float(hertz_point.peak_pressure(**hertz))
-        finite = pressed_spheres(one, other, P=q.P)
+class Spheres(SphereFormulas):
+    """Hertz takes each sphere for a half space with a parabola on it.
 
-        values |= {
-            f"{pair}: a": a, f"{pair}: p_0": p_0, f"{pair}: approach": delta,
-            f"{pair}: load": float(hertz_point.load(**_stiffness(hertz), delta=delta)),
-            f"{pair}: a, finite": finite.a, f"{pair}: p_0, finite": finite.p_0,
-            f"{pair}: approach, finite": finite.approach,
-            f"{pair}: a, excess": finite.a_excess, f"{pair}: p_0, excess": finite.p_0_excess,
-            f"{pair}: approach, excess": finite.approach_excess,
-            f"{pair}: load, excess": load_excess(one, other, P=q.P),
-        }  # fmt: skip
-        for body, sphere in zip(BODIES[pair], (one, other), strict=False):
-            shear, depth = hertz_point.largest_shear_stress(a=a, p_0=p_0, nu=sphere.nu)
-            values |= {f"{pair}: {body} shear": float(shear), f"{pair}: {body} depth": float(depth)}
-    return values
-
-
-def _stiffness(hertz: dict[str, float]) -> dict[str, float]:
-    return {"R": hertz["R"], "E_star": hertz["E_star"]}
-
-
-def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
-    """Relative excess of the load that moves finite spheres by Hertz's approach under `P`."""
-    first = pressed_spheres(one, other, P=P)
-    delta = first.approach / (1 + first.approach_excess)
-
-    def missing(share: float) -> float:
-        return pressed_spheres(one, other, P=share * P).approach / delta - 1
-
-    return float(brentq(missing, 0.5, 3.0, xtol=1e-14)) - 1
-
-
-Interval = Callable[[SphereInputs, Values], tuple[float, float] | None]
-
-
-def finite(pair: str, key: str) -> Interval:
-    """What the first correction for finite spheres says of Hertz, and the next order about it.
-
-    From the correction alone: a wrong Hertz leaves the interval instead of taking it along. Where
-    the next order is more than half the default demand there is no sharp estimate.
+    Against whole spheres, pressed from both sides, his radius and pressure err by a share of a/R
+    that the logarithm of the sphere's own solution predicts, his approach by the finite distance to
+    its middle.
     """
 
-    def interval(q: SphereInputs, v: Values) -> tuple[float, float] | None:
-        m = 1 / (1 + v[f"{pair}: {key}, excess"]) - 1
-        unknown = q.beyond(pair) * (1.5 if key == "load" else 1.0)  # P goes with delta^(3/2)
-        unknown = max(unknown, 2e-4)  # nothing sharper is claimed
-        return (m - unknown, m + unknown) if unknown <= DEMAND / 2 else None
-
-    return interval
-
-
-def tilt(pair: str) -> Interval:
-    def interval(q: SphereInputs, _values: Values) -> tuple[float, float] | None:
-        wide = q.beyond(pair) ** 0.5
-        wide = max(wide, 5e-3)  # nothing sharper is claimed
-        return (-wide, wide) if wide <= 0.02 else None
-
-    return interval
-
-
-def warnings(q: SphereInputs, v: Values) -> Sequence[str]:
-    found = []
-    for pair in PAIRS:
-        wide = q.beyond(pair) ** 0.5
-        if wide > 0.05:
-            error = v[f"{pair}: approach"] / v[f"{pair}: approach, finite"] - 1
-            found.append(
-                f"a/R = {wide:.2g} {WORDS[pair]}: Hertz's approach is off by about {error:.1%}, "
-                f"his pressure by {v[f'{pair}: p_0'] / v[f'{pair}: p_0, finite'] - 1:.1%}"
-            )
-        shear = max(v[f"{pair}: {body} shear"] for body in BODIES[pair])
-        if q.R_p is not None and shear > q.R_p / 2:
-            found.append(
-                f"shear stress {shear / 1e6:.4g} MPa {WORDS[pair]} exceeds R_p/2 = "
-                f"{q.R_p / 2e6:.4g} MPa: it yields below the surface (Tresca)"
-            )
-        softest = q.E_1 if pair == "flat" else min(q.E_1, q.E_2)
-        if q.R_p is None and v[f"{pair}: p_0"] > 0.02 * softest:
-            found.append(
-                f"p_0 = {v[f'{pair}: p_0'] / 1e6:.4g} MPa {WORDS[pair]} is "
-                f"{v[f'{pair}: p_0'] / softest:.1%} of E: hardened steel yields before; give R_p"
-            )
-    return found
-
-
-def too_large(q: SphereInputs) -> str:
-    """The approach must stand out of the round-off of the larger sphere's coordinates."""
-    ratio = max(q.R_1, q.R_2) / (q.a("sphere") ** 2 / q.hertz("sphere")["R"])
-    if ratio <= 1e9:
-        return ""
-    return (
-        f"an approach of R/{ratio:.1g} drowns in the round-off of the larger sphere's "
-        "coordinates: check without --fem"
-    )
-
-
-CHECKS = tuple(
-    check
-    for pair in PAIRS
-    for check in (
-        *(
-            Approximation(
-                name=f"{what} {WORDS[pair]}", symbol=symbol, unit=unit, analytic=f"{pair}: {key}",
-                fem=f"{pair}: {key}", formal=formal, interval=finite(pair, key), source=ORDER,
-                demand=demand, demand_reason=SHARP,
-            )
-            for what, key, symbol, unit, demand, formal in (
-                ("contact radius", "a", "a", "mm", 1e-3, 2),
-                ("peak pressure", "p_0", "p_0", "MPa", 5e-4, 2),
-                ("approach", "approach", "δ", "µm", 1e-3, 2),
-                # at a given approach the pressure's edge, a square root, moves between nodes
-                ("force at Hertz's approach", "load", "P(δ)", "N", 2e-3, 1.5),
-            )
-        ),
-        *(
-            Approximation(
-                name=f"largest shear stress {WORDS[pair]}, {body} body", symbol="τ_max", unit="MPa",
-                analytic=f"{pair}: {body} shear", fem=f"{pair}: {body} shear", formal=2,
-                interval=tilt(pair), source=SURFACE, demand=0.04,
-                demand_reason="an estimate of first order in a/R",
-            )
-            for body in BODIES[pair]
-        ),
-        *(
-            Exact(
-                name=f"balance of the {body} sphere {WORDS[pair]}", symbol="ΣF_y", unit="N",
-                fem=f"{pair}: {body} balance", scale="load", bound=1e-7,
-                bound_reason="direct solve: machine epsilon times the condition of K, with cells "
-                "from a/50 to R",
-            )
-            for body in BODIES[pair]
-        ),
-    )
-)  # fmt: skip
-
-SPHERE = Case(
-    id="contact-sphere",
-    title="Sphere on a flat and on another sphere",
-    paper="huang2018",
-    place="Eqs. 2-5, the contact behind them (Hertz); Table 1, radii of sprag and race",
-    lead="Hertz takes each sphere for a half space with a parabola on it. Against whole spheres, "
-    "pressed from both sides, his radius and pressure err by a share of a/R that the logarithm of "
-    "the sphere's own solution predicts, his approach by the finite distance to its middle.",
-    inputs=SphereInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=(2, 4, 8),
-    scans=(
-        Scan(vary=("P=2N,16N,100N,500N,2000N", "R_2=4.02mm,11.11mm"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=tuple(
-        Output(key=f"{pair}: {key}", symbol=symbol, unit=unit, what=f"{what}, {WORDS[pair]}",
-               judged=judged)
-        for pair in PAIRS
-        for key, symbol, unit, what, judged in (
-            ("a", "a", "mm", "contact radius", True),
-            ("p_0", "p_0", "MPa", "peak pressure", True),
-            ("approach", "δ", "µm", "approach of far points, Hertz", True),
-            ("approach, finite", "δ", "µm", "approach of the equators, first correction", False),
-            ("upper shear", "τ_max", "MPa", "largest shear stress below the surface", True),
-            ("upper depth", "z", "mm", "its depth", False),
-        )
-    ),
-    readings=(
+    id = "contact-sphere"
+    title = "Sphere on a flat and on another sphere"
+    source = "huang2018"
+    place = "Eqs. 2-5, the contact behind them (Hertz); Table 1, radii of sprag and race"
+    levels: ClassVar = (2, 4, 8)
+    scans: ClassVar = (Scan(vary=("P=2N,16N,100N,500N,2000N", "R_2=4.02mm,11.11mm"), star=True),)
+    readings: ClassVar = (
         "R is each sphere's own radius; the relative one enters Hertz",
         "E/(1 − ν²) of each body: around a point no direction is free of strain",
         "the approach is that of the planes half-way to the opposite contact, not of points at "
         "infinity",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "no friction, small strain",
         "load and second material are assumed; the radii are those of the paper's sprag and inner "
         "race, as if they were balls",
         "every sphere is pressed by the same load from the opposite side",
-    ),
-    too_large=too_large,
-    warnings=warnings,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
-)  # fmt: skip
+    )
+
+    def reference(self, level: int) -> Level:
+        """Quarter discs turned about the axis, on a rigid flat and on each other."""
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Hertz on a flat and on a sphere; balances of the spheres."""
+        for pair in PAIRS:
+            at = self if pair == self.pair else self.of(pair)
+            state = State(at, END[pair].lstrip("_"), WORDS[pair])
+            yield from at.against_hertz(state)
+            for body in BODIES[pair]:
+                shear = Spheres.tau_upper if body == "upper" else Spheres.tau_lower
+                yield approximation(
+                    shear, order=2, state=state, expected=at.tilt(), symbol="τ_max",
+                    name=f"largest shear stress {WORDS[pair]}, {body} body",
+                    sensitivity=FIRST_ORDER,
+                )  # fmt: skip
+            for body in BODIES[pair]:
+                yield balance(f"{body}_balance{END[pair]}",
+                              f"balance of the {body} sphere {WORDS[pair]}", "ΣF_y", "N",
+                              of={"load": self.P}, bound=1e-7, because=DIRECT)  # fmt: skip
+
+    def against_hertz(self, state: State) -> Iterator[Comparison]:
+        """Radius, pressure, approach and force of this contact."""
+        finite, by = self.finite, Spheres
+        kinds: tuple[tuple[Quantity, str, float, float, float], ...] = (
+            (by.a, "contact radius", finite.a_excess, 1e-3, 2),
+            (by.p_0, "peak pressure", finite.p_0_excess, 5e-4, 2),
+            (by.approach, "approach", finite.approach_excess, 1e-3, 2),
+            # at a given approach the pressure's edge, a square root, moves between nodes
+            (by.force, by.force.what, self.force_excess, 2e-3, 1.5),
+        )
+        for q, what, excess, sharp, order in kinds:
+            share = 1.5 if q is by.force else 1.0  # P goes with delta^(3/2)
+            yield approximation(
+                q, order=order, state=state, name=f"{what} {state.words}",
+                expected=self.corrected(excess, share), sensitivity=(sharp, SHARP),
+            )  # fmt: skip
+
+    def corrected(self, excess: float, share: float) -> Expected:
+        """What the first correction for finite spheres says of Hertz, the next order about it.
+
+        From the correction alone: a wrong Hertz leaves the interval instead of taking it along.
+        Where the next order is more than half the default sensitivity there is no sharp estimate.
+        """
+        m = 1 / (1 + excess) - 1
+        unknown = self.beyond * share
+        unknown = max(unknown, 2e-4)  # nothing sharper is claimed
+        return Expected(m - unknown, m + unknown, ORDER, sharp=unknown <= DEMAND / 2)
+
+    def tilt(self) -> Expected:
+        """The same for the shear stress below the surface."""
+        wide = self.beyond**0.5
+        wide = max(wide, 5e-3)  # nothing sharper is claimed
+        return Expected(-wide, wide, SURFACE, sharp=wide <= 0.02)
+
+    def figures(self) -> Iterator[AlongLine | Drawn]:
+        """Pressures, stresses on the axes, and what Hertz neglects."""
+        both = [self.of(pair) for pair in PAIRS]
+        for at, words in zip(both, ("a rigid flat", "the lower sphere"), strict=True):
+            yield figures.pressure(at, words)
+        for body in BODIES["sphere"]:
+            yield from figures.stresses(self, body)
+        for at in both:
+            yield figures.errors(at)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Stresses about the contact of both spheres."""
+        yield from figures.pictures(self.width)
+
+    def sketch(self) -> Sketch:
+        """Both spheres to scale."""
+        return figures.sketch(self)
+
+    def refusal(self) -> str:
+        """The approach must stand out of the round-off of the larger sphere's coordinates."""
+        ratio = max(self.R_1, self.R_2) / (self.width**2 / self.hertz["R"])
+        if ratio <= 1e9:
+            return ""
+        return (
+            f"an approach of R/{ratio:.1g} drowns in the round-off of the larger sphere's "
+            "coordinates: check without --fem"
+        )
+
+    def warnings(self) -> Iterator[str]:
+        """Where the contact is wide, and where a body yields."""
+        for pair in PAIRS:
+            at: Any = self.of(pair)
+            wide, where = at.beyond**0.5, WORDS[pair]
+            if wide > 0.05:
+                yield (
+                    f"a/R = {wide:.2g} {where}: Hertz's approach is off by about "
+                    f"{at.approach / at.approach_finite - 1:.1%}, his pressure by "
+                    f"{at.p_0 / at.p_0_finite - 1:.1%}"
+                )
+            shear = max(at.shear_of(body)[0] for body in BODIES[pair])
+            if self.R_p is not None and shear > self.R_p / 2:
+                yield (
+                    f"shear stress {shear / 1e6:.4g} MPa {where} exceeds R_p/2 = "
+                    f"{self.R_p / 2e6:.4g} MPa: it yields below the surface (Tresca)"
+                )
+            softest = self.E_1 if pair == "flat" else min(self.E_1, self.E_2)
+            if self.R_p is None and at.p_0 > 0.02 * softest:
+                yield (
+                    f"p_0 = {at.p_0 / 1e6:.4g} MPa {where} is {at.p_0 / softest:.1%} of E: "
+                    "hardened steel yields before; give R_p"
+                )
+
+
+SPHERE = adapted(Spheres)

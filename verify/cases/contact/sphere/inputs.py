@@ -1,39 +1,46 @@
-"""Inputs of two spheres in point contact, and what the formulas make of them."""
+"""Inputs of two spheres in point contact, and what both sides make of them."""
 
-from typing import Any
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
 from analytic.contact import hertz_line, hertz_point
 from analytic.contact.sphere_series import Sphere
-from verify.core.inputs import Inputs, quantity
+from verify.case import Case, given
 
+Pair = Literal["flat", "sphere"]
+PAIRS: tuple[Pair, ...] = ("flat", "sphere")
+WORDS: dict[Pair, str] = {"flat": "on a rigid flat", "sphere": "on a sphere"}
+BODIES = {"flat": ("upper",), "sphere": ("upper", "lower")}
+END = {"flat": "_flat", "sphere": ""}  # of the names of numbers
 WIDEST = 0.15  # a over the smaller radius
 
 
-class SphereInputs(Inputs):
+class SphereInputs(Case):
     """A sphere on a rigid flat and on another sphere, each pressed from both sides."""
 
-    R_1: float = quantity(
+    pair: ClassVar[Pair] = "sphere"  # of the quantities
+
+    R_1: float = given(
         "4.02 mm", "mm", "R_1", "radius of the upper sphere", gt=0, le=1e6,
         claims="huang2018:table1-r-i1",
     )  # fmt: skip
-    R_2: float = quantity(
+    R_2: float = given(
         "11.11 mm", "mm", "R_2", "radius of the lower sphere", gt=0, le=1e6,
         claims="huang2018:table1-r-i",
     )  # fmt: skip
-    P: float = quantity("16 N", "N", "P", "load", gt=0, le=1e12)
-    E_1: float = quantity("206 GPa", "GPa", "E_1", "Young's modulus, upper", gt=0, le=1e5)
-    nu_1: float = quantity(0.3, "1", "ν_1", "Poisson's ratio, upper", ge=0, le=0.45)
-    E_2: float = quantity("110 GPa", "GPa", "E_2", "Young's modulus, lower", gt=0, le=1e5)
-    nu_2: float = quantity(0.34, "1", "ν_2", "Poisson's ratio, lower", ge=0, le=0.45)
-    R_p: float | None = quantity(
+    P: float = given("16 N", "N", "P", "load", gt=0, le=1e12)
+    E_1: float = given("206 GPa", "GPa", "E_1", "Young's modulus, upper", gt=0, le=1e5)
+    nu_1: float = given(0.3, "1", "ν_1", "Poisson's ratio, upper", ge=0, le=0.45)
+    E_2: float = given("110 GPa", "GPa", "E_2", "Young's modulus, lower", gt=0, le=1e5)
+    nu_2: float = given(0.34, "1", "ν_2", "Poisson's ratio, lower", ge=0, le=0.45)
+    R_p: float | None = given(
         None, "MPa", "R_p", "yield strength of the weaker body, for the warning", omitted=None,
         gt=0, example="1200 MPa",
     )  # fmt: skip
 
     @model_validator(mode="after")
-    def _point_contact(self) -> "SphereInputs":
+    def _point_contact(self) -> Self:
         least, most = sorted((self.R_1, self.R_2))
         if most > 1e3 * least:
             raise ValueError(
@@ -46,7 +53,7 @@ class SphereInputs(Inputs):
                 f"E_2 = {self.E_2 / 1e9:g} GPa: take the stiffer body as rigid"
             )
         for pair in PAIRS:
-            wide = self.a(pair) / (self.R_1 if pair == "flat" else least)
+            wide = self.of(pair).width / (self.R_1 if pair == "flat" else least)
             if not 1e-5 <= wide <= WIDEST:
                 raise ValueError(
                     f"a point contact needs a/R from 1e-05 to {WIDEST:g}, got {wide:.3g} "
@@ -54,31 +61,35 @@ class SphereInputs(Inputs):
                 )
         return self
 
-    def bodies(self, pair: str) -> tuple[Sphere, Sphere]:
-        """Upper and lower body of a pair."""
+    def of(self, pair: Pair) -> Self:
+        """The same inputs for one of both contacts."""
+        return self.model_copy(update={"pair": pair})
+
+    @property
+    def spheres(self) -> tuple[Sphere, Sphere]:
+        """Upper and lower body."""
         one = Sphere(R=self.R_1, E=self.E_1, nu=self.nu_1)
-        if pair == "flat":
+        if self.pair == "flat":
             return one, Sphere(R=float("inf"), E=float("inf"), nu=0.0)
         return one, Sphere(R=self.R_2, E=self.E_2, nu=self.nu_2)
 
-    def hertz(self, pair: str) -> dict[str, Any]:
+    @property
+    def hertz(self) -> dict[str, Any]:
         """What Hertz's formulas take: P, R, E_star."""
-        one, other = self.bodies(pair)
+        one, other = self.spheres
         E_star = hertz_line.contact_modulus(
             E_1=one.E, nu_1=one.nu, E_2=other.E, nu_2=other.nu, assumption="plane strain"
         )
         R = hertz_line.relative_radius(R_1=one.R, R_2=other.R)
         return {"P": self.P, "R": float(R), "E_star": float(E_star)}
 
-    def a(self, pair: str) -> float:
-        """Hertz's contact radius [m]."""
-        return float(hertz_point.radius(**self.hertz(pair)))
+    @property
+    def width(self) -> float:
+        """Hertz's contact radius [m]: the size of the finest cells, too."""
+        return float(hertz_point.radius(**self.hertz))
 
-    def beyond(self, pair: str) -> float:
+    @property
+    def beyond(self) -> float:
         """(a/R)² of the smaller sphere: what the first correction to Hertz leaves out at most."""
-        least = self.R_1 if pair == "flat" else min(self.R_1, self.R_2)
-        return (self.a(pair) / least) ** 2
-
-
-PAIRS = ("flat", "sphere")
-WORDS = {"flat": "on a rigid flat", "sphere": "on a sphere"}
+        least = self.R_1 if self.pair == "flat" else min(self.R_1, self.R_2)
+        return (self.width / least) ** 2

@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.case import Level
 from verify.cases.contact.errors import fem_errors
-from verify.cases.contact.sphere.inputs import PAIRS, SphereInputs
-from verify.core.case import FemResult
+from verify.cases.contact.sphere.inputs import BODIES, END, PAIRS, SphereInputs
+from verify.cases.contact.window import cut
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -24,43 +25,53 @@ ABOUT, WIDE = (0.25, 0.75), 0.3  # z/a about the largest shear stress, and r/a
 VIEW = 4.0  # half-widths about the contact whose cells are kept
 
 
-def fem(q: SphereInputs, level: int) -> FemResult:
+def solve(q: SphereInputs, level: int) -> Level:
+    """One level of both contacts."""
     values: dict[str, float] = {}
     arrays: dict[str, Any] = {}
     fields: list[Field] = []
     round_off = HIT
     for pair in PAIRS:
-        spheres, a = fem_problem(q, pair, level), q.a(pair)
-        hertz = a**2 / q.hertz(pair)["R"]
-        given = spheres.solve(displacements={"upper.middle": {"y": -hertz}})
-        approach, state = at_load(spheres, q.P, hertz, given)
-        touch = state.touches[0]
+        found, profiles, state = solve_pair(q.of(pair), level)
+        end = END[pair]
+        values |= {f"{key}{end}": value for key, value in found.items()}
+        arrays |= {f"{key}{end}": array for key, array in profiles.items()}
         round_off = max(round_off, state.plane.residual)
-        values |= {
-            f"{pair}: a": touch.half_width(),
-            f"{pair}: p_0": peak(touch.x[0], touch.pressure, a),
-            f"{pair}: approach": approach,
-            f"{pair}: load": push(given),
-            f"{pair}: upper balance": state.plane.reaction("upper.middle")[1] + push(state),
-        }
-        bodies = {"upper": 1.0}
-        if pair == "sphere":
-            bodies["lower"] = -1.0
-            values[f"{pair}: lower balance"] = state.plane.reaction("lower.middle")[1] - push(state)
-        for body, side in bodies.items():
-            inside = state.plane.in_body(body)
-            largest, depth = largest_shear(inside.x, inside.stress, a)
-            values |= {f"{pair}: {body} shear": largest, f"{pair}: {body} depth": a * depth}
-            arrays[f"{pair}: {body} axis"] = np.array(axis(state, side * a * DEEP)).ravel()
-        order = np.argsort(touch.x[0])
-        arrays[f"{pair}: p"] = np.interp(a * ACROSS, touch.x[0][order], touch.pressure[order])
-        fields.append(field(state, pair, VIEW * a))
+        fields.append(field(state, pair, VIEW * q.of(pair).width))
     u_it = {key: round_off * abs(value) for key, value in values.items()}
     u_it |= {key: round_off * float(np.abs(v).max()) for key, v in arrays.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=tuple(fields))
 
 
-def fem_problem(q: SphereInputs, pair: str, level: int) -> "ContactProblem":
+def solve_pair(
+    q: SphereInputs, level: int
+) -> tuple[dict[str, float], dict[str, Any], "ContactSolution"]:
+    """Numbers of one contact by the names of the quantities, profiles, and the state."""
+    spheres, a = problem(q, level), q.width
+    hertz = a**2 / q.hertz["R"]
+    given = spheres.solve(displacements={"upper.middle": {"y": -hertz}})
+    approach, state = at_load(spheres, q.P, hertz, given)
+    touch = state.touches[0]
+    values = {
+        "a": touch.half_width(), "p_0": peak(touch.x[0], touch.pressure, a),
+        "approach": approach, "force": push(given),
+        "upper_balance": state.plane.reaction("upper.middle")[1] + push(state),
+    }  # fmt: skip
+    if q.pair == "sphere":
+        values["lower_balance"] = state.plane.reaction("lower.middle")[1] - push(state)
+    arrays: dict[str, Any] = {}
+    for body in BODIES[q.pair]:
+        inside = state.plane.in_body(body)
+        largest, depth = largest_shear(inside.x, inside.stress, a)
+        values |= {f"tau_{body}": largest, f"z_{body}": a * depth}
+        side = 1.0 if body == "upper" else -1.0
+        arrays[f"axis_{body}"] = np.array(axis(state, side * a * DEEP)).ravel()
+    order = np.argsort(touch.x[0])
+    arrays["p"] = np.interp(a * ACROSS, touch.x[0][order], touch.pressure[order])
+    return values, arrays, state
+
+
+def problem(q: SphereInputs, level: int) -> "ContactProblem":
     """The upper sphere with its equator driven along y, on a rigid flat or on the lower sphere."""
     from fem.contact.pairs import Obstacle, Pair
     from fem.contact.problem import ContactProblem
@@ -69,23 +80,20 @@ def fem_problem(q: SphereInputs, pair: str, level: int) -> "ContactProblem":
     from meshes.contact.disc import quarter_disc
     from meshes.join import join
 
-    fine: dict[str, Any] = {"zone": ZONE * q.a(pair), "cells": CELLS, "refine": level}
+    fine: dict[str, Any] = {"zone": ZONE * q.width, "cells": CELLS, "refine": level}
     meshes = {"upper": quarter_disc(R=q.R_1, **fine)}
     materials = {"upper": Elastic(E=q.E_1, nu=q.nu_1)}
     master, shape, obstacles = "flat", None, {"flat": Obstacle(Flat())}
-    if pair == "sphere":
+    if q.pair == "sphere":
         meshes["lower"] = quarter_disc(R=q.R_2, below=True, **fine)
         materials["lower"] = Elastic(E=q.E_2, nu=q.nu_2)
         master, shape, obstacles = "lower.surface", Circle((0.0, -q.R_2), q.R_2), {}
     return ContactProblem(
-        join(meshes),
-        materials=materials,
-        assumption="axisymmetric",
+        join(meshes), materials=materials, assumption="axisymmetric", obstacles=obstacles,
         supports={f"{body}.{cut}": motion for body in meshes
                   for cut, motion in (("axis", "x"), ("middle", "y"))},
         contacts=[Pair(slave="upper.surface", master=master, master_shape=shape,
                        slave_shape=Circle((0.0, q.R_1), q.R_1))],
-        obstacles=obstacles,
     )  # fmt: skip
 
 
@@ -149,17 +157,12 @@ def largest_shear(x: Array, stress: Array, a: float) -> tuple[float, float]:
 
 def field(state: "ContactSolution", name: str, reach: float) -> Field:
     """The cells about the contact."""
-    cells = state.plane.cells()
-    corners = cells["cells"].astype(int)
-    near = np.hypot(*cells["points"][corners].mean(axis=1).T) < reach
-    used, renumbered = np.unique(corners[near], return_inverse=True)
-    xx, yy, _, around = cells["stress"][near].T
+    cells, _ = cut(state.plane.cells(), lambda centre: np.hypot(*centre.T) < reach)
+    xx, yy, _, around = cells["stress"].T
+    data = {"stress": cells["stress"], "von_mises": cells["von_mises"], "axial_stress": yy,
+            "hoop_stress": around, "radial_stress": xx}  # fmt: skip
     return Field(
-        name=name, points=cells["points"][used],
-        cells=renumbered.reshape(-1, corners.shape[1]).astype(np.int64),
-        point_data={"displacement": cells["displacement"][used]},
-        cell_data={"stress": cells["stress"][near], "von_mises": cells["von_mises"][near],
-                   "axial_stress": yy, "hoop_stress": around, "radial_stress": xx},
-        units={"displacement": "m", "stress": "Pa", "von_mises": "Pa", "axial_stress": "Pa",
-               "hoop_stress": "Pa", "radial_stress": "Pa"},
+        name=name, points=cells["points"], cells=cells["cells"].astype(np.int64),
+        point_data={"displacement": cells["displacement"]}, cell_data=data,
+        units={"displacement": "m", **dict.fromkeys(data, "Pa")},
     )  # fmt: skip

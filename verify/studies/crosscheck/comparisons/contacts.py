@@ -13,8 +13,9 @@ from verify.cases.contact.press_fit.reference import read, solve_fit
 from verify.cases.contact.slip.case import SLIP
 from verify.cases.contact.slip.driven import Rollers
 from verify.cases.contact.slip.fem import ZONE
-from verify.cases.contact.sphere.case import SPHERE
-from verify.cases.contact.sphere.fem import fem_problem, push
+from verify.cases.contact.sphere.case import Spheres
+from verify.cases.contact.sphere.inputs import WORDS, Pair
+from verify.cases.contact.sphere.reference import problem, push
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.touching import (
     CONTACT,
@@ -67,15 +68,15 @@ def line(case: Any, solve: Any) -> Posed:
     return posed(deck, ours, seconds, there)
 
 
-def sphere(pair: str) -> Posed:
+def sphere(pair: Pair) -> Posed:
     """A sphere at Hertz's approach, turned about its axis."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q: Any = SPHERE.inputs()
-    problem, a = fem_problem(q, pair, LEVEL), q.a(pair)
-    hertz = a**2 / q.hertz(pair)["R"]
-    state, seconds = timed(lambda: problem.solve(displacements={"upper.middle": {"y": -hertz}}))
+    q = Spheres().of(pair)
+    spheres, a = problem(q, LEVEL), q.width
+    hertz = a**2 / q.hertz["R"]
+    state, seconds = timed(lambda: spheres.solve(displacements={"upper.middle": {"y": -hertz}}))
     materials = {"upper": Elastic(E=q.E_1, nu=q.nu_1)}
     if pair == "sphere":
         materials["lower"] = Elastic(E=q.E_2, nu=q.nu_2)
@@ -181,14 +182,14 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
-            what=f"a sphere on {words} at Hertz's approach, turned about its axis",
+            what=f"a sphere {words} at Hertz's approach, turned about its axis",
             pose=partial(sphere, pair),
             quantities=(
-                Quantity(name="load", row=f"force at Hertz's approach on {words}", symbol="P(δ)",
+                Quantity(name="load", row=f"force at Hertz's approach {words}", symbol="P(δ)",
                          unit="N", allowed=CONTACT, why=PENALTY),
             ),
         )
-        for pair, words in (("flat", "a rigid flat"), ("sphere", "a sphere"))
+        for pair, words in WORDS.items()
     ),
     *(
         Cross(

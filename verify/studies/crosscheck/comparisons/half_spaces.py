@@ -15,7 +15,7 @@ from verify.cases.contact.roller.flat import UNCROWNED
 from verify.cases.contact.roller.half_space import Pressed, pressed
 from verify.cases.contact.roller.profiles import gap
 from verify.cases.contact.roller.tilted import TILTED
-from verify.cases.contact.sphere.case import SPHERE
+from verify.cases.contact.sphere.case import Spheres
 from verify.core.figures import Array
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.statement import TAMAAS, Cross, Numbers, Posed, Quantity
@@ -48,8 +48,8 @@ def roller(case: Any, crown: Callable[[Any], Callable[[Array], Array]] = gap) ->
 
 def sphere() -> Posed:
     """A sphere on a half-space of the case's materials."""
-    q: Any = SPHERE.inputs()
-    R, a = q.hertz("sphere")["R"], q.a("sphere")
+    q = Spheres()
+    R, a = q.hertz["R"], q.width
     E_star = 3 * q.P * R / (4 * a**3)
     side = 2 * REACH * a / CELLS
     x = (np.arange(CELLS) + 0.5 - CELLS / 2) * side

@@ -1,0 +1,97 @@
+"""Formulas of a point contact: Hertz, and the first correction for finite spheres."""
+
+from math import pi
+
+from analytic.contact import hertz_point, sphere_series
+from verify.case import Quantity, shared
+from verify.cases.contact.sphere.inputs import SphereInputs
+
+HERTZ = "Hertz"
+FINITE = "first correction for finite spheres"
+
+
+class SphereFormulas(SphereInputs):
+    """Hertz's contact of two spheres; on a rigid flat the lower one is neither round nor soft."""
+
+    @Quantity("E*", "GPa", "contact modulus", role="step", source=HERTZ,
+              tex=r"\frac{1}{\frac{1 - \nu_1^2}{E_1} + \frac{1 - \nu_2^2}{E_2}}")  # fmt: skip
+    def E_star(self) -> float:
+        return float(self.hertz["E_star"])
+
+    @Quantity("R", "mm", "relative radius", role="step", source=HERTZ,
+              tex=r"\frac{1}{\frac{1}{R_1} + \frac{1}{R_2}}")  # fmt: skip
+    def R(self) -> float:
+        return float(self.hertz["R"])
+
+    @Quantity("a", "mm", "contact radius", source=HERTZ,
+              tex=r"\left(\frac{3 P R}{4 E*}\right)^{1/3}")  # fmt: skip
+    def a(self) -> float:
+        return self.width
+
+    @Quantity("p_0", "MPa", "peak pressure", source=HERTZ, safe="too high",
+              tex=r"\frac{3 P}{2 \pi a^2}")  # fmt: skip
+    def p_0(self) -> float:
+        return float(hertz_point.peak_pressure(**self.hertz))
+
+    @Quantity("δ", "µm", "approach of far points", source=HERTZ, tex=r"\frac{a^2}{R}")
+    def approach(self) -> float:
+        return float(hertz_point.approach(**self.hertz))
+
+    @Quantity("P(δ)", "N", "force at Hertz's approach", source=HERTZ,
+              tex=r"\frac{4}{3} E* \sqrt{R \delta^3}")  # fmt: skip
+    def force(self) -> float:
+        return float(hertz_point.load(R=self.R, E_star=self.E_star, delta=self.approach))
+
+    @Quantity("τ_1", "MPa", "largest shear stress in the upper body", source=HERTZ,
+              safe="too high")  # fmt: skip
+    def tau_upper(self) -> float:
+        return self.shear_of("upper")[0]
+
+    @Quantity("z_1", "mm", "its depth", source=HERTZ, role="step")
+    def z_upper(self) -> float:
+        return self.shear_of("upper")[1]
+
+    @Quantity("τ_2", "MPa", "largest shear stress in the lower body", source=HERTZ,
+              safe="too high")  # fmt: skip
+    def tau_lower(self) -> float:
+        return self.shear_of("lower")[0]
+
+    @Quantity("z_2", "mm", "its depth", source=HERTZ, role="step")
+    def z_lower(self) -> float:
+        return self.shear_of("lower")[1]
+
+    @Quantity("ε", "1", "strength of the spheres' own logarithm", source=FINITE, role="step",
+              tex=r"a E* \left(\frac{(1 - 2 \nu_1)^2 (1 - \nu_1^2)}{2 (1 - \nu_1) E_1 R_1}"
+              r" + \frac{(1 - 2 \nu_2)^2 (1 - \nu_2^2)}{2 (1 - \nu_2) E_2 R_2}\right)")  # fmt: skip
+    def epsilon(self) -> float:
+        return 2 * pi * self.finite.a_excess
+
+    @Quantity("a_f", "mm", "contact radius of finite spheres", source=FINITE, role="step",
+              tex=r"a (1 + \frac{\varepsilon}{2 \pi})")  # fmt: skip
+    def a_finite(self) -> float:
+        return self.finite.a
+
+    @Quantity("p_f", "MPa", "peak pressure of finite spheres", source=FINITE, role="step",
+              tex=r"p_0 (1 - \frac{\pi \varepsilon}{8})")  # fmt: skip
+    def p_0_finite(self) -> float:
+        return self.finite.p_0
+
+    @Quantity("δ_f", "µm", "approach of the equators of finite spheres", source=FINITE, role="step")
+    def approach_finite(self) -> float:
+        return self.finite.approach
+
+    @shared
+    def finite(self) -> sphere_series.PressedSpheres:
+        """Finite spheres under the load, to first order."""
+        return sphere_series.pressed_spheres(*self.spheres, P=self.P)
+
+    @property
+    def force_excess(self) -> float:
+        """Relative excess of the load that moves finite spheres by Hertz's approach."""
+        return sphere_series.load_excess(*self.spheres, P=self.P)
+
+    def shear_of(self, body: str) -> tuple[float, float]:
+        """Largest shear stress on the axis of a body [Pa] and its depth [m]."""
+        sphere = self.spheres[body == "lower"]
+        shear, depth = hertz_point.largest_shear_stress(a=self.a, p_0=self.p_0, nu=sphere.nu)
+        return float(shear), float(depth)
