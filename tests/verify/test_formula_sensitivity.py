@@ -22,7 +22,7 @@ SEEDS = (0, 1, 2)
 # The scale of values that are zero, or small differences of much larger ones: a number or the key
 # of another value.
 SCALES = (
-    ("polyhedral-ring", r"residual|left", 1.0),  # shares of the loads that a fit leaves
+    ("polyhedral-ring", r"uncertainty of .*", 1.0),  # shares of the loads that a fit leaves
     ("spring-width", r"left .*", 1.0),
     ("contact-pair|contact-ring", r"coupled", 1.0),  # Dundurs' constant
     ("contact-roller-crowns", r".* moment", 30.0),  # N m, its load times its length

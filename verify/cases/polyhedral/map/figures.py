@@ -5,35 +5,34 @@ from typing import Any
 
 import numpy as np
 
+from verify.cases.polyhedral.map.inputs import FLATS, SHARES, WALLS
 from verify.core.case import Context
 from verify.core.figures import Array, Curve, Curves, Figure, Map
 
 TICKS = (3, 4, 6, 8, 12, 24, 48)
-FLATS = (3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 24, 48)
-WALLS = (0.0125, 0.025, 0.05, 0.1, 0.15, 0.2)  # over the outer diameter
-SHARES = (0.125, 0.25, 0.5, 1.0, 2.0)  # fillet over wall
 NAMES = tuple((float(np.log2(z)), str(z)) for z in TICKS)
 LARGEST, LEAST = 4.0, -2.0  # of K in the figure: at the corners of four flats it has no bound
 
 
-def figures(
-    context: Context, wall: Array, fillet: Array, reference: Array, eta: Array
-) -> Sequence[Figure]:
-    """Error of K = 1 over walls and fillets, K by three definitions, η and stress over flats.
+def on_map(context: Context, name: str) -> Array | None:
+    """1/K of finite elements on a map (m,), row by row; None without them."""
+    return next((level.arrays[name] for level in context.fem if name in level.arrays), None)
 
-    `wall` and `fillet` hold 1/K (m,) in the middle of the flats, by finite elements where there are
-    any; `reference` that of the middle, the mean and the corners (flats, 3) and `eta` the share of
-    the pressure that reaches the rollers (flats,), both by the series.
-    """
-    q = context.inputs
+
+def figures(q: Any, context: Context) -> Sequence[Figure]:
+    """Error of K = 1 over walls and fillets, by finite elements where there are any; curves."""
+    wall, fillet = (
+        q.flexibility(rings)[:, 0] if (found := on_map(context, name)) is None else found
+        for name, rings in (("wall", q.by_wall), ("fillet", q.by_fillet))
+    )
     solved = bool(context.fem)
     return (
         _map("K = 1 over flats and wall", "wall δ_1/d_e", WALLS, wall, solved,
              f"Error of p_1r = K p_1 with K = 1, in per cent, fillets of {q.rho * 1e3:.3g} mm."),
         _map("K = 1 over flats and fillet", "fillet ρ/δ_1", SHARES, fillet, solved,
              f"The same over the fillet, walls of {q.delta_1 * 1e3:.3g} mm."),
-        _factors(context, reference),
-        _efficiency(context, eta),
+        _factors(q, context),
+        _efficiency(q, context),
     )  # fmt: skip
 
 
@@ -48,21 +47,20 @@ def _map(
     )  # fmt: skip
 
 
-def _factors(context: Context, reference: Array) -> Curves:
+def _factors(q: Any, context: Context) -> Curves:
     """K by three definitions; broken off where corners hardly move."""
     x = np.log2(np.array(FLATS, dtype=float))
     curves = []
     names = ("middle of the flats", "mean of the outside", "corners")
     for k, name in enumerate(names):
-        K = 1 / reference[:, k]
+        K = 1 / q.flexible_middle[:, k]
         seen = (K > LEAST) & (K < LARGEST)
         curves.append(Curve(name=name, x=x[seen], y=K[seen], colour=k))
         if context.fem:
             found = 1 / context.fem[-1].arrays["reference"][:, k]
             curves.append(Curve(name="", x=x[seen], y=found[seen], style="dots", colour=k))
-    limit = context.analytic["K many"]
-    ends = x[[0, -1]]
-    curves.append(Curve(name="Lamé", x=ends, y=np.full(2, limit), style="dashes", colour=3))
+    limit = np.full(2, q.K_many)
+    curves.append(Curve(name="Lamé", x=x[[0, -1]], y=limit, style="dashes", colour=3))
     return Curves(
         title="K by three definitions", x_label="flats z", y_label="K",
         curves=tuple(curves), y_bottom=0.8, y_top=LARGEST, x_names=NAMES,
@@ -71,11 +69,11 @@ def _factors(context: Context, reference: Array) -> Curves:
     )  # fmt: skip
 
 
-def _efficiency(context: Context, eta: Array) -> Curves:
+def _efficiency(q: Any, context: Context) -> Curves:
     """What reaches the rollers, over the flats."""
     x: Any = np.log2(np.array(FLATS, dtype=float))
     curves = [
-        Curve(name="η, series", x=x, y=eta, colour=1),
+        Curve(name="η, series", x=x, y=q.efficiency, colour=1),
         Curve(name="Eq. 16", x=x[[0, -1]], y=np.ones(2), style="dashes", colour=0),
     ]
     if context.fem:
