@@ -11,6 +11,7 @@ from verify.form import sketches
 from verify.form.case import Case, solved
 from verify.form.comparisons import (
     Comparison,
+    Computed,
     Expected,
     State,
     about,
@@ -33,6 +34,7 @@ __all__ = [
     "Case",
     "CaseError",
     "Comparison",
+    "Computed",
     "Drawn",
     "Expected",
     "Level",

@@ -74,7 +74,7 @@ class Formulas(_Side):
         with faults_located(self.file), limited(self.time_limit):
             values = {q.name: float(getattr(case, q.name)) for q in case.present()}
             for one in case.stated():
-                more |= one.numbers
+                more |= one.evaluated()
         return {key: value for key, value in (values | more).items() if math.isfinite(value)}
 
 

@@ -33,6 +33,16 @@ class Expected(NamedTuple):
     sharp: bool = True
 
 
+class Computed(NamedTuple):
+    """An expected error that takes long to compute: `interval` is asked where the row is judged.
+
+    It gives low and high, or None where they are too far apart to judge by.
+    """
+
+    interval: Callable[[], tuple[float, float] | None]
+    source: str
+
+
 def about(error: float, slack: float, source: str) -> Expected:
     """An expected error within `slack` of a value."""
     return Expected(error - slack, error + slack, source)
@@ -118,6 +128,13 @@ class Comparison:
         """The key of the formula's value, empty where none is judged."""
         return key_of(self.quantity, self.state) if self.quantity else ""
 
+    def evaluated(self) -> dict[str, float]:
+        """The further numbers, and that of the quantity in another state."""
+        found = dict(self.numbers)
+        if self.quantity and self.state:
+            found[self.key] = getattr(self.state.case, self.quantity.name)
+        return found
+
 
 def identity(
     q: Quantity, reference: str = "", *, scale: Scale | None = None,
@@ -139,15 +156,21 @@ def identity(
 
 
 def approximation(
-    q: Quantity, reference: str = "", *, expected: Expected | None, **options: Unpack[Options]
-) -> Comparison:
+    q: Quantity, reference: str = "", *, expected: Expected | Computed | None,
+    **options: Unpack[Options],
+) -> Comparison:  # fmt: skip
     """The formula neglects something; the signed error lies where it was expected beforehand.
 
     Comparisons are stated before the reference is solved: no interval can be read off it.
     """
-    interval = (expected.low, expected.high) if expected and expected.sharp else None
     source = "" if expected is None else expected.source
-    more = {"interval": lambda *_: interval, "source": source}
+
+    def interval(*_: object) -> tuple[float, float] | None:
+        if isinstance(expected, Computed):
+            return expected.interval()
+        return (expected.low, expected.high) if expected and expected.sharp else None
+
+    more = {"interval": interval, "source": source}
     return _compared(checks.Approximation, q, reference, options, more)
 
 

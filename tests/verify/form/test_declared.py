@@ -12,6 +12,7 @@ from verify.case import (
     Case,
     CaseError,
     Comparison,
+    Computed,
     Drawn,
     Expected,
     Level,
@@ -100,6 +101,30 @@ def test_an_interval_is_that_of_the_inputs_at_hand():
     check = adapted(Rod).checks[1]
     assert check.interval(Rod(), {}) == (LOW, HIGH)
     assert check.interval(Rod(d=5e-3), {}) == (LOW, HIGH / 2)
+
+
+def test_what_takes_long_is_computed_where_it_is_judged():
+    asked = []
+
+    class Slow(Rod):
+        title = "Slow"
+
+        @Quantity("l", "mm", "length", role="step")
+        def length(self):
+            asked.append("length")
+            return 1.0
+
+        def comparisons(self):
+            state = State(self.at(F=2e3), "twice", "twice the force")
+            interval = Computed(lambda: asked.append("interval"), "too wide to judge by")
+            yield approximation(Slow.length, state=state, expected=interval)
+
+    case = adapted(Slow)
+    assert not asked
+    assert case.checks[0].source == "too wide to judge by"
+    assert case.checks[0].interval(Slow(), {}) is None
+    assert case.analytic(Slow())["length_twice"] == 1.0
+    assert asked == ["interval", "length", "length"]
 
 
 def test_rows_follow_from_the_comparisons():
