@@ -9,8 +9,8 @@ from analytic.spring import frame
 from verify.cases.rotor.clutch import expected as rotor_clutch_expected
 from verify.cases.rotor.clutch import tilted
 from verify.cases.rotor.clutch.inputs import ClutchInputs
-from verify.cases.rotor.shaft import expected as rotor_shaft_expected
-from verify.cases.rotor.shaft.inputs import ShaftInputs
+from verify.cases.rotor.shaft import bounds as rotor_shaft_expected
+from verify.cases.rotor.shaft.case import UniformShaft
 from verify.cases.spring.continuum.expected import added
 from verify.cases.spring.inputs import AccordionInputs
 
@@ -26,7 +26,7 @@ def test_shear_coefficients_are_hutchinson_s(nu, m):
 @pytest.mark.parametrize("j", [1, 2, 3])
 @pytest.mark.parametrize("change", [{}, {"d_i": 0.0}, {"L": 0.2, "d_i": 0.05}])
 def test_frequencies_are_timoshenko_s(j, change):
-    q = ShaftInputs(**change)
+    q = UniformShaft(**change)
     anew = rotor_shaft_expected.frequency(q, j)
     assert anew == pytest.approx(q.shaft().whirl(j, theory="timoshenko")[0], rel=1e-11)
 

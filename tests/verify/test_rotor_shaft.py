@@ -11,10 +11,8 @@ from analytic.rotor import cylinder, pochhammer, shafts
 from fem.fourier import vibration
 from fem.rotor import assemble, weak
 from verify.cases.registry import find
-from verify.cases.rotor.shaft import case as rotor_shaft
-from verify.cases.rotor.shaft import inputs
-from verify.cases.rotor.shaft.case import SHAFT
-from verify.cases.rotor.shaft.inputs import ShaftInputs
+from verify.cases.rotor.shaft import bounds, formulas, inputs
+from verify.cases.rotor.shaft.case import SHAFT, UniformShaft
 from verify.core.results import Status
 from verify.jobs.level import Job, judge_case, solve_level
 
@@ -70,7 +68,7 @@ def scaled(factor):
         pytest.param(cylinder.Cylinder, "critical_speeds",
                      lambda f: lambda s, k: f(s, k, backward=True),
                      "elastic body, critical speed", id="elastic body, backward critical speed"),
-        pytest.param(rotor_shaft, "bending_frequency", scaled(1.00001),
+        pytest.param(formulas, "bending_frequency", scaled(1.00001),
                      "elastic body at rest, Pochhammer's equation", id="1e-5 too fast"),
         pytest.param(pochhammer, "_radial", lambda f: lambda q, r, kind: f(1.01 * q, r, kind),
                      "elastic body at rest, Pochhammer's equation", id="wrong wave numbers"),
@@ -108,10 +106,11 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, monkeypat
 
 
 def test_the_limit_and_the_interval_are_silent_where_a_series_says_nothing():
-    stubby = ShaftInputs(L=0.13)
-    assert rotor_shaft.neglected("euler")(stubby, {}) is None
-    low, high = rotor_shaft.neglected("euler")(ShaftInputs(), {})
-    assert 0.015 < low < high < 0.02
+    stubby, q = UniformShaft(L=0.13), UniformShaft()
+    assert not bounds.neglected("euler", stubby.rotary, stubby.shear).sharp
+    expected = bounds.neglected("euler", q.rotary, q.shear)
+    assert expected.sharp
+    assert 0.015 < expected.low < expected.high < 0.02
 
 
 @pytest.mark.parametrize(
@@ -125,11 +124,11 @@ def test_the_limit_and_the_interval_are_silent_where_a_series_says_nothing():
 )
 def test_inputs_without_sense_are_refused_in_words(wrong, said):
     with pytest.raises(ValidationError, match=said):
-        ShaftInputs(**wrong)
+        UniformShaft(**wrong)
 
 
 def test_a_solid_shaft_of_one_s_own_has_no_row_in_red(judged, red):
-    assert not red(judged(SHAFT, ShaftInputs(d_i=0.0, L=0.4, n=500.0, nu=0.25)))
+    assert not red(judged(SHAFT, UniformShaft(d_i=0.0, L=0.4, n=500.0, nu=0.25)))
 
 
 @pytest.mark.parametrize(
@@ -142,11 +141,11 @@ def test_a_solid_shaft_of_one_s_own_has_no_row_in_red(judged, red):
     ],
 )
 def test_an_engineer_is_warned(more, said):
-    q = ShaftInputs(**more)
+    q = UniformShaft(**more)
     assert any(said in words for words in SHAFT.warnings(q, SHAFT.analytic(q)))
 
 
 def test_nothing_is_warned_of_at_the_case_s_own_numbers():
-    q = ShaftInputs()
+    q = UniformShaft()
     assert not SHAFT.warnings(q, SHAFT.analytic(q))
     assert np.isclose(q.n, 1047.1975511965977)

@@ -70,7 +70,7 @@ RULES: Mapping[str, Rule] = {
     "contact-roller-crowns": Rule("Lundberg mid", contacts.crowns),
     "contact-roller-end": Rule("crowned mid", contacts.end_face),
     "rotor-clutch": Rule("K_zz", rotors.link),
-    "rotor-shaft": Rule("timoshenko critical", rotors.shaft),
+    "rotor-shaft": Rule("critical", rotors.shaft),
     "rotor-step": Rule("critical_cone", rotors.stepped),
     "rotor-system": Rule("critical 1.1", rotors.system),
     "rotor-sprag": Rule("forward critical 1", rotors.sprag_rotor),

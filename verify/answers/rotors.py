@@ -26,8 +26,8 @@ def link(q: Any, _: Values, part: Assessment) -> None:
 
 def shaft(q: Any, v: Values, part: Assessment) -> None:
     """Speed of the shaft beside its critical speeds, Timoshenko's beam."""
-    higher = [v[f"timoshenko {k} forward"] for k in range(2, MODES + 1)]
-    _separated(q.n, [v["timoshenko critical"], *higher], part)
+    higher = [v[f"whirl_{k}_forward"] for k in range(2, MODES + 1)]
+    _separated(q.n, [v["critical"], *higher], part)
 
 
 def stepped(q: Any, v: Values, part: Assessment) -> None:

@@ -1,4 +1,4 @@
-"""What the report shows of a uniform turning shaft: equations, errors, Campbell diagram."""
+"""Figures of a uniform turning shaft: sketch, errors, Campbell diagram."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -6,20 +6,20 @@ from typing import Any
 import numpy as np
 
 from analytic.rotor.shafts import cowper
-from verify.cases.rotor.shaft.fem import BEAMS, MODES, RATIOS, THEORIES
-from verify.core.case import Context, Values
+from verify.cases.rotor.shaft.inputs import BEAMS, MODES, RATIOS, THEORIES
+from verify.core.case import Context
 from verify.core.figures import (
     Campbell,
     Curve,
     Curves,
-    Equation,
     Figure,
     Refinement,
     Shape,
     Sketch,
     Table,
 )
-from verify.core.tex import tex
+from verify.form import sketches
+from verify.form.sketches import arrow, leader
 
 RPM = np.pi / 30
 HZ = 2 * np.pi
@@ -30,65 +30,32 @@ NAMES = {"euler": "Euler", "rayleigh": "Rayleigh", "timoshenko": "Timoshenko, Hu
 def sketch(q: Any) -> Sketch:
     h, b = q.d_o / q.L / 2, q.d_i / q.L / 2
     box = np.array([[0, -h], [1, -h], [1, h], [0, h]])
-    shapes = [Shape(style="body", points=box)]
-    if b:
-        shapes.append(Shape(style="hole", points=box * [1, b / h]))
-    shapes += [Shape(style="modelled", points=np.array([[0, b], [1, b], [1, h], [0, h]]))]
-    shapes += [Shape(style="axis", points=np.array([[-0.08, 0.0], [1.08, 0.0]]))]
-    shapes += [
-        Shape(style="clamp", points=np.array([[x - 0.03, -h], [x + 0.03, -h]])) for x in (0.0, 1.0)
-    ]
-    shapes += [
-        Shape(style="dimension", points=np.array([[0.0, -h - 0.12], [1.0, -h - 0.12]]),
-              label=f"L = {q.L / mm:.5g} mm"),
-        Shape(style="leader", points=np.array([[0.75, h + 0.12], [0.7, h]]),
-              label=f"d_o = {q.d_o / mm:.5g} mm"),
-        Shape(style="leader", points=np.array([[0.3, h + 0.12], [0.35, b]]),
-              label=f"d_i = {q.d_i / mm:.5g} mm"),
-    ]  # fmt: skip
-    return Sketch(title=f"shaft at {q.n / RPM:.5g} r/min", shapes=tuple(shapes))
+    return sketches.sketch(
+        f"shaft at {q.n / RPM:.5g} r/min",
+        Shape(style="body", points=box),
+        [Shape(style="hole", points=box * [1, b / h])] if b else [],
+        Shape(style="modelled", points=np.array([[0, b], [1, b], [1, h], [0, h]])),
+        arrow((-0.08, 0.0), (1.08, 0.0), style="axis"),
+        [arrow((x - 0.03, -h), (x + 0.03, -h), style="clamp") for x in (0.0, 1.0)],
+        arrow((0.0, -h - 0.12), (1.0, -h - 0.12), f"L = {q.L / mm:.5g} mm", "dimension"),
+        leader((0.75, h + 0.12), (0.7, h), f"d_o = {q.d_o / mm:.5g} mm"),
+        leader((0.3, h + 0.12), (0.35, b), f"d_i = {q.d_i / mm:.5g} mm"),
+    )  # fmt: skip
 
 
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    s = q.shaft()
-    return (
-        Equation(
-            tex=r"\omega^2\,(\rho A + \rho I k^2) - 2\Omega\omega\,\rho I k^2 = EIk^4,"
-            r"\quad k = \frac{\pi}{L}",
-            numbers=rf"\omega = {tex(v['rayleigh 1 forward'])},\ "
-            rf"-{tex(v['rayleigh 1 backward'])}\ \mathrm{{rad/s}}",
-            place="Rayleigh, mode 1",
-        ),
-        Equation(
-            tex=r"(\kappa GAk^2 - \rho A\omega^2)(\kappa GA + EIk^2 + 2\Omega\omega\rho I - "
-            r"\rho I\omega^2) = (\kappa GAk)^2",
-            numbers=rf"\omega = {tex(v['timoshenko 1 forward'])},\ "
-            rf"-{tex(v['timoshenko 1 backward'])}\ \mathrm{{rad/s}}",
-            place="Timoshenko, mode 1",
-        ),
-        Equation(
-            tex=r"\kappa = \frac{6(1+\nu)^2(1+m^2)^2}{(7+12\nu+4\nu^2)(1+m^2)^2 + "
-            r"4(5+6\nu+2\nu^2)m^2},\quad m = \frac{d_i}{d_o}",
-            numbers=rf"= {tex(s.kappa, 5)}",
-            place="Hutchinson 2001, Eqs. 43 and 45",
-        ),
-    )
-
-
-def tables(context: Context) -> Sequence[Table]:
-    v = context.analytic
+def frequencies(context: Context) -> Table:
+    """Frequencies of all theories beside the body's."""
+    q = context.inputs
     rows = [
         (f"mode {j} {way}",
-         *(v[f"{t} {j} {way}"] / HZ for t in THEORIES), v[f"exact {j} {way}"] / HZ,
-         context.fem[-1].values[f"solid {j} {way}"] / HZ if context.fem else None)
+         *(beam.whirl(j, way) / HZ for beam in (q.euler, q.rayleigh, q, q.exact)),
+         context.fem[-1].values[f"solid_whirl_{j}_{way}"] / HZ if context.fem else None)
         for j in MODES for way in ("backward", "forward")
     ]  # fmt: skip
-    return (
-        Table(
-            title=f"Frequencies at {context.inputs.n / RPM:.5g} r/min [Hz]",
-            header=("", "Euler", "Rayleigh", "Timoshenko", "elasticity", "elastic body, FE"),
-            rows=tuple(rows),
-        ),
+    return Table(
+        title=f"Frequencies at {q.n / RPM:.5g} r/min [Hz]",
+        header=("", "Euler", "Rayleigh", "Timoshenko", "elasticity", "elastic body, FE"),
+        rows=tuple(rows),
     )
 
 
@@ -131,7 +98,7 @@ def over_slenderness(context: Context) -> Curves:
 
 def campbell(context: Context) -> Campbell:
     q = context.inputs
-    top = 1.3 * context.analytic["exact critical"]
+    top = 1.3 * q.exact.critical
     speeds = np.linspace(0, max(top, 1.1 * q.n), 41)
     lines, whirl, names = [], [], []
     for j in (1, 2):
@@ -140,11 +107,13 @@ def campbell(context: Context) -> Campbell:
             lines.append([p[way] / HZ for p in pairs])
             whirl.append(sign)
             names.append(f"{j}{letter}")
-    critical = context.analytic["timoshenko critical"]
+    critical = q.critical
     peers = None
     if context.fem:
         v = context.fem[-1].values
-        found = [v[f"solid {j} {way}"] / HZ for j in (1, 2) for way in ("forward", "backward")]
+        found = [
+            v[f"solid_whirl_{j}_{way}"] / HZ for j in (1, 2) for way in ("forward", "backward")
+        ]
         peers = (np.full(4, q.n / RPM), np.array(found))
     return Campbell(
         title="Campbell diagram of the shaft", x_label="n [r/min]", y_label="f [Hz]",
@@ -158,16 +127,16 @@ def campbell(context: Context) -> Campbell:
 
 def refinement(context: Context, order: int) -> Refinement:
     """Errors of mode 1 forward against each model's own exact value, of one order."""
-    v = context.analytic
+    q, first = context.inputs, "whirl_1_forward"
     series = {
-        4: (("Euler", "beam euler 1 forward", "euler 1 forward"),
-            ("weak form", "weak timoshenko 1 forward", "timoshenko 1 forward"),
-            ("body", "solid 1 forward", "exact 1 forward")),
-        2: (("mode 1", "beam timoshenko 1 forward", "timoshenko 1 forward"),
-            ("mode 3", "beam timoshenko 3 forward", "timoshenko 3 forward")),
+        4: (("Euler", f"beam_euler_{first}", q.euler.whirl(1, "forward")),
+            ("weak form", f"weak_timoshenko_{first}", q.whirl(1, "forward")),
+            ("body", f"solid_{first}", q.exact.whirl(1, "forward"))),
+        2: (("mode 1", f"beam_timoshenko_{first}", q.whirl(1, "forward")),
+            ("mode 3", "beam_timoshenko_whirl_3_forward", q.whirl(3, "forward"))),
     }[order]  # fmt: skip
     errors = tuple(
-        (name, abs(np.array(context.series(key)[1]) / v[of] - 1)) for name, key, of in series
+        (name, abs(np.array(context.series(key)[1]) / exact - 1)) for name, key, exact in series
     )
     notes = {
         4: "Euler's elements, the weak form of Timoshenko's beam, and the elastic body, which has "

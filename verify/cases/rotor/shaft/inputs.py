@@ -1,29 +1,36 @@
 """Inputs of a uniform shaft that turns in short bearings at both ends."""
 
+from typing import Self
+
 from pydantic import model_validator
 
 from analytic.rotor.cylinder import Cylinder
-from analytic.rotor.shafts import UniformShaft, hutchinson
-from verify.core.inputs import Inputs, quantity
+from analytic.rotor.shafts import Theory, UniformShaft, hutchinson
+from verify.case import Case, Quantity, given
 
+THEORIES: tuple[Theory, ...] = ("euler", "rayleigh", "timoshenko")
+MODES = (1, 2, 3)
+BEAMS = 4  # elements along the shaft, times the level
+SLENDER = 0.03  # diameter over length of the shaft on which beams are accepted
+RATIOS = (0.015, 0.03, 0.05, 0.09, 0.15)  # diameters over lengths towards the limit
 STUBBY = 0.5  # diameter over length beyond which no beam theory is meant
 
 
-class ShaftInputs(Inputs):
+class TurningShaft(Case):
     """A uniform shaft, solid or hollow, simply supported at both ends."""
 
-    L: float = quantity(
+    L: float = given(
         "600 mm", "mm", "L", "distance of the bearings (none is printed)", gt=0, le=1e5
     )
-    d_o: float = quantity("60 mm", "mm", "d_o", "outer diameter (none is printed)", gt=0, le=1e5)
-    d_i: float = quantity("30 mm", "mm", "d_i", "bore; 0 for a solid shaft", omitted=0.0, ge=0)
-    n: float = quantity("10000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
-    rho: float = quantity("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    d_o: float = given("60 mm", "mm", "d_o", "outer diameter (none is printed)", gt=0, le=1e5)
+    d_i: float = given("30 mm", "mm", "d_i", "bore; 0 for a solid shaft", omitted=0.0, ge=0)
+    n: float = given("10000 r/min", "r/min", "n", "speed", ge=0, le=1e7)
+    rho: float = given("7850 kg/m^3", "kg/m^3", "ρ", "density (none is printed)", gt=0, le=1e5)
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
     @model_validator(mode="after")
-    def _shaft(self) -> "ShaftInputs":
+    def _shaft(self) -> Self:
         if not self.d_i < 0.98 * self.d_o:
             raise ValueError(
                 f"a shaft needs d_i < 0.98 d_o, got d_i = {self.d_i * 1e3:g} mm, "
@@ -40,9 +47,8 @@ class ShaftInputs(Inputs):
             )
         return self
 
-    @property
+    @Quantity("m", "1", "bore over outer diameter", role="geometry")
     def m(self) -> float:
-        """Bore over outer diameter."""
         return self.d_i / self.d_o
 
     def shaft(self, *, kappa: float | None = None, L: float | None = None) -> UniformShaft:
