@@ -7,10 +7,9 @@ import pytest
 
 from analytic.spring import loops, stages
 from fem.beam import links, straight
-from verify.cases.spring.stages import fem
 from verify.cases.spring.stages import readings as spring_stages_readings
-from verify.cases.spring.stages.case import STAGES
-from verify.cases.spring.stages.inputs import StagesInputs
+from verify.cases.spring.stages import reference
+from verify.cases.spring.stages.case import STAGES, StageSpring
 from verify.cases.spring.stages.readings import chosen, eq10, meeting, readings, uncertainties
 from verify.core.case import Context
 from verify.core.inputs import InputError, build
@@ -106,10 +105,10 @@ def beside(divide):
 
 
 SOLVER_FAULTS = [
-    pytest.param(fem, "opposite", shorter, f"force at A, {GUIDED}", id="gap"),
+    pytest.param(reference, "opposite", shorter, f"force at A, {GUIDED}", id="gap"),
     pytest.param(straight, "ties", sideways, f"stiffness k_2, {GUIDED}", id="direction of links"),
     pytest.param(links, "divide", beside, f"stiffness k_2, {GUIDED}", id="place of links"),
-    pytest.param(fem, "SUPPORTS", lambda held: {**held, "guided": "y"},
+    pytest.param(reference, "SUPPORTS", lambda held: {**held, "guided": "y"},
                  f"stiffness k_1, {GUIDED}", id="a guide that lets the head turn"),
 ]  # fmt: skip
 
@@ -123,7 +122,7 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, broken, r
 
 
 def test_one_of_sixteen_readings_meets_the_printed_stiffness():
-    q = StagesInputs(width_factor=None)
+    q = StageSpring(width_factor=None)
     assert len(readings(q)) == 16
     assert [str(x) for x in meeting(q)] == [str(chosen(q))]
     x = chosen(q)
@@ -133,10 +132,10 @@ def test_one_of_sixteen_readings_meets_the_printed_stiffness():
 
 def test_a_width_factor_lets_readings_of_one_stiffness_differ_in_point_a():
     """What k_1 does not settle: a guided head touches two millimetres later than a free one."""
-    found = meeting(StagesInputs(width_factor=1.09))
+    found = meeting(StageSpring(width_factor=1.09))
     assert {x.head for x in found} == {"free", "guided"}
     assert max(x.U_A for x in found) - min(x.U_A for x in found) > 1.5e-3
-    assert len(readings(StagesInputs(width_factor=1.09))) == 24
+    assert len(readings(StageSpring(width_factor=1.09))) == 24
 
 
 def test_the_lines_of_eq_10_cross_where_the_ledger_says():
@@ -167,7 +166,7 @@ def test_a_prediction_beyond_its_figure_fails(monkeypatch, judged, red):
 
 
 def test_the_table_marks_what_meets_the_printed_stiffness(judged):
-    q = StagesInputs(width_factor=None)
+    q = StageSpring(width_factor=None)
     context = Context("spring-stages", q, STAGES.analytic(q), [], is_paper=True)
     (table,) = STAGES.tables(context)
     assert len(table.rows) == 16
@@ -188,17 +187,17 @@ def test_the_table_marks_what_meets_the_printed_stiffness(judged):
     ],
 )
 def test_other_springs_pass_too_and_are_not_set_beside_eq_10(own):
-    q = StagesInputs(**own)
+    q = StageSpring(**own)
     solved = [solve_level(STAGES, q, level, None) for level in STAGES.levels]
     result = judge_case(Job(STAGES, q), solved)
     assert {row.status for row in result.rows} == {Status.PASS}
 
 
 def test_a_force_tells_what_is_left_until_a_tip_touches():
-    values = STAGES.analytic(StagesInputs(F=5.0))
+    values = STAGES.analytic(StageSpring(F=5.0))
     assert values["U_w"] == pytest.approx(5 / values["k1"], rel=1e-12)
     assert values["margin"] == pytest.approx(values["U_A"] - values["U_w"])
-    beyond = STAGES.analytic(StagesInputs(F=10.0))
+    beyond = STAGES.analytic(StageSpring(F=10.0))
     assert beyond["margin"] < 0
     assert beyond["U_w"] == pytest.approx(
         beyond["U_A"] + (10 - beyond["F_A"]) / beyond["k2"], rel=1e-12
@@ -217,12 +216,12 @@ def test_a_force_tells_what_is_left_until_a_tip_touches():
     ],
 )
 def test_warnings_say_where_the_closed_form_ends(own, word):
-    q = StagesInputs(**own)
+    q = StageSpring(**own)
     assert any(word in warning for warning in STAGES.warnings(q, STAGES.analytic(q)))
 
 
 def test_a_known_width_factor_needs_no_warning():
-    q = StagesInputs(width_factor=1.09)
+    q = StageSpring(width_factor=1.09)
     assert not any("as wide as thick" in w for w in STAGES.warnings(q, STAGES.analytic(q)))
 
 
@@ -239,6 +238,6 @@ def test_wrong_ends_and_factors_are_named_in_one_line(raw, message):
     paper = {"n": 10, "b": "0.1 mm", "h": "56 mm", "r": "0.45 mm", "L1": "11.6 mm",
              "alpha": "80 deg", "E": "206 GPa", "nu": 0.3}  # fmt: skip
     with pytest.raises(InputError) as error:
-        build(StagesInputs, paper | raw, "my.toml")
+        build(StageSpring, paper | raw, "my.toml")
     assert message in str(error.value)
     assert "\n" not in str(error.value)

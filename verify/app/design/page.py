@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from reports.design import DesignPage, Tile
 from verify.app.design.figures import figures
-from verify.cases.spring.stages import figures as stages_figures
 from verify.cases.spring.stages.inputs import StagesInputs
+from verify.cases.spring.stages.sketch import sketch
 from verify.core import units
 from verify.core.figures import Sketch, Table
 from verify.studies.design.console import (
@@ -118,7 +118,7 @@ def _sketch(outcome: Outcome) -> Sketch:
         alpha=float(s.alpha[i]), E=q.E, nu=q.nu, head=q.head, tail=q.tail,
         width_factor=float(outcome.search.formulas.f[i]),
     )  # fmt: skip
-    return stages_figures.sketch(spring)
+    return sketch(spring)
 
 
 WORDS = {

@@ -8,7 +8,7 @@ from verify.cases.spring.curve.claims import CHECKS
 from verify.cases.spring.curve.inputs import CurveInputs
 from verify.cases.spring.curve.runs import LEVELS, fem
 from verify.cases.spring.inputs import too_slender
-from verify.cases.spring.stages import figures as spring_stages_shown
+from verify.cases.spring.stages.sketch import sketch as stages_sketch
 from verify.core.case import Case, Output, Values
 from verify.judging.published_checks import PrintedMeasurement
 
@@ -96,6 +96,6 @@ CURVE = Case(
     too_large=too_large,
     equations=spring_curve_shown.equations,
     tables=spring_curve_shown.tables,
-    sketch=spring_stages_shown.sketch,
+    sketch=stages_sketch,
     figures=spring_curve_shown.figures,
 )  # fmt: skip

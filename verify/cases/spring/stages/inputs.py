@@ -1,9 +1,11 @@
 """Inputs of the accordion spring beyond its free stage: its ends, and what the width stiffens."""
 
+from typing import Any
+
 from pydantic import model_validator
 
 from analytic.spring.loops import Tail
-from analytic.spring.stages import Head
+from analytic.spring.stages import Head, Stages, stages
 from verify.cases.spring.inputs import AccordionInputs
 from verify.core.inputs import quantity, word
 
@@ -47,3 +49,8 @@ class StagesInputs(AccordionInputs):
     def factor(self) -> float:
         """The width factor that the judged rows take."""
         return 1.0 if self.width_factor is None else self.width_factor
+
+    def held(self, **other: Any) -> Stages:
+        """The stages of the spring as the inputs hold it, or with `other` ends."""
+        ends: dict[str, Any] = {"head": self.head, "tail": self.tail, "width_factor": self.factor}
+        return stages(**self.path, **self.strip, **(ends | other))

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.spring.stages import figures as spring_stages_shown
 from verify.cases.spring.stages.inputs import StagesInputs
+from verify.cases.spring.stages.sketch import sketch as stages_sketch
 from verify.cases.spring.width.claims import (
     N_PER_MM,
     leaf_factor,
@@ -27,7 +27,7 @@ mm, MPa = 1e-3, 1e6
 
 def sketch(q: WidthInputs) -> Sketch:
     """The spring with its whole end leaves, held as the inputs say."""
-    return spring_stages_shown.sketch(StagesInputs(**q.model_dump()))
+    return stages_sketch(StagesInputs(**q.model_dump()))
 
 
 def equations(q: WidthInputs, v: Values) -> Sequence[Equation]:

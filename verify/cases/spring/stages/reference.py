@@ -3,15 +3,14 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from analytic.spring.loops import Normal, Tail
-from analytic.spring.stages import Head
+from analytic.spring.loops import Normal
+from verify.case import Level
+from verify.cases.spring.stages.ends import ENDS, Ends
 from verify.cases.spring.stages.inputs import StagesInputs
-from verify.core.case import FemResult
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -25,25 +24,8 @@ ROUND_OFF = 1e-14  # relative, of sums over hundreds of elements
 TOGETHER = 1e-6  # relative: two tips that touch at once
 
 
-@dataclass(frozen=True)
-class Ends:
-    """How both ends are held, and the direction in which tip and leaf press."""
-
-    head: Head
-    tail: Tail
-    normal: Normal = "force"
-
-    def __str__(self) -> str:
-        across = "" if self.normal == "force" else ", normal of the leaf"
-        return f"head {self.head}, tail at {self.tail}{across}"
-
-
-HEADS: tuple[Head, ...] = ("guided", "free", "hinged")
-TAILS: tuple[Tail, ...] = ("mid-leaf", "arc")
-ENDS = (*(Ends(h, t) for h, t in product(HEADS, TAILS)), Ends("guided", "mid-leaf", "leaf"))
-
-
-def fem(q: StagesInputs, level: int) -> FemResult:
+def solve(q: StagesInputs, level: int) -> Level:
+    """One level of the spring with all ends."""
     from fem.beam.section import Section
     from meshes.spring.centre_line import centre_line
 
@@ -56,15 +38,15 @@ def fem(q: StagesInputs, level: int) -> FemResult:
         line = centre_line(
             **q.path, tail=ends.tail, tips=True, per_arc=level, per_leaf=max(1, level // 2)
         )
-        frame = linked_fem(line, section, ends, q)
+        frame = linked(line, section, ends, q)
         found = frame.stages()
-        values |= {f"{ends}, {key}": value for key, value in found.items()}
-        u_it |= {f"{ends}, {key}": abs(v) * frame.round_off for key, v in found.items()}
+        values |= {f"{name}_{ends.key}": value for name, value in found.items()}
+        u_it |= {f"{name}_{ends.key}": abs(v) * frame.round_off for name, v in found.items()}
         if (ends.head, ends.tail, ends.normal) == (q.head, q.tail, "force"):
             fields.append(frame.field(found["F_A"], q))
             curve = force_over_displacement(found, line.points[line.nodes["tail"], 0])
             u_it["force"] = float(curve[-1]) * frame.round_off
-    return FemResult(
+    return Level(
         h=1 / level, values=values, u_it=u_it, arrays={"force": curve}, fields=tuple(fields)
     )
 
@@ -76,7 +58,7 @@ def force_over_displacement(found: dict[str, float], length: float) -> Any:
     return np.where(U > B, found["F_B"] + found["k3"] * (U - B), second)
 
 
-def linked_fem(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) -> "Spring":
+def linked(line: "LineMesh", section: "Section", ends: Ends, q: StagesInputs) -> "Spring":
     """The spring on a mesh with tips, cut where they will touch."""
     from fem.beam.links import Link, divide
 
@@ -119,7 +101,7 @@ class Spring:
     links: "list[Link]"
     round_off: float = ROUND_OFF
 
-    def solve_fem(self, force: float, closed: "Sequence[Link]" = ()) -> "FrameSolution":
+    def solve(self, force: float, closed: "Sequence[Link]" = ()) -> "FrameSolution":
         """Under `force` at the head, with `closed` links."""
         from fem.beam.straight import solve_frame
 
@@ -146,7 +128,7 @@ class Spring:
         if F_B - F_A <= TOGETHER * F_A:
             F_B, k2 = F_A, k3
         U_A = F_A / k1
-        push = self.solve_fem(F_A, [self.links[first]]).link_forces[0]
+        push = self.solve(F_A, [self.links[first]]).link_forces[0]
         return {
             "k1": k1, "F_A": F_A, "U_A": U_A, "k2": k2, "k3": k3, "F_B": F_B,
             "U_B": U_A + (F_B - F_A) / k2, "push": float(push),
@@ -154,7 +136,7 @@ class Spring:
 
     def respond(self, touching: tuple[int, ...]) -> tuple[float, list[float]]:
         """Stiffness, and how fast both gaps close per force, while pairs are `touching`."""
-        solved = self.solve_fem(1.0, [replace(self.links[i], value=0.0) for i in touching])
+        solved = self.solve(1.0, [replace(self.links[i], value=0.0) for i in touching])
         closing = [
             float((solved.u[tip, :2] - solved.u[leaf, :2]) @ link.direction)
             for (tip, leaf), link in zip(self.ends, self.links, strict=True)
@@ -163,7 +145,7 @@ class Spring:
 
     def field(self, force: float, q: StagesInputs) -> Field:
         """The spring under `force` before any tip has touched, and its bending stress."""
-        solved = self.solve_fem(force)
+        solved = self.solve(force)
         stress = -6 * solved.section_forces[..., 2].mean(axis=1) / (q.h * q.b**2)
         return Field(
             name="point A", points=self.points, cells=self.chords,

@@ -1,0 +1,202 @@
+"""Stages of the accordion spring: closed forms until the free tips touch, and from there on."""
+
+import math
+from collections.abc import Iterator
+from typing import Any, ClassVar
+
+from analytic.spring import energy, frame
+from analytic.spring.loops import Normal
+from analytic.spring.redundant import Theory
+from analytic.spring.stages import Stages, stages
+from analytic.spring.wide_leaf import width_factor
+from verify.case import Case, Quantity, shared
+from verify.cases.spring.stages.inputs import StagesInputs
+
+LINEAR = 0.1  # U_A over L_0 up to which lengths may be taken as unchanged
+PARALLEL = math.radians(5)
+OTHER_WIDTH = 0.005  # between the factor given and that of a leaf
+TIPS = "closed form of the touching tips"
+
+
+def narrow(q: Any) -> bool:
+    """Whether no width factor is given."""
+    return q.width_factor is None
+
+
+def loaded(q: Any) -> bool:
+    """Whether a working force is given."""
+    return q.F is not None
+
+
+class StageFormulas(StagesInputs, Case):
+    """Point A, where the first tip touches, and the stiffness before and beyond."""
+
+    theory: ClassVar[Theory] = "thin"  # of the stages below
+    normal: ClassVar[Normal] = "force"
+    inner: ClassVar[bool] = False  # whether arcs have the inner radius
+
+    @Quantity("R", "mm", "radius of the arcs' centre line", role="geometry",
+              tex=r"r + \frac{b}{2}")  # fmt: skip
+    def radius(self) -> float:
+        return self.R
+
+    @Quantity("EI", "N mm^2", "bending stiffness of the strip", role="step",
+              tex=r"\frac{f E h b^3}{12}")  # fmt: skip
+    def EI(self) -> float:
+        return self.factor * self.E * self.h * self.b**3 / 12
+
+    @Quantity("g_0", "mm", "gap of the tips", role="step", source=TIPS,
+              tex=r"R (1 + \sin\alpha) + \frac{L_1 + R \cos\alpha}{\tan\alpha} "
+              r"- \frac{b}{2} (1 + \frac{1}{\sin\alpha})")  # fmt: skip
+    def gap(self) -> float:
+        return float(self._bent.gap)
+
+    @Quantity("J", "mm^3", "compliance integral of the force", role="step", source=TIPS,
+              tex=r"\int M^2 ds")  # fmt: skip
+    def J(self) -> float:
+        return self.EI / self.k1
+
+    @Quantity("k_1", "N/mm", "stiffness before the tips touch", source=TIPS,
+              tex=r"\frac{EI}{J}")  # fmt: skip
+    def k1(self) -> float:
+        return float(self._stages.k1)
+
+    @Quantity("f_FC", "mm^3", "integral of the force and of that between tip and leaf",
+              role="step", source=TIPS, tex=r"\int M\,m\,ds")  # fmt: skip
+    def f_FC(self) -> float:
+        return self.gap * self.EI / self.F_A
+
+    @Quantity("F_A", "N", "force where the first tip touches", source=TIPS,
+              tex=r"\frac{g_0 EI}{f_{FC}}")  # fmt: skip
+    def F_A(self) -> float:
+        return float(self._stages.F_A)
+
+    @Quantity("U_A", "mm", "displacement where the first tip touches", source=TIPS,
+              tex=r"\frac{F_A}{k_1}")  # fmt: skip
+    def U_A(self) -> float:
+        return float(self._stages.U_A)
+
+    @Quantity("J_C", "mm^3", "what the touching tips take from J", role="step", source=TIPS,
+              tex=r"\frac{p f_{FC}^2}{\int m^2 ds}")  # fmt: skip
+    def J_C(self) -> float:
+        return self.J - self.EI / self.k2
+
+    @Quantity("k_2", "N/mm", "stiffness beyond, until the second tip touches", source=TIPS,
+              tex=r"\frac{EI}{J - J_C}")  # fmt: skip
+    def k2(self) -> float:
+        return float(self._stages.k2)
+
+    @Quantity("c_2", "N", "the second line's force at U = 0", source=TIPS)
+    def intercept(self) -> float:
+        return self.F_A - self.k2 * self.U_A
+
+    @Quantity("U_B", "mm", "displacement where the second tip touches", source=TIPS)
+    def U_B(self) -> float:
+        return float(self._stages.U_B)
+
+    @Quantity("F_B", "N", "force where the second tip touches", source=TIPS)
+    def F_B(self) -> float:
+        return float(self._stages.F_B)
+
+    @Quantity("k_3", "N/mm", "stiffness with both tips in touch", source=TIPS)
+    def k3(self) -> float:
+        return float(self._stages.k3)
+
+    @Quantity("L_0", "mm", "free length over all", role="step")
+    def L0(self) -> float:
+        return frame.free_length(n=self.n, b=self.b, r=self.r, L1=self.L1, alpha=self.alpha)
+
+    @Quantity("U_A/L_0", "1", "share of the free length", role="step")
+    def share(self) -> float:
+        return self.U_A / self.L0
+
+    @Quantity("σ_A", "MPa", "bending stress at A, inside the apex of a loop", safe="too high",
+              source="Golovin")  # fmt: skip
+    def stress_at_A(self) -> float:
+        bend = 6 * float(energy.curvature_factor(b=self.b, r=self.r)) / (self.h * self.b**2)
+        return bend * float(self._bent.top_couple)
+
+    @Quantity("k_1w", "N/mm", "stiffness before the tips touch, wide strip", source=TIPS,
+              tex=r"\frac{k_1}{1 - \nu^2}", when=narrow)  # fmt: skip
+    def k1_wide(self) -> float:
+        return self.widest * self.k1
+
+    @Quantity("F_Aw", "N", "force where the first tip touches, wide strip", source=TIPS,
+              tex=r"\frac{F_A}{1 - \nu^2}", when=narrow)  # fmt: skip
+    def F_A_wide(self) -> float:
+        return self.widest * self.F_A
+
+    @Quantity("k_2w", "N/mm", "stiffness beyond, wide strip", source=TIPS,
+              tex=r"\frac{k_2}{1 - \nu^2}", when=narrow)  # fmt: skip
+    def k2_wide(self) -> float:
+        return self.widest * self.k2
+
+    @Quantity("U_w", "mm", "displacement at F", source=TIPS, when=loaded)
+    def U_w(self) -> float:
+        return float(self._stages.displacement(self.F or 0.0))
+
+    @Quantity("ΔU", "mm", "what is left until a tip touches", role="step", when=loaded)
+    def margin(self) -> float:
+        return self.U_A - self.U_w
+
+    @property
+    def tilt(self) -> float:
+        """What is left at A of the angle [rad] between the tip that touches and its leaf."""
+        return float(self._bent.tilt)
+
+    @shared
+    def _stages(self) -> Stages:
+        """With axial strain, as elements have it."""
+        path = self.paper_path if self.inner else self.path
+        return stages(
+            **path, **self.strip, width_factor=self.factor, head=self.head, tail=self.tail,
+            theory=self.theory, normal=self.normal,
+        )  # fmt: skip
+
+    @shared
+    def _bent(self) -> Stages:
+        """Bending alone."""
+        return self.held()
+
+    def warnings(self) -> Iterator[str]:
+        """Where linear theory ends, and what width, force and strength say of A."""
+        if self.share > LINEAR:
+            yield (
+                f"U_A is {self.share:.0%} of the free length: linear theory takes lengths and "
+                "levers as unchanged, so that point A and k_2 are references, not the spring's "
+                "true curve"
+            )
+        if abs(self.tilt) > PARALLEL:
+            yield (
+                f"at A the leaf is {abs(math.degrees(self.tilt)):.1f}° from parallel to the tip: "
+                "the force between them leans as far from the spring's axis, which is neglected"
+            )
+        yield from self._width()
+        if self.F is not None and self.F_A < self.F:
+            which = "both tips touch" if self.F_B < self.F else "a tip touches"
+            k = self.k3 if self.F_B < self.F else self.k2
+            yield (
+                f"F = {self.F:g} N is beyond A ({self.F_A:.4g} N): {which}, and the stiffness is "
+                f"{k / 1e3:.4g} N/mm there"
+            )
+        if self.R_p is not None and self.stress_at_A > self.R_p:
+            yield (
+                f"bending stress {self.stress_at_A / 1e6:.4g} MPa at A exceeds R_p = "
+                f"{self.R_p / 1e6:.4g} MPa: the loops yield before the tips touch"
+            )
+
+    def _width(self) -> Iterator[str]:
+        leaf = (self.L1 + 2 * self.R * math.cos(self.alpha)) / math.sin(self.alpha)
+        wide = float(width_factor(self.h, leaf, nu=self.nu))
+        given = self.width_factor
+        if given is not None and abs(wide / given - 1) > OTHER_WIDTH:
+            yield (
+                f"width_factor = {given:.5g}, but leaves of this width and length are "
+                f"stiffened by {wide:.5g}: forces change by {wide / given - 1:+.1%}"
+            )
+        if given is None and self.h > 10 * self.b:
+            yield (
+                f"a strip {self.h / self.b:.0f} times as wide as thick lies between E I and "
+                f"E I/(1 - ν²): forces and stiffnesses may be up to {self.widest - 1:.1%} above "
+                "(give width_factor)"
+            )
