@@ -103,8 +103,7 @@ class Options(TypedDict, total=False):
 class Comparison:
     """A check, the formula that it judges, and further `numbers` [SI] that the check needs.
 
-    The formula's number in a state is among them. `shares` states what both sides have in common,
-    beside the inputs.
+    `shares` states what both sides have in common, beside the inputs.
     """
 
     check: Check
@@ -112,11 +111,6 @@ class Comparison:
     state: State | None = None
     numbers: Mapping[str, float] = field(default_factory=dict)
     shares: str = ""
-
-    def __post_init__(self) -> None:
-        if self.quantity and self.state:
-            found = {self.key: getattr(self.state.case, self.quantity.name)}
-            object.__setattr__(self, "numbers", {**self.numbers, **found})
 
     @property
     def name(self) -> str:
@@ -138,8 +132,7 @@ class Comparison:
 
 def identity(
     q: Quantity, reference: str = "", *, scale: Scale | None = None,
-    uncertainty: float | None = None,
-    **options: Unpack[Options],
+    uncertainty: float | None = None, **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
     """Formula and reference solve one problem and differ by numerical error only.
 
@@ -266,8 +259,7 @@ def _compared(
         stated["own_demand"], stated["own_reason"] = options["own"]
     check = kind(
         name=options.get("name", name), symbol=options.get("symbol", symbol),
-        unit=options.get("unit", q.unit),
-        analytic=key, fem=reference or own, formal=options.get("order"),
+        unit=options.get("unit", q.unit), analytic=key, fem=reference or own, formal=options.get("order"),
         by=options.get("by", ""), printed=options.get("printed", ()), demand=demand,
         demand_reason=reason, **stated,
     )  # fmt: skip
