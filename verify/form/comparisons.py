@@ -259,9 +259,9 @@ def _compared(
         stated["own_demand"], stated["own_reason"] = options["own"]
     check = kind(
         name=options.get("name", name), symbol=options.get("symbol", symbol),
-        unit=options.get("unit", q.unit), analytic=key, fem=reference or own, formal=options.get("order"),
-        by=options.get("by", ""), printed=options.get("printed", ()), demand=demand,
-        demand_reason=reason, **stated,
+        unit=options.get("unit", q.unit), analytic=key, fem=reference or own,
+        formal=options.get("order"), by=options.get("by", ""), demand=demand, demand_reason=reason,
+        printed=options.get("printed", ()), **stated,
     )  # fmt: skip
     return Comparison(check=check, quantity=q, state=state, numbers=numbers or {},
                       shares=options.get("shares", ""))  # fmt: skip

@@ -210,7 +210,7 @@ def test_a_constant_has_no_equation():
 def test_a_check_stated_as_it_is_has_the_number_of_its_state():
     state = State(Rod(F=2e3), "twice", "2 F")
     one = Comparison(check=adapted(Rod).checks[0], quantity=Rod.sigma, state=state)
-    assert one.numbers == {"sigma_twice": pytest.approx(2 * Rod().sigma)}
+    assert one.evaluated() == {"sigma_twice": pytest.approx(2 * Rod().sigma)}
 
 
 @pytest.mark.parametrize("displayed", [True, False])
