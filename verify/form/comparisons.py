@@ -18,7 +18,8 @@ from verify.papers.entries import literal
 
 Points = tuple[list[float], list[float], list[float]]  # parameter, error, standard uncertainty
 Required = tuple[float, str]  # smallest relative error that must make the row fail, and why
-Scale = Quantity | Mapping[str, float]
+Number = float | Callable[[], float]
+Scale = Quantity | Mapping[str, Number]
 
 
 class Expected(NamedTuple):
@@ -109,7 +110,7 @@ class Comparison:
     check: Check
     quantity: Quantity | None = None
     state: State | None = None
-    numbers: Mapping[str, float] = field(default_factory=dict)
+    numbers: Mapping[str, Number] = field(default_factory=dict)
     shares: str = ""
 
     @property
@@ -124,7 +125,7 @@ class Comparison:
 
     def evaluated(self) -> dict[str, float]:
         """The further numbers, and that of the quantity in another state."""
-        found = dict(self.numbers)
+        found = {key: v() if callable(v) else v for key, v in self.numbers.items()}
         if self.quantity and self.state:
             found[self.key] = getattr(self.state.case, self.quantity.name)
         return found
@@ -132,7 +133,7 @@ class Comparison:
 
 def identity(
     q: Quantity, reference: str = "", *, scale: Scale | None = None,
-    uncertainty: float | None = None, **options: Unpack[Options],
+    uncertainty: Number | None = None, **options: Unpack[Options],
 ) -> Comparison:  # fmt: skip
     """Formula and reference solve one problem and differ by numerical error only.
 
@@ -244,7 +245,7 @@ def fact(
 
 def _compared(
     kind: Callable[..., Check], q: Quantity, reference: str, options: Options,
-    more: Mapping[str, Any], numbers: Mapping[str, float] | None = None,
+    more: Mapping[str, Any], numbers: Mapping[str, Number] | None = None,
 ) -> Comparison:  # fmt: skip
     state = options.get("state")
     name, symbol, key = q.label, q.symbol, key_of(q, state)

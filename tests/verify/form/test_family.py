@@ -93,6 +93,7 @@ def test_an_uncertainty_may_be_zero_for_some_inputs():
     (name,) = identity(Beam.ratio, uncertainty=0.0).numbers
     assert identity(Beam.ratio, uncertainty=0.0).check.residual == name
     assert not identity(Beam.ratio).check.residual
+    assert identity(Beam.ratio, uncertainty=lambda: 0.1).evaluated() == {name: 0.1}
 
 
 def test_a_row_has_its_own_unit_and_an_error_without_interval_says_why():

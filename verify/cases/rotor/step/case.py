@@ -1,6 +1,7 @@
 """Stepped turning shaft: what a step of the diameter makes of beam theory."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any, ClassVar, Literal, Self
 
 import numpy as np
@@ -97,6 +98,16 @@ class SteppedBeam(SteppedShaft):
         """With half as many slices in the cones, whose error of second order is four times it."""
         return self.model_copy(update={"cone": True, "slices": SLICES // 2})
 
+    def _slice_error(self, j: int) -> float:
+        """What slices leave of mode j by the 45° rule, over it."""
+        coarse, fine = (beam.whirl(j, "forward") for beam in (self._coarse, self.by_rule))
+        return float(abs(coarse / fine - 1) / 3)
+
+    def _slice_error_of_split(self) -> float:
+        """The same of the splitting, over mode 2."""
+        off = abs(self._coarse.split - self.by_rule.split)
+        return float(off / self.by_rule.whirl(2, "forward") / 3)
+
     def reference(self, level: int) -> Level:
         """Closed-form elements, the weak form of both beams, and the elastic body."""
         from verify.cases.rotor.step.reference import solve
@@ -134,17 +145,16 @@ class SteppedBeam(SteppedShaft):
             yield identity(q, f"weak_{q.name}", name=f"weak form, mode {j} forward", order=4,
                            sensitivity=(2e-3, fast), **options)  # fmt: skip
         options |= {"state": self._states[1], "order": 2}
-        rule, coarse = self.by_rule, self._coarse
         for j in MODES:
             q = beam.whirl(j, "forward")
-            left = abs(coarse.whirl(j, "forward") / rule.whirl(j, "forward") - 1) / 3
-            yield identity(q, f"weak_cone_{q.name}", uncertainty=left, sensitivity=(5e-4, fast),
-                           name=f"weak form, 45° rule, mode {j} forward", **options)  # fmt: skip
-        whole = rule.whirl(2, "forward")
+            yield identity(q, f"weak_cone_{q.name}", uncertainty=partial(self._slice_error, j),
+                           name=f"weak form, 45° rule, mode {j} forward", sensitivity=(5e-4, fast),
+                           **options)  # fmt: skip
         yield identity(
-            beam.split, "weak_cone_split", scale={"45° 2 forward": whole}, sensitivity=(1e-4, fast),
-            uncertainty=abs(coarse.split - rule.split) / whole / 3,
-            name="weak form, 45° rule, what turning splits mode 2 by", **options,
+            beam.split, "weak_cone_split", uncertainty=self._slice_error_of_split,
+            scale={"45° 2 forward": lambda: self.by_rule.whirl(2, "forward")},
+            name="weak form, 45° rule, what turning splits mode 2 by", sensitivity=(1e-4, fast),
+            **options,
         )  # fmt: skip
 
     def _inertia(self) -> Iterator[Comparison]:
