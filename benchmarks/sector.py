@@ -15,12 +15,12 @@ from skfem.mesh import Mesh2D
 from fem.contact.problem import ContactProblem
 from fem.contact.solution import ContactSolution
 from verify.cases.freewheel.fem import Place, fem_mesh, fem_problem
-from verify.cases.freewheel.inputs import StarInputs
+from verify.cases.freewheel.star import Star
 
 Array = NDArray[np.float64]
 Point = tuple[float, float]
 
-CLUTCH = StarInputs()
+CLUTCH = Star()
 OVERLAP = 20e-6  # m, of each contact: 51 N m on ten millimetres
 PLACE = Place.overlapping(CLUTCH, OVERLAP, OVERLAP)
 CENTRE = (PLACE.x, PLACE.y)

@@ -75,7 +75,7 @@ def test_the_papers_table_has_the_numbers_of_the_formulas():
         f"transmits {ring['M wide']:.0f} (plane strain)",
         f"to {ring['M series']:.0f} N m (plane stress)",
         f"promises {ring['M Eq. 21']:.0f} N m",
-        f"overestimates the wind-up by {star['phi printed'] / star['phi'] - 1:.0%}".replace(
+        f"overestimates the wind-up by {star['phi_printed'] / star['phi'] - 1:.0%}".replace(
             "%", " %"
         ),
         f"adds up to {100 * (strip['f'] - 1):.1f} %",

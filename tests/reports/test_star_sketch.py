@@ -7,7 +7,7 @@ import pytest
 
 from reports.sketch import WIDTH, sketch
 from verify.cases.freewheel import star_sketch
-from verify.cases.freewheel.inputs import StarInputs
+from verify.cases.freewheel.star import Star
 
 LETTER, TALL, BESIDE = 6.6, 13.0, 44.0  # of a label; room beside a sketch on the page
 SIZES = [  # m: as given, few rollers, many on thin walls, thick walls, another scale
@@ -31,7 +31,7 @@ def labels(drawn):
 
 @pytest.mark.parametrize("size", SIZES)
 def test_no_label_lies_on_another_or_leaves_the_page(size):
-    named = list(labels(str(sketch(star_sketch.sketch(StarInputs(**size))))))
+    named = list(labels(str(sketch(star_sketch.sketch(Star(**size))))))
     for (one, a), (other, b) in itertools.combinations(named, 2):
         apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
         assert apart, f"{one} on {other}"
@@ -39,16 +39,16 @@ def test_no_label_lies_on_another_or_leaves_the_page(size):
 
 
 def test_all_lengths_the_angle_and_the_torque_are_named():
-    words = " ".join(words for words, _ in labels(str(sketch(star_sketch.sketch(StarInputs())))))
+    words = " ".join(words for words, _ in labels(str(sketch(star_sketch.sketch(Star())))))
     for name in ("X = 11.39565 mm", "R = 16.5 mm", "r = 2.5 mm", "Ra = 21 mm", "rb = 7.5 mm",
                  "ψ = 2α0 = 7°", "T", "Fn"):  # fmt: skip
         assert name in words
 
 
 def test_the_torque_turns_clockwise_and_the_flat_is_measured_upwards():
-    shapes = star_sketch.sketch(StarInputs()).shapes
+    shapes = star_sketch.sketch(Star()).shapes
     (torque,) = (s.points for s in shapes if s.label == "T")
     assert torque[-1, 0] > torque[0, 0]  # along the top, to the right
     (flat,) = (s.points for s in shapes if s.label.startswith("X"))
-    assert flat[-1, 1] == StarInputs().X
+    assert flat[-1, 1] == Star().X
     assert flat[0, 1] < flat[-1, 1]

@@ -13,21 +13,21 @@ from analytic.freewheel.clutch import Clutch, Material, hertz_line
 from analytic.freewheel.state import State as Formula
 from analytic.freewheel.state import at_normal_force, loaded
 from verify.app.cli import run
-from verify.cases.freewheel.cup import expected, model
+from verify.cases.freewheel.cup import inputs
 from verify.cases.freewheel.cup import sweep as freewheel_cup_sweep
-from verify.cases.freewheel.cup.case import CUP, too_large, warnings
-from verify.cases.freewheel.cup.inputs import CupInputs
-from verify.cases.freewheel.cup.model import analytic, clutch
+from verify.cases.freewheel.cup.bounds import Course, CupBounds, cup_bracket
+from verify.cases.freewheel.cup.case import CUP, FreewheelCup
 from verify.cases.freewheel.cup.sweep import ONWARD, SHARES, CupSweep, through
 from verify.cases.freewheel.fem import Place, Sector, State
 from verify.cases.freewheel.sweep import Sweep
 from verify.core.case import Context
 from verify.core.results import Status
+from verify.form import quantity
 from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 COARSE = replace(CUP, levels=LEVELS)
-Q = CupInputs()
+Q = FreewheelCup()
 
 pytestmark = pytest.mark.xdist_group("freewheel-cup")
 
@@ -37,12 +37,12 @@ def names(rows):
 
 
 def forget():
-    cached = (
-        freewheel_cup_sweep.starts, model.clutch, model.bounds, model.at_summit,
-        expected.under_torque, expected.under_force, expected.at_largest,
-    )  # fmt: skip
-    for function in cached:
-        function.cache_clear()
+    freewheel_cup_sweep.starts.cache_clear()
+    quantity.forget()
+
+
+def under_torque(q):
+    return CupBounds(q, q.state)
 
 
 def solve_anew():
@@ -153,11 +153,11 @@ def test_a_sweep_says_nothing_beyond_its_summit_or_below_its_states(sweep):
 
 def synthetic():
     """The formulas' states where a sweep has its own."""
-    sweep, whole = object.__new__(CupSweep), clutch(Q)
-    v = analytic(Q)
+    sweep, whole = object.__new__(CupSweep), Q.clutch
+    v = CUP.analytic(Q)
     under, most = v["d_i"] + v["d_o"], through(Q)
     wanted = [share * under for share in SHARES] + [d * most for d in ONWARD if d > 0.4]
-    many = at_normal_force(whole, 1.5 * v["N summit"] * np.linspace(0, 1, 20001)[1:] ** 2)
+    many = at_normal_force(whole, 1.5 * v["N_max"] * np.linspace(0, 1, 20001)[1:] ** 2)
     N = np.interp(wanted, many.d_i + many.d_o, many.N)
     states = at_normal_force(whole, N)
     P = np.linspace(0, 1, 20001)[:, None] ** 2 * N
@@ -171,46 +171,46 @@ def synthetic():
 
 def test_splines_over_so_few_states_miss_little_of_the_formulas_course():
     sweep = synthetic()
-    v = analytic(Q)
+    v = CUP.analytic(Q)
     assert sweep.at("N", Q.T) == pytest.approx(v["N"], rel=2e-5)
     assert sweep.place(Q.T).psi / 2 == pytest.approx(v["alpha"], rel=2e-5)
-    assert sweep.summit[1] == pytest.approx(v["T summit"], rel=2e-5)
+    assert sweep.summit[1] == pytest.approx(v["T_max"], rel=2e-5)
 
 
 def test_energy_and_rolling_agree_about_rollers_that_roll():
     sweep, T = synthetic(), np.array([0.3, 0.7, 1.0]) * Q.T
-    phi = loaded(clutch(Q), T).phi
+    phi = loaded(Q.clutch, T).phi
     assert sweep.torsion_by_rolling(T) == pytest.approx(phi, rel=4e-4)
     assert sweep.torsion_by_energy(T) == pytest.approx(phi, rel=4e-4)
 
 
 # What is expected.
 def test_the_course_follows_the_formulas():
-    v, course = analytic(Q), expected.Course(Q)
+    v, course = CUP.analytic(Q), Course(Q)
     own = course.at(Q.T)
     for key in ("N", "alpha", "s", "phi"):
         assert own[key] == pytest.approx(v[key], rel=1e-6)
-    assert course.summit == pytest.approx(v["T summit"], rel=1e-6)
+    assert course.summit == pytest.approx(v["T_max"], rel=1e-6)
 
 
 def test_a_cup_lies_between_rings_and_the_formula_does():
-    P = analytic(Q)["N"] / Q.L
-    low, _, high = expected.cup_bracket(Q, P)
-    assert low < analytic(Q)["d_o"] < high < 1.06 * low
+    P = CUP.analytic(Q)["N"] / Q.L
+    low, _, high = cup_bracket(Q, P)
+    assert low < CUP.analytic(Q)["d_o"] < high < 1.06 * low
 
 
 def test_intervals_hold_the_formulas_themselves():
-    e = expected.under_torque(Q)
+    e = under_torque(Q)
     found = [e.under_torque(k) for k in ("N", "alpha", "s")] + [
-        e.slope(), e.approach("d_i"), e.approach("d_o"), expected.under_force(Q).torque(),
-        expected.at_largest(Q).summit(),
+        e.slope(), e.approach("d_i"), e.approach("d_o"),
+        CupBounds(Q, Q.loaded_by("N_0").state).torque(), CupBounds(Q, Q.at_summit).summit(),
     ]  # fmt: skip
     assert all(low < 0 < high for low, high in found)
 
 
 def test_more_compliance_costs_more_torque_the_nearer_the_summit_is():
-    far = expected.under_torque(Q.model_copy(update={"T": 5.0})).under_torque("N")
-    near = expected.under_torque(Q.model_copy(update={"T": 26.0})).under_torque("N")
+    far = under_torque(Q.at(T=5.0)).under_torque("N")
+    near = under_torque(Q.at(T=26.0)).under_torque("N")
     assert near[1] - near[0] > 3 * (far[1] - far[0])
 
 
@@ -224,9 +224,9 @@ def test_more_compliance_costs_more_torque_the_nearer_the_summit_is():
     ],
 )
 def test_inputs_near_an_end_of_the_range_are_warned_of(change, words):
-    q = CupInputs(**change)
-    assert any(words in told for told in warnings(q, analytic(q)))
-    assert not warnings(Q, analytic(Q))
+    q = FreewheelCup(**change)
+    assert any(words in told for told in CUP.warnings(q, CUP.analytic(q)))
+    assert not CUP.warnings(Q, CUP.analytic(Q))
 
 
 @pytest.mark.parametrize(
@@ -238,10 +238,10 @@ def test_inputs_near_an_end_of_the_range_are_warned_of(change, words):
     ],
 )
 def test_what_finite_elements_cannot_do_is_said_beforehand(change, words):
-    reason = too_large(CupInputs(**change))
+    reason = CUP.too_large(FreewheelCup(**change))
     assert words in reason
     assert "check it without --fem" in reason
-    assert not too_large(Q)
+    assert not CUP.too_large(Q)
 
 
 BASE = {
@@ -293,7 +293,7 @@ def test_no_row_is_red_on_the_case_s_inputs(judged, red):
 def test_every_row_finds_what_it_compares(judged):
     result = judged(CUP)
     assert len({row.id for row in result.rows}) == len(result.rows)
-    v = analytic(Q)
+    v = CUP.analytic(Q)
     for output in CUP.outputs:
         assert math.isfinite(v[output.key])
     context = Context(CUP.id, Q, v, (), is_paper=True)
@@ -337,7 +337,7 @@ def softer(factor):
 READINGS = [
     pytest.param(Cam, "alpha", scaled(2), ANGLE, id="psi for alpha"),
     pytest.param(Cam, "alpha", scaled(2), NO_LOAD, id="psi for alpha, without load"),
-    pytest.param(model, "loaded", lambda right: lambda whole, T: right(whole, 1.1 * T), FORCE,
+    pytest.param(inputs, "loaded", lambda right: lambda whole, T: right(whole, 1.1 * T), FORCE,
                  id="another torque"),
     pytest.param(Cam, "torque_on_race", lambda _: lambda self, *, F_t: (
         self.count * self.flat * F_t), T_AT_N, id="X_o for R_s"),
@@ -377,9 +377,9 @@ def test_another_reading_or_a_wrong_formula_turns_a_row_red(
 
 
 def test_sin_for_tan_is_within_what_is_expected_but_not_a_per_cent(judged, red, monkeypatch):
-    before = analytic(Q)
+    before = CUP.analytic(Q)
     for factor, seen in ((1.002, False), (1.01, True)):
-        wrong = before | {"F_t/N": factor * before["F_t/N"]}
+        wrong = before | {"mu_T": factor * before["mu_T"]}
         case = replace(CUP, analytic=lambda _q, wrong=wrong: wrong)
         assert (SLOPE in names(red(judged(case)))) is seen
 

@@ -6,15 +6,15 @@ from functools import cache
 
 import numpy as np
 import pytest
+from verify.cases.freewheel.torque.model import state_under
 
 from analytic.freewheel import course, criterion, load_path
-from verify.cases.freewheel.friction.model import Borne
 from verify.cases.freewheel.paths import fem
 from verify.cases.freewheel.paths.case import PATHS, findings, too_large, warnings
 from verify.cases.freewheel.paths.formulas import analytic, courses
 from verify.cases.freewheel.paths.inputs import PathInputs
 from verify.cases.freewheel.paths.times import tan_of, time_of_slip
-from verify.cases.freewheel.torque.model import state_under
+from verify.cases.freewheel.pulled_sector import Borne
 from verify.core.results import Status
 from verify.jobs.cache import default_folder
 from verify.jobs.level import Job, judge_case, solve_level

@@ -8,11 +8,11 @@ import pytest
 
 from fem.contact.errors import NotFoundError
 from verify.cases.freewheel import slip
-from verify.cases.freewheel.friction import limit as freewheel_friction_limit
-from verify.cases.freewheel.friction.limit import Limit
-from verify.cases.freewheel.friction.model import Borne, at_torque, creeping, sector
+from verify.cases.freewheel import slip_limit as freewheel_friction_limit
 from verify.cases.freewheel.paths.inputs import PathInputs
+from verify.cases.freewheel.pulled_sector import Borne, at_torque, creeping, sector
 from verify.cases.freewheel.slip import Drive, Driven
+from verify.cases.freewheel.slip_limit import Limit
 from verify.cases.freewheel.sweep import COARSE
 
 pytestmark = pytest.mark.xdist_group("freewheel-paths")

@@ -16,22 +16,22 @@ from fem.plane.material import Elastic
 from tests.conftest import solved
 from verify.app.cli import run
 from verify.cases.freewheel import fem as freewheel_fem
+from verify.cases.freewheel import star
 from verify.cases.freewheel import sweep as freewheel_sweep
+from verify.cases.freewheel.bounds import Bounds
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.inputs import StarInputs
+from verify.cases.freewheel.reference import at_angle
 from verify.cases.freewheel.sweep import Sweep, rigid_force
-from verify.cases.freewheel.torque import model
-from verify.cases.freewheel.torque.case import TORQUE, analytic, too_large
-from verify.cases.freewheel.torque.fem import at_angle
-from verify.cases.freewheel.torque.model import under_force, under_torque
+from verify.cases.freewheel.torque.case import TORQUE, FreewheelTorque
 from verify.core.case import Context
 from verify.core.results import Status
+from verify.form import quantity
 from verify.jobs.level import Job, judge_case, solve_level
 
 LEVELS = (3, 4, 5)
 FEW = (0.05, 0.3, 0.7, 1.06)  # of the overlap, enough of the states to see what is wrong
 COARSE = replace(TORQUE, levels=LEVELS)
-Q = StarInputs()
+Q = FreewheelTorque()
 
 pytestmark = pytest.mark.xdist_group("freewheel-torque")
 
@@ -42,7 +42,15 @@ def names(rows):
 
 def forget():
     freewheel_sweep.starts.cache_clear()
-    model.clutch.cache_clear()
+    quantity.forget()
+
+
+def under_torque(q):
+    return Bounds(q, q.state)
+
+
+def under_force(q):
+    return Bounds(q, q.loaded_by("N_0").state)
 
 
 def solve_anew():
@@ -238,7 +246,7 @@ KNOWN = [
 
 @pytest.mark.parametrize("change", KNOWN)
 def test_intervals_lie_about_the_formulas_and_are_no_wider_than_what_they_are_for(change):
-    q = StarInputs(**change)
+    q = FreewheelTorque(**change)
     torque, force = under_torque(q), under_force(q)
     for interval in (torque.angle(), torque.slope(), torque.way(), force.approach("d_o")):
         assert interval[0] <= 1e-5
@@ -250,19 +258,19 @@ def test_intervals_lie_about_the_formulas_and_are_no_wider_than_what_they_are_fo
 
 @pytest.mark.parametrize("change", KNOWN[1:])
 def test_intervals_hold_what_finite_elements_say_of_other_clutches(change):
-    q = StarInputs(**change)
-    sweep, v = Sweep(q, 5), analytic(q)
+    q = FreewheelTorque(**change)
+    sweep, v = Sweep(q, 5), TORQUE.analytic(q)
     T, N = q.T, rigid_force(q)
     place, torque, force = sweep.place(T), under_torque(q), under_force(q)
     told = [
         (v["alpha"], place.psi / 2, torque.angle()),
         (v["N"], sweep.at("N", T), torque.force()),
         (v["phi"], sweep.torsion_by_energy(np.array([T]))[0], torque.torsion()),
-        (v["d_i at N"], sweep.at("d_i", N, "N"), force.approach("d_i")),
-        (v["d_o at N"], sweep.at("d_o", N, "N"), force.approach("d_o")),
-        (v["a_i at N"], sweep.at("a_i", N, "N"), force.contact()),
-        (v["T at N"], sweep.at("T", N, "N"), force.slope(tilted=True)),
-        (v["N at angle"], at_angle(sweep, freewheel_sweep.given_angle(q)), force.force_at_angle()),
+        (v["d_i_rigid"], sweep.at("d_i", N, "N"), force.approach("d_i")),
+        (v["d_o_rigid"], sweep.at("d_o", N, "N"), force.approach("d_o")),
+        (v["a_i_rigid"], sweep.at("a_i", N, "N"), force.contact()),
+        (v["torque_rigid"], sweep.at("T", N, "N"), force.slope(tilted=True)),
+        (v["N_angle"], at_angle(sweep, freewheel_sweep.given_angle(q)), force.force_at_angle()),
     ]
     for formula, fem, (low, high) in told:
         assert low < formula / fem - 1 < high
@@ -285,9 +293,9 @@ def test_a_formula_beyond_its_bounds_does_not_carry_them_along(broken):
     ],
 )
 def test_inputs_near_an_end_of_the_range_are_warned_of(change, words):
-    q = StarInputs(**change)
-    assert words in " ".join(TORQUE.warnings(q, analytic(q)))
-    assert not TORQUE.warnings(Q, analytic(Q))
+    q = FreewheelTorque(**change)
+    assert words in " ".join(TORQUE.warnings(q, TORQUE.analytic(q)))
+    assert not TORQUE.warnings(Q, TORQUE.analytic(Q))
 
 
 @pytest.mark.parametrize(
@@ -299,10 +307,10 @@ def test_inputs_near_an_end_of_the_range_are_warned_of(change, words):
     ],
 )
 def test_what_finite_elements_cannot_do_is_said_beforehand(change, words):
-    reason = too_large(StarInputs(**change))
+    reason = TORQUE.too_large(FreewheelTorque(**change))
     assert words in reason
     assert "check it without --fem" in reason
-    assert not too_large(Q)
+    assert not TORQUE.too_large(Q)
 
 
 BASE = {
@@ -359,7 +367,7 @@ def test_no_row_is_red_on_the_case_s_inputs(judged, red):
 def test_every_row_finds_what_it_compares(judged):
     result = judged(TORQUE)
     assert len({row.id for row in result.rows}) == len(result.rows)
-    v = analytic(Q)
+    v = TORQUE.analytic(Q)
     for output in TORQUE.outputs:
         assert math.isfinite(v[output.key])
     context = Context(TORQUE.id, Q, v, (), is_paper=True)
@@ -410,7 +418,7 @@ READINGS = [
     pytest.param(Cam, "alpha", scaled(2), NO_LOAD, id="psi for alpha, without load"),
     pytest.param(Cam, "distance", scaled(Q.R_a / Q.R), FORCE, id="R_a for R"),
     pytest.param(Cam, "distance", scaled(2), ANGLE, id="diameters for radii"),
-    pytest.param(model, "loaded", lambda right: lambda whole, T: right(whole, Q.z * T), FORCE,
+    pytest.param(star, "loaded", lambda right: lambda whole, T: right(whole, Q.z * T), FORCE,
                  id="the torque of one roller"),
     pytest.param(Cam, "torque_on_race", lambda _: lambda self, *, F_t: (
         self.count * self.flat * F_t), T_AT_N, id="X for R"),
@@ -460,9 +468,9 @@ def test_another_reading_or_a_wrong_formula_turns_a_row_red(
 
 def test_approaches_are_those_of_an_elastic_solution_without_contact():
     """In plane strain: finite elements of star, roller and ring apart, Hertz's pressures given."""
-    apart = {"d_i at N": 7.7807e-6, "d_o at N": 16.7671e-6}
+    apart = {"d_i_rigid": 7.7807e-6, "d_o_rigid": 16.7671e-6}
     for key, d in apart.items():
-        assert analytic(Q)[key] == pytest.approx(d, rel=6e-3)
+        assert TORQUE.analytic(Q)[key] == pytest.approx(d, rel=6e-3)
         assert solved(TORQUE, Q)[-1].result.values[key] == pytest.approx(d, rel=2e-3)
 
 

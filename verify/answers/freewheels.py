@@ -23,14 +23,14 @@ def under_torque(q: Any, v: Values, part: Assessment) -> None:
     """Contact pressures; friction is not an input of these cases."""
     _pressures(q, v, part)
     part.unknowns.append(
-        f"the friction coefficient is not an input: the clutch grips above {v['F_t/N']:.4g}; case "
+        f"the friction coefficient is not an input: the clutch grips above {v['mu_T']:.4g}; case "
         "freewheel-clutch compares it with μ"
     )
 
 
 def cup(q: Any, v: Values, part: Assessment) -> None:
     """The same, and the largest torque before the rollers pass between cam and shaft."""
-    part.at_most("torque", "torque", q.T, v["T summit"], "N m", "largest torque before pop-through")
+    part.at_most("torque", "torque", q.T, v["T_max"], "N m", "largest torque before pop-through")
     under_torque(q, v, part)
 
 

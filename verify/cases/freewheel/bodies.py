@@ -11,6 +11,7 @@ from typing import Protocol
 class OneClutch(Protocol):
     """Rollers of radius `r` between flats at a distance `flat` and a race of radius `race`, SI."""
 
+    def __hash__(self) -> int: ...
     @property
     def sense(self) -> int: ...
     @property

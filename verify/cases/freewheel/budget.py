@@ -65,7 +65,8 @@ STATEMENTS: Mapping[str, Statement] = {
         corrected=(
             Corrected("torsion, Eq. 7 as printed, against ∫dU/T", "phi"),
             Corrected(
-                "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)", "T at N"
+                "torque z X F_t of the star, Eq. 3 as printed, at N = T/(z R tan α_0)",
+                "torque_rigid",
             ),
         ),
     ),

@@ -1,47 +1,48 @@
-"""Curves over the torque that star and cup have in common: angle, way of the rollers, torsion."""
+"""Curves over the torque that star and cup have in common, and what their sectors look like."""
 
 import math
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
-from analytic.freewheel.state import State
-from verify.cases.freewheel.torque.fem import GRID
+from analytic.freewheel.state import loaded
+from verify.case import AlongLine, picture
+from verify.cases.freewheel.reference import ACROSS, GRID
 from verify.core.case import Context
-from verify.core.figures import Curve, Curves, Profile
-from verify.judging.profiles import along
+from verify.core.figures import Curve, Curves, Picture
 
 FINE = np.linspace(0.002, 1.0, 160)  # of T, where curves are drawn
 DEGREE = math.degrees(1.0)
+WIDTH = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # of a contact, more points at its ends
 
 
-def angle(context: Context, states: State, marks: State, *, ends: str) -> Profile:
+def angle(q: Any, *, ends: str) -> AlongLine:
     """Clamping angle, beginning at alpha_0; `ends` closes the note."""
-    values, u = along(context, "profile, alpha", formal=2, scale=1.0)
-    q = context.inputs
-    return Profile(
-        title="Clamping angle over torque", x_label="T [N m]", y_label="α [°]",
-        x=FINE * q.T, y=states.alpha * DEGREE, x_fem=GRID * q.T, y_fem=values * DEGREE,
-        y_ref=marks.alpha * DEGREE, u=u * DEGREE, scale=context.analytic["alpha"] * DEGREE,
-        scale_name="α(T)", neglects=True,
-        note=f"It begins at α_0 = {context.analytic['alpha_0'] * DEGREE:.4g}°{ends}",
+    return AlongLine(
+        title="Clamping angle over torque", x=("T", "N m"), y=("α", "°"),
+        curve=lambda T: loaded(q.clutch, T).alpha, reference="alpha_over_T", at=GRID * q.T,
+        points=FINE * q.T, order=2, scale=q.alpha, scale_name="α(T)", neglects=True,
+        note=f"It begins at α_0 = {q.alpha_0 * DEGREE:.4g}°{ends}",
     )  # fmt: skip
 
 
-def way(context: Context, states: State, marks: State) -> Profile:
+def way(q: Any) -> AlongLine:
     """Arc s of the roller's centre."""
-    values, u = along(context, "profile, s", formal=2, scale=1.0)
-    q = context.inputs
-    return Profile(
-        title="Way of the roller's centre (Eq. 6)", x_label="T [N m]", y_label="s [µm]",
-        x=FINE * q.T, y=states.s * 1e6, x_fem=GRID * q.T, y_fem=values * 1e6, y_ref=marks.s * 1e6,
-        u=u * 1e6, scale=context.analytic["s"] * 1e6, scale_name="s(T)", neglects=True,
+    return AlongLine(
+        title="Way of the roller's centre (Eq. 6)", x=("T", "N m"), y=("s", "µm"),
+        curve=lambda T: loaded(q.clutch, T).s, reference="s_over_T", at=GRID * q.T,
+        points=FINE * q.T, order=2, scale=q.s, scale_name="s(T)", neglects=True,
     )  # fmt: skip
 
 
-def torsion(context: Context, states: State, *, printed: str, note: str) -> Curves:
+def torsion(context: Context, *, printed: str, note: str) -> Iterator[Curves]:
     """Exact rolling, Eq. 7 as `printed`, and what the energy of finite elements asks for."""
+    if not context.converging:
+        return
     q = context.inputs
-    return Curves(
+    states = loaded(q.clutch, FINE * q.T)
+    yield Curves(
         title="Torsion over torque: Eq. 7 as printed and exact rolling", x_label="T [N m]",
         y_label="φ [°]",
         curves=(
@@ -49,7 +50,57 @@ def torsion(context: Context, states: State, *, printed: str, note: str) -> Curv
             Curve(name=f"Eq. 7 as printed, {printed}", x=FINE * q.T,
                   y=states.phi_printed * DEGREE, style="dashes", colour=1),
             Curve(name="FE, ∫dU/T", x=GRID * q.T,
-                  y=context.fem[-1].arrays["profile, phi"] * DEGREE, style="dots"),
+                  y=context.fem[-1].arrays["phi_over_T"] * DEGREE, style="dots"),
         ),
         note=note,
+    )  # fmt: skip
+
+
+def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Iterator[Curves]:
+    """How far both contact forces leave the bisector, over torque or normal force (`x`)."""
+    if not context.converging:
+        return
+    T, N, psi, *_ = context.fem[-1].arrays["loads"]
+    load = T if x.startswith("T") else N / 1e3
+    on_cam, on_race = 1e3 * (context.fem[-1].arrays["shares"] / np.tan(psi / 2) - 1)
+    yield Curves(
+        title="How far the line of the forces leaves the bisector", x_label=x,
+        y_label="(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]", y_bottom=None, note=note,
+        curves=(
+            Curve(name=f"FE, on the {cam}", x=load, y=on_cam, style="dots"),
+            Curve(name=f"FE, on the {race}", x=load, y=on_race, style="dots", colour=2),
+            Curve(name="rigid surfaces", x=np.array([0.0, load[-1]]), y=np.zeros(2)),
+        ),
+    )  # fmt: skip
+
+
+def pressure(where: str) -> AlongLine:
+    """Shape of the pressure on a part in the heaviest state, against Hertz."""
+    return AlongLine(
+        title=f"Pressure on the {where}, in the heaviest state", x=("x/a", "1"), y=("p/p_0", "1"),
+        curve=lambda x: np.sqrt(1 - x**2), reference=f"p_on_{where}", at=ACROSS, points=WIDTH,
+        order=1, scale=1.0, neglects=True,
+        note="a from the moments of the pressure, p_0 = 2P/(πa): the shape is compared.",
+    )  # fmt: skip
+
+
+def around_roller(q: Any) -> tuple[float, float, float, float]:
+    """Window (left, bottom, right, top) [m] about the roller."""
+    x, y = (float(v) for v in q.cam.centre(d_i=0.0, d_o=0.0))
+    w = 1.35 * q.r
+    return x - w, y - w, x + w, y + w
+
+
+def pictures(q: Any) -> Iterator[Picture]:
+    """Von Mises stress of the pitch and about the roller."""
+    yield picture(
+        "sector",
+        "log_mises",
+        displacement="",
+        caption="One pitch in the heaviest state of the sweep, von Mises' stress",
+    )
+    yield picture(
+        "sector", "log_mises", displacement="", window=around_roller(q),
+        caption="The roller between both races: the forces run from contact to contact; "
+        "below 10 MPa in one colour",
     )  # fmt: skip

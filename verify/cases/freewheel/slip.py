@@ -13,8 +13,8 @@ import numpy as np
 
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.fem import Sector, State
-from verify.cases.freewheel.friction.inputs import FrictionInputs
-from verify.cases.freewheel.friction.model import (
+from verify.cases.freewheel.pulled import Pulled
+from verify.cases.freewheel.pulled_sector import (
     EDGES,
     Borne,
     creeping,
@@ -53,12 +53,12 @@ class Drive:
     The roller stays in its place: the ring turns on where friction lets it creep.
     """
 
-    q: FrictionInputs
+    q: Pulled
     there: Sector
     rest: State
 
     @classmethod
-    def at(cls, q: FrictionInputs, start: Start, cells: int) -> "Drive":
+    def at(cls, q: Pulled, start: Start, cells: int) -> "Drive":
         there = sector(q, start, cells, q.mu, driven=True)
         return cls(q, there, there.rest(start.drags))
 
@@ -152,6 +152,6 @@ class Drive:
         return Driven(creeping(self.there, at.state, ahead, axial_displacements={"ring.rim": u}), u)
 
 
-def axial_unit(q: FrictionInputs, rest: State) -> float:
+def axial_unit(q: Pulled, rest: State) -> float:
     """F_z [N/m] of one roller that friction leaves beside F_t at rest, by the mesh's normals."""
     return rest.torque / (q.z * q.R) * lever_left(q.mu, rest.start)

@@ -18,7 +18,6 @@ from scipy.interpolate import CubicSpline
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.inputs import StarInputs
 
 Array = NDArray[np.float64]
 
@@ -77,7 +76,7 @@ def given_angle(q: OneClutch) -> float:
 
 
 @lru_cache(maxsize=16)
-def starts(q: StarInputs) -> tuple[Start, ...]:
+def starts(q: OneClutch) -> tuple[Start, ...]:
     """Starts of all states of the sweep, from coarse meshes."""
     P = rigid_force(q) / q.L
     whole = FIRST * P * (1 - q.nu**2) / q.E
@@ -109,7 +108,7 @@ class Sweep:
 
     along = "T"
 
-    def __init__(self, q: StarInputs, cells: int) -> None:
+    def __init__(self, q: OneClutch, cells: int) -> None:
         self._take(q, [start.state(q, cells) for start in reversed(starts(q))])
 
     def _take(self, q: OneClutch, states: list[State]) -> None:

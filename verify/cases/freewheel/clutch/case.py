@@ -8,8 +8,7 @@ from verify.cases.freewheel.clutch.limits import under
 from verify.cases.freewheel.clutch.messages import findings, warnings
 from verify.cases.freewheel.clutch.model import analytic
 from verify.cases.freewheel.clutch.summary import summary
-from verify.cases.freewheel.torque import case as freewheel_torque
-from verify.cases.freewheel.torque.fem import LEVELS
+from verify.cases.freewheel.reference import LEVELS
 from verify.core.case import Case, Output
 
 
@@ -84,7 +83,7 @@ def too_large(q: ClutchInputs) -> str:
     if not q.like:
         return "finite elements take one material for all parts; check unlike ones without --fem"
     try:
-        return freewheel_torque.too_large(star(q))
+        return star(q).refusal()
     except ValueError as error:
         words = str(error).partition("Value error, ")[2].partition(" [type=")[0] or str(error)
         return f"finite elements refuse it: {words}"

@@ -8,18 +8,20 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.freewheel.compliance import compliance
+from analytic.freewheel.state import loaded
+from verify.cases.freewheel.bounds import BRACKET, SMALLEST, Bounds, Interval, known
 from verify.cases.freewheel.clutch.fem import off, star
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
-from verify.cases.freewheel.torque.claims import BRACKET, SHARP, known
-from verify.cases.freewheel.torque.model import SMALLEST, Expected, Interval, under_torque
 from verify.core.case import Context, Values
 from verify.judging.checks import Approximation, Fact
 
+SHARP = "acceptance of the subject"
 FAR = 5.0  # the normal force is searched within this factor of the formula's
 
 
-def expected(q: ClutchInputs) -> Expected:
-    return under_torque(star(q))
+def expected(q: ClutchInputs) -> Bounds:
+    one = star(q)
+    return Bounds(one, loaded(one.clutch, one.T))
 
 
 @lru_cache(maxsize=8)
@@ -67,7 +69,8 @@ def within(of: Callable[[ClutchInputs], Interval]) -> Callable[..., Interval | N
     """An interval as a claim takes it; none where it is too wide to judge by."""
 
     def interval(q: ClutchInputs, _values: Values) -> Interval | None:
-        return known(star(q), of(q))
+        found = known(star(q), of(q))
+        return (found.low, found.high) if found.sharp else None
 
     return interval
 

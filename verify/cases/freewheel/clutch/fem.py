@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.fem import Place
-from verify.cases.freewheel.friction.inputs import FrictionInputs
-from verify.cases.freewheel.friction.limit import Limit
-from verify.cases.freewheel.friction.model import HARDER
-from verify.cases.freewheel.inputs import StarInputs
+from verify.cases.freewheel.pulled import Pulled
+from verify.cases.freewheel.pulled_sector import HARDER
+from verify.cases.freewheel.reference import LEVELS, SPLINE, field
+from verify.cases.freewheel.slip_limit import Limit
+from verify.cases.freewheel.star import Star
 from verify.cases.freewheel.sweep import Start, Sweep, after
-from verify.cases.freewheel.torque.fem import LEVELS, SPLINE, field
 from verify.core.case import FemResult
 
 Array = NDArray[np.float64]
@@ -25,9 +25,9 @@ AROUND = (0.99, 1.01)  # of mu_req: friction that does not hold, and that does
 NEAR, MOST = 2e-4, 6  # how near the torque a moved flat comes, and in how many steps
 
 
-def star(q: ClutchInputs) -> StarInputs:
+def star(q: ClutchInputs) -> Star:
     """The clutch as an inner cam of one material."""
-    return StarInputs(R=q.R, r=q.r, X=q.X, R_a=q.R_a, r_b=q.r_b, z=q.z, L=q.L, T=q.T, E=q.E,
+    return Star(R=q.R, r=q.r, X=q.X, R_a=q.R_a, r_b=q.r_b, z=q.z, L=q.L, T=q.T, E=q.E,
                       nu=q.nu)  # fmt: skip
 
 
@@ -70,7 +70,7 @@ def at(sweep: Sweep, T: float) -> Start:
     return last.scaled((sweep.at("d_o", T)) / last.d[1])
 
 
-def moved(q: StarInputs, start: Start, dX: float, level: int) -> float:
+def moved(q: Star, start: Start, dX: float, level: int) -> float:
     """The angle [rad] under T with the flats moved by `dX`."""
     other = q.model_copy(update={"X": q.X + dX})
     steeper = [math.tan(Place.overlapping(one, *start.d).psi / 2) for one in (other, q)]
@@ -87,9 +87,9 @@ def moved(q: StarInputs, start: Start, dX: float, level: int) -> float:
     return float(alpha + (share**HARDER - 1) * overlap / (2 * q.R * math.sin(2 * alpha)))
 
 
-def around(q: ClutchInputs, one: StarInputs, start: Start) -> Array:
+def around(q: ClutchInputs, one: Star, start: Start) -> Array:
     """Whether friction `AROUND` mu_req holds (2,): 1 or 0; at the angle of finite elements."""
-    given = FrictionInputs(**one.model_dump(), F_ax=q.F_ax, mu=q.mu)
+    given = Pulled(**one.model_dump(), F_ax=q.F_ax, mu=q.mu)
     limit = Limit(given, start, start.drags)
     needed = limit.tan * math.hypot(1.0, q.F_ax * q.R / q.T)
     return np.array([float(limit.bears(share * needed)) for share in AROUND])

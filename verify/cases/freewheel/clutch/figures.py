@@ -7,6 +7,7 @@ import numpy as np
 
 from analytic.freewheel import criterion, state
 from analytic.freewheel.state import State
+from verify.cases.freewheel import star_sketch
 from verify.cases.freewheel.clutch.fem import GRID, off
 from verify.cases.freewheel.clutch.inputs import ClutchInputs
 from verify.cases.freewheel.clutch.limits import (
@@ -20,7 +21,6 @@ from verify.cases.freewheel.clutch.limits import (
 )
 from verify.cases.freewheel.clutch.scatter import DRAWS, scatter, slopes
 from verify.cases.freewheel.clutch.sketch import cup
-from verify.cases.freewheel.torque import figures as torque_figures
 from verify.core.case import Context, Values
 from verify.core.figures import Array, Bars, Curve, Curves, Equation, Figure, Sketch, Zone, Zones
 from verify.core.tex import tex
@@ -33,7 +33,7 @@ DRAWN = np.linspace(0.1, 99.9, 200)  # per cent of the clutches
 
 
 def sketch(q: ClutchInputs) -> Sketch:
-    return torque_figures.sketch(q) if q.is_star else cup(q)
+    return star_sketch.sketch(q) if q.is_star else cup(q)
 
 
 def equations(q: ClutchInputs, v: Values) -> Sequence[Equation]:

@@ -1,111 +1,72 @@
 """A drawn-cup roller clutch under torque: an outer cam, whose rollers go through at last."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any, ClassVar
 
 import numpy as np
 
-from verify.cases.freewheel.cup import figures
-from verify.cases.freewheel.cup.claims import CHECKS
-from verify.cases.freewheel.cup.fem import LEVELS, fem
-from verify.cases.freewheel.cup.inputs import CupInputs
-from verify.cases.freewheel.cup.model import FRICTION, HARD, analytic, at_summit
-from verify.core.case import Case, Output, Values
+from verify.case import (
+    Comparison,
+    Expected,
+    Level,
+    Quantity,
+    State,
+    approximation,
+    fact,
+    limit,
+    solved,
+)
+from verify.cases.freewheel import over_torque, statics
+from verify.cases.freewheel.bounds import STRAIGHT, Interval, times
+from verify.cases.freewheel.cup import figures as drawn
+from verify.cases.freewheel.cup.bounds import CupBounds
+from verify.cases.freewheel.cup.inputs import FRICTION, HARD, Cup
+from verify.cases.freewheel.statics import accepted
+from verify.core.case import Context
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
+from verify.form.case import Drawing
+from verify.judging.judge import DEMAND
 
 THIN = 0.2  # wall at the corners over X_o below which a cup is a thin one
 NEAR = 0.9  # of the largest torque, beyond which little compliance decides
 LITTLE = 0.02  # of it, below which states hardly reach
 WIDEST = 0.2  # a/r up to which these meshes are made
+COURSE = 3e-5  # of a value: what splines between states miss
+BEGINNING = 1e-4  # of phi: what a power below the first state misses
+
+BRACKET = "rings that enclose the cup, with a column below the flat; winding up; (a/r)² of Hertz"
+TANGENTIAL = f"{BRACKET}, tangential deformation of 0.5 to 1 tan²α"
+ON_FLAT = "rolling on a flat instead of on a circle: (R_s + X_o)/(2X_o)"
+ENCLOSED = "rings enclose a cup to some per cent, and torques near the summit multiply that"
+FINE, NEARLY, MEDIUM, COARSE = 0.015, 0.02, 0.04, 0.06  # what rows are asked to show
+WIDE = 0.12  # a/r up to which finite elements, small in displacements, are judged at the summit
+SHARED = "plane strain, small strain, cup and housing one body, shaft and cup free"
 
 
-def warnings(q: CupInputs, v: Values) -> Sequence[str]:
-    found = []
-    if np.tan(v["alpha_0"]) > FRICTION:
-        found.append(
-            f"tan α_0 = {np.tan(v['alpha_0']):.3g} is more than the friction {FRICTION:g} that "
-            "oiled steel hardly exceeds: the rollers do not grip"
-        )
-    p = max(v["p_i"], v["p_o"])
-    if p > HARD:
-        found.append(
-            f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
-            "hardened rollers (ISO 76)"
-        )
-    wall = q.R_a - q.corner
-    if wall < THIN * q.X_o:
-        found.append(
-            f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends: rings that enclose it "
-            "say little, give R_a of the housing that bears it"
-        )
-    return found
+class FreewheelCup(Cup):
+    """Flats are in the cup instead of on a star: load draws the rollers towards ψ = 0.
 
+    The angle falls, and the torque has a largest value before the rollers go through between shaft
+    and cup. One pitch of shaft, roller and cup with friction at both races follows the torque over
+    its summit, and its energy says the torsion.
+    """
 
-def too_large(q: CupInputs) -> str:
-    v, top = analytic(q), at_summit(q)
-    share = q.T / v["T summit"]
-    if not LITTLE < share < NEAR:
-        return (
-            f"T is {share:.3g} of the largest torque {v['T summit']:.4g} N m, not between "
-            f"{LITTLE:g} and {NEAR:g}; check it without --fem"
-        )
-    wide = max(float(top.a_i), float(top.a_o)) / q.r
-    if wide > WIDEST:
-        return (
-            f"contacts are {wide:.3g} r wide at the largest torque, beyond {WIDEST:g}; check it "
-            "without --fem"
-        )
-    return ""
-
-
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = True) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
-
-
-CUP = Case(
-    id="freewheel-cup",
-    title="Drawn-cup roller clutch under torque",
-    paper="nagler2021",
-    place="Eqs. 2-7, for an outer cam",
-    lead="Flats in the cup instead of on a star: load draws the rollers towards ψ = 0, the angle "
-    "falls, and the torque has a largest value before the rollers go through between shaft and "
-    "cup. One pitch of shaft, roller and cup with friction at both races follows the torque over "
-    "its summit, and its energy says the torsion.",
-    inputs=CupInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    checks=CHECKS,
-    outputs=(
-        output("alpha_0", "α_0", "deg", "clamping angle without load (Eq. 4 for a cup)"),
-        output("alpha", "α(T)", "deg", "clamping angle under torque (Eq. 5 for a cup)"),
-        output("F_t/N", "tan α", "1", "friction that holds the rollers under torque alone"),
-        output("N", "F_n", "N", "normal force at either contact of a roller"),
-        output("F_t", "F_t", "N", "tangential force at either contact (Eq. 3 for a cup)",
-               judged=False),
-        output("s", "s", "µm", "way of the rollers' centres about the axis (Eq. 6)"),
-        output("phi", "φ", "deg", "torsion by exact rolling (Eq. 7, corrected)"),
-        output("phi printed", "φ", "deg", "torsion, Eq. 7 as printed, with R_s and X_o"),
-        output("d_i", "d_i", "µm", "approach of roller and shaft"),
-        output("d_o", "d_o", "µm", "approach of roller and cup"),
-        output("p_i", "p_i", "MPa", "peak pressure on the shaft (Hertz)"),
-        output("p_o", "p_o", "MPa", "peak pressure on the cup (Hertz)"),
-        output("a_i", "a_i", "µm", "half-width of the contact on the shaft (Hertz)"),
-        output("a_o", "a_o", "µm", "half-width of the contact on the cup (Hertz)"),
-        output("T summit", "T_max", "N m", "largest torque, at pop-through of the rollers"),
-        output("N summit", "F_n", "N", "normal force there", judged=False),
-        output("alpha summit", "α", "deg", "clamping angle there", judged=False),
-        output("p summit", "p", "MPa", "larger peak pressure there (Hertz)", judged=False),
-        output("through", "d_i + d_o", "µm", "approaches at which rollers go through, "
-               "R_s + 2r − X_o", judged=False),
-        output("share", "d/d_max", "1", "part of these at the largest torque", judged=False),
-    ),
-    readings=(
+    id = "freewheel-cup"
+    title = "Drawn-cup roller clutch under torque"
+    source = "nagler2021"
+    place = "Eqs. 2-7, for an outer cam"
+    levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
+    readings: ClassVar = (
         "ψ is the angle between the cup's flat's normal and the roller's centre, α its half; load "
         "lowers it",
         "the race is the shaft: R_s is the lever of F_t, wherever a star's formulas have R",
         "T and N: the torque of the whole clutch, the forces of one roller",
         "rollers are long: plane strain",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "the paper treats inner cams alone: this cup is synthetic, α_0 = 3.5° by choice; its "
         "formulas are the paper's with the wedge turned inside out",
         "real drawn cups are thin and sit in a housing that bears them: cup and housing are one "
@@ -118,11 +79,333 @@ CUP = Case(
         "the cup's formula takes it for a ring with a bore of the flats' area; expected errors: "
         "the cup lies between rings with the bores X_o and X_o/cos(π/z), a column under the flat; "
         "Hertz errs by (a/r)²; tangential forces turn the shaft by 0.5 to 1 tan²α more",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=figures.equations,
-    sketch=figures.sketch,
-    figures=figures.figures,
-    pictures=figures.pictures,
-)  # fmt: skip
+    )
+
+    @Quantity("α_0", "deg", "clamping angle without load, Eq. 4 for a cup",
+              tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r}{R_s + r}\right)")  # fmt: skip
+    def alpha_0(self) -> float:
+        return float(self.cam.alpha0)
+
+    @Quantity("E'", "GPa", "modulus in plane strain", role="step",
+              tex=r"\frac{E}{1 - \nu^2}")  # fmt: skip
+    def E_plane(self) -> float:
+        return float(self.bodies.outer.E)
+
+    @Quantity("a_i", "µm", "half-width of the contact on the shaft", source="Hertz",
+              tex=r"\sqrt{\frac{8 F_n R_s r}{\pi L E' (R_s + r)}}")  # fmt: skip
+    def a_i(self) -> float:
+        return float(self.state.a_i)
+
+    @Quantity("a_o", "µm", "half-width of the contact on the cup", source="Hertz",
+              tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}")  # fmt: skip
+    def a_o(self) -> float:
+        return float(self.state.a_o)
+
+    @Quantity("R_m", "mm", "bore of the flats' area, which stands for the cup", role="step",
+              tex=r"X_o \sqrt{\frac{\tan\left(\frac{\pi}{z}\right) z}{\pi}}")  # fmt: skip
+    def R_m(self) -> float:
+        return float(self.bodies.outer.l)
+
+    @Quantity("k_i", "1", "constant of a shaft", role="step",
+              source="series over all loads on the shaft")  # fmt: skip
+    def k_i(self) -> float:
+        return float(self.bodies.inner.k)
+
+    @Quantity("c_i", "1", "curvature term of the shaft", role="step", source="series")
+    def c_i(self) -> float:
+        return float(self.bodies.inner.c)
+
+    @Quantity("k_o", "1", "constant of a ring that is free outside", role="step",
+              source="series over all loads on the ring")  # fmt: skip
+    def k_o(self) -> float:
+        return float(self.bodies.outer.k)
+
+    @Quantity("c_o", "1", "curvature term of the ring", role="step", source="series")
+    def c_o(self) -> float:
+        return float(self.bodies.outer.c)
+
+    @Quantity("d_i", "µm", "approach of roller and shaft", source="shaft free in its bore",
+              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
+              r"2 \ln\left(\frac{R_s}{a_i}\right) + k_i + \frac{c_i a_i}{R_s})")  # fmt: skip
+    def d_i(self) -> float:
+        return float(self.state.d_i)
+
+    @Quantity("d_o", "µm", "approach of roller and cup", source="ring for the cup",
+              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
+              r"2 \ln\left(\frac{R_m}{a_o}\right) + k_o + \frac{c_o a_o}{R_m})")  # fmt: skip
+    def d_o(self) -> float:
+        return float(self.state.d_o)
+
+    @Quantity("α", "deg", "clamping angle under torque, Eq. 5 for a cup",
+              source="load lowers the angle",
+              tex=r"\frac{1}{2} \arccos\left(\frac{X_o - r + d_o}{R_s + r - d_i}\right)"
+              )  # fmt: skip
+    def alpha(self) -> float:
+        return float(self.state.alpha)
+
+    @Quantity("F_t", "N", "tangential force at either contact, Eq. 3 for a cup",
+              tex=r"\frac{T}{z R_s}")  # fmt: skip
+    def F_t(self) -> float:
+        return float(self.state.F_t)
+
+    @Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
+              tex=r"\frac{F_t}{\tan\left(\alpha\right)}")  # fmt: skip
+    def N(self) -> float:
+        return float(self.state.N)
+
+    @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
+              safe="too high", tex=r"\tan\left(\alpha\right) = \frac{F_t}{F_n}")  # fmt: skip
+    def mu_T(self) -> float:
+        return float(np.tan(self.state.alpha))
+
+    @Quantity("x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
+              tex=r"(R_s + r - d_i) \sin\left(2 \alpha\right)")  # fmt: skip
+    def x(self) -> float:
+        return float(self.cam.centre(d_i=self.state.d_i, d_o=self.state.d_o)[0])
+
+    @Quantity("T", "N m", "torque of the shaft's tangential forces, Eq. 3 for a cup",
+              form="corrected", form_of="T", tex=r"z R_s F_t", safe="too low")  # fmt: skip
+    def torque(self) -> float:
+        return float(self.state.T)
+
+    @Quantity("T", "N m", "torque of the cup's contact forces, Eq. 3 for a cup", form="corrected",
+              form_of="T", tex=r"z (F_n x - F_t X_o)")  # fmt: skip
+    def torque_cup(self) -> float:
+        return float(self.z * (self.state.N * self.x - self.state.F_t * self.X_o))
+
+    @Quantity("s", "µm", "travel of the rollers' centres about the axis, Eq. 6 for a cup",
+              tex=r"(R_s + r - d_i) 2 (\alpha_0 - \alpha)")  # fmt: skip
+    def s(self) -> float:
+        return float(self.state.s)
+
+    @Quantity("φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
+              tex=r"\frac{1}{R_s} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}"
+              )  # fmt: skip
+    def phi(self) -> float:
+        return float(self.state.phi)
+
+    @Quantity("φ", "deg", "wind-up angle with R_s and X_o", equation="7", form="as printed",
+              form_of="phi", tex=r"\frac{s}{R_s} + \frac{s}{X_o}")  # fmt: skip
+    def phi_printed(self) -> float:
+        return float(self.state.phi_printed)
+
+    @Quantity("p_i", "MPa", "peak pressure on the shaft", source="Hertz", safe="too high",
+              tex=r"\frac{2 F_n}{\pi L a_i}")  # fmt: skip
+    def p_i(self) -> float:
+        return float(self.state.p_i)
+
+    @Quantity("p_o", "MPa", "peak pressure on the cup", source="Hertz", safe="too high",
+              tex=r"\frac{2 F_n}{\pi L a_o}")  # fmt: skip
+    def p_o(self) -> float:
+        return float(self.state.p_o)
+
+    @Quantity("T_max", "N m", "largest torque, at pop-through of the rollers", safe="too low",
+              tex=r"\max_{F_n} z R_s F_n \tan\alpha(F_n) = "
+              r"z R_s F_{max} \tan\left(\alpha_{max}\right)")  # fmt: skip
+    def T_max(self) -> float:
+        return float(self.at_summit.T)
+
+    @Quantity("F_max", "N", "normal force at the largest torque", role="step")
+    def N_max(self) -> float:
+        return float(self.at_summit.N)
+
+    @Quantity("α_max", "deg", "clamping angle at the largest torque", role="step")
+    def alpha_max(self) -> float:
+        return float(self.at_summit.alpha)
+
+    @Quantity("p_max", "MPa", "larger peak pressure at the largest torque (Hertz)", role="step")
+    def p_max(self) -> float:
+        return float(np.maximum(self.at_summit.p_i, self.at_summit.p_o))
+
+    @Quantity("d_through", "µm", "approaches at which rollers go through, α = 0", role="step",
+              tex=r"R_s + 2 r - X_o")  # fmt: skip
+    def through(self) -> float:
+        return float(self.cam.pop_through)
+
+    @Quantity("d_max", "µm", "approaches at the largest torque", role="step")
+    def d_max(self) -> float:
+        return float(self.at_summit.d_i + self.at_summit.d_o)
+
+    @Quantity("δ", "1", "part of the approaches that let rollers through, at the largest torque",
+              role="step", tex=r"\frac{d_{max}}{d_{through}}")  # fmt: skip
+    def share(self) -> float:
+        return float((self.at_summit.d_i + self.at_summit.d_o) / self.cam.pop_through)
+
+    def reference(self, level: int) -> Level:
+        """States of a pitch over the summit, on meshes of `level` cells on the half-widths."""
+        from verify.cases.freewheel import reference
+        from verify.cases.freewheel.cup.sweep import CupSweep, given_angle
+
+        sweep = CupSweep(self, level)
+        N_top, T_top = sweep.summit
+        values = reference.under_torque(self, sweep) | {
+            "N_angle": reference.at_angle(sweep, given_angle(self)),
+            "T_max": T_top,
+            "alpha_max": sweep.place(N_top, "N").psi / 2,
+            "falls": float(-np.diff(sweep.psi).max() / sweep.psi[0]),
+            "past_summit": float(1 - sweep.at_states["T"][-1] / T_top),
+        }
+        unsure = dict.fromkeys(values, reference.SPLINE)
+        unsure |= dict.fromkeys(("T_max", "N", "alpha", "s"), COURSE) | {"phi": BEGINNING}
+        return solved(1 / level, reference.field(sweep.last), iteration=unsure, **values,
+                      **reference.over_torque(self, sweep))  # fmt: skip
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """At equal torque, force and angle; at the summit; without load; forces in balance."""
+        cup, rigid = FreewheelCup, self.loaded_by("N_0")
+        force = CupBounds(self, rigid.state)
+        yield from self._at_torque()
+        yield from self._at_force(State(rigid, "rigid", "at N = T/(z R_s tan α_0)"), force)
+        angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
+        yield self._judged(cup.N, force.force_at_angle(self.given_angle), MEDIUM, state=angle,
+                           name="normal force at a given angle", symbol="F_n(ψ)")  # fmt: skip
+        yield self._summit()
+        yield limit(cup.alpha_0, "F_t/F_n becomes tan α_0 without load (Eq. 4 for a cup)", "α_0",
+                    points=partial(statics.no_load, self, self.alpha_0), exponent=1.0)  # fmt: skip
+        yield fact("the clamping angle falls from state to state", "α", margin("falls"))
+        yield fact("the torque falls beyond its summit, the normal force growing", "T",
+                   margin("past_summit"))  # fmt: skip
+        yield from balanced()
+
+    def _judged(
+        self, q: Quantity, interval: Interval, demand: float = DEMAND, source: str = BRACKET,
+        **more: Any,
+    ) -> Comparison:  # fmt: skip
+        """A row with its `demand`, which near it the default cup meets the suite's with.
+
+        A user's cup may be enclosed too widely by its neighbours to judge by.
+        """
+        if demand > NEARLY:
+            more["sensitivity"] = demand, ENCLOSED
+        elif demand > DEMAND:
+            more["own"] = demand, ENCLOSED
+        low, high = interval
+        expected = Expected(low, high, source, sharp=self.is_default or high - low <= demand)
+        return approximation(q, expected=expected, order=2, shares=SHARED, **more)
+
+    def _at_torque(self) -> Iterator[Comparison]:
+        cup, bounds = FreewheelCup, CupBounds(self, self.state)
+        yield self._judged(cup.alpha, bounds.under_torque("alpha"), FINE, symbol="α(T)",
+                           name="clamping angle under torque (Eq. 5 for a cup)")  # fmt: skip
+        yield self._judged(cup.N, bounds.under_torque("N"), NEARLY, symbol="F_n(T)",
+                           name="normal force under torque (Eqs. 2, 3)")  # fmt: skip
+        yield self._judged(cup.mu_T, bounds.slope(), FINE, symbol="F_t/F_n",
+                           name="F_t/F_n, mean of both contacts (Eqs. 1, 2)")  # fmt: skip
+        yield self._judged(cup.s, bounds.under_torque("s"), COARSE, symbol="s(T)",
+                           name="way of the rollers (Eq. 6)")  # fmt: skip
+        torsion = bounds.torsion()
+        yield self._judged(
+            cup.phi, torsion, COARSE, TANGENTIAL, symbol="φ(T)",
+            name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)",
+        )  # fmt: skip
+        on_flat = times(torsion, (self.R_s + self.X_o) / (2 * self.X_o), STRAIGHT)
+        yield self._judged(
+            cup.phi_printed, on_flat, COARSE, ON_FLAT, symbol="φ(T)",
+            name="torsion, Eq. 7 as printed, with R_s and X_o, against ∫dU/T",
+        )  # fmt: skip
+
+    def _at_force(self, rigid: State, bounds: CupBounds) -> Iterator[Comparison]:
+        cup, hertz, where = FreewheelCup, bounds.contact(), rigid.words
+        yield self._judged(cup.d_i, bounds.approach("d_i"), FINE, state=rigid, symbol="d_i(N)")
+        yield self._judged(cup.d_o, bounds.approach("d_o"), COARSE, state=rigid, symbol="d_o(N)")
+        for q, what in ((cup.a_i, "half-width on the shaft"), (cup.a_o, "half-width on the cup")):
+            yield self._judged(q, hertz, FINE, state=rigid, name=f"{what}, {where}")
+        for q in (cup.p_i, cup.p_o):
+            yield self._judged(q, hertz, FINE, state=rigid)
+        yield self._judged(cup.torque, bounds.torque(), FINE, state=rigid, symbol="T(N)",
+                           name=f"torque z R_s F_t (Eq. 3 for a cup), {where}")  # fmt: skip
+
+    def _summit(self) -> Comparison:
+        """The largest torque's, judged where contacts are narrow there."""
+        top = self.at_summit
+        wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
+        interval = (-math.inf, math.inf) if wide else CupBounds(self, top).summit()
+        return self._judged(FreewheelCup.T_max, interval, COARSE,
+                            name="largest torque, before the rollers go through")  # fmt: skip
+
+    def figures(self) -> Iterator[Drawing]:
+        """Torque and angle over the normal force, curves over torque, pressures."""
+        yield from drawn.figures(self)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Von Mises stress of the pitch."""
+        yield from over_torque.pictures(self)
+
+    def sketch(self) -> Sketch:
+        """One pitch of shaft, roller and cup."""
+        return drawn.sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Where friction or hardness is exceeded, and where the cup is thin."""
+        if np.tan(self.alpha_0) > FRICTION:
+            yield (
+                f"tan α_0 = {np.tan(self.alpha_0):.3g} is more than the friction {FRICTION:g} that "
+                "oiled steel hardly exceeds: the rollers do not grip"
+            )
+        p = max(self.p_i, self.p_o)
+        if p > HARD:
+            yield (
+                f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
+                "hardened rollers (ISO 76)"
+            )
+        wall = self.R_a - self.corner
+        if wall < THIN * self.X_o:
+            yield (
+                f"the cup's wall of {wall * 1e3:.3g} mm at its corners bends: rings that enclose "
+                "it say little, give R_a of the housing that bears it"
+            )
+
+    def refusal(self) -> str:
+        """Where the torque is next to nothing or near the summit, or contacts are wide there."""
+        _ = self.state  # ValueError where no state bears T
+        top, share = self.at_summit, self.T / self.T_max
+        if not LITTLE < share < NEAR:
+            return (
+                f"T is {share:.3g} of the largest torque {self.T_max:.4g} N m, not between "
+                f"{LITTLE:g} and {NEAR:g}; check it without --fem"
+            )
+        wide = max(float(top.a_i), float(top.a_o)) / self.r
+        if wide > WIDEST:
+            return (
+                f"contacts are {wide:.3g} r wide at the largest torque, beyond {WIDEST:g}; check "
+                "it without --fem"
+            )
+        return ""
+
+
+def margin(key: str) -> Callable[[Context], tuple[float, float]]:
+    """A value that is positive, with how much the last meshes differ."""
+
+    def of(context: Context) -> tuple[float, float]:
+        before, now = (r.values[key] for r in context.fem[-2:])
+        return now, 2 * abs(now - before)
+
+    return of
+
+
+def balanced() -> Iterator[Comparison]:
+    """Forces of the reference itself, put into the formulas."""
+    cup = FreewheelCup
+    yield accepted(cup.mu_T, "F_t/F_n on the cup against tan(ψ/2)", "share_flat",
+                   "its flat tilts under load:", symbol="F_t/F_n", within=2e-3,
+                   inverse=True)  # fmt: skip
+    yield accepted(cup.mu_T, "F_t/F_n on the shaft against tan(ψ/2)", "share_race",
+                   "its surface tilts under load:", symbol="F_t/F_n", within=2e-3,
+                   inverse=True)  # fmt: skip
+    yield accepted(cup.torque, "torque against z R_s F_t of the shaft (Eq. 3 for a cup)",
+                   "torque_race", "off by", within=1e-3)  # fmt: skip
+    yield accepted(cup.torque_cup, "torque against z (F_n x − F_t X_o) of the cup (Eq. 3 for a "
+                   "cup)", "torque_cam", "off by", within=1e-3, source=statics.OTHER)  # fmt: skip
+    yield accepted(cup.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
+                   within=1e-3, source=statics.ALIKE, by="the flat's")  # fmt: skip
+    yield accepted(cup.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
+                   "surfaces tilt to either side of the bisector: apart by", within=4e-3,
+                   source=statics.BOTH, by="the flat's")  # fmt: skip
+    yield accepted(
+        cup.phi, "∫dU/T against rolling", "rolling", within=5e-3,
+        words="tangential forces deform contacts and wind up shaft and cup: rolling is off by",
+    )  # fmt: skip
+    yield statics.ON_ROLLER
+
+
+CUP = adapted(FreewheelCup)

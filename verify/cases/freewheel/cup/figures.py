@@ -1,30 +1,27 @@
 """What the report shows of a drawn-cup roller clutch under torque."""
 
 import math
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
-from analytic.freewheel.state import State, at_normal_force, loaded
+from analytic.freewheel.state import State, at_normal_force
+from verify.case import Drawn
 from verify.cases.freewheel import over_torque
-from verify.cases.freewheel.cup.model import clutch
-from verify.cases.freewheel.over_torque import DEGREE, FINE
-from verify.cases.freewheel.torque.fem import ACROSS, GRID
-from verify.cases.freewheel.torque.figures import pictures
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Curve, Curves, Equation, Figure, Profile, Shape, Sketch
-from verify.core.tex import tex
-from verify.judging.profiles import along
-
-__all__ = ["equations", "figures", "pictures", "sketch"]
+from verify.cases.freewheel.cup.inputs import Cup
+from verify.cases.freewheel.over_torque import DEGREE
+from verify.core.case import Context
+from verify.core.figures import Array, Curve, Curves, Shape, Sketch
+from verify.form.case import Drawing
 
 FORCES = np.linspace(1e-4, 1.0, 160)  # of the largest normal force of the states
 
+TILTS = "Flat and shaft tilt under the normal force, while the angle itself falls."
 ROLLED = "The angle grows faster than the torque: the largest torque has no stiffness left."
 
 
-def sketch(q: Any) -> Sketch:
+def sketch(q: Cup) -> Sketch:
     """One pitch to scale: shaft, roller, cup, the angle psi between flat and roller."""
     cam, half = q.cam, math.pi / q.z
     x, y = (float(v) for v in cam.centre(d_i=0.0, d_o=0.0))
@@ -67,65 +64,29 @@ def sketch(q: Any) -> Sketch:
     )
 
 
-def equations(q: Any, v: Values) -> Sequence[Equation]:
-    R, r, X, T = tex(q.R_s * 1e3), tex(q.r * 1e3), tex(q.X_o * 1e3, 8), tex(q.T)
-    d_i, d_o = tex(v["d_i"] * 1e6, 4), tex(v["d_o"] * 1e6, 4)
-    a0, a = tex(v["alpha_0"] * DEGREE, 5), tex(v["alpha"] * DEGREE, 5)
-    return (
-        Equation(
-            tex=r"\cos 2\alpha_0 = \frac{X_o - r}{R_s + r}",
-            numbers=rf"\frac{{{X} - {r}}}{{{R} + {r}}} \Rightarrow \alpha_0 = {a0}°",
-            place="Eq. 4 for a cup",
-        ),
-        Equation(
-            tex=r"\alpha = \frac{1}{2}\arccos\frac{X_o - r + d_o}{R_s + r - d_i}",
-            numbers=rf"d_i = {d_i}, d_o = {d_o}\ \mathrm{{µm}} \Rightarrow \alpha = {a}°",
-            place="Eq. 5 for a cup: load lowers the angle",
-        ),
-        Equation(
-            tex=r"T = z R_s F_t = z\,(F_n x - F_t X_o), \quad F_t = F_n\tan\alpha",
-            numbers=rf"{T} = {q.z}\cdot {tex(q.R_s)}\cdot {tex(v['F_t'], 5)}\ \mathrm{{N\,m}}",
-            place="Eqs. 2 and 3 for a cup; x = (R_s + r - d_i) sin 2α",
-        ),
-        Equation(
-            tex=r"s = (R_s + r - d_i)\,2(\alpha_0 - \alpha)",
-            numbers=rf"= {tex(v['s'] * 1e6, 5)}\ \mathrm{{µm}}", place="Eq. 6 for a cup",
-        ),
-        Equation(
-            tex=r"\varphi = \frac{1}{R_s}\int\frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}",
-            numbers=rf"= {tex(v['phi'] * DEGREE, 5)}°, \quad \frac{{s}}{{R_s}} + \frac{{s}}{{X_o}}"
-            rf" = {tex(v['phi printed'] * DEGREE, 5)}°",
-            place="Eq. 7, corrected, and as printed",
-        ),
-        Equation(
-            tex=r"T_{max} = \max_{F_n}\, z R_s F_n\tan\alpha(F_n), \qquad "
-            r"\alpha = 0 \text{ at } d_i + d_o = R_s + 2r - X_o",
-            numbers=rf"= {tex(v['T summit'], 5)}\ \mathrm{{N\,m}} \text{{ at }} "
-            rf"{tex(v['share'], 3)}\cdot {tex(v['through'] * 1e6, 4)}\ \mathrm{{µm}}",
-            place="largest torque, before the rollers go through",
-        ),
-    )  # fmt: skip
+def figures(q: Cup) -> Iterator[Drawing]:
+    """Torque and angle over the normal force, curves over torque, pressures."""
+    yield Drawn(_over_the_summit)
+    yield over_torque.angle(q, ends=" and falls.")
+    yield Drawn(partial(over_torque.torsion, printed="s/R_s + s/X_o", note=ROLLED))
+    yield over_torque.way(q)
+    yield Drawn(partial(over_torque.bisector, x="F_n [kN]", cam="cup", race="shaft", note=TILTS))
+    yield over_torque.pressure("cup")
+    yield over_torque.pressure("shaft")
 
 
-def figures(context: Context) -> Sequence[Figure]:
-    if not context.converging:
-        return ()
-    q = context.inputs
-    states, marks = loaded(clutch(q), FINE * q.T), loaded(clutch(q), GRID * q.T)
-    return (
-        _over_the_summit(context), _angles(context),
-        over_torque.angle(context, states, marks, ends=" and falls."),
-        over_torque.torsion(context, states, printed="s/R_s + s/X_o", note=ROLLED),
-        over_torque.way(context, states, marks), _bisector(context),
-        _pressure(context, "cup"), _pressure(context, "shaft"),
-    )  # fmt: skip
+def _over_the_summit(context: Context) -> Iterator[Curves]:
+    """Torque and angle over the normal force."""
+    if context.converging:
+        yield _torques(context)
+        yield _angles(context)
 
 
 def _course(context: Context) -> State:
-    return at_normal_force(clutch(context.inputs), FORCES * context.fem[-1].arrays["loads"][1][-1])
+    return at_normal_force(context.inputs.clutch, FORCES * context.fem[-1].arrays["loads"][1][-1])
 
 
-def _over_the_summit(context: Context) -> Curves:
+def _torques(context: Context) -> Curves:
     T, N, *_ = context.fem[-1].arrays["loads"]
     states, q = _course(context), context.inputs
     kept = states.N[q.z * q.R_s * states.N * math.tan(float(q.cam.alpha0)) < 1.25 * states.T.max()]
@@ -153,32 +114,4 @@ def _angles(context: Context) -> Curves:
             Curve(name="FE", x=N / 1e3, y=psi / 2 * DEGREE, style="dots"),
         ),
         note="At α = 0 the roller stands between the flat's middle and the shaft and goes through.",
-    )  # fmt: skip
-
-
-def _bisector(context: Context) -> Curves:
-    _, N, psi, *_ = context.fem[-1].arrays["loads"]
-    cup, shaft = context.fem[-1].arrays["shares"]
-    tan = np.tan(psi / 2)
-    return Curves(
-        title="How far the line of the forces leaves the bisector", x_label="F_n [kN]",
-        y_label="(F_t/F_n)/tan(ψ/2) − 1 [10⁻³]", y_bottom=None,
-        curves=(
-            Curve(name="FE, on the cup", x=N / 1e3, y=1e3 * (cup / tan - 1), style="dots"),
-            Curve(name="FE, on the shaft", x=N / 1e3, y=1e3 * (shaft / tan - 1), style="dots",
-                  colour=2),
-            Curve(name="rigid surfaces", x=np.array([0.0, N[-1] / 1e3]), y=np.zeros(2)),
-        ),
-        note="Flat and shaft tilt under the normal force, while the angle itself falls.",
-    )  # fmt: skip
-
-
-def _pressure(context: Context, where: str) -> Profile:
-    values, u = along(context, f"profile, p on the {where}", formal=1, scale=1.0)
-    x = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))
-    return Profile(
-        title=f"Pressure on the {where}, in the heaviest state", x_label="x/a", y_label="p/p_0",
-        x=x, y=np.sqrt(1 - x**2), x_fem=ACROSS, y_fem=values, y_ref=np.sqrt(1 - ACROSS**2), u=u,
-        scale=1.0, neglects=True,
-        note="a from the moments of the pressure, p_0 = 2P/(πa): the shape is compared.",
     )  # fmt: skip

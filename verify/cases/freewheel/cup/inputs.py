@@ -1,37 +1,51 @@
-"""Inputs of a drawn-cup roller clutch, and the synthetic one that stands for it.
+"""Inputs and states of a drawn-cup roller clutch, and the synthetic one that stands for it.
 
 The paper prints no outer cam. Real drawn cups are thin and sit in a housing that bears them: the
-rim's radius is the housing's, taken for one body with the cup.
+rim's radius is the housing's, taken for one body with the cup. An outer cam's roller moves towards
+psi = 0: alpha falls, and the torque z R_s N tan(alpha) has a largest value before the rollers go
+through.
 """
 
 import math
+from typing import ClassVar, Self
 
+import numpy as np
 from pydantic import model_validator
+from scipy.optimize import minimize_scalar
 
+from analytic.freewheel.clutch import Clutch
+from analytic.freewheel.compliance import Compliance, compliance
 from analytic.freewheel.geometry import OuterCam
-from verify.core.inputs import Inputs, count, quantity
+from analytic.freewheel.limits import limits
+from analytic.freewheel.state import State, at_angle, at_normal_force, loaded
+from verify.case import Case, count, given, shared
+from verify.cases.freewheel.star import LARGEST_ANGLE, Load, of_one_steel
 
-LARGEST_ANGLE = math.radians(15)
+HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
+FRICTION = 0.1  # what oiled steel hardly exceeds
+GIVEN = 0.25  # of the overlap at which rollers go through, at the angle that is given
 
 
-class CupInputs(Inputs):
+class Cup(Case):
     """z rollers between a shaft and the flats of a cup, under a torque."""
 
-    R_s: float = quantity("10 mm", "mm", "R_s", "radius of the shaft", gt=1e-3, le=1e5)
-    r: float = quantity("2 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
-    X_o: float = quantity("13.910554 mm", "mm", "X_o", "distance of the cup's flats from the axis",
-                          gt=1e-3, le=1e5)  # fmt: skip
-    R_a: float = quantity("30 mm", "mm", "R_a", "outer radius of the cup in its housing", gt=1e-3,
-                          le=1e5)  # fmt: skip
-    r_b: float = quantity("4 mm", "mm", "r_b", "bore radius of the shaft, free", gt=1e-4, le=1e5)
+    load: ClassVar[Load] = "T"  # what the state of the formulas is given by
+
+    R_s: float = given("10 mm", "mm", "R_s", "radius of the shaft", gt=1e-3, le=1e5)
+    r: float = given("2 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
+    X_o: float = given("13.910554 mm", "mm", "X_o", "distance of the cup's flats from the axis",
+                       gt=1e-3, le=1e5)  # fmt: skip
+    R_a: float = given("30 mm", "mm", "R_a", "outer radius of the cup in its housing", gt=1e-3,
+                       le=1e5)  # fmt: skip
+    r_b: float = given("4 mm", "mm", "r_b", "bore radius of the shaft, free", gt=1e-4, le=1e5)
     z: int = count(8, "z", "number of rollers", ge=3, le=100)
-    L: float = quantity("10 mm", "mm", "L", "length of the rollers", gt=1e-3, le=1e6)
-    T: float = quantity("18 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9)
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    L: float = given("10 mm", "mm", "L", "length of the rollers", gt=1e-3, le=1e6)
+    T: float = given("18 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9)
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
 
     @model_validator(mode="after")
-    def _fits(self) -> "CupInputs":
+    def _fits(self) -> Self:
         if not self.r_b < self.R_s:
             raise ValueError(
                 f"the shaft needs a wall: r_b < R_s, got r_b = {self.r_b * 1e3:g} mm, "
@@ -49,6 +63,7 @@ class CupInputs(Inputs):
             )
         return self
 
+    # what sectors of stars and cups have in common: see `verify.cases.freewheel.bodies`
     @property
     def sense(self) -> int:
         """-1: load narrows the angle."""
@@ -73,3 +88,62 @@ class CupInputs(Inputs):
     def cam(self) -> OuterCam:
         """The clutch's wedges; ValueError where there are none."""
         return OuterCam(R_s=self.R_s, r=self.r, X_o=self.X_o, z=self.z)
+
+    @shared
+    def clutch(self) -> Clutch:
+        """The elastic clutch."""
+        return of_one_steel(self, self.cam)
+
+    @shared
+    def bodies(self) -> Compliance:
+        """Constants of the approaches of shaft, cup and half a roller."""
+        return compliance(self.clutch)
+
+    @shared
+    def state(self) -> State:
+        """The state under what `load` names."""
+        if self.load == "N_0":
+            return at_normal_force(self.clutch, self.rigid_force)
+        if self.load == "ψ":
+            return at_angle(self.clutch, self.given_angle)
+        top = self.at_summit
+        under = loaded(self.clutch, self.T)
+        if not np.isfinite(under.N):
+            raise ValueError(
+                f"T = {self.T:g} N m is more than the largest torque, {float(top.T):.5g} N m: "
+                "beyond it the rollers go through between shaft and cup"
+            )
+        return under
+
+    @shared
+    def at_summit(self) -> State:
+        """The state with the largest torque."""
+        whole = self.clutch
+        T = float(limits(whole, mu=FRICTION, p_lim=HARD).pop_through)
+        if not np.isfinite(T):
+            raise ValueError(
+                "contacts are wider than half the rollers' radius before the torque has its "
+                f"summit: α_0 = {np.degrees(float(self.cam.alpha0)):.4g}° is more than these "
+                "formulas know"
+            )
+        N = float(loaded(whole, 0.99 * T).N)
+        found = minimize_scalar(
+            lambda N: -float(np.nan_to_num(at_normal_force(whole, N).T)), bounds=(N, 1.4 * N),
+            method="bounded", options={"xatol": 1e-9 * N},
+        )  # fmt: skip
+        return at_normal_force(whole, found.x)
+
+    @property
+    def rigid_force(self) -> float:
+        """N_0 [N] of a clutch that keeps its angle alpha_0."""
+        return float(self.T / (self.z * self.R_s * np.tan(self.cam.alpha0)))
+
+    @property
+    def given_angle(self) -> float:
+        """The angle psi [rad] at which both approaches are `GIVEN` of what lets rollers through."""
+        d = GIVEN * float(self.cam.pop_through) / 2
+        return float(2 * self.cam.alpha(d_i=d, d_o=d))
+
+    def loaded_by(self, load: Load) -> Self:
+        """The same clutch where N is N_0, or at the angle psi that is given."""
+        return self.model_copy(update={"load": load})

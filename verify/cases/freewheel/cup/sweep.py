@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, minimize_scalar
 
 from verify.cases.contact.errors import fem_errors
-from verify.cases.freewheel.cup.inputs import CupInputs
+from verify.cases.freewheel.bodies import OneClutch
 from verify.cases.freewheel.fem import Place
 from verify.cases.freewheel.sweep import COARSE, FIRST, Start, Sweep, after, rigid_force
 
@@ -38,19 +38,19 @@ GIVEN = 0.25  # of the overlap at which rollers go through, at the angle that is
 STEEP, FLAT = 1.1, 0.25  # d ln(T)/d ln(overlap) of a rigid angle; and no less
 
 
-def through(q: CupInputs) -> float:
+def through(q: OneClutch) -> float:
     """The overlap [m] at which the rollers go through."""
-    return q.R_s + 2 * q.r - q.X_o
+    return q.race + 2 * q.r - q.flat
 
 
-def given_angle(q: CupInputs) -> float:
+def given_angle(q: OneClutch) -> float:
     """The angle psi [rad] at which contacts overlap by `GIVEN` of what lets rollers through."""
     d = GIVEN * through(q) / 2
     return Place.overlapping(q, d, d).psi
 
 
 @lru_cache(maxsize=16)
-def starts(q: CupInputs) -> tuple[Start, ...]:
+def starts(q: OneClutch) -> tuple[Start, ...]:
     """Starts of all states from light to heavy, from coarse meshes."""
     under = under_torque(q)
     d = sum(under.d)
@@ -63,7 +63,7 @@ def starts(q: CupInputs) -> tuple[Start, ...]:
     return tuple(reversed(found))
 
 
-def under_torque(q: CupInputs) -> Start:
+def under_torque(q: OneClutch) -> Start:
     """A start that bears the torque T, about."""
     D, most = FIRST * rigid_force(q) / q.L * (1 - q.nu**2) / q.E, through(q)
     D = min(D, 0.3 * most)
@@ -88,7 +88,7 @@ class CupSweep(Sweep):
 
     along = "N"
 
-    def __init__(self, q: CupInputs, cells: int) -> None:
+    def __init__(self, q: OneClutch, cells: int) -> None:
         self._take(q, [start.state(q, cells) for start in starts(q)])
 
     @cached_property

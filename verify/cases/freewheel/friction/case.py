@@ -7,14 +7,13 @@ from verify.cases.freewheel.friction import figures
 from verify.cases.freewheel.friction.claims import CHECKS
 from verify.cases.freewheel.friction.fem import LEVELS, fem
 from verify.cases.freewheel.friction.formulas import analytic, both_contacts
-from verify.cases.freewheel.friction.inputs import FrictionInputs
-from verify.cases.freewheel.torque import case as freewheel_torque
+from verify.cases.freewheel.pulled import Pulled
 from verify.core.case import Case, Output, Scan, Values
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
 
 
-def warnings(q: FrictionInputs, v: Values) -> Sequence[str]:
+def warnings(q: Pulled, v: Values) -> Sequence[str]:
     found: list[str] = []
     light = str(criterion.traffic_light(v["safety"]))
     if "F_lim" not in v:
@@ -35,7 +34,7 @@ def warnings(q: FrictionInputs, v: Values) -> Sequence[str]:
     return found
 
 
-def findings(_q: FrictionInputs, v: Values) -> Sequence[str]:
+def findings(_q: Pulled, v: Values) -> Sequence[str]:
     if "F_lim" not in v:
         return ("slips under the torque alone: friction is less than the wedge asks for",)
     holds = v["safety"] >= 1
@@ -47,11 +46,11 @@ def findings(_q: FrictionInputs, v: Values) -> Sequence[str]:
     return (f"{said}: μ/μ_req = {v['safety']:.4g}, {criterion.traffic_light(v['safety'])}", beyond)
 
 
-def too_large(q: FrictionInputs) -> str:
+def too_large(q: Pulled) -> str:
     v = analytic(q)
     low, _ = both_contacts(q, v)
     if v["mu_t"] * (1 + CLOSE) / (1 + low) < q.mu:
-        return freewheel_torque.too_large(q)
+        return q.refusal()
     return (
         f"tan α = {v['mu_t']:.4g} is not below μ = {q.mu:g} by {CLOSE:.0%} or more: the torque "
         "alone lets the rollers out, or nearly so; check it without --fem"
@@ -71,7 +70,7 @@ FRICTION = Case(
     "angles. An elastic clutch with friction in a cone slips where that says so, under the torque "
     "and along the axis. Beyond the limit it turns as well: slip has the direction of the "
     "resultant.",
-    inputs=FrictionInputs,
+    inputs=Pulled,
     analytic=analytic,
     reference=fem,
     levels=LEVELS,

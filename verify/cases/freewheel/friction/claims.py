@@ -14,7 +14,7 @@ from verify.cases.freewheel.friction.formulas import (
     two_tangents,
     whole_load,
 )
-from verify.cases.freewheel.friction.limit import HELD
+from verify.cases.freewheel.slip_limit import HELD
 from verify.core.case import Context
 from verify.core.figures import Array
 from verify.judging.checks import Approximation, Exact, Identity

@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verify.cases.freewheel.fem import Sector, State
-from verify.cases.freewheel.friction.inputs import FrictionInputs
-from verify.cases.freewheel.friction.limit import Limit, over_angles
-from verify.cases.freewheel.friction.model import (
+from verify.cases.freewheel.pulled import Pulled
+from verify.cases.freewheel.pulled_sector import (
     EDGES,
     Borne,
     ample,
@@ -20,6 +19,7 @@ from verify.cases.freewheel.friction.model import (
     sector,
     yielding,
 )
+from verify.cases.freewheel.slip_limit import Limit, over_angles
 from verify.cases.freewheel.sweep import Start
 from verify.core.case import FemResult
 from verify.core.figures import Field
@@ -32,7 +32,7 @@ FREE = (1.0, 2.0, 5.0, 10.0, 18.0, 27.0, 37.0)  # the same with the ring held
 SOLVED = 1e-9  # of N, within which the solver balances a body that only contact holds
 
 
-def fem(q: FrictionInputs, level: int) -> FemResult:
+def fem(q: Pulled, level: int) -> FemResult:
     start = at_torque(q, level)
     rest, held = under_load(q, start, level)
     alone, borne = Borne.by(rest), Borne.by(held)
@@ -76,7 +76,7 @@ def fem(q: FrictionInputs, level: int) -> FemResult:
     )  # fmt: skip
 
 
-def under_load(q: FrictionInputs, start: Start, cells: int) -> tuple[State, State]:
+def under_load(q: Pulled, start: Start, cells: int) -> tuple[State, State]:
     """The clutch with ample friction: at rest under torque, and with the axial load as well."""
     there = sector(q, start, cells, 1.0, driven=False)
     there = sector(q, start, cells, ample(q, there.place), driven=False)

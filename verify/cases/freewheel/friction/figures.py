@@ -9,8 +9,7 @@ import numpy as np
 from analytic.freewheel import criterion
 from analytic.freewheel.state import loaded
 from verify.cases.freewheel.friction.formulas import lever, slipped
-from verify.cases.freewheel.friction.limit import HELD
-from verify.cases.freewheel.torque.model import clutch
+from verify.cases.freewheel.slip_limit import HELD
 from verify.core.case import Context, Values
 from verify.core.figures import Curve, Curves, Equation, Figure, Picture, Shape, Sketch, Table
 from verify.core.tex import tex
@@ -61,7 +60,7 @@ def equations(q: Any, v: Values) -> Sequence[Equation]:
 
 def sketch(q: Any) -> Sketch:
     """Roller between flat and ring, and the friction of one contact in its cone."""
-    state = loaded(clutch(q), q.T)
+    state = loaded(q.clutch, q.T)
     psi, tan = float(state.psi), math.tan(float(state.alpha))
     ray, along = np.array([math.sin(psi), math.cos(psi)]), np.array([math.cos(psi), -math.sin(psi)])
     up, right = np.array([0.0, 1.0]), np.array([1.0, 0.0])
@@ -130,7 +129,7 @@ def _cone(q: Any, last: Any) -> Curves:
 def _limit(context: Context) -> Curves:
     q, v = context.inputs, context.analytic
     T = GRID * q.T
-    alpha = loaded(clutch(q), T).alpha
+    alpha = loaded(q.clutch, T).alpha
     limits = {k: criterion.largest_axial_load(alpha=alpha, T=T, R=q.R, mu=q.mu / k)
               for k in (criterion.GREEN, criterion.RED)}  # fmt: skip
     fe = context.fem[-1].values

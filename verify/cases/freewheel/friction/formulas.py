@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from analytic.freewheel import criterion, tilt
 from analytic.freewheel.state import at_normal_force, loaded
-from verify.cases.freewheel.friction.inputs import FrictionInputs
-from verify.cases.freewheel.torque.model import Interval, clutch, state_under, times, under_torque
+from verify.cases.freewheel.bounds import Bounds, Interval, times
+from verify.cases.freewheel.pulled import Pulled
 from verify.core.case import Values
 
 Array = NDArray[np.float64]
@@ -24,8 +24,8 @@ WIDEST = 0.04  # interval at the limit: near tan(alpha) = mu it says nothing
 GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers are let out
 
 
-def analytic(q: FrictionInputs) -> Values:
-    state = state_under(q, q.T)
+def analytic(q: Pulled) -> Values:
+    state = q.under(q.T)
     alpha, N, F_a = state.alpha, state.N, q.F_ax / q.z
     F_t = q.T / q.cam.torque_on_race(F_t=1.0)
     mu_req = criterion.required_friction(alpha=alpha, T=q.T, F_ax=q.F_ax, R=q.R)
@@ -43,12 +43,12 @@ def analytic(q: FrictionInputs) -> Values:
     return {key: float(value) for key, value in values.items()}
 
 
-def slipped(q: FrictionInputs) -> tuple[Array, Array]:
+def slipped(q: Pulled) -> tuple[Array, Array]:
     """Axial slip (m,) [m] of a ring held about the axis, and T (m,) over that before, backwards.
 
     The first is where nothing is left.
     """
-    state = at_normal_force(clutch(q), GRID * loaded(clutch(q), q.T).N)
+    state = at_normal_force(q.clutch, GRID * loaded(q.clutch, q.T).N)
     tan = np.tan(state.alpha)
     slope = np.sqrt((q.mu / tan) ** 2 - 1) / tan
     d = state.d_i + state.d_o
@@ -57,25 +57,25 @@ def slipped(q: FrictionInputs) -> tuple[Array, Array]:
     return rest, np.asarray(state.T / state.T[-1])
 
 
-def lever(q: FrictionInputs) -> float:
+def lever(q: Pulled) -> float:
     """F_a/F_t = F_ax R/T."""
     return q.F_ax * q.R / q.T
 
 
-def one_contact(q: FrictionInputs, _values: Values) -> Interval:
+def one_contact(q: Pulled, _values: Values) -> Interval:
     """Of F_t/N where both contacts count by themselves."""
-    return _wider(q, under_torque(q).slope(tilted=True))
+    return _wider(q, _bounds(q).slope(tilted=True))
 
 
-def both_contacts(q: FrictionInputs, _values: Values) -> Interval:
-    return _wider(q, under_torque(q).slope())
+def both_contacts(q: Pulled, _values: Values) -> Interval:
+    return _wider(q, _bounds(q).slope())
 
 
-def normal_force(q: FrictionInputs, _values: Values) -> Interval:
-    return _wider(q, under_torque(q).force())
+def normal_force(q: Pulled, _values: Values) -> Interval:
+    return _wider(q, _bounds(q).force())
 
 
-def _wider(q: FrictionInputs, interval: Interval) -> Interval:
+def _wider(q: Pulled, interval: Interval) -> Interval:
     """With what friction along the surfaces does to the angle.
 
     A tangential force moves nothing across itself where a body is its own mirror image. Contacts
@@ -83,36 +83,40 @@ def _wider(q: FrictionInputs, interval: Interval) -> Interval:
     shape makes less than half of an approach: by size, approaches change by tan² alpha of
     themselves at most. From alpha_0 on tan² alpha is linear in them.
     """
-    tan, least = (math.tan(float(a)) for a in (under_torque(q).state.alpha, q.cam.alpha0))
+    tan, least = (math.tan(float(a)) for a in (_bounds(q).state.alpha, q.cam.alpha0))
     rest = (tan**2 - least**2) / 2
     return interval[0] - rest, interval[1] + rest
 
 
-def whole_load(q: FrictionInputs, _values: Values) -> Interval:
+def whole_load(q: Pulled, _values: Values) -> Interval:
     """Eq. 8 with the F_ax of Eq. 9: z times the axial force of a roller."""
     more = math.hypot(1.0, q.z * lever(q)) / math.hypot(1.0, lever(q))
     return times(one_contact(q, _values), more, 1e-6)
 
 
-def two_tangents(q: FrictionInputs, _values: Values) -> Interval:
+def two_tangents(q: Pulled, _values: Values) -> Interval:
     """Eq. 8 as it stands calls tan(alpha) what is mu_req."""
     return times(both_contacts(q, _values), math.hypot(1.0, lever(q)), 1e-6)
 
 
-def limit_load(q: FrictionInputs, values: Values) -> Interval | None:
+def limit_load(q: Pulled, values: Values) -> Interval | None:
     """Of F_ax at the limit, from the slope's: none where that alone nearly lets the roller out."""
     return _through(q, values, lambda tan: math.sqrt((q.mu / tan) ** 2 - 1))
 
 
-def limit_creep(q: FrictionInputs, values: Values) -> Interval | None:
+def limit_creep(q: Pulled, values: Values) -> Interval | None:
     """Of F_t/F_z at the limit."""
     return _through(q, values, lambda tan: 1 / math.sqrt((q.mu / tan) ** 2 - 1))
 
 
-def _through(q: FrictionInputs, values: Values, of) -> Interval | None:  # type: ignore[no-untyped-def]
+def _through(q: Pulled, values: Values, of) -> Interval | None:  # type: ignore[no-untyped-def]
     own = math.tan(values["alpha"])
     ends = [own / (1 + m) for m in one_contact(q, values)]
     if max(ends) >= q.mu:
         return None
     found = [of(own) / of(tan) - 1 for tan in ends]
     return (min(found), max(found)) if max(found) - min(found) < WIDEST else None
+
+
+def _bounds(q: Pulled) -> Bounds:
+    return Bounds(q, loaded(q.clutch, q.T))

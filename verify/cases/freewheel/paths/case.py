@@ -8,8 +8,7 @@ from verify.cases.freewheel.paths.claims import CHECKS
 from verify.cases.freewheel.paths.fem import LEVELS, fem
 from verify.cases.freewheel.paths.formulas import SWAY, analytic, courses, of_limit
 from verify.cases.freewheel.paths.inputs import PathInputs
-from verify.cases.freewheel.torque import case as freewheel_torque
-from verify.cases.freewheel.torque.figures import sketch
+from verify.cases.freewheel.star_sketch import sketch
 from verify.core.case import Case, Output, Values
 
 CLOSE = 0.02  # of tan(alpha): friction that near leaves no axial load worth measuring
@@ -68,7 +67,7 @@ def warnings(q: PathInputs, v: Values) -> Sequence[str]:
 
 
 def too_large(q: PathInputs) -> str:
-    if reason := freewheel_torque.too_large(q.model_copy(update={"T": q.T_peak})):
+    if reason := q.model_copy(update={"T": q.T_peak}).refusal():
         return reason
     v = analytic(q)
     if v["mu_t"] * (1 + CLOSE) > q.mu or of_limit(q, q.T) is None:

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from verify.cases.freewheel.fem import Place, Sector, State
 from verify.cases.freewheel.friction.fem import field
-from verify.cases.freewheel.friction.model import (
+from verify.cases.freewheel.paths.inputs import PathInputs
+from verify.cases.freewheel.pulled_sector import (
     HARDER,
     Borne,
     ample,
@@ -24,7 +25,6 @@ from verify.cases.freewheel.friction.model import (
     sector,
     slipping,
 )
-from verify.cases.freewheel.paths.inputs import PathInputs
 from verify.cases.freewheel.slip import Drive, axial_unit
 from verify.cases.freewheel.sweep import Start, after
 from verify.core.case import FemResult

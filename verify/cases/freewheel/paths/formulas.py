@@ -14,8 +14,8 @@ from analytic.freewheel import criterion
 from analytic.freewheel.course import Course, follow
 from analytic.freewheel.load_path import AlternatingAxial, AxialRamp, BothAlternating, LoadPath
 from analytic.freewheel.state import loaded
+from verify.cases.freewheel.bounds import Bounds, Interval
 from verify.cases.freewheel.paths.inputs import PathInputs
-from verify.cases.freewheel.torque.model import Expected, Interval, clutch, state_under
 from verify.core.case import Values
 
 STEP = 1e-3  # of T, over which the stiffness is taken
@@ -44,7 +44,7 @@ def course(q: PathInputs, case: int, mu: float) -> Course:
     """Load case `case` with this friction."""
     cycles = q.f * q.duration * (1 - ROUND_OFF)
     points = 1 + max(LEAST, math.ceil(TIMES * cycles))
-    return follow(clutch(q), paths(q)[case], mu=mu, t=np.linspace(0, q.duration, points))
+    return follow(q.clutch, paths(q)[case], mu=mu, t=np.linspace(0, q.duration, points))
 
 
 def axial_load(q: PathInputs, share: float) -> float:
@@ -55,18 +55,18 @@ def axial_load(q: PathInputs, share: float) -> float:
 def required(q: PathInputs, share: float) -> float:
     """mu_req of load case 3 in its last cycle where its sine is `share`."""
     T = q.T_m + share * q.T
-    alpha = loaded(clutch(q), T).alpha
+    alpha = loaded(q.clutch, T).alpha
     return float(criterion.required_friction(alpha=alpha, T=T, F_ax=axial_load(q, share), R=q.R))
 
 
 def limit(q: PathInputs, T: float) -> float:
     """Axial load [N] at which the clutch slips under the torque; nan where it does without."""
-    alpha = loaded(clutch(q), T).alpha
+    alpha = loaded(q.clutch, T).alpha
     return float(criterion.largest_axial_load(alpha=alpha, T=T, R=q.R, mu=q.mu))
 
 
 def analytic(q: PathInputs) -> Values:
-    top, state = state_under(q, q.T_peak), state_under(q, q.T)
+    top, state = q.under(q.T_peak), q.under(q.T)
     values: dict[str, Any] = {
         "alpha": state.alpha, "N": state.N, "mu_t": np.tan(state.alpha), "phi": top.phi,
         "coulomb": 1.0, **inertia(q),
@@ -84,7 +84,7 @@ def analytic(q: PathInputs) -> Values:
 
 def inertia(q: PathInputs) -> dict[str, float]:
     """Stiffness [N m/rad], f_0 [Hz], (f/f_0)² and the inertia [kg m²] at which this is 1 %."""
-    phi = loaded(clutch(q), q.T * np.array([1 - STEP, 1 + STEP])).phi
+    phi = loaded(q.clutch, q.T * np.array([1 - STEP, 1 + STEP])).phi
     stiffness = 2 * STEP * q.T / (phi[1] - phi[0])
     J = q.rho * math.pi / 2 * (q.R_a**4 - q.R**4) * q.L
     f_0 = math.sqrt(stiffness / J) / (2 * math.pi)
@@ -94,15 +94,15 @@ def inertia(q: PathInputs) -> dict[str, float]:
     }  # fmt: skip
 
 
-def expected(q: PathInputs, T: float) -> Expected:
-    return Expected(q, loaded(clutch(q), T))
+def expected(q: PathInputs, T: float) -> Bounds:
+    return Bounds(q, loaded(q.clutch, T))
 
 
 def of_limit(q: PathInputs, T: float) -> Interval | None:
     """Of the axial load at slip, from what may be wrong with tan(alpha) of one contact."""
     if not T:
         return None
-    own = math.tan(float(loaded(clutch(q), T).alpha))
+    own = math.tan(float(loaded(q.clutch, T).alpha))
     ends = [own / (1 + m) for m in expected(q, T).slope(tilted=True)]
     if max(*ends, own) >= q.mu:
         return None

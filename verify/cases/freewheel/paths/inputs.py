@@ -2,14 +2,14 @@
 
 from pydantic import model_validator
 
-from verify.cases.freewheel.friction.inputs import FrictionInputs
+from verify.cases.freewheel.pulled import Pulled
 from verify.core.inputs import quantity
 
 MOST = 1000  # cycles of a path
 
 
-class PathInputs(FrictionInputs):
-    """The clutch of `FrictionInputs`, whose axial load grows up to F_ax on three paths."""
+class PathInputs(Pulled):
+    """The clutch of `Pulled`, whose axial load grows up to F_ax on three paths."""
 
     F_ax: float = quantity("3 kN", "N", "F_ax", "axial load on the whole clutch at the path's end",
                            gt=0, le=1e9, claims="nagler2021:rig-axial-load")  # fmt: skip

@@ -1,112 +1,72 @@
 """A roller freewheel with a flat star under torque (Nagler, Lohrengel, Eqs. 2 to 7)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
+from functools import partial
+from typing import Any, ClassVar
 
-from verify.cases.freewheel.inputs import StarInputs
-from verify.cases.freewheel.torque import figures
-from verify.cases.freewheel.torque.claims import CHECKS
-from verify.cases.freewheel.torque.fem import LEVELS, fem
-from verify.cases.freewheel.torque.model import analytic
-from verify.core.case import Case, Output, Scan, Values
+from analytic.freewheel import printed
+from verify.case import (
+    AlongLine,
+    Comparison,
+    Drawn,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    approximation,
+    limit,
+    solved,
+)
+from verify.cases.freewheel import over_torque, statics
+from verify.cases.freewheel.bounds import STRAIGHT, TANGENTIAL, Bounds, known, times
+from verify.cases.freewheel.star import Star
+from verify.cases.freewheel.star_sketch import sketch
+from verify.cases.freewheel.statics import accepted
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
 
-WIDE = 0.12  # a/r up to which these finite elements, small in displacements, are asked
 HARD = 4000e6  # Pa, what hardened rollers bear in static contact (ISO 76)
-BENT = 0.1  # of the ring's wall: by how much more it bends, its forces move along it
-BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's corner
 FRICTION = 0.1  # what oiled steel hardly exceeds
+SHARP = "acceptance of the subject"
+ENCLOSED = "as sharp as three bodies that enclose the star are"
+SHOWS = "a formula 22 % off: three per cent show it"
+ON_FLAT = "rolling on a flat instead of on a circle: (R + X)/(2X)"
+NO_LEVER = "F_n misses the axis by x: X/R of the torque is left"
+ROOM = "small displacements leave room beside the contacts' middles:"
+SHARED = "plane strain, small strain, the star clamped in its bore"
+ROLLED = (
+    "Finite elements know nothing of rolling here: the angle is what the energy of all "
+    "states asks for. The printed form takes the flat for a circle of radius X."
+)
+LEAVES = (
+    "It grows with the normal force: surfaces tilt, and in small displacements forces act "
+    "where the mesh has them. To either side by as much: the mean is tan(ψ/2)."
+)
 
 
-def warnings(_q: StarInputs, v: Values) -> Sequence[str]:
-    found = []
-    if v["F_t/N"] > FRICTION:
-        found.append(
-            f"tan α(T) = {v['F_t/N']:.3g} is more than the friction {FRICTION:g} that oiled steel "
-            "hardly exceeds: the clutch slips"
-        )
-    p = max(v["p_i"], v["p_o"])
-    if p > HARD:
-        found.append(
-            f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
-            "hardened rollers (ISO 76)"
-        )
-    return found
+class FreewheelTorque(Star):
+    """Rollers wedged between the flats of a star and a ring move on as the contacts deflect.
 
+    Clamping angle, normal force, way and torsion over torque are compared, with the paper's Eqs. 3
+    to 7 corrected. One pitch of star, roller and ring with friction at both races says the same,
+    and its energy says the torsion without any thought of rolling.
+    """
 
-def too_large(q: StarInputs) -> str:
-    v = analytic(q)
-    wide = max(v["a_i at N"], v["a_o at N"]) / q.r
-    if wide > WIDE:
-        return (
-            f"contacts are {wide:.3g} r wide under T/(z R tan α_0), beyond {WIDE:g}: displacements "
-            "are not small; check it without --fem"
-        )
-    wall = q.R_a - q.R
-    if v["d_o at N"] > BENT * wall:
-        return (
-            f"the ring deflects by {v['d_o at N'] * 1e6:.4g} µm under T/(z R tan α_0), more than "
-            f"{BENT:g} of its wall of {wall * 1e3:.4g} mm: displacements are not small; check it "
-            "without --fem"
-        )
-    d = BEYOND * v["d_i at N"], BEYOND * v["d_o at N"]
-    x = float(q.cam.centre(d_i=d[0], d_o=d[1])[0])
-    left = float(q.cam.corner) - x
-    if left < EDGE * v["a_i at N"]:
-        return (
-            f"under T/(z R tan α_0) the rollers come within {left * 1e3:.3g} mm of the flats' "
-            "corners; check it without --fem"
-        )
-    return ""
-
-
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = True) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
-
-
-TORQUE = Case(
-    id="freewheel-torque",
-    title="Roller freewheel under torque",
-    paper="nagler2021",
-    place="Eqs. 2-7",
-    lead="Rollers wedged between the flats of a star and a ring move on as the contacts deflect: "
-    "clamping angle, normal force, way and torsion over torque, with the paper's Eqs. 3 to 7 "
-    "corrected. One pitch of star, roller and ring with friction at both races says the same, and "
-    "its energy says the torsion without any thought of rolling.",
-    inputs=StarInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    scans=(
-        Scan(vary=("T=6.5N m,13N m,26N m,39N m", "R_a=19mm,21mm,30mm"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        output("alpha_0", "α_0", "deg", "clamping angle without load (Eq. 4, corrected)"),
-        output("alpha", "α(T)", "deg", "clamping angle under torque (Eq. 5, corrected)"),
-        output("F_t/N", "tan α", "1", "friction that holds the rollers under torque alone",
-               judged=False),
-        output("N", "F_n", "N", "normal force at either contact of a roller"),
-        output("F_t", "F_t", "N", "tangential force at either contact (Eq. 3, corrected)",
-               judged=False),
-        output("s", "s", "µm", "way of the rollers' centres about the axis (Eq. 6)"),
-        output("phi", "φ", "deg", "wind-up angle by exact rolling (Eq. 7, corrected)"),
-        output("phi printed", "φ", "deg", "torsion, Eq. 7 as printed"),
-        output("phi small", "φ", "deg", "torsion for small angles, 2 s/R", judged=False),
-        output("d_i", "d_i", "µm", "approach of roller and star"),
-        output("d_o", "d_o", "µm", "approach of roller and ring"),
-        output("p_i", "p_i", "MPa", "peak pressure on the star (Hertz)"),
-        output("p_o", "p_o", "MPa", "peak pressure on the ring (Hertz)"),
-        output("a_i", "a_i", "µm", "half-width of the contact on the star (Hertz)"),
-        output("a_o", "a_o", "µm", "half-width of the contact on the ring (Hertz)"),
-    ),
-    readings=(
+    id = "freewheel-torque"
+    title = "Roller freewheel under torque"
+    source = "nagler2021"
+    place = "Eqs. 2-7"
+    levels: ClassVar = (4, 7, 10)  # cells on the half-width of the fine zones
+    scans: ClassVar = (Scan(vary=("T=6.5N m,13N m,26N m,39N m", "R_a=19mm,21mm,30mm"), star=True),)
+    readings: ClassVar = (
         "α is half the angle ψ between the flat's normal and the roller's centre: half the wedge",
         "R is the bore radius of the outer ring wherever the paper writes r_OR",
         "d = f + u: only the whole approach of a contact can be compared, flattening and "
         "structure together",
         "T and N: the torque of the whole clutch, the forces of one roller",
         "rollers are long: plane strain",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "the paper prints no dimensions of its clutches A and B, and 5 µm of X turn α_0 by 0.08°: "
         "this clutch is synthetic, with α_0 = 3.5° by choice",
         "the star is clamped on its shaft, the ring free but for the torque, all of one steel",
@@ -115,11 +75,181 @@ TORQUE = Case(
         "ways and energies between six states by splines, below the first by a power",
         "expected errors: the star lies among a layer and two discs, and the torque winds it up; "
         "Hertz errs by (a/r)²; tangential forces turn the ring by 0.5 to 1 tan²α more",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=figures.equations,
-    sketch=figures.sketch,
-    figures=figures.figures,
-    pictures=figures.pictures,
-)  # fmt: skip
+    )
+
+    @Quantity("x", "mm", "distance of the contact on the flat from the flat's middle", role="step",
+              tex=r"(R - r + d_o) \sin\left(2 \alpha\right)")  # fmt: skip
+    def x(self) -> float:
+        return float(self.cam.centre(d_i=self.state.d_i, d_o=self.state.d_o)[0])
+
+    @Quantity("T", "N m", "torque of the tangential forces", equation="3", form="corrected",
+              form_of="T", tex=r"z R F_t", safe="too low")  # fmt: skip
+    def torque(self) -> float:
+        return float(self.state.T)
+
+    @Quantity("T", "N m", "torque of the star's contact forces", equation="3", form="corrected",
+              form_of="T", tex=r"z (F_n x - F_t X)")  # fmt: skip
+    def torque_star(self) -> float:
+        return float(self.z * (self.state.N * self.x - self.state.F_t * self.X))
+
+    @Quantity("T", "N m", "torque of the star's tangential forces", equation="3",
+              form="as printed", form_of="T", tex=r"z X F_t", safe="too low")  # fmt: skip
+    def torque_printed(self) -> float:
+        return float(printed.torque_on_cam(self.cam, F_t=self.state.F_t))
+
+    @Quantity("s", "µm", "travel of the rollers' centres about the axis", equation="6",
+              tex=r"(R - r + d_o) 2 (\alpha - \alpha_0)")  # fmt: skip
+    def s(self) -> float:
+        return float(self.state.s)
+
+    @Quantity("φ", "deg", "wind-up angle by exact rolling", equation="7", form="corrected",
+              tex=r"\frac{1}{R} \int \frac{\mathrm{d}d_i + \mathrm{d}d_o}{\tan\alpha}")  # fmt: skip
+    def phi(self) -> float:
+        return float(self.state.phi)
+
+    @Quantity("φ", "deg", "wind-up angle", equation="7", form="as printed", form_of="phi",
+              tex=r"\frac{s}{R} + \frac{s}{X}")  # fmt: skip
+    def phi_printed(self) -> float:
+        return float(self.state.phi_printed)
+
+    @Quantity("φ", "deg", "wind-up angle for small angles", form="small angles", form_of="phi",
+              role="step", tex=r"\frac{2 s}{R}")  # fmt: skip
+    def phi_small(self) -> float:
+        return float(self.state.phi_small)
+
+    @Quantity("p_i", "MPa", "peak pressure on the star", source="Hertz", safe="too high",
+              tex=r"\frac{2 F_n}{\pi L a_i}")  # fmt: skip
+    def p_i(self) -> float:
+        return float(self.state.p_i)
+
+    @Quantity("p_o", "MPa", "peak pressure on the ring", source="Hertz", safe="too high",
+              tex=r"\frac{2 F_n}{\pi L a_o}")  # fmt: skip
+    def p_o(self) -> float:
+        return float(self.state.p_o)
+
+    def reference(self, level: int) -> Level:
+        """All states of a pitch on meshes of `level` cells on the half-widths."""
+        from verify.cases.freewheel import reference
+        from verify.cases.freewheel.sweep import Sweep, given_angle
+
+        sweep = Sweep(self, level)
+        values = reference.under_torque(self, sweep)
+        values["N_angle"] = reference.at_angle(sweep, given_angle(self))
+        unsure = dict.fromkeys(values, reference.SPLINE) | {"phi": 2 * reference.SPLINE}
+        return solved(1 / level, reference.field(sweep.last), iteration=unsure, **values,
+                      **reference.over_torque(self, sweep))  # fmt: skip
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """At equal torque, force and angle; without load; forces in balance."""
+        yield from self._at_torque()
+        yield from self._at_force()
+        angle = State(self.loaded_by("ψ"), "angle", "at a given angle")
+        force = Bounds(self, self.loaded_by("N_0").state).force_at_angle()
+        yield approximation(
+            FreewheelTorque.N, name="normal force at a given angle", symbol="F_n(ψ)", order=2,
+            state=angle, expected=known(self, force), own=(0.02, SHARP), shares=SHARED,
+        )  # fmt: skip
+        yield limit(FreewheelTorque.alpha_0, symbol="α_0", exponent=1.0,
+                    name="statics: F_t/F_n becomes tan α_0 without load (Eqs. 1, 4)",
+                    points=partial(statics.no_load, self, self.alpha_0))  # fmt: skip
+        yield from balanced()
+
+    def _at_torque(self) -> Iterator[Comparison]:
+        star, bounds = FreewheelTorque, Bounds(self, self.state)
+        more: dict[str, Any] = {"order": 2, "shares": SHARED}
+        yield approximation(star.alpha, name="clamping angle under torque (Eqs. 4, 5)",
+                            symbol="α(T)", expected=known(self, bounds.angle()),
+                            sensitivity=(0.002, SHARP), **more)  # fmt: skip
+        yield approximation(star.N, name="normal force under torque (Eqs. 2, 3)", symbol="F_n(T)",
+                            expected=known(self, bounds.force()), **more)  # fmt: skip
+        yield approximation(star.s, name="way of the rollers (Eq. 6)", symbol="s(T)",
+                            expected=known(self, bounds.way()), **more)  # fmt: skip
+        torsion = bounds.torsion()
+        yield approximation(
+            star.phi, name="torsion by exact rolling, against ∫dU/T (Eq. 7, corrected)",
+            symbol="φ(T)", expected=known(self, torsion, TANGENTIAL), **more,
+        )  # fmt: skip
+        on_flat = times(torsion, (self.R + self.X) / (2 * self.X), STRAIGHT)
+        yield approximation(
+            star.phi_printed, name="torsion, Eq. 7 as printed, against ∫dU/T", symbol="φ(T)",
+            expected=known(self, on_flat, ON_FLAT), sensitivity=(0.03, SHOWS), **more,
+        )  # fmt: skip
+
+    def _at_force(self) -> Iterator[Comparison]:
+        star, rigid = FreewheelTorque, self.loaded_by("N_0")
+        bounds, where = Bounds(self, rigid.state), "at N = T/(z R tan α_0)"
+        more: dict[str, Any] = {"order": 2, "shares": SHARED, "state": State(rigid, "rigid", where)}
+        yield approximation(star.d_i, symbol="d_i(N)", expected=known(self, bounds.approach("d_i")),
+                            sensitivity=(0.025, ENCLOSED), **more)  # fmt: skip
+        yield approximation(star.d_o, symbol="d_o(N)", expected=known(self, bounds.approach("d_o")),
+                            **more)  # fmt: skip
+        hertz = known(self, bounds.contact())
+        for q, what in ((star.a_i, "half-width on the star"), (star.a_o, "half-width on the ring")):
+            yield approximation(q, name=f"{what}, {where}", expected=hertz, **more)
+        for q in (star.p_i, star.p_o):
+            yield approximation(q, expected=hertz, **more)
+        slope = bounds.slope(tilted=True)
+        yield approximation(star.torque, name=f"torque z R F_t (Eq. 3, corrected), {where}",
+                            symbol="T(N)", expected=known(self, slope), **more)  # fmt: skip
+        yield approximation(
+            star.torque_printed, symbol="T(N)",
+            name=f"torque z X F_t of the star, Eq. 3 as printed, {where}",
+            expected=known(self, times(slope, self.X / self.R), NO_LEVER), **more,
+        )  # fmt: skip
+
+    def figures(self) -> Iterator[AlongLine | Drawn]:
+        """Angle, torsion and travel over torque; forces; pressures of both contacts."""
+        yield over_torque.angle(self, ends=".")
+        yield Drawn(partial(over_torque.torsion, printed="s/R + s/X", note=ROLLED))
+        yield over_torque.way(self)
+        yield Drawn(partial(over_torque.bisector, x="T [N m]", cam="star", race="ring",
+                            note=LEAVES))  # fmt: skip
+        yield over_torque.pressure("star")
+        yield over_torque.pressure("ring")
+
+    def pictures(self) -> Iterator[Picture]:
+        """Von Mises stress of the pitch."""
+        yield from over_torque.pictures(self)
+
+    def sketch(self) -> Sketch:
+        """One pitch of star, roller and ring."""
+        return sketch(self)
+
+    def warnings(self) -> Iterator[str]:
+        """Where friction or hardness is exceeded."""
+        if self.mu_T > FRICTION:
+            yield (
+                f"tan α(T) = {self.mu_T:.3g} is more than the friction {FRICTION:g} that oiled "
+                "steel hardly exceeds: the clutch slips"
+            )
+        p = max(self.p_i, self.p_o)
+        if p > HARD:
+            yield (
+                f"pressure {p / 1e6:.4g} MPa exceeds the {HARD / 1e6:g} MPa of static contact of "
+                "hardened rollers (ISO 76)"
+            )
+
+
+def balanced() -> Iterator[Comparison]:
+    """Forces of the reference itself, put into the formulas."""
+    star = FreewheelTorque
+    yield accepted(star.mu_T, "F_t/F_n on the star against tan(ψ/2)", "share_flat", ROOM,
+                   symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
+    yield accepted(star.mu_T, "F_t/F_n on the ring against tan(ψ/2)", "share_race", ROOM,
+                   symbol="F_t/F_n", within=2e-3, inverse=True)  # fmt: skip
+    yield accepted(star.torque, "torque against z R F_t of the ring (Eq. 3, corrected)",
+                   "torque_race", "off by", within=1e-3)  # fmt: skip
+    yield accepted(star.torque_star,
+                   "torque against z (F_n x − F_t X) of the star (Eq. 3, corrected)", "torque_cam",
+                   "off by", within=1e-3, source=statics.OTHER)  # fmt: skip
+    yield accepted(star.N, "normal forces of both contacts alike (Eq. 2)", "unlike_N", "apart by",
+                   within=1e-3, source=statics.ALIKE, by="the flat's")  # fmt: skip
+    yield accepted(star.F_t, "tangential forces of both contacts alike (Eq. 2)", "unlike_F_t",
+                   "the same to either side of the bisector: apart by", within=4e-3,
+                   source=statics.BOTH, by="the flat's")  # fmt: skip
+    yield accepted(star.phi, "∫dU/T against rolling", "rolling", within=5e-3,
+                   words="tangential forces deform as well: rolling is off by")  # fmt: skip
+    yield statics.ON_ROLLER
+
+
+TORQUE = adapted(FreewheelTorque)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from analytic.freewheel.geometry import InnerCam
 from verify.cases.contact.errors import fem_errors
 from verify.cases.freewheel.fem import Place, Sector, State
-from verify.cases.freewheel.friction.inputs import FrictionInputs
-from verify.cases.freewheel.friction.model import Borne, fem_along, slipping
+from verify.cases.freewheel.pulled import Pulled
+from verify.cases.freewheel.pulled_sector import Borne, fem_along, slipping
 from verify.cases.freewheel.slip import Drive, Driven
 from verify.cases.freewheel.sweep import COARSE, Start
 
@@ -32,7 +32,7 @@ class Limit:
     Slip is where Coulomb's law says so on the normals of the mesh: `tan` is of the mesh's angle.
     """
 
-    def __init__(self, q: FrictionInputs, start: Start, drags: tuple[float, float]) -> None:
+    def __init__(self, q: Pulled, start: Start, drags: tuple[float, float]) -> None:
         self.q, self.start, self.drags = q, start, drags
         self.place = Place.overlapping(q, *start.d)
         self.tan = math.tan(self.place.psi / 2)
@@ -121,7 +121,7 @@ class Limit:
 
 
 def over_angles(
-    q: FrictionInputs, start: Start, drags: tuple[float, float], N: float, unit: float
+    q: Pulled, start: Start, drags: tuple[float, float], N: float, unit: float
 ) -> Array:
     """Clutches alike but for X, at the same overlap, one row (m, 7) for each that can be built.
 

@@ -12,28 +12,29 @@ course is followed with approaches at the corners of what they may be.
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import product
 
 import numpy as np
 
 from analytic.contact.checks import Array
 from analytic.freewheel import rolling, series
-from analytic.freewheel.compliance import Body, compliance
-from analytic.freewheel.state import State, at_normal_force, loaded
-from verify.cases.freewheel.cup.inputs import CupInputs
-from verify.cases.freewheel.cup.model import at_summit, clutch, rigid_normal_force
-from verify.cases.freewheel.torque.model import (
-    ASKED,
+from analytic.freewheel.compliance import Body
+from analytic.freewheel.state import State
+from verify.cases.freewheel.bounds import (
     CURVED,
     LEAST,
     LOOSE,
-    ROUNDED,
     SIDEWAYS,
     SMALLEST,
     TIGHT,
     Interval,
+    enclosed,
+    of_approach,
+    tilting,
+    winding,
 )
+from verify.cases.freewheel.cup.inputs import Cup
 
 POINTS = 4000  # of a course
 FARTHER = 1.5  # normal force over that of the summit
@@ -45,16 +46,16 @@ Factors = tuple[float, float, float]
 class Course:
     """The formulas' course over N, approaches and torque times given factors."""
 
-    q: CupInputs
+    q: Cup
     factors: Factors = (1.0, 1.0, 1.0)
 
     @cached_property
     def _states(self) -> tuple[Array, Array, Array, Array]:
         """N [N], both approaches [m], torque [N m] as far as there is an angle."""
         q, (f_i, f_o, f_T) = self.q, self.factors
-        top = float(at_summit(q).N)
+        top = float(q.at_summit.N)
         N = FARTHER * top * np.linspace(0, 1, POINTS) ** 3
-        d = compliance(clutch(q)).approaches(N / q.L)
+        d = q.bodies.approaches(N / q.L)
         d_i, d_o = f_i * d.d_i, f_o * d.d_o
         alpha = q.cam.alpha(d_i=d_i, d_o=d_o)
         known = np.isfinite(alpha)
@@ -78,10 +79,10 @@ class Course:
         return {k: float(np.interp(now, torque[rising], v[rising])) for k, v in courses.items()}
 
 
-class CupExpected:
-    """Intervals for formula/FE - 1 about a state."""
+class CupBounds:
+    """Intervals for formula/reference - 1 in a state."""
 
-    def __init__(self, q: CupInputs, state: State) -> None:
+    def __init__(self, q: Cup, state: State) -> None:
         self.q, self.state = q, state
         P, d_i, d_o = float(state.N) / q.L, float(state.d_i), float(state.d_o)
         wide, psi = max(float(state.a_i), float(state.a_o)) / q.r, float(state.psi)
@@ -95,8 +96,7 @@ class CupExpected:
         self.d_i = d_i * (1 - c), d_i * (1 + c)
         self.d_o = low * (1 - c) + TIGHT * wound, high * (1 + c) + LOOSE * wound
         wall = min(q.R_s - q.r_b, q.R_a - q.X_o)
-        tilt = 2 * P * (1 - q.nu**2) / (math.pi * q.E * wall)
-        self.tilt = tilt / math.tan(float(state.alpha))
+        self.tilt = tilting(q, P, wall) / math.tan(float(state.alpha))
 
     @property
     def corners(self) -> tuple[Factors, ...]:
@@ -113,8 +113,8 @@ class CupExpected:
         return 1.0, self.own["d_o"] / float(self.state.d_o), 1.0
 
     def approach(self, which: str) -> Interval:
-        own, (low, high) = self.own[which], getattr(self, which)
-        return min(own / high - 1, -ASKED), max(own / low - 1, ASKED)
+        """Of d_i or d_o."""
+        return of_approach(self.own[which], getattr(self, which))
 
     def contact(self) -> Interval:
         """Of half-widths and pressures."""
@@ -129,12 +129,12 @@ class CupExpected:
     def under_torque(self, key: str) -> Interval:
         """Of N, alpha or s at this torque."""
         own, corners = self._at_torque
-        return _interval(own[key], [c[key] for c in corners])
+        return enclosed(own[key], [c[key] for c in corners])
 
     def slope(self) -> Interval:
         """Of tan(alpha), at this torque."""
         own, corners = self._at_torque
-        return _interval(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
+        return enclosed(math.tan(own["alpha"]), [math.tan(c["alpha"]) for c in corners])
 
     def torsion(self) -> Interval:
         """Of phi: what rolls, the contacts' tangential way, and shaft and cup wound up."""
@@ -145,7 +145,7 @@ class CupExpected:
         (less, more) = SIDEWAYS[0] * tan**2, SIDEWAYS[1] * tan * tan_0
         low = min(c["phi"] for c in corners) * (1 + less) + TIGHT * wound
         high = max(c["phi"] for c in corners) * (1 + more) + LOOSE * wound
-        return _interval(own["phi"], [low, high])
+        return enclosed(own["phi"], [low, high])
 
     def torque(self) -> Interval:
         """Of T at this normal force."""
@@ -154,16 +154,16 @@ class CupExpected:
         _, middle, _ = self.middle
         own = math.tan(float(cam.alpha(d_i=d_i, d_o=middle * d_o)))
         found = [t * math.tan(float(cam.alpha(d_i=i * d_i, d_o=o * d_o))) for i, o, t in corners]
-        return _interval(own, found)
+        return enclosed(own, found)
 
     def summit(self) -> Interval:
         """Of the largest torque."""
         own = Course(self.q, self.middle).summit
-        return _interval(own, [Course(self.q, f).summit for f in self.corners])
+        return enclosed(own, [Course(self.q, f).summit for f in self.corners])
 
     def force_at_angle(self, psi: float) -> Interval:
         """Of N at an angle: where the approaches leave it."""
-        return _interval(
+        return enclosed(
             self._force(psi, self.middle), [self._force(psi, f) for f in self.corners]
         )  # fmt: skip
 
@@ -173,11 +173,7 @@ class CupExpected:
         return float(np.interp(-psi / 2, -alpha, N))
 
 
-def _interval(own: float, others: list[float]) -> Interval:
-    return own / max(others) - 1 - ROUNDED, own / min(others) - 1 + ROUNDED
-
-
-def cup_bracket(q: CupInputs, P: float) -> tuple[float, float, float]:
+def cup_bracket(q: Cup, P: float) -> tuple[float, float, float]:
     """Least, expected and largest approach [m] of roller and cup under P = N/L [N/m].
 
     Expected is that of the ring whose bore encloses as much as the flats do, drawn between those of
@@ -186,37 +182,16 @@ def cup_bracket(q: CupInputs, P: float) -> tuple[float, float, float]:
     flats, corners = (_as_ring(q, P, bore, 0.0) for bore in (q.X_o, q.corner))
     half = math.pi / q.z
     share = (q.X_o * math.sqrt(math.tan(half) / half) - q.X_o) / (q.corner - q.X_o)
-    column = 1 - float(clutch(q).outer.plane[1])
+    column = 1 - float(q.clutch.outer.plane[1])
     return flats, flats + share * (corners - flats), _as_ring(q, P, q.corner, column)
 
 
-def _as_ring(q: CupInputs, P: float, bore: float, column: float) -> float:
+def _as_ring(q: Cup, P: float, bore: float, column: float) -> float:
     """Approach [m] of roller and a ring, its constant k raised by `column`."""
-    whole = clutch(q)
+    whole = q.clutch
     E, nu = whole.outer.plane
     _, a = whole.half_widths(P)
-    half, _ = compliance(whole).half_roller.approach(np.asarray(P), a)
+    half, _ = q.bodies.half_roller.approach(np.asarray(P), a)
     k = series.race_constant(ratio=q.R_a / bore, n=q.z, nu=nu, loaded="bore") + column
     body = Body(E=E, l=np.asarray(bore), k=k, c=series.curvature_term(nu=nu, loaded="bore"))
     return float(half + body.approach(np.asarray(P), a)[0])
-
-
-def winding(q: CupInputs, T: float, r_1: float, r_2: float) -> float:
-    """Angle [rad] by which a hollow shaft from one radius [m] to the other is wound up."""
-    G = q.E / (2 * (1 + q.nu))
-    return T / q.L / (4 * math.pi * G) * (1 / r_1**2 - 1 / r_2**2)
-
-
-@lru_cache(maxsize=8)
-def under_torque(q: CupInputs) -> CupExpected:
-    return CupExpected(q, loaded(clutch(q), q.T))
-
-
-@lru_cache(maxsize=8)
-def under_force(q: CupInputs) -> CupExpected:
-    return CupExpected(q, at_normal_force(clutch(q), rigid_normal_force(q)))
-
-
-@lru_cache(maxsize=8)
-def at_largest(q: CupInputs) -> CupExpected:
-    return CupExpected(q, at_summit(q))

@@ -1,0 +1,252 @@
+"""A roller freewheel with a flat star under torque: inputs, clutch, state, and what follows of it.
+
+The paper prints no dimensions of its two clutches; 5 µm of X turn the clamping angle by 0.08 deg,
+so that none can be guessed: the default one is synthetic.
+"""
+
+import math
+from typing import ClassVar, Literal, Self
+
+import numpy as np
+from pydantic import model_validator
+
+from analytic.freewheel.cam import Cam
+from analytic.freewheel.clutch import Clutch, Material
+from analytic.freewheel.compliance import Compliance, compliance
+from analytic.freewheel.geometry import InnerCam
+from analytic.freewheel.state import State, at_angle, at_normal_force, loaded
+from verify.case import Case, Quantity, count, given, shared
+from verify.cases.freewheel.bodies import OneClutch
+from verify.cases.freewheel.inputs import in_millimetres
+
+LARGEST_ANGLE = math.radians(15)
+GIVEN = 10.0  # N_0/(L E'): both approaches together at the angle that is given
+WIDE = 0.12  # a/r up to which finite elements, small in displacements, are asked
+BENT = 0.1  # of the ring's wall: by how much more it bends, its forces move along it
+BEYOND, EDGE = 1.1, 4.0  # of those approaches; half-widths up to the flat's corner
+
+Load = Literal["T", "N_0", "ψ"]
+
+
+def of_one_steel(q: OneClutch, cam: Cam) -> Clutch:
+    """The elastic clutch whose parts are all of one material."""
+    steel = Material(E=q.E, nu=q.nu)
+    return Clutch(
+        cam=cam, L=q.L, r_b=q.r_b, R_a=q.R_a, roller=steel, inner=steel, outer=steel
+    )  # fmt: skip
+
+
+class Star(Case):
+    """z rollers between the flats of a star and the bore of a ring, under a torque."""
+
+    load: ClassVar[Load] = "T"  # what the state of the quantities below is given by
+
+    R: float = given("16.5 mm", "mm", "R", "bore radius of the outer ring", gt=1e-3, le=1e5)
+    r: float = given("2.5 mm", "mm", "r", "radius of the rollers", gt=1e-4, le=1e5)
+    X: float = given("11.39565 mm", "mm", "X", "distance of the star's flats from the axis",
+                     gt=1e-4, le=1e5)  # fmt: skip
+    R_a: float = given("21 mm", "mm", "R_a", "outer radius of the outer ring", gt=1e-3, le=1e5)
+    r_b: float = given("7.5 mm", "mm", "r_b", "bore radius of the star, on its shaft", gt=1e-4,
+                       le=1e5)  # fmt: skip
+    z: int = count(8, "z", "number of rollers", ge=3, le=100)
+    L: float = given("10 mm", "mm", "L", "length of the rollers", gt=1e-3, le=1e6)
+    T: float = given("26 N m", "N m", "T", "torque in the locking direction", gt=0, le=1e9,
+                     claims="nagler2021:rig-torque")  # fmt: skip
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus of all parts", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        for low, high, rule in (
+            ("r_b", "X", "the star needs a wall"), ("R", "R_a", "the ring needs a wall"),
+        ):  # fmt: skip
+            inner, outer = getattr(self, low), getattr(self, high)
+            if not inner < outer:
+                raise ValueError(
+                    f"{rule}: {low} < {high}, got {low} = {inner * 1e3:g} mm, "
+                    f"{high} = {outer * 1e3:g} mm"
+                )
+        try:
+            _ = self.cam
+        except ValueError as error:
+            raise ValueError(in_millimetres(str(error))) from error
+        if self.cam.alpha0 > LARGEST_ANGLE:
+            raise ValueError(
+                f"α_0 = {math.degrees(float(self.cam.alpha0)):.4g}° is beyond friction; rollers "
+                f"hold below some {math.degrees(LARGEST_ANGLE):g}°: X is too small for R and r"
+            )
+        return self
+
+    # what sectors of stars and cups have in common: see `verify.cases.freewheel.bodies`
+    @property
+    def sense(self) -> int:
+        """+1: load widens the angle."""
+        return 1
+
+    @property
+    def race(self) -> float:
+        """Radius [m] of the round race."""
+        return self.R
+
+    @property
+    def flat(self) -> float:
+        """Distance [m] of the flats from the axis."""
+        return self.X
+
+    @property
+    def cam(self) -> InnerCam:
+        """The clutch's wedges; ValueError where there are none."""
+        return InnerCam(R=self.R, r=self.r, X=self.X, z=self.z)
+
+    @shared
+    def clutch(self) -> Clutch:
+        """The elastic clutch."""
+        return of_one_steel(self, self.cam)
+
+    @shared
+    def bodies(self) -> Compliance:
+        """Constants of the approaches of star, ring and half a roller."""
+        return compliance(self.clutch)
+
+    @shared
+    def state(self) -> State:
+        """The state under what `load` names."""
+        if self.load == "T":
+            return self.under(self.T)
+        if self.load == "N_0":
+            return self._known(at_normal_force(self.clutch, self.rigid_force))
+        d = GIVEN * self.rigid_force / self.L * (1 - self.nu**2) / self.E
+        y = self.X + self.r - d / 2
+        return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
+
+    @property
+    def rigid_force(self) -> float:
+        """N_0 [N] of a clutch that keeps its angle alpha_0."""
+        return float(self.T / (self.z * self.R * np.tan(self.cam.alpha0)))
+
+    def loaded_by(self, load: Load) -> Self:
+        """The same clutch where N is N_0, or at the angle psi that is given."""
+        return self.model_copy(update={"load": load})
+
+    def under(self, T: float) -> State:
+        """The state under a torque [N m]; ValueError where the rollers are past their flats."""
+        state = loaded(self.clutch, T)
+        if not np.isfinite(state.N):
+            raise ValueError(
+                f"under T = {T:g} N m the contacts are wider than half the rollers' radius: these "
+                "formulas end there"
+            )
+        x, half = float(self.cam.centre(d_i=state.d_i, d_o=state.d_o)[0]), float(self.cam.corner)
+        if x >= half:
+            raise ValueError(
+                f"under T = {T:g} N m the rollers are past the corners of their flats: "
+                f"{x * 1e3:.4g} mm from the middle of flats that end at {half * 1e3:.4g} mm"
+            )
+        return state
+
+    def _known(self, state: State) -> State:
+        if not np.isfinite(state.N):
+            raise ValueError(
+                f"under N = T/(z R tan α_0) = {self.rigid_force:.4g} N, a rigid clutch's, the "
+                "contacts are wider than half the rollers' radius: these formulas end there"
+            )
+        return state
+
+    @Quantity("α_0", "deg", "clamping angle without load", equation="4", form="corrected",
+              source="R for r_RO in the numerator",
+              tex=r"\arccos\left(\sqrt{\frac{R + X}{2 (R - r)}}\right) = "
+              r"\frac{1}{2} \arccos\left(\frac{X + r}{R - r}\right)")  # fmt: skip
+    def alpha_0(self) -> float:
+        return float(self.cam.alpha0)
+
+    @Quantity("E'", "GPa", "modulus in plane strain", role="step",
+              tex=r"\frac{E}{1 - \nu^2}")  # fmt: skip
+    def E_plane(self) -> float:
+        return float(self.bodies.inner.E)
+
+    @Quantity("a_i", "µm", "half-width of the contact on the star", source="Hertz",
+              tex=r"\sqrt{\frac{8 F_n r}{\pi L E'}}")  # fmt: skip
+    def a_i(self) -> float:
+        return float(self.state.a_i)
+
+    @Quantity("a_o", "µm", "half-width of the contact on the ring", source="Hertz",
+              tex=r"\sqrt{\frac{8 F_n R r}{\pi L E' (R - r)}}")  # fmt: skip
+    def a_o(self) -> float:
+        return float(self.state.a_o)
+
+    @Quantity("l", "mm", "distance of the rigid contact on the flat from the axis", role="step",
+              tex=r"\sqrt{X^2 + (R - r)^2 - (X + r)^2}")  # fmt: skip
+    def l(self) -> float:  # noqa: E743
+        return float(self.bodies.inner.l)
+
+    @Quantity("k_i", "1", "constant of a disc that is clamped in its bore", role="step",
+              source="series over all loads on the star")  # fmt: skip
+    def k_i(self) -> float:
+        return float(self.bodies.inner.k)
+
+    @Quantity("k_o", "1", "constant of a ring that is free outside", role="step",
+              source="series over all loads on the ring")  # fmt: skip
+    def k_o(self) -> float:
+        return float(self.bodies.outer.k)
+
+    @Quantity("c_o", "1", "curvature term of the ring", role="step", source="series")
+    def c_o(self) -> float:
+        return float(self.bodies.outer.c)
+
+    @Quantity("d_i", "µm", "approach of roller and star", source="star clamped in its bore",
+              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_i}\right) - 1 + "
+              r"2 \ln\left(\frac{l}{a_i}\right) + k_i)")  # fmt: skip
+    def d_i(self) -> float:
+        return float(self.state.d_i)
+
+    @Quantity("d_o", "µm", "approach of roller and ring", source="ring free outside",
+              tex=r"\frac{F_n}{\pi L E'} (2 \ln\left(\frac{4 r}{a_o}\right) - 1 + "
+              r"2 \ln\left(\frac{R}{a_o}\right) + k_o + \frac{c_o a_o}{R})")  # fmt: skip
+    def d_o(self) -> float:
+        return float(self.state.d_o)
+
+    @Quantity("α", "deg", "clamping angle under torque", equation="5", form="corrected",
+              tex=r"\frac{1}{2} \arccos\left(\frac{X + r - d_i}{R - r + d_o}\right)")  # fmt: skip
+    def alpha(self) -> float:
+        return float(self.state.alpha)
+
+    @Quantity("F_t", "N", "tangential force at either contact of a roller", equation="3",
+              form="corrected", tex=r"\frac{T}{z R}")  # fmt: skip
+    def F_t(self) -> float:
+        return float(self.state.F_t)
+
+    @Quantity("F_n", "N", "normal force at either contact of a roller", equation="2",
+              tex=r"\frac{F_t}{\tan\left(\alpha\right)}")  # fmt: skip
+    def N(self) -> float:
+        return float(self.state.N)
+
+    @Quantity("μ_T", "1", "required friction coefficient, torque alone", equation="1",
+              safe="too high",
+              tex=r"\tan\left(\alpha\right) = \frac{F_t}{F_n}")  # fmt: skip
+    def mu_T(self) -> float:
+        return float(np.tan(self.state.alpha))
+
+    def refusal(self) -> str:
+        """Where displacements under N_0 are not small."""
+        same, under = self.loaded_by("N_0"), "under T/(z R tan α_0)"
+        wide = max(same.a_i, same.a_o) / self.r
+        if wide > WIDE:
+            return (
+                f"contacts are {wide:.3g} r wide {under}, beyond {WIDE:g}: displacements "
+                "are not small; check it without --fem"
+            )
+        wall = self.R_a - self.R
+        if same.d_o > BENT * wall:
+            return (
+                f"the ring deflects by {same.d_o * 1e6:.4g} µm {under}, more than "
+                f"{BENT:g} of its wall of {wall * 1e3:.4g} mm: displacements are not small; check "
+                "it without --fem"
+            )
+        x = float(self.cam.centre(d_i=BEYOND * same.d_i, d_o=BEYOND * same.d_o)[0])
+        left = float(self.cam.corner) - x
+        if left < EDGE * same.a_i:
+            return (
+                f"{under} the rollers come within {left * 1e3:.3g} mm of the flats' "
+                "corners; check it without --fem"
+            )
+        return ""

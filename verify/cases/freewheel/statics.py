@@ -1,0 +1,56 @@
+"""What a sector of star or cup is compared in beside its formulas: forces in balance, no load."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from verify.case import Comparison, Level, Quantity, balance
+from verify.cases.freewheel.bodies import OneClutch
+from verify.core.case import Context
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Pair, demanded, suites
+
+ALIKE = suites("as the torque")
+BOTH = suites("2e-3 of either contact")
+OTHER = suites("as the torque of the other contact")
+NOISE = 5e-6  # of F_t/N, from mesh to mesh at least
+
+Points = tuple[list[float], list[float], list[float]]
+
+ON_ROLLER = balance(
+    "forces", "balance of both contact forces on a roller", "ΣF", "1", of={"one": 1.0}, bound=1e-9,
+    because="the solver's balance of a free body",
+)  # fmt: skip
+
+
+def accepted(
+    q: Quantity, name: str, share: str, words: str, *, within: float, symbol: str = "",
+    source: str = SUBJECT, by: str = "", inverse: bool = False,
+) -> Comparison:  # fmt: skip
+    """The formula `q` with the reference's own forces put in, within a figure stated beforehand.
+
+    `share` names its ratio to the reference, less 1; the reference over it where `inverse`. How
+    much the last meshes differ is its uncertainty. `words` lead the error in the row.
+    """
+
+    def pair(context: Context) -> Pair:
+        before, now = (level.values[share] for level in context.fem[-2:])
+        told = f"{words} {now:+.2%}, {within:.1%} accepted"
+        return Pair(1 / (1 + now) if inverse else 1 + now, 1.0, 2 * abs(now - before), told)
+
+    check = Agreement(name=name, symbol=symbol or q.symbol, unit="1", accepted=within, by=by,
+                      source=source, pair=pair, **demanded(within))  # fmt: skip
+    return Comparison(check=check, quantity=q)
+
+
+def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:
+    """(F_t/N)² of the reference over tan² alpha_0, less 1, contacts overlapping less and less.
+
+    Times R + X + d_o - d_i over R + X (race and flat), tan² alpha is linear in d_i + d_o.
+    """
+    found, tan = [], np.tan(alpha_0)
+    for level in levels[-2:]:
+        d_i, d_o = level.arrays["loads"][3:5]
+        share = level.arrays["shares"].mean(axis=0) / tan
+        found.append(share**2 * (1 + (d_o - d_i) / (q.race + q.flat)))
+    overlap, u = d_i + d_o, np.maximum(np.abs(found[1] - found[0]), NOISE)
+    return (overlap / overlap[-1]).tolist(), (found[1] - 1).tolist(), u.tolist()
