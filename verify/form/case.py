@@ -156,6 +156,14 @@ class Case(Inputs):
         """The quantities that these inputs have."""
         return tuple(q for q in self.quantities() if q.when is None or q.when(self))
 
+    def __eq__(self, other: object) -> bool:
+        """By inputs and state: computed values follow from them, and arrays have no one truth."""
+        return isinstance(other, Case) and type(self) is type(other) and self._own == other._own
+
+    @property
+    def _own(self) -> dict[str, Any]:
+        return {k: v for k, v in self.__dict__.items() if not k.startswith(MEMO)}
+
     def __copy__(self) -> Self:
         """Without computed values, which `model_copy` would take to other inputs."""
         copied = super().__copy__()

@@ -379,3 +379,17 @@ def test_numbers_of_an_equation_that_cancels_elsewhere_are_left_out():
 
     assert r"\cdot" in equations.stated(Odd())[-1].numbers
     assert equations.stated(Odd(d=20e-3))[-1].numbers == r"= 76.9231\,\mathrm{GPa}"
+
+
+def test_equal_inputs_are_equal_whatever_was_computed_from_them():
+    class Arrays(Rod):
+        @shared
+        def stations(self):
+            return np.linspace(0, self.d, 3)
+
+    one, other = Arrays(), Arrays()
+    assert one.stations.sum() == other.stations.sum()
+    assert one == other
+    assert hash(one) == hash(other)
+    assert one != Arrays(d=20e-3)
+    assert one != one.model_copy(update={"ends": "plane strain"})
