@@ -6,9 +6,9 @@ import pytest
 
 from analytic.rotor import shafts
 from analytic.spring import frame
-from verify.cases.rotor.clutch import expected as rotor_clutch_expected
+from verify.cases.rotor.clutch import bounds as rotor_clutch_expected
 from verify.cases.rotor.clutch import tilted
-from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.cases.rotor.clutch.case import ClutchLink
 from verify.cases.rotor.shaft import bounds as rotor_shaft_expected
 from verify.cases.rotor.shaft.case import UniformShaft
 from verify.cases.spring.continuum.expected import added
@@ -59,8 +59,8 @@ def test_shear_is_the_frame_s_and_curvature_up_to_the_next_power_of_thickness(wi
     "change", [{}, {"Z": 5}, {"e": 5e-6}, {"n_s": 2}, {"nu": math.radians(10)}, {"T": 1000.0}]
 )
 def test_couplings_are_those_of_eqs_3_to_11(change):
-    q = ClutchInputs(**change)
+    q = ClutchLink(**change)
     by_formula = tilted.couplings(q)
-    at = tilted.aside(q, tilted._yield(q))
+    at = tilted.aside(q, q.delta_0)
     for entry, value in rotor_clutch_expected.summed(q, *at).items():
-        assert value == pytest.approx(by_formula[f"{entry}, tilted"], rel=1e-7), entry
+        assert value == pytest.approx(by_formula[entry], rel=1e-7), entry

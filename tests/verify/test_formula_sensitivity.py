@@ -28,8 +28,7 @@ SCALES = (
     ("contact-roller-crowns", r".* moment", 30.0),  # N m, its load times its length
     ("contact-roller.*", r".* moment", "F l"),
     ("contact-roller.*", r".* left", 1.0),  # relative errors of other values
-    ("rotor-clutch", r"K_xz, .*", "K_xx, uniform"),
-    ("rotor-clutch", r"coupling, .*", 1.0),
+    ("rotor-clutch", r"K_xz_.*", "K_xx"),
     ("rotor-step", r"uncertainty of .*", 1.0),  # relative errors
 )
 # Values that move further, and why that is no tie.

@@ -1,4 +1,4 @@
-"""What the report shows of a clutch between two rotors: sketch, equations, stiffness curves."""
+"""Figures of a clutch between two rotors: sketch, stiffness curves."""
 
 import math
 from collections.abc import Sequence
@@ -9,17 +9,16 @@ import numpy as np
 from analytic.rotor import clutch_uniform as uniform
 from analytic.rotor.clutch_state import under_torque
 from verify.cases.freewheel.star_sketch import arc, label, ray
-from verify.cases.rotor.clutch.fem import OFFSETS, TORQUES
-from verify.cases.rotor.clutch.inputs import ClutchInputs
-from verify.core.case import Context, Values
-from verify.core.figures import Curve, Curves, Equation, Figure, Shape, Sketch
-from verify.core.tex import tex
+from verify.cases.rotor.clutch.inputs import SpragLink
+from verify.cases.rotor.clutch.reference import OFFSETS, TORQUES
+from verify.core.case import Context
+from verify.core.figures import Curve, Curves, Figure, Shape, Sketch
 
-mm, um = 1e-3, 1e-6
+um = 1e-6
 THIN = 201  # slices, so that a curve shows no single one leave contact
 
 
-def sketch(q: ClutchInputs) -> Sketch:
+def sketch(q: SpragLink) -> Sketch:
     """Both races to scale with a line for every sprag, inclined by nu at the inner race."""
     h = q.R_i * math.sin(q.nu)
     turn = q.nu - math.asin(h / q.R_e)
@@ -59,49 +58,22 @@ def sketch(q: ClutchInputs) -> Sketch:
     )
 
 
-def equations(q: ClutchInputs, v: Values) -> Sequence[Equation]:
-    N, k = tex(v["N"], 5), tex(v["k"] / 1e6, 5)
-    return (
-        Equation(tex=r"d_t = R_i \tan\nu",
-                 numbers=rf"= {tex(q.R_i / mm)}\cdot\tan {tex(math.degrees(q.nu))}^\circ = "
-                 rf"{tex(v['d_t'] / mm, 5)}\ \mathrm{{mm}}", place="Eq. 4"),
-        Equation(tex=r"N = \frac{T}{Z d_t}",
-                 numbers=rf"= \frac{{{tex(q.T * 1e3)}}}{{{q.Z}\cdot {tex(v['d_t'] / mm, 5)}}} = "
-                 rf"{N}\ \mathrm{{N}}", place="Eq. 9, torque"),
-        Equation(tex=r"\delta_0 = \left(\frac{N}{k_n}\right)^{1/n}",
-                 numbers=rf"= {tex(v['delta_0'] / um, 5)}\ \mathrm{{\mu m}}", place="Eq. 2"),
-        Equation(tex=r"k = n k_n \delta_0^{n-1} = \frac{n N}{\delta_0}",
-                 numbers=rf"= \frac{{10}}{{9}}\cdot\frac{{{N}}}{{{tex(v['delta_0'] / um, 5)}}} = "
-                 rf"{k}\ \mathrm{{N/\mu m}}", place="slope of Eq. 2"),
-        Equation(tex=r"K_{xx} = K_{yy} = \frac{Z k}{2}",
-                 numbers=rf"= {tex(v['K_xx'] / 1e6, 5)}\ \mathrm{{N/\mu m}}", place="Eq. 11"),
-        Equation(tex=r"K_{tilt} = \frac{Z k}{2}\cdot\frac{L_{we}^2}{12}"
-                 r"\left(1 - \frac{1}{n_s^2}\right)",
-                 numbers=rf"= {tex(v['K_tilt'], 5)}\ \mathrm{{N\,m/rad}}", place="Eqs. 5, 7, 11"),
-        Equation(tex=r"K_{zz} = Z k d_t^2",
-                 numbers=rf"= {tex(v['K_zz'], 5)}\ \mathrm{{N\,m/rad}}", place="Eq. 11"),
-        Equation(tex=r"K_{xz} = \frac{Z}{2} k (n - 1)\frac{\Delta x}{\delta_0} d_t",
-                 numbers=rf"= {tex(v['K_xz, first order'], 5)}\ \mathrm{{N}}",
-                 place="first order in an offset"),
-    )  # fmt: skip
-
-
 def figures(context: Context) -> Sequence[Figure]:
     return _over_torque(context), _over_offset(context), _over_crown(context), _over_gap(context)
 
 
 def _over_torque(context: Context) -> Curves:
-    q, v = context.inputs, context.analytic
+    q = context.inputs
     T = np.geomspace(0.01, 2.0, 81) * q.T
     k = uniform.contact_stiffness(N=uniform.normal_force(T=T, Z=q.Z, d_t=q.d_t), k_n=q.k_n)
     curves = [
-        Curve(name="K_xx and K_yy, as K_zz and K_tilt: its tenth root", x=T, y=k / v["k"]),
+        Curve(name="K_xx and K_yy, as K_zz and K_tilt: its tenth root", x=T, y=k / q.k),
         Curve(name="the torque taken here", x=np.array([q.T]), y=np.ones(1), style="dots"),
     ]
     if context.fem:
         dots = np.array(TORQUES) * q.T
         for number, key in enumerate(("K_xx", "K_zz"), start=1):
-            y = context.fem[-1].arrays[f"{key} over T"] / v[key]
+            y = context.fem[-1].arrays[f"{key} over T"] / getattr(q, key)
             curves.append(Curve(name=f"{key}, struts", x=dots, y=y, style="dots", colour=number))
     return Curves(
         title="Stiffness over torque", x_label="T [N m]", y_label="K(T)/K", curves=tuple(curves),
@@ -110,15 +82,15 @@ def _over_torque(context: Context) -> Curves:
 
 
 def _over_offset(context: Context) -> Curves:
-    q, v = context.inputs, context.analytic
+    q = context.inputs
     clutch = q.clutch()
-    dx = np.linspace(0, 2 * max(q.e, 0.75 * v["delta_0"]), 61)
+    dx = np.linspace(0, 2 * max(q.e, 0.75 * q.delta_0), 61)
     K = np.array([
         clutch.stiffness(under_torque(clutch, T=q.T, offset=(one, 0, 0, 0)))[0, 4] for one in dx
     ])  # fmt: skip
     curves = [
         Curve(name="Eq. 8 in full", x=dx / um, y=K),
-        Curve(name="first order in the offset", x=dx / um, y=v["K_xz, first order"] * dx / q.e,
+        Curve(name="first order in the offset", x=dx / um, y=q.K_xz_first * dx / q.e,
               style="dashes", colour=1),
     ]  # fmt: skip
     if context.fem:
@@ -128,7 +100,7 @@ def _over_offset(context: Context) -> Curves:
     return Curves(
         title="Coupling of bending and torsion over a static offset", x_label="Δx [µm]",
         y_label="K_xz [N]", curves=tuple(curves),
-        note=f"Zero where the load is even. From the yield of {v['delta_0'] / um:.4g} µm on sprags "
+        note=f"Zero where the load is even. From the yield of {q.delta_0 / um:.4g} µm on sprags "
         "leave contact one after the other: K_xz steps up, as none of them pulls against the rest.",
     )  # fmt: skip
 
@@ -144,7 +116,7 @@ def _relative(K: Any, whole: Any) -> dict[str, Any]:
 
 
 def _entries(
-    q: ClutchInputs, changed: Sequence[ClutchInputs], *, n_s: int | None = None, **parts: bool
+    q: SpragLink, changed: Sequence[SpragLink], *, n_s: int | None = None, **parts: bool
 ) -> dict[str, Any]:
     plain = q.clutch(n_s=n_s)
     whole = plain.stiffness(under_torque(plain, T=q.T))
@@ -156,8 +128,8 @@ def _entries(
 
 
 def _over_crown(context: Context) -> Curves:
-    q, v = context.inputs, context.analytic
-    drop = np.linspace(0, max(2 * q.drop, v["delta_0"]), 31)
+    q = context.inputs
+    drop = np.linspace(0, max(2 * q.drop, q.delta_0), 31)
     changed = [q.model_copy(update={"drop": float(d)}) for d in drop]
     found = _entries(q, changed, n_s=THIN, crowned=True)
     curves = (

@@ -5,44 +5,45 @@ authors print for their clutch of 2018; wedge angle and length are identified th
 """
 
 import math
+from typing import Self
 
 from pydantic import model_validator
 
 from analytic.contact import palmgren
 from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch, even_angles
-from verify.core.inputs import Inputs, count, quantity
+from verify.case import Case, Quantity, count, given
 
 REFERENCE = 1000.0  # N, at which yields are given
 SLICES = 41  # of a sprag; the paper gives no number
 
 
-class ClutchInputs(Inputs):
+class SpragLink(Case):
     """Z sprags between two races under a torque; offset, crown and missing sprags apart."""
 
-    T: float = quantity("15 N m", "N m", "T", "torque that presses the sprags", gt=0, le=1e9,
+    T: float = given("15 N m", "N m", "T", "torque that presses the sprags", gt=0, le=1e9,
                         claims="huang2022:orbit-torque")  # fmt: skip
     Z: int = count(12, "Z", "number of sprags", ge=3, le=200,
                    claims="huang2018:table1-number-of-sprags")  # fmt: skip
-    R_i: float = quantity("11.11 mm", "mm", "R_i", "radius of the inner race", gt=0.1, le=1e5,
+    R_i: float = given("11.11 mm", "mm", "R_i", "radius of the inner race", gt=0.1, le=1e5,
                           claims="huang2018:table1-r-i")  # fmt: skip
-    R_e: float = quantity("19.44 mm", "mm", "R_e", "bore radius of the outer race", gt=0.1, le=1e5,
+    R_e: float = given("19.44 mm", "mm", "R_e", "bore radius of the outer race", gt=0.1, le=1e5,
                           claims="huang2018:table1-r-e")  # fmt: skip
-    nu: float = quantity("3.15 deg", "deg", "ν", "wedge angle at the inner race (not printed)",
+    nu: float = given("3.15 deg", "deg", "ν", "wedge angle at the inner race (not printed)",
                          ge=0.1, le=20)  # fmt: skip
-    L: float = quantity("9 mm", "mm", "L_we", "length of the sprags (not printed)", gt=0.01, le=1e5)
+    L: float = given("9 mm", "mm", "L_we", "length of the sprags (not printed)", gt=0.01, le=1e5)
     n_s: int = count(SLICES, "n_s", "number of slices of a sprag (not printed)", ge=2, le=1000)
-    a: float | None = quantity(None, "µm", "a", "yield of both contacts under 1 kN; left out: "
+    a: float | None = given(None, "µm", "a", "yield of both contacts under 1 kN; left out: "
                                "Palmgren's, steel", omitted=None, gt=0, le=1e4,
                                example="6.6 µm")  # fmt: skip
-    e: float = quantity("1 µm", "µm", "Δx", "static offset of the inner rotor, for the uneven "
+    e: float = given("1 µm", "µm", "Δx", "static offset of the inner rotor, for the uneven "
                         "state", gt=0, le=1e4)  # fmt: skip
-    drop: float = quantity("1 µm", "µm", "L(L_we/2)", "crown's drop at the ends, a parabola, for "
+    drop: float = given("1 µm", "µm", "L(L_we/2)", "crown's drop at the ends, a parabola, for "
                            "the uneven state", ge=0, le=1e4)  # fmt: skip
     missing: int = count(1, "m", "neighbouring sprags that are missing, for the uneven state",
                          ge=1, le=197)  # fmt: skip
 
     @model_validator(mode="after")
-    def _clutch(self) -> "ClutchInputs":
+    def _clutch(self) -> Self:
         if not self.R_i < self.R_e:
             raise ValueError(
                 f"the sprags need room between the races: R_i < R_e, got R_i = "
@@ -57,12 +58,17 @@ class ClutchInputs(Inputs):
     @property
     def k_n(self) -> float:
         """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)] (Eq. 2)."""
-        both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
-        return float(REFERENCE / (both if self.a is None else self.a) ** LINE_CONTACT)
+        return float(REFERENCE / self.yield_1kN**LINE_CONTACT)
 
-    @property
+    @Quantity("δ_kN", "µm", "deflection of both contacts under 1 kN", role="step",
+              source="Palmgren, or a")  # fmt: skip
+    def yield_1kN(self) -> float:
+        both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
+        return both if self.a is None else self.a
+
+    @Quantity("d_t", "mm", "deflection of both contacts over the angle of twist", source="Eq. 4",
+              role="step", tex=r"R_i \tan\left(\nu\right)")  # fmt: skip
     def d_t(self) -> float:
-        """Yield per twist [m/rad]."""
         return self.R_i * math.tan(self.nu)
 
     def crown(self, x: Array) -> Array:

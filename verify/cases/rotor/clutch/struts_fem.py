@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.cases.rotor.clutch.inputs import SpragLink
 from verify.core.figures import Array
 
 if TYPE_CHECKING:
@@ -15,13 +15,13 @@ POWER = 10 / 9  # of a line contact
 START = 1e-3  # rad, to press the struts at all
 
 
-def slices_for_fem(q: ClutchInputs, psi: Array, count: int) -> tuple[Array, Array]:
+def slices_for_fem(q: SpragLink, psi: Array, count: int) -> tuple[Array, Array]:
     """Angle [rad] and height [m] of all `count` slices of sprags at psi (Z,)."""
     z = q.L * ((np.arange(count) + 0.5) / count - 0.5)
     return np.repeat(psi, count), np.tile(z, psi.size)
 
 
-def law_for_fem(q: ClutchInputs) -> float:
+def law_for_fem(q: SpragLink) -> float:
     """Force of a sprag over its yield to the power 10/9 [N/m^(10/9)], from what 1 kN does to it.
 
     Palmgren's yield of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
@@ -31,7 +31,7 @@ def law_for_fem(q: ClutchInputs) -> float:
 
 
 def rolling_by_fem(
-    q: ClutchInputs, count: int, *, T: float | None = None, nu: float | None = None,
+    q: SpragLink, count: int, *, T: float | None = None, nu: float | None = None,
     dx: float = 0.0, drop: float = 0.0, missing: int = 0, stiffer: float = 1.0,
 ) -> "Joint":  # fmt: skip
     """Struts with rolling ends under a torque, the inner hub held at dx, all from no load on."""
@@ -54,7 +54,7 @@ def rolling_by_fem(
     return started.under(np.array([0, 0, 0, 0, 0, T]), (5,))
 
 
-def tilted_by_fem(q: ClutchInputs, count: int) -> "Joint":
+def tilted_by_fem(q: SpragLink, count: int) -> "Joint":
     """Struts from half a pitch on under T, the inner hub held aside at one end, twice as far."""
     from fem.rotor.struts import Joint, power_law
     from fem.rotor.struts_kinds import Rolling
@@ -74,12 +74,12 @@ def tilted_by_fem(q: ClutchInputs, count: int) -> "Joint":
     return held.under(np.array([0, 0, 0, 0, 0, q.T]), (5,))
 
 
-def yields_for_fem(q: ClutchInputs) -> float:
+def yields_for_fem(q: SpragLink) -> float:
     """Yield [m] of every sprag's contacts under T alone."""
     return float((q.T / q.Z / q.R_i / math.tan(q.nu) / law_for_fem(q)) ** (1 / POWER))
 
 
-def pinned_by_fem(q: ClutchInputs, count: int, *, stiffer: float = 1.0) -> "Joint":
+def pinned_by_fem(q: SpragLink, count: int, *, stiffer: float = 1.0) -> "Joint":
     """Struts held in both races, placed as they stand under T."""
     from fem.rotor.struts import Joint, power_law
     from fem.rotor.struts_kinds import Pinned

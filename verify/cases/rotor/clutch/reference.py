@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from verify.cases.rotor.clutch.inputs import ClutchInputs
+from verify.case import Level
+from verify.cases.rotor.clutch.inputs import SpragLink
 from verify.cases.rotor.clutch.struts_fem import (
     pinned_by_fem,
     rolling_by_fem,
     tilted_by_fem,
     yields_for_fem,
 )
-from verify.core.case import FemResult
 from verify.core.figures import Array
 
 if TYPE_CHECKING:
@@ -29,53 +29,54 @@ SIX = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (4, 4), "K_zz": (5, 5), "K_xz":
        "K_xy": (0, 1), "K_yz": (1, 5)}  # fmt: skip
 
 
-def off_diagonal(q: ClutchInputs, K: Array) -> float:
+def off_diagonal(q: SpragLink, K: Array) -> float:
     """Largest entry off the diagonal [N/m], tilts over L and the twist over R_i."""
     size = np.array([1, 1, 1, q.L, q.L, q.R_i])
     return float(np.abs((K - np.diag(np.diag(K))) / np.outer(size, size)).max())
 
 
-def fem(q: ClutchInputs, level: int) -> FemResult:
+def solve(q: SpragLink, level: int) -> Level:
+    """Struts in all states, cut into `level` slices."""
     uniform, pinned = rolling_by_fem(q, level), pinned_by_fem(q, level)
     joints = {
-        "uniform": uniform,
-        "offset": rolling_by_fem(q, level, dx=q.e),
-        "crown": rolling_by_fem(q, level, drop=q.drop),
-        "gap": rolling_by_fem(q, level, missing=q.missing),
-        "together": rolling_by_fem(q, level, dx=q.e, drop=q.drop, missing=q.missing),
+        "": uniform,
+        "_offset": rolling_by_fem(q, level, dx=q.e),
+        "_crown": rolling_by_fem(q, level, drop=q.drop),
+        "_gap": rolling_by_fem(q, level, missing=q.missing),
+        "_together": rolling_by_fem(q, level, dx=q.e, drop=q.drop, missing=q.missing),
     }
     values = {
-        f"{entry}, {name}": float(joint.tangent()[at])
+        f"{entry}{name}": float(joint.tangent()[at])
         for name, joint in joints.items()
         for entry, at in SIX.items()
     }
     K, P = uniform.tangent(), pinned.tangent()
     values |= {
-        "off-diagonal": off_diagonal(q, K), "off-diagonal, pinned": off_diagonal(q, P),
-        "K_xx, pinned": float(P[0, 0]), "K_zz, pinned": float(P[5, 5]),
-        "axial, pinned": float(P[2, 2]), "axial": float(K[2, 2]),
+        "off_diagonal": off_diagonal(q, K), "off_diagonal_pinned": off_diagonal(q, P),
+        "K_xx_pinned": float(P[0, 0]), "K_zz_pinned": float(P[5, 5]),
+        "axial_pinned": float(P[2, 2]), "axial": float(K[2, 2]),
         "exponent": exponent_by_fem(q, level, uniform),
-        "torque": float(uniform.loads()[5]) - q.T, "torque, pinned": float(pinned.loads()[5]) - q.T,
+        "torque": float(uniform.loads()[5]) - q.T, "torque_pinned": float(pinned.loads()[5]) - q.T,
     }  # fmt: skip
     u_it = {key: 1e-12 * abs(value) for key, value in values.items() if key.startswith("K")}
     for name in joints:  # sums whose terms cancel
-        u_it[f"K_xy, {name}"] = 1e-12 * values[f"K_xx, {name}"]
-        u_it[f"K_yz, {name}"] = 1e-12 * math.sqrt(values[f"K_yy, {name}"] * values[f"K_zz, {name}"])
+        u_it[f"K_xy{name}"] = 1e-12 * values[f"K_xx{name}"]
+        u_it[f"K_yz{name}"] = 1e-12 * math.sqrt(values[f"K_yy{name}"] * values[f"K_zz{name}"])
     aside = tilted_by_fem(q, level).tangent()
-    values |= {"K_y,γx, tilted": float(aside[1, 3]), "K_x,γy, tilted": float(aside[0, 4])}
+    values |= {"K_y_tilt_x": float(aside[1, 3]), "K_x_tilt_y": float(aside[0, 4])}
     across = 1e-12 * math.sqrt(aside[1, 1] * aside[3, 3])
-    u_it |= {"K_y,γx, tilted": across, "K_x,γy, tilted": across}
+    u_it |= {"K_y_tilt_x": across, "K_x_tilt_y": across}
     u_it["exponent"] = 1e-12
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=series_by_fem(q))
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=series_by_fem(q))
 
 
-def exponent_by_fem(q: ClutchInputs, count: int, whole: "Joint") -> float:
+def exponent_by_fem(q: SpragLink, count: int, whole: "Joint") -> float:
     """Exponent of K_xx over the torque, from the least of the torques to T."""
     least = rolling_by_fem(q, count, T=TORQUES[0] * q.T)
     return -math.log(whole.tangent()[0, 0] / least.tangent()[0, 0]) / math.log(TORQUES[0])
 
 
-def series_by_fem(q: ClutchInputs) -> dict[str, Array]:
+def series_by_fem(q: SpragLink) -> dict[str, Array]:
     """Stiffnesses over torque, wedge angle and offset, and pinned ones over how much yields."""
     by_torque = [rolling_by_fem(q, COARSE, T=share * q.T).tangent() for share in TORQUES]
     # the same normal forces at all angles

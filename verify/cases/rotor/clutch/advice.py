@@ -1,0 +1,107 @@
+"""What a clutch's stiffness means in words, and when it means nothing."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from analytic.rotor.clutch_state import preload_twist
+from verify.cases.rotor.clutch.formulas import ClutchStiffness
+
+FRICTION = 0.1  # what oiled steel hardly exceeds
+LARGEST_TWIST = 0.35  # rad, 20 deg
+ROUGH = 0.5e-6  # m, roughness of ground races: yields below it follow no contact law
+LEANS = 0.02  # of K_tilt, that leaning forces take without a warning
+WORDS = {"offset": "the offset", "crown": "the crown", "gap": "the gap", "together": "all of it"}
+
+
+def findings(q: ClutchStiffness) -> Sequence[str]:
+    held = q.K_zz_pinned / q.K_zz
+    offset, gap = (q.in_state[key] for key in ("offset", "gap"))
+    rolled = (
+        "would go through between the races"
+        if held <= 0
+        else f"would keep {held:.0%} of the torsional stiffness"
+    )
+    return (
+        f"under {q.T:g} N m every sprag bears {q.N:.4g} N and yields {q.delta_0 * 1e6:.3g} "
+        f"µm, the races turn by {math.degrees(q.twist):.3g}°; the clutch is an isotropic "
+        f"bearing of {q.K_xx / 1e6:.4g} N/µm and a torsion spring of {q.K_zz:.4g} N m/rad",
+        "under the torque alone it couples no bending with torsion; an offset of "
+        f"{q.e * 1e6:g} µm couples {abs(offset.coupling):.2%} of √(K_xx K_zz), "
+        f"{q.missing} missing of {q.Z} sprags {abs(gap.coupling):.2%}",
+        "the stiffness goes with the tenth root of the torque, half of it takes "
+        f"{1 - 0.5**0.1:.1%}; Eq. 3 leaves out tan²ν = {math.tan(q.nu) ** 2:.2%} of an even "
+        f"load's stiffnesses, and tan ν = {math.tan(q.nu):.2%} where the load is uneven: with "
+        f"{q.missing} missing, x is coupled with y by {gap.K_xy / gap.K_xx:.2%} of K_xx, y with "
+        "torsion by tan ν of K_xz, both none by Eq. 3",
+        f"d_t = R_i tan ν stays the same only as sprags roll: struts held in both races {rolled}",
+    )
+
+
+def summary(q: ClutchStiffness) -> Mapping[str, Any]:
+    offset, gap = (q.in_state[key] for key in ("offset", "gap"))
+    return {
+        "verdict": "open" if open_slices(q, "together") else "closed", "K_xx": q.K_xx,
+        "K_tilt": q.K_tilt, "K_zz": q.K_zz, "K_xz_offset": offset.K_xz, "K_xz_gap": gap.K_xz,
+    }  # fmt: skip
+
+
+def open_slices(q: ClutchStiffness, key: str) -> int:
+    """Number of slices without contact in an uneven state."""
+    state = q.in_state[key]
+    return int((state.sums.deformation(state.at_T) <= 0).sum())
+
+
+def open_ends(q: ClutchStiffness, key: str) -> bool:
+    """Whether a sprag bears on a part of its length alone."""
+    state = q.in_state[key]
+    closed = state.sums.deformation(state.at_T) > 0
+    return bool((closed.any(-1) & ~closed.all(-1)).any())
+
+
+def refusal(q: ClutchStiffness) -> str:
+    """Why struts are not asked."""
+    twist = float(preload_twist(q.clutch(), T=q.T))
+    if twist > LARGEST_TWIST:
+        return (
+            f"the races turn by {math.degrees(twist):.3g}° under {q.T:g} N m, beyond "
+            f"{math.degrees(LARGEST_TWIST):.3g}°: no sprag rolls so far; check it without --fem"
+        )
+    if open_ends(q, "crown") or open_ends(q, "together"):
+        return (
+            f"the crown's drop of {q.drop * 1e6:g} µm leaves the sprags' ends open under {q.T:g} "
+            "N m: slices converge too slowly there; check it without --fem"
+        )
+    return ""
+
+
+def _above(K: float, leaning: float) -> str:
+    return f"{leaning / (K - leaning):.2%} too large" if leaning < K else "no stiffness at all"
+
+
+def warnings(q: ClutchStiffness) -> Iterator[str]:
+    if q.delta_0 < ROUGH:
+        yield (
+            f"T = {q.T:g} N m presses the sprags by {q.delta_0 * 1e6:.3g} µm, less than races "
+            f"are rough ({ROUGH * 1e6:g} µm): nearly no preload, the stiffness is a guess"
+        )
+    leaning = q.leaning
+    if leaning > LEANS * abs(q.K_tilt - leaning):
+        yield (
+            f"K_tilt = {q.K_tilt:.4g} N m/rad leaves out that the sprags' forces lean as the "
+            f"race tilts, which takes {leaning:.4g} N m/rad: it is {_above(q.K_tilt, leaning)}"
+        )
+    for key, what in WORDS.items():
+        if count := open_slices(q, key):
+            share = count / q.n_s / (q.Z - (q.missing if q.in_state[key].with_gap else 0))
+            yield f"under {what} {share:.0%} of the contacts are open: δ_jk below zero"
+    if q.twist > LARGEST_TWIST:
+        yield (
+            f"the races turn by {math.degrees(q.twist):.3g}° under {q.T:g} N m, farther than "
+            "sprags roll: more sprags, or a larger wedge angle"
+        )
+    if math.tan(q.nu) > FRICTION:
+        yield (
+            f"tan ν = {math.tan(q.nu):.3g} is more than the friction {FRICTION:g} that oiled "
+            "steel hardly exceeds: the clutch slips"
+        )

@@ -1,0 +1,278 @@
+"""Rows of a clutch's formulas beside struts: closed forms, uneven states, limits, misprints."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import ClassVar
+
+import numpy as np
+
+from analytic.contact import palmgren
+from analytic.rotor import clutch_printed as printed
+from analytic.rotor import clutch_uniform as uniform
+from analytic.rotor.clutch import with_axial
+from verify.case import (
+    Comparison,
+    Computed,
+    Level,
+    Quantity,
+    approximation,
+    balance,
+    identity,
+    limit,
+)
+from verify.cases.rotor.clutch import bounds
+from verify.cases.rotor.clutch.formulas import ENTRIES, ClutchStiffness
+from verify.cases.rotor.clutch.reference import ANGLES, HARD, SMALL, STIFFER
+from verify.cases.rotor.clutch.tilted import left_out
+from verify.core.case import Check, Context
+from verify.core.results import Kind, Row, Status
+from verify.judging import judge
+from verify.judging.checks import Fact
+from verify.judging.claims import Claim
+from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair
+
+SAME = "the same problem on both sides, to round-off"
+RIGID = "rigid races; line contacts as struts"
+HELD = "ends held in both races"
+DIFFERENCES = 1e-8  # of a tangent by central differences
+INCLINED = "derived: forces along struts inclined by ν, directions cos ψ − tan ν sin ψ in Eq. 3, "\
+    "and what tilting forces take; to a twentieth of either"  # fmt: skip
+Points = tuple[list[float], list[float], list[float]]
+link = ClutchStiffness
+
+
+def rows(q: ClutchStiffness) -> Iterator[Comparison | Check]:
+    """All of them, in the order of the page."""
+    yield from _states(q)
+    yield from _along_struts(q)
+    yield from _held_ends(q)
+    yield from _balances(q)
+    yield identity(link.exponent, order=2, sensitivity=(1e-9, "a power law on both sides"))
+    yield from _limits(q)
+    yield from _facts(q)
+    yield from _misprints(q)
+
+
+def _approximate(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
+    interval = partial(bounds.inclined, q.in_state[state], one.name)
+    return approximation(one, order=2, state=q.state(state), shares=RIGID,
+                         expected=Computed(interval, INCLINED))  # fmt: skip
+
+
+def _identical(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
+    return identity(one, order=2, state=q.state(state), shares=RIGID, sensitivity=(1e-9, SAME))
+
+
+def _states(q: ClutchStiffness) -> Iterator[Comparison]:
+    """Entries of K, even and uneven."""
+    leading = "derived: Eq. 3 leaves tan²ν out; the next term, twice"
+    for one in (link.K_xx, link.K_yy):
+        yield approximation(one, order=2, state=q.state(""), shares=RIGID,
+                            expected=Computed(partial(bounds.leading, q), leading))  # fmt: skip
+    yield _approximate(q, link.K_tilt, "")
+    yield _identical(q, link.K_zz, "")
+    series = "derived: tan²ν, and the next term of the series in Δx/δ_0"
+    yield approximation(link.K_xz_first, "K_xz_offset", order=2, symbol="K_xz", shares=RIGID,
+                        expected=Computed(partial(bounds.first_order, q), series))  # fmt: skip
+    for one, state in (
+        (link.K_xz, "offset"), (link.K_xx, "crown"), (link.K_tilt, "crown"), (link.K_xx, "gap"),
+        (link.K_yy, "gap"), (link.K_tilt, "gap"),
+    ):  # fmt: skip
+        yield _approximate(q, one, state)
+    yield _identical(q, link.K_xz, "gap")
+    yield _identical(q, link.K_zz, "gap")
+    for entry in ENTRIES:
+        yield _approximate(q, getattr(link, entry), "together")
+    tilted = "derived: forces inclined by ν, points that sink and move along the axis as the race "\
+        "tilts; to a twentieth of either"  # fmt: skip
+    for one in (link.K_y_tilt_x, link.K_x_tilt_y):
+        yield approximation(one, order=2, shares=RIGID,
+                            expected=Computed(partial(left_out, one.name, q), tilted))  # fmt: skip
+
+
+def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
+    """Entries that Eq. 3 leaves out whole, with forces along the struts."""
+    for state, demand in (("gap", (1e-9, SAME)), ("together", (1e-6, "slices of a crown"))):
+        for one, scale in ((link.K_xy, "K_xx"), (link.K_yz, "K_xz")):
+            whole = partial(getattr, q.in_state[state], scale)
+            yield identity(one, order=2, state=q.state(state), sensitivity=demand, shares=RIGID,
+                           scale={f"{scale}, {state}": whole})  # fmt: skip
+
+
+def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
+    source = "derived: tan²ν and Q/(k l), their sum's square left out"
+    yield approximation(link.K_xx, "K_xx_pinned", name=f"stiffness along x, {HELD}", order=2,
+                        expected=Computed(partial(bounds.held_ends, q), source))  # fmt: skip
+    yield identity(link.K_zz_pinned, order=2, symbol="K_zz", sensitivity=(1e-8, SAME))
+
+
+def _balances(q: ClutchStiffness) -> Iterator[Comparison]:
+    for words, key in (("uniform", "off_diagonal"), (HELD, "off_diagonal_pinned")):
+        yield balance(key, f"entries off the diagonal, {words}", "K_ab", "N/mm",
+                      of={"K_xx": q.K_xx}, bound=1e-12,
+                      because="sums over even sprags, round-off")  # fmt: skip
+    yield balance("axial", "axial stiffness, uniform", "K_z", "N/mm", of={"K_xx": q.K_xx},
+                  bound=1e-12, because="forces lie across the axis")  # fmt: skip
+    for words, key in (("uniform", "torque"), (HELD, "torque_pinned")):
+        yield balance(key, f"torque, {words}", "M_z − T", "N m", of={"T": q.T}, bound=1e-11,
+                      because="Newton's tolerance 1e-12")  # fmt: skip
+
+
+def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
+    """How struts' stiffness goes with wedge angle, yield and offset."""
+
+    def over_angle(levels: Sequence[Level]) -> Points:
+        """What Eq. 3 leaves out over sin ν, at the same normal forces."""
+        K = levels[-1].arrays["K_xx over nu"]
+        sines = [math.sin(share * q.nu) for share in ANGLES]
+        return sines, (HARD * q.K_xx / K - 1).tolist(), [1e-13] * len(sines)
+
+    def over_yield(levels: Sequence[Level]) -> Points:
+        """1 - struts/formula over how much the contacts yield, delta_0/l, ends held."""
+        K = levels[-1].arrays["K_zz over yield, pinned"]
+        eps = [q.delta_0 / s / (q.R_e - q.R_i) for s in reversed(STIFFER)]
+        d = (1 - K / (q.K_zz * np.array(STIFFER)))[::-1]
+        return eps, d.tolist(), [1e-13] * len(eps)
+
+    def over_offset(levels: Sequence[Level]) -> Points:
+        """First-order coupling over that of struts, Eq. 3 corrected in both, over dx/delta_0.
+
+        The term after the one that is fitted counts as uncertainty, beside round-off: the coupling
+        is what little is left of entries that cancel.
+        """
+        K = levels[-1].arrays["K_xz over small offsets"]
+        formula = q.K_xz_first * np.array(SMALL) * q.delta_0 / q.e
+        d = formula / math.cos(q.nu) ** 2 / K - 1
+        return list(SMALL), d.tolist(), [1e-13 / eps + eps**4 for eps in SMALL]
+
+    fine = (1e-8, SAME)
+    yield limit(link.K_xx, "stiffness along x as the wedge angle vanishes", "d_0",
+                points=over_angle, exponent=2, sensitivity=fine)  # fmt: skip
+    yield limit(link.K_zz, f"torsional stiffness as yields vanish, {HELD}", "d_0",
+                points=over_yield, exponent=1, sensitivity=fine)  # fmt: skip
+    yield limit(link.K_xz_first, "coupling linear in a small offset", "d_0", points=over_offset,
+                exponent=2, sensitivity=(1e-6, "the next term of the series"))  # fmt: skip
+
+
+def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
+    """The tangent against differences, displacements, the exponent of a line contact."""
+
+    def by_differences(_: Context) -> tuple[float, float, str]:
+        """Tangent with sprags missing, which fills it, against differences of the loads."""
+        gap = q.in_state["gap"]
+        size = np.array([1.0, 1.0, q.L, q.L, q.d_t])
+        h = 1e-5 * q.delta_0 / size
+        clutch, at = gap.sums, gap.at_T
+        found = (clutch.loads(at + np.diag(h)) - clutch.loads(at - np.diag(h))) / (2 * h[:, None])
+        scaled = np.abs(found - gap.tangent) / np.outer(size, size)
+        off = float(scaled.max() / q.K_xx)
+        return off, 0.0, f"off by {off:.1e} of K_xx at most"
+
+    def displacements(given: int) -> Callable[[Context], tuple[float, float]]:
+        def margin(_: Context) -> tuple[float, float]:
+            K = q.in_state["together"].tangent
+            K = K if given == len(K) else with_axial(K)
+            scale = 1 / np.sqrt(np.where(K.diagonal() > 0, K.diagonal(), 1.0))
+            rank = np.linalg.matrix_rank(K * np.outer(scale, scale))
+            return 0.5 - abs(len(K) - given) - abs(rank - 5), 0.0
+
+        return margin
+
+    def palmgrens(_: Context) -> Pair:
+        one, two = (float(palmgren.approach(load=W, length=0.01)) for W in (1e3, 2e3))
+        exponent = math.log(2) / math.log(two / one)
+        return Pair(exponent, 10 / 9, 0.0, f"{exponent:.12g}")
+
+    tangent = Deviation(name="tangent against differences of the loads, 1e-8", symbol="ΔK/K_xx",
+                        unit="1", size=by_differences, accepted=DIFFERENCES, source=SUBJECT,
+                        whole="K_xx", fem_needed=False, by="differences of the loads",
+                        everywhere=True)  # fmt: skip
+    yield Comparison(check=tangent, quantity=link.K_xx, state=q.state("gap"))
+    for number, words, symbol, id_ in ((5, "five displacements, all of them held", "K_ps",
+                                        "clutch-stiffness-dofs"),
+                                       (6, "six displacements, the axial one free", "K_s",
+                                        "clutch-element-dofs")):  # fmt: skip
+        yield Fact(name=words, symbol=symbol, unit="1", margin=displacements(number),
+                   fem_needed=False, printed=(f"huang2022:{id_}",))  # fmt: skip
+    exponent = Agreement(name="exponent of Palmgren's line contact", symbol="n", unit="1",
+                         pair=palmgrens, accepted=1e-12, source="the same power, to round-off",
+                         by="theory", fem_needed=False, everywhere=True,
+                         printed=("huang2022:exponent-numerator",
+                                  "huang2022:exponent-denominator"))  # fmt: skip
+    yield Comparison(check=exponent, quantity=link.n)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Misprint(Claim):
+    """A printed form that contradicts itself, shown with numbers: NOTE with its ledger entry."""
+
+    kind = Kind.FACT
+    paper_only: ClassVar[bool] = True
+
+    erratum: str
+    margin: Callable[[Context], tuple[float, str]]
+    fem_needed: bool = False
+
+    @property
+    def needs_fem(self) -> bool:
+        return self.fem_needed
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        margin, words = self.margin(context)
+        verdict = judge.fact(margin, 0.0)
+        if verdict.status is Status.PASS:
+            said = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=said)
+        return [self._row(context.case, Kind.FACT, verdict)]
+
+
+def _misprints(q: ClutchStiffness) -> Iterator[Check]:
+    def one_angle(_: Context) -> tuple[float, str]:
+        """Eq. 9 with psi_i: no stiffness, and a force at rest."""
+        K = printed.radial_stiffness(q.sums, q.at_T)
+        F = printed.radial_force(q.sums, q.at_T)
+        share = abs(K) / q.K_xx
+        words = (
+            f"with ψ_i the stiffness is {share:.0e} K_xx, the force without displacement {F:.4g} N"
+        )
+        return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
+
+    def whole_displacement(_: Context) -> tuple[float, str]:
+        """Eq. 10 with the whole displacement: n times the load."""
+        ratio = float((q.tangent @ q.at_T)[4] / q.T)
+        n = 1 / uniform.secant_over_tangent()
+        words = f"K times the whole displacement is {ratio:.5f} times the load"
+        return 1e-9 - abs(ratio - n), words
+
+    def another_lever(_: Context) -> tuple[float, str]:
+        """Twice the lever: entries of K across the diagonal are 1 : 2."""
+        clutch, at = q.in_state["gap"].sums, q.in_state["gap"].at_T
+        K = printed.stiffness_with_lever(clutch, at, lever=2 * clutch.d_t)
+        ratio = float(K[4, 0] / K[0, 4])
+        words = f"with twice the lever ∂M_z/∂x is {ratio:.4g} times ∂F_x/∂γ_z"
+        return 1e-9 - abs(ratio - 2), words
+
+    def no_coupling(context: Context) -> tuple[float, str]:
+        """Under the torque alone, formulas and struts couple nothing."""
+        formula = abs(q.coupling)
+        struts = context.series("off_diagonal")[1][-1] / q.K_xx
+        words = (
+            f"uniform: formulas {formula:.0e}, struts {struts:.0e}; an offset of "
+            f"{q.e * 1e6:g} µm couples {abs(q.in_state['offset'].coupling):.2%}, "
+            f"{q.missing} missing {abs(q.in_state['gap'].coupling):.2%} of √(K_xx K_zz)"
+        )
+        return 1e-12 - max(formula, struts), words
+
+    for name, symbol, erratum, margin in (
+        ("Eq. 9 with one angle for all sprags", "F_r", "eq-9-sprag-index", one_angle),
+        ("Eq. 10 with whole displacements", "P_s", "eq-10-increments", whole_displacement),
+        ("a torque with another lever than Eq. 4's", "M_z", "eq-9-torque-row", another_lever),
+        ("bending and torsion coupled by the torque alone", "K_xz", "eq-11-bending-torsion",
+         no_coupling),
+    ):  # fmt: skip
+        yield Misprint(name=name, symbol=symbol, unit="1", erratum=f"huang2022:{erratum}",
+                       margin=margin, fem_needed=margin is no_coupling)  # fmt: skip

@@ -1,0 +1,224 @@
+"""Formulas of a clutch between two rotors, in its uniform state and in uneven ones.
+
+`inclined` is what Eq. 3 becomes when the sprags' forces run along their struts, inclined by nu:
+
+    delta = (cos psi - tan nu sin psi) dx + ... = cos(psi + nu) dx / cos nu + ...,
+
+the same formulas with turned angles and stretched displacements. It judges what Eq. 3 leaves out.
+"""
+
+import math
+from dataclasses import replace
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from analytic.rotor import clutch_uniform as uniform
+from analytic.rotor.clutch import LINE_CONTACT, Array, Clutch
+from analytic.rotor.clutch_state import under_torque
+from verify.case import Quantity, State, shared
+from verify.cases.rotor.clutch.inputs import SpragLink
+from verify.cases.rotor.clutch.tilted import couplings
+
+FINE = 401  # slices that stand for none
+ENTRIES = {"K_xx": (0, 0), "K_yy": (1, 1), "K_tilt": (3, 3), "K_zz": (4, 4), "K_xz": (0, 4)}
+ACROSS = {"K_xy": (0, 1), "K_yz": (1, 4)}  # zero by Eq. 3 wherever the x-axis halves a clutch
+UNEVEN = {  # what is uneven in each state, and its words
+    "": ((), "uniform"),
+    "offset": (("with_offset",), "with an offset"),
+    "crown": (("with_crown",), "with a crown"),
+    "gap": (("with_gap",), "with sprags missing"),
+    "together": (("with_offset", "with_crown", "with_gap"), "with offset, crown and gap"),
+}
+
+
+class ClutchStiffness(SpragLink):
+    """Stiffness under T: even clutches in closed form, uneven ones as sums over their sprags."""
+
+    with_offset: ClassVar[bool] = False
+    with_crown: ClassVar[bool] = False
+    with_gap: ClassVar[bool] = False
+
+    @Quantity("n", "1", "exponent of a line contact", source="Eq. 2", role="step")
+    def n(self) -> float:
+        return LINE_CONTACT
+
+    @Quantity("N", "N", "normal force of a sprag", source="Eq. 9, torque", role="step",
+              tex=r"\frac{T}{Z d_t}")  # fmt: skip
+    def N(self) -> float:
+        return float(uniform.normal_force(T=self.T, Z=self.Z, d_t=self.d_t))
+
+    @Quantity("δ_0", "µm", "deflection of both its contacts", source="Eq. 2", role="step",
+              tex=r"\delta_{kN} (\frac{N}{1000})^{1 / n}")  # fmt: skip
+    def delta_0(self) -> float:
+        return float(uniform.approach(N=self.N, k_n=self.k_n))
+
+    @Quantity("γ_0", "deg", "twist of the races", role="step")
+    def twist(self) -> float:
+        return self.delta_0 / self.d_t
+
+    @Quantity("k", "N/µm", "tangent stiffness of a sprag", source="slope of Eq. 2", role="step",
+              tex=r"\frac{n N}{\delta_0}")  # fmt: skip
+    def k(self) -> float:
+        return float(uniform.contact_stiffness(N=self.N, k_n=self.k_n))
+
+    @Quantity("K_xx", "N/mm", "stiffness along x", source="Eq. 11", tex=r"\frac{Z k}{2}")
+    def K_xx(self) -> float:
+        radial = uniform.radial_stiffness
+        return self.general("K_xx") if self.uneven else float(radial(Z=self.Z, k=self.k))
+
+    @Quantity("K_yy", "N/mm", "stiffness along y", source="Eq. 11", tex=r"\frac{Z k}{2}")
+    def K_yy(self) -> float:
+        radial = uniform.radial_stiffness
+        return self.general("K_yy") if self.uneven else float(radial(Z=self.Z, k=self.k))
+
+    @Quantity("K_tilt", "N m/rad", "tilting stiffness", source="Eqs. 5, 7, 11",
+              tex=r"\frac{Z k}{2} \frac{L_{we}^2}{12} (1 - \frac{1}{n_s^2})")  # fmt: skip
+    def K_tilt(self) -> float:
+        if self.uneven:
+            return self.general("K_tilt")
+        return float(uniform.tilting_stiffness(Z=self.Z, k=self.k, L=self.L, n_s=self.n_s))
+
+    @Quantity("K_zz", "N m/rad", "torsional stiffness", source="Eq. 11", tex="Z k d_t^2")
+    def K_zz(self) -> float:
+        if self.uneven:
+            return self.general("K_zz")
+        return float(uniform.torsional_stiffness(Z=self.Z, k=self.k, d_t=self.d_t))
+
+    @Quantity("K_xz", "N", "coupling of bending and torsion", source="Eqs. 3 to 11",
+              when=lambda q: q.uneven)  # fmt: skip
+    def K_xz(self) -> float:
+        return self.general("K_xz")
+
+    @Quantity("K_xz1", "N", "coupling of bending and torsion by an offset, first order",
+              source="first order in an offset",
+              tex=r"\frac{Z}{2} k (n - 1) \frac{\Delta x}{\delta_0} d_t")  # fmt: skip
+    def K_xz_first(self) -> float:
+        return float(uniform.offset_coupling(Z=self.Z, k=self.k, d_t=self.d_t, dx=self.e,
+                                             delta_0=self.delta_0))  # fmt: skip
+
+    @Quantity("K_xy", "N/mm", "coupling of x and y by the wedge angle", when=lambda q: q.with_gap,
+              source="forces along the struts; none by Eq. 3")  # fmt: skip
+    def K_xy(self) -> float:
+        """Of sprags missing at psi_g -k tan(nu) sum cos(2 psi_g)."""
+        if self.with_offset:
+            return self.inclined("K_xy")
+        return float(-self._k_left * math.tan(self.nu) * np.cos(2 * self._gone).sum())
+
+    @Quantity("K_yz", "N", "coupling of y and torsion by the wedge angle",
+              when=lambda q: q.with_gap,
+              source="forces along the struts; none by Eq. 3")  # fmt: skip
+    def K_yz(self) -> float:
+        """Of sprags missing tan(nu) K_xz."""
+        if self.with_offset:
+            return self.inclined("K_yz")
+        lever = self._k_left * self.d_t
+        return float(-lever * math.tan(self.nu) * np.cos(self._gone).sum())
+
+    @Quantity("K_y,γx", "N", "coupling of y and the tilt about x, aside and tilted", source="Eq. 7")
+    def K_y_tilt_x(self) -> float:
+        return self._tilted["K_y_tilt_x"]
+
+    @Quantity("K_x,γy", "N", "coupling of x and the tilt about y, aside and tilted", source="Eq. 7")
+    def K_x_tilt_y(self) -> float:
+        return self._tilted["K_x_tilt_y"]
+
+    @Quantity("K_zz'", "N m/rad", "torsional stiffness, ends held in both races")
+    def K_zz_pinned(self) -> float:
+        """Struts held in both races: F' h^2 - F (R_i R_e cos beta - h^2)/l each.
+
+        The distance of their ends obeys l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta; h = R_i sin nu.
+        """
+        h = self.R_i * math.sin(self.nu)
+        beta = self.nu - math.asin(h / self.R_e)
+        length = math.sqrt(self.R_i**2 + self.R_e**2 - 2 * self.R_i * self.R_e * math.cos(beta))
+        bent = (self.R_i * self.R_e * math.cos(beta) - h**2) / length
+        along = self.k / math.cos(self.nu) ** 2 * h**2
+        return float(self.Z * (along - self.N / math.cos(self.nu) * bent))
+
+    @Quantity("p", "1", "exponent of the stiffness over the torque", tex=r"1 - \frac{1}{n}")
+    def exponent(self) -> float:
+        return 1 - 1 / LINE_CONTACT
+
+    @property
+    def uneven(self) -> bool:
+        """Whether the load differs between sprags or along them."""
+        return self.with_offset or self.with_crown or self.with_gap
+
+    @shared
+    def in_state(self) -> dict[str, Self]:
+        """The clutch in all states, by key."""
+        found = {key: self.model_copy(update=dict.fromkeys(parts, True))
+                 for key, (parts, _) in UNEVEN.items() if key}  # fmt: skip
+        return {"": self, **found}
+
+    def state(self, key: str) -> State:
+        """A state with its words."""
+        return State(self.in_state[key], key, UNEVEN[key][1])
+
+    @shared
+    def sums(self) -> Clutch:
+        """The clutch of Eqs. 3 to 11, with crown or gap."""
+        return self.clutch(crowned=self.with_crown, gap=self.with_gap)
+
+    @shared
+    def at_T(self) -> Array:
+        """Its displacements under T, aside or in the middle."""
+        return under_torque(self.sums, T=self.T, offset=(self._dx, 0, 0, 0))
+
+    @shared
+    def tangent(self) -> Array:
+        """K (5, 5) under T."""
+        return self.sums.stiffness(self.at_T)
+
+    def general(self, entry: str) -> float:
+        """An entry as Eqs. 3 to 11 sum it up."""
+        return float(self.tangent[ENTRIES[entry]])
+
+    @shared
+    def _inclined(self) -> Array:
+        """K (5, 5) with forces along the struts, and slices as fine as matters."""
+        clutch = self.clutch(crowned=self.with_crown, gap=self.with_gap, n_s=FINE)
+        turned: Clutch = replace(clutch, psi=clutch.psi + self.nu)
+        dx = self.e / math.cos(self.nu) if self.with_offset else 0.0
+        K = turned.stiffness(under_torque(turned, T=self.T, offset=(dx, 0, 0, 0)))
+        stretch = np.array([1.0, 1.0, 1.0, 1.0, math.cos(self.nu)]) / math.cos(self.nu)
+        return np.asarray(K * np.outer(stretch, stretch))
+
+    def inclined(self, entry: str) -> float:
+        """An entry with forces along the struts."""
+        return float(self._inclined[(ENTRIES | ACROSS)[entry]])
+
+    @shared
+    def leaning(self) -> float:
+        """What the forces take from K_tilt [N m/rad] as their points on the race tilt with it.
+
+        A force along e at a point y of the race, which turns while the force keeps its direction,
+        does the work e . w x (w x y)/2 more: -N R_i cos^2 psi for a tilt about y.
+        """
+        N = self.sums.forces(self.at_T).sum(-1)
+        return float(self.R_i * N @ np.cos(self.sums.psi) ** 2)
+
+    @property
+    def coupling(self) -> float:
+        """K_xz over √(K_xx K_zz)."""
+        K = self.tangent
+        return float(K[0, 4] / math.sqrt(K[0, 0] * K[4, 4]))
+
+    @property
+    def _dx(self) -> float:
+        return self.e if self.with_offset else 0.0
+
+    @property
+    def _k_left(self) -> Any:
+        """Slope of a sprag where some are missing."""
+        N = uniform.normal_force(T=self.T, Z=self.Z - self.missing, d_t=self.d_t)
+        return uniform.contact_stiffness(N=N, k_n=self.k_n)
+
+    @property
+    def _gone(self) -> Array:
+        return self.angles()[: self.missing]
+
+    @shared
+    def _tilted(self) -> dict[str, float]:
+        return couplings(self)
