@@ -36,7 +36,7 @@ RULES: Mapping[str, Rule] = {
     "polyhedral-pressure": Rule("p", polyhedral.round_ring),
     "polyhedral-ring": Rule("p_1r", polyhedral.ring),
     "polyhedral-map": Rule("", no_part),
-    "polyhedral-locking": Rule("N elastic", polyhedral.locking),
+    "polyhedral-locking": Rule("N_elastic", polyhedral.locking),
     "polyhedral-wedge": Rule("M_free", polyhedral.wedge),
     "polyhedral-clutch": Rule("M series", polyhedral.clutch),
     "freewheel-torque": Rule("phi", freewheels.under_torque),

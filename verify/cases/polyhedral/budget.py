@@ -113,8 +113,8 @@ STATEMENTS: Mapping[str, Statement] = {
             LIMITED,
         ),
         corrected=(
-            Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N", BY_SERIES),
-            Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N with hub", BY_SERIES),
+            Corrected("force of a roller, Eqs. 13 and 16 without the hub", "N_alone", BY_SERIES),
+            Corrected("force of a roller, Eqs. 13 and 16 with the hub", "N", BY_SERIES),
         ),
         finer=5, headline="force of a roller under pressure, series",
     ),

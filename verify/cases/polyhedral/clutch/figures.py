@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.polyhedral.locking.figures import locked_sketch
+from verify.cases.polyhedral.locking.sketch import sketch as locked_sketch
 from verify.core.case import Context, Output, Values
 from verify.core.figures import Dots, Equation, Figure, Picture, Sketch
 from verify.core.tex import factor, tex

@@ -1,225 +1,55 @@
 """The ring locked against its rollers: how much of the pressure reaches them."""
 
-from collections.abc import Sequence
-from dataclasses import replace
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, ClassVar
 
-import numpy as np
-
-from analytic.polyhedral import bore_pressure, expansion, forces
-from analytic.polyhedral.hub_force import HubForce, hub_force
-from analytic.polyhedral.locking import Locked, Roller, locked
-from analytic.polyhedral.roller_load import roller_load
-from analytic.polyhedral.sector import Sector
-from analytic.polyhedral.wall_stress import bore_stress
-from verify.cases.polyhedral.fem import largest_in_fillet, pressed_fem, whole
-from verify.cases.polyhedral.locking import figures as shown
-from verify.cases.polyhedral.locking.bounds import fillet_blur
-from verify.cases.polyhedral.locking.claims import CHECKS
-from verify.cases.polyhedral.locking.fem import LockedRing, held_fem
-from verify.cases.polyhedral.locking.inputs import LockingInputs
+from verify.case import (
+    Comparison,
+    Drawn,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    balance,
+    fact,
+    identity,
+    picture,
+)
+from verify.cases.polyhedral.locking import bounds, figures, sketch
+from verify.cases.polyhedral.locking import reference as fem
+from verify.cases.polyhedral.locking.bands import OwnFillet, within_band
+from verify.cases.polyhedral.locking.formulas import LockedFormulas
 from verify.cases.polyhedral.warnings import of_fillets
-from verify.core.case import Case, FemResult, Output, Scan, Values
-from verify.core.figures import Array, Field
+from verify.core.case import Check, Context
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
 
-LEVELS = (1, 2, 3, 4)
-DRAWN = 2  # level of the curves
-THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
 PRESSED = 1.02  # of the pressure that touches: from there on forces are compared
-STEP = 0.05  # of the hub's force, either way, for its share
-
-ALONG = 200  # points of the fillet
-
-
-def hub_of(q: LockingInputs) -> tuple[float, float]:
-    """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
-    normal = q.R_b / np.hypot(1, q.tan_phi)
-    return float(normal), float(-normal * q.tan_phi)
+STATIC_RATING = 4e9  # Pa, ISO 76: roller bearings at their static load rating
+CHORD = 1e-3, "statics: pressure on the chord between two corners"
+FILLET = 5e-3, "a peak stress: half a per cent tells fillets apart"
+BALANCE = "acceptance figure; contact met to round-off"
+HALVES = "plane stress; half of the hub's force on each side of the flat's middle"
+PLANE = "plane stress, rigid race, no friction at the rollers"
 
 
-def state(
-    q: LockingInputs, p: float, hub: HubForce | None = None, *, elastic: bool = False
-) -> Locked:
-    """The locked ring by the series, its rollers rigid or `elastic` as the ring."""
-    ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
-    own = {"E": q.E, "nu": q.nu} if elastic else {}
-    return locked(sector=ring, roller=Roller(d=q.d, j_D=q.j_D, **own), p=p, E=q.E, nu=q.nu,
-                  assumption="plane stress", hub=hub)  # fmt: skip
+class LockedPolyhedralRing(LockedFormulas):
+    """The paper assigns all of the blocking pressure to the rollers.
 
+    The hoop force of the ring carries a good part of it. How much follows from finite elements with
+    the roller as a contact, and from complex potentials with Hertz's patch. Sizes and loads are the
+    project's.
+    """
 
-def analytic(q: LockingInputs) -> Values:
-    ring = Sector(z=q.z, d_e=q.d_e, d_i=q.d_i, rho=q.rho)
-    normal, along = hub_of(q)
-    hub = hub_force(sector=ring, e=q.e, normal=normal, along=along)
-    alone, pushed, soft = state(q, q.p_t), state(q, q.p_t, hub), state(q, q.p_t, elastic=True)
-    wall = {"d_i": q.d_i, "d_e": q.d_e}
-    K = bore_pressure.stiffness_factors(sector=ring, nu=q.nu, assumption="plane stress").mid
-    p_1r = float(expansion.touching_pressure(j_D=q.j_D, **wall, E=q.E, K=K))
-    p_2 = max(q.p_t - p_1r, 0.0)
-    F = float(forces.pressure_force(p_2=p_2, b=1.0, d_i=q.d_i, z=q.z))
-    phi_1 = float(np.arctan(q.tan_phi))
-    values: dict[str, Any] = {
-        "p_1r": p_1r, "p_2": p_2, "F": F, "touch": alone.touch,
-        "touch with hub": pushed.touch,
-        "N Eq. 16": forces.normal_force(F=F, R=q.R_b, phi_1=phi_1, gamma=0.0),
-        "N": alone.N, "efficiency": alone.efficiency, "N with hub": pushed.N,
-        "hub share": pushed.hub_share, "a": pushed.a,
-        "p_0": 2 * pushed.N / (np.pi * pushed.a) if pushed.a else 0.0,
-        "N elastic": soft.N, "efficiency elastic": soft.efficiency, "a elastic": soft.a,
-        "a race": soft.a_race,
-        "side": forces.pressure_force(p_2=q.p_t, b=1.0, d_i=q.d_i, z=q.z),
-        "fillet": in_fillet(q, ring, hub, pushed),
-    }  # fmt: skip
-    unloaded = in_fillet(q, ring, hub, replace(pushed, N=0.0))
-    rollers = abs(1 - unloaded / values["fillet"])
-    values["fillet blur"] = fillet_blur(q, rollers, pushed.a)
-    return {key: float(value) for key, value in values.items()}
-
-
-def in_fillet(q: LockingInputs, ring: Sector, hub: HubForce, found: Locked) -> float:
-    """Largest hoop stress [Pa] in the fillet under pressure, hub and rollers together."""
-    at = ring.straight + np.linspace(0, 1, ALONG + 1) * ring.rho * ring.half_angle
-    stress = q.p_t * bore_stress(at, sector=ring, field=bore_pressure.pressed(ring), p=1.0)
-    stress = stress + bore_stress(at, sector=ring, field=hub)
-    if found.N:
-        load = roller_load(sector=ring, a=found.a)
-        stress = stress + found.N * bore_stress(at, sector=ring, field=load)
-    return float(stress.max())
-
-
-def fem(q: LockingInputs, level: int) -> FemResult:
-    hub, thick = hub_of(q), q.d_e / 2 - q.apothem > THICK * q.d_e
-    fine = 2 * level if thick else level
-    alone = LockedRing(q, fine, d=q.d, p=q.p_t)
-    pushed = LockedRing(q, fine, d=q.d, e=q.e, p=q.p_t, hub=hub)
-    soft = LockedRing(q, fine, d=q.d, p=q.p_t, elastic=True)
-    R = [pushed.force(q.p_t, (k * hub[0], k * hub[1])) for k in (1 - STEP, 1, 1 + STEP)]
-    both = pushed.at(q.p_t, hub)
-    touch = both.touches[0]
-    free = pressed_fem(q, level, "plane stress")
-    rest = pushed.balance(q.p_t, hub)
-    shares = {"efficiency": alone.efficiency(q.p_t), "efficiency elastic": soft.efficiency(q.p_t)}
-    values = {
-        "N": alone.force(q.p_t), **{key: share for key, (share, _) in shares.items()},
-        "N with hub": R[1], "hub share": (R[2] - R[0]) / (2 * STEP * q.R_b),
-        "a": touch.half_width((q.d_e / 2, 0.0)), "p_0": peak(touch),
-        "balance x": rest[0], "balance y": rest[1],
-        "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
-        "fillet": largest_in_fillet(q, both.plane, q.p_t, name="ring.fillet"),
-    }  # fmt: skip
-    values |= elastic_rollers(q, soft)
-    arrays: dict[str, Array] = {}
-    fields: tuple[Field, ...] = ()
-    if level == DRAWN:
-        arrays["over pressure"] = np.array([
-            (alone.force(p), pushed.force(p, hub), soft.force(p)) for p in shown.PRESSURES * q.p_t
-        ]).T  # fmt: skip
-        arrays |= supports(q)
-    if level == LEVELS[-1]:
-        coarse = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
-        fields = (whole("locked", q.z, coarse, von_mises=(coarse["von_mises"], "Pa")),)
-    u_it = {key: 1e-10 * abs(value) for key, value in values.items()}
-    u_it |= {key: u for key, (_, u) in shares.items()}
-    return FemResult(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
-
-
-def elastic_rollers(q: LockingInputs, ring: LockedRing) -> dict[str, float]:
-    """Force and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
-    near, far = ring.half_widths(q.p_t)
-    on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
-    return {
-        "N elastic": ring.force(q.p_t), "a elastic": near, "a race": far,
-        "balance roller": on_roller - on_race,
-    }  # fmt: skip
-
-
-def peak(touch: Any) -> float:
-    """Pressure [Pa] above the middle of the flat."""
-    return float(touch.pressure[np.argmin(np.abs(touch.x[1]))])
-
-
-def supports(q: LockingInputs) -> dict[str, Array]:
-    """Half-width and efficiency of rollers of other diameters, and of bonded stretches."""
-    side, rollers = q.d_i * np.sin(q.half_angle), []
-    for d in shown.diameters(q):
-        ring = LockedRing(q, DRAWN, d=d, p=q.p_t)
-        rollers.append((ring.half_widths(q.p_t)[0], ring.efficiency(q.p_t)[0]))
-    bonded = [(w, held_fem(q, w) / side) for w in shown.widths(q)]
-    return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}
-
-
-def warnings(q: LockingInputs, v: Values) -> Sequence[str]:
-    found = []
-    if not v["N"] > 0:
-        found.append(
-            f"p_t = {q.p_t / 1e6:.4g} MPa is below {v['p_1r'] / 1e6:.4g} MPa, at which the ring "
-            "reaches its rollers: pressure alone does not lock them"
-        )
-    found += of_fillets(v["fillet"], E=q.E, R_p=q.R_p, when="")
-    if v["p_0"] > 4e9:
-        found.append(
-            f"p_0 = {v['p_0'] / 1e6:.4g} MPa is beyond 4000 MPa, the static rating of hardened "
-            "rollers (ISO 76)"
-        )
-    return found
-
-
-def too_large(q: LockingInputs) -> str:
-    """Rows compare forces of rollers, which there must be."""
-    touch = state(q, q.p_t).touch
-    if q.p_t < PRESSED * touch:
-        return (
-            f"p_t = {q.p_t / 1e6:.4g} MPa hardly presses the rollers, if at all: the ring reaches "
-            f"them at {touch / 1e6:.4g} MPa and is compared from {PRESSED * touch / 1e6:.4g} MPa "
-            "on, check it without --fem"
-        )
-    return ""
-
-
-LOCKING = Case(
-    id="polyhedral-locking",
-    title="Polyhedral ring locked against its rollers",
-    paper="belcin",
-    place="Eqs. 7, 13, 16, 19",
-    lead="The paper hands all of the blocking pressure to the rollers. The ring's own hoop force "
-    "keeps a good part of it: finite elements with the roller as a contact, and complex potentials "
-    "with Hertz's patch, say how much. Sizes and loads are the project's.",
-    inputs=LockingInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    scans=(
+    id = "polyhedral-locking"
+    title = "Polyhedral ring locked against its rollers"
+    source = "belcin"
+    place = "Eqs. 7, 13, 16, 19"
+    levels: ClassVar = fem.LEVELS
+    scans: ClassVar = (
         Scan(vary=("p_t=15MPa,30MPa,60MPa,100MPa", "delta_1=3mm,4mm,6mm", "z=4,6,8"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        Output(key="p_1r", symbol="p_1r", unit="MPa",
-               what="pressure at which the ring reaches its rollers", judged=False),
-        Output(key="p_2", symbol="p_2", unit="MPa", what="blocking pressure (Eq. 19)",
-               judged=False),
-        Output(key="F", symbol="F/b", unit="N/mm",
-               what="force of a roller, all of the pressure's (Eqs. 13 and 16)"),
-        Output(key="N", symbol="N/b", unit="N/mm", what="force of a roller, series"),
-        Output(key="efficiency", symbol="η", unit="1",
-               what="share of a further pressure that reaches the rollers"),
-        Output(key="N Eq. 16", symbol="N/b", unit="N/mm",
-               what="force of a roller with the hub's (Eq. 16)"),
-        Output(key="N with hub", symbol="N/b", unit="N/mm",
-               what="force of a roller with the hub's, series"),
-        Output(key="hub share", symbol="η_h", unit="1",
-               what="share of a further hub force that reaches the rollers"),
-        Output(key="a", symbol="a", unit="µm", what="half-width of the contact"),
-        Output(key="p_0", symbol="p_0", unit="MPa", what="pressure on the ring, rigid rollers"),
-        Output(key="N elastic", symbol="N/b", unit="N/mm",
-               what="force of an elastic roller, without the hub's"),
-        Output(key="efficiency elastic", symbol="η", unit="1",
-               what="share of a further pressure that reaches elastic rollers"),
-        Output(key="a elastic", symbol="a", unit="µm",
-               what="half-width of an elastic roller's contact on the ring"),
-        Output(key="a race", symbol="a", unit="µm", what="and on the race"),
-        Output(key="fillet", symbol="σ_max", unit="MPa", what="hoop stress in the fillets"),
-    ),
-    readings=(
+    )
+    readings: ClassVar = (
         "rollers and race are rigid, the ring is in plane stress: all of the ring's own compliance",
         "rollers that are said to be elastic are of the ring's material, in plane stress; the race "
         "stays rigid",
@@ -227,16 +57,124 @@ LOCKING = Case(
         "the hub's friction acts towards the flat's middle: R makes ψ + φ_1 with the radius "
         "through its contact (Eq. 14)",
         "the side of the polygon in Eq. 13, not its arc; γ = 0 in Eq. 16: along the flat's normal",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "linear elasticity, small strain; no friction at the rollers",
         "half a sector, symmetry on both cuts; the roller above the middle of the flat",
         "the hub's force at e counts as half of it on each side of the flat's middle",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=shown.equations,
-    sketch=shown.sketch,
-    figures=shown.figures,
-    pictures=shown.pictures,
-)  # fmt: skip
+    )
+
+    def reference(self, level: int) -> Level:
+        """Half a sector and its roller in contact."""
+        return fem.solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison | Check]:
+        """The series, Hertz and the paper against finite elements."""
+        yield from self._series()
+        yield from self._flat()
+        case, blur = LockedPolyhedralRing, {
+            "fillet blur": bounds.fillet_blur(self, self.from_rollers, self.a)
+        }  # fmt: skip
+        yield identity(case.side, symbol="F/b", order=4, sensitivity=CHORD)
+        q = case.fillet
+        check = OwnFillet(name=q.label, symbol=q.symbol, unit=q.unit, fem=q.name, analytic=q.name,
+                          formal=2, demand=FILLET[0], demand_reason=FILLET[1],
+                          blur="fillet blur")  # fmt: skip
+        yield Comparison(check=check, quantity=q, numbers=blur, shares=HALVES)
+        for key, axis, name in (
+            ("balance_x", "x", "Eq. 16 with the ring's hoop force: roller, hub, cuts, pressure"),
+            ("balance_y", "y", "the same along the flat"),
+            ("balance_roller", "x", "forces on an elastic roller"),
+        ):
+            yield balance(key, name, f"ΣF_{axis}", "N/mm", of={"side": self.side}, bound=1e-8,
+                          because=BALANCE)  # fmt: skip
+        yield fact("a wider support takes more of the pressure", "Δη", wider)
+
+    def _series(self) -> Iterator[Comparison]:
+        """Complex potentials with Hertz's patch, rollers rigid and elastic."""
+        case, soft = LockedPolyhedralRing, self.soft
+        alone = State(self.alone, "alone", "under pressure alone")
+        elastic = State(soft, "elastic", "elastic rollers under pressure alone")
+        rigid, both = bounds.within(self, self.a), bounds.within(self, soft.a, soft.a_race)
+        hertz = bounds.on_ring(self, bounds.WIDTH, self.a)
+        peak = bounds.on_ring(self, bounds.PEAK, self.a)
+        bent = {"bent": bounds.bent(self), "shares": HALVES}
+        rows: tuple[tuple[Quantity, str, Any, State | None, dict[str, Any]], ...] = (
+            (case.N, "force of a roller under pressure, series", rigid, alone, {}),
+            (case.efficiency, "share of further pressure that reaches the rollers, series", rigid,
+             alone, {}),
+            (case.N, "force of a roller under pressure and hub, series", rigid, None,
+             {"shares": HALVES}),
+            (case.hub_share, "share of a further hub force that reaches the rollers, series", rigid,
+             None, {"shares": HALVES}),
+            (case.a, "half-width of the roller's contact, Hertz", hertz, None, bent),
+            (case.p_0, "pressure between roller and ring, Hertz", peak, None, bent),
+            (case.N, "force of an elastic roller under pressure, series", both, elastic, {}),
+            (case.efficiency, "share of further pressure that reaches elastic rollers, series",
+             both, elastic, {}),
+            (case.a, "half-width of an elastic roller's contact on the ring, Hertz",
+             bounds.on_ring(self, bounds.WIDTH, soft.a, elastic=True), elastic, {}),
+            (case.a_race, "half-width of an elastic roller's contact on the race, Hertz",
+             bounds.on_race(self, soft.a_race), elastic, {"symbol": "a"}),
+        )  # fmt: skip
+        for q, name, expected, state, more in rows:
+            yield within_band(q, name, expected, state=state, **{"shares": PLANE} | more)
+
+    def _flat(self) -> Iterator[Comparison]:
+        """The paper's forces, which leave out the ring's hoop force."""
+        case, touch = LockedPolyhedralRing, self.alone.locked.touch
+        for q, where, reference, series in (
+            (case.F, "without the hub", "N_alone", self.alone.N),
+            (case.N_16, "with the hub", "N", self.N),
+        ):
+            expected = bounds.of_rigid_flat(self, series, touch=touch, a=self.a, hub=q is case.N_16)
+            yield within_band(q, f"force of a roller, Eqs. 13 and 16 {where}", expected,
+                              reference=reference, symbol="N/b")  # fmt: skip
+
+    def figures(self) -> Iterator[Drawn]:
+        """Force of a roller over the pressure, efficiency over the support."""
+        yield Drawn(lambda context: figures.figures(self, context))
+
+    def pictures(self) -> Iterator[Picture]:
+        """The whole ring under all loads."""
+        caption = "Locked ring under pressure, hub and rollers: von Mises stress, coarse mesh"
+        yield picture("locked", "von_mises", caption, share=0.02)
+
+    def sketch(self) -> Sketch:
+        """The ring, its rollers and loads."""
+        return sketch.sketch(self, d=self.d, e=self.e, p_t=self.p_t)
+
+    def warnings(self) -> Iterator[str]:
+        """Where the rollers are loose, and where parts yield."""
+        if not self.alone.N > 0:
+            yield (
+                f"p_t = {self.shown('p_t')} is below {self.shown('p_1r')}, at which the ring "
+                "reaches its rollers: pressure alone does not lock them"
+            )
+        yield from of_fillets(self.fillet, E=self.E, R_p=self.R_p, when="")
+        if self.p_0 > STATIC_RATING:
+            yield (
+                f"p_0 = {self.shown('p_0')} is beyond 4000 MPa, the static rating of hardened "
+                "rollers (ISO 76)"
+            )
+
+    def refusal(self) -> str:
+        """Rows compare forces of rollers, which there must be."""
+        touch = self.alone.locked.touch
+        if self.p_t < PRESSED * touch:
+            return (
+                f"p_t = {self.shown('p_t')} hardly presses the rollers, if at all: the ring "
+                f"reaches them at {touch / 1e6:.4g} MPa and is compared from "
+                f"{PRESSED * touch / 1e6:.4g} MPa on, check it without --fem"
+            )
+        return ""
+
+
+def wider(context: Context) -> tuple[float, float]:
+    """How much more of the pressure the widest roller's contact takes than the narrowest's."""
+    eta = figures.curves(context.fem)["rollers"][1]
+    v = context.series("efficiency_alone")[1]
+    return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])
+
+
+LOCKING = adapted(LockedPolyhedralRing)

@@ -1,21 +1,29 @@
 """Inputs of the ring that is locked against its rollers."""
 
 import math
+from typing import Self
 
+import numpy as np
 from pydantic import model_validator
 
+from verify.case import given
 from verify.cases.polyhedral.inputs import HubRing
-from verify.core.inputs import quantity
 
 
 class LockingInputs(HubRing):
     """The ring under pressure and hub, between rigid rollers that sit above its flats."""
 
-    d: float = quantity("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
-    p_t: float = quantity("30 MPa", "MPa", "p_t", "pressure in the bore", gt=0, le=1e4)
+    d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=0, le=1e5)
+    p_t: float = given("30 MPa", "MPa", "p_t", "pressure in the bore", gt=0, le=1e4)
+
+    @property
+    def push(self) -> tuple[float, float]:
+        """The hub's force on a flat [N/m]: along its normal, and along it away from the middle."""
+        normal = self.R_b / np.hypot(1, self.tan_phi)
+        return float(normal), float(-normal * self.tan_phi)
 
     @model_validator(mode="after")
-    def _rollers(self) -> "LockingInputs":
+    def _rollers(self) -> Self:
         sine = math.sin(self.half_angle)
         room = (self.d_e + self.j_D) * sine / (1 - sine)
         if self.d >= room:

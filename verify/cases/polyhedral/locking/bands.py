@@ -1,0 +1,115 @@
+"""Formulas of the locked ring on inputs of the user: bands that meshes must resolve."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from verify.case import Comparison, Expected, Quantity, State
+from verify.core.case import Context, Values
+from verify.core.results import Row, Status
+from verify.form.comparisons import key_of
+from verify.judging import judge
+from verify.judging.checks import Approximation, Identity
+
+LOOSE = 0.05  # half of a band from which on a formula is shown, not judged
+FINER = 0.5  # of half a band: meshes that resolve less cannot tell
+WIDE = "what Hertz or a straight wall neglects is no longer small"
+TWICE = 2.2  # half bands: what a formula can move by inside its band, with a margin
+
+
+def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
+    """`rows` of a ring of one's own: what meshes leave undecided about the `band` is shown."""
+    row, half = rows[0], (band[1] - band[0]) / 2
+    if row.grid is None or not row.fem or row.analytic is None:
+        return rows
+    steady = row.grid.behaviour not in ("diverging", "short")
+    m, U = row.analytic / row.fem - 1, judge.expanded(row.u_num or 0.0) / abs(row.fem)
+    outside = max(band[0] - m, m - band[1]) > U
+    if steady and (outside or (FINER * half > U and row.status is not Status.FAIL)):
+        return rows
+    told = f"meshes resolve {U:.2g}" if steady else "meshes do not settle"
+    reason = f"measured: {m:+.2%}; {told} where the formula allows {half:.2g}"
+    return [
+        replace(r, status=Status.SHOWN, reason=reason) if r.status is Status.FAIL else r
+        for r in rows
+    ]
+
+
+def too_wide(rows: list[Row]) -> list[Row]:
+    """`rows` of a claim whose band is no longer small: shown, but for convergence that holds."""
+    first, *others = rows
+    told = [first, *(row for row in others if row.status is Status.FAIL)]
+    kept = [row for row in others if row.status is not Status.FAIL]
+    shown = [replace(r, status=Status.SHOWN, reason=f"{r.reason}; {WIDE}") for r in told]
+    return shown + kept
+
+
+@dataclass(frozen=True, kw_only=True)
+class OwnFormula(Approximation):
+    """A formula with a band; on a ring of one's own the demand is that band where it is larger.
+
+    `bent` [1] is what such a ring's bending adds to the band.
+    """
+
+    bent: Callable[[Any, Values], float] | None = None
+
+    def band(self, q: Any, v: Values) -> tuple[float, float] | None:
+        """The band on a ring of one's own, None where it is no longer small."""
+        band = self.interval and self.interval(q, v)
+        if not band:
+            return None
+        more = self.bent(q, v) if self.bent else 0.0
+        low, high = band[0] - more, band[1] + more
+        return (low, high) if high - low < 2 * LOOSE else None
+
+    def rows(self, context: Context) -> list[Row]:
+        if context.is_paper:
+            return super().rows(context)
+        band = self.band(context.inputs, context.analytic)
+        widened = replace(self, interval=lambda _q, _v: band, bent=None)
+        rows = Approximation.rows(widened, context)
+        if band:
+            return undecided(rows, band)
+        return too_wide(rows)
+
+    def demanded(self, context: Context) -> float:
+        usual = super().demanded(context)
+        band = None if context.is_paper else self.band(context.inputs, context.analytic)
+        return max(usual, TWICE * (band[1] - band[0]) / 2) if band else usual
+
+
+@dataclass(frozen=True, kw_only=True)
+class OwnFillet(Identity):
+    """A largest stress; on a ring of one's own it may miss what Hertz's neglect makes of N.
+
+    `blur` is the analytic key of that, a standard uncertainty over the stress.
+    """
+
+    blur: str
+
+    def rows(self, context: Context) -> list[Row]:
+        if context.is_paper:
+            return super().rows(context)
+        blur = 2 * context.analytic[self.blur]
+        rows = Identity.rows(replace(self, residual=self.blur), context)
+        if blur < LOOSE:
+            return undecided(rows, (-blur, blur))
+        return too_wide(rows)
+
+    def demanded(self, context: Context) -> float:
+        usual = super().demanded(context)
+        return usual if context.is_paper else max(usual, 2 * TWICE * context.analytic[self.blur])
+
+
+def within_band(
+    q: Quantity, name: str, expected: Expected, *, state: State | None = None, reference: str = "",
+    symbol: str = "", bent: float = 0.0, shares: str = "",
+) -> Comparison:  # fmt: skip
+    """A quantity whose error lies in a band; `reference` and `symbol` are its own by default."""
+    limits = (expected.low, expected.high) if expected.sharp else None
+    key = key_of(q, state)
+    check = OwnFormula(
+        name=name, symbol=symbol or q.symbol, unit=q.unit, fem=reference or key, analytic=key,
+        formal=2, interval=lambda *_: limits, source=expected.source, bent=lambda *_: bent,
+    )  # fmt: skip
+    return Comparison(check=check, quantity=q, state=state, shares=shares)

@@ -1,0 +1,154 @@
+"""The roller force of the paper, and that of the elastic ring by complex potentials and Hertz."""
+
+from dataclasses import replace
+from typing import Any, ClassVar, Self
+
+import numpy as np
+
+from analytic.polyhedral import bore_pressure, expansion, forces
+from analytic.polyhedral.hub_force import HubForce, hub_force
+from analytic.polyhedral.locking import Locked, Roller, locked
+from analytic.polyhedral.roller_load import roller_load
+from analytic.polyhedral.sector import Sector
+from analytic.polyhedral.wall_stress import bore_stress
+from verify.case import Quantity, shared
+from verify.cases.polyhedral.locking.inputs import LockingInputs
+from verify.cases.polyhedral.thin_ring import ThinRing
+
+ALONG = 200  # points of the fillet
+SERIES = "complex potentials"
+
+
+class LockedFormulas(ThinRing, LockingInputs):
+    """Rollers on the ring under pressure and hub, rigid; `alone` and `soft` are other states."""
+
+    pushed: ClassVar[bool] = True  # by the hub
+    elastic: ClassVar[bool] = False  # rollers
+
+    @Quantity("K_mid", "1", "K in the middle of the flats", source=SERIES, role="step")
+    def K_mid(self) -> float:
+        ring = bore_pressure.stiffness_factors(
+            sector=self.sector, nu=self.nu, assumption="plane stress"
+        )
+        return float(ring.mid)
+
+    @Quantity("p_1r", "MPa", "pressure at which the ring reaches its rollers", equation="11",
+              role="step", safe="too high", tex=r"K_{mid} p_1")  # fmt: skip
+    def p_1r(self) -> float:
+        wall = {"d_i": self.d_i, "d_e": self.d_e}
+        return float(expansion.touching_pressure(j_D=self.j_D, **wall, E=self.E, K=self.K_mid))
+
+    @Quantity("p_2", "MPa", "blocking pressure", equation="19", role="step", safe="too low")
+    def p_2(self) -> float:
+        return max(self.p_t - self.p_1r, 0.0)
+
+    @Quantity("F/b", "N/mm", "force of a roller, all of the pressure's", source="Eqs. 13 and 16",
+              safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
+    def F(self) -> float:
+        return self._on_a_side(self.p_2)
+
+    @Quantity("φ_1", "deg", "angle of friction between hub and ring", role="step",
+              tex=r"\arctan\left(tan \varphi_1\right)")  # fmt: skip
+    def phi_1(self) -> float:
+        return float(np.arctan(self.tan_phi))
+
+    @Quantity("N_16/b", "N/mm", "force of a roller with the hub's", source="Eq. 16 with γ = 0",
+              safe="too low", tex=r"F/b + R/b \cos\left(\varphi_1\right)")  # fmt: skip
+    def N_16(self) -> float:
+        return float(forces.normal_force(F=self.F, R=self.R_b, phi_1=self.phi_1, gamma=0.0))
+
+    @Quantity("F_t/b", "N/mm", "resultant of the pressure on a side", equation="13",
+              tex=r"p_t d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
+    def side(self) -> float:
+        return self._on_a_side(self.p_t)
+
+    @Quantity(
+        "N/b",
+        "N/mm",
+        "force of a roller",
+        safe="too low",
+        source="series, with the half-width a of Hertz under N",
+        tex=r"\frac{u_p p_t + u_h - \frac{j_D}{2}}{u_N(a)}",
+    )
+    def N(self) -> float:
+        return self.locked.N
+
+    @Quantity("η", "1", "share of a further pressure that reaches the rollers",
+              source="1 would be Eq. 16",
+              tex=r"\frac{1}{d_i \sin(\pi/z)} \frac{dN}{b\,dp}")  # fmt: skip
+    def efficiency(self) -> float:
+        return self.locked.efficiency
+
+    @Quantity("η_h", "1", "share of a further hub force that reaches the rollers", source=SERIES,
+              when=lambda q: q.pushed)  # fmt: skip
+    def hub_share(self) -> float:
+        return self.locked.hub_share
+
+    @Quantity("a", "µm", "half-width of the contact on the ring", source="Hertz")
+    def a(self) -> float:
+        return self.locked.a
+
+    @Quantity("a_r", "µm", "half-width of the contact on the race", source="Hertz",
+              when=lambda q: q.elastic)  # fmt: skip
+    def a_race(self) -> float:
+        return self.locked.a_race
+
+    @Quantity("p_0", "MPa", "pressure between roller and ring", source="Hertz", safe="too high")
+    def p_0(self) -> float:
+        return float(2 * self.N / (np.pi * self.a)) if self.a else 0.0
+
+    @Quantity("σ_max", "MPa", "largest hoop stress in the fillets, locked", source=SERIES,
+              safe="too high")  # fmt: skip
+    def fillet(self) -> float:
+        return self._in_fillet(self.locked)
+
+    @shared
+    def sector(self) -> Sector:
+        """Half a sector for the series."""
+        return Sector(z=self.z, d_e=self.d_e, d_i=self.d_i, rho=self.rho)
+
+    @shared
+    def alone(self) -> Self:
+        """The same under pressure alone."""
+        return self.model_copy(update={"pushed": False})
+
+    @shared
+    def soft(self) -> Self:
+        """The same under pressure alone, rollers as elastic as the ring."""
+        return self.model_copy(update={"pushed": False, "elastic": True})
+
+    @shared
+    def hub(self) -> HubForce:
+        """The series under the hub's force."""
+        normal, along = self.push
+        return hub_force(sector=self.sector, e=self.e, normal=normal, along=along)
+
+    @shared
+    def locked(self) -> Locked:
+        """The state of these inputs by the series."""
+        return self.under(self.p_t, self.d, self.hub if self.pushed else None)
+
+    @shared
+    def from_rollers(self) -> float:
+        """Share of the stress in the fillets that the rollers make."""
+        return abs(1 - self._in_fillet(replace(self.locked, N=0.0)) / self.fillet)
+
+    def under(self, p: float, d: float, hub: HubForce | None = None) -> Locked:
+        """The ring under a pressure [Pa] between rollers of the diameter d [m]."""
+        own: dict[str, Any] = {"E": self.E, "nu": self.nu} if self.elastic else {}
+        return locked(sector=self.sector, roller=Roller(d=d, j_D=self.j_D, **own), p=p, E=self.E,
+                      nu=self.nu, assumption="plane stress", hub=hub)  # fmt: skip
+
+    def _on_a_side(self, p: float) -> float:
+        return float(forces.pressure_force(p_2=p, b=1.0, d_i=self.d_i, z=self.z))
+
+    def _in_fillet(self, found: Locked) -> float:
+        """Largest hoop stress [Pa] in the fillet under pressure, hub and rollers together."""
+        ring = self.sector
+        at = ring.straight + np.linspace(0, 1, ALONG + 1) * ring.rho * ring.half_angle
+        stress = self.p_t * bore_stress(at, sector=ring, field=bore_pressure.pressed(ring), p=1.0)
+        stress = stress + bore_stress(at, sector=ring, field=self.hub)
+        if found.N:
+            load = roller_load(sector=ring, a=found.a)
+            stress = stress + found.N * bore_stress(at, sector=ring, field=load)
+        return float(stress.max())

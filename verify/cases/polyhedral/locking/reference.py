@@ -1,0 +1,96 @@
+"""Finite elements of the locked ring: forces, widths, pressures, and what is left of balances."""
+
+from typing import Any
+
+import numpy as np
+
+from verify.case import Level
+from verify.cases.polyhedral.fem import largest_in_fillet, pressed_fem, whole
+from verify.cases.polyhedral.locking.fem import LockedRing, held_fem
+from verify.cases.polyhedral.locking.inputs import LockingInputs
+from verify.core.figures import Array, Field
+
+LEVELS = (1, 2, 3, 4)
+DRAWN = 2  # level of the curves
+THICK = 0.15  # wall over outer diameter from which on a mesh is twice as fine
+STEP = 0.05  # of the hub's force, either way, for its share
+SIZES = (0.25, 0.5, 1.0, 2.0, 4.0)  # of the roller's diameter
+STRETCHES = (0.005, 0.01, 0.02, 0.05, 0.1)  # of the wall above the flat
+PRESSURES = np.linspace(0, 1.2, 9)  # of p_t, where curves have dots
+
+
+def solve(q: LockingInputs, level: int) -> Level:
+    """One level under pressure alone, with the hub, and with elastic rollers."""
+    hub, thick = q.push, q.d_e / 2 - q.apothem > THICK * q.d_e
+    fine = 2 * level if thick else level
+    alone = LockedRing(q, fine, d=q.d, p=q.p_t)
+    pushed = LockedRing(q, fine, d=q.d, e=q.e, p=q.p_t, hub=hub)
+    soft = LockedRing(q, fine, d=q.d, p=q.p_t, elastic=True)
+    N = [pushed.force(q.p_t, (k * hub[0], k * hub[1])) for k in (1 - STEP, 1, 1 + STEP)]
+    both = pushed.at(q.p_t, hub)
+    touch = both.touches[0]
+    free = pressed_fem(q, level, "plane stress")
+    rest = pushed.balance(q.p_t, hub)
+    shares = {
+        "efficiency_alone": alone.efficiency(q.p_t), "efficiency_elastic": soft.efficiency(q.p_t),
+    }  # fmt: skip
+    values = {
+        "N_alone": alone.force(q.p_t), **{key: share for key, (share, _) in shares.items()},
+        "N": N[1], "hub_share": (N[2] - N[0]) / (2 * STEP * q.R_b),
+        "a": touch.half_width((q.d_e / 2, 0.0)), "p_0": peak(touch),
+        "balance_x": rest[0], "balance_y": rest[1],
+        "side": -2 * (free.reaction("mid")[0] + free.reaction("corner")[0]) * q.p_t / 1e6,
+        "fillet": largest_in_fillet(q, both.plane, q.p_t, name="ring.fillet"),
+    }  # fmt: skip
+    values |= elastic_rollers(q, soft)
+    arrays: dict[str, Array] = {}
+    fields: tuple[Field, ...] = ()
+    if level == DRAWN:
+        arrays["over pressure"] = np.array([
+            (alone.force(p), pushed.force(p, hub), soft.force(p)) for p in PRESSURES * q.p_t
+        ]).T  # fmt: skip
+        arrays |= supports(q)
+    if level == LEVELS[-1]:
+        coarse = LockedRing(q, 1, d=q.d, e=q.e, p=q.p_t, hub=hub).at(q.p_t, hub).plane.cells()
+        fields = (whole("locked", q.z, coarse, von_mises=(coarse["von_mises"], "Pa")),)
+    u_it = {key: 1e-10 * abs(value) for key, value in values.items()}
+    u_it |= {key: u for key, (_, u) in shares.items()}
+    return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=fields)
+
+
+def elastic_rollers(q: LockingInputs, ring: LockedRing) -> dict[str, float]:
+    """Force and half-widths of elastic rollers, and what is left of forces on one [N/m]."""
+    near, far = ring.half_widths(q.p_t)
+    on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
+    return {
+        "N_elastic": ring.force(q.p_t), "a_elastic": near, "a_race_elastic": far,
+        "balance_roller": on_roller - on_race,
+    }  # fmt: skip
+
+
+def peak(touch: Any) -> float:
+    """Pressure [Pa] above the middle of the flat."""
+    return float(touch.pressure[np.argmin(np.abs(touch.x[1]))])
+
+
+def supports(q: LockingInputs) -> dict[str, Array]:
+    """Half-width and efficiency of rollers of other diameters, and of bonded stretches."""
+    side, rollers = q.d_i * np.sin(q.half_angle), []
+    for d in diameters(q):
+        ring = LockedRing(q, DRAWN, d=d, p=q.p_t)
+        rollers.append((ring.half_widths(q.p_t)[0], ring.efficiency(q.p_t)[0]))
+    bonded = [(w, held_fem(q, w) / side) for w in widths(q)]
+    return {"rollers": np.array(rollers).T, "bonded": np.array(bonded).T}
+
+
+def diameters(q: LockingInputs) -> list[float]:
+    """Diameters [m] of rollers that fit beside each other."""
+    sine = np.sin(q.half_angle)
+    room = 0.98 * (q.d_e + q.j_D) * sine / (1 - sine)
+    return [float(d) for d in q.d * np.array(SIZES) if d < room]
+
+
+def widths(q: LockingInputs) -> list[float]:
+    """Half-widths [m] of bonded supports."""
+    wall = min(q.d_e / 2 - q.apothem, q.half_angle * q.d_e / 2)
+    return [float(w) for w in wall * np.array(STRETCHES)]
