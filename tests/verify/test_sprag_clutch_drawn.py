@@ -8,20 +8,20 @@ import pytest
 
 from analytic.sprag import parts
 from tests.conftest import solved
-from verify.cases.sprag.clutch import limits, model, paper_fem, values, variants
-from verify.cases.sprag.clutch.case import CLUTCH
-from verify.cases.sprag.clutch.claims import UNFITTED, corners, length
+from verify.cases.sprag.clutch import formulas, limits, model, paper_fem
+from verify.cases.sprag.clutch.case import CLUTCH, SpragClutch
 from verify.cases.sprag.clutch.drawn_fem import Drawn
-from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.clutch.paper_statements import corners, length
 from verify.cases.sprag.optimum import fem as sprag_optimum_fem
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs
+from verify.cases.sprag.statements import UNFITTED
 from verify.jobs.level import Job, judge_case
 
 pytestmark = pytest.mark.xdist_group("sprag-clutch")
-PAPER = EngagementInputs()
+PAPER = SpragClutch()
 CACHED = (
-    model.built, model.under, model.analytic_state,
-    limits.as_torque_grows, values.analytic, values.blades,
+    model.built, model.under, model.rigid, model.literal, model.grip, model.spring_force,
+    limits.as_torque_grows,
 )  # fmt: skip
 
 TURN = "turn of the races, finite steps of rolling"
@@ -55,30 +55,22 @@ def broken(monkeypatch, judged, red):
     forget()
 
 
-def state(**factors):
-    """The state with some of its values multiplied."""
-
-    def fault(right):
-        def wrong(q):
-            found = right(q)
-            return found | {key: factor * found[key] for key, factor in factors.items()}
-
-        wrong.cache_clear = lambda: None
-        return wrong
-
-    return fault
-
-
 @pytest.mark.parametrize(
     ("key", "factor", "row"),
     [
-        ("theta", 2.0, TURN), ("theta", 1.005, TURN), ("N Liu", 1.05, RIGID_FORCE),
-        ("N Liu", 1.0005, RIGID_FORCE), ("alpha Liu", 1.005, RIGID_SPRAGS),
-        ("theta Liu", 1.005, RIGID_TURN), ("alpha printed", 1.005, PRINTED),
+        ("theta", 2.0, TURN), ("theta", 1.005, TURN), ("N_Liu", 1.05, RIGID_FORCE),
+        ("N_Liu", 1.0005, RIGID_FORCE), ("alpha_Liu", 1.005, RIGID_SPRAGS),
+        ("theta_Liu", 1.005, RIGID_TURN), ("alpha_printed", 1.005, PRINTED),
     ],
 )  # fmt: skip
 def test_a_wrong_value_turns_its_row_red(key, factor, row, broken):
-    assert broken(values, "analytic_state", state(**{key: factor})) == {row}
+    def fault(right):
+        def wrong(q):
+            return factor * right(q) if q.n == 0 else right(q)  # not of the variant at speed
+
+        return wrong
+
+    assert broken(getattr(SpragClutch, key), "formula", fault) == {row}
 
 
 def test_rigid_races_that_yield_and_rolling_left_out_are_red(broken):
@@ -87,7 +79,7 @@ def test_rigid_races_that_yield_and_rolling_left_out_are_red(broken):
 
 
 def test_without_rolling_the_turn_of_the_races_is_red(broken):
-    found = broken(model, "rolled", lambda right: lambda c, N: 1.01 * right(c, N))
+    found = broken(formulas, "rolled", lambda right: lambda c, N: 1.01 * right(c, N))
     assert {TURN, RIGID_TURN} <= found
 
 
@@ -105,7 +97,7 @@ def test_friction_s_limit_by_another_angle_is_red(broken):
     def by_sine(right):
         return lambda clutch, mu, **more: right(clutch, mu=mu / math.sqrt(1 + mu**2), **more)
 
-    assert broken(variants, "limits", by_sine) == {SLIPS}
+    assert broken(model, "limits", by_sine) == {SLIPS}
 
 
 def test_a_drawn_sprag_rolls_as_its_arcs_say_but_for_what_yields():

@@ -7,9 +7,8 @@ from verify.answers.answer import Quantity
 from verify.answers.assessment import Assessment
 from verify.answers.strengths import yield_strength
 from verify.answers.torque import criteria_under, permissible
-from verify.cases.sprag.clutch.limits import as_torque_grows, verdict
-from verify.cases.sprag.clutch.recommendations import why
-from verify.cases.sprag.clutch.values import analytic
+from verify.cases.sprag.clutch.limits import as_torque_grows
+from verify.cases.sprag.clutch.recommendations import verdict, why
 from verify.cases.sprag.crown.formulas import pressed
 from verify.cases.sprag.engagement.formulas import at_rest
 from verify.cases.sprag.engagement.model import crowned_for
@@ -39,36 +38,36 @@ def wedge(q: Any, v: Values, part: Assessment) -> None:
     )
 
 
-def clutch(q: Any, v: Values, part: Assessment) -> None:
+def clutch(q: Any, _v: Values, part: Assessment) -> None:
     """Friction, pressures, end of the profile and yielding of the races, torque rising slowly."""
-    state = verdict(q, v)
+    state = verdict(q)
     if part.with_design:
         part.design = _permissible(q)
-    part.below_input("friction", FRICTION, v.get("mu_req", v["mu_0"]), "mu_s", q.mu_s, "1")
+    part.below_input("friction", FRICTION, q.mu_req if q.state else q.mu_0, "mu_s", q.mu_s, "1")
     if state == "no state":
-        part.failures.append(why(q, v))
-    if "T end" in v:
-        part.at_most("torque", "torque", q.T, v["T end"], "N m", "end of the sprags' profile")
+        part.failures.append(why(q))
+    if math.isfinite(q.T_end):
+        part.at_most("torque", "torque", q.T, q.T_end, "N m", "end of the sprags' profile")
     if state in ("slips", "rolls over", "no state"):
         return
-    for key, place in (("p_i", "inner"), ("p_o", "outer")):
+    for p, place in ((q.p_i, "inner"), (q.p_o, "outer")):
         what = f"largest pressure at the {place} race"
-        part.pressure(f"contact_pressure_{place}", what, v[key], q.E, given=q.p_lim,
+        part.pressure(f"contact_pressure_{place}", what, p, q.E, given=q.p_lim,
                       option=MISSING)  # fmt: skip
     if q.z_m == 0:
         part.unknowns.append(NO_CROWN)
-    walls = {"inner": ("Tresca_i", q.R_i - q.R_id), "outer": ("Tresca_e", q.R_ed - q.R_e)}
-    for place, (key, wall) in walls.items():
+    walls = {"inner": q.R_i - q.R_id, "outer": q.R_ed - q.R_e}
+    for stress, (place, wall) in zip(q.tresca, walls.items(), strict=True):
         strength = yield_strength(q.R_p, q.E, wall=wall)
         part.stress(
-            f"tresca_stress_{place}", f"Tresca stress of the {place} race", v[key], strength
+            f"tresca_stress_{place}", f"Tresca stress of the {place} race", stress, strength
         )
 
 
 def _permissible(q: Any) -> Quantity | None:
     """The largest torque that rises slowly; the crown is that of the part under its own torque."""
     part_as_made = q.model_copy(update={"Q": crowned_for(q)})
-    under = criteria_under(part_as_made, analytic, clutch)
+    under = criteria_under(part_as_made, lambda _q: {}, clutch)
     return permissible(as_torque_grows(q), q.T, ", quasi-static", under)
 
 

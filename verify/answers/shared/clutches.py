@@ -145,7 +145,7 @@ def _sliding(q: Any, _: Values) -> tuple[SharedReading, ...]:
 
 
 def _clutch(q: Any, v: Values) -> tuple[SharedReading, ...]:
-    return (_composite(ratio(v, "alpha", "alpha elastic")), _angle(q), SPRAGS)
+    return (_composite(ratio(v, "alpha", "alpha_elastic")), _angle(q), SPRAGS)
 
 
 def _crown(q: Any, _: Values) -> tuple[SharedReading, ...]:

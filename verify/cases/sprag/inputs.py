@@ -5,12 +5,13 @@ Table 1 of the paper gives part of them. What it lacks is identified or assumed;
 """
 
 import math
+from collections.abc import Iterable
 
 from pydantic import model_validator
 
 from analytic.sprag.geometry import LogSprag
 from verify.cases.freewheel.inputs import in_millimetres
-from verify.core.inputs import Inputs, count, quantity
+from verify.core.inputs import Inputs, count, meta, quantity
 
 IDENTIFIED = {
     "l": "length of the sprags: 9.04 mm follow from m_g and I_g of Table 1 for a rectangle",
@@ -170,3 +171,9 @@ class EngagementInputs(SpragInputs):
                 f"{self.t_ramp:g} s, t_end = {self.t_end:g} s"
             )
         return self
+
+
+def named(inputs: Iterable[str]) -> str:
+    """Symbols of the inputs, for sentences."""
+    fields = EngagementInputs.model_fields
+    return ", ".join(str(meta(fields[name])["symbol"] or name) for name in inputs)

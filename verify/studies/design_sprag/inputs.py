@@ -10,9 +10,8 @@ from pydantic import model_validator
 from verify.answers.assumed.complete import complete
 from verify.answers.assumed.registry import DESIGN_SPRAG_TASK as CASE
 from verify.answers.assumed.rules import Assumed
-from verify.cases.sprag.clutch.limits import verdict
-from verify.cases.sprag.clutch.recommendations import why
-from verify.cases.sprag.clutch.values import analytic
+from verify.cases.sprag.clutch.formulas import ClutchFormulas
+from verify.cases.sprag.clutch.recommendations import verdict, why
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.inputs import InputError, build, count, quantity, read_parameter_file, word
 from verify.core.unit_systems import System, system_of
@@ -133,11 +132,10 @@ def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
 def unable(task: Task) -> str:
     """Why the clutch does not hold one of the torques at rest, whatever its crown; or nothing."""
     for T in task.torques:
-        q = task.clutch.model_copy(update={"T": T})
-        values = analytic(q)
-        state = verdict(q, values)
+        q = ClutchFormulas(**(task.clutch.model_dump() | {"T": T}))
+        state = verdict(q)
         if state in ("slips", "rolls over", "no state"):
-            return f"under T = {T:g} N m it {STATES[state]}: {why(q, values)}"
+            return f"under T = {T:g} N m it {STATES[state]}: {why(q)}"
     return ""
 
 

@@ -7,27 +7,12 @@ import numpy as np
 from analytic.ring import lame
 from analytic.ring.fourier_ring import Wall
 from analytic.ring.smeared import smeared_error
-from analytic.sprag.closure import at_torque, wedged
-from analytic.sprag.course import rolled
+from analytic.sprag.closure import wedged
 from verify.cases.sprag.clutch.model import built
-from verify.cases.sprag.engagement.model import gap
 from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.cases.sprag.wedge import model as sprag_wedge_model
 
 APART = 0.9  # of half a pitch: patches that are wider would overlap
-
-
-def bodies(q: SpragInputs, N: float, N_e: float) -> dict[str, float]:
-    """Elastic turn, stresses [Pa] of the races under N, N_e [N] and how unevenly they deflect."""
-    clutch = sprag_wedge_model.elastic(q)
-    state = at_torque(clutch, q.T)
-    turn = float(rolled(clutch, float(state.N))) if np.isfinite(state.N) else math.nan
-    deeper = q.model_copy(update={"z_m": 2 * q.z_m})
-    return {
-        "alpha elastic": float(state.alpha_b), "theta elastic": turn,
-        "z_end": float(built(q).gap[0]), "z_end, 2 z_m": float(gap(deeper)[0]),
-        **hoop(q, N, N_e), "uneven_i": uneven(q, N, "rim"), "uneven_e": uneven(q, N, "bore"),
-    }  # fmt: skip
 
 
 def hoop(q: SpragInputs, N: float, N_e: float) -> dict[str, float]:

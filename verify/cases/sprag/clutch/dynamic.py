@@ -12,9 +12,9 @@ from analytic.sprag.closure import wedged
 from analytic.sprag.history import Phase
 from analytic.sprag.steps import missing
 from verify.cases.sprag.clutch.dynamic_messages import findings, overall
+from verify.cases.sprag.clutch.formulas import ClutchFormulas
 from verify.cases.sprag.clutch.run_fem import Run, run_fem, slid
 from verify.cases.sprag.engagement import pressures
-from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Dynamic, Output, Values
 from verify.core.figures import Curve, Curves, Density, Figure
 
@@ -23,7 +23,7 @@ DRAWN, ACROSS = 4000, 240  # points of a curve, moments of p(y, t)
 ATOM = 1e-10  # m, below which a way is round-off
 
 
-def run(q: EngagementInputs, _values: Values) -> Values:
+def run(q: ClutchFormulas, _values: Values) -> Values:
     found = run_fem(q)
     e = found.engagement
     ways, energies = slid(found), balance(e)
@@ -37,7 +37,7 @@ def run(q: EngagementInputs, _values: Values) -> Values:
         "D_V": e.D_V, "t_slip": float(e.dt * (e.phases == Phase.SLIP).any(axis=1).sum()),
     }  # fmt: skip
     if e.followed:
-        values["p_i max"], values["p_o max"] = found.peaks
+        values["p_i_max"], values["p_o_max"] = found.peaks
         values["t_max"] = e.peak[0]
     if e.verdict == "locks":
         values["peak_factor"] = e.peak_factor
@@ -54,8 +54,8 @@ OUTPUTS = (
     output("t_max", "t_max", "ms", "time of that peak"),
     output("M_max", "M_max", "N m", "largest torque that the sprags bear"),
     output("theta_max", "θ_max", "deg", "largest turn of the races against each other"),
-    output("p_i max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
-    output("p_o max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
+    output("p_i_max", "p_i,max", "MPa", "largest pressure at the inner race, by slices"),
+    output("p_o_max", "p_o,max", "MPa", "largest pressure at the outer race, by slices"),
     output("t_slip", "t_s", "ms", "time in which a contact slides"),
     output("slid_i", "s_i", "mm", "way that the inner contacts slide"),
     output("slid_o", "s_o", "mm", "way that the outer contacts slide"),
@@ -67,12 +67,12 @@ OUTPUTS = (
 )
 
 
-def summary(q: EngagementInputs, v: Values) -> dict[str, Any]:
+def summary(q: ClutchFormulas, v: Values) -> dict[str, Any]:
     """JSON; the verdict of the motion, `peak_factor` None where the clutch does not lock."""
     return {"verdict": run_fem(q).engagement.verdict, "peak_factor": v.get("peak_factor")}
 
 
-def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
+def figures(q: ClutchFormulas, v: Values) -> Sequence[Figure]:
     found = run_fem(q)
     e = found.engagement
     thin = slice(None, None, max(1, len(e.t) // DRAWN))
@@ -98,7 +98,7 @@ def figures(q: EngagementInputs, v: Values) -> Sequence[Figure]:
     return force, along(q, found), *over_time(q, found), friction
 
 
-def over_time(q: EngagementInputs, found: Run) -> tuple[Density, ...]:
+def over_time(q: ClutchFormulas, found: Run) -> tuple[Density, ...]:
     """p(y, t) on both races; the contacts' radii are those under the largest force."""
     e, one = found.engagement, found.one
     every = slice(None, None, max(1, len(e.t) // ACROSS))
@@ -115,7 +115,7 @@ def over_time(q: EngagementInputs, found: Run) -> tuple[Density, ...]:
     )  # fmt: skip
 
 
-def along(q: EngagementInputs, found: Run) -> Curves:
+def along(q: ClutchFormulas, found: Run) -> Curves:
     """Pressures along the inner contacts on the way up to the largest force, and on both races."""
     y = pressures.centres(q) * 1e3
     curves = []

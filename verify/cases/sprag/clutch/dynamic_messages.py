@@ -5,10 +5,9 @@ from collections.abc import Sequence
 
 from analytic.sprag.steps import enough
 from verify.cases.freewheel.clutch.numbers import newton, pascal
-from verify.cases.sprag.clutch.limits import verdict
-from verify.cases.sprag.clutch.recommendations import why
+from verify.cases.sprag.clutch.formulas import ClutchFormulas
+from verify.cases.sprag.clutch.recommendations import verdict, why
 from verify.cases.sprag.clutch.run_fem import Run, run_fem
-from verify.cases.sprag.inputs import EngagementInputs
 from verify.core.case import Values
 
 WORSE = ("holds", "not followed", "overloaded", "disengages", "slips", "rolls over", "no state")
@@ -40,9 +39,9 @@ SPARE = 1.2  # of half a period: stiffness grows with the load
 DECAYS = 5.0  # time constants of a force that creeps
 
 
-def overall(q: EngagementInputs, v: Values) -> tuple[str, tuple[str, ...]]:
+def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
     """The worse verdict, and the lines that say both."""
-    still, moving = verdict(q, v), in_time(q, v)
+    still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):
         head = f"{AT_REST[still]} and in the first peak"
@@ -51,10 +50,10 @@ def overall(q: EngagementInputs, v: Values) -> tuple[str, tuple[str, ...]]:
     if moving == "rolls over" and still in ("holds", "overloaded"):
         head += "; longer, more or wider sprags, thicker races or a torque that rises more " \
             "slowly keep it on its profile"  # fmt: skip
-    return worst, (head, f"at rest: {still}: {why(q, v)}")
+    return worst, (head, f"at rest: {still}: {why(q)}")
 
 
-def in_time(q: EngagementInputs, v: Values) -> str:
+def in_time(q: ClutchFormulas, v: Values) -> str:
     """The engagement's verdict in the words of that at rest."""
     run = run_fem(q)
     found = run.engagement.verdict
@@ -62,24 +61,24 @@ def in_time(q: EngagementInputs, v: Values) -> str:
         return "rolls over" if run.end_of_profile else "no state"
     if found != "locks":
         return found
-    return "overloaded" if max(v["p_i max"], v["p_o max"]) > (q.p_lim or math.inf) else "holds"
+    return "overloaded" if max(v["p_i_max"], v["p_o_max"]) > (q.p_lim or math.inf) else "holds"
 
 
-def unfollowed(q: EngagementInputs, v: Values) -> str:
+def unfollowed(q: ClutchFormulas) -> str:
     """How long an engagement must be followed."""
-    if "T/theta" not in v:
+    if not q.state:
         return f"t_e = {q.t_end * 1e3:.3g} ms is too short"
     return f"t_e = {q.t_end * 1e3:.3g} ms is too short, take t_end of at least " \
-        f"{least_time(q, v) * 1e3:.4g} ms"  # fmt: skip
+        f"{least_time(q) * 1e3:.4g} ms"  # fmt: skip
 
 
-def least_time(q: EngagementInputs, v: Values) -> float:
+def least_time(q: ClutchFormulas) -> float:
     """Time [s] up to the first peak at most, rounded up to two digits.
 
     The torque's rise, the way back of a race that overruns, half a period of the inner race on the
     clutch and the support one behind the other, and what damping delays.
     """
-    k = 1 / (1 / v["T/theta"] + 1 / q.k_out)
+    k = 1 / (1 / q.T_per_theta + 1 / q.k_out)
     back = q.I_bi * max(0.0, -q.w_i) / q.T
     t = q.t_ramp + back + SPARE * math.pi * math.sqrt(q.I_bi / k) + DECAYS * q.C_rl / k
     unit = 10.0 ** (math.floor(math.log10(t)) - 1)
@@ -94,11 +93,11 @@ def told(found: Run) -> str:
     return WORDS[e.verdict]
 
 
-def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
+def findings(q: ClutchFormulas, v: Values) -> Sequence[str]:
     found = run_fem(q)
     e = found.engagement
     lines = peaks(q, v, found) if e.followed else [
-        f"in time: {told(found)}: {unfollowed(q, v)}; "
+        f"in time: {told(found)}: {unfollowed(q)}; "
         + ("the inner race still overruns" if e.overruns else
            f"the normal force still rises and is {newton(v['N_max'])} at {e.t[-1] * 1e3:.3g} ms")
     ]  # fmt: skip
@@ -115,7 +114,7 @@ def findings(q: EngagementInputs, v: Values) -> Sequence[str]:
     return lines
 
 
-def peaks(q: EngagementInputs, v: Values, found: Run) -> list[str]:
+def peaks(q: ClutchFormulas, v: Values, found: Run) -> list[str]:
     """Verdict, force and pressures of an engagement that was followed."""
     e = found.engagement
     factor = f", {v['peak_factor']:.3g} times that at rest" if "peak_factor" in v else ""
@@ -123,10 +122,10 @@ def peaks(q: EngagementInputs, v: Values, found: Run) -> list[str]:
     lines = [
         f"in time: {told(found)}{when}; the normal force {reaches} {newton(v['N_max'])} at "
         f"{v['t_max'] * 1e3:.3g} ms{factor}",
-        f"then the inner contacts bear {pascal(v['p_i max'])}, the outer ones "
-        f"{pascal(v['p_o max'])}",
+        f"then the inner contacts bear {pascal(v['p_i_max'])}, the outer ones "
+        f"{pascal(v['p_o_max'])}",
     ]
-    if q.p_lim is not None and max(v["p_i max"], v["p_o max"]) > q.p_lim:
+    if q.p_lim is not None and max(v["p_i_max"], v["p_o_max"]) > q.p_lim:
         lines.append(f"that exceeds p_lim = {pascal(q.p_lim)}")
     return lines
 

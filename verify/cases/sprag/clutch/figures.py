@@ -1,4 +1,4 @@
-"""What the report shows of a sprag clutch: its course under torque, its pressures, its limits."""
+"""Figures of a sprag clutch: its course under torque, its pressures, its limits."""
 
 import math
 from collections.abc import Sequence
@@ -9,63 +9,23 @@ import numpy as np
 from analytic.sprag import printed
 from analytic.sprag.closure import at_torque, wedged
 from analytic.sprag.course import rolled
+from verify.cases.sprag.clutch.formulas import ClutchFormulas
 from verify.cases.sprag.clutch.limits import as_torque_grows
 from verify.cases.sprag.clutch.model import built, first_contact, under
-from verify.cases.sprag.clutch.sketch import sketch
 from verify.cases.sprag.inputs import SpragInputs
-from verify.core.case import Context, Values
-from verify.core.figures import Array, Bars, Curve, Curves, Equation, Figure
-from verify.core.tex import tex
+from verify.core.case import Context
+from verify.core.figures import Array, Bars, Curve, Curves, Figure
 
-__all__ = ["equations", "figures", "sketch"]
 DEGREE = math.degrees(1.0)
 POINTS = 121
 LEAST = 1e-3  # of the largest force of a figure
-
-
-def equations(q: SpragInputs, v: Values) -> Sequence[Equation]:
-    found = [
-        Equation(
-            tex=r"OC_e^2 = R_i^2 + \rho_0^2 + \frac{2 R_i\,\rho_0}{\sqrt{1+m^2}}, \quad "
-            r"\rho_0 = \frac{r_i}{\sqrt{1+m^2}}",
-            numbers=rf"m = {tex(v['m'], 5)} \Rightarrow OC_e = {tex(v['OC_e'] * 1e3, 6)}, \quad "
-            rf"r_e = {tex(v['r_e'] * 1e3, 5)}\ \mathrm{{mm}}", place="Eq. 10, at first contact",
-        ),
-        Equation(
-            tex=r"\beta = \arctan m - \eta, \quad "
-            r"\tan\nu = \frac{OB\sin\beta}{OB\cos\beta - OA}, \quad \omega = \nu - \beta",
-            numbers=rf"\nu_0 = {tex(v['nu_0'] * DEGREE, 5)}°, \quad "
-            rf"\omega_0 = {tex(v['omega_0'] * DEGREE, 5)}°", place="Eq. 10",
-        ),
-    ]  # fmt: skip
-    if "N" not in v:
-        return found
-    return (
-        *found,
-        Equation(
-            tex=r"H = \delta_{BI} + \delta_{HI} + \delta_g + \delta_{BE} + \delta_{HE}",
-            numbers=" + ".join(tex(v[k] * 1e6, 4) for k in ("d_BI", "d_HI", "d_g", "d_BE", "d_HE"))
-            + rf" = {tex(v['H'] * 1e6, 4)}\ \mathrm{{µm}}", place="Eqs. 2 to 7",
-        ),
-        Equation(
-            tex=r"\alpha = \frac{1}{m}\ln\frac{\rho}{\rho_0} - (\eta - \eta_0)",
-            numbers=rf"= {tex(v['alpha'] * DEGREE, 5)}°",
-            place="Eq. 10, corrected, with the deflections of the whole inner side",
-        ),
-        Equation(
-            tex=r"T = n_s N \tan\nu\;OA",
-            numbers=rf"{tex(q.T)} = {q.z}\cdot {tex(v['N'], 6)}\cdot {tex(v['mu_req'], 5)}"
-            rf"\cdot {tex(v['OA'], 5)}, \quad \frac{{\mu_s}}{{\tan\nu}} = {tex(v['safety'], 4)}",
-            place="statics of Eqs. 14 and 16",
-        ),
-    )  # fmt: skip
 
 
 def figures(context: Context) -> Sequence[Figure]:
     q = context.inputs
     if under(q) is None:
         return ()
-    found: list[Figure] = [force(q), pressures(q, context), turned(q), yields(context), off(q)]
+    found: list[Figure] = [force(q), pressures(q, context), turned(q), yields(q), off(q)]
     measured = context.fem[-1].arrays if context.fem else {}
     if "fitted" in measured and np.isfinite(measured["fitted"]).all():
         found += [counted(context), pairs(context)]
@@ -145,16 +105,13 @@ def turned(q: SpragInputs) -> Curves:
     )  # fmt: skip
 
 
-def yields(context: Context) -> Bars:
-    v = context.analytic
-    names = (("d_BI", "inner race"), ("d_HI", "inner contact"), ("d_g", "sprag"),
-             ("d_HE", "outer contact"), ("d_BE", "outer race"))  # fmt: skip
+def yields(q: ClutchFormulas) -> Bars:
+    parts = ((q.d_BI, "inner race"), (q.d_HI, "inner contact"), (q.d_g, "sprag"),
+             (q.d_HE, "outer contact"), (q.d_BE, "outer race"))  # fmt: skip
     return Bars(
         title="Deflections of the parts", label="deflection [µm]",
-        items=tuple((name, v[key] * 1e6, f"{v[key] * 1e6:.3g} µm, {v[key] / v['H']:.0%}")
-                    for key, name in names),
-        note=f"Together {v['H'] * 1e6:.4g} µm, which turn the sprags by "
-        f"{v['alpha'] * DEGREE:.3g}°.",
+        items=tuple((name, d * 1e6, f"{d * 1e6:.3g} µm, {d / q.H:.0%}") for d, name in parts),
+        note=f"Together {q.H * 1e6:.4g} µm, which turn the sprags by {q.alpha * DEGREE:.3g}°.",
     )  # fmt: skip
 
 

@@ -8,11 +8,9 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.sprag.closure import wedged
-from analytic.sprag.limits import limits
 from verify.cases.sprag.clutch.bodies import least_force
-from verify.cases.sprag.clutch.model import built
+from verify.cases.sprag.clutch.model import built, grip
 from verify.cases.sprag.inputs import SpragInputs
-from verify.core.case import Values
 
 LEAST = 1e-4  # of the largest load: below, no pressure is searched
 
@@ -43,7 +41,7 @@ class Limit:
 def as_torque_grows(q: SpragInputs) -> tuple[Limit, ...]:
     """Limits of the torque, the first one first; those that are not met are left out."""
     one = built(q)
-    alone = limits(one.clutch, mu=q.mu_s, theta_max=q.alpha_max)
+    alone = grip(q)
     found = {
         "slip": float(alone.slip), "end": float(alone.end_of_cam),
         "wide": float(wedged(one.clutch, one.N_top).T),
@@ -76,18 +74,3 @@ def _pressed(q: SpragInputs, contact: int) -> float:
     N = 0.0 if over(low) > 0 else math.exp(brentq(over, low, high, xtol=1e-9))
     T = float(wedged(one.clutch, N).T)
     return T if np.isfinite(T) else math.inf
-
-
-def verdict(q: SpragInputs, v: Values) -> str:
-    """One of "holds", "slips", "rolls over", "overloaded"; "no state" where no formula tells."""
-    if v["mu_0"] > q.mu_s or v.get("mu_req", 0.0) > q.mu_s:
-        return "slips"
-    if v.get("T end", math.inf) < q.T:
-        return "rolls over"
-    if "N" not in v:
-        return "no state"
-    if q.p_lim is not None and max(v["p_i"], v["p_o"]) > q.p_lim:
-        return "overloaded"
-    if q.R_p is not None and max(v["Tresca_i"], v["Tresca_e"]) > q.R_p:
-        return "overloaded"
-    return "holds"

@@ -1,5 +1,6 @@
 """Formulas of one's own sprag clutch: its state under torque, its pressures by slices."""
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -13,16 +14,19 @@ from analytic.sprag.clutch import Clutch
 from analytic.sprag.course import rolled
 from analytic.sprag.geometry import strut, triangle
 from analytic.sprag.laws import LOADS
+from analytic.sprag.limits import Limits, limits
 from analytic.sprag.parts import Parts
 from analytic.sprag.search import first_reach
+from analytic.sprag.start import spring_equilibrium
 from verify.cases.sprag.engagement.model import clutch, gap, parts
-from verify.cases.sprag.inputs import SpragInputs
+from verify.cases.sprag.inputs import EngagementInputs, SpragInputs
 from verify.core.figures import Array
 
 WIDE = 0.15  # of the inner contact's relative radius: half-widths up to which Hertz is asked
 MANY, FEW_LOADS = 61, 21  # slices from which on fewer loads make up a contact's law
 HALF = 0.5  # of N, where the ends of a crown are free and strips have a highest pressure
 STEP = 1e-6  # of a load or length, for slopes
+FAST = 20_000 * 2 * math.pi / 60  # rad/s: the outer race grows by 2 µm
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,47 +106,65 @@ def first_contact(q: SpragInputs, *, dR_i: float = 0.0, dR_e: float = 0.0) -> tu
     return float(nu), float(turned)
 
 
-def slopes(q: SpragInputs) -> dict[str, float]:
-    """What the races' radii do to the wedge angle and to where the sprag stands [rad/m]."""
-    found, h = {}, STEP * q.R_i
-    for name in ("R_i", "R_e"):
-        low, high = (first_contact(q, **{f"d{name}": s * h}) for s in (-1, 1))
-        found[f"dnu_0/d{name}"] = (high[0] - low[0]) / (2 * h)
-        found[f"dalpha/d{name}"] = (high[1] - low[1]) / (2 * h)
-    return found
+def slope(q: SpragInputs, radius: str) -> tuple[float, float]:
+    """What a race's radius does to the wedge angle and to the unloaded sprag's turn [rad/m]."""
+    h = STEP * q.R_i
+    low, high = (first_contact(q, **{radius: s * h}) for s in (-1, 1))
+    return (high[0] - low[0]) / (2 * h), (high[1] - low[1]) / (2 * h)
 
 
 @lru_cache(maxsize=16)
-def analytic_state(q: SpragInputs) -> dict[str, float]:
-    """The state under the torque, nothing where there is none."""
-    now, one = under(q), built(q)
-    if now is None:
-        return {}
-    N, y = float(now.N), now.yields
-    inner, outer = one.pressed(N)
-    half = one.pressed(HALF * N)
-    turn = float(rolled(one.clutch, N))
-    rigid = at_torque(one.clutch.rigid_races(), q.T)
-    other = printed.wedged(
-        one.clutch,
-        first_reach(
-            lambda F: printed.wedged(one.clutch, F).T, np.asarray(q.T), start=np.asarray(N)
-        ),
+def rigid(q: SpragInputs) -> Wedged | None:
+    """The state under the torque with rigid races (Liu); None where there is none with others."""
+    return None if under(q) is None else at_torque(built(q).clutch.rigid_races(), q.T)
+
+
+@lru_cache(maxsize=16)
+def literal(q: SpragInputs) -> Wedged | None:
+    """The same with Eqs. 9 and 10 as printed."""
+    if (now := under(q)) is None:
+        return None
+    clutch = built(q).clutch
+    N = first_reach(
+        lambda F: printed.wedged(clutch, F).T, np.asarray(q.T), start=np.asarray(float(now.N))
     )
-    return {
-        "N": N, "N_e": float(now.N_e), "nu": float(now.nu), "omega": float(now.omega),
-        "OA": float(now.OA), "alpha": float(now.alpha_b), "theta": turn,
-        "turned": float(now.turned),
-        "stiffness": stiffness(one.clutch, N), "T/theta": q.T / turn,
-        "d_HI": float(y.contact_i), "d_HE": float(y.contact_e), "d_BI": float(y.race_i),
-        "d_BE": float(y.race_e), "d_g": float(y.sprag), "H": float(y.H),
-        "p_i": float(inner.peak_pressure.max()), "p_o": float(outer.peak_pressure.max()),
-        "p_i mid": mid(inner), "p_o mid": mid(outer),
-        "p_i mid, half": mid(half[0]), "p_o mid, half": mid(half[1]),
-        "p_i peak, half": float(half[0].peak_pressure.max()),
-        "p_o peak, half": float(half[1].peak_pressure.max()),
-        "mu_req": float(np.tan(now.nu)), "safety": q.mu_s / float(np.tan(now.nu)),
-        "N Liu": float(rigid.N), "alpha Liu": float(rigid.alpha_b),
-        "theta Liu": float(rolled(one.clutch.rigid_races(), float(rigid.N))),
-        "N printed": float(other.N), "alpha printed": float(other.alpha_b),
-    }  # fmt: skip
+    return printed.wedged(clutch, N)
+
+
+def normal_force(state: Wedged | None) -> float:
+    """The inner contact's [N]; nan without a state."""
+    return math.nan if state is None else float(state.N)
+
+
+@lru_cache(maxsize=16)
+def spring_force(q: EngagementInputs) -> float:
+    """Force N_0 [N] of the springs alone; nan where no state that bears them is found."""
+    clutch = built(q).clutch
+    if not q.alpha_max > wedged(clutch, 0.0).alpha:
+        return 0.0
+    try:
+        now, _ = spring_equilibrium(clutch, K_r=q.K_r, alpha_max=q.alpha_max)
+    except ArithmeticError:
+        return math.nan
+    return float(now.N)
+
+
+@lru_cache(maxsize=16)
+def grip(q: SpragInputs) -> Limits:
+    """Torques at which the contacts slip and at which the profile ends."""
+    return limits(built(q).clutch, mu=q.mu_s, theta_max=q.alpha_max)
+
+
+def low_friction(q: SpragInputs) -> float:
+    """Friction twice as far above that of first contact as the torque's is: about 2 T slip it.
+
+    At the paper's friction no torque slips: the spiral keeps its wedge angle.
+    """
+    now = under(q)
+    required = math.nan if now is None else float(np.tan(float(now.nu)))
+    return 2 * required - float(np.tan(q.sprag.nu_0))
+
+
+def fast(q: SpragInputs) -> SpragInputs:
+    """The clutch with its outer race at 20,000 r/min; the paper's starts at rest."""
+    return q.model_copy(update={"n": FAST})

@@ -8,8 +8,7 @@ import numpy as np
 from analytic.sprag.history import Engagement
 from analytic.sprag.motion import Motion, Speeds, Torque
 from analytic.sprag.table import tabulated
-from verify.cases.sprag.clutch.model import Built, built, under
-from verify.cases.sprag.clutch.values import blades
+from verify.cases.sprag.clutch.model import Built, built, spring_force, under
 from verify.cases.sprag.inputs import EngagementInputs
 
 AHEAD, WIDER = 4.0, 3.0  # of the static force: how far a table reaches, how much farther the next
@@ -34,7 +33,7 @@ class Run:
 def run_fem(q: EngagementInputs) -> Run:
     """The engagement; ArithmeticError or ValueError in a line where there is none."""
     one, now = built(q), under(q)
-    least = np.nanmax([blades(q), float(now.N) if now else one.N_top])
+    least = np.nanmax([spring_force(q), float(now.N) if now else one.N_top])
     return engaged_fem(one, q, AHEAD * float(least))
 
 

@@ -1,6 +1,6 @@
 """What the crown's three parameters do to a sprag clutch's pressures (Secs. 4.1 and 4.2)."""
 
-from verify.cases.sprag.clutch.case import too_large as too_large_at_rest
+from verify.cases.sprag.clutch.advice import refusal as too_large_at_rest
 from verify.cases.sprag.crown.claims import CHECKS
 from verify.cases.sprag.crown.fem import LEVELS, fem
 from verify.cases.sprag.crown.figures import equations, figures, sketch

@@ -7,16 +7,6 @@ from typing import Any, ClassVar
 import numpy as np
 
 from verify.cases.contact.roller.accepted import Estimated
-from verify.cases.sprag.clutch.claims import (
-    BY_STRIPS,
-    FITTED,
-    PLACE,
-    SLICED,
-    STRIPS,
-    WIDER,
-    Noted,
-    OfPaper,
-)
 from verify.cases.sprag.clutch.drawn_fem import crowned
 from verify.cases.sprag.crown.formulas import DEEP, factorial, label, unit, z_m_share
 from verify.cases.sprag.crown.measured_figures import (
@@ -33,6 +23,16 @@ from verify.cases.sprag.crown.slices import hardly_by_slices
 from verify.cases.sprag.crown.table2 import TABLE_2
 from verify.cases.sprag.inputs import EngagementInputs
 from verify.cases.sprag.peaks import with_crown
+from verify.cases.sprag.statements import (
+    BY_STRIPS,
+    FITTED,
+    PLACE,
+    SLICED,
+    STRIPS,
+    WIDER,
+    Noted,
+    OfPaper,
+)
 from verify.core.case import Context
 from verify.core.figures import Array
 from verify.core.results import Row

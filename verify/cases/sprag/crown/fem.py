@@ -3,7 +3,7 @@
 import numpy as np
 
 from verify.cases.sprag.clutch.drawn_fem import crowned
-from verify.cases.sprag.clutch.fem import by_strips_fem
+from verify.cases.sprag.clutch.reference import by_strips
 from verify.cases.sprag.clutch.run_fem import run_fem
 from verify.cases.sprag.crown.box_fem import FEW, SHARES, box_fem
 from verify.cases.sprag.crown.formulas import DEEP, factorial, label
@@ -21,13 +21,13 @@ ROUNDED = {"mean": 1e-12, "share": 1e-9}  # of themselves, by so many terms and 
 def fem(q: EngagementInputs, level: int) -> FemResult:
     run = run_fem(q)
     N = run.engagement.N_max
-    own = by_strips_fem(q, level, N, 0)
+    own = by_strips(q, level, N, 0)
     values = {"N_max": N, "p mid peak": float(own.mid)} | drawn_fem(q, POINTS * level)
     arrays = {"strips": own.pressure}
     paper = q == EngagementInputs()
     if paper:
         for crown in DEEP:
-            found = by_strips_fem(with_crown(q, crown), level, N, 0)
+            found = by_strips(with_crown(q, crown), level, N, 0)
             values[f"{label(crown)} p"] = float(found.peak)
     if level == LEVELS[-1]:
         shares = SHARES if paper else (1.0,)

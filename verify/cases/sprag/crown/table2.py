@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.sprag.clutch.claims import FITTED, Beside, Measured, Noted, OfPaper
 from verify.cases.sprag.crown.measured_figures import AT
+from verify.cases.sprag.statements import FITTED, Beside, Noted, OfPaper, measured
 from verify.core.case import Context
 from verify.core.figures import Table
 from verify.core.results import Kind, Partner, Row
@@ -115,8 +115,8 @@ def between(column: str) -> Margin:
     return margin
 
 
-def median_25(found: Measured) -> float:
-    return float(np.median(found["random p"][:, AT[25]]))
+def median_25(context: Context) -> float:
+    return float(np.median(measured(context)["random p"][:, AT[25]]))
 
 
 MEDIAN = 3032.6e6  # Pa, of the ten actual values

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from verify.cases.sprag.clutch import case as sprag_clutch
+from verify.cases.sprag.clutch import advice
 from verify.cases.sprag.clutch.sketch import sketch
 from verify.cases.sprag.optimum import figures
 from verify.cases.sprag.optimum.claims import checks
@@ -17,7 +17,7 @@ MOST_STEPS = 50_000  # of an engagement, of which a study has hundreds
 
 
 def too_large(q: OptimumInputs) -> str:
-    if said := sprag_clutch.too_large(q):
+    if said := advice.refusal(q):
         return said
     if q.mu_s < analytic(q)["mu_req"]:
         return "the sprags slip: no crown mends that"

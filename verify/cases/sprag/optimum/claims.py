@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from verify.cases.sprag.clutch.claims import FITTED, Beside, OfPaper, measured
 from verify.cases.sprag.clutch.paper_fem import PRINTED
 from verify.cases.sprag.optimum.crown_claims import pressed
 from verify.cases.sprag.optimum.ends_fem import SLICED
 from verify.cases.sprag.optimum.surrogate_claims import SURROGATE, Told
+from verify.cases.sprag.statements import FITTED, Beside, OfPaper, measured
 from verify.core.case import Context
 from verify.core.figures import Array
 
@@ -207,10 +207,18 @@ def by_number(context: Context, crown: str) -> Array:
     return np.where(own, found[f"{crown}: pressures"][0].max(), found[f"{crown}: sliced"])
 
 
-def beside(name: str, value: Callable[[Any], float], T: int, **more: Any) -> Beside:
+def beside(name: str, value: Callable[[Context], float], T: int, **more: Any) -> Beside:
     return Beside(name=name, symbol="Pre_max", unit="MPa", value=value,
                   figure=PRINTED[float(T)][1],
                   printed=(f"huang2018:stress-{T}nm-optimised",), **more)  # fmt: skip
+
+
+def _best(context: Context) -> float:
+    return float(measured(context)["best true"][0])
+
+
+def _fitted(context: Context) -> float:
+    return float(measured(context)["fitted"][2])
 
 
 def checks(T: int) -> tuple[Any, ...]:
@@ -220,9 +228,9 @@ def checks(T: int) -> tuple[Any, ...]:
     why = "" if T == 25 else ": predicted, the printed pairs contradict each other"
     found = (
         *SURROGATE,
-        beside(f"best crown at {T} N m", lambda f: float(f["best true"][0]), T, fitted=fitted,
+        beside(f"best crown at {T} N m", _best, T, fitted=fitted,
                bound=2 * NEAR, words=f"with the input's wedge angle{why}"),
-        beside(f"best crown at {T} N m, angle fitted", lambda f: float(f["fitted"][2]), T,
+        beside(f"best crown at {T} N m, angle fitted", _fitted, T,
                fitted=fitted, bound=NEAR,
                words=f"the angle has the pressure printed at 25 N m with the printed crown{why}"),
         Told(name="what the best crown takes off", symbol="Pre_max", unit="%",

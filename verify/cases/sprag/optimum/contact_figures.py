@@ -6,7 +6,6 @@ import numpy as np
 
 from analytic.contact import crown
 from analytic.sprag.pressure import along
-from verify.cases.sprag.clutch.claims import measured
 from verify.cases.sprag.clutch.drawn_fem import places
 from verify.cases.sprag.clutch.model import built
 from verify.cases.sprag.engagement.model import crowned_for, gap
@@ -15,6 +14,7 @@ from verify.cases.sprag.optimum.crown_claims import CELLS, STRIPPED, series
 from verify.cases.sprag.optimum.ends_fem import SLICED
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.peaks import with_crown
+from verify.cases.sprag.statements import measured
 from verify.core.case import Context
 from verify.core.figures import Array, Curve, Curves, Figure
 

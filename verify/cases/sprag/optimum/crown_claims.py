@@ -7,7 +7,11 @@ import numpy as np
 
 from analytic.contact import slices
 from verify.cases.contact.roller.accepted import Estimated
-from verify.cases.sprag.clutch.claims import (
+from verify.cases.sprag.clutch.model import built, mid
+from verify.cases.sprag.engagement.model import gap
+from verify.cases.sprag.optimum.surrogate_claims import Told
+from verify.cases.sprag.peaks import with_crown
+from verify.cases.sprag.statements import (
     BY_STRIPS,
     FITTED,
     PLACE,
@@ -18,10 +22,6 @@ from verify.cases.sprag.clutch.claims import (
     OfPaper,
     measured,
 )
-from verify.cases.sprag.clutch.model import built, mid
-from verify.cases.sprag.engagement.model import gap
-from verify.cases.sprag.optimum.surrogate_claims import Told
-from verify.cases.sprag.peaks import with_crown
 from verify.core.case import Context, FemResult
 from verify.core.figures import Array
 from verify.core.results import Row, Status

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.sprag.clutch.claims import measured
 from verify.cases.sprag.optimum.contact_figures import apart, at_counts, before_and_after, contact
 from verify.cases.sprag.optimum.inputs import OptimumInputs
 from verify.cases.sprag.optimum.maps_figures import lines, maps, valley
 from verify.cases.sprag.optimum.surrogate_figures import bars, designs, errors, longer, searches
+from verify.cases.sprag.statements import measured
 from verify.core.case import Context, Values
 from verify.core.figures import Equation, Figure, Table
 from verify.core.tex import tex

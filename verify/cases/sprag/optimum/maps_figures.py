@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.sprag.clutch.claims import measured
 from verify.cases.sprag.optimum.claims import FLAT
 from verify.cases.sprag.optimum.study_fem import held
+from verify.cases.sprag.statements import measured
 from verify.core.case import Context
 from verify.core.figures import Curve, Curves, Density, Figure
 

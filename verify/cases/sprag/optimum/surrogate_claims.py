@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from verify.cases.sprag.clutch.claims import Measured, OfPaper, measured
 from verify.cases.sprag.optimum.bordered import Bordered
+from verify.cases.sprag.statements import Measured, OfPaper, measured
 from verify.core.case import Context
 from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from verify.cases.sprag.clutch.claims import measured
 from verify.cases.sprag.optimum.deep import DEEP_25, DEEP_40, DESIGNS, ENGAGEMENTS, SEEDS
 from verify.cases.sprag.optimum.inputs import Optimum25Inputs
 from verify.cases.sprag.optimum.surrogate_claims import missed
+from verify.cases.sprag.statements import measured
 from verify.core.case import Context
 from verify.core.figures import Array, Bars, Curve, Curves, Figure, Panel, Shapes, Table
 from verify.jobs.deep_results import Measured

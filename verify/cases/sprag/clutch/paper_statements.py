@@ -1,131 +1,23 @@
-"""The claims about one's own sprag clutch, and those about the numbers that the paper prints."""
+"""What the paper states of its clutch and its engagements, beside what is computed of them."""
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
-from verify.cases.contact.roller.accepted import Estimated
-from verify.cases.sprag.clutch.drawn_claims import BY_DRAWN, DRAWN
-from verify.cases.sprag.clutch.paper_fem import ANGLES, PRINTED
+from verify.cases.sprag.clutch.paper_fem import PRINTED
 from verify.cases.sprag.engagement.formulas import at_rest as static_turn
 from verify.cases.sprag.engagement.model import wedge
-from verify.cases.sprag.inputs import IDENTIFIED, EngagementInputs
-from verify.core.case import Context
-from verify.core.figures import Array
-from verify.core.results import Kind, Partner, Row, Status
-from verify.judging import judge
-from verify.judging.checks import Accepted, Identity
-from verify.judging.claims import Claim
+from verify.cases.sprag.inputs import EngagementInputs
+from verify.cases.sprag.statements import FITTED, Beside, Noted, OfPaper, measured
+from verify.core.case import Check, Context
 from verify.judging.published_checks import Adopted
 from verify.judging.tolerance_checks import Pair, PaperAgreement, suites
 
-SLICED = 0.02  # of a pressure by slices, and STRIPS of theirs: acceptance figures
-STRIPS = 0.003
-WIDER = 0.045  # demand of a row with that interval
-BY_STRIPS = "strips"
-FROM_DRAWN = "cubic between the loads of the contacts' laws, as told in u_ref"
-PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
 RESTS = 1e-3  # of the force, where N_e = N_i makes half as much
 ROUNDED = {"m_g": 0.05e-3, "I_g": 0.005e-8}  # kg, kg m²: half of the last digit in Table 1
-FOUND_FIT = 0.02  # of what was fitted
-FITTED = f"rests on {len(IDENTIFIED)} identified inputs"
-UNFITTED = "the pressure printed at 25 N m does not lie between those at {:.2g} and {:.2g}°".format(
-    *np.degrees(ANGLES)
-)
-
-Measured = Mapping[str, Array]
-
-
-def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Interval of slices over strips; none at one's own numbers, for which none was accepted."""
-    if q != EngagementInputs():
-        return None
-    return -SLICED - STRIPS, SLICED + STRIPS
-
-
-def measured(context: Context) -> Measured:
-    return context.fem[-1].arrays
-
-
-@dataclass(frozen=True, kw_only=True)
-class OfPaper(Accepted):
-    """A statement about the paper's clutch alone."""
-
-    paper_only: ClassVar[bool] = True
-
-    def rows(self, context: Context) -> list[Row]:
-        return super().rows(context) if context.is_paper else []
-
-
-@dataclass(frozen=True, kw_only=True)
-class Noted(Claim):
-    """A printed statement that the paper's own equations contradict: NOTE with its ledger entry.
-
-    `margin` says how surely; where it does not, the ledger is wrong and the row fails.
-    """
-
-    kind = Kind.FACT
-    paper_only: ClassVar[bool] = True
-
-    erratum: str
-    margin: Callable[[Context], tuple[float, float, str]]
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
-        margin, U, words = self.margin(context)
-        verdict = judge.fact(margin, U)
-        if verdict.status is Status.PASS:
-            said = f"{words}; ledger {self.erratum}"
-            verdict = replace(verdict, status=Status.NOTE, reason=said)
-        else:
-            said = f"ledger {self.erratum} says otherwise: {words}"
-            verdict = replace(verdict, reason=said if math.isfinite(margin) else UNFITTED)
-        return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Beside(Claim):
-    """What is computed from identified inputs beside a `figure` [SI], printed or given as input.
-
-    CALIBRATED within `bound` where it was `fitted` to it; else a prediction, SHOWN.
-    """
-
-    kind = Kind.APPROXIMATION
-    paper_only: ClassVar[bool] = True
-
-    value: Callable[[Measured], float]
-    figure: float
-    figure_is: str = "printed"
-    words: str
-    bound: float = math.inf
-    fitted: str = ""
-
-    def rows(self, context: Context) -> list[Row]:
-        if not context.is_paper:
-            return []
-        v = self.value(measured(context))
-        if not math.isfinite(v):
-            verdict = judge.Verdict(Status.FAIL, UNFITTED)
-            return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=self.figure,
-                              published=self._printed(context))]  # fmt: skip
-        error = v / self.figure - 1
-        said, status = f"{error:+.1%}: {self.words}", Status.SHOWN
-        if self.fitted:
-            status = Status.CALIBRATED if abs(error) < self.bound else Status.FAIL
-            said = f"{said}; {self.fitted}"
-        verdict = judge.Verdict(status, said, v - self.figure)
-        return [
-            self._row(
-                context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=self.figure,
-                partner=Partner(by=self.figure_is, value=self.figure),
-                published=self._printed(context),
-            )
-        ]  # fmt: skip
+ON_FIT: dict[str, Any] = {"bound": 0.02, "fitted": FITTED}  # of what was fitted
 
 
 def rectangle(q: EngagementInputs) -> tuple[float, float]:
@@ -237,27 +129,24 @@ def ratios(context: Context) -> tuple[float, float, str]:
     return min(flat - own, own - best), 0.02, words
 
 
-CHECKS = (
-    Identity(name="normal force under torque", symbol="N(T)", unit="N", analytic="N", fem="N",
-             formal=2, by=DRAWN, residual="law", demand=1e-3, demand_reason=FROM_DRAWN),
-    Identity(name="friction that torque asks for, tan ν", symbol="μ_req", unit="1",
-             analytic="mu_req", fem="mu_req", formal=2, by=DRAWN, residual="law", demand=1e-3,
-             demand_reason=FROM_DRAWN),
-    Identity(name="turn of the sprags under torque", symbol="α(T)", unit="deg", analytic="alpha",
-             fem="alpha", formal=2, by=DRAWN, residual="law alpha"),
-    Identity(name="sum of the five deflections", symbol="H", unit="µm", analytic="H", fem="H",
-             formal=2, by=DRAWN, residual="law alpha"),
-    *BY_DRAWN,
-    *(
-        Estimated(name=f"{what} under half of N by slices, {race} race", symbol=f"p_{k}",
-                  unit="MPa", analytic=f"p_{k} {key}, half", fem=f"p_{k} {key}, half",
-                  by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
-                  demand_reason="acceptance figure of slices")
-        for k, race in (("i", "inner"), ("o", "outer"))
-        for key, what in (("mid", "pressure at mid-length"), ("peak", "largest pressure"))
-    ),
-    OfPaper(name="the springs press with less than 1 % of the static force", symbol="N_0/N",
-            unit="1", margin=preload, fem_needed=False, fitted=FITTED),
+def _peak(T: int, crown: int, name: str, words: str, **more: Any) -> Beside:
+    """The largest pressure without (0) and with (1) the best crown, calibrated at 25 N m."""
+    kind = ("unmodified", "optimised")[crown]
+    return Beside(name=name, symbol="p_max", unit="MPa", words=words,
+                  value=lambda c: float(measured(c)[f"pair {T}"][crown]),
+                  figure=PRINTED[float(T)][crown], printed=(f"huang2018:stress-{T}nm-{kind}",),
+                  **more)  # fmt: skip
+
+
+LITTLE_SPRUNG = OfPaper(
+    name="the springs press with less than 1 % of the static force",
+    symbol="N_0/N",
+    unit="1",
+    margin=preload,
+    fem_needed=False,
+    fitted=FITTED,
+)
+OF_THE_PAPER: tuple[Check, ...] = (
     PaperAgreement(name="an engagement that is damped ends at the static force within 0.1 %",
                    symbol="N", unit="N", pair=at_rest, accepted=RESTS,
                    source=suites("a tenth of the 1 % that the subject accepts of the static limit"),
@@ -267,24 +156,15 @@ CHECKS = (
     OfPaper(name="width of the sprags changes N_max by less than 0.5 %", symbol="b", unit="1",
              margin=width, fitted=FITTED),
     Beside(name="wedge angle that the optimum at 25 N m asks for", symbol="ν_0", unit="deg",
-           value=lambda f: float(f["fitted"][0]), figure=EngagementInputs().nu_0,
+           value=lambda c: float(measured(c)["fitted"][0]), figure=EngagementInputs().nu_0,
            figure_is="input", bound=0.03, words="against the input's angle", fitted=FITTED),
-    Beside(name="25 N m, best crown, angle fitted", symbol="p_max", unit="MPa",
-           value=lambda f: float(f["pair 25"][1]), figure=PRINTED[25.0][1], bound=FOUND_FIT,
-           words="the angle is fitted to it", fitted=FITTED,
-           printed=("huang2018:stress-25nm-optimised",)),
-    Beside(name="25 N m, no crown, slices fitted", symbol="p_max", unit="MPa",
-           value=lambda f: float(f["pair 25"][0]), figure=PRINTED[25.0][0], bound=FOUND_FIT,
-           words="the number of slices is fitted to it", fitted=FITTED,
-           printed=("huang2018:stress-25nm-unmodified",)),
-    Beside(name="40 N m, best crown, predicted from 25 N m", symbol="p_max", unit="MPa",
-           value=lambda f: float(f["pair 40"][1]), figure=PRINTED[40.0][1],
-           words="predicted, not judged: the printed pairs contradict each other",
-           printed=("huang2018:stress-40nm-optimised",)),
-    Beside(name="40 N m, no crown, predicted from 25 N m", symbol="p_max", unit="MPa",
-           value=lambda f: float(f["pair 40"][0]), figure=PRINTED[40.0][0],
-           words="predicted with the slices fitted at 25 N m, not judged",
-           printed=("huang2018:stress-40nm-unmodified",)),
+    _peak(25, 1, "25 N m, best crown, angle fitted", "the angle is fitted to it", **ON_FIT),
+    _peak(25, 0, "25 N m, no crown, slices fitted", "the number of slices is fitted to it",
+          **ON_FIT),
+    _peak(40, 1, "40 N m, best crown, predicted from 25 N m",
+          "predicted, not judged: the printed pairs contradict each other"),
+    _peak(40, 0, "40 N m, no crown, predicted from 25 N m",
+          "predicted with the slices fitted at 25 N m, not judged"),
     Noted(name="both printed pairs have no common ratio of forces", symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
           printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),

@@ -1,0 +1,104 @@
+"""What is compared of a sprag clutch: its state by a drawn sprag, its pressures by strips."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from verify.case import Comparison, Quantity, State, identity
+from verify.cases.contact.roller.accepted import Estimated
+from verify.cases.sprag.clutch.formulas import ClutchFormulas
+from verify.cases.sprag.clutch.model import HALF, fast, low_friction
+from verify.cases.sprag.clutch.paper_statements import LITTLE_SPRUNG, OF_THE_PAPER
+from verify.cases.sprag.statements import BY_STRIPS, PLACE, WIDER, sliced
+from verify.core.case import Check, Context
+from verify.core.results import Row
+from verify.form.comparisons import key_of
+from verify.judging.checks import Identity
+
+LAW = 2e-5  # of N, tan(nu): what the cubic between the loads of a contact's law may miss, standard
+LAW_ALPHA = 1e-3  # the same of turns and deflections, 0.15 % of the contacts' at the most
+DRAWN = "drawn sprag, same deflections"
+FROM_DRAWN = 1e-3, "cubic between the loads of the contacts' laws, as told in u_ref"
+SLIPS = 0.01
+SAME_LAWS = "deflections by the laws of Eqs. 2-8"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ByDrawn(Identity):
+    """A value beside the drawn sprag's, where the clutch has it."""
+
+    by: str = DRAWN
+
+    def rows(self, context: Context) -> list[Row]:
+        sides = (context.analytic, *(level.values for level in context.fem))
+        keys = (self.analytic, *[self.fem] * len(context.fem))
+        there = all(key in side for key, side in zip(keys, sides, strict=True))
+        return super().rows(context) if there else []
+
+
+def by_drawn(
+    q: Quantity, name: str, symbol: str, law: float = LAW_ALPHA, state: State | None = None,
+    **more: Any,
+) -> Comparison:  # fmt: skip
+    """A quantity beside the drawn sprag's; its law of the contacts is off by `law`."""
+    key, numbers = key_of(q, state), {f"uncertainty of {name}": law} if law else {}
+    check = ByDrawn(name=name, symbol=symbol, unit=q.unit, analytic=key, fem=key, formal=2,
+                    residual=next(iter(numbers), ""), **more)  # fmt: skip
+    if state and state.case:
+        numbers[key] = getattr(state.case, q.name)
+    return Comparison(check=check, quantity=q, state=state, numbers=numbers, shares=SAME_LAWS)
+
+
+def drawn_states(clutch: Any) -> Iterator[Comparison]:
+    """Rolling, rigid races, Eqs. 9 and 10 as printed, and two variants of the paper's clutch."""
+    c, paper = ClutchFormulas, clutch.is_default
+    yield by_drawn(c.theta, "turn of the races, finite steps of rolling", "θ(T)")
+    yield by_drawn(c.N_Liu, "normal force with rigid races (Liu)", "N_L", LAW)
+    yield by_drawn(c.alpha_Liu, "turn of the sprags with rigid races (Liu)", "α_L")
+    yield by_drawn(c.theta_Liu, "turn of the races, rigid (Liu), finite steps of rolling", "θ_L")
+    yield by_drawn(c.alpha_printed, "turn of the sprags, Eqs. 9 and 10 as printed", "α_9,10")
+    mu = low_friction(clutch) if paper else math.nan
+    weak = clutch.model_copy(update={"mu_s": mu}) if paper else None
+    yield by_drawn(c.T_slip, "torque at which the contacts slip at low friction", "T_μ",
+                   LAW * (mu / (mu - clutch.mu_0)), State(weak, "low", "at low friction"),
+                   demand=SLIPS,
+                   demand_reason="the spiral hardly changes its wedge angle")  # fmt: skip
+    quick = State(fast(clutch) if paper else None, "fast", "at 20,000 r/min")
+    yield by_drawn(c.d_ce, "growth of the outer race at 20,000 r/min", "δ_ce", 0.0, quick)
+    yield by_drawn(c.alpha, "turn of the sprags at 20,000 r/min", "α(n)", state=quick)
+    yield by_drawn(c.theta, "turn of the races at 20,000 r/min, by rolling", "θ(n)", state=quick)
+
+
+def pressures(clutch: Any) -> Iterator[Comparison]:
+    """Slices beside strips under half of N: there a crown's ends are free."""
+    c, half = ClutchFormulas, State(clutch.under_share(HALF), "half", "under half of N")
+    for race, symbol, mid, peak in (
+        ("inner", "p_i", c.p_i_mid, c.p_i), ("outer", "p_o", c.p_o_mid, c.p_o)
+    ):  # fmt: skip
+        for q, what in ((mid, "pressure at mid-length"), (peak, "largest pressure")):
+            key = key_of(q, half)
+            check = Estimated(
+                name=f"{what} under half of N by slices, {race} race", symbol=symbol, unit="MPa",
+                analytic=key, fem=key, by=BY_STRIPS, interval=sliced, source=PLACE, demand=WIDER,
+                demand_reason="acceptance figure of slices",
+            )  # fmt: skip
+            yield Comparison(check=check, quantity=q, state=half,
+                             numbers={key: getattr(half.case, q.name)})  # fmt: skip
+
+
+def stated(clutch: Any) -> Iterator[Comparison | Check]:
+    """State under torque by the drawn sprag, pressures by strips, the paper's statements."""
+    c = ClutchFormulas
+    common: dict[str, Any] = {"order": 2, "by": DRAWN, "shares": SAME_LAWS}
+    yield identity(c.N, name="normal force under torque", symbol="N(T)", uncertainty=LAW,
+                   sensitivity=FROM_DRAWN, **common)  # fmt: skip
+    yield identity(c.mu_req, name="friction that torque asks for, tan ν", uncertainty=LAW,
+                   sensitivity=FROM_DRAWN, **common)  # fmt: skip
+    yield identity(c.alpha, name="turn of the sprags under torque", uncertainty=LAW_ALPHA,
+                   **common)  # fmt: skip
+    yield identity(c.H, name="sum of the five deflections", uncertainty=LAW_ALPHA, **common)
+    yield from drawn_states(clutch)
+    yield from pressures(clutch)
+    yield Comparison(check=LITTLE_SPRUNG, quantity=c.N_0)
+    yield from OF_THE_PAPER

@@ -1,0 +1,87 @@
+"""What stands beside the formulas of a sprag clutch: strips, drawn sprags, compiled engagements."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import strips
+from analytic.contact.strips import Strips
+from analytic.sprag.closure import wedged
+from verify.case import Level, solved
+from verify.cases.sprag.clutch.drawn_fem import Drawn, Touching, crowned, places
+from verify.cases.sprag.clutch.model import (
+    HALF,
+    built,
+    fast,
+    grip,
+    literal,
+    low_friction,
+    normal_force,
+    rigid,
+    under,
+)
+from verify.cases.sprag.clutch.paper_fem import paper_fem
+from verify.core.figures import Array
+
+POINTS = 2  # of the drawn spiral on a radian, over the strips' number
+
+
+def solve(q: Any, level: int) -> Level:
+    """One level: so many strips, twice as many points on a radian of the drawn spiral."""
+    now = under(q)
+    assert now is not None  # refused where there is none
+    drawn = Drawn(q, POINTS * level)
+    found = drawn.at_torque(q.T, float(now.N))
+    values = {
+        "N": found.N, "alpha": found.alpha, "mu_req": float(np.tan(found.nu)),
+        "H": sum(drawn.yields(found.N).values()),
+    }  # fmt: skip
+    values |= others(q, level, found)
+    arrays: dict[str, Array] = {}
+    for contact, name in enumerate("io"):
+        half = by_strips(q, level, HALF * found.N, contact)
+        values |= {f"p_{name}_mid_half": float(half.mid), f"p_{name}_half": float(half.peak)}
+        arrays[f"strips, {name}"] = by_strips(q, level, found.N, contact).pressure
+    arrays["strips, y"] = places(q, level)
+    if level == q.levels[-1] and q.is_default:
+        arrays |= paper_fem()
+    return solved(1 / level, iteration={"N": 1e-12}, **values, **arrays)
+
+
+def others(q: Any, level: int, found: Touching) -> dict[str, float]:
+    """By drawing: rolling, rigid races (Liu), Eqs. 9 and 10 as printed, and the two variants.
+
+    Formulas say where roots are searched, which these do not depend on.
+    """
+    points, steps = POINTS * level, level // 2
+    one = Drawn(q, points)
+    values = {"theta": one.rolled(found.N, steps)}
+    if math.isfinite(near := normal_force(rigid(q))):
+        stiff = Drawn(q, points, rigid=True)
+        liu = stiff.at_torque(q.T, near)
+        values |= {
+            "N_Liu": liu.N, "alpha_Liu": liu.alpha, "theta_Liu": stiff.rolled(liu.N, steps)
+        }  # fmt: skip
+    if math.isfinite(near := normal_force(literal(q))):
+        as_printed = Drawn(q, points, printed=True).at_torque(q.T, near)
+        values["alpha_printed"] = as_printed.alpha
+    if q.is_default:
+        mu = low_friction(q)
+        near = float(grip(q.model_copy(update={"mu_s": mu})).slip) / (q.z * q.R_i * mu)
+        quick = Drawn(fast(q), points)
+        state = quick.at_torque(q.T, found.N)
+        values |= {
+            "T_slip_low": one.at_friction(mu, near).T, "d_ce_fast": quick.grown(),
+            "alpha_fast": state.alpha, "theta_fast": quick.rolled(state.N, steps),
+        }  # fmt: skip
+    return values
+
+
+def by_strips(q: Any, n: int, N: float, contact: int) -> Strips:
+    """The inner (0) or outer (1) contact by n strips under its own share of N [N]."""
+    one = built(q)
+    now = wedged(one.clutch, N)
+    load = N if contact == 0 else float(now.N_e)
+    return strips.press(crowned(q, n), length=q.l, R=one.radii(now)[contact],
+                        E_star=float(one.parts.E_star), load=load)  # fmt: skip

@@ -1,0 +1,116 @@
+"""Kinds of statements about sprag clutches: of the paper alone, noted, beside a printed number."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+
+from verify.cases.sprag.clutch.paper_fem import ANGLES
+from verify.cases.sprag.inputs import IDENTIFIED
+from verify.core.case import Context
+from verify.core.figures import Array
+from verify.core.results import Kind, Partner, Row, Status
+from verify.judging import judge
+from verify.judging.checks import Accepted
+from verify.judging.claims import Claim
+
+SLICED = 0.02  # of a pressure by slices, and STRIPS of theirs: acceptance figures
+STRIPS = 0.003
+WIDER = 0.045  # demand of a row with that interval
+BY_STRIPS = "strips"
+PLACE = "acceptance figures of slices (2 %) and of strips (0.3 %)"
+FITTED = f"rests on {len(IDENTIFIED)} identified inputs"
+UNFITTED = "the pressure printed at 25 N m does not lie between those at {:.2g} and {:.2g}°".format(
+    *np.degrees(ANGLES)
+)
+
+Measured = Mapping[str, Array]
+
+
+def sliced(q: Any, _values: Any) -> tuple[float, float] | None:
+    """Interval of slices over strips; none for inputs of the user, for which none was accepted."""
+    return (-SLICED - STRIPS, SLICED + STRIPS) if q == type(q)() else None
+
+
+def measured(context: Context) -> Measured:
+    """What the finest level has measured, by name."""
+    return context.fem[-1].arrays
+
+
+@dataclass(frozen=True, kw_only=True)
+class OfPaper(Accepted):
+    """A statement about the paper's clutch alone."""
+
+    paper_only: ClassVar[bool] = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noted(Claim):
+    """A printed statement that the paper's own equations contradict: NOTE with its ledger entry.
+
+    `margin` says how surely; where it does not, the ledger is wrong and the row fails.
+    """
+
+    kind = Kind.FACT
+    paper_only: ClassVar[bool] = True
+
+    erratum: str
+    margin: Callable[[Context], tuple[float, float, str]]
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        margin, U, words = self.margin(context)
+        verdict = judge.fact(margin, U)
+        if verdict.status is Status.PASS:
+            said = f"{words}; ledger {self.erratum}"
+            verdict = replace(verdict, status=Status.NOTE, reason=said)
+        else:
+            said = f"ledger {self.erratum} says otherwise: {words}"
+            verdict = replace(verdict, reason=said if math.isfinite(margin) else UNFITTED)
+        return [self._row(context.case, Kind.FACT, verdict, published=self._printed(context))]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Beside(Claim):
+    """What is computed from identified inputs beside a `figure` [SI], printed or given as input.
+
+    CALIBRATED within `bound` where it was `fitted` to it; else a prediction, SHOWN.
+    """
+
+    kind = Kind.APPROXIMATION
+    paper_only: ClassVar[bool] = True
+
+    value: Callable[[Context], float]
+    figure: float
+    figure_is: str = "printed"
+    words: str
+    bound: float = math.inf
+    fitted: str = ""
+
+    def rows(self, context: Context) -> list[Row]:
+        if not context.is_paper:
+            return []
+        v = self.value(context)
+        if not math.isfinite(v):
+            verdict = judge.Verdict(Status.FAIL, UNFITTED)
+            return [self._row(context.case, Kind.APPROXIMATION, verdict, scale=self.figure,
+                              published=self._printed(context))]  # fmt: skip
+        error = v / self.figure - 1
+        said, status = f"{error:+.1%}: {self.words}", Status.SHOWN
+        if self.fitted:
+            status = Status.CALIBRATED if abs(error) < self.bound else Status.FAIL
+            said = f"{said}; {self.fitted}"
+        verdict = judge.Verdict(status, said, v - self.figure)
+        return [
+            self._row(
+                context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=self.figure,
+                partner=Partner(by=self.figure_is, value=self.figure),
+                published=self._printed(context),
+            )
+        ]  # fmt: skip
