@@ -40,7 +40,7 @@ def symbols_of(case: Case) -> Symbols:
     inputs = ((name, meta(field)["symbol"], meta(field)["unit"]) for name, field in fields.items())
     for name, symbol, unit in (*inputs, *((q.name, q.symbol, q.unit) for q in case.present())):
         value, as_tex = getattr(case, name), equations.symbol_tex(symbol)
-        if isinstance(value, int | float) and as_tex not in found.values:
+        if as_tex and isinstance(value, int | float) and as_tex not in found.values:
             digits = INPUT_DIGITS if name in fields else DIGITS
             found.tex[name] = as_tex
             found.numbers[as_tex] = equations.with_unit(value / units.factor(unit), unit, digits)
