@@ -55,6 +55,16 @@ def approach_to_rim(
     return float(2 * P / (np.pi * E_plane) * bracket)
 
 
+def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -> float:
+    """The sum of delta_n (no unit), by which the held rim enters the approach.
+
+    >>> round(rim_constant(r_i=1.0, r_o=1.4, nu=0.3, assumption="plane strain"), 3)
+    -1.493
+    """
+    _, nu_plane = in_plane(1.0, nu, assumption)
+    return _constant(r_o / r_i, float(nu_plane))
+
+
 @cache
 def _constant(ratio: float, nu: float) -> float:
     """The sum of delta_n, with what is left out as if it fell with 1/n²."""

@@ -24,7 +24,6 @@ SEEDS = (0, 1, 2)
 SCALES = (
     ("polyhedral-ring", r"uncertainty of .*", 1.0),  # shares of the loads that a fit leaves
     ("spring-width", r"left .*", 1.0),
-    ("contact-pair|contact-ring", r"coupled", 1.0),  # Dundurs' constant
     ("contact-roller-crowns", r".* moment", 30.0),  # N m, its load times its length
     ("contact-roller.*", r".* moment", "F l"),
     ("contact-roller.*", r".* left", 1.0),  # relative errors of other values
@@ -35,7 +34,7 @@ SCALES = (
 FLAT = "where a smooth maximum lies: its place is found to the root of what its value is found to"
 SAMPLED = "of a path at so many times; one more of them moves all by a step, 1/240 of a cycle"
 FURTHER = (
-    ("contact-flat", r"disc depth", 1e-6, FLAT),
+    ("contact-flat", r"z_disc", 1e-6, FLAT),
     ("contact-sphere", r"z_.*", 1e-6, FLAT),
     ("freewheel-paths", r"(slip|when|peak|safety) \d", 1e-3, SAMPLED),
 )

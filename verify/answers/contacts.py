@@ -12,8 +12,8 @@ OTHER = "no limit is known for this material"
 def line(q: Any, v: Values, part: Assessment) -> None:
     """Hertz's pressure of a line contact, and the shear stress below it where R_p is given."""
     moduli = (q.E,) if hasattr(q, "E") else (q.E_1, q.E_2)
-    part.pressure("contact_pressure", "Hertzian pressure", v["Hertz p0"], *moduli, option=OTHER)
-    _subsurface(q, v["Hertz shear"], part)
+    part.pressure("contact_pressure", "Hertzian pressure", v["p_0"], *moduli, option=OTHER)
+    _subsurface(q, v["tau_max"], part)
 
 
 def sphere(q: Any, v: Values, part: Assessment) -> None:

@@ -4,7 +4,6 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from verify.cases.contact.line.inputs import FlatInputs, PairInputs
 from verify.core.case import FemResult
 from verify.judging.budget_statement import Cause, Left, Rerun, Statement, Without, plane_stress
 
@@ -46,30 +45,28 @@ def straight(q: Any) -> Any:
     return long(q).model_copy(update={"theta": q.theta / LONGER})
 
 
-def fem_narrow_disc(q: FlatInputs, level: int) -> FemResult:
+def fem_narrow_disc(q: Any, level: int) -> FemResult:
     """The widest contact's values in proportion to those of one a tenth as wide."""
-    from verify.cases.contact.line.flat import WIDEST, analytic, disc_fem, swept_load
+    from verify.cases.contact.line.bodies import disc_fem
+    from verify.cases.contact.line.flat import WIDEST, key
 
     e = WIDEST / NARROWER
-    P = swept_load(q, e)
-    small, wide = analytic(q.model_copy(update={"F": P * q.L})), analytic(q)
-    found = disc_fem(q, P, e * q.R, level).values()
+    small, wide = q.at_ratio(e), q.at_ratio(WIDEST)
+    found = disc_fem(q, small.P, e * q.R, level).values()
     return FemResult(h=1 / level, values={
-        f"{key}, a/R = {WIDEST:g}": value * wide[f"Hertz {key}, a/R = {WIDEST:g}"]
-        / small[f"Hertz {key}"] for key, value in found.items()
+        f"{name}_{key(WIDEST)}": value * getattr(wide, name) / getattr(small, name)
+        for name, value in found.items()
     })  # fmt: skip
 
 
-def fem_narrow_unlike(q: PairInputs, level: int) -> FemResult:
+def fem_narrow_unlike(q: Any, level: int) -> FemResult:
     """The same of unlike rollers."""
-    from verify.cases.contact.line.pair import pair_fem
-    from verify.cases.contact.line.unlike import WHERE, unlike
+    from verify.cases.contact.line.bodies import pair_fem
 
-    soft = unlike(q)
-    found = pair_fem(light(soft), level).values()
+    found = pair_fem(light(q.unlike()), level).values()
     # by Hertz the half-width and the pressure follow the root of the load
     return FemResult(h=1 / level, values={
-        f"{key}, {WHERE}": math.sqrt(LIGHTER) * found[key] for key in ("p0", "a")
+        f"{name}_unlike": math.sqrt(LIGHTER) * found[name] for name in ("p_0", "a")
     })  # fmt: skip
 
 

@@ -15,7 +15,7 @@ TOLERANCES = (
     "fem.contact.convex:CONVERGED",
     "fem.contact.nitsche:BOUND",
     "fem.fourier.vibration:TOLERANCE",
-    "verify.cases.contact.line.fem:HIT",
+    "verify.cases.contact.line.reference:HIT",
     "verify.cases.contact.sphere.reference:HIT",
     "verify.cases.freewheel.fem:STILL",
     "verify.cases.sprag.fem:STILL",

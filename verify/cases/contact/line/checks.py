@@ -1,46 +1,41 @@
-"""Claims of the line contacts: profiles, coefficients of what is neglected, balances."""
+"""Claims of the line contacts: profiles, coefficients and intervals of what is neglected."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from verify.cases.contact.line import figures as contact_line_shown
-from verify.core.case import Context
+from verify.case import Expected
+from verify.core.case import Context, FemResult
 from verify.core.figures import Array
 from verify.core.results import Kind, Row, Status
 from verify.judging import judge
-from verify.judging.checks import Exact, Fact, Identity
+from verify.judging.checks import Fact, Identity
 from verify.judging.claims import Claim
 from verify.judging.convergence import grid_convergence
 
-Points = Callable[[Context], tuple[list[float], list[float], list[float]]]
+Points = tuple[list[float], list[float], list[float]]  # a/R, error of Hertz, its uncertainty
 
 FLOOR = 3e-4  # of Hertz/FE - 1: nothing sharper is claimed at one load
 PROFILE = 0.03  # acceptance figure of q(x) in L2
-SHARP = {"p0": 5e-4, "a": 1e-3, "approach": 1e-3}  # acceptance
+BLUNT = 1e-3  # of Hertz's shear over the finite elements': smoothed stresses are no sharper
 LIMITS = "acceptance figure of the contact models"
-ROUND = "direct solve; the load is met within 1e-12 of itself"
-
-BALANCES = tuple(
-    Exact(name=name, symbol=symbol, unit=unit, fem=key, scale=scale, bound=1e-8, bound_reason=ROUND)
-    for name, symbol, unit, key, scale in (
-        ("balance of forces across", "ΣF_x", "N/mm", "balance x", "P"),
-        ("balance of forces along the load", "ΣF_y", "N/mm", "balance y", "P"),
-        ("balance of moments", "ΣM", "N", "moment", "P R"),
-    )
-)
 
 
-def about(
-    m: float, unknown: float, *, least: float = FLOOR, demand: float = judge.DEMAND
-) -> tuple[float, float] | None:
-    """Interval m ± unknown, `least` at least; None where it says less than the row demands.
+def expected(m: float, unknown: float, source: str, *, least: float = FLOOR) -> Expected:
+    """Interval m ± unknown, `least` at least.
 
-    There the bodies are too small for an estimate, and the formula's error is measured.
+    Not sharp where it says less than the row demands: the bodies are then too small for an
+    estimate, and the formula's error is measured.
     """
     unknown = max(float(unknown), least)
-    return (m - unknown, m + unknown) if unknown <= demand / 2 else None
+    return Expected(m - unknown, m + unknown, source, sharp=unknown <= judge.DEMAND / 2)
+
+
+def about(m: float, unknown: float) -> tuple[float, float] | None:
+    """The interval alone, None where it is not sharp."""
+    found = expected(m, unknown, "")
+    return (found.low, found.high) if found.sharp else None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,26 +54,24 @@ class ProfileError(Identity):
         return super().rows(replace(context, fem=fem))
 
 
-def l2_errors(
-    pressure: Callable[[Context, Array], Array],
-) -> Callable[[Context], list[float]]:
+def l2_errors(pressure: Callable[[Array], Array]) -> Callable[[Context], list[float]]:
     """Relative L2 errors of the finite-element pressure, per level, at its integration points."""
 
     def errors(context: Context) -> list[float]:
         found = []
         for result in context.fem:
             x, p, weight = (result.arrays[key] for key in ("x", "p", "weight"))
-            exact = pressure(context, x)
+            exact = pressure(x)
             found.append(float(np.sqrt(((p - exact) ** 2 @ weight) / (exact**2 @ weight))))
         return found
 
     return errors
 
 
-def relative_uncertainty(context: Context, key: str) -> float:
+def relative_uncertainty(levels: Sequence[FemResult], key: str) -> float:
     """Standard uncertainty of the finest value over itself; infinite where it does not converge."""
-    h, v = context.series(key)
-    u_it = max(r.u_it.get(key, 0.0) for r in context.fem)
+    h, v = [r.h for r in levels], [r.values[key] for r in levels]
+    u_it = max(r.u_it.get(key, 0.0) for r in levels)
     grid = grid_convergence(h, v, formal=2.0, scale=abs(v[-1]), u_it=u_it)
     return judge.numerical_uncertainty(grid, u_it) / abs(v[-1])
 
@@ -92,7 +85,7 @@ class Coefficient(Claim):
 
     kind = Kind.TREND
 
-    points: Points
+    points: Callable[[Context], Points]
     theory: float
 
     def rows(self, context: Context) -> list[Row]:
@@ -119,14 +112,3 @@ class NearHertz(Fact):
     def rows(self, context: Context) -> list[Row]:
         error = PROFILE - self.margin(context)[0]
         return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
-
-
-def hertz_profile() -> Fact:
-    """The pressure profile is Hertz's within the acceptance figure."""
-
-    def margin(context: Context) -> tuple[float, float]:
-        errors = l2_errors(contact_line_shown.hertz_pressure)(context)
-        return PROFILE - errors[-1], abs(errors[-1] - errors[-2])
-
-    name = f"pressure profile within {PROFILE:.0%} of Hertz's in L2"
-    return NearHertz(name=name, symbol="e_2", unit="1", margin=margin)

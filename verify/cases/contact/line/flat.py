@@ -1,259 +1,256 @@
 """A roller between rigid flats: Hertz's line contact, and the disc he simplifies."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
-from analytic.contact import disc_stress, hertz_line, hertz_line_approach
-from analytic.contact.disc import disc_under_load
-from analytic.contact.hertz_line_stress import largest_shear_stress
-from verify.cases.contact.line import figures as contact_line_shown
+from analytic.contact import disc_stress, hertz_line_approach
+from analytic.contact.disc import PressedDisc, disc_under_load
+from verify.case import (
+    AlongLine,
+    Comparison,
+    Drawn,
+    Expected,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    approximation,
+    identity,
+    limit,
+    shared,
+)
+from verify.cases.contact.line import figures, sketches
+from verify.cases.contact.line.bodies import disc_fem
 from verify.cases.contact.line.checks import (
-    BALANCES,
     FLOOR,
     LIMITS,
-    SHARP,
+    PROFILE,
     Coefficient,
+    Points,
     ProfileError,
-    about,
+    expected,
     l2_errors,
     relative_uncertainty,
 )
-from verify.cases.contact.line.fem import Pressed
-from verify.cases.contact.line.inputs import FlatInputs, too_small
-from verify.cases.contact.line.warnings import warnings
-from verify.core.case import Case, Context, FemResult, Output, Scan, Values
-from verify.core.figures import Figure
-from verify.judging.checks import Approximation, Fact, Identity, Limit
+from verify.cases.contact.line.hertz import at
+from verify.cases.contact.line.inputs import FlatInputs
+from verify.core.case import Context
+from verify.core.figures import Array, Picture, Sketch
+from verify.form.adapter import adapted
+from verify.judging.checks import Fact
 
 SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
+WIDE = f"a/R = {WIDEST:g}"
 DEPTH = 5e-3  # of the depth of the largest shear
-
-
-def analytic(q: FlatInputs) -> Values:
-    E_plane = q.E / (1 - q.nu**2)
-    values: dict[str, float] = {"P": q.P, "P R": q.P * q.R, "zero": 0.0, "one": 1.0}
-    loads = {"": q.P} | {f", a/R = {e:g}": swept_load(q, e) for e in SWEEP}
-    for where, P in loads.items():
-        a = float(hertz_line.half_width(P=P, R=q.R, E_star=E_plane))
-        p_0 = float(hertz_line.peak_pressure(P=P, R=q.R, E_star=E_plane))
-        approach = hertz_line_approach.approach_to_centre(P=P, a=a, R=q.R, E_plane=E_plane)
-        disc = disc_under_load(P=P, R=q.R, E_plane=E_plane)
-        values |= {
-            f"Hertz a{where}": a,
-            f"Hertz p0{where}": p_0,
-            f"Hertz approach{where}": float(approach),
-            f"disc a{where}": disc.moment_width,
-            f"disc p0{where}": disc.p_0,
-            f"disc approach{where}": disc.approach,
-        }
-    disc = disc_under_load(P=q.P, R=q.R, E_plane=E_plane)
-    shear, depth = disc_stress.largest_shear_stress(disc=disc)
-    hertz_shear, hertz_depth = largest_shear_stress(a=values["Hertz a"], p_0=values["Hertz p0"])
-    return values | {
-        "a/R": values["Hertz a"] / q.R, "edge": disc.a, "disc shear": shear, "disc depth": depth,
-        "Hertz shear": float(hertz_shear), "Hertz depth": float(hertz_depth),
-    }  # fmt: skip
-
-
-def fem(q: FlatInputs, level: int) -> FemResult:
-    swept = {f", a/R = {e:g}": disc_fem(q, swept_load(q, e), e * q.R, level) for e in SWEEP}
-    return disc_fem(q, q.P, q.guess, level).result(level, ("axis", "middle"), swept)
-
-
-def swept_load(q: FlatInputs, ratio: float) -> float:
-    """The load [N/m] for which Hertz's a/R is `ratio`."""
-    return float(np.pi / 4 * ratio**2 * q.R / q.softness)
-
-
-def disc_fem(q: FlatInputs, P: float, guess: float, level: int) -> Pressed:
-    """The quarter of the disc on the flat y = 0 under the load P [N/m]."""
-    from fem.contact.pairs import Obstacle, Pair
-    from fem.contact.problem import ContactProblem
-    from fem.contact.shapes import Circle, Flat
-    from fem.plane.material import Elastic
-    from meshes.contact.disc import quarter_disc
-
-    def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        return ContactProblem(
-            quarter_disc(R=q.R, zone=zone, cells=cells, refine=refine),
-            materials=Elastic(E=q.E, nu=q.nu),
-            assumption="plane strain",
-            supports={"axis": "x", "middle": "y"},
-            obstacles={"flat": Obstacle(Flat())},
-            contacts=[
-                Pair(slave="surface", master="flat", slave_shape=Circle((0.0, q.R), q.R))
-            ],
-        )  # fmt: skip
-
-    return Pressed(build, level, P=P, guess=guess, arc=q.R, softness=q.softness, cut="middle")
-
-
-def exact_pressure(context: Context, x: Any) -> Any:
-    """The disc's pressure on its own arc."""
-    q = context.inputs
-    disc = disc_under_load(P=q.P, R=q.R, E_plane=q.E / (1 - q.nu**2))
-    return disc.pressure(x) * np.sqrt(1 - (x / q.R) ** 2)
-
-
-def series(coefficient: float, where: str = "") -> Any:
-    """Interval of Hertz/FE - 1: coefficient (a/R)^2, known up to (a/R)^4, which counts once."""
-
-    def interval(_: FlatInputs, v: Values) -> tuple[float, float] | None:
-        e = WIDEST if where else v["a/R"]
-        return about(coefficient * e**2, e**4, least=0.0 if where else FLOOR)
-
-    return interval
-
-
-def approach_series(where: str = "") -> Any:
-    """The same for the approach: 9/16 (a/R)^2 in the bracket of the logarithm."""
-
-    def interval(_: FlatInputs, v: Values) -> tuple[float, float] | None:
-        e = WIDEST if where else v["a/R"]
-        bracket = float(2 * np.log(4 / e) - 1)
-        return about(-9 / 16 * e**2 / bracket, e**4, least=0.0 if where else FLOOR)
-
-    return interval
-
-
-def shear_series(_: FlatInputs, v: Values) -> tuple[float, float] | None:
-    """What the opposite flat and the circle add to the shear, up to (a/R)^2, which counts once."""
-    e = v["a/R"]
-    m = 1 / (1 + float(disc_stress.shear_excess(a=e, R=1.0))) - 1
-    return about(m, e**2, least=1e-3)
-
-
-def depth_margin(context: Context) -> tuple[float, float]:
-    """Where stresses that jump from cell to cell are largest follows no order: their spread counts.
-
-    Three times that of the last three levels, as for any series without an order.
-    """
-    depths = np.array(context.series("depth")[1][-3:]) / context.analytic["disc depth"]
-    return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
-
-
-def deviations(key: str) -> Any:
-    """Hertz/FE - 1 over a/R with the finest values and their uncertainty."""
-
-    def points(context: Context) -> tuple[list[float], list[float], list[float]]:
-        d, u = [], []
-        for e in SWEEP:
-            where = f"{key}, a/R = {e:g}"
-            v = context.series(where)[1][-1]
-            d.append(context.analytic[f"Hertz {where}"] / v - 1)
-            u.append(relative_uncertainty(context, where))
-        return list(SWEEP), d, u
-
-    return points
-
-
-NAMES = {"p0": ("peak pressure", "p_0", "MPa"), "a": ("half-width", "a", "µm"),
-         "approach": ("approach of flat and centre", "δ", "µm")}  # fmt: skip
+PRESSURE, WIDTH, APPROACH = -3 / 16, 1 / 4, -9 / 16  # of (a/R)², by which Hertz errs
+DISC = "elastic disc between flats"
 SERIES = "derived series of the disc; its next term, taken as 1 × (a/R)⁴"
-INTERVALS = {"p0": series(-3 / 16), "a": series(1 / 4), "approach": approach_series()}
-WIDE = {"p0": series(-3 / 16, "wide"), "a": series(1 / 4, "wide"),
-        "approach": approach_series("wide")}  # fmt: skip
-AT = f", a/R = {WIDEST:g}"
-
-CHECKS = (
-    *(
-        Identity(name=f"{name}{where}, disc", symbol=symbol, unit=unit, fem=f"{key}{where}",
-                 analytic=f"disc {key}{where}", formal=2, demand=SHARP[key], demand_reason=LIMITS)
-        for where in ("", AT) for key, (name, symbol, unit) in NAMES.items()
-    ),
-    ProfileError(name="pressure profile, error in L2, disc", symbol="e_2", unit="1", fem="L2",
-                 analytic="zero", scale="one", formal=1, demand=0.03, demand_reason=LIMITS,
-                 errors=l2_errors(exact_pressure)),
-    Identity(name="largest shear stress, disc", symbol="τ_max", unit="MPa", fem="shear",
-             analytic="disc shear", formal=2),
-    Fact(name=f"depth of the largest shear stress within {DEPTH:.1%} of the disc's", symbol="z",
-         unit="1", margin=depth_margin),
-    *(
-        Approximation(name=f"{name}{where}, Hertz", symbol=symbol, unit=unit, fem=f"{key}{where}",
-                      analytic=f"Hertz {key}{where}", formal=2, interval=intervals[key],
-                      source=SERIES)
-        for where, intervals in (("", INTERVALS), (AT, WIDE))
-        for key, (name, symbol, unit) in NAMES.items()
-    ),
-    Approximation(name="largest shear stress, Hertz", symbol="τ_max", unit="MPa", fem="shear",
-                  analytic="Hertz shear", formal=2, interval=shear_series,
-                  source="derived: −0.693 a/R from the opposite flat and the circle; the next "
-                  "term, taken as 1 × (a/R)²"),
-    *(
-        Limit(name=f"{name}, Hertz as a/R vanishes", symbol="d_0", unit="1",
-              points=deviations(key), exponent=2, demand=SHARP[key], demand_reason=LIMITS)
-        for key, (name, _, _) in NAMES.items() if key != "approach"
-    ),
-    *(
-        Coefficient(name=f"{name}, Hertz over (a/R)²", symbol="c", unit="1",
-                    points=deviations(key), theory=theory, demand=0.2,
-                    demand_reason="tells the derived term from its parts, of a third and more")
-        for (key, (name, _, _)), theory in zip(NAMES.items(), (-3 / 16, 1 / 4), strict=False)
-    ),
-    *BALANCES,
-)  # fmt: skip
-
-OUTPUTS = (
-    Output(key="Hertz p0", symbol="p_0", unit="MPa", what="peak pressure, Hertz"),
-    Output(key="disc p0", symbol="p_0", unit="MPa", what="peak pressure, disc"),
-    Output(key="Hertz a", symbol="a", unit="µm", what="half-width, Hertz"),
-    Output(key="disc a", symbol="a", unit="µm", what="half-width of the moments, disc"),
-    Output(key="Hertz approach", symbol="δ", unit="µm",
-           what="approach of one flat and the centre, Hertz with 2 ln(4R/a) − 1"),
-    Output(key="disc approach", symbol="δ", unit="µm", what="the same, disc"),
-    Output(key="Hertz shear", symbol="τ_max", unit="MPa", what="largest shear stress, Hertz"),
-    Output(key="disc shear", symbol="τ_max", unit="MPa", what="the same, disc"),
-    Output(key="Hertz depth", symbol="z", unit="µm", what="its depth, Hertz", judged=False),
-    Output(key="disc depth", symbol="z", unit="µm", what="its depth, disc"),
-    Output(key="a/R", symbol="a/R", unit="1", what="half-width over radius", judged=False),
-)  # fmt: skip
+SHEAR = (
+    "derived: −0.693 a/R from the opposite flat and the circle; the next term, taken as 1 × (a/R)²"
+)
+TELLS = 0.2, "tells the derived term from its parts, of a third and more"
 
 
-def all_warnings(q: FlatInputs, v: Values) -> Sequence[str]:
-    return warnings(q, v["Hertz a"], v["Hertz p0"], v["Hertz shear"])
+def key(ratio: float) -> str:
+    """What names of numbers at a ratio a/R end in, its thousandths."""
+    return f"r{round(1000 * ratio)}"
 
 
-def figures(context: Context) -> Sequence[Figure]:
-    if not context.converging:
-        return ()
-    neglected = {key: deviations(key)(context) for key in ("p0", "a")}
-    return contact_line_shown.flat_figures(context, exact_pressure, neglected)
+class RollerOnFlat(FlatInputs):
+    """Hertz replaces a roller by a half plane and its circle by a parabola.
 
+    Beside him stands the disc without these simplifications, which finite elements must meet; a
+    sweep over a/R measures what Hertz's simplifications cost and finds the derived 3/16 (a/R)² of
+    p_0.
+    """
 
-FLAT = Case(
-    id="contact-flat",
-    title="Roller between rigid flats",
-    paper="huang2018",
-    place="Eqs. 2-5, the line contact behind them (Hertz)",
-    lead="Hertz replaces a roller by a half plane and its circle by a parabola. Beside him stands "
-    "the disc without these simplifications, which finite elements must meet; a sweep over a/R "
-    "measures what Hertz's simplifications cost and finds the derived 3/16 (a/R)² of p_0.",
-    inputs=FlatInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=(2, 3, 4, 6),
-    scans=(Scan(vary=("F=100N:30000N:6:log", "nu=0,0.3,0.45"), star=True),),
-    checks=CHECKS,
-    outputs=OUTPUTS,
-    readings=(
+    id = "contact-flat"
+    title = "Roller between rigid flats"
+    source = "huang2018"
+    place = "Eqs. 2-5, the line contact behind them (Hertz)"
+    levels: ClassVar = (2, 3, 4, 6)
+    scans: ClassVar = (Scan(vary=("F=100N:30000N:6:log", "nu=0,0.3,0.45"), star=True),)
+    readings: ClassVar = (
         "rollers are long: plane strain, E/(1 − ν²)",
         "the load per length is F/L, and R a radius",
         "the approach is that of one flat and the roller's centre; two flats approach by twice it",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the roller left out",
         "the other flat presses as much: a quarter whose cut through the centre moves as a line",
         "half-width from the moments of the pressure, 2 √(∫p x²/∫p), which is Hertz's a for his "
         "pressure",
         "meshes have a vertex where a coarse solution says that contact ends",
-    ),
-    warnings=all_warnings,
-    too_large=too_small,
-    equations=contact_line_shown.flat_equations,
-    sketch=contact_line_shown.flat_sketch,
-    figures=figures,
-    pictures=contact_line_shown.pictures,
-)
+    )
+
+    @Quantity("δ", "µm", "approach of flat and centre, Hertz", source="Hertz, of the roller's "
+              "centre", tex=r"\frac{P}{\pi E*} (2 \ln\left(\frac{4 R}{a}\right) - 1)")  # fmt: skip
+    def approach(self) -> float:
+        sizes = {"P": self.P, "a": self.a, "R": self.R}
+        return float(hertz_line_approach.approach_to_centre(**sizes, E_plane=self.E_star))
+
+    @Quantity("a/R", "1", "half-width over radius", role="step", tex=r"\frac{a}{R}")
+    def ratio(self) -> float:
+        return self.a / self.R
+
+    @Quantity("e_p", "1", "excess of the disc's peak pressure, first term", role="step",
+              source="derived", tex=r"\frac{3}{16} \frac{a^2}{R^2}")  # fmt: skip
+    def excess(self) -> float:
+        return -PRESSURE * self.ratio**2
+
+    @Quantity("p_0", "MPa", "peak pressure, disc", source=DISC, form_of="p_0", safe="too high")
+    def p_0_disc(self) -> float:
+        return self.disc.p_0
+
+    @Quantity("a", "µm", "half-width, disc", source=f"{DISC}, of the moments", form_of="a")
+    def a_disc(self) -> float:
+        return self.disc.moment_width
+
+    @Quantity("δ", "µm", "approach of flat and centre, disc", source=DISC, form_of="approach")
+    def approach_disc(self) -> float:
+        return self.disc.approach
+
+    @Quantity("τ_max", "MPa", "largest shear stress, disc", source=DISC, form_of="tau_max",
+              safe="too high")  # fmt: skip
+    def tau_max_disc(self) -> float:
+        return self.disc_shear[0]
+
+    @Quantity("z", "µm", "depth of the largest shear stress, disc", source=DISC, form_of="z")
+    def z_disc(self) -> float:
+        return self.disc_shear[1]
+
+    @shared
+    def disc(self) -> PressedDisc:
+        """The disc under the load."""
+        return disc_under_load(P=self.P, R=self.R, E_plane=self.E_star)
+
+    @shared
+    def disc_shear(self) -> tuple[float, float]:
+        """Its largest shear stress [Pa] and the depth of that [m]."""
+        return disc_stress.largest_shear_stress(disc=self.disc)
+
+    def disc_pressure(self, x: Any) -> Array:
+        """The disc's pressure on its own arc [Pa]."""
+        return np.asarray(self.disc.pressure(x) * np.sqrt(1 - (x / self.R) ** 2))
+
+    def at_ratio(self, ratio: float) -> Self:
+        """The same roller under the load for which Hertz's a/R is `ratio`."""
+        return self.under(float(np.pi / 4 * ratio**2 * self.R / self.softness))
+
+    def reference(self, level: int) -> Level:
+        """The quarter under the load, and under those of the sweep."""
+        swept = {f"_{key(e)}": disc_fem(self, self.at_ratio(e).P, e * self.R, level) for e in SWEEP}
+        found = disc_fem(self, self.P, self.guess, level)
+        return found.result(level, ("axis", "middle"), swept)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """The disc, exact; Hertz, with what he neglects; the limit of narrow contacts."""
+        by = RollerOnFlat
+        wide = State(self.at_ratio(WIDEST), key(WIDEST), WIDE, displayed=False)
+        places = (("", None), (WIDE, wide))
+        exact = ((by.p_0_disc, 5e-4), (by.a_disc, 1e-3), (by.approach_disc, 1e-3))
+        for where, state in places:
+            for q, sharp in exact:
+                yield identity(q, state=state, name=at(q, where), order=2,
+                               sensitivity=(sharp, LIMITS))  # fmt: skip
+        yield self.profile()
+        yield identity(by.tau_max_disc, order=2)
+        name = f"depth of the largest shear stress within {DEPTH:.1%} of the disc's"
+        depth = Fact(name=name, symbol="z", unit="1", margin=self.depth_margin)
+        yield Comparison(check=depth, quantity=by.z_disc)
+        for where, state in places:
+            for q in (by.p_0, by.a, by.approach):
+                yield approximation(q, state=state, name=at(q, where), order=2,
+                                    expected=self.neglected(q, wide=bool(where)))  # fmt: skip
+        yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
+        for q, sharp in ((by.p_0, 5e-4), (by.a, 1e-3)):
+            yield limit(q, f"{q.what} as a/R vanishes", "d_0", points=self.deviations(q),
+                        exponent=2, sensitivity=(sharp, LIMITS))  # fmt: skip
+        for q, theory in ((by.p_0, PRESSURE), (by.a, WIDTH)):
+            yield self.coefficient(q, theory)
+        yield from self.balances()
+
+    def coefficient(self, q: Quantity, theory: float) -> Comparison:
+        """Hertz errs by `theory` times (a/R)^2 over the sweep."""
+        points = self.deviations(q)
+        check = Coefficient(
+            name=f"{q.what} over (a/R)²", symbol="c", unit="1", theory=theory,
+            points=lambda context: points(context.fem), demand=TELLS[0], demand_reason=TELLS[1],
+        )  # fmt: skip
+        return Comparison(check=check, quantity=q)
+
+    def profile(self) -> Comparison:
+        """The pressure along the contact is the disc's."""
+        check = ProfileError(
+            name="pressure profile, error in L2, disc", symbol="e_2", unit="1", fem="L2",
+            analytic="zero", scale="one", formal=1, demand=PROFILE, demand_reason=LIMITS,
+            errors=l2_errors(self.disc_pressure),
+        )  # fmt: skip
+        numbers = {"zero": 0.0, "one": 1.0}
+        return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)
+
+    def neglected(self, q: Quantity, *, wide: bool) -> Expected:
+        """Coefficient times (a/R)^2, known up to (a/R)^4, which counts once.
+
+        Of the approach it is in the bracket of the logarithm.
+        """
+        e = WIDEST if wide else self.ratio
+        coefficient = {"p_0": PRESSURE, "a": WIDTH, "approach": APPROACH}[q.name]
+        m = coefficient * e**2
+        if q.name == "approach":
+            m = m / float(2 * np.log(4 / e) - 1)
+        return expected(m, e**4, SERIES, least=0.0 if wide else FLOOR)
+
+    def neglected_shear(self) -> Expected:
+        """The opposite flat and the circle add to it, up to (a/R)^2, which counts once."""
+        m = 1 / (1 + float(disc_stress.shear_excess(a=self.ratio, R=1.0))) - 1
+        return expected(m, self.ratio**2, SHEAR, least=1e-3)
+
+    def depth_margin(self, context: Context) -> tuple[float, float]:
+        """Depths of stresses that jump from cell to cell follow no order: their spread counts.
+
+        Three times that of the last three levels, as for any series without an order.
+        """
+        depths = np.array(context.series("z")[1][-3:]) / self.z_disc
+        return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
+
+    def deviations(self, q: Quantity) -> Callable[[Sequence[Level]], Points]:
+        """Hertz/FE - 1 over a/R with the finest values and their uncertainty."""
+
+        def points(levels: Sequence[Level]) -> Points:
+            d, u = [], []
+            for e in SWEEP:
+                name = f"{q.name}_{key(e)}"
+                d.append(getattr(self.at_ratio(e), q.name) / levels[-1].values[name] - 1)
+                u.append(relative_uncertainty(levels, name))
+            return list(SWEEP), d, u
+
+        return points
+
+    def figures(self) -> Iterator[AlongLine | Drawn]:
+        """Profiles beside the disc, what Hertz neglects over a/R, and convergence."""
+        note = (
+            "Line: the disc on its own arc; dots: finest mesh. Below, the difference in the band "
+            "of the whole profile, which ends at 0.85 a."
+        )
+        yield figures.pressure(self, self.disc_pressure, "the disc", note)
+        for q, theory, words in (
+            (RollerOnFlat.p_0, PRESSURE, "−3/16"), (RollerOnFlat.a, WIDTH, "+1/4"),
+        ):  # fmt: skip
+            yield figures.neglected(q.symbol, theory, words, self.deviations(q))
+        limits = {"p_0": self.p_0_disc, "a": self.a_disc, "approach": self.approach_disc}
+        yield figures.refinement(lambda _: limits, "the limit is the exact disc")
+
+    def pictures(self) -> Iterator[Picture]:
+        """Stresses about the contact; a rigid flat has none."""
+        yield from figures.pictures(self.guess, below=0.05)
+
+    def sketch(self) -> Sketch:
+        """The roller between its flats."""
+        return sketches.flat(self)
+
+
+FLAT = adapted(RollerOnFlat)

@@ -1,183 +1,227 @@
-"""Two rollers with parallel axes: Hertz's line contact between bodies of one size."""
+"""Two rollers with parallel axes: Hertz's line contact between bodies of one size.
 
-from collections.abc import Sequence
-from typing import Any
+The pair is taken once more with unlike materials under a high load: at the paper's load and with
+like materials the terms of `pair_series` drown in the meshes.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import ClassVar, Self
+
+from pydantic import model_validator
 
 from analytic.contact import hertz_line, hertz_line_approach, pair_series
 from analytic.contact.disc_stress import shear_excess
-from analytic.contact.hertz_line_stress import largest_shear_stress, tilted_shear_excess
-from verify.cases.contact.line import figures as contact_line_shown
-from verify.cases.contact.line.checks import BALANCES, about, hertz_profile
-from verify.cases.contact.line.fem import Pressed
-from verify.cases.contact.line.inputs import PairInputs, too_small
-from verify.cases.contact.line.unlike import UNLIKE, WHERE, unlike, unlike_values
-from verify.cases.contact.line.warnings import warnings
-from verify.core.case import Case, FemResult, Output, Scan, Values
-from verify.judging.checks import Approximation
+from analytic.contact.hertz_line_stress import tilted_shear_excess
+from verify.case import (
+    AlongLine,
+    Comparison,
+    Drawn,
+    Expected,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    approximation,
+    given,
+    shared,
+)
+from verify.cases.contact.line import figures, sketches
+from verify.cases.contact.line.bodies import pair_fem
+from verify.cases.contact.line.checks import BLUNT, expected
+from verify.cases.contact.line.hertz import at
+from verify.cases.contact.line.inputs import TwoBodies
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
 
-BLUNT = 1e-3  # of Hertz's shear over the finite elements': smoothed stresses are no sharper
-
-
-def analytic(q: PairInputs) -> Values:
-    R = float(hertz_line.relative_radius(R_1=q.R_1, R_2=q.R_2))
-    E_star = float(hertz_line.contact_modulus(**q.materials, assumption="plane strain"))
-    a = float(hertz_line.half_width(P=q.P, R=R, E_star=E_star))
-    p_0 = float(hertz_line.peak_pressure(P=q.P, R=R, E_star=E_star))
-    shear, depth = largest_shear_stress(a=a, p_0=p_0)
-    approach = sum(
-        float(hertz_line_approach.approach_to_centre(P=q.P, a=a, R=R_i, E_plane=E / (1 - nu**2)))
-        for R_i, E, nu in ((q.R_1, q.E_1, q.nu_1), (q.R_2, q.E_2, q.nu_2))
-    )
-    kappa = pair_series.meeting_curvature(
-        R_1=q.R_1, R_2=q.R_2, **q.materials, assumption="plane strain"
-    )
-    p, w = pair_series.excess(a=a, R_1=q.R_1, R_2=q.R_2, **q.materials, assumption="plane strain")
-    return {
-        "P": q.P, "P R": q.P * q.R_1, "R": R, "E*": E_star, "Hertz a": a, "Hertz p0": p_0,
-        "Hertz approach": approach, "Hertz shear": float(shear), "Hertz depth": float(depth),
-        "series p0": p_0 * (1 + p.total), "series a": a * (1 + w.total),
-        "excess p0": p.total, "excess a": w.total, "coupled": abs(p.first) + abs(w.first),
-        "kappa a": kappa * a, **unlike_values(q),
-    }  # fmt: skip
-
-
-def fem(q: PairInputs, level: int) -> FemResult:
-    soft = {f", {WHERE}": pair_fem(unlike(q), level)}
-    return pair_fem(q, level).result(level, ("upper.axis", "upper.middle"), soft)
-
-
-def pair_fem(q: PairInputs, level: int) -> Pressed:
-    """Quarters of both rollers under the load."""
-    from fem.contact.pairs import Pair
-    from fem.contact.problem import ContactProblem
-    from fem.contact.shapes import Circle
-    from fem.plane.material import Elastic
-    from meshes.contact.disc import quarter_disc
-    from meshes.join import join
-
-    def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
-        return ContactProblem(
-            join({"upper": quarter_disc(R=q.R_1, **fine),
-                  "lower": quarter_disc(R=q.R_2, below=True, **fine)}),
-            materials={"upper": Elastic(E=q.E_1, nu=q.nu_1), "lower": Elastic(E=q.E_2, nu=q.nu_2)},
-            assumption="plane strain",
-            supports={"upper.axis": "x", "lower.axis": "x",
-                      "upper.middle": "y", "lower.middle": "y"},
-            contacts=[
-                Pair(slave="upper.surface", master="lower.surface",
-                     slave_shape=Circle((0.0, q.R_1), q.R_1),
-                     master_shape=Circle((0.0, -q.R_2), q.R_2))
-            ],
-        )  # fmt: skip
-
-    return Pressed(
-        build, level, P=q.P, guess=q.guess, arc=q.R_1, softness=q.softness, cut="upper.middle"
-    )
-
-
-def second_order(key: str) -> Any:
-    """Interval of Hertz/FE - 1 for p_0 or a: the series, whose next terms count once.
-
-    These are the square of its terms, and the first-order one times a/R.
-    """
-
-    def interval(q: PairInputs, v: Values) -> tuple[float, float] | None:
-        e = v["Hertz a"] / q.smallest
-        m = 1 / (1 + v[f"excess {key}"]) - 1
-        return about(m, (v["coupled"] + e**2) ** 2 + v["coupled"] * e)
-
-    return interval
-
-
-def approach_bound(q: PairInputs, v: Values) -> tuple[float, float] | None:
-    """The brackets, 4 and more, change by about (a/R)^2 and by what the materials couple."""
-    return about(0.0, (v["Hertz a"] / q.smallest) ** 2 / 2 + v["coupled"])
-
-
-def shear_bound(q: PairInputs, v: Values) -> tuple[float, float] | None:
-    """Both first-order terms; (a/R)^2, of equal discs 0.57 of it, and the coupling count once."""
-    first = float(shear_excess(a=v["Hertz a"], R=q.R_1)) + tilted_shear_excess(v["kappa a"])
-    e = v["Hertz a"] / q.smallest
-    return about(1 / (1 + first) - 1, e**2 + v["coupled"], least=BLUNT)
-
-
+RATIO = 0.1  # of unlike rollers: Hertz's a over the smaller radius
+SOFT, NU = 1 / 3, 0.1  # the lower roller's modulus over the upper one's, and its Poisson's ratio
+WHERE = f"unlike, a/R = {RATIO:g}"
+SECOND = 1e-3, "well below the second order, 2.6e-3, which must show"
 SERIES = "derived series of two discs; its next terms count once, 3e-4 at least"
-
-CHECKS = (
-    Approximation(name="peak pressure, Hertz", symbol="p_0", unit="MPa", fem="p0",
-                  analytic="Hertz p0", formal=2, interval=second_order("p0"), source=SERIES),
-    Approximation(name="half-width, Hertz", symbol="a", unit="µm", fem="a", analytic="Hertz a",
-                  formal=2, interval=second_order("a"), source=SERIES),
-    Approximation(name="approach of the centres, Hertz", symbol="δ", unit="µm", fem="approach",
-                  analytic="Hertz approach", formal=2, interval=approach_bound,
-                  source="argued: (a/R)²/2 and the coupling of unlike materials, 3e-4 at least"),
-    Approximation(name="largest shear stress, Hertz", symbol="τ_max", unit="MPa", fem="shear",
-                  analytic="Hertz shear", formal=2, interval=shear_bound,
-                  source="derived: −0.693 a/R_1 of a flat, −0.093 κa of inclined pressure; (a/R)² "
-                  "and what unlike materials couple count once, 1e-3 at least"),
-    *UNLIKE,
-    hertz_profile(),
-    *BALANCES,
-)  # fmt: skip
-
-TWO_BODY_OUTPUTS = (
-    Output(key="R", symbol="R", unit="mm", what="relative radius", judged=False),
-    Output(key="E*", symbol="E*", unit="GPa", what="contact modulus", judged=False),
-    Output(key="Hertz p0", symbol="p_0", unit="MPa", what="peak pressure, Hertz"),
-    Output(key="Hertz a", symbol="a", unit="µm", what="half-width, Hertz"),
-    Output(key="Hertz shear", symbol="τ_max", unit="MPa", what="largest shear stress, Hertz"),
-    Output(key="Hertz depth", symbol="z", unit="µm", what="its depth, Hertz", judged=False),
+BOUNDED = "derived series of two discs; its next terms are bounded, 3e-4 at least"
+COUPLING = "argued: (a/R)²/2 and the coupling of unlike materials, 3e-4 at least"
+SHEAR = (
+    "derived: −0.693 a/R_1 of a flat, −0.093 κa of inclined pressure; (a/R)² and what unlike "
+    "materials couple count once, 1e-3 at least"
 )
 
 
-def all_warnings(q: Any, v: Values) -> Sequence[str]:
-    return warnings(q, v["Hertz a"], v["Hertz p0"], v["Hertz shear"])
+class TwoRollers(TwoBodies):
+    """A sprag's nose on the inner race, as two elastic rollers of different size.
 
+    What Hertz neglects here is derived to the second order in a/R, with the inclination of the
+    surface on which the bodies meet, and finite elements must fall on it.
+    """
 
-PAIR = Case(
-    id="contact-pair",
-    title="Two rollers with parallel axes",
-    paper="huang2018",
-    place="Eqs. 2-5, the line contact behind them (Hertz)",
-    lead="A sprag's nose on the inner race, as two elastic rollers of different size. What Hertz "
-    "neglects here is derived to the second order in a/R, with the inclination of the surface on "
-    "which the bodies meet, and finite elements must fall on it.",
-    inputs=PairInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=(2, 3, 4, 6),
-    scans=(Scan(vary=("F=300N,1000N,3407N,10000N,20000N", "R_2=4.02mm,11.11mm,50mm"), star=True),),
-    checks=CHECKS,
-    outputs=(
-        *TWO_BODY_OUTPUTS,
-        Output(
-            key="series p0",
-            symbol="p_0",
-            unit="MPa",
-            what="peak pressure, second order",
-            judged=False,
-        ),
-        Output(
-            key="series a", symbol="a", unit="µm", what="half-width, second order", judged=False
-        ),
-        Output(key="Hertz approach", symbol="δ", unit="µm", what="approach of the centres"),
-    ),
-    readings=(
+    id = "contact-pair"
+    title = "Two rollers with parallel axes"
+    source = "huang2018"
+    place = "Eqs. 2-5, the line contact behind them (Hertz)"
+    levels: ClassVar = (2, 3, 4, 6)
+    scans: ClassVar = (
+        Scan(vary=("F=300N,1000N,3407N,10000N,20000N", "R_2=4.02mm,11.11mm,50mm"), star=True),
+    )
+    readings: ClassVar = (
         "rollers are long: plane strain, E/(1 − ν²) of each",
         "R_1 and R_2 are radii, and their curvatures add up",
         "the approach is that of the centres, each roller being pressed from its far side, too",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the rollers left out",
         "each roller pressed from both sides: quarters whose cuts move as lines",
         "contact acts along the normal of the surface on which the deformed bodies meet",
         "meshes have a vertex where a coarse solution says that contact ends",
-    ),
-    warnings=all_warnings,
-    too_large=too_small,
-    equations=contact_line_shown.pair_equations,
-    sketch=contact_line_shown.pair_sketch,
-    figures=contact_line_shown.two_body_figures,
-    pictures=contact_line_shown.pictures,
-)
+    )
+
+    R_1: float = given(
+        "4.02 mm", "mm", "R_1", "radius of the upper roller", gt=0, le=1e5,
+        claims="huang2018:table1-r-i1",
+    )  # fmt: skip
+    R_2: float = given(
+        "11.11 mm", "mm", "R_2", "radius of the lower roller or convex race", gt=0, le=1e5,
+        claims="huang2018:table1-r-i",
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _load(self) -> Self:
+        if not 1e-3 <= self.R_1 / self.R_2 <= 1e3:
+            raise ValueError(
+                f"radii may differ by a factor of 1000, got R_1 = {self.R_1 * 1e3:g} mm, "
+                f"R_2 = {self.R_2 * 1e3:g} mm: take contact-flat"
+            )
+        self.check_load(f"R_1 = {self.R_1 * 1e3:g} mm, R_2 = {self.R_2 * 1e3:g} mm")
+        return self
+
+    @Quantity("R'", "mm", "relative radius", role="step", source="Hertz",
+              tex=r"\frac{1}{\frac{1}{R_1} + \frac{1}{R_2}}")  # fmt: skip
+    def radius(self) -> float:
+        return float(hertz_line.relative_radius(R_1=self.R_1, R_2=self.R_2))
+
+    @Quantity("δ", "µm", "approach of the centres, Hertz", source="Hertz, centre to centre",
+              tex=r"\frac{P (1 - \nu_1^2)}{\pi E_1} (2 \ln\left(\frac{4 R_1}{a}\right) - 1)"
+              r" + \frac{P (1 - \nu_2^2)}{\pi E_2} (2 \ln\left(\frac{4 R_2}{a}\right) - 1)",
+              )  # fmt: skip
+    def approach(self) -> float:
+        return sum(
+            float(
+                hertz_line_approach.approach_to_centre(
+                    P=self.P, a=self.a, R=R, E_plane=E / (1 - nu**2)
+                )
+            )
+            for R, E, nu in ((self.R_1, self.E_1, self.nu_1), (self.R_2, self.E_2, self.nu_2))
+        )
+
+    @Quantity("p_s", "MPa", "peak pressure, second order", source="series of two discs",
+              role="step")  # fmt: skip
+    def p_0_series(self) -> float:
+        return self.p_0 * (1 + self.excess["p_0"].total)
+
+    @Quantity("a_s", "µm", "half-width, second order", source="series of two discs", role="step")
+    def a_series(self) -> float:
+        return self.a * (1 + self.excess["a"].total)
+
+    @shared
+    def excess(self) -> dict[str, pair_series.Excess]:
+        """What the series adds to Hertz's pressure and half-width."""
+        p, w = pair_series.excess(**self.sizes, **self.materials, assumption="plane strain")
+        return {"p_0": p, "a": w}
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        """Half-width and radii as the series takes them."""
+        return {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
+
+    @property
+    def coupled(self) -> float:
+        """What unlike materials couple, of first order."""
+        return abs(self.excess["p_0"].first) + abs(self.excess["a"].first)
+
+    @property
+    def relative(self) -> float:
+        return self.radius
+
+    @property
+    def upper(self) -> float:
+        return self.R_1
+
+    @property
+    def curvature(self) -> float:
+        return 1 / self.R_1 + 1 / self.R_2
+
+    @property
+    def smallest(self) -> float:
+        return min(self.R_1, self.R_2)
+
+    @property
+    def smallest_name(self) -> str:
+        return "the upper roller's radius" if self.R_1 <= self.R_2 else "the lower roller's radius"
+
+    def unlike(self) -> Self:
+        """The same rollers, the lower one softer, under the load that makes a/R `RATIO`."""
+        soft = self.model_copy(update={"E_2": SOFT * self.E_1, "nu_2": NU})
+        P = math.pi / 4 * (RATIO * self.smallest) ** 2 * self.curvature / soft.softness
+        return soft.model_copy(update={"F": P * self.L})
+
+    def reference(self, level: int) -> Level:
+        """Quarters of both rollers, and of unlike ones."""
+        soft = {"_unlike": pair_fem(self.unlike(), level)}
+        return pair_fem(self, level).result(level, ("upper.axis", "upper.middle"), soft)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Hertz within the series of two discs, also of unlike rollers."""
+        by = TwoRollers
+        for q in (by.p_0, by.a):
+            yield approximation(q, order=2, expected=self.second_order(q))
+        close = (self.a / self.smallest) ** 2 / 2 + self.coupled  # of the brackets, 4 and more
+        yield approximation(by.approach, order=2, expected=expected(0.0, close, COUPLING))
+        yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
+        soft = self.unlike()
+        for q in (by.p_0, by.a):
+            yield approximation(
+                q, state=State(soft, "unlike", WHERE, displayed=False), name=at(q, WHERE),
+                order=2, expected=soft.bounded(q), sensitivity=SECOND,
+            )  # fmt: skip
+        yield self.near_hertz(self.pressure)
+        yield from self.balances()
+
+    def second_order(self, q: Quantity) -> Expected:
+        """The series, whose next terms count once.
+
+        These are the square of its terms, and the first-order one times a/R.
+        """
+        e = self.a / self.smallest
+        m = 1 / (1 + self.excess[q.name].total) - 1
+        return expected(m, (self.coupled + e**2) ** 2 + self.coupled * e, SERIES)
+
+    def bounded(self, q: Quantity) -> Expected:
+        """The series and what it leaves out."""
+        left_out = pair_series.left_out(**self.sizes, **self.materials, assumption="plane strain")
+        return expected(1 / (1 + self.excess[q.name].total) - 1, left_out, BOUNDED)
+
+    def neglected_shear(self) -> Expected:
+        """Both first-order terms; (a/R)^2 and the coupling count once.
+
+        Of equal discs it is 0.57 (a/R)^2.
+        """
+        kappa = pair_series.meeting_curvature(
+            R_1=self.R_1, R_2=self.R_2, **self.materials, assumption="plane strain"
+        )
+        first = float(shear_excess(a=self.a, R=self.R_1)) + tilted_shear_excess(kappa * self.a)
+        e = self.a / self.smallest
+        return expected(1 / (1 + first) - 1, e**2 + self.coupled, SHEAR, least=BLUNT)
+
+    def figures(self) -> Iterator[AlongLine | Drawn]:
+        """Pressure beside Hertz's, errors of Hertz, convergence."""
+        yield from figures.two_bodies(self)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Stresses about the contact."""
+        yield from figures.pictures(self.guess)
+
+    def sketch(self) -> Sketch:
+        """Both rollers to scale."""
+        return sketches.pair(self)
+
+
+PAIR = adapted(TwoRollers)

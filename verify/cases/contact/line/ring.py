@@ -1,205 +1,244 @@
 """A roller in a concave race whose rim is held: Hertz's line contact inside a ring."""
 
-from dataclasses import replace
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, ClassVar, Self
 
 import numpy as np
+from pydantic import model_validator
 
 from analytic.contact import clamped_race, hertz_line, hertz_line_approach
 from analytic.contact.disc_stress import shear_excess
-from analytic.contact.hertz_line_stress import largest_shear_stress, tilted_shear_excess
+from analytic.contact.hertz_line_stress import tilted_shear_excess
 from analytic.contact.pair_series import CATALAN, meeting_curvature
 from analytic.contact.partial_slip import dundurs_beta
-from verify.cases.contact.line import figures as contact_line_shown
-from verify.cases.contact.line.checks import BALANCES, about, hertz_profile
-from verify.cases.contact.line.fem import Pressed
-from verify.cases.contact.line.inputs import RaceInputs, too_small
-from verify.cases.contact.line.pair import BLUNT, TWO_BODY_OUTPUTS, all_warnings
-from verify.core.case import Case, FemResult, Output, Scan, Values
-from verify.judging.checks import Approximation
+from verify.case import (
+    AlongLine,
+    Comparison,
+    Drawn,
+    Expected,
+    Level,
+    Quantity,
+    Scan,
+    approximation,
+    given,
+)
+from verify.cases.contact.line import figures, sketches
+from verify.cases.contact.line.bodies import race_fem
+from verify.cases.contact.line.checks import BLUNT, expected
+from verify.cases.contact.line.inputs import TwoBodies
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
 
 THICKEST = 8.0  # r_o/r_i
 THINNEST = 0.08  # wall over r_i: the whole bore may touch, and half a minute goes by there
-
-
-def analytic(q: RaceInputs) -> Values:
-    R = float(hertz_line.relative_radius(R_1=q.R, R_2=-q.r_i))
-    E_star = float(hertz_line.contact_modulus(**q.materials, assumption="plane strain"))
-    a = float(hertz_line.half_width(P=q.P, R=R, E_star=E_star))
-    p_0 = float(hertz_line.peak_pressure(P=q.P, R=R, E_star=E_star))
-    shear, depth = largest_shear_stress(a=a, p_0=p_0)
-    roller = float(
-        hertz_line_approach.approach_to_centre(P=q.P, a=a, R=q.R, E_plane=q.E_1 / (1 - q.nu_1**2))
-    )
-    race = clamped_race.approach_to_rim(
-        P=q.P, a=a, r_i=q.r_i, r_o=q.r_o, E=q.E_2, nu=q.nu_2, assumption="plane strain"
-    )
-    beta = float(dundurs_beta(**q.materials, assumption="plane strain"))
-    kappa = meeting_curvature(R_1=q.R, R_2=-q.r_i, **q.materials, assumption="plane strain")
-    return {
-        "P": q.P, "P R": q.P * q.R, "R": R, "E*": E_star, "Hertz a": a, "Hertz p0": p_0,
-        "Hertz approach": roller + race, "roller": roller, "race": race,
-        "Hertz shear": float(shear), "Hertz depth": float(depth), "coupled": beta * kappa * a,
-        "kappa a": kappa * a,
-    }  # fmt: skip
-
-
-def fem(q: RaceInputs, level: int) -> FemResult:
-    from fem.contact.pairs import Pair
-    from fem.contact.problem import ContactProblem
-    from fem.contact.shapes import Circle
-    from fem.plane.material import Elastic
-    from meshes.contact.disc import quarter_disc
-    from meshes.contact.race import half_race
-    from meshes.join import join
-
-    def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
-        return ContactProblem(
-            join({"roller": quarter_disc(R=q.R, **fine),
-                  "race": half_race(r_i=q.r_i, r_o=q.r_o, **fine)}),
-            materials={"roller": Elastic(E=q.E_1, nu=q.nu_1), "race": Elastic(E=q.E_2, nu=q.nu_2)},
-            assumption="plane strain",
-            supports={"roller.axis": "x", "race.axis": "x",
-                      "roller.middle": "y", "race.rim": "xy"},
-            contacts=[
-                Pair(slave="roller.surface", master="race.bore",
-                     slave_shape=Circle((0.0, q.R), q.R),
-                     master_shape=Circle((0.0, q.r_i), q.r_i, hollow=True))
-            ],
-        )  # fmt: skip
-
-    contact = Pressed(
-        build, level, P=q.P, guess=q.guess, arc=q.R, softness=q.softness, cut="roller.middle"
-    )
-    return contact.result(level, ("roller.axis", "roller.middle"))
-
-
-def too_large(q: RaceInputs) -> str:
-    """Cells about the contact are carried far into a thick wall, and are coarse there.
-
-    In a thin wall they are no longer than it all around the bore, any part of which may touch:
-    the compliance of so many points takes minutes.
-    """
-    wall = q.r_o - q.r_i
-    if wall < THINNEST * q.r_i:
-        return (
-            f"a wall of {wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_i: finite elements as "
-            "short as that all around the bore take minutes, check it without --fem"
-        )
-    if q.r_o > THICKEST * q.r_i:
-        return (
-            f"r_o = {q.r_o / q.r_i:.3g} r_i is more than {THICKEST:g} r_i: finite elements are "
-            "not sharp in a block so large, check it without --fem"
-        )
-    return too_small(q)
-
-
-def small(q: RaceInputs, v: Values) -> float:
-    """(a/R)^2 + (a/wall)^2: what curvature and the held rim change, each counted once."""
-    a = v["Hertz a"]
-    return float((a / q.R) ** 2 + (a / (q.r_o - q.r_i)) ** 2)
-
-
-def bounded(first: float) -> Any:
-    """Interval of Hertz/FE - 1: `first` times beta kappa a, and `small` either way."""
-
-    def interval(q: RaceInputs, v: Values) -> tuple[float, float] | None:
-        coupled = v["coupled"]
-        m = 1 / (1 + first * coupled) - 1
-        return about(m, small(q, v) + abs(coupled) * v["Hertz a"] / q.smallest)
-
-    return interval
-
-
-def approach_bound(q: RaceInputs, v: Values) -> tuple[float, float] | None:
-    """Half of `small`, as the brackets are 2 and more, and all that the materials couple."""
-    return about(0.0, small(q, v) / 2 + abs(v["coupled"]))
-
-
-def shear_bound(q: RaceInputs, v: Values) -> tuple[float, float] | None:
-    """Both first-order terms; `small`, and what the materials couple, each counted once."""
-    first = float(shear_excess(a=v["Hertz a"], R=q.R)) + tilted_shear_excess(v["kappa a"])
-    return about(1 / (1 + first) - 1, small(q, v) + abs(v["coupled"]), least=BLUNT)
-
-
+PRESSURE, WIDTH = -(2 * CATALAN - 1 / 3) / np.pi, 64 / (45 * np.pi)  # of what materials couple
 BOUND = "argued: (a/R)² of the curvature and (a/wall)² of the held rim, each once"
+APPROACH = "argued: half of (a/R)² + (a/wall)², and what unlike materials couple"
+SHEAR = (
+    "derived: −0.693 a/R of a flat, −0.093 κa of inclined pressure; (a/R)², (a/wall)² and what "
+    "unlike materials couple count once, 1e-3 at least"
+)
 
-CHECKS = (
-    Approximation(name="peak pressure, Hertz", symbol="p_0", unit="MPa", fem="p0",
-                  analytic="Hertz p0", formal=2, interval=bounded(-(2 * CATALAN - 1 / 3) / np.pi),
-                  source=BOUND),
-    Approximation(name="half-width, Hertz", symbol="a", unit="µm", fem="a", analytic="Hertz a",
-                  formal=2, interval=bounded(64 / (45 * np.pi)), source=BOUND),
-    Approximation(name="approach of centre and rim", symbol="δ", unit="µm", fem="approach",
-                  analytic="Hertz approach", formal=2, interval=approach_bound,
-                  source="argued: half of (a/R)² + (a/wall)², and what unlike materials couple"),
-    Approximation(name="largest shear stress, Hertz", symbol="τ_max", unit="MPa", fem="shear",
-                  analytic="Hertz shear", formal=2, interval=shear_bound,
-                  source="derived: −0.693 a/R of a flat, −0.093 κa of inclined pressure; (a/R)², "
-                  "(a/wall)² and what unlike materials couple count once, 1e-3 at least"),
-    hertz_profile(),
-    *BALANCES,
-)  # fmt: skip
 
-RING = Case(
-    id="contact-ring",
-    title="Roller in a race",
-    paper="huang2018",
-    place="Eqs. 2-5, the line contact behind them (Hertz)",
-    lead="A roller of the sprag's radius in the outer race. The bore bends the same way as the "
-    "roller, which widens the contact, and the wall is some fifty half-widths thick; "
-    "how far centre and held rim approach is derived from the ring's own Fourier series.",
-    inputs=RaceInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=(2, 3, 4, 6),
-    scans=(
+class RollerInRace(TwoBodies):
+    """A roller of the sprag's radius in the outer race.
+
+    The bore bends the same way as the roller, which widens the contact, and the wall is some fifty
+    half-widths thick; how far centre and held rim approach is derived from the ring's own Fourier
+    series.
+    """
+
+    id = "contact-ring"
+    title = "Roller in a race"
+    source = "huang2018"
+    place = "Eqs. 2-5, the line contact behind them (Hertz)"
+    levels: ClassVar = (2, 3, 4, 6)
+    scans: ClassVar = (
         Scan(
             vary=("F=1000N,3407N,10000N,20000N", "r_i=8mm,12mm,19.44mm", "r_o=22mm,26.23mm,40mm"),
             star=True,
         ),
-    ),
-    checks=CHECKS,
-    outputs=(
-        *(replace(o, symbol="R'") if o.key == "R" else o for o in TWO_BODY_OUTPUTS),
-        Output(
-            key="Hertz approach",
-            symbol="δ",
-            unit="µm",
-            what="approach of the roller's centre and the rim",
-        ),
-        Output(
-            key="roller",
-            symbol="δ_1",
-            unit="µm",
-            what="part of the approach, in the roller",
-            judged=False,
-        ),
-        Output(
-            key="race",
-            symbol="δ_2",
-            unit="µm",
-            what="part of the approach, in the race",
-            judged=False,
-        ),
-    ),
-    readings=(
+    )
+    readings: ClassVar = (
         "rollers are long: plane strain, E/(1 − ν²) of each",
         "the bore's curvature is taken off the roller's: 1/R − 1/r_i, of radii",
         "the approach is that of the roller's centre and the race's rim, which is held all around",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "linear elasticity, no friction, ends of the roller left out",
         "the roller pressed from both sides: a quarter whose cut moves as a line",
         "one roller, the rim held all around in both directions: half a race",
         "contact acts along the normal of the surface on which the deformed bodies meet",
         "meshes have a vertex where a coarse solution says that contact ends",
-    ),
-    warnings=all_warnings,
-    too_large=too_large,
-    equations=contact_line_shown.ring_equations,
-    sketch=contact_line_shown.ring_sketch,
-    figures=contact_line_shown.two_body_figures,
-    pictures=contact_line_shown.pictures,
-)
+    )
+
+    R: float = given(
+        "4.02 mm", "mm", "R", "radius of the roller", gt=0, le=1e5, claims="huang2018:table1-r-i1"
+    )
+    r_i: float = given(
+        "19.44 mm", "mm", "r_i", "bore radius of the race", gt=0, le=1e5,
+        claims="huang2018:table1-r-e",
+    )  # fmt: skip
+    r_o: float = given(
+        "26.23 mm", "mm", "r_o", "outer radius of the race", gt=0, le=1e5,
+        claims="huang2018:table1-r-ed",
+    )  # fmt: skip
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.R / self.r_i > 0.9:
+            raise ValueError(
+                f"the roller must be smaller than 0.9 of the bore, got R = {self.R * 1e3:g} mm, "
+                f"r_i = {self.r_i * 1e3:g} mm: a closer fit is no line contact"
+            )
+        if not self.r_i < self.r_o:
+            raise ValueError(
+                f"a race needs r_i < r_o, got r_i = {self.r_i * 1e3:g} mm, "
+                f"r_o = {self.r_o * 1e3:g} mm"
+            )
+        self.check_load(f"R = {self.R * 1e3:g} mm and a wall of {self.wall * 1e3:g} mm")
+        return self
+
+    @Quantity("R'", "mm", "relative radius", role="step", source="Hertz",
+              tex=r"\frac{1}{\frac{1}{R} - \frac{1}{r_i}}")  # fmt: skip
+    def radius(self) -> float:
+        return float(hertz_line.relative_radius(R_1=self.R, R_2=-self.r_i))
+
+    @Quantity("δ_1", "µm", "part of the approach, in the roller", role="step", source="Hertz",
+              tex=r"\frac{P (1 - \nu_1^2)}{\pi E_1} (2 \ln\left(\frac{4 R}{a}\right) - 1)",
+              )  # fmt: skip
+    def in_roller(self) -> float:
+        E_plane = self.E_1 / (1 - self.nu_1**2)
+        sizes = {"P": self.P, "a": self.a, "R": self.R}
+        return float(hertz_line_approach.approach_to_centre(**sizes, E_plane=E_plane))
+
+    @Quantity("s", "1", "what a pressure cos nθ, which widens the bore by U_n cos nθ, adds up to",
+              role="step", source="Fourier series of the race",
+              tex=r"\frac{E_2' U_0}{4 r_i} + \sum_{n=1}^{\infty}"
+              r"\left(\frac{E_2' U_n}{2 r_i} - \frac{1}{n}\right)")  # fmt: skip
+    def s(self) -> float:
+        return clamped_race.rim_constant(**self.race, assumption="plane strain")
+
+    @Quantity("δ_2", "µm", "part of the approach, in the race", role="step",
+              source="Fourier series of the race",
+              tex=r"\frac{2 P (1 - \nu_2^2)}{\pi E_2}"
+              r" (\ln\left(\frac{2 r_i}{a}\right) + \frac{1}{2} + s)")  # fmt: skip
+    def in_race(self) -> float:
+        return clamped_race.approach_to_rim(
+            P=self.P, a=self.a, **self.race, E=self.E_2, assumption="plane strain"
+        )
+
+    @Quantity("δ", "µm", "approach of centre and rim",
+              source="centre of the roller to the held rim")  # fmt: skip
+    def approach(self) -> float:
+        return self.in_roller + self.in_race
+
+    @property
+    def race(self) -> dict[str, float]:
+        """Radii and Poisson's ratio of the race."""
+        return {"r_i": self.r_i, "r_o": self.r_o, "nu": self.nu_2}
+
+    @property
+    def relative(self) -> float:
+        return self.radius
+
+    @property
+    def upper(self) -> float:
+        return self.R
+
+    @property
+    def curvature(self) -> float:
+        return 1 / self.R - 1 / self.r_i
+
+    @property
+    def wall(self) -> float:
+        """Thickness of the race [m]."""
+        return self.r_o - self.r_i
+
+    @property
+    def smallest(self) -> float:
+        return min(self.R, self.wall)
+
+    @property
+    def smallest_name(self) -> str:
+        return "the roller's radius" if self.smallest == self.R else "the race's wall"
+
+    @property
+    def kappa(self) -> float:
+        """Curvature of the surface on which the bodies meet [1/m]."""
+        materials: dict[str, Any] = self.materials
+        return meeting_curvature(R_1=self.R, R_2=-self.r_i, **materials, assumption="plane strain")
+
+    @property
+    def coupled(self) -> float:
+        """What unlike materials couple, of first order."""
+        return (
+            float(dundurs_beta(**self.materials, assumption="plane strain")) * self.kappa * self.a
+        )
+
+    @property
+    def small(self) -> float:
+        """(a/R)^2 + (a/wall)^2: what curvature and the held rim change, each counted once."""
+        return float((self.a / self.R) ** 2 + (self.a / self.wall) ** 2)
+
+    def reference(self, level: int) -> Level:
+        """A quarter of the roller in half the race."""
+        return race_fem(self, level).result(level, ("roller.axis", "roller.middle"))
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Hertz within what curvature, rim and materials change."""
+        by = RollerInRace
+        yield approximation(by.p_0, order=2, expected=self.bounded(PRESSURE))
+        yield approximation(by.a, order=2, expected=self.bounded(WIDTH))
+        close = self.small / 2 + abs(
+            self.coupled
+        )  # half of `small`, as the brackets are 2 and more
+        yield approximation(by.approach, order=2, expected=expected(0.0, close, APPROACH))
+        yield approximation(by.tau_max, order=2, expected=self.neglected_shear())
+        yield self.near_hertz(self.pressure)
+        yield from self.balances()
+
+    def bounded(self, first: float) -> Expected:
+        """`first` times beta kappa a, and `small` either way."""
+        m = 1 / (1 + first * self.coupled) - 1
+        unknown = self.small + abs(self.coupled) * self.a / self.smallest
+        return expected(m, unknown, BOUND)
+
+    def neglected_shear(self) -> Expected:
+        """Both first-order terms; `small`, and what the materials couple, each counted once."""
+        first = float(shear_excess(a=self.a, R=self.R)) + tilted_shear_excess(self.kappa * self.a)
+        unknown = self.small + abs(self.coupled)
+        return expected(1 / (1 + first) - 1, unknown, SHEAR, least=BLUNT)
+
+    def figures(self) -> Iterator[AlongLine | Drawn]:
+        """Pressure beside Hertz's, errors of Hertz, convergence."""
+        yield from figures.two_bodies(self)
+
+    def pictures(self) -> Iterator[Picture]:
+        """Stresses about the contact."""
+        yield from figures.pictures(self.guess)
+
+    def sketch(self) -> Sketch:
+        """Roller and race to scale."""
+        return sketches.ring(self)
+
+    def refusal(self) -> str:
+        """Cells about the contact are carried far into a thick wall, and are coarse there.
+
+        In a thin wall they are no longer than it all around the bore, any part of which may touch:
+        the compliance of so many points takes minutes.
+        """
+        if self.wall < THINNEST * self.r_i:
+            return (
+                f"a wall of {self.wall * 1e3:.4g} mm is below {THINNEST:.0%} of r_i: finite "
+                "elements as short as that all around the bore take minutes, check it without --fem"
+            )
+        if self.r_o > THICKEST * self.r_i:
+            return (
+                f"r_o = {self.r_o / self.r_i:.3g} r_i is more than {THICKEST:g} r_i: finite "
+                "elements are not sharp in a block so large, check it without --fem"
+            )
+        return super().refusal()
+
+
+RING = adapted(RollerInRace)

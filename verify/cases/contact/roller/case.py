@@ -90,7 +90,7 @@ def plane_at_middle(q: CrownedInputs, level: int) -> dict[str, float]:
     """A disc of the relative radius on a rigid flat, plane strain, under the strips' load there."""
     from analytic.contact.crown import slice_centres
     from analytic.contact.strips import press
-    from verify.cases.contact.line.flat import disc_fem
+    from verify.cases.contact.line.bodies import disc_fem
     from verify.cases.contact.line.inputs import FlatInputs
 
     gap = q.gap(slice_centres(length=q.L, slices=q.n))

@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from verify.cases.contact.line.flat import FLAT, disc_fem
-from verify.cases.contact.line.pair import PAIR, pair_fem
+from verify.cases.contact.line.bodies import disc_fem, pair_fem
+from verify.cases.contact.line.flat import FLAT
+from verify.cases.contact.line.pair import PAIR
 from verify.cases.contact.press_fit.case import PressFit
 from verify.cases.contact.press_fit.inputs import FITS, Fit
 from verify.cases.contact.press_fit.reference import read, solve_fit
@@ -27,7 +28,7 @@ from verify.studies.crosscheck.comparisons.touching import (
 from verify.studies.crosscheck.statement import CALCULIX, Cross, Numbers, Posed, Quantity
 
 if TYPE_CHECKING:
-    from verify.cases.contact.line.fem import Pressed
+    from verify.cases.contact.line.reference import Pressed
 
 STIFF, SOFTER = 500.0, 100.0  # slopes of the penalty [E/a], without friction and with it
 LEVEL = 3

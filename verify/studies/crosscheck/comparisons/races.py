@@ -1,11 +1,9 @@
 """A roller in a race whose rim is held, beside calculix."""
 
-from typing import Any
-
 import numpy as np
 
-from verify.cases.contact.line.fem import Pressed
-from verify.cases.contact.line.ring import RING
+from verify.cases.contact.line.bodies import race_fem
+from verify.cases.contact.line.ring import RollerInRace
 from verify.studies.crosscheck.clock import timed
 from verify.studies.crosscheck.comparisons.touching import (
     CONTACT,
@@ -23,36 +21,12 @@ LOAD = "load at the same approach"
 
 def race() -> Posed:
     """A quarter of the roller and half the race, pushed together as far as the load did."""
-    from fem.contact.pairs import Pair
-    from fem.contact.problem import ContactProblem
-    from fem.contact.shapes import Circle
     from fem.plane.material import Elastic
-    from meshes.contact.disc import quarter_disc
-    from meshes.contact.race import half_race
-    from meshes.join import join
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q: Any = RING.inputs()
+    q = RollerInRace()
     steel = {"roller": Elastic(E=q.E_1, nu=q.nu_1), "race": Elastic(E=q.E_2, nu=q.nu_2)}
-
-    def build(zone: float, cells: int, refine: int) -> ContactProblem:
-        fine: dict[str, Any] = {"zone": zone, "cells": cells, "refine": refine}
-        return ContactProblem(
-            join({"roller": quarter_disc(R=q.R, **fine),
-                  "race": half_race(r_i=q.r_i, r_o=q.r_o, **fine)}),
-            materials=steel, assumption="plane strain",
-            supports={"roller.axis": "x", "race.axis": "x",
-                      "roller.middle": "y", "race.rim": "xy"},
-            contacts=[
-                Pair(slave="roller.surface", master="race.bore",
-                     slave_shape=Circle((0.0, q.R), q.R),
-                     master_shape=Circle((0.0, q.r_i), q.r_i, hollow=True))
-            ],
-        )  # fmt: skip
-
-    found = Pressed(
-        build, LEVEL, P=q.P, guess=q.guess, arc=q.R, softness=q.softness, cut="roller.middle"
-    )
+    found = race_fem(q, LEVEL)
     state, seconds = timed(
         lambda: found.problem.solve(displacements={found.cut: {"y": -found.approach}})
     )

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.case import Level
 from verify.cases.contact.errors import fem_errors
-from verify.core.case import FemResult
+from verify.cases.contact.window import cut
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -29,7 +30,9 @@ SOLVED = 1e-10  # of a value: what follows smoothly from a load met within HIT, 
 PLACES = 8.0  # of the pressure by which places of nodes, rounded in double precision, move a peak
 INTEGRAL = 0.02  # of that, over the peak, which is left in integrals of the pressure
 AXIS = np.linspace(0.5, 1.25, 301)  # depths over a at which stresses are taken
-VIEW = 4.0  # half-widths about the contact whose cells are shown
+VIEW = 4.0  # half-widths about the contact whose cells are displayed
+# x/a of the profile; the slope at the edge is infinite, and the last coarse cell errs most
+STATIONS = np.linspace(0.0, 0.85, 18)
 
 Build = Callable[[float, int, int], "ContactProblem"]
 
@@ -48,7 +51,7 @@ class Pressed:
         A coarse solution says where the contact ends; the meshes have a vertex there, so that
         the levels differ in nothing but their size.
         """
-        self.P, self.cut = P, cut
+        self.P, self.guess, self.cut = P, guess, cut
         self.start, self.softness, self.level = P * softness, softness, level
         self.problem = build(ZONE * guess, CELLS, COARSE)
         self.solution, self.approach = self._under_load()
@@ -81,7 +84,7 @@ class Pressed:
 
     def values(self) -> dict[str, float]:
         """Peak pressure, half-width and approach in SI units."""
-        return {"p0": self.peak, "a": self.half_width, "approach": self.approach}
+        return {"p_0": self.peak, "a": self.half_width, "approach": self.approach}
 
     def rounding(self, key: str, value: float) -> float:
         """Round-off of one of the values [its unit].
@@ -92,7 +95,7 @@ class Pressed:
         largest = float(abs(self.solution.plane.basis.mesh.p).max())
         cell = ZONE * self.a / (CELLS * self.level)
         pressure = PLACES * largest * float(np.finfo(float).eps) / (cell * self.softness)
-        share = 1.0 if key == "p0" else INTEGRAL
+        share = 1.0 if key == "p_0" else INTEGRAL
         return (SOLVED + share * pressure / self.peak) * abs(value)
 
     def balance(self, supports: tuple[str, ...]) -> dict[str, float]:
@@ -101,8 +104,8 @@ class Pressed:
         x, y, moment = np.sum([plane.reaction(name) for name in supports], axis=0)
         force = touch.force  # on the master; the pushed body is the slave
         return {
-            "balance x": x - force[0],
-            "balance y": y - force[1],
+            "balance_x": x - force[0],
+            "balance_y": y - force[1],
             "moment": moment + touch.moment(on="slave"),
         }
 
@@ -122,10 +125,10 @@ class Pressed:
 
     def result(
         self, level: int, supports: tuple[str, ...], others: "Mapping[str, Pressed] | None" = None
-    ) -> FemResult:
+    ) -> Level:
         """All of it, with the values of `others` by what follows their names, and profiles."""
         shear, depth = self.shear()
-        values = self.values() | self.balance(supports) | {"shear": shear, "depth": depth}
+        values = self.values() | self.balance(supports) | {"tau_max": shear, "z": depth}
         u_it = {key: self.rounding(key, value) for key, value in values.items()}
         for where, other in (others or {}).items():
             for key, value in other.values().items():
@@ -134,28 +137,24 @@ class Pressed:
         x, _ = self.load
         order = np.argsort(x)
         arrays = {"x": x[order], "p": self.touch.p[order], "weight": self.touch.weight[order]}
-        vertices = np.argsort(self.touch.x[0])
-        arrays |= {"x at vertices": self.touch.x[0, vertices]}
-        arrays |= {"p at vertices": self.touch.pressure[vertices]}
-        return FemResult(
-            h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(self._field(),)
-        )
+        nodes = np.argsort(self.touch.x[0])
+        at = STATIONS * self.guess
+        profile = np.interp(at, self.touch.x[0, nodes], self.touch.pressure[nodes])
+        arrays |= {"profile": profile}
+        return Level(h=1 / level, values=values, u_it=u_it, arrays=arrays, fields=(self._field(),))
 
     def _field(self) -> Field:
         """Cells near the contact with their largest shear stress over the peak pressure."""
-        cells = self.solution.plane.cells()
-        corners = cells["cells"].astype(np.int64)
-        near = np.abs(cells["points"][corners].mean(axis=1)).max(axis=1) < VIEW * self.a
-        used, corners = np.unique(corners[near], return_inverse=True)
-        xx, yy, xy, _ = cells["stress"][near].T
+        cells, _ = cut(
+            self.solution.plane.cells(),
+            lambda centre: np.asarray(np.abs(centre).max(axis=1) < VIEW * self.a),
+        )
+        xx, yy, xy, _ = cells["stress"].T
+        shear = np.hypot((xx - yy) / 2, xy) / self.peak
         return Field(
-            name="contact", points=cells["points"][used],
-            cells=corners.reshape(near.sum(), -1).astype(np.int64),
-            point_data={"displacement": cells["displacement"][used]},
-            cell_data={
-                "shear": np.hypot((xx - yy) / 2, xy) / self.peak,
-                "von_mises": cells["von_mises"][near],
-            },
+            name="contact", points=cells["points"], cells=cells["cells"].astype(np.int64),
+            point_data={"displacement": cells["displacement"]},
+            cell_data={"shear": shear, "von_mises": cells["von_mises"]},
             units={"displacement": "m", "shear": "1", "von_mises": "Pa"},
         )  # fmt: skip
 

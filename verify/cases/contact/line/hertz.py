@@ -1,0 +1,173 @@
+"""Hertz's line contact: what a roller on a flat, on another roller and in a race share."""
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any, ClassVar, Self
+
+from analytic.contact import hertz_line, hertz_line_stress
+from verify.case import Case, Comparison, Quantity, balance, given
+from verify.cases.contact.line.checks import PROFILE, NearHertz, l2_errors
+from verify.core.case import Context
+from verify.core.figures import Array
+
+NARROWEST = 1e-4  # and down to which round-off leaves them sharp
+WIDEST = 0.3  # a over the smallest radius up to which finite elements follow
+STATIC_RATING = 4.0e9  # Pa, ISO 76: pressure of roller bearings at their static load rating
+HERTZ = "Hertz; behind Eqs. 2-5"
+ROUND = "direct solve; the load is met within 1e-12 of itself"
+
+
+class LineContact(Case):
+    """The load along a length; long bodies, so plane strain."""
+
+    F: float = given("3407 N", "N", "F", "normal load", gt=0, le=1e9)
+    L: float = given("9 mm", "mm", "L", "length of the contact", gt=0, le=1e4)
+    R_p: float | None = given(
+        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        example="2000 MPa",
+    )  # fmt: skip
+
+    line_load: ClassVar[float | None] = None  # [N/m], in place of F/L
+
+    @Quantity("P", "N/mm", "load per length", role="geometry", tex=r"\frac{F}{L}")
+    def P(self) -> float:
+        return self.F / self.L if self.line_load is None else self.line_load
+
+    @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz")
+    def E_star(self) -> float:
+        raise NotImplementedError
+
+    @Quantity("a", "µm", "half-width, Hertz", source=HERTZ,
+              tex=r"\sqrt{\frac{4 P R}{\pi E*}}")  # fmt: skip
+    def a(self) -> float:
+        return float(hertz_line.half_width(P=self.P, R=self.relative, E_star=self.E_star))
+
+    @Quantity("p_0", "MPa", "peak pressure, Hertz", source=HERTZ, safe="too high",
+              tex=r"\frac{2 P}{\pi a}")  # fmt: skip
+    def p_0(self) -> float:
+        return float(hertz_line.peak_pressure(P=self.P, R=self.relative, E_star=self.E_star))
+
+    @Quantity("z", "µm", "depth of the largest shear stress, Hertz", source="Hertz: 0.786 a",
+              role="step", tex=r"\frac{a}{\sqrt{\frac{1 + \sqrt{5}}{2}}}")  # fmt: skip
+    def z(self) -> float:
+        return float(hertz_line_stress.largest_shear_stress(a=self.a, p_0=self.p_0)[1])
+
+    @Quantity("τ_max", "MPa", "largest shear stress, Hertz", source="Hertz: 0.300 p_0",
+              safe="too high",
+              tex=r"p_0 \left(\frac{z}{a} - \frac{z^2}{a \sqrt{a^2 + z^2}}\right)")  # fmt: skip
+    def tau_max(self) -> float:
+        return float(hertz_line_stress.largest_shear_stress(a=self.a, p_0=self.p_0)[0])
+
+    @property
+    def relative(self) -> float:
+        """Relative radius of the surfaces [m], as Hertz takes it."""
+        raise NotImplementedError
+
+    @property
+    def upper(self) -> float:
+        """Radius of the upper roller [m]."""
+        raise NotImplementedError
+
+    @property
+    def curvature(self) -> float:
+        """Relative curvature of the surfaces [1/m]."""
+        raise NotImplementedError
+
+    @property
+    def softness(self) -> float:
+        """Sum of (1 - nu^2)/E of the bodies [1/Pa]."""
+        raise NotImplementedError
+
+    @property
+    def smallest(self) -> float:
+        """The length that a is to be small against [m]."""
+        raise NotImplementedError
+
+    @property
+    def smallest_name(self) -> str:
+        """What that length is."""
+        return "the roller's radius"
+
+    @property
+    def guess(self) -> float:
+        """About the half-width [m]: the size of the finest cells, which decides no result."""
+        return math.sqrt(4 * self.P * self.softness / (math.pi * self.curvature))
+
+    def under(self, P: float) -> Self:
+        """The same bodies under another load per length [N/m]."""
+        return self.model_copy(update={"line_load": P})
+
+    def check_load(self, sizes: str) -> None:
+        """ValueError where the contact would be as wide as the bodies."""
+        if self.guess > WIDEST * self.smallest:
+            raise ValueError(
+                f"F = {self.F:g} N on L = {self.L * 1e3:g} mm flattens a = {self.guess * 1e3:.3g} "
+                f"mm, more than {WIDEST:g} of the bodies ({sizes}): no line contact"
+            )
+
+    def pressure(self, x: Any) -> Array:
+        """Hertz's pressure at x [Pa]."""
+        return hertz_line.pressure(x, a=self.a, p_0=self.p_0)
+
+    def near_hertz(self, pressure: Callable[[Any], Array]) -> Comparison:
+        """The reference's pressure profile is `pressure` within the acceptance figure."""
+
+        def margin(context: Context) -> tuple[float, float]:
+            errors = l2_errors(pressure)(context)
+            return PROFILE - errors[-1], abs(errors[-1] - errors[-2])
+
+        name = f"pressure profile within {PROFILE:.0%} of Hertz's in L2"
+        check = NearHertz(name=name, symbol="e_2", unit="1", margin=margin)
+        return Comparison(check=check, quantity=type(self).p_0)
+
+    def balances(self) -> Iterator[Comparison]:
+        """Forces and moment on the upper roller."""
+        force, moment = {"P": self.P}, {"P R": self.P * self.upper}
+        for name, key, symbol, unit, scale in (
+            ("forces across", "balance_x", "ΣF_x", "N/mm", force),
+            ("forces along the load", "balance_y", "ΣF_y", "N/mm", force),
+            ("moments", "moment", "ΣM", "N", moment),
+        ):
+            yield balance(key, f"balance of {name}", symbol, unit, of=scale, bound=1e-8,
+                          because=ROUND)  # fmt: skip
+
+    def refusal(self) -> str:
+        """Contacts so narrow lose too many digits among the displacements of their bodies."""
+        ratio = self.guess / self.smallest
+        if ratio >= NARROWEST:
+            return ""
+        return (
+            f"a = {self.guess * 1e3:.3g} mm is {ratio:.1g} of the bodies, less than "
+            f"{NARROWEST:g}: finite elements lose too many digits there, check it without --fem"
+        )
+
+    def warnings(self) -> Iterator[str]:
+        """What an engineer should know before trusting Hertz's formulas."""
+        ratio = self.a / self.smallest
+        if ratio > 0.05:
+            yield (
+                f"a = {self.a * 1e3:.4g} mm is {ratio:.1%} of the smallest body, "
+                f"{self.smallest_name} of {self.smallest * 1e3:.4g} mm: Hertz takes it for a half "
+                "plane, which it hardly is"
+            )
+        if self.R_p is not None and 2 * self.tau_max > self.R_p:
+            yield (
+                f"Tresca stress 2 τ_max = {2 * self.tau_max / 1e6:.4g} MPa below the surface "
+                f"exceeds R_p = {self.shown('R_p')}: the roller yields and Hertz no longer holds"
+            )
+        if self.R_p is None and self.p_0 > STATIC_RATING:
+            yield (
+                f"p_0 = {self.shown('p_0')} is beyond 4000 MPa, the static rating of hardened "
+                "rollers (ISO 76): expect lasting dents; give R_p"
+            )
+        if self.a > self.L / 10:
+            yield (
+                f"L = {self.shown('L')} is only {self.L / self.a:.3g} times a: no line contact, "
+                "the ends carry their share differently"
+            )
+
+
+def at(q: Quantity, where: str) -> str:
+    """The name of a row elsewhere: "half-width, Hertz" is "half-width, a/R = 0.15, Hertz"."""
+    name, theory = q.what.rsplit(", ", 1)
+    return f"{name}, {where}, {theory}" if where else q.what
