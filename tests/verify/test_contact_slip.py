@@ -11,10 +11,9 @@ from analytic.contact import checks, hertz_line, partial_slip, tangential_cycle
 from fem.contact import active_sets, bodies, interface, solution
 from fem.contact.friction_lcp import FrictionLcp
 from fem.plane.material import Elastic
-from verify.cases.contact.slip import fem as contact_slip_fem
-from verify.cases.contact.slip.case import SLIP, analytic, too_large
+from verify.cases.contact.slip import reference
+from verify.cases.contact.slip.case import SLIP, SlippingRollers
 from verify.cases.contact.slip.claims import HALF_PLANES, neglected
-from verify.cases.contact.slip.inputs import SlipInputs
 from verify.cases.contact.slip.read import AROUND, around, at_nodes, simpson, smoothed, stick_share
 from verify.core.case import Context
 from verify.core.results import Kind, Status
@@ -113,7 +112,7 @@ def test_a_loop_is_shown_beyond_the_line_between_its_reversals():
 
 # Inputs.
 def test_the_default_is_a_contact_of_a_hundredth_of_the_radius():
-    q = SlipInputs()
+    q = SlippingRollers()
     # a = sqrt(4 P (R/2) / (pi E*)), E* = 206 GPa / (2 * 0.91)
     assert q.a / mm == pytest.approx(np.sqrt(2 * 70 * 4.02 / (np.pi * 206e3 / 1.82)), rel=1e-12)
     assert q.a / q.R == pytest.approx(0.01, rel=0.02)
@@ -124,14 +123,16 @@ def test_a_contact_wider_than_the_rollers_bear_is_refused_in_one_line():
     with pytest.raises(
         ValueError, match=r"a/R of at most 0.3, got a/R = 0\.3\d+ with P = 80000 N/mm"
     ):
-        SlipInputs(P=8e7)
+        SlippingRollers(P=8e7)
 
 
 def test_amplitudes_that_the_meshes_do_not_resolve_are_left_to_the_formulas():
-    assert not too_large(SlipInputs(share=0.5)) + too_large(SlipInputs(share=0.9))
+    assert not SLIP.too_large(SlippingRollers(share=0.5)) + SLIP.too_large(
+        SlippingRollers(share=0.9)
+    )
     for share in (0.49, 0.91):
-        assert "check it without --fem" in too_large(SlipInputs(share=share))
-        assert analytic(SlipInputs(share=share))["energy"] > 0
+        assert "check it without --fem" in SLIP.too_large(SlippingRollers(share=share))
+        assert SlippingRollers(share=share).W > 0
 
 
 @pytest.mark.parametrize(
@@ -144,9 +145,9 @@ def test_amplitudes_that_the_meshes_do_not_resolve_are_left_to_the_formulas():
     ],
 )
 def test_inputs_beyond_the_range_of_the_formulas_are_warned_of(change, word):
-    q = SlipInputs(**change)
-    assert word in " ".join(SLIP.warnings(q, analytic(q)))
-    assert not SLIP.warnings(SlipInputs(), analytic(SlipInputs()))
+    q = SlippingRollers(**change)
+    assert word in " ".join(SLIP.warnings(q, SLIP.analytic(q)))
+    assert not SLIP.warnings(SlippingRollers(), SLIP.analytic(SlippingRollers()))
 
 
 # Judging.
@@ -156,13 +157,11 @@ def test_no_row_is_red_on_the_paper_s_inputs(judged, red):
 
 @pytest.mark.parametrize(("a_over_R", "status"), [(0.03, "interval"), (0.15, "measured")])
 def test_wide_contacts_are_judged_as_approximations(a_over_R, status):
-    q = SlipInputs(P=SlipInputs().P * (a_over_R / 0.0099) ** 2)
+    q = SlippingRollers(P=SlippingRollers().P * (a_over_R / 0.0099) ** 2)
     (check,) = [c for c in SLIP.checks if c.name == "cycle: energy lost, work of friction"]
-    exact = analytic(q)["energy"] * (1 + 1.3 * a_over_R**2)  # what discs were found to lose
-    fem = [
-        SimpleNamespace(h=h, values={"friction's work": exact}, u_it={}) for h in (1.0, 0.5, 0.25)
-    ]
-    row, _ = check.rows(Context("contact-slip", q, analytic(q), fem, is_paper=False))
+    exact = q.W * (1 + 1.3 * a_over_R**2)  # what discs were found to lose
+    fem = [SimpleNamespace(h=h, values={"work": exact}, u_it={}) for h in (1.0, 0.5, 0.25)]
+    row, _ = check.rows(Context("contact-slip", q, SLIP.analytic(q), fem, is_paper=False))
     assert row.kind is Kind.APPROXIMATION
     assert (row.interval is not None) == (status == "interval")
     assert row.status is (Status.PASS if status == "interval" else Status.SHOWN)
@@ -230,7 +229,7 @@ FEM_FAULTS = [
     pytest.param(solution.ContactSolution, "slips", lambda _: property(lambda self: 0 * self.w[
         self.interface.gaps.size:]), "cycle: both energies agree within 0.1 %",
                  id="slip of earlier steps forgotten"),
-    pytest.param(contact_slip_fem, "stick_share", lambda f: lambda touch: f(touch) + 0.004,
+    pytest.param(reference, "stick_share", lambda f: lambda touch: f(touch) + 0.004,
                  "stick half-width, Q/(μP) = 0.8", id="moments read wrongly"),
 ]  # fmt: skip
 

@@ -28,7 +28,7 @@ def sphere(q: Any, v: Values, part: Assessment) -> None:
 
 def slip(q: Any, v: Values, part: Assessment) -> None:
     """Hertz's pressure of the roller that carries an alternating tangential force."""
-    p = v["peak pressure"]
+    p = v["p_0"]
     part.pressure("contact_pressure", "Hertzian pressure", p, q.E, option=OTHER)
 
 

@@ -61,7 +61,7 @@ RULES: Mapping[str, Rule] = {
     "contact-flat": Rule("p_0", contacts.line),
     "contact-pair": Rule("p_0", contacts.line),
     "contact-ring": Rule("p_0", contacts.line),
-    "contact-slip": Rule("stick at Q_max", contacts.slip),
+    "contact-slip": Rule("c", contacts.slip),
     "contact-sphere": Rule("p_0_flat", contacts.sphere),
     "contact-press-fit": Rule("p", rings.pressed_together),
     "contact-roller": Rule("strips peak", contacts.roller),

@@ -1,174 +1,64 @@
 """Partial slip of two equal rollers (Cattaneo) and the cycle of a swinging force (Mindlin)."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, ClassVar
 
-from analytic.contact import hertz_line, partial_slip, tangential_cycle
-from verify.cases.contact.slip import figures as contact_slip_shown
+from verify.case import (
+    AlongLine,
+    Comparison,
+    Drawn,
+    Level,
+    Quantity,
+    Scan,
+    State,
+    balance,
+    fact,
+)
+from verify.cases.contact.slip import figures
 from verify.cases.contact.slip.claims import (
     AGREE,
     HALF_PLANES,
     HalfPlanes,
     Traction,
-    cycle_traction,
-    first_traction,
     l2_margin,
     neglected,
     step_order,
     two_ways,
 )
-from verify.cases.contact.slip.fem import SHARES, STAGES, fem
-from verify.cases.contact.slip.inputs import SlipInputs
-from verify.core.case import Case, Output, Scan, Values
-from verify.judging.checks import Exact, Fact
+from verify.cases.contact.slip.formulas import SlipFormulas
+from verify.cases.contact.slip.inputs import SHARES, STAGES, key
+from verify.cases.contact.slip.reference import solve
+from verify.core.figures import Picture, Sketch
+from verify.form.adapter import adapted
 from verify.judging.tolerance_checks import Agreement, suites
 
 FE_SHARES = (0.5, 0.9)  # amplitudes whose slip strips the meshes resolve
 SECANT = "loads are met within 1e-12 of P, and states within 1e-11"
-
-
-def analytic(q: SlipInputs) -> Values:
-    limit, moved = q.mu * q.P, {**q.loads, "E_star": q.E_star}
-    Q_max = q.share * limit
-    relative = float(hertz_line.relative_radius(R_1=q.R, R_2=q.R))
-    values: dict[str, Any] = {
-        "half-width": q.a,
-        "peak pressure": hertz_line.peak_pressure(P=q.P, R=relative, E_star=q.E_star),
-        "load": q.P, "limit": limit, "amplitude": Q_max, "couple": q.P * q.R,
-        "stick at Q_max": partial_slip.stick_half_width(Q=Q_max, a=q.a, **q.loads),
-        "beyond stick": partial_slip.rigid_displacement_beyond_stick(Q=Q_max, **moved),
-        "left at Q = 0": tangential_cycle.rigid_displacement_beyond_stick(
-            Q=0.0, Q_max=Q_max, branch="unloading", **moved
-        ),
-        "energy": tangential_cycle.dissipation(Q_max=Q_max, **moved),
-    }  # fmt: skip
-    beyond = {k: partial_slip.rigid_displacement_beyond_stick(Q=k * limit, **moved) for k in SHARES}
-    for k in SHARES:
-        values[f"stick, k = {k:g}"] = partial_slip.stick_half_width(Q=k * limit, a=q.a, **q.loads)
-        values[f"beyond chord, k = {k:g}"] = beyond[k] - k / SHARES[-1] * beyond[SHARES[-1]]
-    return {key: float(value) for key, value in values.items()}
-
-
-def warnings(q: SlipInputs, v: Values) -> Sequence[str]:
-    found: list[str] = []
-    if neglected(q) > HALF_PLANES * 10:
-        found.append(
-            f"a/R = {q.a / q.R:.3g}: the rollers are no half planes, the formulas miss up to "
-            f"{neglected(q):.1%}"
-        )
-    if q.hardness is not None and v["peak pressure"] > q.hardness:
-        found.append(
-            f"p_0 = {v['peak pressure'] / 1e6:.4g} MPa exceeds p_lim = {q.hardness / 1e6:.4g} MPa: "
-            "the surfaces yield, contact and slip strips grow"
-        )
-    if q.hardness is None and v["peak pressure"] > 0.02 * q.E:
-        found.append(
-            f"p_0 = {v['peak pressure'] / 1e6:.4g} MPa is {v['peak pressure'] / q.E:.1%} of E: "
-            "most steels yield before; give p_lim"
-        )
-    if q.mu > 0.5:
-        found.append(
-            f"μ = {q.mu:g}: friction this high brings the largest shear stress to the surface, "
-            "and yielding there before sliding"
-        )
-    return found
-
-
-def too_large(q: SlipInputs) -> str:
-    low, high = FE_SHARES
-    if low <= q.share <= high:
-        return ""
-    return (
-        f"Q/(μP) = {q.share:g}: the meshes resolve slip and stick of amplitudes from {low:g} to "
-        f"{high:g}; check it without --fem"
-    )
-
-
-def half_planes(name: str, symbol: str, unit: str, key: str, **more: Any) -> HalfPlanes:
-    keys: dict[str, Any] = {"fem": key, "analytic": key, "formal": 1} | more
-    return HalfPlanes(name=name, symbol=symbol, unit=unit, **keys)
-
-
+SLIDING = "every node at its limit of friction, to round-off"
 STICK: dict[str, Any] = {"demand": 2e-3, "demand_reason": "the stick zone is known to 0.2 %"}
-CHECKS = (
-    *(
-        half_planes(f"stick half-width, Q/(μP) = {k:g}", "c", "µm", f"stick, k = {k:g}", **STICK)
-        for k in SHARES
-    ),
-    half_planes("stick half-width at Q_max", "c", "µm", "stick at Q_max", **STICK),
-    *(
-        Traction(name=f"traction within 3 % in L2, Q/(μP) = {k:g}", symbol="q", unit="1",
-                 margin=l2_margin(f"k = {k:g}", first_traction, k, k))
-        for k in SHARES
-    ),
-    *(
-        half_planes(f"displacement beyond the chord, Q/(μP) = {k:g}", "δ − δ_c", "nm",
-                    f"beyond chord, k = {k:g}")
-        for k in SHARES[:-1]
-    ),
-    *(
-        Traction(name=f"cycle: traction within 3 % in L2, Q/Q_max = {s:g}", symbol="q", unit="1",
-                 margin=l2_margin(f"Q/Q_max = {s:g}", cycle_traction, s, 1.0))
-        for s in STAGES
-    ),
-    half_planes("cycle: displacement left at Q = 0", "δ(0)", "nm", "left at Q = 0"),
-    half_planes("cycle: energy lost, work of friction", "W", "µJ/m", "friction's work",
-                analytic="energy"),
-    half_planes("cycle: energy lost, area of the loop", "∮Q dδ", "µJ/m", "loop's area",
-                analytic="energy"),
-    Agreement(name="cycle: both energies agree within 0.1 %", symbol="W", unit="J/m",
-              pair=two_ways, accepted=AGREE,
-              source=suites("two sums over one solution"), by="friction's work", everywhere=True),
-    Fact(name="cycle: order of the loop's area in its steps above 1.8", symbol="p", unit="1",
-         margin=step_order),
-    Exact(name="cycle: one step or many", symbol="Δq", unit="MPa", fem="steps",
-          scale="peak pressure", bound=1e-9, bound_reason=SECANT),
-    Exact(name="cycle: closes", symbol="Δq", unit="MPa", fem="closure", scale="peak pressure",
-          bound=1e-9, bound_reason=SECANT),
-    Exact(name="sliding: Q = μP", symbol="Q − μP", unit="N/mm", fem="sliding force", scale="limit",
-          bound=1e-10, bound_reason="every node at its limit of friction, to round-off"),
-    Exact(name="balance of both cuts", symbol="ΣF", unit="N/mm", fem="balance of cuts",
-          scale="load", bound=1e-9, bound_reason=SECANT),
-    Exact(name="balance of cut and contact", symbol="ΣF", unit="N/mm", fem="passed on",
-          scale="load", bound=1e-9, bound_reason=SECANT),
-    Exact(name="balance of moments, cut and contact", symbol="ΣM", unit="N", fem="moment",
-          scale="couple", bound=1e-9, bound_reason=SECANT),
-)  # fmt: skip
+SHARED = "friction law of Coulomb"
 
-SLIP = Case(
-    id="contact-slip",
-    title="Partial slip and the cycle of a swinging force",
-    paper="huang2018",
-    place="Eqs. 11-14, what lies between stick and slip",
-    lead="Before a sprag slides, its contact slips at the edges and sticks in the middle. Cattaneo "
-    "and Mindlin say where, how far, and what a cycle costs; two elastic rollers pressed together "
-    "and pushed sideways say whether that holds.",
-    inputs=SlipInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=(24, 40, 56),
-    scans=(Scan(vary=("share=0.3,0.6,0.9", "mu=0.1,0.2"), star=True),),
-    checks=CHECKS,
-    outputs=(
-        Output(key="half-width", symbol="a", unit="µm", what="half-width of the contact",
-               judged=False),
-        Output(key="peak pressure", symbol="p_0", unit="MPa", what="peak pressure", judged=False),
-        Output(key="amplitude", symbol="Q_max", unit="N/mm", what="amplitude of the force",
-               judged=False),
-        Output(key="stick at Q_max", symbol="c", unit="µm", what="stick half-width at Q_max"),
-        Output(key="beyond stick", symbol="δ(Q_max)", unit="nm",
-               what="displacement by slip at Q_max", judged=False),
-        Output(key="left at Q = 0", symbol="δ(0)", unit="nm",
-               what="displacement left when Q has gone back to 0"),
-        Output(key="energy", symbol="W", unit="µJ/m", what="energy lost in a cycle, per length"),
-    ),
-    readings=(
+
+class SlippingRollers(SlipFormulas):
+    """Before a sprag slides, its contact slips at the edges and sticks in the middle.
+
+    Cattaneo and Mindlin say where, how far, and what a cycle costs; two elastic rollers pressed
+    together and pushed sideways say whether that holds.
+    """
+
+    id = "contact-slip"
+    title = "Partial slip and the cycle of a swinging force"
+    source = "huang2018"
+    place = "Eqs. 11-14, what lies between stick and slip"
+    levels: ClassVar = (24, 40, 56)
+    scans: ClassVar = (Scan(vary=("share=0.3,0.6,0.9", "mu=0.1,0.2"), star=True),)
+    readings: ClassVar = (
         "R is the rollers' radius, and both are elastic: relative radius R/2, 1/E* = 2 (1 − ν²)/E",
         "long rollers: plane strain, and P, Q per unit length",
         "one coefficient of friction, for sticking and for sliding",
         "Q is the force that passes through the contact, not the sum on both rollers",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "equal materials: tangential forces do not change the pressure (Dundurs' β = 0)",
         "small strain; P held while Q changes; no wear, no rate",
         "two half discs, each held along its cut: half planes up to terms of (a/R)²",
@@ -178,11 +68,124 @@ SLIP = Case(
         "stick half-width: from the moments of q, (c/a)² = 4 M₂/(M₀ a²) − 1",
         "displacements count beyond the chord from 0 to Q = 0.8 μP: the elastic part, linear in "
         "Q, drops out without being known",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=contact_slip_shown.equations,
-    sketch=contact_slip_shown.sketch,
-    figures=contact_slip_shown.figures,
-    pictures=contact_slip_shown.pictures,
-)  # fmt: skip
+    )
+
+    def reference(self, level: int) -> Level:
+        """Two half discs pressed together, pushed, and swung."""
+        return solve(self, level)
+
+    def comparisons(self) -> Iterator[Comparison]:
+        """Stick zone, tractions, displacements, energy; balances."""
+        by = SlippingRollers
+        at = {k: State(self.at_share(k), key(k), f"Q/(μP) = {k:g}", displayed=False)
+              for k in SHARES}  # fmt: skip
+        for k in SHARES:
+            yield _half_planes(by.c, f"{by.c.what}, {at[k].words}", state=at[k], **STICK)
+        yield _half_planes(by.c, f"{by.c.what} at Q_max", **STICK)
+        for k in SHARES:
+            yield self._traction(by.q_1, f"k = {k:g}", k)
+        for k in SHARES[:-1]:
+            yield _half_planes(by.beyond_chord, f"{by.beyond_chord.what}, {at[k].words}",
+                               state=at[k], symbol="δ − δ_c")  # fmt: skip
+        for stage in STAGES:
+            yield self._traction(by.q_0, f"Q/Q_max = {stage:g}", stage)
+        yield _half_planes(by.delta_0, "cycle: displacement left at Q = 0")
+        yield _half_planes(by.W, "cycle: energy lost, work of friction", fem="work")
+        yield _half_planes(by.W, "cycle: energy lost, area of the loop", fem="area",
+                           symbol="∮Q dδ")  # fmt: skip
+        energies = Agreement(
+            name="cycle: both energies agree within 0.1 %", symbol="W", unit="J/m", pair=two_ways,
+            accepted=AGREE, source=suites("two sums over one solution"), by="friction's work",
+            everywhere=True,
+        )  # fmt: skip
+        yield Comparison(check=energies)
+        yield fact("cycle: order of the loop's area in its steps above 1.8", "p", step_order)
+        yield from self._balances()
+
+    def _traction(self, q: Quantity, name: str, at: float) -> Comparison:
+        """The traction at `at`, its error over the norm of that at the same Q, or at Q_max."""
+        first = q.name == "q_1"
+        formula, scale = (self.first_traction, at) if first else (self.cycle_traction, 1.0)
+        what = f"Q/(μP) = {at:g}" if first else name
+        check = Traction(
+            name=f"{'' if first else 'cycle: '}traction within 3 % in L2, {what}", symbol="q",
+            unit="1", margin=l2_margin(name, formula, at, scale),
+        )  # fmt: skip
+        return Comparison(check=check, quantity=q, shares=SHARED)
+
+    def _balances(self) -> Iterator[Comparison]:
+        peak, load = {"peak pressure": self.p_0}, {"load": self.P}
+        couple = {"couple": self.P * self.R}
+        for residual, name, symbol, unit, of, bound, because in (
+            ("steps", "cycle: one step or many", "Δq", "MPa", peak, 1e-9, SECANT),
+            ("closure", "cycle: closes", "Δq", "MPa", peak, 1e-9, SECANT),
+            ("sliding", "sliding: Q = μP", "Q − μP", "N/mm", {"limit": self.limit}, 1e-10, SLIDING),
+            ("cuts", "balance of both cuts", "ΣF", "N/mm", load, 1e-9, SECANT),
+            ("passed_on", "balance of cut and contact", "ΣF", "N/mm", load, 1e-9, SECANT),
+            ("moment", "balance of moments, cut and contact", "ΣM", "N", couple, 1e-9, SECANT),
+        ):
+            yield balance(residual, name, symbol, unit, of=of, bound=bound, because=because)
+
+    def figures(self) -> Iterator[AlongLine | Drawn]:
+        """Tractions, growth of the slip strips, the loop of a cycle, energies."""
+        yield from figures.figures()
+
+    def pictures(self) -> Iterator[Picture]:
+        """Shear stress about the contact at Q_max."""
+        w = 2.0 * self.a
+        yield Picture(
+            field="pushed", data="shear_at_nodes", symbol="τ_max/p_0", unit="1", factor=self.p_0,
+            caption="Largest shear stress about the contact at Q_max, over p_0, from means of "
+            "cells at nodes", displacement="", window=(-w, -w, w, w),
+        )  # fmt: skip
+
+    def sketch(self) -> Sketch:
+        """Both half discs, their contact not to scale."""
+        return figures.sketch(self)
+
+    def refusal(self) -> str:
+        """Amplitudes whose slip or stick the meshes do not resolve."""
+        low, high = FE_SHARES
+        if low <= self.share <= high:
+            return ""
+        return (
+            f"Q/(μP) = {self.share:g}: the meshes resolve slip and stick of amplitudes from "
+            f"{low:g} to {high:g}; check it without --fem"
+        )
+
+    def warnings(self) -> Iterator[str]:
+        """Where the contact is wide, where surfaces yield, and where friction is high."""
+        if neglected(self) > HALF_PLANES * 10:
+            yield (
+                f"a/R = {self.a / self.R:.3g}: the rollers are no half planes, the formulas miss "
+                f"up to {neglected(self):.1%}"
+            )
+        if self.hardness is not None and self.p_0 > self.hardness:
+            yield (
+                f"p_0 = {self.shown('p_0')} exceeds p_lim = {self.shown('hardness')}: the surfaces "
+                "yield, contact and slip strips grow"
+            )
+        if self.hardness is None and self.p_0 > 0.02 * self.E:
+            yield (
+                f"p_0 = {self.shown('p_0')} is {self.p_0 / self.E:.1%} of E: most steels yield "
+                "before; give p_lim"
+            )
+        if self.mu > 0.5:
+            yield (
+                f"μ = {self.mu:g}: friction this high brings the largest shear stress to the "
+                "surface, and yielding there before sliding"
+            )
+
+
+def _half_planes(
+    q: Quantity, name: str, *, state: State | None = None, fem: str = "", symbol: str = "",
+    **more: Any,
+) -> Comparison:  # fmt: skip
+    """A formula of half planes against discs."""
+    number = f"{q.name}_{state.key}" if state else q.name
+    check = HalfPlanes(name=name, symbol=symbol or q.symbol, unit=q.unit, analytic=number,
+                       fem=fem or number, formal=1, **more)  # fmt: skip
+    return Comparison(check=check, quantity=q, state=state, shares=SHARED)
+
+
+SLIP = adapted(SlippingRollers)

@@ -6,7 +6,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from analytic.contact import partial_slip, tangential_cycle
 from verify.cases.contact.slip.inputs import SlipInputs
 from verify.core.case import Context, Values
 from verify.core.results import Kind, Row
@@ -29,7 +28,7 @@ def neglected(q: SlipInputs) -> float:
     with a factor of a half or less about the logarithm. Half-widths enter squared in displacements
     and energies: all of it together stays below twice (a/R)².
     """
-    return MODEL * (q.a / q.R) ** 2
+    return MODEL * (q.width / q.R) ** 2
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,28 +66,14 @@ class Traction(Fact):
         return [replace(row, reason=f"{row.reason}: {error:.2%}") for row in super().rows(context)]
 
 
-def first_traction(q: SlipInputs, x: Any, k: float) -> Any:
-    """Cattaneo's traction [Pa] at x under Q = k mu P."""
-    return partial_slip.traction(x, Q=k * q.mu * q.P, a=q.a, **q.loads)
-
-
-def cycle_traction(q: SlipInputs, x: Any, stage: float) -> Any:
-    """Mindlin's traction [Pa] at x on the way down, at Q = `stage` Q_max."""
-    Q_max = q.share * q.mu * q.P
-    return tangential_cycle.traction(
-        x, Q=stage * Q_max, Q_max=Q_max, a=q.a, branch="unloading", **q.loads
-    )
-
-
 def l2_margin(
-    name: str, formula: Callable[..., Any], at: float, scale_at: float
+    name: str, formula: Callable[[Any, float], Any], at: float, scale_at: float
 ) -> Callable[[Context], tuple[float, float]]:
     """Acceptance less the error in L2 against `formula`, over its norm at `scale_at`."""
 
     def margin(context: Context) -> tuple[float, float]:
-        q = context.inputs
         x, found, weight = context.fem[-1].arrays[f"points, {name}"]
-        error, norm = found - formula(q, x, at), formula(q, x, scale_at)
+        error, norm = found - formula(x, at), formula(x, scale_at)
         return float(L2 - np.sqrt((error**2 @ weight) / (norm**2 @ weight))), 0.0
 
     return margin
@@ -96,8 +81,8 @@ def l2_margin(
 
 def two_ways(context: Context) -> Pair:
     """The loop's area and the work of friction."""
-    area, work = (context.series(key)[1][-1] for key in ("loop's area", "friction's work"))
-    u = context.fem[-1].u_it["area by steps"]
+    area, work = (context.series(key)[1][-1] for key in ("area", "work"))
+    u = context.fem[-1].u_it["area_by_steps"]
     return Pair(area, work, 2 * u, f"apart by {area / work - 1:+.2g}")
 
 
@@ -109,6 +94,6 @@ def step_order(context: Context) -> tuple[float, float]:
     """
     result = context.fem[-1]
     x, Q = result.arrays["loop, x"], result.arrays["loop, Q"]
-    work, area = result.values["friction's work"], result.values["loop's area"]
+    work, area = result.values["work"], result.values["area"]
     coarse, fine = (abs(abs(np.trapezoid(Q[::n], x[::n])) - work) for n in (4, 2))
     return float(np.log2(coarse / fine) - 1.8), float(2 * abs(area - work) / fine / np.log(2))

@@ -56,7 +56,7 @@ class Rollers:
 
     def _press(self) -> tuple[tuple["ContactSolution", Array], Array]:
         """The state under P alone, with x held, and a first guess of the flexibility."""
-        q, y = self.q, self.q.a**2 / self.q.R
+        q, y = self.q, self.q.width**2 / self.q.R
         touched = self.at(np.array([0.0, -y]), None)
         y *= q.P / touched.touches[0].normal_force  # secant from the origin
         self.flexibility = np.eye(2) * y / q.P

@@ -1,58 +1,62 @@
-"""Inputs of partial slip between two equal rollers, and what the formulas make of them."""
+"""Inputs of partial slip between two equal rollers."""
+
+from typing import Any, Self
 
 from pydantic import model_validator
 
 from analytic.contact import hertz_line
-from verify.core.inputs import Inputs, quantity
+from verify.case import Case, given
 
 WIDEST = 0.3  # a/R that the rollers may reach
+SHARES = (0.2, 0.4, 0.6, 0.8)  # Q/(mu P) of the first loading's rows
+CHORD = SHARES[-1]  # Q/(mu P) up to which the chord of displacements goes
+STAGES = (0.5, 0.0, -0.5, -1.0)  # Q/Q_max of the unloading's rows
 
 
-class SlipInputs(Inputs):
+def key(k: float) -> str:
+    """What names of numbers at Q/(mu P) = `k` end in, its hundredths."""
+    return f"k{round(100 * k)}"
+
+
+class SlipInputs(Case):
     """Two equal rollers, pressed together and then pushed sideways."""
 
-    R: float = quantity(
+    R: float = given(
         "4.02 mm", "mm", "R", "radius of both rollers", gt=1e-3, le=1e5,
         claims="huang2018:table1-r-i1",
     )  # fmt: skip
-    P: float = quantity("70 N/mm", "N/mm", "P", "normal load per length", gt=0, le=1e6)
-    mu: float = quantity(0.1, "1", "μ", "coefficient of friction", ge=1e-3, le=1)
-    share: float = quantity(
+    P: float = given("70 N/mm", "N/mm", "P", "normal load per length", gt=0, le=1e6)
+    mu: float = given(0.1, "1", "μ", "coefficient of friction", ge=1e-3, le=1)
+    share: float = given(
         0.6, "1", "Q/(μP)", "amplitude of the tangential load in a cycle; --fem: 0.5 to 0.9",
         gt=0, lt=1,
     )  # fmt: skip
-    E: float = quantity("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
-    hardness: float | None = quantity(
+    E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    hardness: float | None = given(
         None, "MPa", "p_lim", "pressure that the material bears, for the warning", omitted=None,
         gt=0, example="4000 MPa",
     )  # fmt: skip
 
     @model_validator(mode="after")
-    def _line_contact(self) -> "SlipInputs":
-        if self.a > WIDEST * self.R:
+    def _line_contact(self) -> Self:
+        if self.width > WIDEST * self.R:
             raise ValueError(
-                f"a line contact needs a/R of at most {WIDEST:g}, got a/R = {self.a / self.R:.3g} "
-                f"with P = {self.P / 1e3:g} N/mm, R = {self.R * 1e3:g} mm"
+                f"a line contact needs a/R of at most {WIDEST:g}, got a/R = "
+                f"{self.width / self.R:.3g} with P = {self.P / 1e3:g} N/mm, R = {self.R * 1e3:g} mm"
             )
         return self
 
     @property
-    def E_star(self) -> float:
-        """Contact modulus of the pair, plane strain [Pa]."""
-        return float(
-            hertz_line.contact_modulus(
-                E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
-            )
+    def hertz(self) -> dict[str, Any]:
+        """What Hertz's formulas take: P, R of the pair, E_star in plane strain."""
+        E_star = hertz_line.contact_modulus(
+            E_1=self.E, nu_1=self.nu, E_2=self.E, nu_2=self.nu, assumption="plane strain"
         )
+        R = hertz_line.relative_radius(R_1=self.R, R_2=self.R)
+        return {"P": self.P, "R": R, "E_star": float(E_star)}
 
     @property
-    def a(self) -> float:
-        """Hertz's half-width [m]."""
-        relative = hertz_line.relative_radius(R_1=self.R, R_2=self.R)
-        return float(hertz_line.half_width(P=self.P, R=relative, E_star=self.E_star))
-
-    @property
-    def loads(self) -> dict[str, float]:
-        """What the formulas of partial slip share."""
-        return {"P": self.P, "mu": self.mu}
+    def width(self) -> float:
+        """Hertz's half-width [m]: the size of the finest cells, too."""
+        return float(hertz_line.half_width(**self.hertz))

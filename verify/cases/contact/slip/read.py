@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from verify.cases.contact.slip.inputs import SlipInputs
+from verify.cases.contact.window import cut
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Ar
     loaded = touch.p > 0
     return {
         f"points, {name}": np.array([touch.along((0.0, 0.0)), touch.q, touch.weight])[:, loaded],
-        f"profile, {name}": np.interp(ACROSS * q.a, touch.x[0][order], touch.traction[order]),
+        f"profile, {name}": np.interp(ACROSS * q.width, touch.x[0][order], touch.traction[order]),
     }
 
 
@@ -80,17 +81,13 @@ def around(x: Array, Q: Array) -> Array:
     return np.concatenate([down, up])
 
 
-def near(q: SlipInputs, cells: dict[str, Any]) -> Field:
+def near(q: SlipInputs, whole: dict[str, Any]) -> Field:
     """The cells about the contact, with their largest shear stress."""
-    index = cells["cells"].astype(np.int64)
-    centre = cells["points"][index].mean(axis=1)
-    kept = np.flatnonzero(np.abs(centre).max(axis=1) <= VIEW * q.a)
-    used, index = np.unique(index[kept], return_inverse=True)
-    points, index = cells["points"][used], index.reshape(kept.size, -1)
-    stress = cells["stress"][kept]
+    cells, _ = cut(whole, lambda centre: np.asarray(np.abs(centre).max(axis=1) <= VIEW * q.width))
+    points, index, stress = cells["points"], cells["cells"], cells["stress"]
     return Field(
         name="pushed", points=points, cells=index,
-        point_data={"displacement": cells["displacement"][used],
+        point_data={"displacement": cells["displacement"],
                     "shear_at_nodes": largest_shear(at_nodes(points, index, stress))},
         cell_data={"stress": stress, "largest_shear": largest_shear(stress)},
         units={"displacement": "m", "stress": "Pa", "largest_shear": "Pa", "shear_at_nodes": "Pa"},

@@ -11,9 +11,9 @@ from verify.cases.contact.line.pair import PAIR
 from verify.cases.contact.press_fit.case import PressFit
 from verify.cases.contact.press_fit.inputs import FITS, Fit
 from verify.cases.contact.press_fit.reference import read, solve_fit
-from verify.cases.contact.slip.case import SLIP
+from verify.cases.contact.slip.case import SlippingRollers
 from verify.cases.contact.slip.driven import Rollers
-from verify.cases.contact.slip.fem import ZONE
+from verify.cases.contact.slip.reference import ZONE
 from verify.cases.contact.sphere.case import Spheres
 from verify.cases.contact.sphere.inputs import WORDS, Pair
 from verify.cases.contact.sphere.reference import problem, push
@@ -126,7 +126,7 @@ def slip(stage: float) -> Posed:
     from meshes.join import join
     from verify.studies.crosscheck.calculix.contact import ContactDeck, Settings
 
-    q: Any = SLIP.inputs()
+    q = SlippingRollers()
     fine: Any = {"R": q.R, "zone": ZONE * q.a, "cells": SLIPPING, "refine": 1}
     steel = Elastic(E=q.E, nu=q.nu)
     problem = ContactProblem(

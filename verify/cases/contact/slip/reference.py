@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import cumulative_trapezoid
 
+from verify.case import Level
 from verify.cases.contact.slip.driven import Rollers
-from verify.cases.contact.slip.inputs import SlipInputs
+from verify.cases.contact.slip.inputs import CHORD, SHARES, STAGES, SlipInputs, key
 from verify.cases.contact.slip.read import (
     apart,
     around,
@@ -17,21 +18,19 @@ from verify.cases.contact.slip.read import (
     stick_share,
     traction,
 )
-from verify.core.case import FemResult
 from verify.core.figures import Field
 
 Array = NDArray[np.float64]
 
-SHARES = (0.2, 0.4, 0.6, 0.8)  # Q/(mu P) of the first loading's rows
-STAGES = (0.5, 0.0, -0.5, -1.0)  # Q/Q_max of the unloading's rows
-GROWTH = np.linspace(0.1, 0.85, 16)  # Q/(mu P) where the stick zone's growth is shown
+GROWTH = np.linspace(0.1, 0.85, 16)  # Q/(mu P) at which the stick zone's growth is plotted
 SIDES = ("upper", "lower")
 ZONE = 1.1  # half-width of the fine cells over Hertz's
 SWEEP, SWEPT = 80, 0.92  # steps of the first loading and Q/(mu P) at its end
 STEPS = 32  # of a swing from Q_max to -Q_max
 
 
-def fem(q: SlipInputs, level: int) -> FemResult:
+def solve(q: SlipInputs, level: int) -> Level:
+    """One level: the first loading and a cycle."""
     from fem.contact.pairs import Pair
     from fem.contact.problem import ContactProblem
     from fem.contact.shapes import Circle
@@ -39,7 +38,7 @@ def fem(q: SlipInputs, level: int) -> FemResult:
     from meshes.contact.disc import half_disc
     from meshes.join import join
 
-    fine: dict[str, Any] = {"R": q.R, "zone": ZONE * q.a, "cells": round(ZONE * level)}
+    fine: dict[str, Any] = {"R": q.R, "zone": ZONE * q.width, "cells": round(ZONE * level)}
     problem = ContactProblem(
         join({side: half_disc(**fine, refine=1, below=side == "lower") for side in SIDES}),
         materials=Elastic(E=q.E, nu=q.nu),
@@ -55,7 +54,7 @@ def fem(q: SlipInputs, level: int) -> FemResult:
     rollers = Rollers(q, problem)
     values, u_it, arrays = loading(rollers)
     cycled, jitter, tractions, fields = cycle(rollers)
-    return FemResult(
+    return Level(
         h=1 / level, values=values | cycled, u_it=u_it | jitter, arrays=arrays | tractions,
         fields=fields,
     )  # fmt: skip
@@ -64,7 +63,7 @@ def fem(q: SlipInputs, level: int) -> FemResult:
 def loading(rollers: Rollers) -> tuple[dict[str, float], dict[str, float], dict[str, Array]]:
     """First loading: stick half-widths, displacements, tractions; sliding at its end."""
     q, (state, cut) = rollers.q, rollers.pressed
-    values: dict[str, float] = {"half-width": state.touches[0].half_width((0.0, 0.0))}
+    values: dict[str, float] = {"a": state.touches[0].half_width((0.0, 0.0))}
     u_it: dict[str, float] = {}
     arrays: dict[str, Array] = {}
     for k in SHARES:
@@ -72,7 +71,7 @@ def loading(rollers: Rollers) -> tuple[dict[str, float], dict[str, float], dict[
         arrays |= traction(q, state, f"k = {k:g}")
     end, limit = rollers.loaded(SWEPT * q.mu * q.P, cut, state)
     slid = rollers.at(limit * (4.0, 1.0), end).touches[0]
-    values["sliding force"] = slid.friction_force - q.mu * slid.normal_force
+    values["sliding"] = slid.friction_force - q.mu * slid.normal_force
 
     state, cut = rollers.pressed
     swept = []
@@ -85,17 +84,17 @@ def loading(rollers: Rollers) -> tuple[dict[str, float], dict[str, float], dict[
     # Masing: each branch of a cycle is the first loading, twice as large
     area = 8 * cumulative_trapezoid(k, x, initial=0.0) - 4 * k * x
     jitter = smoothed(k, area, q.share)[2] * q.mu * q.P
-    u_it |= {"friction's work": jitter, "loop's area": jitter}
-    for name, share in (*((f"stick, k = {s:g}", s) for s in SHARES), ("stick at Q_max", q.share)):
+    u_it |= {"work": jitter, "area": jitter}
+    for name, share in (*((f"c_{key(s)}", s) for s in SHARES), ("c", q.share)):
         c2_k, u, _ = smoothed(k, c2, share)
-        values[name] = values["half-width"] * np.sqrt(c2_k)
+        values[name] = values["a"] * np.sqrt(c2_k)
         u_it[name] = u * values[name] / (2 * c2_k)
-    far, u_far, _ = smoothed(k, x, SHARES[-1])
+    far, u_far, _ = smoothed(k, x, CHORD)
     for share in SHARES:
         x_k, u, _ = smoothed(k, x, share)
-        part = share / SHARES[-1]
-        values[f"beyond chord, k = {share:g}"] = x_k - part * far
-        u_it[f"beyond chord, k = {share:g}"] = float(np.hypot(u, part * u_far))
+        part, name = share / CHORD, f"beyond_chord_{key(share)}"
+        values[name] = x_k - part * far
+        u_it[name] = float(np.hypot(u, part * u_far))
     return values, u_it, arrays
 
 
@@ -122,19 +121,19 @@ def cycle(
         swung.append((x, touch.friction_force))
         if len(swung) == STEPS + 1:
             values["steps"] = apart(state, back)
-    values |= {"closure": apart(state, first), "friction's work": work}
+    values |= {"closure": apart(state, first), "work": work}
     arrays["loop, x"], arrays["loop, Q"] = np.array(swung).T
     arrays["profile, loop"] = around(arrays["loop, x"], arrays["loop, Q"])
     area, coarser = (simpson(arrays["loop, x"][::n], arrays["loop, Q"][::n]) for n in (1, 2))
-    values |= {"loop's area": area}
+    values["area"] = area
     down, moved = arrays["loop, Q"][: STEPS + 1] / Q_max, arrays["loop, x"][: STEPS + 1]
-    values["left at Q = 0"], left, _ = smoothed(down, moved, 0.0, window=5.0 * 2 / STEPS)
-    u_it = {"left at Q = 0": left, "area by steps": abs(area - coarser)}
+    values["delta_0"], left, _ = smoothed(down, moved, 0.0, window=5.0 * 2 / STEPS)
+    u_it = {"delta_0": left, "area_by_steps": abs(area - coarser)}
 
     plane, touch = first.plane, first.touches[0]
     upper, lower = (np.array(plane.reaction(f"{side}.middle")) for side in SIDES)
     # about the origin; what a cut holds is what its half disc's surface receives, reversed
-    values["balance of cuts"] = float(np.hypot(*(upper + lower)[:2]))
-    values["passed on"] = float(np.hypot(*(upper[:2] - np.array(touch.force))))
+    values["cuts"] = float(np.hypot(*(upper + lower)[:2]))
+    values["passed_on"] = float(np.hypot(*(upper[:2] - np.array(touch.force))))
     values["moment"] = float(upper[2] + touch.moment(on="slave"))
     return values, u_it, arrays, (near(q, plane.cells()),)

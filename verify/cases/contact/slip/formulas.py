@@ -1,0 +1,107 @@
+"""Formulas of partial slip (Cattaneo) and of the cycle of a swinging force (Mindlin)."""
+
+from typing import Any, Self
+
+from analytic.contact import hertz_line, partial_slip, tangential_cycle
+from verify.case import Quantity
+from verify.cases.contact.slip.inputs import CHORD, SlipInputs
+
+CATTANEO, MINDLIN = "Cattaneo", "Mindlin"
+
+
+class SlipFormulas(SlipInputs):
+    """Two rollers under P and a tangential force that swings between Q_max and -Q_max."""
+
+    @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",
+              tex=r"\frac{E}{2 (1 - \nu^2)}")  # fmt: skip
+    def E_star(self) -> float:
+        return float(self.hertz["E_star"])
+
+    @Quantity("a", "µm", "half-width of the contact", role="step", source="Hertz",
+              tex=r"\sqrt{\frac{4 P \frac{R}{2}}{\pi E*}}")  # fmt: skip
+    def a(self) -> float:
+        return self.width
+
+    @Quantity("p_0", "MPa", "peak pressure", role="step", source="Hertz", safe="too high",
+              tex=r"\frac{2 P}{\pi a}")  # fmt: skip
+    def p_0(self) -> float:
+        return float(hertz_line.peak_pressure(**self.hertz))
+
+    @Quantity("Q_max", "N/mm", "amplitude of the force", role="step")
+    def Q_max(self) -> float:
+        return self.share * self.limit
+
+    @Quantity("k", "1", "amplitude over the force at which all slips", role="step",
+              tex=r"\frac{Q_{max}}{\mu P}")  # fmt: skip
+    def k(self) -> float:
+        return self.share
+
+    @Quantity("c", "µm", "stick half-width", source=CATTANEO, tex=r"a \sqrt{1 - k}")
+    def c(self) -> float:
+        return float(partial_slip.stick_half_width(Q=self.Q_max, a=self.a, **self.loads))
+
+    @Quantity("q_1(0)", "MPa", "traction in the middle at Q_max, first loading", source=CATTANEO,
+              tex=r"\mu p_0\left[\sqrt{1-\frac{x^2}{a^2}} - \frac{c}{a}\sqrt{1-\frac{x^2}{c^2}}"
+              r"\right]_{x=0} = \mu p_0 (1 - \frac{c}{a})")  # fmt: skip
+    def q_1(self) -> float:
+        return float(self.first_traction(0.0, self.share))
+
+    @Quantity("δ(Q_max)", "nm", "displacement by slip at Q_max", role="step",
+              source="Cattaneo; beyond a contact that sticks whole",
+              tex=r"\frac{\mu P}{\pi E*} (k + (1 - k) \ln\left(1 - k\right))")  # fmt: skip
+    def delta(self) -> float:
+        return float(partial_slip.rigid_displacement_beyond_stick(Q=self.Q_max, **self.moved))
+
+    @Quantity("Δδ", "nm", "displacement beyond the chord", source=CATTANEO)
+    def beyond_chord(self) -> float:
+        return self.delta - self.share / CHORD * self.at_share(CHORD).delta
+
+    @Quantity("q(0)", "MPa", "traction in the middle when Q has gone back to 0", source=MINDLIN,
+              tex=r"q_1(x, Q_{max}) - 2\,q_1\left(x, \frac{Q_{max} - Q}{2}\right)"
+              r" = \mu p_0 (2 \sqrt{1 - \frac{k}{2}} - 1 - \frac{c}{a})")  # fmt: skip
+    def q_0(self) -> float:
+        return float(self.cycle_traction(0.0, 0.0))
+
+    @Quantity("δ(0)", "nm", "displacement left when Q has gone back to 0", source=MINDLIN,
+              tex=r"\delta(Q_{max}) - 2 \frac{\mu P}{\pi E*} "
+              r"(\frac{k}{2} + (1 - \frac{k}{2}) \ln\left(1 - \frac{k}{2}\right))")  # fmt: skip
+    def delta_0(self) -> float:
+        return float(tangential_cycle.rigid_displacement_beyond_stick(
+            Q=0.0, Q_max=self.Q_max, branch="unloading", **self.moved
+        ))  # fmt: skip
+
+    @Quantity("W", "µJ/m", "energy lost in a cycle, per length", source=MINDLIN,
+              tex=r"\frac{2 (\mu P)^2}{\pi E*} (k (2 - k) + 2 (1 - k) \ln\left(1 - k\right))",
+              )  # fmt: skip
+    def W(self) -> float:
+        return float(tangential_cycle.dissipation(Q_max=self.Q_max, **self.moved))
+
+    @property
+    def limit(self) -> float:
+        """Force at which all slips [N/m]."""
+        return self.mu * self.P
+
+    @property
+    def loads(self) -> dict[str, float]:
+        """What the formulas of partial slip share."""
+        return {"P": self.P, "mu": self.mu}
+
+    @property
+    def moved(self) -> dict[str, float]:
+        """What those of displacements share."""
+        return {**self.loads, "E_star": self.E_star}
+
+    def at_share(self, k: float) -> Self:
+        """The same rollers under Q_max = k mu P."""
+        return self.model_copy(update={"share": k})
+
+    def first_traction(self, x: Any, k: float) -> Any:
+        """Cattaneo's traction [Pa] at x under Q = k mu P."""
+        return partial_slip.traction(x, Q=k * self.mu * self.P, a=self.a, **self.loads)
+
+    def cycle_traction(self, x: Any, stage: float) -> Any:
+        """Mindlin's traction [Pa] at x on the way down, at Q = `stage` Q_max."""
+        Q_max = self.share * self.mu * self.P
+        return tangential_cycle.traction(
+            x, Q=stage * Q_max, Q_max=Q_max, a=self.a, branch="unloading", **self.loads
+        )
