@@ -11,9 +11,9 @@ from analytic.contact import partial_slip
 from analytic.polyhedral import wedging
 from fem.contact import active_sets, interface
 from fem.contact.friction_lcp import FrictionLcp
-from verify.cases.polyhedral.wedge import fem, model, stick
-from verify.cases.polyhedral.wedge.case import WEDGE, analytic, too_large
-from verify.cases.polyhedral.wedge.inputs import WedgeInputs
+from verify.cases.polyhedral.wedge import model, stick
+from verify.cases.polyhedral.wedge import reference as fem
+from verify.cases.polyhedral.wedge.case import WEDGE, WedgedRoller
 from verify.cases.polyhedral.wedge.limit import Limit
 from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
 from verify.core.results import Status
@@ -31,7 +31,7 @@ def names(rows):
 
 
 def solve_anew():
-    q = WedgeInputs()
+    q = WedgedRoller()
     return judge_case(Job(COARSE, q), [solve_level(COARSE, q, level, None) for level in LEVELS])
 
 
@@ -62,7 +62,7 @@ def wedge(q, *, cells=6, mu=None, **more):
 # States of the roller.
 @pytest.mark.parametrize(("alpha", "mu"), [(6, 0.08), (6, 0.5), (1.5, 0.02), (25, 0.3)])
 def test_friction_on_a_free_roller_does_not_depend_on_how_much_there_could_be(alpha, mu):
-    q = WedgeInputs(alpha=math.radians(alpha), mu=mu)
+    q = WedgedRoller(alpha=math.radians(alpha), mu=mu)
     free = wedge(q)
     state, _ = free.pressed(q.line_load)
     N, T = free.forces(state)
@@ -71,7 +71,7 @@ def test_friction_on_a_free_roller_does_not_depend_on_how_much_there_could_be(al
 
 
 def test_the_roller_leaves_to_the_wide_end_where_friction_is_too_low():
-    q = WedgeInputs()
+    q = WedgedRoller()
     free = wedge(q)
     _, down = free.pressed(q.line_load)
     slippery = wedge(q, mu=0.5 * math.tan(q.half))
@@ -82,7 +82,7 @@ def test_the_roller_leaves_to_the_wide_end_where_friction_is_too_low():
 
 
 def test_a_push_into_the_wedge_takes_load_off_friction():
-    q = WedgeInputs()
+    q = WedgedRoller()
     free = wedge(q)
     state, _ = free.pressed(q.line_load, push=q.line_load * math.sin(q.half))
     N, T = free.forces(state)
@@ -90,7 +90,7 @@ def test_a_push_into_the_wedge_takes_load_off_friction():
 
 
 def test_what_slides_into_the_wedge_is_held_back_by_the_cage():
-    q = WedgeInputs()
+    q = WedgedRoller()
     found = fem.held_back(q, wedge(q, caged=True))
     expected = 2 * q.N * (q.mu * math.cos(q.half) - math.sin(q.half))
     assert found["C"] == pytest.approx(expected, rel=1e-9)
@@ -98,7 +98,7 @@ def test_what_slides_into_the_wedge_is_held_back_by_the_cage():
 
 
 def test_no_limit_is_found_in_a_bracket_on_one_side_of_it():
-    q = WedgeInputs()
+    q = WedgedRoller()
     _, down = wedge(q).pressed(q.line_load)
     value, _ = Limit(q, down).friction(1.01 * math.tan(q.half))
     assert math.isnan(value)
@@ -106,15 +106,15 @@ def test_no_limit_is_found_in_a_bracket_on_one_side_of_it():
 
 # Inputs.
 def test_a_roller_that_is_squeezed_out_is_said_to_be_and_not_solved():
-    q = WedgeInputs(alpha=OUT)
-    v = analytic(q)
+    q = WedgedRoller(alpha=OUT)
+    v = WEDGE.analytic(q)
     assert "M_free" not in v
     assert "T" not in v
     assert v["C"] < 0
     assert "squeezed out of the wedge" in " ".join(WEDGE.warnings(q, v))
-    assert "no equilibrium to compute; check it without --fem" in too_large(q)
+    assert "no equilibrium to compute; check it without --fem" in q.refusal()
     assert WEDGE.equations(q, v)
-    assert not too_large(WedgeInputs())
+    assert not WedgedRoller().refusal()
 
 
 @pytest.mark.parametrize(
@@ -126,9 +126,9 @@ def test_a_roller_that_is_squeezed_out_is_said_to_be_and_not_solved():
     ],
 )
 def test_inputs_near_an_end_of_the_range_are_warned_of(change, word):
-    q = WedgeInputs(**change)
-    assert word in " ".join(WEDGE.warnings(q, analytic(q)))
-    assert not WEDGE.warnings(WedgeInputs(), analytic(WedgeInputs()))
+    q = WedgedRoller(**change)
+    assert word in " ".join(WEDGE.warnings(q, WEDGE.analytic(q)))
+    assert not WEDGE.warnings(WedgedRoller(), {})
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_inputs_near_an_end_of_the_range_are_warned_of(change, word):
 )
 def test_what_is_no_wedged_roller_is_refused(change, words):
     with pytest.raises(ValueError, match=words):
-        WedgeInputs(**change)
+        WedgedRoller(**change)
 
 
 # Judging.
@@ -177,7 +177,7 @@ READINGS = [
     pytest.param(wedging, "largest_torque", lambda f: lambda **k: f(**k) * 1.001,
                  "torque of free rollers, Eq. 3 as printed", id="Eq. 3 a thousandth larger"),
     pytest.param(wedging, "least_normal_force", lambda _: lambda *, M_t, mu, z, D_i: M_t / (
-        z * D_i / 2 * math.tan(WedgeInputs().half)),
+        z * D_i / 2 * math.tan(WedgedRoller().half)),
                  "normal force per torque, caged (Eq. 4)", id="a free roller's force in Eq. 4"),
     pytest.param(wedging, "normal_force", lambda f: lambda **k: f(**k) * 0.99999,
                  "normal force per torque, free (Eq. 5, corrected)", id="< in Eq. 5"),
@@ -223,7 +223,7 @@ def test_wrong_finite_elements_turn_a_row_red(owner, name, fault, row, coarse, b
 
 
 def test_friction_that_drives_finds_no_equilibrium(broken):
-    q = WedgeInputs()
+    q = WedgedRoller()
     broken(active_sets, "SIGN", lambda right: -right)
     broken(FrictionLcp, "candidates", lambda _: lambda _self: iter(()))
     with pytest.raises(ArithmeticError):

@@ -127,7 +127,7 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         corrected=(
             Corrected("torque of free rollers, Eq. 3 as printed", "M_free"),
-            Corrected("normal force per torque, free, Eq. 4 as printed", "N/M"),
+            Corrected("normal force per torque, free, Eq. 4 as printed", "N_per_M"),
         ),
         finer=32, headline="stick half-width of a roller let go, T/(μN) = 0.6",
     ),

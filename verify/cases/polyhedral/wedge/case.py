@@ -1,123 +1,43 @@
 """A roller wedged between ring and race (Belcin et al., Eqs. 1-5) against contact with friction."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterator
+from typing import ClassVar
 
 import numpy as np
 
-from analytic.contact import partial_slip
-from analytic.polyhedral import wedging
-from verify.cases.polyhedral.wedge import figures
-from verify.cases.polyhedral.wedge.claims import CHECKS
-from verify.cases.polyhedral.wedge.fem import LEVELS, fem
-from verify.cases.polyhedral.wedge.inputs import WedgeInputs
-from verify.cases.polyhedral.wedge.stick import FLATTEST, SHARES, TILT, small
-from verify.core.case import Case, Output, Scan, Values
+from verify.case import Level, Scan
+from verify.cases.polyhedral.wedge import comparisons as compared
+from verify.cases.polyhedral.wedge import figures as drawn
+from verify.cases.polyhedral.wedge import reference as fem
+from verify.cases.polyhedral.wedge import sketch as sketched
+from verify.cases.polyhedral.wedge.formulas import WedgeFormulas, stays
+from verify.cases.polyhedral.wedge.stick import FLATTEST, TILT
+from verify.form.adapter import adapted
 
 
-def analytic(q: WedgeInputs) -> Values:
-    angle, clutch = {"alpha": q.alpha}, {"z": q.z, "D_i": q.D_i}
-    values: dict[str, Any] = {
-        "a": q.a, "p_0": q.p_0, "N": q.N, "share": q.wedged, "mu_c": least_friction(q),
-        "alpha_max": wedging.largest_angle(mu=q.mu),
-        "M_caged": wedging.largest_torque(N=q.N, mu=q.mu, **clutch),
-        "C": wedging.cage_force(N=q.N, mu=q.mu, **angle),
-        "N/M caged": wedging.least_normal_force(M_t=1.0, mu=q.mu, **clutch),
-    }  # fmt: skip
-    if wedging.holds(mu=q.mu, **angle):
-        values |= {
-            "T": wedging.tangential_force(N=q.N, **angle),
-            "M_free": wedging.torque(N=q.N, **angle, **clutch),
-            "N/M": wedging.normal_force(M_t=1.0, **angle, **clutch),
-        }
-    for k in SHARES:
-        a = small(q).a
-        values[f"c/a, {k:g}"] = partial_slip.stick_half_width(Q=k, P=1.0, mu=1.0, a=a) / a
-    return {key: float(value) for key, value in values.items()}
+class WedgedRoller(WedgeFormulas):
+    """A roller in a wedge stays where tan(α/2) is below μ.
 
+    Friction on it is then no more than N tan(α/2). The printed torque μ N z D_i/2 is that of
+    rollers which a cage holds back until they slip. An elastic roller on an elastic race with
+    friction confirms both.
+    """
 
-def least_friction(q: WedgeInputs) -> float:
-    """The friction for which Eq. 1 leaves nothing, its sides being linear in it."""
-    low, high = 0.25, 0.75
-    at = [float(wedging.cage_force(N=q.N, alpha=q.alpha, mu=mu)) for mu in (low, high)]
-    return low - at[0] * (high - low) / (at[1] - at[0])
-
-
-def warnings(q: WedgeInputs, v: Values) -> Sequence[str]:
-    found: list[str] = []
-    if "M_free" not in v:
-        found.append(
-            f"tan(α/2) = {np.tan(q.half):.4g} is not below μ = {q.mu:g} (Eq. 2): a free roller "
-            "is squeezed out of the wedge and carries no torque"
-        )
-    elif q.wedged > 0.9:
-        found.append(
-            f"tan(α/2) = {q.wedged:.3f} μ: friction a tenth lower lets the roller out of the wedge"
-        )
-    if q.p_lim is not None and q.p_0 > q.p_lim:
-        found.append(
-            f"p_0 = {q.p_0 / 1e6:.4g} MPa exceeds p_lim = {q.p_lim / 1e6:.4g} MPa: the surfaces "
-            "yield"
-        )
-    if q.p_lim is None and q.p_0 > 0.02 * q.E:
-        found.append(
-            f"p_0 = {q.p_0 / 1e6:.4g} MPa is {q.p_0 / q.E:.1%} of E: most steels yield before; "
-            "give p_lim"
-        )
-    return found
-
-
-def too_large(q: WedgeInputs) -> str:
-    if q.wedged < 1:
-        return ""
-    return (
-        f"tan(α/2) = {np.tan(q.half):.4g} is not below μ = {q.mu:g}: the roller is squeezed out, "
-        "and there is no equilibrium to compute; check it without --fem"
-    )
-
-
-def output(key: str, symbol: str, unit: str, what: str, *, judged: bool = True) -> Output:
-    return Output(key=key, symbol=symbol, unit=unit, what=what, judged=judged)
-
-
-WEDGE = Case(
-    id="polyhedral-wedge",
-    title="Roller wedged between ring and race",
-    paper="belcin",
-    place="Eqs. 1-5",
-    lead="A roller in a wedge stays where tan(α/2) is below μ, and then friction on it is no more "
-    "than N tan(α/2): the printed torque μ N z D_i/2 is that of rollers which a cage holds back "
-    "until they slip. An elastic roller on an elastic race with friction says the same.",
-    inputs=WedgeInputs,
-    analytic=analytic,
-    reference=fem,
-    levels=LEVELS,
-    scans=(
-        Scan(vary=("alpha=4deg,6deg,8deg", "N=500N,1500N,4000N"), star=True),
-    ),
-    checks=CHECKS,
-    outputs=(
-        output("M_free", "M_t", "N m", "torque of z free rollers under N"),
-        output("M_caged", "M_t,max", "N m", "torque at which z caged rollers slip (Eq. 3)"),
-        output("T", "T", "N", "tangential force at either contact of a free roller"),
-        output("share", "tan(α/2)/μ", "1", "part of its friction that a free roller uses",
-               judged=False),
-        output("alpha_max", "α_max", "deg", "wedge angle below which a free roller stays",
-               judged=False),
-        output("mu_c", "μ_c", "1", "least friction that holds a free roller"),
-        output("C", "C", "N", "force that pulls a roller out of the wedge (Eq. 1)"),
-        output("a", "a", "µm", "half-width of the contacts (Hertz)", judged=False),
-        output("p_0", "p_0", "MPa", "peak pressure of the contacts (Hertz)", judged=False),
-    ),
-    readings=(
+    id = "polyhedral-wedge"
+    title = "Roller wedged between ring and race"
+    source = "belcin"
+    place = "Eqs. 1-5"
+    levels: ClassVar = fem.LEVELS
+    scans: ClassVar = (Scan(vary=("alpha=4deg,6deg,8deg", "N=500N,1500N,4000N"), star=True),)
+    readings: ClassVar = (
         "α is the full angle between both tangents: each normal is α/2 off the roller's middle "
         "plane",
         "D_i is a diameter: the lever of T is D_i/2",
         "N and T are forces at one contact of one roller, and z rollers carry the torque",
         "a free roller is held by its contacts alone; a cage force acts along the bisector",
         "rollers are long: plane strain, which moves Hertz's half-width alone",
-    ),
-    assumptions=(
+    )
+    assumptions: ClassVar = (
         "α, μ, N, d and b are yours: the paper prints no number for them, nor an equation for α",
         "ring and race are alike flats about the roller: half of it is modelled, its cut on the "
         "bisector; the race's convexity changes the contact's width, not the statics",
@@ -129,11 +49,44 @@ WEDGE = Case(
         "the stick zone is measured under a load of its own, small enough for Cattaneo's half "
         f"planes: a/(μR) = {TILT:g}, a/R at most {FLATTEST:g}",
         "roller without weight, one coefficient of friction, no rate",
-    ),
-    warnings=warnings,
-    too_large=too_large,
-    equations=figures.equations,
-    sketch=figures.sketch,
-    figures=figures.figures,
-    pictures=figures.pictures,
-)  # fmt: skip
+    )
+
+    comparisons = compared.comparisons
+    figures = drawn.figures
+    pictures = drawn.pictures
+    sketch = sketched.sketch
+
+    def reference(self, level: int) -> Level:
+        """Half a roller on an inclined race."""
+        return fem.solve(self, level)
+
+    def warnings(self) -> Iterator[str]:
+        """Where a free roller leaves its wedge, and where surfaces yield."""
+        if not stays(self):
+            yield (
+                f"tan(α/2) = {np.tan(self.half):.4g} is not below μ = {self.mu:g} (Eq. 2): a free "
+                "roller is squeezed out of the wedge and carries no torque"
+            )
+        elif self.wedged > 0.9:
+            yield (
+                f"tan(α/2) = {self.wedged:.3f} μ: friction a tenth lower lets the roller out of "
+                "the wedge"
+            )
+        p_0 = self.shown("p_0")
+        if self.p_lim is not None and self.p_0 > self.p_lim:
+            yield f"p_0 = {p_0} exceeds p_lim = {self.shown('p_lim')}: the surfaces yield"
+        if self.p_lim is None and self.p_0 > 0.02 * self.E:
+            share = f"{self.p_0 / self.E:.1%}"
+            yield f"p_0 = {p_0} is {share} of E: most steels yield before; give p_lim"
+
+    def refusal(self) -> str:
+        """A roller that is squeezed out has no equilibrium."""
+        if self.wedged < 1:
+            return ""
+        return (
+            f"tan(α/2) = {np.tan(self.half):.4g} is not below μ = {self.mu:g}: the roller is "
+            "squeezed out, and there is no equilibrium to compute; check it without --fem"
+        )
+
+
+WEDGE = adapted(WedgedRoller)

@@ -1,36 +1,37 @@
 """Inputs of a roller wedged between two flats, and what its contacts make of them."""
 
 import math
+from typing import Self
 
 from pydantic import model_validator
 
 from analytic.contact import hertz_line
-from verify.core.inputs import Inputs, count, quantity
+from verify.case import Case, Quantity, count, given
 
 WIDEST = 0.15  # a/R that the roller may reach
 
 
-class WedgeInputs(Inputs):
+class WedgeInputs(Case):
     """z rollers, each between ring and race as between two flats at the angle alpha."""
 
-    alpha: float = quantity("6 deg", "deg", "α", "full wedge angle", ge=0.5, le=25)
-    mu: float = quantity(0.08, "1", "μ", "coefficient of friction, alike at both contacts",
+    alpha: float = given("6 deg", "deg", "α", "full wedge angle", ge=0.5, le=25)
+    mu: float = given(0.08, "1", "μ", "coefficient of friction, alike at both contacts",
                          ge=0.02, le=0.6)  # fmt: skip
-    N: float = quantity("1500 N", "N", "N", "normal force at either contact of a roller", gt=0,
+    N: float = given("1500 N", "N", "N", "normal force at either contact of a roller", gt=0,
                         le=1e9)  # fmt: skip
     z: int = count(6, "z", "number of rollers", ge=1, le=200)
-    d: float = quantity("10 mm", "mm", "d", "diameter of the rollers", gt=1e-3, le=1e5)
-    D_i: float = quantity("100.06 mm", "mm", "D_i", "inner diameter of the race", gt=1e-3, le=1e6)
-    b: float = quantity("30 mm", "mm", "b", "length of the rollers", gt=1e-3, le=1e6)
-    E: float = quantity("210 GPa", "GPa", "E", "Young's modulus of rollers and races", gt=0, le=1e5)
-    nu: float = quantity(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
-    p_lim: float | None = quantity(
+    d: float = given("10 mm", "mm", "d", "diameter of the rollers", gt=1e-3, le=1e5)
+    D_i: float = given("100.06 mm", "mm", "D_i", "inner diameter of the race", gt=1e-3, le=1e6)
+    b: float = given("30 mm", "mm", "b", "length of the rollers", gt=1e-3, le=1e6)
+    E: float = given("210 GPa", "GPa", "E", "Young's modulus of rollers and races", gt=0, le=1e5)
+    nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
+    p_lim: float | None = given(
         None, "MPa", "p_lim", "pressure that the material bears, for the warning", omitted=None,
         gt=0, example="4000 MPa",
     )  # fmt: skip
 
     @model_validator(mode="after")
-    def _fits(self) -> "WedgeInputs":
+    def _fits(self) -> Self:
         if not self.D_i > 2 * self.d:
             raise ValueError(
                 "rollers on both sides of the ring need D_i > 2 d, got "
@@ -65,22 +66,17 @@ class WedgeInputs(Inputs):
         return self.N / self.b
 
     @property
-    def wedged(self) -> float:
-        """tan(alpha/2)/mu, the part of its friction that a free roller uses; 1 and it is out."""
-        return math.tan(self.half) / self.mu
-
-    @property
     def E_star(self) -> float:
         """Contact modulus of roller and race, plane strain [Pa]."""
         one = {"E_1": self.E, "nu_1": self.nu, "E_2": self.E, "nu_2": self.nu}
         return float(hertz_line.contact_modulus(**one, assumption="plane strain"))
 
-    @property
+    @Quantity("a", "µm", "half-width of the contacts", source="Hertz", role="geometry",
+              tex=r"\sqrt{\frac{4 N d (1 - \nu^2)}{\pi E b}}")  # fmt: skip
     def a(self) -> float:
-        """Hertz's half-width [m]."""
         return float(hertz_line.half_width(P=self.line_load, R=self.R, E_star=self.E_star))
 
-    @property
+    @Quantity("p_0", "MPa", "peak pressure of the contacts", source="Hertz", role="geometry",
+              safe="too high", tex=r"\frac{2 N}{\pi a b}")  # fmt: skip
     def p_0(self) -> float:
-        """Hertz's peak pressure [Pa]."""
         return float(hertz_line.peak_pressure(P=self.line_load, R=self.R, E_star=self.E_star))

@@ -15,7 +15,15 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SHARES = (0.4, 0.6, 0.8)  # T/(mu N) of the rows
+
+class Share(float):
+    """T/(mu N), which names a number of the reference: "0_4"."""
+
+    def __str__(self) -> str:
+        return f"{self:g}".replace(".", "_")
+
+
+SHARES = tuple(map(Share, (0.4, 0.6, 0.8)))  # of the rows
 GROWTH = np.linspace(0.1, 0.8, 15)  # and of the figure
 SWEEP, SWEPT = 50, 0.88  # steps of letting go, and T/(mu N) at their end
 TILT, FLATTEST = 0.04, 0.02  # a/(mu R) and a/R at most
@@ -50,8 +58,8 @@ def let_go(q: WedgeInputs, level: int) -> tuple[dict[str, float], dict[str, floa
     values, u_it = {}, {}
     for k in SHARES:
         share, u, _ = smoothed(k_found, c2, k)
-        values[f"c/a, {k:g}"] = math.sqrt(share)
-        u_it[f"c/a, {k:g}"] = u / (2 * math.sqrt(share))
+        values[f"stick_{k}"] = math.sqrt(share)
+        u_it[f"stick_{k}"] = u / (2 * math.sqrt(share))
     return values, u_it, np.sqrt([smoothed(k_found, c2, k)[0] for k in GROWTH])
 
 

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from verify.case import Level
 from verify.cases.contact.slip.read import at_nodes, largest_shear
 from verify.cases.polyhedral.wedge.inputs import WedgeInputs
 from verify.cases.polyhedral.wedge.limit import Limit
 from verify.cases.polyhedral.wedge.model import Geometry, Wedge, fem_mesh
 from verify.cases.polyhedral.wedge.stick import let_go
-from verify.core.case import FemResult
 from verify.core.figures import Field
 
 if TYPE_CHECKING:
@@ -26,7 +26,8 @@ GROWN = 150  # steps in which N and T grow together
 ACROSS = np.linspace(-0.95, 0.95, 39)  # of the half-width, where tractions are drawn
 
 
-def fem(q: WedgeInputs, level: int) -> FemResult:
+def solve(q: WedgeInputs, level: int) -> Level:
+    """One level: free, caged, about the limit, let go, and wedged in by steps."""
     geometry = Geometry(q.R, q.half, q.a)
     mesh = fem_mesh(geometry, level // 2)
     free, cage = (
@@ -36,18 +37,18 @@ def fem(q: WedgeInputs, level: int) -> FemResult:
     found, caught, limit = freely(q, free, state), held_back(q, cage), Limit(q, down)
     values = found | caught
     # what the balance along the bisector misses is missing in T
-    u_it = {key: SOLVED * abs(found[key]) / math.tan(q.half) for key in ("T", "M_free", "N/M")}
-    u_it |= {key: SOLVED * abs(caught[key]) for key in ("M_caged", "N/M caged")}
+    u_it = {key: SOLVED * abs(found[key]) / math.tan(q.half) for key in ("T", "M_free", "N_per_M")}
+    u_it |= {key: SOLVED * abs(caught[key]) for key in ("M_caged", "N_per_M_caged")}
     u_it["C"] = SOLVED * q.N
     values["mu_c"], u_it["mu_c"] = limit.friction(found["T"] / q.N)
     stuck, jitter, growth = let_go(q, level)
     grown = free.at(down, steps=GROWN)
     touch = grown.touches[0]
-    arrays = {"profile, growth": growth, "profile, grown": across(q, touch)}
+    arrays = {"growth": growth, "grown": across(q, touch)}
     if level == LEVELS[-1]:
         arrays |= {"over angles": limit.over_angles(), "around": limit.around(),
                    "slipping": np.array([slipping(touch), uneven(q, touch)])}  # fmt: skip
-    return FemResult(
+    return Level(
         h=1 / level, values=values | stuck, u_it=u_it | jitter, arrays=arrays,
         fields=(roller(q, grown),),
     )  # fmt: skip
@@ -60,7 +61,7 @@ def freely(q: WedgeInputs, free: Wedge, state: "ContactSolution") -> dict[str, f
     cut = sum(state.plane.reaction(f"roller.{part}")[1] for part in ("inner", "outer"))
     along, across_ = state.touches[0].force
     return {
-        "T": q.b * T, "M_free": q.b * T * lever, "N/M": N / (T * lever),
+        "T": q.b * T, "M_free": q.b * T * lever, "N_per_M": N / (T * lever),
         "along": q.b * along, "across": q.b * (cut - across_),
     }  # fmt: skip
 
@@ -74,7 +75,7 @@ def held_back(q: WedgeInputs, cage: Wedge) -> dict[str, float]:
     unslipped = np.abs(q.mu * touch.p - np.abs(touch.q)) @ touch.weight
     pulled = 2 * q.b * (T * math.cos(q.half) - N * math.sin(q.half))
     return {
-        "M_caged": q.b * T * lever, "N/M caged": N / (T * lever), "C": C,
+        "M_caged": q.b * T * lever, "N_per_M_caged": N / (T * lever), "C": C,
         "unslipped": q.b * float(unslipped), "cage": C - pulled,
     }  # fmt: skip
 
@@ -92,10 +93,10 @@ def uneven(q: WedgeInputs, touch: "Touch") -> float:
 
 
 def across(q: WedgeInputs, touch: "Touch") -> Array:
-    """Traction (m,) [Pa] into the wedge at `ACROSS`."""
+    """Traction (m,) into the wedge at `ACROSS`, over tan(alpha/2) p_0."""
     s = (touch.x.T @ Geometry(q.R, q.half, q.a).tangent) / q.a
     order = np.argsort(s)
-    return np.interp(ACROSS, s[order], touch.traction[order])
+    return np.interp(ACROSS, s[order], touch.traction[order]) / (math.tan(q.half) * q.p_0)
 
 
 def roller(q: WedgeInputs, state: "ContactSolution") -> Field:

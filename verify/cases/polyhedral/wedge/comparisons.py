@@ -1,0 +1,127 @@
+"""What is compared of a wedged roller: forces in balance, the limit of friction, the stick zone."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from analytic.polyhedral import wedging
+from verify.case import Comparison, Expected, about, approximation, balance, fact, identity
+from verify.cases.polyhedral.wedge.formulas import WedgeFormulas
+from verify.cases.polyhedral.wedge.stick import SHARES, small
+from verify.core.case import Check, Context
+from verify.core.results import Row
+from verify.judging.checks import Fact
+from verify.judging.tolerance_checks import Deviation
+
+BALANCED = "forces in balance, on any mesh"
+STATICS = 1e-6  # of a value: what forces in balance may miss
+MODEL = 2.0  # bound of what half planes leave out, over (a/R)²
+REST = 1e-3  # of N: next to nothing
+EXPELLED = 1e-6  # how close T/N is to tan(alpha/2) in the sweep
+L2 = 0.03  # acceptance of tractions
+EDGES = 0.01  # of the normal force: what may slip where N and T grow together
+FREE = "statics of a free roller: it uses tan(α/2)/μ of its friction"
+HALF_PLANES = "argued: (a/(μR))² of the inclined surfaces, 2 (a/R)² of half planes"
+SOLVER = "the solver's balance of a body that only contact holds"
+LIMIT = "Coulomb's law at every node, to round-off"
+COULOMB = "Coulomb's law of friction"
+
+
+class PaperFact(Fact):
+    """A fact about these inputs: rollers near their limit, or heavily loaded, may differ."""
+
+    paper_only = True
+
+    def rows(self, context: Context) -> list[Row]:
+        return super().rows(context) if context.is_paper else []
+
+
+def too_much(q: WedgeFormulas) -> Expected:
+    """Eq. 3 against a free roller, which uses tan(alpha/2)/mu of its friction."""
+    m = 1 / q.wedged - 1
+    return about(m, STATICS * (1 + m), FREE)
+
+
+def too_little(q: WedgeFormulas) -> Expected:
+    """Eq. 4 against the same."""
+    return about(q.wedged - 1, STATICS, FREE)
+
+
+def half_planes(q: WedgeFormulas) -> Expected:
+    """What inclined surfaces do to the stick zone, and what half planes leave out of bodies."""
+    geometry = small(q)
+    tilt, size = geometry.a / (q.mu * q.R), geometry.a / q.R
+    return about(0.0, tilt**2 + MODEL * size**2, HALF_PLANES)
+
+
+def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
+    """Free rollers, caged ones, Eqs. 3 and 4 as printed, and where contacts stick."""
+    case, scale = WedgeFormulas, {"N": self.N}
+    free: dict[str, Any] = {"sensitivity": (STATICS, BALANCED)}
+    caged: dict[str, Any] = free | {"shares": COULOMB}
+    printed: dict[str, Any] = {"sensitivity": (1e-5, BALANCED)}
+    yield identity(case.T, name="friction force of a free roller", **free)
+    yield identity(case.M_free, name="torque of free rollers (Eq. 3, corrected)", **free)
+    yield approximation(case.M_caged, "M_free", name="torque of free rollers, Eq. 3 as printed",
+                        expected=too_much(self), **printed)  # fmt: skip
+    yield identity(case.M_caged, "M_caged", name="torque of caged rollers (Eq. 3)", **caged)
+    yield identity(case.C, name="cage force (Eq. 1)", scale=scale, **caged)
+    yield identity(case.N_per_M, name="normal force per torque, free (Eq. 5, corrected)", **free)
+    yield approximation(case.N_per_M_caged, "N_per_M", expected=too_little(self),
+                        name="normal force per torque, free, Eq. 4 as printed",
+                        **printed)  # fmt: skip
+    yield identity(case.N_per_M_caged, "N_per_M_caged",
+                   name="normal force per torque, caged (Eq. 4)", **caged)  # fmt: skip
+    yield identity(case.mu_c, name="least friction of a free roller (Eq. 2)", shares=COULOMB,
+                   sensitivity=(1e-4, "bisection to five digits"))  # fmt: skip
+    yield fact("friction 1 % above tan(α/2) holds the roller (Eq. 2)", "N", held)
+    yield fact("friction 1 % below tan(α/2) lets it out (Eq. 2)", "N", let_out)
+    yield Comparison(check=Deviation(
+        name="T/(μN) over wedge angles, to the limit and beyond", symbol="ΔT/(μN)", unit="1",
+        size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
+    ), quantity=case.wedged, shares=COULOMB)  # fmt: skip
+    for k in SHARES:
+        yield approximation(case.stick(k), symbol="c/a", order=1, expected=half_planes(self),
+                            shares=COULOMB)  # fmt: skip
+    for name, symbol, margin in (
+        ("N and T grow together: below 1 % of N slips", "N_slip", no_slip),
+        ("N and T grow together: traction within 3 % of tan(α/2) p in L2", "q", even),
+    ):
+        yield PaperFact(name=name, symbol=symbol, unit="1", margin=margin)
+    for residual, name in (
+        ("along", "balance along the bisector"), ("across", "balance of cut and contact"),
+        ("cage", "balance of cage and contact"),
+    ):  # fmt: skip
+        yield balance(residual, name, "ΣF", "N", of=scale, bound=1e-9, because=SOLVER)
+    yield balance("unslipped", "caged: all nodes at their limit", "μp − q", "N", of=scale,
+                  bound=1e-10, because=LIMIT)  # fmt: skip
+
+
+def held(context: Context) -> tuple[float, float]:
+    """Nearly all of N is left with friction a per cent above tan(alpha/2)."""
+    return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
+
+
+def let_out(context: Context) -> tuple[float, float]:
+    """And next to nothing a per cent below."""
+    return float(REST - context.fem[-1].arrays["around"][0]), 0.0
+
+
+def over_angles(context: Context) -> tuple[float, float, str]:
+    """How far T/(mu N) is off tan(alpha/2)/mu; where the roller is squeezed out nothing is left."""
+    share, left, ratio = context.fem[-1].arrays["over angles"]
+    mu = context.inputs.mu
+    stays = wedging.holds(alpha=2 * np.arctan(share * mu), mu=mu)
+    missed = np.where(stays, np.abs(ratio - share), EXPELLED / REST * np.abs(left))
+    return float(missed.max()), 0.0, f"off by {missed.max():.1e} at most"
+
+
+def no_slip(context: Context) -> tuple[float, float]:
+    """Less than `EDGES` of the normal force is on slipping nodes."""
+    return float(EDGES - context.fem[-1].arrays["slipping"][0]), 0.0
+
+
+def even(context: Context) -> tuple[float, float]:
+    """The traction is tan(alpha/2) p within `L2`."""
+    return float(L2 - context.fem[-1].arrays["slipping"][1]), 0.0

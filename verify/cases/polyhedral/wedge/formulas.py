@@ -1,0 +1,82 @@
+"""The formulas of a wedged roller: free, caged at the limit of friction, let go after pressing."""
+
+import math
+
+from analytic.contact import partial_slip
+from analytic.polyhedral import wedging
+from verify.case import Quantity
+from verify.cases.polyhedral.wedge.inputs import WedgeInputs
+from verify.cases.polyhedral.wedge.stick import SHARES, Share, small
+
+
+def stays(q: "WedgeFormulas") -> bool:
+    """Whether a free roller is not squeezed out (Eq. 2)."""
+    return bool(wedging.holds(alpha=q.alpha, mu=q.mu))
+
+
+class WedgeFormulas(WedgeInputs):
+    """Eqs. 1 to 5; what a free roller carries exists only where it stays in its wedge."""
+
+    @Quantity("M_t", "N m", "torque of free rollers", equation="3", form="corrected", when=stays,
+              safe="too low",
+              tex=r"N \tan\left(\frac{\alpha}{2}\right) z \frac{D_i}{2}")  # fmt: skip
+    def M_free(self) -> float:
+        torque = wedging.torque(N=self.N, alpha=self.alpha, z=self.z, D_i=self.D_i)
+        return float(torque)
+
+    @Quantity("M_t", "N m", "torque at which caged rollers slip", equation="3", form="as printed",
+              form_of="M_free", safe="too low", tex=r"\mu N z \frac{D_i}{2}")  # fmt: skip
+    def M_caged(self) -> float:
+        return float(wedging.largest_torque(N=self.N, mu=self.mu, z=self.z, D_i=self.D_i))
+
+    @Quantity("T", "N", "tangential force at either contact of a free roller", when=stays,
+              tex=r"N \tan\left(\frac{\alpha}{2}\right)")  # fmt: skip
+    def T(self) -> float:
+        return float(wedging.tangential_force(N=self.N, alpha=self.alpha))
+
+    @Quantity("tan(α/2)/μ", "1", "part of its friction that a free roller uses", role="step",
+              tex=r"\frac{\tan\left(\frac{\alpha}{2}\right)}{\mu}")  # fmt: skip
+    def wedged(self) -> float:
+        return math.tan(self.half) / self.mu
+
+    @Quantity("α_max", "deg", "wedge angle below which a free roller stays", equation="2",
+              role="step", tex=r"2 \arctan\left(\mu\right)")  # fmt: skip
+    def alpha_max(self) -> float:
+        return float(wedging.largest_angle(mu=self.mu))
+
+    @Quantity("μ_c", "1", "least friction that holds a free roller", equation="2", safe="too high",
+              tex=r"\tan\left(\frac{\alpha}{2}\right)")  # fmt: skip
+    def mu_c(self) -> float:
+        low, high = 0.25, 0.75  # Eq. 1 leaves nothing, its sides being linear in the friction
+        at = [float(wedging.cage_force(N=self.N, alpha=self.alpha, mu=mu)) for mu in (low, high)]
+        return low - at[0] * (high - low) / (at[1] - at[0])
+
+    @Quantity("C", "N", "force that pulls a roller out of the wedge", equation="1",
+              tex=r"2 N \left(\mu \cos\left(\frac{\alpha}{2}\right) "
+              r"- \sin\left(\frac{\alpha}{2}\right)\right)")  # fmt: skip
+    def C(self) -> float:
+        return float(wedging.cage_force(N=self.N, mu=self.mu, alpha=self.alpha))
+
+    @Quantity("N/M_t", "1/m", "normal force per torque, free", equation="5", form="corrected",
+              when=stays, safe="too high",
+              tex=r"\frac{2}{z D_i \tan\left(\frac{\alpha}{2}\right)}")  # fmt: skip
+    def N_per_M(self) -> float:
+        clutch = {"z": self.z, "D_i": self.D_i}
+        return float(wedging.normal_force(M_t=1.0, alpha=self.alpha, **clutch))
+
+    @Quantity("N/M_t", "1/m", "normal force per torque, caged", equation="4", form="as printed",
+              form_of="N_per_M", safe="too high", tex=r"\frac{2}{\mu z D_i}")  # fmt: skip
+    def N_per_M_caged(self) -> float:
+        return float(wedging.least_normal_force(M_t=1.0, mu=self.mu, z=self.z, D_i=self.D_i))
+
+    @Quantity("c/a", "1", "stick half-width of a roller pressed first and let go then", role="step",
+              source="Cattaneo", when=stays, tex=r"\sqrt{1 - \frac{T}{\mu N}}")  # fmt: skip
+    def stick_free(self) -> float:
+        load = {"Q": self.T, "P": self.N, "mu": self.mu, "a": self.a}
+        return float(partial_slip.stick_half_width(**load) / self.a)
+
+    @Quantity("c/a({0:g})", "1", "stick half-width of a roller let go, T/(μN) = {0:g}",
+              source="Cattaneo").over(SHARES)  # fmt: skip
+    def stick(self, k: Share) -> float:
+        a = small(self).a
+        return float(partial_slip.stick_half_width(Q=k, P=1.0, mu=1.0, a=a) / a)

@@ -1,0 +1,41 @@
+"""The free body of a wedged roller: both contact forces on the line through both contacts."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from verify.cases.polyhedral.wedge.inputs import WedgeInputs
+from verify.core.figures import Shape, Sketch
+from verify.form import sketches
+
+DRAWN = math.radians(12)  # half of the wedge angle in the sketch, at least
+
+
+def sketch(self: WedgeInputs) -> Sketch:
+    """Normal and friction forces on a roller in a wedge."""
+    half = max(self.half, DRAWN)
+    x = math.sin(half)
+    return sketches.sketch(
+        "free body of a roller, wedge drawn wider than it is: normal forces push it out, "
+        "friction pulls it in; finite elements take the half above the bisector",
+        sketches.circle(1.0, "body"), Shape(style="axis", points=np.array([[-1.9, 0], [3.0, 0]])),
+        _flat(half, 1), _flat(half, -1),
+        Shape(style="faint", points=np.array([[x, -1.9], [x, 1.9]])),
+        sketches.leader((2.1, 1.55), (x, 1.35), "line through both contacts"),
+        sketches.leader((-1.5, -0.45), (-0.86, -0.5), f"d = {self.shown('d')}"),
+        sketches.leader((2.2, 0.32), (1.7, 0.0),
+                        f"bisector, α = {math.degrees(self.alpha):.4g}°"),
+        sketches.room(3.0, 4.6),
+    )  # fmt: skip
+
+
+def _flat(half: float, side: int) -> Iterator[Shape]:
+    """One flat with what it does to the roller; `side` 1 above the bisector, -1 below."""
+    mirror = np.array([1, side])
+    n = np.array([math.sin(half), math.cos(half)]) * mirror
+    t = np.array([math.cos(half), -math.sin(half)]) * mirror
+    inside = 0.8 * n
+    yield Shape(style="clamp", points=np.array([n - 1.7 * t, n + 1.9 * t])[::side])
+    yield Shape(style="load", points=np.array([1.75 * n, n]), label="N")
+    yield Shape(style="load", points=np.array([inside, inside + 0.62 * t]), label="T")
